@@ -1,0 +1,32 @@
+# Targets with the house's compile rules: warnings are errors, and floating point gives the same bits everywhere.
+
+function(slipface_compile_rules target)
+    target_compile_options(${target} PRIVATE
+        $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror>
+        -ffp-contract=off -fno-fast-math)
+    if(SLIPFACE_SANITIZE)
+        target_compile_options(${target} PRIVATE -fsanitize=${SLIPFACE_SANITIZE} -fno-omit-frame-pointer
+            -fno-sanitize-recover=all)
+        target_link_options(${target} PUBLIC -fsanitize=${SLIPFACE_SANITIZE})
+    endif()
+endfunction()
+
+# slipface_module(NAME DEPENDS ... PRIVATE_DEPENDS ...): the engine module in the current folder, as the target
+# Slipface::NAME. Its public headers lie in include/slipface/NAME. A module sees only what it depends on, so an
+# include from a floor above does not build.
+function(slipface_module name)
+    cmake_parse_arguments(arg "" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
+    set(target slipface_${name})
+    add_library(${target} STATIC ${sources})
+    add_library(Slipface::${name} ALIAS ${target})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+    target_compile_features(${target} PUBLIC cxx_std_20)
+    target_include_directories(${target}
+        PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+        PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+    target_link_libraries(${target} PUBLIC ${arg_DEPENDS} PRIVATE ${arg_PRIVATE_DEPENDS})
+    slipface_compile_rules(${target})
+    set_property(GLOBAL APPEND PROPERTY SLIPFACE_MODULES ${target})
+    install(DIRECTORY include/slipface DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endfunction()

@@ -1,0 +1,52 @@
+// The editor's frame: the same code whether a GLFW window or an off-screen context drives it.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "panels/panels.h"
+#include "slipface/render/gl_context.h"
+
+namespace slipface {
+
+struct AppOptions {
+    GlTable gl;
+    GlGetProc get_proc = nullptr;     // for Dear ImGui's renderer
+    float scale = 1.0f;               // pixels per design pixel
+    bool deterministic = false;       // pictures for goldens: no caret blink, no paths, fixed time
+    std::filesystem::path config;     // folder for recent files; empty: nothing is remembered
+};
+
+// A key press, for shortcuts. Text and navigation keys reach Dear ImGui by themselves.
+struct KeyPress {
+    Shortcut shortcut;
+};
+
+class App {
+  public:
+    explicit App(const AppOptions& options);  // an OpenGL context is current, a Dear ImGui context is made here
+    ~App();
+    App(const App&) = delete;
+    App& operator=(const App&) = delete;
+
+    Editor& editor();
+
+    void key_pressed(const KeyPress& press);
+    void drop_file(const std::filesystem::path& path);
+    void focus_lost();                        // releases every held key
+    FrameContext& context();                  // the host fills `held` before each frame and obeys the outputs after it
+
+    // Builds one frame of `width` x `height` pixels lasting `seconds`, without drawing it. The host has fed ImGui's io.
+    void build_frame(int width, int height, double seconds);
+    // True if the frame built last would look different from the one drawn last.
+    bool needs_drawing() const;
+    // Draws it into the framebuffer that is bound (0: the window).
+    void draw_frame();
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace slipface

@@ -1,0 +1,85 @@
+// Everything the editor's windows show and change. Knows neither ImGui nor OpenGL, so that all of it can be tested and scripted.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "document/document.h"
+#include "document/recent_files.h"
+#include "tools/playtest.h"
+#include "tools/probe.h"
+#include "tools/view_camera.h"
+#include "slipface/render/level_renderer.h"
+
+namespace slipface {
+
+enum class Tool { select, paint, fill, probe };
+inline constexpr std::size_t tool_count = 4;
+
+// What the UI has to ask or tell. One at a time; the window on top of everything shows it.
+struct MessageDialog {
+    std::string title;
+    std::string text;
+    Warnings details;
+};
+// A decision about unsaved changes, before `then` is done.
+struct UnsavedDialog {
+    enum class Then { open, quit } then = Then::quit;
+    std::filesystem::path open_path;
+};
+enum class FileDialogKind { none, open, save_as };
+
+struct Editor {
+    std::unique_ptr<Document> document;              // null: nothing is open
+    RecentFiles recent;
+
+    ViewCamera view;
+    LevelStyle style;
+    bool show_trace = true;                          // in playtest: contacts of the last tick
+
+    Tool tool = Tool::select;
+    std::optional<SurfaceId> brush = SurfaceId{1};   // nothing: unset
+    double brush_radius = 0.0;                       // metres; 0: single faces
+    double fill_angle = 0.2617993877991494;          // radians, 15 degrees
+    FaceId hovered = no_id;
+    Vec3 hovered_point = Vec3::Zero();
+    Vec3 hovered_normal = Vec3::Zero();
+
+    Probe probe;
+    std::optional<Playtest> playtest;                // walking while set
+
+    // Open windows.
+    bool show_settings = true, show_palette = true, show_probe_table = true, show_history = false, show_shortcuts = false,
+         show_warnings = false;
+    std::optional<MessageDialog> message;
+    std::optional<UnsavedDialog> unsaved;
+    FileDialogKind file_dialog = FileDialogKind::none;
+    std::string status;                              // last thing done, for the status bar
+    bool quit = false;                               // the host ends after this frame
+};
+
+// Each of these reports failure as a MessageDialog and leaves the open document as it was.
+void open_level(Editor& editor, const std::filesystem::path& path);          // no question asked
+void request_open(Editor& editor, const std::filesystem::path& path);        // asks first when there are unsaved changes
+void save_level(Editor& editor);
+void save_level_as(Editor& editor, const std::filesystem::path& level_file);
+void request_quit(Editor& editor);
+
+// The face under a ray, or no_id; fills hovered_*.
+void hover(Editor& editor, const Ray& ray);
+void paint_hovered(Editor& editor);                  // with the brush, within the open transaction if there is one
+void fill_hovered(Editor& editor);
+void click_select(Editor& editor, bool add);         // toggles when adding; empty space clears
+void pick_surface(Editor& editor);                   // eyedropper: the hovered face's type becomes the brush
+void frame_selected(Editor& editor, double aspect);  // or everything when nothing is selected
+void choose_brush(Editor& editor, std::optional<SurfaceId> surface);
+void start_playtest(Editor& editor);
+void stop_playtest(Editor& editor);
+
+// Faces for LevelRenderer::set_face_highlights: bit 0 hovered (all faces that the tool would touch), bit 1 selected.
+std::vector<std::uint8_t> face_highlights(const Editor& editor);
+
+}  // namespace slipface

@@ -1,0 +1,27 @@
+// The sweep probe: an ellipsoid placed in the level, a displacement dragged from it, and what collide-and-slide makes of it.
+#pragma once
+
+#include "slipface/movement/step.h"
+
+namespace slipface {
+
+struct Probe {
+    bool placed = false;
+    Vec3 from = Vec3::Zero();   // centre
+    Vec3 move = Vec3::Zero();   // metres
+
+    // Puts the ellipsoid onto a surface hit at `point` with `normal`, just clear of it.
+    void place_on(const Vec3& point, const Vec3& normal, const MovementSettings& settings);
+};
+
+struct ProbeResult {
+    SlideResult slide;
+    std::vector<TraceRecord> records;
+    bool starts_overlapping = false;
+};
+ProbeResult run_probe(const Probe& probe, const MovementScene& scene, const MovementSettings& settings);
+
+// The command line that repeats the probe's first sweep.
+std::string probe_command_line(const Probe& probe, const MovementSettings& settings, const std::string& level);
+
+}  // namespace slipface

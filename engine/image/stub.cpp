@@ -1,0 +1,1 @@
+// Temporary: keeps the target buildable until its first source file arrives; delete me.

@@ -1,0 +1,90 @@
+// A level: immutable geometry, and everything that Slipface adds to it.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "slipface/base/result.h"
+#include "slipface/collision/collision_world.h"
+#include "slipface/mesh/mesh.h"
+#include "slipface/movement/settings.h"
+#include "slipface/movement/surface_type.h"
+
+namespace slipface {
+
+// Faces whose material name matches `pattern` ('*' and '?', upper and lower case alike, ".001" endings ignored) have type `type`.
+struct MaterialRule {
+    std::string pattern;
+    std::string type;
+    friend bool operator==(const MaterialRule&, const MaterialRule&) = default;
+};
+
+struct CameraBookmark {
+    std::string name;
+    Vec3 eye = Vec3::Zero();
+    Vec3 target = Vec3::Zero();
+    double fov_y = 1.0471975511965976;  // radians
+    friend bool operator==(const CameraBookmark&, const CameraBookmark&) = default;
+};
+
+// Where a face lies, for finding it again after the file was changed by another tool. Never an index.
+struct FaceKey {
+    std::uint64_t loop_hash = 0;  // of the corner positions rounded to 1e-5 m, independent of the starting corner
+    Vec3 centroid = Vec3::Zero();
+    Vec3 normal = Vec3::Zero();
+    double area = 0.0;
+    std::string material;
+    friend bool operator==(const FaceKey&, const FaceKey&) = default;
+};
+FaceKey face_key(const Mesh& mesh, FaceId face);
+
+// An override that found no face. Kept in the file, listed in the editor, never dropped.
+struct Orphan {
+    FaceKey key;
+    std::string type;
+    friend bool operator==(const Orphan&, const Orphan&) = default;
+};
+
+// Why a face has its type.
+enum class SurfaceSource : std::uint8_t { none, rule, suffix, override_ };
+const char* surface_source_name(SurfaceSource source);
+
+// Unknown keys of the file, kept as compact JSON text and written back.
+struct UnknownKeys {
+    std::string json = "{}";
+    friend bool operator==(const UnknownKeys&, const UnknownKeys&) = default;
+};
+
+struct Level {
+    std::filesystem::path mesh_path;        // the OBJ
+    std::filesystem::path file_path;        // NAME.slipface.json beside it, whether it exists or not
+    MeshPtr mesh;
+
+    std::vector<SurfaceType> surfaces = preset_surface_types();
+    std::vector<MaterialRule> rules;
+    std::vector<std::optional<SurfaceId>> overrides;  // [face]; nothing: unset, which differs from `default`
+    std::vector<Orphan> orphans;
+    Vec3 spawn = Vec3::Zero();              // centre of the player
+    double spawn_yaw = 0.0;                 // radians, 0 looks along -Z, counter-clockwise seen from above
+    std::vector<CameraBookmark> cameras;
+    MovementSettings movement;
+    UnknownKeys unknown;
+};
+
+// The type that rules and suffixes give to each face, overrides left aside; and where it comes from.
+struct ResolvedSurfaces {
+    std::vector<SurfaceId> surface;         // [face] what counts: override, else suffix, else rule, else default
+    std::vector<SurfaceSource> source;      // [face]
+};
+ResolvedSurfaces resolve_surfaces(const Level& level);
+
+std::optional<SurfaceId> find_surface(const Level& level, std::string_view name);
+
+// A collision world of the level's mesh with the resolved surfaces and rules applied.
+Result<CollisionWorld> build_collision_world(const Level& level);
+void apply_surfaces(CollisionWorld& world, const Level& level);  // after types or faces changed
+
+}  // namespace slipface

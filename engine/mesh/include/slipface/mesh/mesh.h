@@ -1,0 +1,73 @@
+// The immutable geometry of a level: polygons as they were authored, and the triangles they are made of.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "slipface/base/types.h"
+
+namespace slipface {
+
+struct Material {
+    std::string name;                        // as `newmtl` wrote it; empty for faces without a material
+    Vec3f diffuse = Vec3f::Constant(0.8f);   // Kd, 0..1, sRGB as authored
+    std::string texture;                     // map_Kd as authored, relative to the MTL's folder; empty: none
+};
+
+// A *face* is one polygon of the file, in the file's winding (counter-clockwise seen from the front). Its corners are
+// consecutive in the corner arrays. A *triangle* is three corner indices of one face.
+struct Mesh {
+    std::vector<Vec3f> positions;                              // [vertex], metres; shared between faces
+    std::vector<std::uint32_t> corner_vertex;                  // [corner] index into positions
+    std::vector<Vec2f> corner_uv;                              // [corner], V up; zero where the file gives none
+    std::vector<std::uint32_t> face_first_corner;              // [face + 1], ends with the number of corners
+    std::vector<std::uint32_t> face_material;                  // [face] index into materials
+    std::vector<std::uint32_t> face_group;                     // [face] index into groups
+    std::vector<std::array<std::uint32_t, 3>> triangles;       // [triangle] corner indices
+    std::vector<FaceId> triangle_face;                         // [triangle] ascending
+    std::vector<std::uint32_t> face_first_triangle;            // [face + 1], ends with the number of triangles
+    std::vector<Material> materials;                           // at least one
+    std::vector<std::string> groups;                           // object and group names; at least one
+    Aabb bounds;
+    std::uint64_t fingerprint = 0;                             // of positions, faces and material names
+
+    std::size_t face_count() const { return face_material.size(); }
+    std::size_t triangle_count() const { return triangles.size(); }
+
+    // The corners of `face` as [first, first + count).
+    std::uint32_t face_corner_count(FaceId face) const {
+        return face_first_corner[face + 1] - face_first_corner[face];
+    }
+    Vec3f corner_position(std::uint32_t corner) const { return positions[corner_vertex[corner]]; }
+};
+
+using MeshPtr = std::shared_ptr<const Mesh>;
+
+// Newell's normal of a face: unit length, or zero for a face without area. Source: Newell's method, the sum of the
+// cross products of consecutive corners, exact for planar polygons and an average for bent ones.
+Vec3 face_normal(const Mesh& mesh, FaceId face);
+
+// The mean of the face's corners, world space.
+Vec3 face_centroid(const Mesh& mesh, FaceId face);
+
+// Half the length of Newell's sum, square metres.
+double face_area(const Mesh& mesh, FaceId face);
+
+// Faces that share an edge (the same two vertices, in either direction) with each face, as one flat list:
+// neighbours of `face` are list[first[face]] .. list[first[face + 1] - 1], ascending, without repeats.
+struct FaceNeighbours {
+    std::vector<std::uint32_t> first;  // [face + 1]
+    std::vector<FaceId> list;
+    std::span<const FaceId> of(FaceId face) const {
+        return std::span(list).subspan(first[face], first[face + 1] - first[face]);
+    }
+};
+
+// Vertices at exactly the same position count as one, so meshes split at materials or seams still connect.
+FaceNeighbours face_neighbours(const Mesh& mesh);
+
+}  // namespace slipface

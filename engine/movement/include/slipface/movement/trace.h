@@ -1,0 +1,79 @@
+// The story of a step, as plain records in the order in which things happened. Every panel, plot and picture that explains
+// movement reads these and nothing else.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "slipface/collision/contact.h"
+
+namespace slipface {
+
+// Why a sweep was made.
+enum class Pass : std::uint8_t { slide, horizontal, vertical, probe };
+// How a contact turned the leftover.
+enum class Rule : std::uint8_t { slide, bounce, straight_ahead, keep_energy, stick, crease, stop };
+
+const char* pass_name(Pass pass);
+const char* rule_name(Rule rule);
+
+// One sweep. The centre reached is `from + (contact ? contact->t : 1) * move`, then `reached` after the skin is kept.
+struct SweepRecord {
+    Pass pass = Pass::slide;
+    int iteration = 0;               // 0.. within its pass
+    Vec3 from = Vec3::Zero();
+    Vec3 move = Vec3::Zero();        // displacement asked for
+    Vec3 reached = Vec3::Zero();     // centre after this sweep, skin included
+    std::optional<Contact> contact;
+};
+
+// What a contact did to the leftover.
+struct ResponseRecord {
+    Rule rule = Rule::slide;
+    Vec3 leftover_before = Vec3::Zero();
+    Vec3 leftover_after = Vec3::Zero();
+    Vec3 normal = Vec3::Zero();
+    SurfaceId surface = default_surface;
+    FaceId face = no_id;
+};
+
+// A hack or rule that was considered. `value` against `limit` decided.
+struct DecisionRecord {
+    const char* hack = "";           // the switch's name in settings_table()
+    bool acted = false;
+    const char* quantity = "";       // what `value` is: "N.V / |V|", "slope, deg"
+    double value = 0.0;
+    double limit = 0.0;
+    const char* outcome = "";        // "grounded", "refused: hits head-on"
+    FaceId face = no_id;
+};
+
+// The ellipsoid was moved out of overlaps.
+struct PushOutRecord {
+    Vec3 from = Vec3::Zero();
+    Vec3 to = Vec3::Zero();
+    int planes = 0;
+    bool free = false;               // nothing is overlapped at `to`
+};
+
+using TraceRecord = std::variant<SweepRecord, ResponseRecord, DecisionRecord, PushOutRecord>;
+
+class TraceSink {
+  public:
+    virtual ~TraceSink() = default;
+    virtual void add(const TraceRecord& record) = 0;
+};
+
+// Keeps the records of one or more steps.
+class TraceRecorder final : public TraceSink {
+  public:
+    void add(const TraceRecord& record) override { records.push_back(record); }
+    std::vector<TraceRecord> records;
+};
+
+// One record as a sentence, with the numbers that decided.
+std::string trace_text(const TraceRecord& record);
+
+}  // namespace slipface

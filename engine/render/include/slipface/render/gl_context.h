@@ -1,0 +1,61 @@
+// OpenGL 3.3 core through one function table per context, and contexts that need no display.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "slipface/base/result.h"
+#include "slipface/image/image.h"
+
+struct GladGLContext;
+
+namespace slipface {
+
+using GlProc = void (*)();
+using GlGetProc = GlProc (*)(const char* name);
+
+// The functions of one context; valid while that context is current.
+using GlTable = std::shared_ptr<const GladGLContext>;
+
+// Loads the table of the context that is current on this thread. Refuses versions below 3.3.
+Result<GlTable> load_gl_table(GlGetProc get_proc);
+
+enum class OffscreenBackend { automatic, osmesa, egl };
+
+// A context without a window. Its libraries are opened at run time. Make at most one kind of context (off-screen or GLFW) in
+// one process: Mesa's dispatch is shared between them.
+class OffscreenContext {
+  public:
+    virtual ~OffscreenContext() = default;
+    virtual const GlTable& gl() const = 0;
+    virtual GlGetProc get_proc() const = 0;
+    virtual std::string backend_name() const = 0;   // "OSMesa", "EGL surfaceless"
+    virtual std::string renderer() const = 0;       // GL_RENDERER
+};
+
+// automatic: OSMesa, else EGL surfaceless. The error says what was tried and which package provides it. The context is
+// current on this thread afterwards.
+Result<std::unique_ptr<OffscreenContext>> make_offscreen_context(OffscreenBackend backend = OffscreenBackend::automatic);
+
+// A colour (RGBA8) and depth target with 4x multisampling, resolved into a texture.
+class Framebuffer {
+  public:
+    Framebuffer(GlTable gl, int width, int height);
+    ~Framebuffer();
+    Framebuffer(const Framebuffer&) = delete;
+    Framebuffer& operator=(const Framebuffer&) = delete;
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    void bind();                     // draw into it, viewport set
+    void resolve();                  // multisampled colour into the texture
+    unsigned texture() const { return resolve_texture_; }  // rows from the bottom
+    Image read();                    // resolves; rows from the top, alpha 255
+
+  private:
+    GlTable gl_;
+    int width_, height_;
+    unsigned msaa_framebuffer_ = 0, msaa_color_ = 0, msaa_depth_ = 0, resolve_framebuffer_ = 0, resolve_texture_ = 0;
+};
+
+}  // namespace slipface
