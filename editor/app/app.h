@@ -12,10 +12,11 @@ namespace slipface {
 
 struct AppOptions {
     GlTable gl;
-    GlGetProc get_proc = nullptr;     // for Dear ImGui's renderer
-    float scale = 1.0f;               // pixels per design pixel
-    bool deterministic = false;       // pictures for goldens: no caret blink, no paths, fixed time
-    std::filesystem::path config;     // folder for recent files; empty: nothing is remembered
+    GlGetProc get_proc = nullptr;  // for Dear ImGui's renderer
+    float scale = 1.0f;            // pixels per design pixel
+    bool deterministic = false;    // pictures for goldens: no caret blink, no paths, fixed time
+    std::string hidden_folder;  // left out of messages, so that pictures do not depend on where the files lie
+    std::filesystem::path config;  // folder for recent files; empty: nothing is remembered
 };
 
 // A key press, for shortcuts. Text and navigation keys reach Dear ImGui by themselves.
@@ -25,7 +26,8 @@ struct KeyPress {
 
 class App {
   public:
-    explicit App(const AppOptions& options);  // an OpenGL context is current, a Dear ImGui context is made here
+    explicit App(
+        const AppOptions& options);  // an OpenGL context is current, a Dear ImGui context is made here
     ~App();
     App(const App&) = delete;
     App& operator=(const App&) = delete;
@@ -34,13 +36,17 @@ class App {
 
     void key_pressed(const KeyPress& press);
     void drop_file(const std::filesystem::path& path);
-    void focus_lost();                        // releases every held key
-    FrameContext& context();                  // the host fills `held` before each frame and obeys the outputs after it
+    void focus_lost();        // releases every held key
+    FrameContext& context();  // the host fills `held` before each frame and obeys the outputs after it
 
-    // Builds one frame of `width` x `height` pixels lasting `seconds`, without drawing it. The host has fed ImGui's io.
+    // Builds one frame of `width` x `height` pixels lasting `seconds`, without drawing it. The host has fed
+    // ImGui's io.
     void build_frame(int width, int height, double seconds);
     // True if the frame built last would look different from the one drawn last.
     bool needs_drawing() const;
+    std::uint64_t frame_hash() const;  // of the frame built last: equal hashes, equal pictures
+    Image level_picture() const;       // of the view, as drawn last; empty if it never was
+    void redraw();  // the window's pixels were lost: needs_drawing() until the next draw_frame()
     // Draws it into the framebuffer that is bound (0: the window).
     void draw_frame();
 

@@ -1,11 +1,13 @@
 // An open level and its history. Every change goes through here, so that every change can be undone.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -39,12 +41,16 @@ using SurfacesEdit = ValueEdit<std::vector<SurfaceType>>;
 using RulesEdit = ValueEdit<std::vector<MaterialRule>>;
 using SpawnEdit = ValueEdit<Spawn>;
 using CamerasEdit = ValueEdit<std::vector<CameraBookmark>>;
-using Edit = std::variant<FaceEdit, SelectionEdit, MovementEdit, SurfacesEdit, RulesEdit, SpawnEdit, CamerasEdit>;
+using OrphansEdit = ValueEdit<std::vector<Orphan>>;
+using Edit = std::variant<FaceEdit, SelectionEdit, MovementEdit, SurfacesEdit, RulesEdit, SpawnEdit,
+                          CamerasEdit, OrphansEdit>;
 
 // What undo takes back at once: a stroke, a slider drag, a command.
 struct HistoryStep {
-    std::string name;  // "Paint ice", as menus show it
-    std::vector<Edit> edits;
+    std::string name;         // "Paint ice", as menus show it
+    std::vector<Edit> edits;  // at most one of each kind, so their order does not matter
+
+    bool changes_file() const;  // false: it only selects
 };
 
 class Document {
@@ -62,25 +68,45 @@ class Document {
     MovementScene scene() const { return {collision_, level_.surfaces}; }
     std::span<const FaceId> selection() const { return selection_; }  // ascending
 
-    // Counts up at every change of what is shown; face_revision only when a face's type or a type changed.
+    std::size_t face_count_of(SurfaceId surface) const { return surface_counts_[surface]; }
+
+    // The nearest face that the ray meets, non-solid ones too; with `front_only`, seen from the front.
+    // Nothing changes for an observer, but no other query may run meanwhile.
+    std::optional<RayHit> pick(const Vec3& origin, const Vec3& direction, bool front_only);
+
+    // Never the same for two documents. Counts up at every change of what is shown; face_revision only when a
+    // face's type or a type changed.
     std::uint64_t revision() const { return revision_; }
     std::uint64_t face_revision() const { return face_revision_; }
 
     // Differs from the file on disk. Selecting does not count.
     bool dirty() const;
     Status save();
-    Status save_as(const std::filesystem::path& level_file);  // the level file's name; the OBJ stays where it is
+    Status save_as(
+        const std::filesystem::path& level_file);  // the level file's name; the OBJ stays where it is
 
-    // Changes. Each is one step of history, unless a transaction is open; one that changes nothing leaves no step.
+    // Changes. Each is one step of history, unless a transaction is open; one that changes nothing leaves no
+    // step.
     void paint(std::span<const FaceId> faces, std::optional<SurfaceId> surface);  // nothing: unset
     void select(std::vector<FaceId> faces);
     void set_movement(const MovementSettings& movement, std::string step_name);
-    void set_surfaces(std::vector<SurfaceType> surfaces, std::string step_name);  // ids of kept types must not move
+    // Ids of kept types must not move. A table that is empty, too long, or too short for the painted faces is
+    // ignored.
+    void set_surfaces(std::vector<SurfaceType> surfaces, std::string step_name);
+    // Rules and orphans that name the type follow. Ignored when rename_problem() says why not.
+    void rename_surface(SurfaceId surface, const std::string& name);
+    std::string rename_problem(SurfaceId surface,
+                               std::string_view name) const;  // empty: it may have that name
+    void remove_surface(
+        SurfaceId surface);  // later types move down by one; ignored while removal_problem() has a reason
+    std::string removal_problem(SurfaceId surface) const;
     void set_rules(std::vector<MaterialRule> rules);
     void set_spawn(Spawn spawn);
     void set_cameras(std::vector<CameraBookmark> cameras);
 
-    // Gathers what follows into one step until commit(). Nested begins join the outer one. cancel() takes all of it back.
+    // Gathers what follows into one step until commit(). Nested begins join the outer one, whose name counts.
+    // cancel() takes back everything since the outermost begin; like commit() it ends one begin. Both do
+    // nothing without a begin.
     void begin(std::string name);
     void commit();
     void cancel();
@@ -93,15 +119,35 @@ class Document {
     void redo();
     std::span<const HistoryStep> history() const { return history_; }
     std::size_t history_cursor() const { return cursor_; }  // steps [0, cursor) are done
+    std::optional<std::size_t> saved_cursor() const {
+        return saved_cursor_;
+    }                                // the file has these steps; nothing: none has
+    void go_to(std::size_t cursor);  // undoes or redoes until it is there
 
   private:
-    Document() = default;
-    void apply(const Edit& edit, bool forward);
-    void record(std::string step_name, Edit edit);
+    // What applying edits touched, so that only that is worked out again.
+    struct Touched {
+        std::vector<FaceId> faces;
+        bool types = false;  // a name, the number of types, or a rule
+        bool parameters = false;
+    };
+
+    Document();
+    Spawn spawn() const { return {level_.spawn, level_.spawn_yaw}; }
+    void apply(const Edit& edit, bool forward, Touched& touched);
+    void apply(const HistoryStep& step, bool forward);
+    void refresh(const Touched& touched);
     void resolve_again();
+    void resolve_face(FaceId face);
+    template <class ValueOf>
+    void change(ValueEdit<ValueOf> edit, std::string step_name);
+    void perform(std::string step_name, Edit edit);
+    void push(HistoryStep step);
 
     Level level_;
+    ResolvedSurfaces unpainted_;  // as if there were no overrides
     ResolvedSurfaces resolved_;
+    std::array<std::size_t, max_surface_types + 1> surface_counts_{};
     CollisionWorld collision_;
     FaceNeighbours neighbours_;
     Warnings warnings_;
@@ -112,13 +158,15 @@ class Document {
     std::optional<std::size_t> saved_cursor_ = 0;  // nothing: the saved state left the history
     HistoryStep open_step_;
     int depth_ = 0;
-    std::uint64_t revision_ = 1, face_revision_ = 1;
+    std::uint64_t revision_, face_revision_;
 };
 
 // Begins on construction; takes everything back on destruction unless committed.
 class Transaction {
   public:
-    Transaction(Document& document, std::string name) : document_(&document) { document.begin(std::move(name)); }
+    Transaction(Document& document, std::string name) : document_(&document) {
+        document.begin(std::move(name));
+    }
     ~Transaction() {
         if (document_) document_->cancel();
     }

@@ -1,4 +1,5 @@
-// The one table of commands. Menus, toolbar, shortcuts, tooltips, scripts and docs/commands.md are made from it.
+// The one table of commands. Menus, toolbar, shortcuts, tooltips, scripts and docs/commands.md are made from
+// it.
 #pragma once
 
 #include <span>
@@ -32,7 +33,8 @@ struct Command {
 
 std::span<const Command> commands();
 const Command* find_command(std::string_view id);
-// The command for a pressed key, or null; first in the table wins, and a test keeps the table free of conflicts.
+// The command for a pressed key, or null; first in the table wins, and a test keeps the table free of
+// conflicts.
 const Command* command_for(const Shortcut& pressed);
 // Runs it if it is enabled. False if not.
 bool run_command(Editor& editor, std::string_view id);

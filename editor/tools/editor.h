@@ -1,4 +1,5 @@
-// Everything the editor's windows show and change. Knows neither ImGui nor OpenGL, so that all of it can be tested and scripted.
+// Everything the editor's windows show and change. Knows neither ImGui nor OpenGL, so that all of it can be
+// tested and scripted.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +10,10 @@
 
 #include "document/document.h"
 #include "document/recent_files.h"
+#include "slipface/render/level_renderer.h"
 #include "tools/playtest.h"
 #include "tools/probe.h"
 #include "tools/view_camera.h"
-#include "slipface/render/level_renderer.h"
 
 namespace slipface {
 
@@ -30,56 +31,80 @@ struct UnsavedDialog {
     enum class Then { open, quit } then = Then::quit;
     std::filesystem::path open_path;
 };
+enum class UnsavedChoice { save, discard, cancel };
 enum class FileDialogKind { none, open, save_as };
 
 struct Editor {
-    std::unique_ptr<Document> document;              // null: nothing is open
+    std::unique_ptr<Document> document;  // null: nothing is open
     RecentFiles recent;
 
     ViewCamera view;
     LevelStyle style;
-    bool show_trace = true;                          // in playtest: contacts of the last tick
+    float overlay_strength = LevelStyle{}.overlay;  // what switching the overlay on again brings back
+    bool show_trace = true;                         // in playtest: contacts of the last tick
 
     Tool tool = Tool::select;
-    std::optional<SurfaceId> brush = SurfaceId{1};   // nothing: unset
-    double brush_radius = 0.0;                       // metres; 0: single faces
-    double fill_angle = 0.2617993877991494;          // radians, 15 degrees
+    std::optional<SurfaceId> brush = SurfaceId{1};  // nothing: unset
+    double brush_radius = 0.0;                      // metres; 0: single faces
+    double fill_angle = 0.2617993877991494;         // radians, 15 degrees
     FaceId hovered = no_id;
     Vec3 hovered_point = Vec3::Zero();
     Vec3 hovered_normal = Vec3::Zero();
 
+    bool live_edit = false;  // a panel's widget holds a transaction open while it is dragged or typed in
+
     Probe probe;
-    std::optional<Playtest> playtest;                // walking while set
+    std::optional<Playtest> playtest;  // walking while set
 
     // Open windows.
-    bool show_settings = true, show_palette = true, show_probe_table = true, show_history = false, show_shortcuts = false,
-         show_warnings = false;
+    bool show_settings = true, show_palette = true, show_probe_table = true, show_history = false,
+         show_shortcuts = false, show_warnings = false;
     std::optional<MessageDialog> message;
     std::optional<UnsavedDialog> unsaved;
     FileDialogKind file_dialog = FileDialogKind::none;
-    std::string status;                              // last thing done, for the status bar
-    bool quit = false;                               // the host ends after this frame
+    std::string status;  // last thing done, for the status bar
+    bool quit = false;   // the host ends after this frame
+
+    // What tool_faces() found last, for as long as nothing that it depends on changes.
+    struct ToolFaces {
+        const Document* document = nullptr;
+        const Mesh* mesh = nullptr;
+        Tool tool = Tool::select;
+        FaceId hovered = no_id;
+        Vec3 point = Vec3::Zero();
+        double size = 0.0;
+        std::vector<FaceId> faces;
+    };
+    mutable ToolFaces tool_faces;
 };
 
 // Each of these reports failure as a MessageDialog and leaves the open document as it was.
-void open_level(Editor& editor, const std::filesystem::path& path);          // no question asked
-void request_open(Editor& editor, const std::filesystem::path& path);        // asks first when there are unsaved changes
+void open_level(Editor& editor, const std::filesystem::path& path);  // no question asked
+void request_open(Editor& editor,
+                  const std::filesystem::path& path);  // asks first when there are unsaved changes
 void save_level(Editor& editor);
 void save_level_as(Editor& editor, const std::filesystem::path& level_file);
 void request_quit(Editor& editor);
+void answer_unsaved(Editor& editor, UnsavedChoice choice);  // closes the dialog and goes on as decided
 
-// The face under a ray, or no_id; fills hovered_*.
+// The face under a ray, or no_id; fills hovered_*. Faces that are not solid are found too; back faces only
+// while they are drawn.
 void hover(Editor& editor, const Ray& ray);
-void paint_hovered(Editor& editor);                  // with the brush, within the open transaction if there is one
+// What a click with the tool would touch: nothing, the hovered face, the brush's or the flood's. Ascending.
+const std::vector<FaceId>& tool_faces(const Editor& editor);
+void paint_hovered(Editor& editor);  // with the brush, within the open transaction if there is one
 void fill_hovered(Editor& editor);
 void click_select(Editor& editor, bool add);         // toggles when adding; empty space clears
 void pick_surface(Editor& editor);                   // eyedropper: the hovered face's type becomes the brush
 void frame_selected(Editor& editor, double aspect);  // or everything when nothing is selected
 void choose_brush(Editor& editor, std::optional<SurfaceId> surface);
-void start_playtest(Editor& editor);
+void set_spawn_hovered(
+    Editor& editor);  // a player standing at the hovered point, looking where the camera looks
+void start_playtest(Editor& editor);  // again from the spawn if it is running
 void stop_playtest(Editor& editor);
 
-// Faces for LevelRenderer::set_face_highlights: bit 0 hovered (all faces that the tool would touch), bit 1 selected.
+// Faces for LevelRenderer::set_face_highlights: bit 0 hovered (all faces that the tool would touch), bit 1
+// selected.
 std::vector<std::uint8_t> face_highlights(const Editor& editor);
 
 }  // namespace slipface

@@ -1,5 +1,11 @@
-// The sweep probe: an ellipsoid placed in the level, a displacement dragged from it, and what collide-and-slide makes of it.
+// The sweep probe: an ellipsoid placed in the level, a displacement dragged from it, and what
+// collide-and-slide makes of it.
 #pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "slipface/movement/step.h"
 
@@ -7,8 +13,8 @@ namespace slipface {
 
 struct Probe {
     bool placed = false;
-    Vec3 from = Vec3::Zero();   // centre
-    Vec3 move = Vec3::Zero();   // metres
+    Vec3 from = Vec3::Zero();  // centre
+    Vec3 move = Vec3::Zero();  // metres
 
     // Puts the ellipsoid onto a surface hit at `point` with `normal`, just clear of it.
     void place_on(const Vec3& point, const Vec3& normal, const MovementSettings& settings);
@@ -21,7 +27,15 @@ struct ProbeResult {
 };
 ProbeResult run_probe(const Probe& probe, const MovementScene& scene, const MovementSettings& settings);
 
+// One sweep with what its contact did to the leftover, for a table.
+struct ProbeRow {
+    SweepRecord sweep;
+    std::optional<ResponseRecord> response;
+};
+std::vector<ProbeRow> probe_rows(std::span<const TraceRecord> records);
+
 // The command line that repeats the probe's first sweep.
-std::string probe_command_line(const Probe& probe, const MovementSettings& settings, const std::string& level);
+std::string probe_command_line(const Probe& probe, const MovementSettings& settings,
+                               const std::string& level);
 
 }  // namespace slipface

@@ -7,21 +7,24 @@ namespace slipface {
 
 class ViewCamera {
   public:
-    double yaw = 0.7, pitch = 0.5;      // radians; direction from the pivot to the eye: yaw about +Y, pitch above the horizon
-    double distance = 12.0;             // metres from pivot to eye
+    double yaw = 0.7,
+           pitch =
+               0.5;  // radians; direction from the pivot to the eye: yaw about +Y, pitch above the horizon
+    double distance = 12.0;  // metres from pivot to eye
     Vec3 pivot = Vec3::Zero();
     double fov_y = 1.0471975511965976;
-    double fly_speed = 8.0;             // m/s
+    double fly_speed = 8.0;  // m/s
 
     Camera camera() const;
 
-    void orbit(const Vec2& pixels);                                  // mouse movement; turns around the pivot
-    void look(const Vec2& pixels);                                   // turns around the eye
-    void pan(const Vec2& pixels, const Vec2& viewport_size);         // the point at the pivot's depth follows the mouse
-    void zoom(double wheel);                                         // towards the pivot; never through it
-    void zoom_towards(double wheel, const Vec3& point);              // keeps `point` under the mouse
-    void fly(const Vec3& right_up_forward, double seconds);          // each -1..1
-    void frame(const Aabb& bounds, double aspect);                   // keeps the direction; an empty box is ignored
+    void orbit(const Vec2& pixels);  // mouse movement; turns around the pivot
+    void look(const Vec2& pixels);   // turns around the eye
+    void pan(const Vec2& pixels,
+             const Vec2& viewport_size);                 // the point at the pivot's depth follows the mouse
+    void zoom(double wheel);                             // towards the pivot; never through it
+    void zoom_towards(double wheel, const Vec3& point);  // keeps `point` under the mouse
+    void fly(const Vec3& right_up_forward, double seconds);  // each -1..1
+    void frame(const Aabb& bounds, double aspect);           // keeps the direction; an empty box is ignored
     void look_at(const Vec3& eye, const Vec3& target);
 };
 

@@ -1,5 +1,5 @@
-// Widgets with a name: each records where it was drawn, so that scripts and tests find it by its path instead of by pixels.
-// Panels use these, and plain ImGui only where nothing needs to be found.
+// Widgets with a name: each records where it was drawn, so that scripts and tests find it by its path instead
+// of by pixels. Panels use these, and plain ImGui only where nothing needs to be found.
 #pragma once
 
 #include <imgui.h>
@@ -15,12 +15,18 @@ namespace slipface::ui {
 struct WidgetRect {
     ImVec2 min, max;
     bool enabled = true;
+    bool visible = true;          // its centre is not scrolled or clipped away
+    std::optional<bool> checked;  // of check boxes, toggles and tabs
     ImVec2 centre() const { return {(min.x + max.x) * 0.5f, (min.y + max.y) * 0.5f}; }
 };
 
 // All widgets of the last complete frame by path: "Movement/Keep energy", "Toolbar/Paint", "Menu/File/Save".
 const std::map<std::string, WidgetRect, std::less<>>& widgets();
 void begin_widget_frame();
+// Scrolls the widget into view when it is drawn next. For scripts: a person would turn the wheel.
+void bring_into_view(std::string_view path);
+// The path that `name` has inside the current scopes.
+std::string widget_path(std::string_view name);
 
 // Prefixes the paths of the widgets inside: Scope scope("Movement");
 class Scope {
@@ -34,23 +40,37 @@ class Scope {
     std::size_t length_;
 };
 
-void record_last_item(std::string_view name, bool enabled = true);  // for items drawn with plain ImGui
+// For items drawn with plain ImGui.
+void record_last_item(std::string_view name, bool enabled = true, std::optional<bool> checked = std::nullopt);
+// As in the frame before: while its popup is open, the last item is the popup's.
+void record_again(std::string_view name);
 
 bool button(const char* label, const char* tooltip = nullptr, bool enabled = true, ImVec2 size = {0, 0});
 bool icon_button(const char* icon, const char* name, const char* tooltip, bool active, bool enabled = true);
 bool checkbox(const char* label, bool* value, const char* tooltip = nullptr);
-bool slider(const char* label, double* value, double minimum, double maximum, const char* format, const char* tooltip = nullptr);
-bool drag_vec3(const char* label, double* xyz, float speed, const char* format, const char* tooltip = nullptr);
+bool slider(const char* label, double* value, double minimum, double maximum, const char* format,
+            const char* tooltip = nullptr);
+bool drag_vec3(const char* label, double* xyz, float speed, const char* format,
+               const char* tooltip = nullptr);
 bool combo(const char* label, int* index, const char* const* names, int count, const char* tooltip = nullptr);
 bool input_text(const char* label, std::string* text, const char* hint = nullptr);
 bool selectable(const char* label, bool selected);
-bool menu_item(const char* label, const char* shortcut, bool checked, bool enabled, const char* tooltip);
+bool menu_item(const char* label, const char* shortcut, bool checked, bool enabled, const char* tooltip,
+               const char* icon = "");
 bool begin_menu(const char* label);
 void end_menu();
-void tooltip(const char* text);  // for the last item, wrapped
+bool begin_tab(const char* label);  // inside a tab bar; end_tab() only if it is open
+void end_tab();
+bool primary_button(const char* label, bool enabled = true,
+                    ImVec2 size = {0, 0});  // the dialog's expected answer
+void tooltip(const char* text);             // for the last item, wrapped
 void heading(const char* text);
+void muted_text(const char* text);  // wrapped, of less weight
 
-float scale();                   // pixels per design pixel (1 at 100 %)
+float scale();  // pixels per design pixel (1 at 100 %)
 void set_scale(float scale);
+// Seconds the mouse rests on a widget before its tooltip shows. While one is due, frames are needed.
+void set_tooltip_delay(double seconds);
+bool tooltip_due();
 
 }  // namespace slipface::ui

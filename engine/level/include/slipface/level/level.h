@@ -15,7 +15,9 @@
 
 namespace slipface {
 
-// Faces whose material name matches `pattern` ('*' and '?', upper and lower case alike, ".001" endings ignored) have type `type`.
+// Faces whose material name matches `pattern` ('*' and '?', upper and lower case alike, ' ' and '_' alike,
+// ".001" endings ignored) have type `type`. Of several rules that match, the last one counts; a rule whose
+// type does not exist never does.
 struct MaterialRule {
     std::string pattern;
     std::string type;
@@ -31,15 +33,20 @@ struct CameraBookmark {
 };
 
 // Where a face lies, for finding it again after the file was changed by another tool. Never an index.
+// Centroid and area have the digits of a float and the normal four decimals, so that a key survives a file
+// unchanged.
 struct FaceKey {
-    std::uint64_t loop_hash = 0;  // of the corner positions rounded to 1e-5 m, independent of the starting corner
+    std::uint64_t loop_hash =
+        0;  // of the corner positions rounded to 1e-5 m, independent of the starting corner
     Vec3 centroid = Vec3::Zero();
     Vec3 normal = Vec3::Zero();
     double area = 0.0;
     std::string material;
+    std::uint32_t copy =
+        0;  // which one of several faces with the same corners and material (0: the first of the file)
     friend bool operator==(const FaceKey&, const FaceKey&) = default;
 };
-FaceKey face_key(const Mesh& mesh, FaceId face);
+FaceKey face_key(const Mesh& mesh, FaceId face);  // with copy = 0
 
 // An override that found no face. Kept in the file, listed in the editor, never dropped.
 struct Orphan {
@@ -52,32 +59,33 @@ struct Orphan {
 enum class SurfaceSource : std::uint8_t { none, rule, suffix, override_ };
 const char* surface_source_name(SurfaceSource source);
 
-// Unknown keys of the file, kept as compact JSON text and written back.
+// Unknown keys of the file, kept and written back: an object from the place ("/", "/surfaces/ice",
+// "/cameras/door") to the unknown members there, as compact JSON text.
 struct UnknownKeys {
     std::string json = "{}";
     friend bool operator==(const UnknownKeys&, const UnknownKeys&) = default;
 };
 
 struct Level {
-    std::filesystem::path mesh_path;        // the OBJ
-    std::filesystem::path file_path;        // NAME.slipface.json beside it, whether it exists or not
+    std::filesystem::path mesh_path;  // the OBJ
+    std::filesystem::path file_path;  // NAME.slipface.json beside it, whether it exists or not
     MeshPtr mesh;
 
     std::vector<SurfaceType> surfaces = preset_surface_types();
     std::vector<MaterialRule> rules;
     std::vector<std::optional<SurfaceId>> overrides;  // [face]; nothing: unset, which differs from `default`
     std::vector<Orphan> orphans;
-    Vec3 spawn = Vec3::Zero();              // centre of the player
-    double spawn_yaw = 0.0;                 // radians, 0 looks along -Z, counter-clockwise seen from above
+    Vec3 spawn = Vec3::Zero();  // centre of the player
+    double spawn_yaw = 0.0;     // radians, 0 looks along -Z, counter-clockwise seen from above
     std::vector<CameraBookmark> cameras;
     MovementSettings movement;
     UnknownKeys unknown;
 };
 
-// The type that rules and suffixes give to each face, overrides left aside; and where it comes from.
+// The type of each face, and where it comes from. An override that is no type of the level counts as unset.
 struct ResolvedSurfaces {
-    std::vector<SurfaceId> surface;         // [face] what counts: override, else suffix, else rule, else default
-    std::vector<SurfaceSource> source;      // [face]
+    std::vector<SurfaceId> surface;     // [face] what counts: override, else suffix, else rule, else default
+    std::vector<SurfaceSource> source;  // [face]
 };
 ResolvedSurfaces resolve_surfaces(const Level& level);
 

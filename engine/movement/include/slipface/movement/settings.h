@@ -1,6 +1,7 @@
 // Everything about a player's movement that a designer may turn.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,14 +13,15 @@
 namespace slipface {
 
 enum class PushOut : int { off, iterative, analytic };
+inline constexpr std::array<const char*, 3> push_out_names{"off", "iterative", "analytic"};
 
-// Meanings, units, ranges and what too small and too large do: settings_table(), the one place that describes them.
 struct MovementSettings {
     Vec3 radii{0.4, 0.9, 0.4};
 
     double gravity = 20.0;
     double walk_speed = 6.0;
     double ground_acceleration = 60.0;
+    double slippery_acceleration = 3.0;  // on surfaces that keep energy
     double air_acceleration = 20.0;
     double terminal_speed = 50.0;
     double jump_speed = 8.0;
@@ -30,31 +32,32 @@ struct MovementSettings {
 
     bool static_friction = true;
     bool ground_velocity = true;
-    double ground_speed = 1.0;              // the small downward speed while grounded
+    double ground_speed = 1.0;  // the small downward speed while grounded
     bool straight_ahead = true;
     bool keep_energy = true;
-    double keep_energy_limit = -0.5;        // N.V / |V| must be above this
-    bool surface_types = true;              // ladders, sticky, bouncy, conveyors act at all
+    double keep_energy_limit = -0.5;  // N.V / |V| must be above this
+    bool surface_types = true;        // ladders, sticky, bouncy, conveyors act at all
     PushOut push_out = PushOut::off;
 
     friend bool operator==(const MovementSettings&, const MovementSettings&) = default;
 };
 
-// One row a setting. The editor's widgets and tooltips, --set, the level and tape files and docs/settings.md are made from it.
+// One row a setting. The editor's widgets and tooltips, --set, the level and tape files and docs/settings.md
+// are made from it.
 struct SettingInfo {
-    const char* name;       // "max_slope", as in --set, files and scripts
-    const char* label;      // "Maximum slope"
-    const char* group;      // heading in the editor: "Body", "Speed", "Collision", "Hacks"
-    const char* unit;       // as shown: "m/s", "deg", ""; angles are stored in radians and shown in degrees
+    const char* name;         // "max_slope", as in --set, files and scripts
+    const char* label;        // "Maximum slope"
+    const char* group;        // heading in the editor: "Body", "Speed", "Collision", "Hacks"
+    const char* unit;         // as shown: "m/s", "deg", ""; angles are stored in radians and shown in degrees
     double minimum, maximum;  // as stored
     const char* meaning;
     const char* too_small;  // what goes wrong; empty for switches
     const char* too_large;
-    const char* switch_name;  // the switch that this parameter belongs to, or empty: "keep_energy" for keep_energy_limit
-    std::variant<bool MovementSettings::*, int MovementSettings::*, double MovementSettings::*, PushOut MovementSettings::*,
-                 Vec3 MovementSettings::*>
+    const char* switch_name;  // the switch that this parameter belongs to, or empty
+    std::variant<bool MovementSettings::*, int MovementSettings::*, double MovementSettings::*,
+                 PushOut MovementSettings::*, Vec3 MovementSettings::*>
         member;
-    int axis = -1;            // for a Vec3 member: which component this row is
+    int axis = -1;  // for a Vec3 member: which component this row is
 };
 
 std::span<const SettingInfo> settings_table();
@@ -64,9 +67,10 @@ const SettingInfo* find_setting(std::string_view name);
 double get_setting(const MovementSettings& settings, const SettingInfo& info);
 // Refuses values that are not finite or out of range; then `settings` is unchanged.
 Status set_setting(MovementSettings& settings, const SettingInfo& info, double value);
-// "name=value" with value a number, true/false/on/off, or a choice's name. Errors name the setting, what was found and what is
-// allowed, and suggest the nearest name.
+// "name=value" with value a number, true/false/on/off, a choice's name, or, for an angle, degrees as in
+// "50deg". Errors name the setting, what was found and what is allowed, and suggest the nearest name.
 Status set_setting(MovementSettings& settings, std::string_view assignment);
+// The value as set_setting reads it back without loss.
 std::string setting_text(const MovementSettings& settings, const SettingInfo& info);
 
 }  // namespace slipface

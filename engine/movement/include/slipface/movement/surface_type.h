@@ -22,29 +22,29 @@ struct SurfaceType {
     std::string name = "default";
     std::array<float, 3> color{0.62f, 0.64f, 0.67f};  // sRGB, 0..1
     Hatch hatch = Hatch::none;
-    int hotkey = 0;                      // 1..9, 0: none
+    int hotkey = 0;  // 1..9, 0: none
 
-    double friction = 1.0;               // share of the parallel velocity kept in a bounce, 0..1; 1 keeps all of it
-    double restitution = 0.0;            // share of the perpendicular velocity given back, 0..1
-    bool keeps_energy = false;           // slides without loss: ice, half-pipes
+    double friction = 1.0;      // share of the parallel velocity kept in a bounce, 0..1; 1 keeps all of it
+    double restitution = 0.0;   // share of the perpendicular velocity given back, 0..1
+    bool keeps_energy = false;  // slides without loss: ice, half-pipes
     bool climbable = false;
-    double climb_speed = 3.0;            // m/s along the ladder's plane
-    bool sticky = false;                 // holds whoever touches it until a jump
-    Vec3 velocity = Vec3::Zero();        // m/s, world space: what stands on it is carried (conveyor)
-    double angular_velocity = 0.0;       // rad/s about +Y through `spin_centre` (turntable)
-    Vec3 spin_centre = Vec3::Zero();     // metres, world space
+    double climb_speed = 3.0;         // m/s along the ladder's plane
+    bool sticky = false;              // holds whoever touches it until a jump
+    Vec3 velocity = Vec3::Zero();     // m/s, world space: what stands on it is carried (conveyor)
+    double angular_velocity = 0.0;    // rad/s about +Y through `spin_centre` (turntable)
+    Vec3 spin_centre = Vec3::Zero();  // metres, world space
     bool one_sided = false;
     bool solid = true;
-    bool hazardous = false;              // touching it respawns
-    std::optional<double> max_slope;     // radians, instead of MovementSettings::max_slope
+    bool hazardous = false;           // touching it respawns
+    std::optional<double> max_slope;  // radians, instead of MovementSettings::max_slope
 
     friend bool operator==(const SurfaceType&, const SurfaceType&) = default;
 };
 
 using SurfaceTable = std::span<const SurfaceType>;  // [SurfaceId]; entry 0 is `default`
 
-// The types every new level starts with, in this order: default, ice, ladder, sticky, bouncy, conveyor, turntable, hazard.
-// Colours are safe for colour-blind users (Okabe and Ito, 2008).
+// The types every new level starts with, in this order: default, ice, ladder, sticky, bouncy, conveyor,
+// turntable, hazard. Colours are safe for colour-blind users (Okabe and Ito, 2008).
 std::vector<SurfaceType> preset_surface_types();
 
 // What collision needs to know of the types.
@@ -57,7 +57,9 @@ struct SurfaceField {
     const char* unit;
     double minimum, maximum;
     const char* meaning;
-    std::variant<bool SurfaceType::*, double SurfaceType::*, Vec3 SurfaceType::*, std::optional<double> SurfaceType::*> member;
+    std::variant<bool SurfaceType::*, double SurfaceType::*, Vec3 SurfaceType::*,
+                 std::optional<double> SurfaceType::*>
+        member;
 };
 std::span<const SurfaceField> surface_fields();
 

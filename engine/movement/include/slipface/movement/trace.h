@@ -1,5 +1,5 @@
-// The story of a step, as plain records in the order in which things happened. Every panel, plot and picture that explains
-// movement reads these and nothing else.
+// The story of a step, as plain records in the order in which things happened. Every panel, plot and picture
+// that explains movement reads these and nothing else.
 #pragma once
 
 #include <optional>
@@ -19,14 +19,15 @@ enum class Rule : std::uint8_t { slide, bounce, straight_ahead, keep_energy, sti
 const char* pass_name(Pass pass);
 const char* rule_name(Rule rule);
 
-// One sweep. The centre reached is `from + (contact ? contact->t : 1) * move`, then `reached` after the skin is kept.
+// One sweep. The centre reached is `from + (contact ? contact->t : 1) * move`, then `reached` after the skin
+// is kept.
 struct SweepRecord {
     Pass pass = Pass::slide;
-    int iteration = 0;               // 0.. within its pass
+    int iteration = 0;  // 0.. within its pass
     Vec3 from = Vec3::Zero();
-    Vec3 move = Vec3::Zero();        // displacement asked for
-    Vec3 reached = Vec3::Zero();     // centre after this sweep, skin included
-    std::optional<Contact> contact;
+    Vec3 move = Vec3::Zero();     // displacement asked for
+    Vec3 reached = Vec3::Zero();  // centre after this sweep, skin included
+    std::optional<Contact> contact = std::nullopt;
 };
 
 // What a contact did to the leftover.
@@ -41,12 +42,12 @@ struct ResponseRecord {
 
 // A hack or rule that was considered. `value` against `limit` decided.
 struct DecisionRecord {
-    const char* hack = "";           // the switch's name in settings_table()
+    const char* hack = "";  // the switch's name in settings_table()
     bool acted = false;
-    const char* quantity = "";       // what `value` is: "N.V / |V|", "slope, deg"
+    const char* quantity = "";  // what `value` is: "N.V / |V|", "slope, deg"
     double value = 0.0;
     double limit = 0.0;
-    const char* outcome = "";        // "grounded", "refused: hits head-on"
+    const char* outcome = "";  // "grounded", "refused: hits head-on"
     FaceId face = no_id;
 };
 
@@ -55,7 +56,7 @@ struct PushOutRecord {
     Vec3 from = Vec3::Zero();
     Vec3 to = Vec3::Zero();
     int planes = 0;
-    bool free = false;               // nothing is overlapped at `to`
+    bool free = false;  // nothing is overlapped at `to`
 };
 
 using TraceRecord = std::variant<SweepRecord, ResponseRecord, DecisionRecord, PushOutRecord>;
@@ -69,7 +70,7 @@ class TraceSink {
 // Keeps the records of one or more steps.
 class TraceRecorder final : public TraceSink {
   public:
-    void add(const TraceRecord& record) override { records.push_back(record); }
+    void add(const TraceRecord& record) override;
     std::vector<TraceRecord> records;
 };
 

@@ -1,6 +1,9 @@
 // A viewpoint, and the way between pixels and rays.
 #pragma once
 
+#include <optional>
+#include <string_view>
+
 #include "slipface/base/types.h"
 
 namespace slipface {
@@ -33,5 +36,9 @@ Vec3 project(const Camera& camera, const Vec3& point, const Vec2& viewport_size)
 
 // A camera that sees all of `bounds` from the direction (yaw about +Y, pitch above the horizon; radians).
 Camera frame_bounds(const Aabb& bounds, double yaw, double pitch, double fov_y, double aspect);
+
+// A camera that sees all of `bounds`, by name: "iso" and "iso-back" (perspective, from above a corner), or "top", "bottom", "front",
+// "back", "right", "left" (orthographic; "top" is a map with -Z upwards). Nothing for any other name.
+std::optional<Camera> named_view(std::string_view name, const Aabb& bounds, double aspect);
 
 }  // namespace slipface

@@ -31,13 +31,19 @@ class OffscreenContext {
     virtual GlGetProc get_proc() const = 0;
     virtual std::string backend_name() const = 0;   // "OSMesa", "EGL surfaceless"
     virtual std::string renderer() const = 0;       // GL_RENDERER
+    virtual std::string version() const = 0;        // GL_VERSION
+    virtual bool make_current() = 0;                // on this thread; false if the library refuses
+    virtual const Warnings& warnings() const = 0;   // about the environment, for the user to see
 };
 
 // automatic: OSMesa, else EGL surfaceless. The error says what was tried and which package provides it. The context is
 // current on this thread afterwards.
 Result<std::unique_ptr<OffscreenContext>> make_offscreen_context(OffscreenBackend backend = OffscreenBackend::automatic);
 
-// A colour (RGBA8) and depth target with 4x multisampling, resolved into a texture.
+inline constexpr int max_framebuffer_side = 8192;  // pixels
+
+// A colour (RGBA8) and depth target with 4x multisampling, resolved into a texture. Sides are clamped to 1..max_framebuffer_side
+// and to what the driver can do. Use it, and destroy it, while its context is current.
 class Framebuffer {
   public:
     Framebuffer(GlTable gl, int width, int height);

@@ -30,12 +30,18 @@ class LevelRenderer {
     LevelRenderer& operator=(const LevelRenderer&) = delete;
 
     // Uploads geometry and loads the textures relative to `folder`; missing or broken ones are drawn as a checker and reported.
+    // All faces are `default` and not highlighted afterwards. Null: nothing but the background is drawn.
     Warnings set_mesh(MeshPtr mesh, const std::filesystem::path& folder);
 
     // The type of every face, and the highlight of every face (bit 0 hovered, bit 1 selected). Uploads only what changed.
     void set_face_surfaces(std::span<const SurfaceId> surfaces);
     void set_face_highlights(std::span<const std::uint8_t> highlights);
     void set_surface_types(SurfaceTable surfaces);
+
+    // Why nothing but a clear is drawn: the driver refused a shader. Otherwise success.
+    Status status() const;
+    // Bytes sent by set_face_surfaces and set_face_highlights since the beginning: what a change costs.
+    std::size_t face_state_bytes_uploaded() const;
 
     // Clears the bound framebuffer and draws background and level into it.
     void draw(const Camera& camera, int width, int height, const LevelStyle& style);

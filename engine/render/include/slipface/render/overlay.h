@@ -22,11 +22,12 @@ class Overlay {
         Color color;
         float width;  // pixels
         bool on_top;  // drawn over the level; else hidden parts are drawn faintly
+        bool arrow = false;  // a head at b, sized by the width
     };
     struct Ellipsoid {
         Vec3 centre, radii;
         Color fill;     // alpha 0: no fill
-        Color outline;  // three great circles; alpha 0: none
+        Color outline;  // silhouette, and fainter three great circles; alpha 0: none
     };
     struct Triangle {
         Vec3 a, b, c;
@@ -52,7 +53,10 @@ class OverlayRenderer {
     OverlayRenderer(const OverlayRenderer&) = delete;
     OverlayRenderer& operator=(const OverlayRenderer&) = delete;
 
-    // Over the bound framebuffer, whose depth buffer holds the level.
+    // Why nothing is drawn: the driver refused a shader. Otherwise success.
+    Status status() const;
+
+    // Over the bound framebuffer, whose depth buffer holds the level. What is not finite is left out.
     void draw(const Overlay& overlay, const Camera& camera, int width, int height);
 
   private:

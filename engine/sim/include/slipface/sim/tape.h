@@ -28,8 +28,8 @@ struct Tape {
     std::string level_name;
     std::optional<std::uint64_t> level_fingerprint;
     double dt = 1.0 / 60.0;
-    std::string dt_text = "1/60";            // as written
-    std::vector<std::string> settings;       // "name=value", in order
+    std::string dt_text = "1/60";       // as written
+    std::vector<std::string> settings;  // "name=value", in order
     std::optional<Vec3> start;
     std::vector<TapeSegment> segments;
 

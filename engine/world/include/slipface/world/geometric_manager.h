@@ -11,7 +11,7 @@ namespace slipface {
 class Character : public Entity {
   public:
     PlayerState state;
-    PlayerInput input;               // set by the game before each tick
+    PlayerInput input;  // set by the game before each tick
     MovementSettings settings;
     void on_draw(Graphics& graphics) const override;
 };
@@ -21,8 +21,11 @@ class GeometricManager : public Manager {
     // Refuses a level whose geometry cannot be collided with.
     static Result<std::unique_ptr<GeometricManager>> make(Level level);
 
-    void on_tick(double seconds) override;       // one step() for each Character
-    void on_draw(Graphics& graphics) override;   // the triangles; the world draws the entities
+    // One step() of `seconds` (1e-4..0.25, as step() takes them) for each Character, in the order in which
+    // they were added. A character that touched a hazard has state.hazard set; what then happens is the
+    // game's choice.
+    void on_tick(double seconds) override;
+    void on_draw(Graphics& graphics) override;  // the triangles; the world draws the entities
     void on_entity_added(Entity& entity) override;
     void on_entity_removed(Entity& entity) override;
 

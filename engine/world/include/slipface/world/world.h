@@ -1,5 +1,5 @@
-// The common engine: a World keeps Managers and Entities, and ticks and draws them. It knows no geometry; a game adds the
-// managers it needs (lecture: "Review of Managers").
+// The common engine: a World keeps Managers and Entities, and ticks and draws them. It knows no geometry; a
+// game adds the managers it needs (lecture: "Review of Managers").
 #pragma once
 
 #include <memory>
@@ -36,10 +36,17 @@ class Manager {
 };
 
 // Ticks and draws in the order in which things were added: entities first, then managers.
+//
+// Entities may add and remove entities while they are ticked: an added one is ticked from then on, in the
+// same tick; a removed one is told to the managers at once, ticked and drawn no more, and destroyed when the
+// tick is over.
 class World {
   public:
+    // Tells every manager of it.
     Entity& add_entity(std::unique_ptr<Entity> entity);
+    // Tells every manager, then destroys it. An entity of another world is left alone.
     void remove_entity(const Entity& entity);
+    // Tells it of the entities that are there already.
     Manager& add_manager(std::unique_ptr<Manager> manager);
 
     template <class T, class... Args>
@@ -53,9 +60,13 @@ class World {
 
     void tick(double seconds);
     void draw(Graphics& graphics);
-    std::size_t entity_count() const { return entities_.size(); }
+    std::size_t entity_count() const { return entities_.size() - removed_.size(); }
 
   private:
+    bool is_removed(const Entity& entity) const;
+
+    bool ticking_ = false;
+    std::vector<const Entity*> removed_;  // in the running tick, still in entities_
     std::vector<std::unique_ptr<Entity>> entities_;
     std::vector<std::unique_ptr<Manager>> managers_;
 };

@@ -1,0 +1,177 @@
+#include "app/app.h"
+
+#include <glad/gl.h>
+#include <imgui_impl_opengl3.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+
+#include "app/draw_hash.h"
+#include "app/parts.h"
+#include "app/scene_view.h"
+#include "panels/viewport_panel.h"
+#include "widgets/imgui_compat.h"
+#include "widgets/theme.h"
+#include "widgets/ui.h"
+
+// Dear ImGui's OpenGL functions come from the same place as ours, whatever made the context.
+extern "C" int imgl3wInit2(slipface::GlGetProc get_proc);
+
+namespace slipface {
+
+struct App::Impl {
+    explicit Impl(const AppOptions& given) : options(given), scene(given.gl, editor), parts(editor, frame) {
+        parts.deterministic = given.deterministic;
+        parts.hidden_folder = given.hidden_folder;
+    }
+
+    AppOptions options;
+    Editor editor;
+    FrameContext frame;
+    SceneView scene;
+    Parts parts;
+    ImGuiContext* context = nullptr;
+    std::uint64_t built_hash = 1, drawn_hash = 0;
+};
+
+App::App(const AppOptions& options) : impl_(std::make_unique<Impl>(options)) {
+    Impl& self = *impl_;
+    self.context = ImGui::CreateContext();
+    ImGui::SetCurrentContext(self.context);
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.LogFilename = nullptr;
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard | ImGuiConfigFlags_NavNoCaptureKeyboard;
+    io.ConfigInputTextCursorBlink = false;
+    io.ConfigWindowsMoveFromTitleBarOnly = true;
+    io.MouseDrawCursor = false;
+
+    ui::set_scale(options.scale);
+    ui::set_tooltip_delay(options.deterministic ? 0.0 : 0.45);
+    ui::apply_theme(options.scale);
+    ui::load_fonts(options.scale);
+    imgl3wInit2(options.get_proc);
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+
+    reset_viewport_panel();
+    self.frame.viewport = &self.scene;
+    if (!options.config.empty()) self.editor.recent = RecentFiles(options.config / "recent");
+}
+
+App::~App() {
+    ImGui::SetCurrentContext(impl_->context);
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui::DestroyContext(impl_->context);
+}
+
+Editor& App::editor() {
+    return impl_->editor;
+}
+FrameContext& App::context() {
+    return impl_->frame;
+}
+
+void App::key_pressed(const KeyPress& press) {
+    Editor& editor = impl_->editor;
+    const ImGuiIO& io = ImGui::GetIO();
+    const Shortcut& key = press.shortcut;
+    const bool escape = key == Shortcut{.key = "Escape"};
+    if (dialog_is_open(editor)) {
+        if (escape && !GImGui->ActiveId) close_dialog(editor);
+        return;
+    }
+    if (escape) {
+        if (cancel_viewport_gesture(editor)) return;
+        if (editor.playtest) {
+            stop_playtest(editor);
+            return;
+        }
+        if (!GImGui->OpenPopupStack.empty()) return;
+    }
+    // Letters belong to a text box while one is edited, and so do its own undo, clipboard and selection keys.
+    const bool plain = !key.ctrl && !key.alt &&
+                       (key.key.size() == 1 || key.key == "Delete" || key.key == "Space" ||
+                        key.key == "Backspace" || key.key == "Enter" || key.key == "Tab");
+    static constexpr std::string_view edited_by_text_boxes = "ZYXCVA";
+    const bool editing_key =
+        key.ctrl && key.key.size() == 1 && edited_by_text_boxes.find(key.key[0]) != std::string_view::npos;
+    if (io.WantTextInput && (plain || editing_key || escape)) return;
+    const Command* const command = command_for(key);
+    if (!command) return;
+    // Keys that move the player or the camera are no commands meanwhile.
+    if (plain && viewport_is_flying()) return;
+    if (editor.playtest && plain && std::string_view(command->menu) != "Playtest") return;
+    run_command(editor, command->id);
+}
+
+void App::drop_file(const std::filesystem::path& path) {
+    if (!dialog_is_open(impl_->editor)) request_open(impl_->editor, path);
+}
+
+void App::focus_lost() {
+    impl_->frame.held = {};
+    cancel_viewport_gesture(impl_->editor);
+}
+
+void App::build_frame(int width, int height, double seconds) {
+    Impl& self = *impl_;
+    ImGui::SetCurrentContext(self.context);
+    ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 size{static_cast<float>(std::max(1, width)), static_cast<float>(std::max(1, height))};
+    self.frame.seconds = std::clamp(seconds, 1e-4, 0.05);
+    self.frame.animating = false;
+    self.frame.wants_cursor_capture = false;
+    io.DisplaySize = size;
+    io.DeltaTime = static_cast<float>(self.frame.seconds);
+
+    ImGui_ImplOpenGL3_NewFrame();
+    ui::begin_widget_frame();
+    self.scene.begin_frame();
+    ImGui::NewFrame();
+    layout(self.parts, size);
+    ImGui::Render();
+    self.parts.texture_warnings = self.scene.texture_warnings();
+
+    const float dim = self.context->DimBgRatio;
+    if (ui::tooltip_due() || (dim > 0.0f && dim < 1.0f)) self.frame.animating = true;
+    self.frame.held.look_pixels = Vec2::Zero();
+
+    Hasher hasher;
+    hasher.u64(hash_draw_data(*ImGui::GetDrawData()));
+    hasher.u64(self.scene.wanted_hash());
+    self.built_hash = hasher.value();
+}
+
+std::uint64_t App::frame_hash() const {
+    return impl_->built_hash;
+}
+Image App::level_picture() const {
+    return impl_->scene.picture();
+}
+void App::redraw() {
+    impl_->drawn_hash = 0;
+}
+bool App::needs_drawing() const {
+    return impl_->built_hash != impl_->drawn_hash;
+}
+
+void App::draw_frame() {
+    Impl& self = *impl_;
+    ImGui::SetCurrentContext(self.context);
+    const GladGLContext& gl = *self.options.gl;
+    GLint window_framebuffer = 0;
+    gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &window_framebuffer);
+    self.scene.draw();
+    gl.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(window_framebuffer));
+    const ImDrawData& data = *ImGui::GetDrawData();
+    gl.Viewport(0, 0, static_cast<GLsizei>(data.DisplaySize.x * data.FramebufferScale.x),
+                static_cast<GLsizei>(data.DisplaySize.y * data.FramebufferScale.y));
+    const ImVec4 ground = ui::palette().window;
+    gl.Disable(GL_SCISSOR_TEST);
+    gl.ClearColor(ground.x, ground.y, ground.z, 1.0f);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    self.drawn_hash = self.built_hash;
+}
+
+}  // namespace slipface

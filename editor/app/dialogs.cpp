@@ -1,0 +1,184 @@
+// The one window on top of everything: a message, the question about unsaved changes, or the file browser.
+#include <algorithm>
+
+#include "app/parts.h"
+#include "widgets/theme.h"
+#include "widgets/ui.h"
+
+namespace slipface {
+namespace {
+
+enum class DialogKind { none, message, unsaved, file };
+
+DialogKind dialog_kind(const Editor& editor) {
+    if (editor.message) return DialogKind::message;
+    if (editor.unsaved) return DialogKind::unsaved;
+    if (editor.file_dialog != FileDialogKind::none) return DialogKind::file;
+    return DialogKind::none;
+}
+
+// Text without the folder that pictures must not depend on.
+std::string shown_text(const Parts& parts, std::string text) {
+    if (parts.hidden_folder.empty()) return text;
+    for (std::size_t at; (at = text.find(parts.hidden_folder)) != std::string::npos;)
+        text.erase(at, parts.hidden_folder.size());
+    return text;
+}
+
+void title(const char* icon, const ImVec4& color, const char* text) {
+    ImGui::PushFont(ui::fonts().semibold);
+    if (*icon) {
+        ImGui::TextColored(color, "%s", icon);
+        ImGui::SameLine(0, 10 * ui::scale());
+    }
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
+    ImGui::Dummy({0, 4 * ui::scale()});
+}
+
+// Puts the cursor where `count` buttons of this width end at the right edge.
+void align_buttons(int count, float width) {
+    ImGui::Dummy({0, 6 * ui::scale()});
+    const float total =
+        static_cast<float>(count) * width + static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x;
+    const float x = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - total;
+    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), x));
+}
+
+void wrapped(const std::string& text) {
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
+    ImGui::PopTextWrapPos();
+}
+
+void message_dialog(Parts& parts) {
+    const ui::Scope scope("Message");
+    const float scale = ui::scale();
+    const MessageDialog message = *parts.editor.message;
+    title("\uf071", ui::palette().accent, message.title.c_str());
+    wrapped(shown_text(parts, message.text));
+    if (!message.details.empty()) {
+        ImGui::Dummy({0, 4 * scale});
+        const float row = ImGui::GetTextLineHeightWithSpacing();
+        const float height = std::min(static_cast<float>(message.details.size()) * row * 2 + 16 * scale,
+                                      ImGui::GetIO().DisplaySize.y * 0.4f);
+        ImGui::PushStyleColor(ImGuiCol_ChildBg, ui::palette().panel);
+        ImGui::BeginChild("details", {0, height}, true);
+        for (const Diagnostic& detail : message.details)
+            wrapped(shown_text(parts, detail.text()));
+        ImGui::EndChild();
+        ImGui::PopStyleColor();
+    }
+    align_buttons(1, 100 * scale);
+    if (ui::primary_button("OK", true, {100 * scale, 0})) parts.editor.message.reset();
+}
+
+void unsaved_dialog(Parts& parts) {
+    const ui::Scope scope("Unsaved");
+    Editor& editor = parts.editor;
+    const float scale = ui::scale();
+    const UnsavedDialog question = *editor.unsaved;
+    const bool quitting = question.then == UnsavedDialog::Then::quit;
+    title("\uf0c7", ui::palette().accent, "Save the changes?");
+    wrapped(document_name(editor) + " has changes that are not in its file. " +
+            (quitting ? "Quitting" : "Opening another level") + " without saving loses them.");
+    const float width = 120 * scale;
+    align_buttons(3, width);
+    if (ui::button("Cancel", nullptr, true, {width, 0})) answer_unsaved(editor, UnsavedChoice::cancel);
+    ImGui::SameLine();
+    if (ui::button("Don't save", nullptr, true, {width, 0})) answer_unsaved(editor, UnsavedChoice::discard);
+    ImGui::SameLine();
+    if (ui::primary_button("Save", true, {width, 0})) answer_unsaved(editor, UnsavedChoice::save);
+}
+
+}  // namespace
+
+bool dialog_is_open(const Editor& editor) {
+    return dialog_kind(editor) != DialogKind::none;
+}
+
+void close_dialog(Editor& editor) {
+    switch (dialog_kind(editor)) {
+        case DialogKind::message:
+            editor.message.reset();
+            break;
+        case DialogKind::unsaved:
+            editor.unsaved.reset();
+            break;
+        case DialogKind::file:
+            editor.file_dialog = FileDialogKind::none;
+            break;
+        case DialogKind::none:
+            break;
+    }
+}
+
+void dialogs(Parts& parts) {
+    const DialogKind kind = dialog_kind(parts.editor);
+    if (kind != DialogKind::file) parts.browser.shown = FileDialogKind::none;
+    constexpr const char* id = "##dialog";
+    if (kind == DialogKind::none && !ImGui::IsPopupOpen(id)) return;
+    if (kind != DialogKind::none && !ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
+
+    const float scale = ui::scale();
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float width = std::min((kind == DialogKind::file ? 720 : 480) * scale, screen.x * 0.94f);
+    const float height = kind == DialogKind::file ? std::min(520 * scale, screen.y * 0.92f) : 0.0f;
+    ImGui::SetNextWindowSize({width, height});
+    ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20 * scale, 18 * scale});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8 * scale);
+    const bool open = ImGui::BeginPopupModal(id, nullptr,
+                                             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                                 ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PopStyleVar(2);
+    if (!open) return;
+    switch (kind) {
+        case DialogKind::message:
+            message_dialog(parts);
+            break;
+        case DialogKind::unsaved:
+            unsaved_dialog(parts);
+            break;
+        case DialogKind::file:
+            file_browser(parts);
+            break;
+        case DialogKind::none:
+            break;
+    }
+    if (!dialog_is_open(parts.editor)) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+void welcome(Parts& parts) {
+    const ui::Scope scope("Welcome");
+    const float scale = ui::scale();
+    const ImVec2 size = ImGui::GetWindowSize();
+    const float width = std::min(420 * scale, size.x - 40 * scale);
+    ImGui::SetCursorPos({(size.x - width) * 0.5f, std::max(20 * scale, size.y * 0.22f)});
+    ImGui::BeginChild("welcome", {width, 0}, false, ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PushFont(ui::fonts().title);
+    ImGui::TextUnformatted("Slipface");
+    ImGui::PopFont();
+    ui::muted_text("Paint what surfaces do, walk the level, and see why every step went where it went");
+    ImGui::Dummy({0, 14 * scale});
+    if (ui::primary_button("\uf07c  Open a level\u2026##Open", true, {180 * scale, 34 * scale}))
+        run_command(parts.editor, "file.open");
+    ImGui::Dummy({0, 10 * scale});
+    const std::vector<std::filesystem::path> recent = parts.editor.recent.paths();
+    if (!recent.empty()) ui::heading("Recent");
+    for (std::size_t i = 0; i < recent.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const std::string name = recent[i].filename().string();
+        const bool chosen = ImGui::Selectable(("\uf15b  " + name).c_str());
+        ui::record_last_item(name);
+        ui::tooltip(recent[i].c_str());
+        ImGui::PopID();
+        if (chosen) request_open(parts.editor, recent[i]);
+    }
+    if (recent.empty())
+        ui::muted_text("Drop an OBJ file anywhere on this window, or pass it on the command line");
+    ImGui::EndChild();
+}
+
+}  // namespace slipface

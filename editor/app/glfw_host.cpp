@@ -1,0 +1,245 @@
+#include "app/glfw_host.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <imgui_impl_glfw.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <thread>
+
+#include "app/app.h"
+#include "app/glfw_keys.h"
+#include "app/parts.h"
+
+namespace slipface {
+namespace {
+
+constexpr int frames_after_event =
+    3;  // popups, tooltips and auto-sized windows need up to this many to come to rest
+constexpr double stick_dead_zone = 0.18;
+constexpr double stick_look_radians_s = 2.6;
+
+std::string last_error_text;
+
+void remember_error(int, const char* description) {
+    last_error_text = description ? description : "";
+}
+
+struct Window {
+    GLFWwindow* handle = nullptr;
+    App* app = nullptr;
+    int frames_due = frames_after_event;
+    bool captured = false;
+    bool has_cursor = false;
+    double cursor_x = 0.0, cursor_y = 0.0;
+    std::string title;
+};
+
+Window& of(GLFWwindow* handle) {
+    return *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+}
+
+void wake(GLFWwindow* handle) {
+    of(handle).frames_due = frames_after_event;
+}
+
+void on_key(GLFWwindow* handle, int key, int scancode, int action, int mods) {
+    wake(handle);
+    Window& window = of(handle);
+    if (!window.app) return;
+    HeldKeys& held = window.app->context().held;
+    const bool typing = ImGui::GetIO().WantTextInput;
+    if (bool* const flag = held_flag(held, key))
+        *flag = action != GLFW_RELEASE && !typing && (mods & GLFW_MOD_CONTROL) == 0;
+    if (action == GLFW_RELEASE) return;
+    const Shortcut shortcut = shortcut_of(key, scancode, mods);
+    if (!shortcut.key.empty()) window.app->key_pressed({shortcut});
+}
+
+void on_cursor(GLFWwindow* handle, double x, double y) {
+    wake(handle);
+    Window& window = of(handle);
+    if (window.captured && window.has_cursor && window.app)
+        window.app->context().held.look_pixels += Vec2(x - window.cursor_x, y - window.cursor_y);
+    window.cursor_x = x;
+    window.cursor_y = y;
+    window.has_cursor = true;
+}
+
+void on_focus(GLFWwindow* handle, int focused) {
+    wake(handle);
+    if (!focused && of(handle).app) of(handle).app->focus_lost();
+}
+
+void on_drop(GLFWwindow* handle, int count, const char** paths) {
+    wake(handle);
+    if (count > 0 && of(handle).app) of(handle).app->drop_file(paths[0]);
+}
+
+void on_close(GLFWwindow* handle) {
+    wake(handle);
+    glfwSetWindowShouldClose(handle, GLFW_FALSE);
+    if (of(handle).app) request_quit(of(handle).app->editor());
+}
+
+// Dear ImGui's backend calls these before its own when it is installed after them.
+void install_callbacks(GLFWwindow* handle) {
+    glfwSetKeyCallback(handle, on_key);
+    glfwSetCursorPosCallback(handle, on_cursor);
+    glfwSetWindowFocusCallback(handle, on_focus);
+    glfwSetDropCallback(handle, on_drop);
+    glfwSetWindowCloseCallback(handle, on_close);
+    glfwSetCharCallback(handle, [](GLFWwindow* w, unsigned) { wake(w); });
+    glfwSetMouseButtonCallback(handle, [](GLFWwindow* w, int, int, int) { wake(w); });
+    glfwSetScrollCallback(handle, [](GLFWwindow* w, double, double) { wake(w); });
+    glfwSetCursorEnterCallback(handle, [](GLFWwindow* w, int) { wake(w); });
+    glfwSetWindowRefreshCallback(handle, [](GLFWwindow* w) {
+        wake(w);
+        if (of(w).app) of(w).app->redraw();
+    });
+    glfwSetFramebufferSizeCallback(handle, [](GLFWwindow* w, int, int) {
+        wake(w);
+        if (of(w).app) of(w).app->redraw();
+    });
+    glfwSetWindowIconifyCallback(handle, [](GLFWwindow* w, int) { wake(w); });
+}
+
+double past_dead_zone(float value) {
+    const double v = static_cast<double>(value);
+    if (std::abs(v) < stick_dead_zone) return 0.0;
+    return std::copysign((std::abs(v) - stick_dead_zone) / (1.0 - stick_dead_zone), v);
+}
+
+void read_gamepad(HeldKeys& held, bool& jump_before) {
+    GLFWgamepadstate pad;
+    held.stick = held.look_stick = Vec2::Zero();
+    bool jump = false;
+    if (glfwGetGamepadState(GLFW_JOYSTICK_1, &pad)) {
+        held.stick = {past_dead_zone(pad.axes[GLFW_GAMEPAD_AXIS_LEFT_X]),
+                      -past_dead_zone(pad.axes[GLFW_GAMEPAD_AXIS_LEFT_Y])};
+        held.look_stick = Vec2(past_dead_zone(pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_X]),
+                               -past_dead_zone(pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y])) *
+                          stick_look_radians_s;
+        jump = pad.buttons[GLFW_GAMEPAD_BUTTON_A] == GLFW_PRESS;
+    }
+    if (jump != jump_before) held.jump = jump;
+    jump_before = jump;
+}
+
+void capture_cursor(Window& window, bool wanted) {
+    if (window.captured == wanted) return;
+    window.captured = wanted;
+    window.has_cursor = false;
+    glfwSetInputMode(window.handle, GLFW_CURSOR, wanted ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+    ImGuiIO& io = ImGui::GetIO();
+    if (wanted)
+        io.ConfigFlags |= ImGuiConfigFlags_NoMouse;
+    else
+        io.ConfigFlags &= ~ImGuiConfigFlags_NoMouse;
+}
+
+void show_title(Window& window) {
+    std::string title = window_title(window.app->editor());
+    if (title == window.title) return;
+    window.title = std::move(title);
+    glfwSetWindowTitle(window.handle, window.title.c_str());
+}
+
+void run_loop(Window& window) {
+    using Clock = std::chrono::steady_clock;
+    App& app = *window.app;
+    bool gamepad_jump = false;
+    Clock::time_point before = Clock::now();
+    while (!app.editor().quit) {
+        const bool animating = app.context().animating;
+        if (animating || window.frames_due > 0)
+            glfwPollEvents();
+        else
+            glfwWaitEventsTimeout(5.0);
+        if (window.frames_due <= 0 && !app.context().animating) continue;
+
+        const Clock::time_point now = Clock::now();
+        const double seconds = std::chrono::duration<double>(now - before).count();
+        before = now;
+        int width = 0, height = 0;
+        glfwGetWindowSize(window.handle, &width, &height);
+        if (width <= 0 || height <= 0) {
+            window.frames_due = 0;
+            continue;
+        }
+        if (app.editor().playtest) read_gamepad(app.context().held, gamepad_jump);
+        ImGui_ImplGlfw_NewFrame();
+        app.build_frame(width, height, seconds);
+        --window.frames_due;
+        if (app.needs_drawing()) {
+            app.draw_frame();
+            glfwSwapBuffers(window.handle);
+        } else {
+            // Nothing to wait for the screen with: without a pause this would spin.
+            std::this_thread::sleep_for(std::chrono::milliseconds(8));
+        }
+        capture_cursor(
+            window, app.context().wants_cursor_capture && glfwGetWindowAttrib(window.handle, GLFW_FOCUSED));
+        show_title(window);
+    }
+}
+
+struct Library {
+    Library() { glfwSetErrorCallback(remember_error); }
+    ~Library() { glfwTerminate(); }
+};
+
+}  // namespace
+
+Status run_window(const WindowOptions& options) {
+    const Library library;
+    if (!glfwInit())
+        return Error{"window", last_error_text.empty() ? "there is no display" : last_error_text};
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "slipface");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "slipface");
+    Window window;
+    window.handle = glfwCreateWindow(options.width, options.height, "Slipface", nullptr, nullptr);
+    if (!window.handle)
+        return Error{"window", last_error_text.empty() ? "OpenGL 3.3 is not available" : last_error_text};
+    glfwSetWindowUserPointer(window.handle, &window);
+    glfwSetWindowSizeLimits(window.handle, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwMakeContextCurrent(window.handle);
+    glfwSwapInterval(1);
+    Result<GlTable> gl = load_gl_table(glfwGetProcAddress);
+    if (!gl) {
+        glfwDestroyWindow(window.handle);
+        return gl.error();
+    }
+    float scale = options.scale;
+    if (scale <= 0.0f) {
+        glfwGetWindowContentScale(window.handle, &scale, nullptr);
+        scale = std::clamp(std::isfinite(scale) ? scale : 1.0f, 0.75f, 4.0f);
+    }
+    install_callbacks(window.handle);
+    {
+        AppOptions app_options;
+        app_options.gl = std::move(gl).value();
+        app_options.get_proc = glfwGetProcAddress;
+        app_options.scale = scale;
+        app_options.config = options.config;
+        App app(app_options);
+        ImGui_ImplGlfw_InitForOpenGL(window.handle, true);
+        window.app = &app;
+        if (!options.level.empty()) open_level(app.editor(), options.level);
+        run_loop(window);
+        window.app = nullptr;
+        ImGui_ImplGlfw_Shutdown();
+    }
+    glfwDestroyWindow(window.handle);
+    return {};
+}
+
+}  // namespace slipface

@@ -1,0 +1,84 @@
+// Menus, made from the table of commands.
+#include <set>
+#include <string>
+
+#include "app/parts.h"
+#include "widgets/theme.h"
+#include "widgets/ui.h"
+
+namespace slipface {
+namespace {
+
+std::string_view family(const Command& command) {
+    const std::string_view id = command.id;
+    return id.substr(0, id.find('.'));
+}
+
+void recent_menu(Editor& editor) {
+    if (!ui::begin_menu("Open recent")) return;
+    if (editor.recent.paths().empty()) ui::menu_item("Nothing yet", "", false, false, nullptr);
+    const std::vector<std::filesystem::path> paths = editor.recent.paths();
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (ui::menu_item(paths[i].filename().c_str(), "", false, true, paths[i].c_str()))
+            request_open(editor, paths[i]);
+        ImGui::PopID();
+    }
+    ui::end_menu();
+}
+
+void menu(Editor& editor, const char* name) {
+    if (!ui::begin_menu(name)) return;
+    const Command* before = nullptr;
+    for (const Command& command : commands()) {
+        if (std::string_view(command.menu) != name) continue;
+        if (before && family(*before) != family(command)) ImGui::Separator();
+        const bool checked = command.checked && command.checked(editor);
+        if (ui::menu_item(command.label, command.shortcut.text().c_str(), checked, command.enabled(editor),
+                          command.description, command.icon))
+            run_command(editor, command.id);
+        if (std::string_view(command.id) == "file.open") recent_menu(editor);
+        before = &command;
+    }
+    ui::end_menu();
+}
+
+}  // namespace
+
+std::string document_name(const Editor& editor) {
+    return editor.document ? editor.document->level().mesh_path.filename().string() : std::string();
+}
+
+std::string window_title(const Editor& editor) {
+    if (!editor.document) return "Slipface";
+    return document_name(editor) + (editor.document->dirty() ? " \u2022" : "") + " \u2014 Slipface";
+}
+
+float menu_bar(Parts& parts) {
+    Editor& editor = parts.editor;
+    const float scale = ui::scale();
+    float height = ImGui::GetFrameHeight();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8 * scale, 8 * scale});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {10 * scale, 7 * scale});
+    if (ImGui::BeginMainMenuBar()) {
+        const ui::Scope scope("Menu");
+        std::set<std::string_view> seen;
+        for (const Command& command : commands())
+            if (*command.menu && seen.insert(command.menu).second) menu(editor, command.menu);
+        if (editor.document) {
+            const std::string name = document_name(editor) + (editor.document->dirty() ? "  \u25cf" : "");
+            const float width = ImGui::CalcTextSize(name.c_str()).x;
+            const float x = ImGui::GetWindowWidth() - width - 14 * scale;
+            if (x > ImGui::GetCursorPosX()) {
+                ImGui::SetCursorPosX(x);
+                ImGui::TextColored(ui::palette().muted, "%s", name.c_str());
+            }
+        }
+        height = ImGui::GetWindowHeight();
+        ImGui::EndMainMenuBar();
+    }
+    ImGui::PopStyleVar(2);
+    return height;
+}
+
+}  // namespace slipface

@@ -1,0 +1,104 @@
+#include "app/offscreen_host.h"
+
+#include <cfloat>
+
+#include "widgets/imgui_compat.h"
+
+namespace slipface {
+
+Result<std::unique_ptr<OffscreenHost>> OffscreenHost::make(const OffscreenOptions& options) {
+    if (options.width < 64 || options.height < 64 || options.width > 8192 || options.height > 8192)
+        return Error{"picture", "the size must be 64..8192 pixels each way"};
+    if (!(options.scale >= 0.5f && options.scale <= 4.0f))
+        return Error{"picture", "the scale must be 0.5..4"};
+    Result<std::unique_ptr<OffscreenContext>> context = make_offscreen_context();
+    if (!context) return context.error();
+    std::unique_ptr<OffscreenHost> host(new OffscreenHost);
+    host->context_ = std::move(context).value();
+    host->width_ = options.width;
+    host->height_ = options.height;
+    host->target_ = std::make_unique<Framebuffer>(host->context_->gl(), options.width, options.height);
+    AppOptions app;
+    app.gl = host->context_->gl();
+    app.get_proc = host->context_->get_proc();
+    app.scale = options.scale;
+    app.deterministic = true;
+    app.hidden_folder = options.hidden_folder;
+    app.config = options.config;
+    host->app_ = std::make_unique<App>(app);
+    ui::fill_key_map();
+    ui::feed_without_trickling();
+    host->park_mouse();
+    host->frame();
+    return host;
+}
+
+OffscreenHost::~OffscreenHost() = default;
+
+void OffscreenHost::frame() {
+    app_->build_frame(width_, height_, frame_s);
+}
+
+int OffscreenHost::settle(int most) {
+    int equal = 0, built = 0;
+    while (built < most && equal < 2) {
+        const std::uint64_t before = app_->frame_hash();
+        frame();
+        ++built;
+        equal = app_->frame_hash() == before ? equal + 1 : 0;
+    }
+    return built;
+}
+
+bool OffscreenHost::draw_if_needed() {
+    if (!app_->needs_drawing()) return false;
+    target_->bind();
+    app_->draw_frame();
+    return true;
+}
+
+Image OffscreenHost::screenshot() {
+    draw_if_needed();
+    return target_->read();
+}
+
+Image OffscreenHost::level_picture() {
+    draw_if_needed();
+    return app_->level_picture();
+}
+
+void OffscreenHost::move_mouse(ImVec2 to) {
+    mouse_ = to;
+    ui::feed_mouse_position(to);
+}
+
+void OffscreenHost::park_mouse() {
+    move_mouse({-FLT_MAX, -FLT_MAX});
+}
+void OffscreenHost::mouse_button(int button, bool down) {
+    ui::feed_mouse_button(button, down);
+}
+void OffscreenHost::wheel(float notches) {
+    ui::feed_wheel(notches);
+}
+void OffscreenHost::modifiers(bool ctrl, bool shift, bool alt) {
+    ui::feed_modifiers(ctrl, shift, alt);
+}
+void OffscreenHost::type(const std::string& utf8) {
+    ui::feed_text(utf8.c_str());
+}
+
+void OffscreenHost::press_key(const Shortcut& key) {
+    modifiers(key.ctrl, key.shift, key.alt);
+    const ui::NamedKey* named = nullptr;
+    for (const ui::NamedKey& candidate : ui::named_keys)
+        if (candidate.name == key.key) named = &candidate;
+    if (named) ui::feed_key(named->key, true);
+    app_->key_pressed({key});
+    frame();
+    if (named) ui::feed_key(named->key, false);
+    modifiers(false, false, false);
+    frame();
+}
+
+}  // namespace slipface

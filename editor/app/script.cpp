@@ -1,0 +1,293 @@
+#include "app/script.h"
+
+#include <fmt/format.h>
+
+#include "app/script_context.h"
+#include "slipface/base/files.h"
+#include "slipface/base/text.h"
+
+namespace slipface {
+namespace {
+
+constexpr std::uint64_t most_script_bytes = 4u << 20;
+constexpr int most_waited_frames = 36000;  // ten minutes
+
+void click_at(ScriptContext& context, ImVec2 at, int button, bool twice = false) {
+    OffscreenHost& host = context.host;
+    host.move_mouse(at);
+    host.frame();
+    for (int i = 0; i < (twice ? 2 : 1); ++i) {
+        host.mouse_button(button, true);
+        host.frame();
+        host.mouse_button(button, false);
+        host.frame();
+    }
+    host.frame();
+}
+
+void click_widget(ScriptContext& context, const std::string& path, int button, bool twice = false) {
+    const std::optional<ui::WidgetRect> widget = find_widget(context, path);
+    if (!widget) return;
+    if (!widget->enabled) return context.fail("widget \"" + path + "\" is disabled");
+    click_at(context, widget->centre(), button, twice);
+}
+
+void verb_click(ScriptContext& context, const Words& words) {
+    click_widget(context, words[1], 0);
+}
+void verb_double_click(ScriptContext& context, const Words& words) {
+    click_widget(context, words[1], 0, true);
+}
+void verb_right_click(ScriptContext& context, const Words& words) {
+    click_widget(context, words[1], 1);
+}
+
+void verb_menu(ScriptContext& context, const Words& words) {
+    std::string path = "Menu";
+    for (const std::string_view part : split(words[1], '/')) {
+        path += "/" + std::string(part);
+        click_widget(context, path, 0);
+        if (context.failure != ScriptFailure::none) return;
+        context.host.frame();
+    }
+}
+
+void verb_hover(ScriptContext& context, const Words& words) {
+    const std::optional<ui::WidgetRect> widget = find_widget(context, words[1]);
+    if (!widget) return;
+    context.host.move_mouse(widget->centre());
+    context.host.frame();
+    context.host.frame();
+}
+
+void verb_type(ScriptContext& context, const Words& words) {
+    context.host.type(words[1]);
+    context.host.frame();
+    context.host.frame();
+}
+
+void verb_key(ScriptContext& context, const Words& words) {
+    const Shortcut key = parse_shortcut(words[1]);
+    if (key.key.empty()) return context.fail("expected a key such as Ctrl+S, found \"" + words[1] + "\"");
+    context.host.press_key(key);
+}
+
+void verb_drag(ScriptContext& context, const Words& words) {
+    const std::optional<ui::WidgetRect> widget = find_widget(context, words[1]);
+    const std::optional<double> dx = number(context, words[2]), dy = number(context, words[3]);
+    if (!widget || !dx || !dy) return;
+    OffscreenHost& host = context.host;
+    const ImVec2 from = widget->centre();
+    host.move_mouse(from);
+    host.frame();
+    host.mouse_button(0, true);
+    host.frame();
+    constexpr int steps = 8;
+    for (int i = 1; i <= steps; ++i) {
+        host.move_mouse(
+            {from.x + static_cast<float>(*dx * i / steps), from.y + static_cast<float>(*dy * i / steps)});
+        host.frame();
+    }
+    host.mouse_button(0, false);
+    host.frame();
+    host.frame();
+}
+
+void verb_command(ScriptContext& context, const Words& words) {
+    const Command* const command = find_command(words[1]);
+    if (!command) {
+        std::string near;
+        const std::string_view family = std::string_view(words[1]).substr(0, words[1].find('.'));
+        for (const Command& other : commands())
+            if (std::string_view(other.id).starts_with(family))
+                near += std::string(near.empty() ? "" : ", ") + other.id;
+        return context.fail("no command \"" + words[1] + "\"" + (near.empty() ? "" : "; near: " + near));
+    }
+    if (!run_command(context.editor(), words[1]))
+        return context.fail("command " + words[1] + " is not enabled now");
+    context.host.frame();
+    context.host.frame();
+}
+
+void verb_set(ScriptContext& context, const Words& words) {
+    Editor& editor = context.editor();
+    if (!editor.document) return context.fail("nothing is open");
+    MovementSettings movement = editor.document->level().movement;
+    if (const Status status = set_setting(movement, words[1]); !status)
+        return context.fail(status.error().text());
+    editor.document->set_movement(movement, "Set " + words[1].substr(0, words[1].find('=')));
+    context.host.frame();
+}
+
+void verb_open(ScriptContext& context, const Words& words) {
+    open_level(context.editor(), script_path(context, words[1]));
+    context.host.frame();
+    context.host.frame();
+}
+
+void verb_drop(ScriptContext& context, const Words& words) {
+    context.host.app().drop_file(script_path(context, words[1]));
+    context.host.frame();
+    context.host.frame();
+}
+
+void verb_wheel(ScriptContext& context, const Words& words) {
+    const std::optional<double> notches = number(context, words[1]);
+    if (!notches) return;
+    context.host.wheel(static_cast<float>(*notches));
+    context.host.frame();
+    context.host.frame();
+}
+
+void verb_wait(ScriptContext& context, const Words& words) {
+    const std::optional<std::int64_t> frames = parse_int(words[1]);
+    if (!frames || *frames < 0 || *frames > most_waited_frames)
+        return context.fail("expected 0 to 36000 frames, found \"" + words[1] + "\"");
+    for (std::int64_t i = 0; i < *frames; ++i)
+        context.host.frame();
+}
+
+void verb_screenshot(ScriptContext& context, const Words& words) {
+    context.host.settle();
+    if (const Status status = save_png(script_path(context, words[1]), context.host.screenshot()); !status)
+        context.fail(status.error().text());
+}
+
+void verb_park(ScriptContext& context, const Words&) {
+    context.host.park_mouse();
+    context.host.frame();
+    context.host.frame();
+}
+
+constexpr ScriptVerb verbs[] = {
+    {"click", "\"Path\"", "Clicks the widget with this path, such as \"Toolbar/Paint\"", 1, 1, verb_click},
+    {"double_click", "\"Path\"", "Clicks it twice", 1, 1, verb_double_click},
+    {"right_click", "\"Path\"", "Clicks it with the right button", 1, 1, verb_right_click},
+    {"menu", "\"Menu/Item\"", "Opens a menu and clicks an item, such as \"File/Save\"", 1, 1, verb_menu},
+    {"hover", "\"Path\"", "Rests the mouse on a widget", 1, 1, verb_hover},
+    {"drag", "\"Path\" dx dy", "Drags from a widget's centre by so many pixels", 3, 3, verb_drag},
+    {"type", "\"text\"", "Types into the text box that has the focus", 1, 1, verb_type},
+    {"key", "Ctrl+S", "Presses a key with its modifiers, by the key's label", 1, 1, verb_key},
+    {"command", "file.save", "Runs a command by its id (docs/commands.md)", 1, 1, verb_command},
+    {"set", "name=value", "Sets a movement setting as one step of history (docs/settings.md)", 1, 1,
+     verb_set},
+    {"viewport", "click|hover|drag POINT [POINT] [left|middle|right] [ctrl] [shift] [alt]",
+     "Uses the mouse in the view; a POINT is x y in pixels of the view, or @x,y,z in the level", 2, 9,
+     verb_viewport},
+    {"wheel", "n", "Turns the wheel by n notches where the mouse is", 1, 1, verb_wheel},
+    {"hold", "W [A] [Space] frames", "Holds movement keys down for so many frames", 2, 8, verb_hold},
+    {"look", "dx dy", "Moves the mouse by so many pixels while playing", 2, 2, verb_look},
+    {"camera", "eye x,y,z target x,y,z | bookmark NAME | frame", "Places the camera", 1, 4, verb_camera},
+    {"open", "PATH", "Opens a level, asking nothing", 1, 1, verb_open},
+    {"drop", "PATH", "Drops a file onto the window", 1, 1, verb_drop},
+    {"wait", "n", "Lets n frames pass, each 1/60 s", 1, 1, verb_wait},
+    {"park_mouse", "", "Takes the mouse out of the window", 0, 0, verb_park},
+    {"screenshot", "PATH", "Writes a PNG of the window when it has come to rest", 1, 1, verb_screenshot},
+    {"expect", "WHAT ...", "Fails the script unless something is so; see below", 1, 4, verb_expect},
+};
+
+std::string all_verbs() {
+    std::string list;
+    for (const ScriptVerb& verb : verbs)
+        list += std::string(list.empty() ? "" : ", ") + verb.name;
+    return list;
+}
+
+void run_line(ScriptContext& context, const ScriptLine& line) {
+    for (const ScriptVerb& verb : verbs) {
+        if (line.words[0] != verb.name) continue;
+        const std::size_t arguments = line.words.size() - 1;
+        if (arguments < verb.least || arguments > verb.most)
+            return context.fail(fmt::format("found {} word{} after {}, expected: {} {}", arguments,
+                                            arguments == 1 ? "" : "s", verb.name, verb.name, verb.arguments));
+        return verb.run(context, line.words);
+    }
+    context.fail("no verb \"" + line.words[0] + "\"; there are: " + all_verbs());
+}
+
+}  // namespace
+
+std::span<const ScriptVerb> script_verbs() {
+    return verbs;
+}
+
+std::string script_verbs_markdown() {
+    std::string text =
+        "# Scripts\n\n"
+        "`slipface edit LEVEL --headless --script FILE --screenshot OUT.png` drives the editor off-screen. "
+        "One verb a line; "
+        "`#` begins a comment; words with spaces stand in double quotes. Widgets are named by their path; an "
+        "error "
+        "lists the nearest ones.\n\n"
+        "| verb | arguments | what it does |\n|---|---|---|\n";
+    for (const ScriptVerb& verb : verbs) {
+        std::string arguments = verb.arguments;
+        for (std::size_t at = 0; (at = arguments.find('|', at)) != std::string::npos; at += 2)
+            arguments.insert(at, 1, '\\');
+        text += fmt::format("| `{}` | {}{}{} | {} |\n", verb.name, arguments.empty() ? "" : "`", arguments,
+                            arguments.empty() ? "" : "`", verb.meaning);
+    }
+    return text + "\n## What can be expected\n\n" + expectations_markdown();
+}
+
+Result<std::vector<ScriptLine>> parse_script(std::string_view text, const std::string& place) {
+    std::vector<ScriptLine> lines;
+    int number = 0;
+    for (const std::string_view raw : split(text, '\n')) {
+        ++number;
+        ScriptLine line{number, {}};
+        std::size_t i = 0;
+        while (i < raw.size()) {
+            const char c = raw[i];
+            if (c == ' ' || c == '\t' || c == '\r') {
+                ++i;
+            } else if (c == '#') {
+                break;
+            } else if (c == '"') {
+                std::string word;
+                for (++i; i < raw.size() && raw[i] != '"'; ++i) {
+                    if (raw[i] == '\\' && i + 1 < raw.size()) ++i;
+                    word += raw[i];
+                }
+                if (i >= raw.size())
+                    return Error{fmt::format("{}:{}", place, number), "a quoted word has no closing '\"'"};
+                ++i;
+                line.words.push_back(std::move(word));
+            } else {
+                const std::size_t end = std::min(raw.find_first_of(" \t\r", i), raw.size());
+                line.words.emplace_back(raw.substr(i, end - i));
+                i = end;
+            }
+        }
+        if (!line.words.empty()) lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+ScriptResult run_script(OffscreenHost& host, std::string_view text, const std::string& place,
+                        const std::filesystem::path& folder) {
+    ScriptResult result;
+    const Result<std::vector<ScriptLine>> lines = parse_script(text, place);
+    if (!lines) return {ScriptFailure::bad_input, lines.error(), 0};
+    for (const ScriptLine& line : *lines) {
+        ScriptContext context{host, folder, ScriptFailure::none, {}};
+        run_line(context, line);
+        if (context.failure != ScriptFailure::none) {
+            result.failure = context.failure;
+            result.error = {fmt::format("{}:{}", place, line.number), context.message};
+            return result;
+        }
+        ++result.lines_done;
+    }
+    host.settle();
+    return result;
+}
+
+ScriptResult run_script_file(OffscreenHost& host, const std::filesystem::path& file) {
+    const Result<std::string> text = read_file(file, most_script_bytes);
+    if (!text) return {ScriptFailure::bad_input, text.error(), 0};
+    std::error_code error;
+    return run_script(host, *text, file.filename().string(), std::filesystem::current_path(error));
+}
+
+}  // namespace slipface

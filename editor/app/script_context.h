@@ -1,0 +1,47 @@
+// What the verbs of a script share.
+#pragma once
+
+#include "app/script.h"
+#include "widgets/ui.h"
+
+namespace slipface {
+
+struct ScriptContext {
+    OffscreenHost& host;
+    std::filesystem::path folder;
+    ScriptFailure failure = ScriptFailure::none;
+    std::string message;
+
+    Editor& editor() const { return host.editor(); }
+    void fail(std::string text) { set(ScriptFailure::bad_input, std::move(text)); }
+    void unmet(std::string text) { set(ScriptFailure::expectation, std::move(text)); }
+
+  private:
+    void set(ScriptFailure kind, std::string text) {
+        if (failure != ScriptFailure::none) return;
+        failure = kind;
+        message = std::move(text);
+    }
+};
+
+using Words = std::vector<std::string>;
+
+// The widget, scrolled into view if it has to be; fails, naming the nearest, if there is none.
+std::optional<ui::WidgetRect> find_widget(ScriptContext& context, const std::string& path);
+std::string nearest_widgets(const std::string& path);  // "a", "b", ...
+// "x" "y" in pixels of the view, or "@x,y,z" in the level, as a pixel of the window. `next` is moved past
+// what was read.
+std::optional<ImVec2> view_point(ScriptContext& context, const Words& words, std::size_t& next);
+std::optional<double> number(ScriptContext& context, const std::string& word);
+std::optional<Vec3> vec3(ScriptContext& context, const std::string& word);
+std::filesystem::path script_path(const ScriptContext& context, const std::string& word);
+Shortcut parse_shortcut(std::string_view text);
+
+void verb_viewport(ScriptContext& context, const Words& words);
+void verb_hold(ScriptContext& context, const Words& words);
+void verb_look(ScriptContext& context, const Words& words);
+void verb_camera(ScriptContext& context, const Words& words);
+void verb_expect(ScriptContext& context, const Words& words);
+std::string expectations_markdown();
+
+}  // namespace slipface

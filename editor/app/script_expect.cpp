@@ -1,0 +1,174 @@
+// What a script can check.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/parts.h"
+#include "app/script_context.h"
+#include "slipface/base/text.h"
+
+namespace slipface {
+namespace {
+
+bool yes_or_no(ScriptContext& context, const std::string& word) {
+    if (word != "yes" && word != "no") context.fail("expected yes or no, found \"" + word + "\"");
+    return word == "yes";
+}
+
+void expect_text(ScriptContext& context, const char* what, const std::string& found,
+                 const std::string& pattern) {
+    if (!glob_match(pattern, found))
+        context.unmet(fmt::format("expected {} \"{}\", found \"{}\"", what, pattern, found));
+}
+
+void expect_state(ScriptContext& context, const char* what, bool found, const std::string& word) {
+    if (found != yes_or_no(context, word))
+        context.unmet(fmt::format("expected {} {}, found {}", what, word, found ? "yes" : "no"));
+}
+
+void expect_number(ScriptContext& context, const std::string& what, std::size_t found,
+                   const std::string& word) {
+    const std::optional<std::int64_t> wanted = parse_int(word);
+    if (!wanted) return context.fail("expected a number, found \"" + word + "\"");
+    if (*wanted < 0 || static_cast<std::size_t>(*wanted) != found)
+        context.unmet(fmt::format("expected {} {}, found {}", what, word, found));
+}
+
+const Document* document(ScriptContext& context) {
+    if (!context.editor().document) context.fail("nothing is open");
+    return context.editor().document.get();
+}
+
+std::string type_name(const Document& document, SurfaceId id) {
+    const auto& surfaces = document.level().surfaces;
+    return id < surfaces.size() ? surfaces[id].name : "?";
+}
+
+void expect_status(ScriptContext& c, const Words& w) {
+    expect_text(c, "status", c.editor().status, w[2]);
+}
+void expect_message(ScriptContext& c, const Words& w) {
+    expect_text(c, "message",
+                c.editor().message ? c.editor().message->title + ": " + c.editor().message->text : "", w[2]);
+}
+void expect_title(ScriptContext& c, const Words& w) {
+    expect_text(c, "title", window_title(c.editor()), w[2]);
+}
+void expect_widget(ScriptContext& c, const Words& w) {
+    if (!ui::widgets().contains(w[2])) c.unmet("no widget \"" + w[2] + "\"; near: " + nearest_widgets(w[2]));
+}
+void expect_no_widget(ScriptContext& c, const Words& w) {
+    if (ui::widgets().contains(w[2])) c.unmet("expected no widget \"" + w[2] + "\"");
+}
+void expect_enabled(ScriptContext& c, const Words& w) {
+    if (const auto widget = find_widget(c, w[2])) expect_state(c, "enabled", widget->enabled, w[3]);
+}
+void expect_checked(ScriptContext& c, const Words& w) {
+    if (const auto widget = find_widget(c, w[2]))
+        expect_state(c, "checked", widget->checked.value_or(false), w[3]);
+}
+void expect_dirty(ScriptContext& c, const Words& w) {
+    if (const Document* d = document(c)) expect_state(c, "dirty", d->dirty(), w[2]);
+}
+void expect_playing(ScriptContext& c, const Words& w) {
+    expect_state(c, "playing", c.editor().playtest.has_value(), w[2]);
+}
+void expect_grounded(ScriptContext& c, const Words& w) {
+    if (!c.editor().playtest) return c.fail("nobody is playing");
+    expect_state(c, "grounded", c.editor().playtest->state().grounded, w[2]);
+}
+void expect_surface(ScriptContext& c, const Words& w) {
+    const Document* const d = document(c);
+    if (!d) return;
+    const std::optional<std::int64_t> face = parse_int(w[2]);
+    if (!face || *face < 0 || static_cast<std::size_t>(*face) >= d->mesh().face_count())
+        return c.fail(fmt::format("expected a face 0..{}, found \"{}\"", d->mesh().face_count() - 1, w[2]));
+    expect_text(c, "surface", type_name(*d, d->resolved().surface[static_cast<std::size_t>(*face)]), w[3]);
+}
+void expect_count(ScriptContext& c, const Words& w) {
+    const Document* const d = document(c);
+    if (!d) return;
+    const std::optional<SurfaceId> type = find_surface(d->level(), w[2]);
+    if (!type) return c.fail("no surface type \"" + w[2] + "\"");
+    const auto& surfaces = d->resolved().surface;
+    expect_number(c, "count of " + w[2],
+                  static_cast<std::size_t>(std::count(surfaces.begin(), surfaces.end(), *type)), w[3]);
+}
+void expect_selected(ScriptContext& c, const Words& w) {
+    if (const Document* d = document(c)) expect_number(c, "selected", d->selection().size(), w[2]);
+}
+void expect_history(ScriptContext& c, const Words& w) {
+    if (const Document* d = document(c)) expect_number(c, "history", d->history_cursor(), w[2]);
+}
+void expect_brush(ScriptContext& c, const Words& w) {
+    if (const Document* d = document(c))
+        expect_text(c, "brush", c.editor().brush ? type_name(*d, *c.editor().brush) : "unset", w[2]);
+}
+void expect_tool(ScriptContext& c, const Words& w) {
+    static constexpr const char* names[] = {"select", "paint", "fill", "probe"};
+    static_assert(std::size(names) == tool_count);
+    expect_text(c, "tool", names[static_cast<std::size_t>(c.editor().tool)], w[2]);
+}
+void expect_setting(ScriptContext& c, const Words& w) {
+    const Document* const d = document(c);
+    if (!d) return;
+    MovementSettings wanted = d->level().movement;
+    if (const Status status = set_setting(wanted, w[2]); !status) return c.fail(status.error().text());
+    const SettingInfo* const info = find_setting(std::string_view(w[2]).substr(0, w[2].find('=')));
+    if (info && !(wanted == d->level().movement))
+        c.unmet("expected setting " + w[2] + ", found " + setting_text(d->level().movement, *info));
+}
+
+struct Expectation {
+    const char *name, *arguments, *meaning;
+    std::size_t words;
+    void (*check)(ScriptContext&, const Words&);
+};
+constexpr Expectation expectations[] = {
+    {"status", "\"pattern\"", "The status line's last message matches (`*` and `?`)", 3, expect_status},
+    {"message", "\"pattern\"", "The open message, \"title: text\", matches; \"\" if none is open", 3,
+     expect_message},
+    {"title", "\"pattern\"", "The window's title matches", 3, expect_title},
+    {"widget", "\"Path\"", "There is such a widget", 3, expect_widget},
+    {"no_widget", "\"Path\"", "There is no such widget", 3, expect_no_widget},
+    {"enabled", "\"Path\" yes|no", "It can be used", 4, expect_enabled},
+    {"checked", "\"Path\" yes|no", "It is switched on", 4, expect_checked},
+    {"dirty", "yes|no", "The document differs from its file", 3, expect_dirty},
+    {"playing", "yes|no", "The playtest is running", 3, expect_playing},
+    {"grounded", "yes|no", "The player stands on something", 3, expect_grounded},
+    {"surface", "FACE NAME", "The face has this type", 4, expect_surface},
+    {"count", "NAME n", "So many faces have this type", 4, expect_count},
+    {"selected", "n", "So many faces are selected", 3, expect_selected},
+    {"history", "n", "So many steps can be undone", 3, expect_history},
+    {"brush", "NAME", "The brush has this type, or is `unset`", 3, expect_brush},
+    {"tool", "NAME", "select, paint, fill or probe", 3, expect_tool},
+    {"setting", "name=value", "A movement setting has this value", 3, expect_setting},
+};
+
+}  // namespace
+
+void verb_expect(ScriptContext& context, const Words& words) {
+    std::string names;
+    for (const Expectation& expectation : expectations) {
+        names += std::string(names.empty() ? "" : ", ") + expectation.name;
+        if (words[1] != expectation.name) continue;
+        if (words.size() != expectation.words)
+            return context.fail(
+                fmt::format("expected: expect {} {}", expectation.name, expectation.arguments));
+        return expectation.check(context, words);
+    }
+    context.fail("cannot expect \"" + words[1] + "\"; there are: " + names);
+}
+
+std::string expectations_markdown() {
+    std::string text = "| `expect` | arguments | holds when |\n|---|---|---|\n";
+    for (const Expectation& expectation : expectations) {
+        std::string arguments = expectation.arguments;
+        for (std::size_t at = 0; (at = arguments.find('|', at)) != std::string::npos; at += 2)
+            arguments.insert(at, 1, '\\');
+        text += fmt::format("| `{}` | `{}` | {} |\n", expectation.name, arguments, expectation.meaning);
+    }
+    return text;
+}
+
+}  // namespace slipface

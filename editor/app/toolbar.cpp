@@ -1,0 +1,155 @@
+// The commands used most, as icons, and the options of the tool in hand.
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "app/parts.h"
+#include "panels/legend.h"
+#include "widgets/theme.h"
+#include "widgets/ui.h"
+
+namespace slipface {
+namespace {
+
+// Ids of the table; "" separates groups.
+constexpr const char* shown_commands[] = {
+    "file.open",
+    "file.save",
+    "",
+    "edit.undo",
+    "edit.redo",
+    "",
+    "tools.select",
+    "tools.paint",
+    "tools.fill",
+    "tools.probe",
+    "",
+    "view.textured",
+    "view.overlay",
+    "view.wireframe",
+    "view.frame_selected",
+    "",
+};
+
+std::string tooltip_text(const Command& command) {
+    std::string text = command.label;
+    if (const std::string shortcut = command.shortcut.text(); !shortcut.empty())
+        text += "  (" + shortcut + ")";
+    return text + "\n" + command.description;
+}
+
+void group_line() {
+    const float scale = ui::scale();
+    ImGui::SameLine(0, 10 * scale);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = ImGui::GetFrameHeight() + 4 * scale;
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 5 * scale},
+                                              {at.x + scale, at.y + height - 5 * scale},
+                                              ui::packed(ui::palette().hairline));
+    ImGui::Dummy({scale, height});
+    ImGui::SameLine(0, 10 * scale);
+}
+
+void command_button(Editor& editor, const Command& command) {
+    const bool active = command.checked && command.checked(editor);
+    if (ui::icon_button(command.icon, command.label, tooltip_text(command).c_str(), active,
+                        command.enabled(editor)))
+        run_command(editor, command.id);
+}
+
+// What the tool in hand can be set to.
+void tool_options(Editor& editor) {
+    const float scale = ui::scale();
+    const float room = ImGui::GetContentRegionAvail().x - 120 * scale;
+    if (room < 180 * scale || !editor.document) return;
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 2 * scale);
+    const ui::Scope scope("Options");
+    const auto brush = [&] {
+        const auto& surfaces = editor.document->level().surfaces;
+        const bool unset = !editor.brush || *editor.brush >= surfaces.size();
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float side = 16 * scale, drop = (ImGui::GetFrameHeight() - side) * 0.5f;
+        if (!unset)
+            draw_swatch(*ImGui::GetWindowDrawList(), {at.x, at.y + drop}, {at.x + side, at.y + drop + side},
+                        surfaces[*editor.brush], 3 * scale);
+        ImGui::Dummy({unset ? 0 : side, side});
+        ImGui::SameLine(0, 8 * scale);
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(unset ? "unset" : surfaces[*editor.brush].name.c_str());
+        ImGui::SameLine(0, 18 * scale);
+    };
+    const auto number = [&](const char* label, double* value, double maximum, const char* format,
+                            const char* tip) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextColored(ui::palette().muted, "%s", label);
+        ImGui::SameLine();
+        ImGui::PushItemWidth(120 * scale);
+        const double minimum = 0.0;
+        const std::string id = std::string("##") + label;
+        ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, value, &minimum, &maximum, format,
+                            ImGuiSliderFlags_AlwaysClamp);
+        ImGui::PopItemWidth();
+        ui::record_last_item(label);
+        ui::tooltip(tip);
+    };
+    if (editor.tool == Tool::paint) {
+        brush();
+        number("Brush", &editor.brush_radius, 10.0, editor.brush_radius > 0.0 ? "%.2f m" : "one face",
+               "How far around the mouse connected faces are painted; at the left end only the face under "
+               "the mouse");
+    } else if (editor.tool == Tool::fill) {
+        brush();
+        double degrees = editor.fill_angle * 57.29577951308232;
+        number("Angle", &degrees, 180.0, "%.0f\u00b0", "Filling crosses edges that bend less than this");
+        editor.fill_angle = degrees / 57.29577951308232;
+    }
+}
+
+void play_button(Editor& editor) {
+    const Command* const command = find_command("playtest.start");
+    if (!command) return;
+    const float scale = ui::scale();
+    const bool walking = editor.playtest.has_value();
+    const char* const label = walking ? "\uf04d  Stop" : "\uf04b  Play";
+    const float width = 92 * scale;
+    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - width - 10 * scale));
+    ImGui::SetCursorPosY(5 * scale);
+    const ImVec2 size{width, ImGui::GetFrameHeight() + 4 * scale};
+    const bool enabled = walking || command->enabled(editor);
+    ImGui::PushFont(ui::fonts().semibold);
+    const bool pressed =
+        walking ? ui::button(label, nullptr, enabled, size) : ui::primary_button(label, enabled, size);
+    ImGui::PopFont();
+    ui::record_last_item("Play", enabled, walking);
+    ui::tooltip(tooltip_text(*command).c_str());
+    if (!pressed) return;
+    if (walking)
+        stop_playtest(editor);
+    else
+        start_playtest(editor);
+}
+
+}  // namespace
+
+void toolbar(Parts& parts) {
+    const ui::Scope scope("Toolbar");
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {3 * ui::scale(), 4 * ui::scale()});
+    bool any = false;
+    for (const std::string_view id : shown_commands) {
+        if (id.empty()) {
+            group_line();
+            continue;
+        }
+        const Command* const command = find_command(id);
+        if (!command) continue;
+        command_button(parts.editor, *command);
+        ImGui::SameLine();
+        any = true;
+    }
+    if (any) tool_options(parts.editor);
+    ImGui::SameLine();
+    play_button(parts.editor);
+    ImGui::PopStyleVar();
+}
+
+}  // namespace slipface

@@ -1,0 +1,243 @@
+// An open level: reading, changing and writing it.
+#include "document/document.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <utility>
+
+namespace slipface {
+namespace {
+
+bool same_names(const std::vector<SurfaceType>& a, const std::vector<SurfaceType>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const SurfaceType& x, const SurfaceType& y) { return x.name == y.name; });
+}
+
+std::string paint_step_name(const Level& level, std::optional<SurfaceId> surface) {
+    return surface ? "Paint " + level.surfaces[*surface].name : "Unset faces";
+}
+
+}  // namespace
+
+Document::Document() {
+    static std::atomic<std::uint64_t> documents = 0;
+    constexpr int changes_bits = 40;
+    revision_ = face_revision_ = ++documents << changes_bits;
+}
+
+Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& path) {
+    try {
+        Result<LoadedLevel> loaded = load_level(path);
+        if (!loaded) return loaded.error();
+        std::unique_ptr<Document> document(new Document);
+        document->level_ = std::move(loaded->level);
+        document->warnings_ = std::move(loaded->warnings);
+        document->match_ = loaded->match;
+        document->level_.overrides.resize(document->mesh().face_count());
+        Result<CollisionWorld> collision = build_collision_world(document->level_);
+        if (!collision) return collision.error();
+        document->collision_ = std::move(collision).value();
+        document->neighbours_ = face_neighbours(document->mesh());
+        document->resolve_again();
+        return document;
+    } catch (const std::exception& exception) {
+        return Error{path.string(), std::string("cannot be opened: ") + exception.what()};
+    }
+}
+
+Status Document::save() {
+    return save_as(level_.file_path);
+}
+
+Status Document::save_as(const std::filesystem::path& level_file) {
+    std::error_code ignored;
+    if (level_file.empty()) return Error{"", "no file name was given; expected NAME.slipface.json"};
+    if (level_file == level_.mesh_path || std::filesystem::equivalent(level_file, level_.mesh_path, ignored))
+        return Error{level_file.string(), "is the level's geometry; expected another name, such as " +
+                                              level_file_for(level_.mesh_path).filename().string()};
+    const std::filesystem::path before = std::exchange(level_.file_path, level_file);
+    Status status = save_level(level_);
+    if (!status) {
+        level_.file_path = before;
+        return status;
+    }
+    // A stroke that is still being made may yet change what was written.
+    if (open_step_.changes_file())
+        saved_cursor_.reset();
+    else
+        saved_cursor_ = cursor_;
+    ++revision_;
+    return status;
+}
+
+void Document::paint(std::span<const FaceId> faces, std::optional<SurfaceId> surface) {
+    if (surface && *surface >= level_.surfaces.size()) return;
+    FaceEdit edit;
+    for (const FaceId face : faces)
+        if (face < level_.overrides.size() && level_.overrides[face] != surface)
+            edit.faces.push_back({face, level_.overrides[face], surface});
+    std::sort(edit.faces.begin(), edit.faces.end(),
+              [](const FaceEdit::Face& a, const FaceEdit::Face& b) { return a.face < b.face; });
+    edit.faces.erase(
+        std::unique(edit.faces.begin(), edit.faces.end(),
+                    [](const FaceEdit::Face& a, const FaceEdit::Face& b) { return a.face == b.face; }),
+        edit.faces.end());
+    if (!edit.faces.empty()) perform(paint_step_name(level_, surface), std::move(edit));
+}
+
+void Document::select(std::vector<FaceId> faces) {
+    std::erase_if(faces, [this](FaceId face) { return face >= mesh().face_count(); });
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    if (faces == selection_) return;
+    const std::string name = faces.empty() ? "Select nothing" : "Select faces";
+    perform(name, SelectionEdit{selection_, std::move(faces)});
+}
+
+template <class ValueOf>
+void Document::change(ValueEdit<ValueOf> edit, std::string step_name) {
+    if (!(edit.before == edit.after)) perform(std::move(step_name), std::move(edit));
+}
+
+void Document::set_movement(const MovementSettings& movement, std::string step_name) {
+    change(MovementEdit{level_.movement, movement}, std::move(step_name));
+}
+
+void Document::set_surfaces(std::vector<SurfaceType> surfaces, std::string step_name) {
+    if (surfaces.empty() || surfaces.size() > max_surface_types) return;
+    const bool painted_beyond =
+        surfaces.size() < level_.surfaces.size() &&
+        std::any_of(level_.overrides.begin(), level_.overrides.end(),
+                    [&](std::optional<SurfaceId> painted) { return painted && *painted >= surfaces.size(); });
+    if (!painted_beyond) change(SurfacesEdit{level_.surfaces, std::move(surfaces)}, std::move(step_name));
+}
+
+std::string Document::rename_problem(SurfaceId surface, std::string_view name) const {
+    if (surface >= level_.surfaces.size()) return "There is no such type";
+    if (level_.surfaces[surface].name == name) return {};
+    if (surface == default_surface) return "The default type keeps its name";
+    if (name.empty()) return "A type needs a name";
+    if (find_surface(level_, name)) return "Another type has this name";
+    return {};
+}
+
+void Document::rename_surface(SurfaceId surface, const std::string& name) {
+    if (!rename_problem(surface, name).empty()) return;
+    const std::string old = level_.surfaces[surface].name;
+    Transaction transaction(*this, "Rename " + old);
+    std::vector<SurfaceType> surfaces = level_.surfaces;
+    surfaces[surface].name = name;
+    std::vector<MaterialRule> rules = level_.rules;
+    for (MaterialRule& rule : rules)
+        if (rule.type == old) rule.type = name;
+    std::vector<Orphan> orphans = level_.orphans;
+    for (Orphan& orphan : orphans)
+        if (orphan.type == old) orphan.type = name;
+    change(SurfacesEdit{level_.surfaces, std::move(surfaces)}, {});
+    change(RulesEdit{level_.rules, std::move(rules)}, {});
+    change(OrphansEdit{level_.orphans, std::move(orphans)}, {});
+    transaction.commit();
+}
+
+std::string Document::removal_problem(SurfaceId surface) const {
+    if (surface >= level_.surfaces.size()) return "There is no such type";
+    if (surface == default_surface) return "Every level has the default type";
+    const std::string& name = level_.surfaces[surface].name;
+    if (const std::size_t count = face_count_of(surface); count > 0)
+        return count == 1 ? "1 face has this type" : std::to_string(count) + " faces have this type";
+    if (std::any_of(level_.rules.begin(), level_.rules.end(),
+                    [&](const MaterialRule& rule) { return rule.type == name; }))
+        return "A material rule gives this type";
+    if (std::any_of(level_.orphans.begin(), level_.orphans.end(),
+                    [&](const Orphan& orphan) { return orphan.type == name; }))
+        return "An orphaned face has this type";
+    return {};
+}
+
+void Document::remove_surface(SurfaceId surface) {
+    if (!removal_problem(surface).empty()) return;
+    Transaction transaction(*this, "Remove " + level_.surfaces[surface].name);
+    FaceEdit moved;
+    for (std::size_t face = 0; face < level_.overrides.size(); ++face) {
+        const std::optional<SurfaceId> painted = level_.overrides[face];
+        if (painted && *painted > surface)
+            moved.faces.push_back({static_cast<FaceId>(face), painted, static_cast<SurfaceId>(*painted - 1)});
+    }
+    if (!moved.faces.empty()) perform({}, std::move(moved));
+    std::vector<SurfaceType> surfaces = level_.surfaces;
+    surfaces.erase(surfaces.begin() + surface);
+    set_surfaces(std::move(surfaces), {});
+    transaction.commit();
+}
+
+void Document::set_rules(std::vector<MaterialRule> rules) {
+    change(RulesEdit{level_.rules, std::move(rules)}, "Change material rules");
+}
+
+void Document::set_spawn(Spawn to) {
+    if (to.position.allFinite() && std::isfinite(to.yaw)) change(SpawnEdit{spawn(), to}, "Set spawn point");
+}
+
+void Document::set_cameras(std::vector<CameraBookmark> cameras) {
+    change(CamerasEdit{level_.cameras, std::move(cameras)}, "Change cameras");
+}
+
+namespace {
+
+template <class T>
+const T& side(const ValueEdit<T>& edit, bool forward) {
+    return forward ? edit.after : edit.before;
+}
+
+}  // namespace
+
+void Document::apply(const Edit& edit, bool forward, Touched& touched) {
+    struct Apply {
+        Document& self;
+        bool forward;
+        Touched& touched;
+        void operator()(const FaceEdit& one) const {
+            // Backwards, so that a face listed twice ends with its first `before`.
+            const auto put = [&](const FaceEdit::Face& change, std::optional<SurfaceId> surface) {
+                self.level_.overrides[change.face] = surface;
+                touched.faces.push_back(change.face);
+            };
+            if (forward)
+                for (const FaceEdit::Face& change : one.faces)
+                    put(change, change.after);
+            else
+                for (auto change = one.faces.rbegin(); change != one.faces.rend(); ++change)
+                    put(*change, change->before);
+        }
+        void operator()(const SelectionEdit& one) const {
+            self.selection_ = forward ? one.after : one.before;
+        }
+        void operator()(const MovementEdit& one) const { self.level_.movement = side(one, forward); }
+        void operator()(const SurfacesEdit& one) const {
+            touched.types = touched.types || !same_names(one.before, one.after);
+            touched.parameters = true;
+            self.level_.surfaces = side(one, forward);
+        }
+        void operator()(const RulesEdit& one) const {
+            touched.types = true;
+            self.level_.rules = side(one, forward);
+        }
+        void operator()(const SpawnEdit& one) const {
+            self.level_.spawn = side(one, forward).position;
+            self.level_.spawn_yaw = side(one, forward).yaw;
+        }
+        void operator()(const CamerasEdit& one) const { self.level_.cameras = side(one, forward); }
+        void operator()(const OrphansEdit& one) const { self.level_.orphans = side(one, forward); }
+    };
+    std::visit(Apply{*this, forward, touched}, edit);
+}
+
+void Document::apply(const HistoryStep& step, bool forward) {
+    Touched touched;
+    for (const Edit& edit : step.edits)
+        apply(edit, forward, touched);
+    refresh(touched);
+}
+
+}  // namespace slipface

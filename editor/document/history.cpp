@@ -1,0 +1,133 @@
+// Steps, transactions, undo and redo.
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "document/document.h"
+
+namespace slipface {
+namespace {
+
+bool changes_nothing(const Edit& edit) {
+    return std::visit(
+        [](const auto& one) {
+            if constexpr (requires { one.faces; })
+                return one.faces.empty();
+            else
+                return one.before == one.after;
+        },
+        edit);
+}
+
+// A face that was painted several times keeps its first `before` and its last `after`.
+void compact(FaceEdit& edit) {
+    std::stable_sort(edit.faces.begin(), edit.faces.end(),
+                     [](const FaceEdit::Face& a, const FaceEdit::Face& b) { return a.face < b.face; });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < edit.faces.size();) {
+        FaceEdit::Face merged = edit.faces[i];
+        for (++i; i < edit.faces.size() && edit.faces[i].face == merged.face; ++i)
+            merged.after = edit.faces[i].after;
+        if (merged.before != merged.after) edit.faces[kept++] = merged;
+    }
+    edit.faces.resize(kept);
+}
+
+void merge_into(Edit& earlier, Edit&& later) {
+    std::visit(
+        [&](auto& one) {
+            auto& other = std::get<std::remove_reference_t<decltype(one)>>(later);
+            if constexpr (requires { one.faces; })
+                one.faces.insert(one.faces.end(), other.faces.begin(), other.faces.end());
+            else
+                one.after = std::move(other.after);
+        },
+        earlier);
+}
+
+}  // namespace
+
+bool HistoryStep::changes_file() const {
+    return std::any_of(edits.begin(), edits.end(),
+                       [](const Edit& edit) { return !std::holds_alternative<SelectionEdit>(edit); });
+}
+
+void Document::perform(std::string step_name, Edit edit) {
+    Touched touched;
+    apply(edit, true, touched);
+    refresh(touched);
+    if (depth_ == 0) {
+        HistoryStep step{std::move(step_name), {}};
+        step.edits.push_back(std::move(edit));
+        push(std::move(step));
+        return;
+    }
+    const auto same_kind = std::find_if(open_step_.edits.begin(), open_step_.edits.end(),
+                                        [&](const Edit& open) { return open.index() == edit.index(); });
+    if (same_kind == open_step_.edits.end())
+        open_step_.edits.push_back(std::move(edit));
+    else
+        merge_into(*same_kind, std::move(edit));
+}
+
+void Document::push(HistoryStep step) {
+    if (saved_cursor_ && *saved_cursor_ > cursor_) {
+        // The file's state is about to leave the history, unless only selecting led from here to there.
+        const auto first = history_.begin() + static_cast<std::ptrdiff_t>(cursor_);
+        const auto last = history_.begin() + static_cast<std::ptrdiff_t>(*saved_cursor_);
+        if (std::any_of(first, last, [](const HistoryStep& undone) { return undone.changes_file(); }))
+            saved_cursor_.reset();
+        else
+            saved_cursor_ = cursor_;
+    }
+    history_.erase(history_.begin() + static_cast<std::ptrdiff_t>(cursor_), history_.end());
+    history_.push_back(std::move(step));
+    ++cursor_;
+}
+
+void Document::begin(std::string name) {
+    if (depth_++ == 0) open_step_ = {std::move(name), {}};
+}
+
+void Document::commit() {
+    if (depth_ == 0 || --depth_ > 0) return;
+    HistoryStep step = std::exchange(open_step_, {});
+    for (Edit& edit : step.edits)
+        if (auto* faces = std::get_if<FaceEdit>(&edit)) compact(*faces);
+    std::erase_if(step.edits, changes_nothing);
+    if (!step.edits.empty()) push(std::move(step));
+}
+
+void Document::cancel() {
+    if (depth_ == 0) return;
+    --depth_;
+    const std::vector<Edit> edits = std::exchange(open_step_.edits, {});
+    if (!edits.empty()) apply(HistoryStep{{}, edits}, false);
+}
+
+void Document::undo() {
+    if (!can_undo()) return;
+    apply(history_[--cursor_], false);
+}
+
+void Document::redo() {
+    if (!can_redo()) return;
+    apply(history_[cursor_++], true);
+}
+
+void Document::go_to(std::size_t cursor) {
+    while (cursor_ > cursor && can_undo())
+        undo();
+    while (cursor_ < cursor && can_redo())
+        redo();
+}
+
+bool Document::dirty() const {
+    if (!saved_cursor_ || open_step_.changes_file()) return true;
+    const auto [first, last] = std::minmax(*saved_cursor_, cursor_);
+    return std::any_of(history_.begin() + static_cast<std::ptrdiff_t>(first),
+                       history_.begin() + static_cast<std::ptrdiff_t>(last),
+                       [](const HistoryStep& step) { return step.changes_file(); });
+}
+
+}  // namespace slipface

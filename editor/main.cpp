@@ -1,0 +1,142 @@
+// The program: the editor, and every verb of the command line.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "app/glfw_host.h"
+#include "app/screens.h"
+#include "app/script.h"
+#include "cli/verbs.h"
+#include "document/recent_files.h"
+#include "snapshot_verb.h"
+
+namespace slipface {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum ExitCode : int { fine = 0, check_failed = 1, bad_input = 2, bad_usage = 64 };
+
+int complain(const Error& error, int code) {
+    fmt::print(stderr, "slipface: {}\n", error.text());
+    return code;
+}
+
+// Without a display the same editor runs off-screen, so that there is something to look at.
+int show_pictures(const fs::path& level, const Error& reason) {
+    fmt::print("No window ({}). Drawing the editor off-screen instead.\n", reason.message);
+    const fs::path editor_png = fs::path("out") / "editor.png", level_png = fs::path("out") / "level.png";
+    std::error_code error;
+    fs::create_directories("out", error);
+    if (const Status status = write_pictures(level, editor_png, level_png); !status)
+        return complain(status.error(), bad_input);
+    fmt::print("{}\n", fs::absolute(editor_png, error).string());
+    if (!level.empty()) fmt::print("{}\n", fs::absolute(level_png, error).string());
+    return fine;
+}
+
+int open_editor(const fs::path& level, float scale) {
+    if (!level.empty()) {
+        std::error_code error;
+        if (!fs::exists(level, error))
+            return complain({level.string(), "no such file; expected an OBJ or a level file"}, bad_input);
+    }
+    const Status status = run_window({.level = level, .config = config_folder(), .scale = scale});
+    return status.ok() ? static_cast<int>(fine) : show_pictures(level, status.error());
+}
+
+struct EditArguments {
+    std::string level, script, screenshot, size = "1280x720";
+    double scale = 0.0;
+    bool headless = false;
+};
+
+int edit_headless(const EditArguments& arguments) {
+    const auto size = parse_size(arguments.size);
+    if (!size)
+        return complain({"--size", "found \"" + arguments.size + "\", expected a size such as 1280x720"},
+                        bad_usage);
+    OffscreenOptions options;
+    options.width = size->first;
+    options.height = size->second;
+    options.scale = arguments.scale > 0.0 ? static_cast<float>(arguments.scale) : 1.0f;
+    Result<std::unique_ptr<OffscreenHost>> host = OffscreenHost::make(options);
+    if (!host) return complain(host.error(), bad_input);
+    Editor& editor = (*host)->editor();
+    if (!arguments.level.empty()) {
+        open_level(editor, arguments.level);
+        if (editor.message) return complain({"", editor.message->text}, bad_input);
+        (*host)->frame();
+    }
+    if (!arguments.script.empty()) {
+        const ScriptResult result = run_script_file(**host, arguments.script);
+        if (!result)
+            return complain(result.error,
+                            result.failure == ScriptFailure::expectation ? check_failed : bad_input);
+        fmt::print("{}: {} line{} done\n", arguments.script, result.lines_done,
+                   result.lines_done == 1 ? "" : "s");
+    }
+    if (!arguments.screenshot.empty()) {
+        (*host)->settle();
+        if (const Status status = save_png(arguments.screenshot, (*host)->screenshot()); !status)
+            return complain(status.error(), bad_input);
+        fmt::print("{}\n", arguments.screenshot);
+    }
+    return fine;
+}
+
+void add_edit_verb(CLI::App& app, int& exit_code) {
+    auto arguments = std::make_shared<EditArguments>();
+    CLI::App* const verb = app.add_subcommand("edit", "Open the editor, or drive it off-screen by a script");
+    verb->add_option("level", arguments->level, "OBJ or level file");
+    verb->add_flag("--headless", arguments->headless, "Draw off-screen, without a window");
+    verb->add_option("--script", arguments->script, "Script to run (docs/scripting.md); implies --headless");
+    verb->add_option("--screenshot", arguments->screenshot, "PNG to write at the end; implies --headless");
+    verb->add_option("--size", arguments->size, "Size of the off-screen window, WxH")->capture_default_str();
+    verb->add_option("--scale", arguments->scale, "Pixels per design pixel; the screen's own by default")
+        ->check(CLI::Range(0.5, 4.0));
+    verb->callback([arguments, &exit_code] {
+        const bool off_screen =
+            arguments->headless || !arguments->script.empty() || !arguments->screenshot.empty();
+        exit_code = off_screen ? edit_headless(*arguments)
+                               : open_editor(arguments->level, static_cast<float>(arguments->scale));
+    });
+}
+
+int run(int argument_count, char** arguments) {
+    CLI::App app("Slipface: level editor and movement lab for 3D platformers", "slipface");
+    app.set_version_flag("--version", std::string("slipface ") + SLIPFACE_VERSION);
+    app.footer(
+        "Exit codes: 0 fine, 1 a check failed, 2 bad input, 64 bad usage.\n"
+        "A level named like a verb is opened as ./NAME.");
+    std::string level;
+    app.add_option("level", level, "OBJ or level file to open in the editor");
+    int exit_code = fine;
+    add_edit_verb(app, exit_code);
+    add_snapshot_verb(app, exit_code);
+    add_data_verbs(app, exit_code);
+    app.require_subcommand(0, 1);
+    try {
+        app.parse(argument_count, arguments);
+    } catch (const CLI::ParseError& error) {
+        const int code = app.exit(error);
+        return code == 0 ? static_cast<int>(fine) : static_cast<int>(bad_usage);
+    }
+    if (app.get_subcommands().empty()) return open_editor(level, 0.0f);
+    return exit_code;
+}
+
+}  // namespace
+}  // namespace slipface
+
+int main(int argument_count, char** arguments) {
+    try {
+        return slipface::run(argument_count, arguments);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "slipface: %s\n", error.what());
+        return 2;
+    }
+}

@@ -1,0 +1,115 @@
+// The selected faces, or the one under the mouse.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "panels/legend.h"
+#include "panels/panels.h"
+#include "panels/property_rows.h"
+#include "tools/face_summary.h"
+#include "widgets/ui.h"
+
+namespace slipface {
+namespace {
+
+// Summing up a large selection takes a while; it is done once for each change of the document.
+const FaceSummary& selection_summary(const Document& document) {
+    static std::uint64_t revision = 0;
+    static FaceSummary summary;
+    if (revision != document.revision()) {
+        revision = document.revision();
+        summary = summarize_faces(document, document.selection());
+    }
+    return summary;
+}
+
+std::string source_text(SurfaceSource source) {
+    switch (source) {
+        case SurfaceSource::none:
+            return "no rule, not painted";
+        case SurfaceSource::rule:
+            return "material rule";
+        case SurfaceSource::suffix:
+            return "material suffix";
+        case SurfaceSource::override_:
+            return "painted";
+    }
+    return "";
+}
+
+std::string shown_name(const std::optional<std::string>& name) {
+    if (!name) return "Mixed";
+    return name->empty() ? "None" : *name;
+}
+
+std::string slope_text(const FaceSummary& summary) {
+    if (!summary.has_slope) return "None, no area";
+    const auto whole = [](double radians) {
+        return std::round(radians * 180.0 / std::numbers::pi * 10.0) / 10.0;
+    };
+    const double low = whole(summary.slope_min), high = whole(summary.slope_max);
+    return low == high ? fmt::format("{}°", low) : fmt::format("{}° to {}°", low, high);
+}
+
+void type_fact(const Document& document, const FaceSummary& summary) {
+    if (!summary.surface) {
+        fact("Type", "Mixed");
+        return;
+    }
+    const SurfaceType& type = document.level().surfaces[*summary.surface];
+    fact("Type", "");
+    ImGui::SameLine(0, 0);
+    const float em = ImGui::GetFontSize();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    draw_swatch(*ImGui::GetWindowDrawList(), at, {at.x + em, at.y + em}, type, 0.2f * em);
+    ImGui::Dummy({em, em});
+    ImGui::SameLine();
+    ImGui::TextUnformatted(type.name.c_str());
+}
+
+void facts(const Document& document, const FaceSummary& summary) {
+    type_fact(document, summary);
+    fact("From", summary.source ? source_text(*summary.source) : "Mixed");
+    fact("Material", shown_name(summary.material));
+    fact("Group", shown_name(summary.group));
+    fact("Slope", slope_text(summary));
+    fact("Area", fmt::format("{:.4g} m²", summary.area));
+    fact("Triangles", std::to_string(summary.triangles));
+}
+
+}  // namespace
+
+void inspector_panel(Editor& editor) {
+    settle_live_edit(editor);
+    if (!editor.document) return;
+    const ui::Scope scope("Inspector");
+    const Document& document = *editor.document;
+    const std::size_t selected = document.selection().size();
+    if (selected == 0) {
+        if (editor.hovered >= document.mesh().face_count()) {
+            ui::heading("Faces");
+            ui::muted_text("Point at a face, or select some");
+            return;
+        }
+        ui::heading(("Face " + std::to_string(editor.hovered)).c_str());
+        facts(document, summarize_faces(document, std::span(&editor.hovered, 1)));
+        return;
+    }
+    const FaceSummary& summary = selection_summary(document);
+    ui::heading((selected == 1 ? "Face " + std::to_string(document.selection()[0]) + ", selected"
+                               : std::to_string(selected) + " faces selected")
+                    .c_str());
+    facts(document, summary);
+    ImGui::Spacing();
+    if (ui::button("Paint", "Give these faces the brush's surface type"))
+        run_command(editor, "edit.fill_selection");
+    ImGui::SameLine();
+    if (ui::button("Unset", "Take the painted types off these faces", summary.painted > 0))
+        run_command(editor, "edit.unset_selection");
+    ImGui::SameLine();
+    if (ui::button("Frame", "Move the camera to see these faces")) run_command(editor, "view.frame_selected");
+}
+
+}  // namespace slipface

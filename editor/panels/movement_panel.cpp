@@ -1,0 +1,159 @@
+// Every hack and parameter of movement, made from the settings table.
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "panels/panels.h"
+#include "panels/property_rows.h"
+#include "slipface/base/text.h"
+#include "tools/icons.h"
+#include "widgets/ui.h"
+
+namespace slipface {
+namespace {
+
+const MovementSettings defaults;
+
+bool is_switch(const SettingInfo& info) {
+    return std::holds_alternative<bool MovementSettings::*>(info.member);
+}
+bool is_choice(const SettingInfo& info) {
+    return std::holds_alternative<PushOut MovementSettings::*>(info.member);
+}
+bool is_whole(const SettingInfo& info) {
+    return std::holds_alternative<int MovementSettings::*>(info.member);
+}
+
+std::string setting_tooltip(const SettingInfo& info) {
+    std::string text = info.meaning;
+    text += "\n\n";
+    if (is_switch(info) || is_choice(info))
+        text += "Default: " + setting_text(defaults, info);
+    else
+        text += number_text(info.minimum, info.unit) + " to " + number_text(info.maximum, info.unit) +
+                ", default " + number_text(get_setting(defaults, info), info.unit);
+    if (*info.too_small) text += std::string("\nToo small: ") + info.too_small;
+    if (*info.too_large) text += std::string("\nToo large: ") + info.too_large;
+    return text;
+}
+
+void put(Editor& editor, const SettingInfo& info, double value) {
+    MovementSettings movement = editor.document->level().movement;
+    if (set_setting(movement, info, value))
+        editor.document->set_movement(movement, "Change " + to_lower(info.label));
+}
+
+void choice_control(Editor& editor, const SettingInfo& info, double value, const std::string& tooltip) {
+    std::array<std::string, push_out_names.size()> texts;
+    std::array<const char*, push_out_names.size()> names{};
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        texts[i] = sentence_case(push_out_names[i]);
+        names[i] = texts[i].c_str();
+    }
+    int index = static_cast<int>(value);
+    const std::string id = std::string("##") + info.label;
+    if (ui::combo(id.c_str(), &index, names.data(), static_cast<int>(names.size()), tooltip.c_str()))
+        put(editor, info, static_cast<double>(index));
+}
+
+void setting_row(Editor& editor, const SettingInfo& info) {
+    const MovementSettings& movement = editor.document->level().movement;
+    double value = get_setting(movement, info);
+    const double standard = get_setting(defaults, info);
+    const bool modified = value != standard;
+    const std::string tooltip = setting_tooltip(info);
+    const float indent = *info.switch_name ? 1.2f * ImGui::GetFontSize() : 0.0f;
+    ImGui::PushID(info.name);
+    property_row(info.label, tooltip.c_str(), modified, indent);
+    if (is_choice(info)) {
+        choice_control(editor, info, value, tooltip);
+    } else if (number_slider(info.label, &value, info.minimum, info.maximum, info.unit, tooltip.c_str(),
+                             is_whole(info))) {
+        live_edit(editor, "Change " + to_lower(info.label));
+        put(editor, info, value);
+    }
+    if (reset_cell(info.label, modified)) put(editor, info, standard);
+    ImGui::PopID();
+}
+
+// A switch takes the whole width, so that its name is never cut.
+void switch_row(Editor& editor, const SettingInfo& info) {
+    const MovementSettings& movement = editor.document->level().movement;
+    const double standard = get_setting(defaults, info);
+    bool on = get_setting(movement, info) != 0.0;
+    const bool modified = (on ? 1.0 : 0.0) != standard;
+    const std::string tooltip = setting_tooltip(info);
+    ImGui::PushID(info.name);
+    if (begin_property_rows("switch", ImGui::GetContentRegionAvail().x)) {
+        property_row("", nullptr, modified);
+        // The check box starts in the label's cell and may run over the empty control cell.
+        ImGui::TableSetColumnIndex(1);
+        if (ui::checkbox(info.label, &on, tooltip.c_str()))
+            run_command(editor, std::string("movement.") + info.name);
+        ImGui::TableSetColumnIndex(2);
+        if (reset_cell(info.label, modified)) put(editor, info, standard);
+        end_property_rows();
+    }
+    ImGui::PopID();
+}
+
+void header(Editor& editor) {
+    const MovementSettings& movement = editor.document->level().movement;
+    std::size_t changed = 0;
+    for (const SettingInfo& info : settings_table())
+        if (get_setting(movement, info) != get_setting(defaults, info)) ++changed;
+    ImGui::AlignTextToFramePadding();
+    ui::muted_text(changed == 0 ? "All defaults" : (std::to_string(changed) + " changed").c_str());
+    ImGui::SameLine();
+    const float width = ImGui::CalcTextSize("Reset all").x + 2.0f * ImGui::GetStyle().FramePadding.x;
+    ImGui::SetCursorPosX(
+        std::max(ImGui::GetCursorPosX(), ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width));
+    if (ui::button("Reset all", "Set every hack and parameter to its default", changed > 0))
+        run_command(editor, "movement.reset");
+}
+
+void group_rows(Editor& editor, std::string_view group, float label_width) {
+    const MovementSettings& movement = editor.document->level().movement;
+    bool open = false;
+    const auto close = [&] {
+        if (std::exchange(open, false)) end_property_rows();
+    };
+    int tables = 0;
+    for (const SettingInfo& info : settings_table()) {
+        if (group != info.group) continue;
+        const SettingInfo* owner = find_setting(info.switch_name);
+        if (owner && get_setting(movement, *owner) == 0.0) continue;
+        if (is_switch(info)) {
+            close();
+            switch_row(editor, info);
+            continue;
+        }
+        if (!open)
+            open = begin_property_rows((std::string(group) + std::to_string(tables++)).c_str(), label_width);
+        if (open) setting_row(editor, info);
+    }
+    close();
+}
+
+}  // namespace
+
+void movement_panel(Editor& editor) {
+    settle_live_edit(editor);
+    if (!editor.document) return;
+    const ui::Scope scope("Movement");
+    header(editor);
+    float label_width = 0.0f;
+    for (const SettingInfo& info : settings_table())
+        if (!is_switch(info))
+            label_width = std::max(label_width, label_width_of(info.label) +
+                                                    (*info.switch_name ? 1.2f * ImGui::GetFontSize() : 0.0f));
+    std::string_view group;
+    for (const SettingInfo& info : settings_table()) {
+        if (group == info.group) continue;
+        group = info.group;
+        ui::heading(info.group);
+        group_rows(editor, group, label_width);
+    }
+}
+
+}  // namespace slipface

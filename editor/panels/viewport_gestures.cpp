@@ -1,0 +1,226 @@
+// What the mouse does in the view.
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "panels/viewport_panel.h"
+#include "widgets/ui.h"
+
+namespace slipface {
+namespace {
+
+constexpr float click_slop = 4.0f;       // design pixels that a click may wander
+constexpr double stroke_spacing = 4.0;   // pixels between the points where a stroke paints
+constexpr int most_stroke_points = 400;  // of one frame
+
+Vec2 to_vec(ImVec2 v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y)};
+}
+
+Vec2 view_pixel(const ViewportState& state, ImVec2 mouse) {
+    return to_vec({mouse.x - state.min.x, mouse.y - state.min.y});
+}
+
+void hover_at(Editor& editor, const ViewportState& state, ImVec2 mouse) {
+    hover(editor, pixel_ray(shown_camera(editor), view_pixel(state, mouse), to_vec(state.size)));
+}
+
+void hover_nothing(Editor& editor) {
+    editor.hovered = no_id;
+}
+
+// Paints along the way from the mouse's last place, so that a fast stroke leaves no gaps.
+void paint_along(Editor& editor, ViewportState& state, ImVec2 mouse) {
+    const Vec2 from = to_vec(state.last_mouse), to = to_vec(mouse);
+    const int steps =
+        std::clamp(static_cast<int>(std::ceil((to - from).norm() / stroke_spacing)), 1, most_stroke_points);
+    for (int i = 1; i <= steps; ++i) {
+        const Vec2 at = from + (to - from) * (static_cast<double>(i) / steps);
+        hover_at(editor, state, {static_cast<float>(at.x()), static_cast<float>(at.y())});
+        if (editor.hovered != no_id) paint_hovered(editor);
+    }
+}
+
+std::string stroke_name(const Editor& editor) {
+    const auto& surfaces = editor.document->level().surfaces;
+    if (!editor.brush || *editor.brush >= surfaces.size()) return "Unset";
+    return "Paint " + surfaces[*editor.brush].name;
+}
+
+void begin(ViewportState& state, const Editor& editor, Gesture gesture, ImVec2 mouse) {
+    state.gesture = gesture;
+    state.document = editor.document.get();
+    state.pressed_at = state.last_mouse = mouse;
+    state.probe_before = editor.probe;
+}
+
+void press_left(Editor& editor, ViewportState& state, ImVec2 mouse) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.KeyAlt) {
+        if (editor.tool != Tool::probe && editor.hovered != no_id) pick_surface(editor);
+        return;
+    }
+    switch (editor.tool) {
+        case Tool::select:
+            begin(state, editor, Gesture::click, mouse);
+            return;
+        case Tool::paint:
+            begin(state, editor, Gesture::stroke, mouse);
+            editor.document->begin(stroke_name(editor));
+            if (editor.hovered != no_id) paint_hovered(editor);
+            return;
+        case Tool::fill:
+            if (editor.hovered != no_id) fill_hovered(editor);
+            return;
+        case Tool::probe:
+            break;
+    }
+    const Vec2 pixel = view_pixel(state, mouse);
+    const int handle = probe_handle_at(editor, shown_camera(editor), pixel, to_vec(state.size));
+    if (handle != 0) {
+        begin(state, editor, handle == 2 ? Gesture::drag_probe_end : Gesture::drag_probe_start, mouse);
+    } else if (editor.hovered != no_id) {
+        begin(state, editor, Gesture::place_probe, mouse);
+        editor.probe.place_on(editor.hovered_point, editor.hovered_normal, editor.document->level().movement);
+        editor.probe.move = Vec3::Zero();
+    }
+}
+
+void press(Editor& editor, ViewportState& state, ImVec2 mouse) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle))
+        begin(state, editor, io.KeyShift ? Gesture::pan : Gesture::orbit, mouse);
+    else if (ImGui::IsMouseClicked(ImGuiMouseButton_Right))
+        begin(state, editor, io.KeyAlt ? Gesture::orbit : Gesture::fly, mouse);
+    else if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+        press_left(editor, state, mouse);
+}
+
+int button_of(Gesture gesture, const ImGuiIO& io) {
+    switch (gesture) {
+        case Gesture::pan:
+            return ImGuiMouseButton_Middle;
+        case Gesture::orbit:
+            return io.MouseDown[ImGuiMouseButton_Right] ? ImGuiMouseButton_Right : ImGuiMouseButton_Middle;
+        case Gesture::fly:
+            return ImGuiMouseButton_Right;
+        default:
+            return ImGuiMouseButton_Left;
+    }
+}
+
+void fly(Editor& editor, FrameContext& frame) {
+    const HeldKeys& held = frame.held;
+    const auto axis = [](bool plus, bool minus) { return (plus ? 1.0 : 0.0) - (minus ? 1.0 : 0.0); };
+    const Vec3 direction{axis(held.right, held.left), axis(held.up, held.down),
+                         axis(held.forward, held.back)};
+    if (direction.isZero()) return;
+    editor.view.fly(direction, frame.seconds * (held.fast ? 3.0 : 1.0));
+    frame.animating = true;
+}
+
+void release(Editor& editor, ViewportState& state, ImVec2 mouse) {
+    const Gesture ended = state.gesture;
+    state.gesture = Gesture::none;
+    if (ended == Gesture::stroke) editor.document->commit();
+    if (ended != Gesture::click) return;
+    const float slop = click_slop * ui::scale();
+    const ImGuiIO& io = ImGui::GetIO();
+    if (std::abs(mouse.x - state.pressed_at.x) > slop || std::abs(mouse.y - state.pressed_at.y) > slop)
+        return;
+    hover_at(editor, state, state.pressed_at);
+    click_select(editor, io.KeyCtrl || io.KeyShift);
+}
+
+// One frame of the gesture under way.
+void go_on(Editor& editor, FrameContext& frame, ViewportState& state, ImVec2 mouse) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const Vec2 moved = to_vec({mouse.x - state.last_mouse.x, mouse.y - state.last_mouse.y});
+    const Vec2 design_moved = moved / static_cast<double>(ui::scale());
+    const bool still = moved.isZero();
+    switch (state.gesture) {
+        case Gesture::orbit:
+            editor.view.orbit(design_moved);
+            break;
+        case Gesture::pan:
+            editor.view.pan(moved, to_vec(state.size));
+            break;
+        case Gesture::fly:
+            editor.view.look(design_moved);
+            if (io.MouseWheel != 0.0f)
+                editor.view.fly_speed = std::clamp(
+                    editor.view.fly_speed * std::pow(1.2, static_cast<double>(io.MouseWheel)), 0.2, 200.0);
+            fly(editor, frame);
+            break;
+        case Gesture::stroke:
+            if (!still) paint_along(editor, state, mouse);
+            break;
+        case Gesture::place_probe:
+        case Gesture::drag_probe_end:
+        case Gesture::drag_probe_start: {
+            const float slop = click_slop * ui::scale();
+            const bool wandered = std::abs(mouse.x - state.pressed_at.x) > slop ||
+                                  std::abs(mouse.y - state.pressed_at.y) > slop;
+            if (still || (state.gesture == Gesture::place_probe && !wandered)) break;
+            drag_probe(editor, shown_camera(editor), view_pixel(state, mouse), to_vec(state.size),
+                       state.gesture, io.KeyShift);
+            break;
+        }
+        case Gesture::click:
+        case Gesture::none:
+            break;
+    }
+    state.last_mouse = mouse;
+}
+
+}  // namespace
+
+bool cancel_viewport_gesture(Editor& editor) {
+    ViewportState& state = viewport_state();
+    if (state.gesture == Gesture::none) return false;
+    const Gesture ended = state.gesture;
+    state.gesture = Gesture::none;
+    if (state.document != editor.document.get()) return false;
+    if (ended == Gesture::stroke) editor.document->cancel();
+    if (ended == Gesture::place_probe || ended == Gesture::drag_probe_end ||
+        ended == Gesture::drag_probe_start)
+        editor.probe = state.probe_before;
+    // The button is still down; the view must not take its next movement for a new gesture.
+    ImGui::ClearActiveID();
+    return true;
+}
+
+void viewport_gestures(Editor& editor, FrameContext& frame, ViewportState& state) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 mouse = io.MousePos;
+    if (editor.playtest) {
+        state.gesture = Gesture::none;
+        hover_nothing(editor);
+        return;
+    }
+    if (state.gesture != Gesture::none) {
+        go_on(editor, frame, state, mouse);
+        if (!io.MouseDown[button_of(state.gesture, io)]) release(editor, state, mouse);
+        // The face under a painting mouse stays lit; a camera drag or a probe drag has nothing under it.
+        if (state.gesture != Gesture::none && state.gesture != Gesture::stroke &&
+            state.gesture != Gesture::click)
+            hover_nothing(editor);
+        return;
+    }
+    if (!state.hovered) {
+        hover_nothing(editor);
+        return;
+    }
+    hover_at(editor, state, mouse);
+    if (ImGui::IsItemActive() || ImGui::IsItemClicked(ImGuiMouseButton_Left)) press(editor, state, mouse);
+    if (io.MouseWheel != 0.0f && state.gesture == Gesture::none) {
+        const double wheel = static_cast<double>(io.MouseWheel);
+        if (editor.hovered != no_id)
+            editor.view.zoom_towards(wheel, editor.hovered_point);
+        else
+            editor.view.zoom(wheel);
+    }
+}
+
+}  // namespace slipface

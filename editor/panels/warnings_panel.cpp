@@ -1,0 +1,66 @@
+// What was repaired, dropped or could not be placed while opening.
+#include <string>
+
+#include "panels/panels.h"
+#include "panels/property_rows.h"
+#include "tools/icons.h"
+#include "widgets/theme.h"
+#include "widgets/ui.h"
+
+namespace slipface {
+namespace {
+
+void entry(const std::string& title, const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ui::palette().accent);
+    ImGui::TextUnformatted(icons::warning);
+    ImGui::PopStyleColor();
+    ImGui::SameLine();
+    ImGui::BeginGroup();
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopTextWrapPos();
+    if (!title.empty()) ui::muted_text(title.c_str());
+    ImGui::EndGroup();
+    ImGui::Spacing();
+}
+
+// Only the file's name: the folder says nothing that the title bar does not.
+std::string short_place(const std::string& place) {
+    const std::size_t slash = place.find_last_of('/', place.find(':'));
+    return slash == std::string::npos ? place : place.substr(slash + 1);
+}
+
+}  // namespace
+
+void warnings_panel(Editor& editor) {
+    settle_live_edit(editor);
+    if (!editor.document) return;
+    const ui::Scope scope("Warnings");
+    const Document& document = *editor.document;
+    const std::vector<Orphan>& orphans = document.level().orphans;
+    if (document.warnings().empty() && orphans.empty()) {
+        ui::muted_text("Nothing was repaired or dropped while opening this level");
+        return;
+    }
+    if (ui::button("Copy all", "Put every warning on the clipboard")) {
+        std::string text;
+        for (const Diagnostic& warning : document.warnings())
+            text += warning.text() + "\n";
+        for (const Orphan& orphan : orphans)
+            text += "orphan: " + orphan.type + ", material " + orphan.key.material + "\n";
+        ImGui::SetClipboardText(text.c_str());
+        editor.status = "Warnings copied";
+    }
+    if (!orphans.empty()) ui::heading("Orphans");
+    for (const Orphan& orphan : orphans) {
+        const Vec3& at = orphan.key.centroid;
+        entry("material " + (orphan.key.material.empty() ? "none" : orphan.key.material) + ", at " +
+                  number_text(at.x(), "") + ", " + number_text(at.y(), "") + ", " + number_text(at.z(), ""),
+              "No face was found for a painted " + orphan.type + "; it is kept in the file");
+    }
+    if (!document.warnings().empty()) ui::heading("Opening");
+    for (const Diagnostic& warning : document.warnings())
+        entry(short_place(warning.place), warning.message);
+}
+
+}  // namespace slipface

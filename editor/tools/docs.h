@@ -1,0 +1,11 @@
+// The pages of docs/ that are made from tables, so that they cannot drift from the program.
+#pragma once
+
+#include <string>
+
+namespace slipface {
+
+std::string commands_markdown();  // docs/commands.md
+std::string settings_markdown();  // docs/settings.md: movement settings and surface type parameters
+
+}  // namespace slipface

@@ -1,0 +1,72 @@
+#include "tools/probe.h"
+
+#include <algorithm>
+
+#include "slipface/base/text.h"
+#include "slipface/collision/collision_world.h"
+
+namespace slipface {
+namespace {
+
+std::string vector_text(const Vec3& vector) {
+    return to_text(vector.x()) + "," + to_text(vector.y()) + "," + to_text(vector.z());
+}
+
+// One word for a POSIX shell.
+std::string shell_word(const std::string& text) {
+    const auto plain = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               std::string_view("/._-+,:@%").find(c) != std::string_view::npos;
+    };
+    if (!text.empty() && text.front() != '-' && std::all_of(text.begin(), text.end(), plain)) return text;
+    std::string quoted = text.starts_with('-') ? "./'" : "'";
+    for (const char c : text)
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+}  // namespace
+
+void Probe::place_on(const Vec3& point, const Vec3& normal, const MovementSettings& settings) {
+    if (!point.allFinite()) return;
+    const double length = normal.norm();
+    const Vec3 away = length > 0.0 && std::isfinite(length) ? Vec3(normal / length) : Vec3(Vec3::UnitY());
+    // The point of an ellipsoid whose outward normal is -away lies at centre - R^2 away / |R away|.
+    const Vec3 scaled = settings.radii.cwiseProduct(away);
+    from = point + settings.radii.cwiseProduct(scaled) / scaled.norm() + away * settings.skin;
+    placed = true;
+}
+
+ProbeResult run_probe(const Probe& probe, const MovementScene& scene, const MovementSettings& settings) {
+    ProbeResult result;
+    TraceRecorder recorder;
+    result.slide = slide_move(scene, settings, probe.from, probe.move, &recorder);
+    result.records = std::move(recorder.records);
+    result.starts_overlapping = overlaps_any(scene.collision, settings.radii, probe.from);
+    return result;
+}
+
+std::vector<ProbeRow> probe_rows(std::span<const TraceRecord> records) {
+    std::vector<ProbeRow> rows;
+    for (const TraceRecord& record : records) {
+        if (const auto* sweep = std::get_if<SweepRecord>(&record)) {
+            rows.push_back({*sweep, std::nullopt});
+        } else if (const auto* response = std::get_if<ResponseRecord>(&record); response && !rows.empty()) {
+            // Several rules may turn one leftover in turn; the row tells where it began and where it ended.
+            std::optional<ResponseRecord>& told = rows.back().response;
+            const Vec3 before = told ? told->leftover_before : response->leftover_before;
+            told = *response;
+            told->leftover_before = before;
+        }
+    }
+    return rows;
+}
+
+std::string probe_command_line(const Probe& probe, const MovementSettings& settings,
+                               const std::string& level) {
+    // With '=' a negative first number cannot be taken for an option.
+    return "slipface sweep " + shell_word(level) + " --radii=" + vector_text(settings.radii) +
+           " --from=" + vector_text(probe.from) + " --move=" + vector_text(probe.move);
+}
+
+}  // namespace slipface

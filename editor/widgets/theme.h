@@ -1,0 +1,47 @@
+// The look: colours, spacing, fonts. One accent, calm greys, everything in design pixels times scale.
+#pragma once
+
+#include <imgui.h>
+
+namespace slipface::ui {
+
+// Colours that panels draw with themselves.
+struct Palette {
+    ImVec4 window{0.094f, 0.102f, 0.118f, 1.0f};  // behind everything
+    ImVec4 panel{0.122f, 0.133f, 0.153f, 1.0f};
+    ImVec4 raised{0.165f, 0.180f, 0.208f, 1.0f};  // frames, buttons
+    ImVec4 hovered{0.208f, 0.227f, 0.263f, 1.0f};
+    ImVec4 pressed{0.247f, 0.271f, 0.314f, 1.0f};
+    ImVec4 border{0.067f, 0.073f, 0.086f, 1.0f};
+    ImVec4 hairline{0.196f, 0.212f, 0.243f, 1.0f};
+    ImVec4 text{0.875f, 0.890f, 0.914f, 1.0f};
+    ImVec4 muted{0.545f, 0.580f, 0.635f, 1.0f};
+    ImVec4 accent{0.945f, 0.690f, 0.330f, 1.0f};  // sand in the sun
+    ImVec4 on_accent{0.110f, 0.086f, 0.047f, 1.0f};
+    ImVec4 bad{0.937f, 0.400f, 0.361f, 1.0f};
+    ImVec4 good{0.451f, 0.780f, 0.545f, 1.0f};
+};
+const Palette& palette();
+
+inline ImVec4 with_alpha(ImVec4 color, float alpha) {
+    return {color.x, color.y, color.z, color.w * alpha};
+}
+inline ImU32 packed(const ImVec4& color) {
+    return ImGui::ColorConvertFloat4ToU32(color);
+}
+
+// Sets the style of the current ImGui context, from scratch.
+void apply_theme(float scale);
+
+struct Fonts {
+    ImFont* regular = nullptr;   // with icons
+    ImFont* semibold = nullptr;  // with icons
+    ImFont* small = nullptr;
+    ImFont* title = nullptr;  // welcome screen
+};
+// Puts the embedded fonts into the current context's atlas at `scale`; the first call's fonts stay until the
+// context ends.
+void load_fonts(float scale);
+const Fonts& fonts();
+
+}  // namespace slipface::ui

@@ -1,0 +1,263 @@
+#include "widgets/ui.h"
+
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "widgets/imgui_compat.h"
+#include "widgets/theme.h"
+
+namespace slipface::ui {
+namespace {
+
+struct TooltipTimer {
+    double delay_s = 0.45;
+    ImGuiID item = 0;
+    double rested_s = 0.0;
+    int frame = -1;
+    bool due = false;
+};
+
+TooltipTimer& tooltip_timer() {
+    static TooltipTimer timer;
+    return timer;
+}
+
+std::vector<std::unique_ptr<Scope>>& menu_scopes() {
+    static std::vector<std::unique_ptr<Scope>> scopes;
+    return scopes;
+}
+
+// Groups have no id of their own; where an item lies tells it apart as well.
+ImGuiID place_id() {
+    const ImVec2 min = ImGui::GetItemRectMin();
+    return ImHashData(&min, sizeof min, ImGui::GetItemID());
+}
+
+// A property row: the label at the left, the control over the rest of the line.
+std::string begin_row(const char* label) {
+    const char* const end = ImGui::FindRenderedTextEnd(label);
+    if (end != label) {
+        const float width = ImGui::GetContentRegionAvail().x;
+        const float label_width = std::min(width * 0.46f, 15.0f * ImGui::GetFontSize());
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float x = ImGui::GetCursorPosX();
+        ImGui::AlignTextToFramePadding();
+        ImGui::PushClipRect(at, {at.x + label_width - 4.0f * scale(), at.y + ImGui::GetFrameHeight()}, true);
+        ImGui::TextUnformatted(label, end);
+        ImGui::PopClipRect();
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(x + label_width);
+    }
+    ImGui::SetNextItemWidth(std::max(40.0f * scale(), ImGui::GetContentRegionAvail().x));
+    return std::string("##") + label;
+}
+
+}  // namespace
+
+void set_tooltip_delay(double seconds) {
+    tooltip_timer().delay_s = seconds;
+}
+bool tooltip_due() {
+    return tooltip_timer().due && tooltip_timer().frame >= ImGui::GetFrameCount() - 1;
+}
+
+void tooltip(const char* text) {
+    if (!text || !*text || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    TooltipTimer& timer = tooltip_timer();
+    const ImGuiID item = place_id();
+    const int frame = ImGui::GetFrameCount();
+    if (timer.item != item || timer.frame < frame - 1)
+        timer.rested_s = 0.0;
+    else if (timer.frame != frame)
+        timer.rested_s += static_cast<double>(ImGui::GetIO().DeltaTime);
+    timer.item = item;
+    timer.frame = frame;
+    timer.due = timer.rested_s < timer.delay_s;
+    if (timer.due) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * scale(), 8 * scale()});
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(24.0f * ImGui::GetFontSize());
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+}
+
+bool button(const char* label, const char* tip, bool enabled, ImVec2 size) {
+    ImGui::BeginDisabled(!enabled);
+    const bool pressed = ImGui::Button(label, size);
+    record_last_item(label, enabled);
+    ImGui::EndDisabled();
+    tooltip(tip);
+    return pressed;
+}
+
+bool primary_button(const char* label, bool enabled, ImVec2 size) {
+    const Palette& p = palette();
+    ImGui::PushStyleColor(ImGuiCol_Button, p.accent);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, with_alpha(p.accent, 0.88f));
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, with_alpha(p.accent, 0.75f));
+    ImGui::PushStyleColor(ImGuiCol_Text, p.on_accent);
+    const bool pressed = button(label, nullptr, enabled, size);
+    ImGui::PopStyleColor(4);
+    return pressed;
+}
+
+bool icon_button(const char* icon, const char* name, const char* tip, bool active, bool enabled) {
+    const Palette& p = palette();
+    ImGui::PushID(name);
+    ImGui::BeginDisabled(!enabled);
+    ImGui::PushStyleColor(ImGuiCol_Button, active ? with_alpha(p.accent, 0.22f) : ImVec4(0, 0, 0, 0));
+    if (active) ImGui::PushStyleColor(ImGuiCol_Text, p.accent);
+    const float side = ImGui::GetFrameHeight() + 4.0f * scale();
+    const bool pressed = ImGui::Button(icon && *icon ? icon : name, {icon && *icon ? side : 0.0f, side});
+    ImGui::PopStyleColor(active ? 2 : 1);
+    record_last_item(name, enabled, active);
+    ImGui::EndDisabled();
+    tooltip(tip);
+    ImGui::PopID();
+    return pressed;
+}
+
+bool checkbox(const char* label, bool* value, const char* tip) {
+    const bool changed = ImGui::Checkbox(label, value);
+    record_last_item(label, true, *value);
+    tooltip(tip);
+    return changed;
+}
+
+bool slider(const char* label, double* value, double minimum, double maximum, const char* format,
+            const char* tip) {
+    ImGui::BeginGroup();
+    const std::string id = begin_row(label);
+    const bool changed = ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, value, &minimum, &maximum,
+                                             format, ImGuiSliderFlags_AlwaysClamp);
+    record_last_item(label);
+    ImGui::EndGroup();
+    tooltip(tip);
+    return changed;
+}
+
+bool drag_vec3(const char* label, double* xyz, float speed, const char* format, const char* tip) {
+    static constexpr const char* axes[] = {"X", "Y", "Z"};
+    static constexpr ImU32 marks[] = {IM_COL32(222, 92, 88, 255), IM_COL32(116, 184, 92, 255),
+                                      IM_COL32(88, 142, 226, 255)};
+    ImGui::BeginGroup();
+    begin_row(label);
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = (ImGui::CalcItemWidth() - 2.0f * gap) / 3.0f;
+    ImGui::PushID(label);
+    const Scope scope(label);
+    bool changed = false;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (axis > 0) ImGui::SameLine(0, gap);
+        ImGui::SetNextItemWidth(std::max(1.0f, width));
+        ImGui::PushID(axis);
+        changed |=
+            ImGui::DragScalar("##value", ImGuiDataType_Double, xyz + axis, speed, nullptr, nullptr, format);
+        ImGui::PopID();
+        record_last_item(axes[axis]);
+        const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+        ImGui::GetWindowDrawList()->AddRectFilled({min.x, min.y + 4 * scale()},
+                                                  {min.x + 2 * scale(), max.y - 4 * scale()}, marks[axis]);
+    }
+    ImGui::PopID();
+    ImGui::EndGroup();
+    tooltip(tip);
+    return changed;
+}
+
+bool combo(const char* label, int* index, const char* const* names, int count, const char* tip) {
+    ImGui::BeginGroup();
+    const std::string id = begin_row(label);
+    const char* const preview = *index >= 0 && *index < count ? names[*index] : "";
+    bool changed = false;
+    const bool open = ImGui::BeginCombo(id.c_str(), preview);
+    if (open)
+        record_again(label);
+    else
+        record_last_item(label);
+    if (open) {
+        const Scope scope(label);
+        for (int i = 0; i < count; ++i) {
+            if (selectable(names[i], i == *index)) {
+                changed = i != *index;
+                *index = i;
+            }
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::EndGroup();
+    tooltip(tip);
+    return changed;
+}
+
+bool input_text(const char* label, std::string* text, const char* hint) {
+    const std::string id = begin_row(label);
+    const bool changed = ImGui::InputTextWithHint(id.c_str(), hint ? hint : "", text);
+    record_last_item(label);
+    return changed;
+}
+
+bool selectable(const char* label, bool selected) {
+    const bool pressed = ImGui::Selectable(label, selected);
+    record_last_item(label, true, selected);
+    return pressed;
+}
+
+bool menu_item(const char* label, const char* shortcut, bool checked, bool enabled, const char* tip,
+               const char* icon) {
+    const bool pressed = ImGui::MenuItemEx(label, icon, shortcut, checked, enabled);
+    record_last_item(label, enabled, checked);
+    tooltip(tip);
+    return pressed;
+}
+
+bool begin_menu(const char* label) {
+    const bool open = ImGui::BeginMenu(label);
+    if (open) {
+        record_again(label);
+        menu_scopes().push_back(std::make_unique<Scope>(label));
+    } else {
+        record_last_item(label);
+    }
+    return open;
+}
+
+void end_menu() {
+    menu_scopes().pop_back();
+    ImGui::EndMenu();
+}
+
+bool begin_tab(const char* label) {
+    const bool open = ImGui::BeginTabItem(label);
+    record_last_item(label, true, open);
+    return open;
+}
+
+void end_tab() {
+    ImGui::EndTabItem();
+}
+
+void heading(const char* text) {
+    ImGui::Dummy({0, 2.0f * scale()});
+    ImGui::PushFont(fonts().semibold);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().muted);
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+void muted_text(const char* text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().muted);
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+}  // namespace slipface::ui

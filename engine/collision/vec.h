@@ -1,0 +1,59 @@
+// Three doubles with their operations spelled out, so that the order of every rounding is fixed by the source
+// and the same for each compiler.
+#pragma once
+
+#include <cmath>
+
+#include "slipface/base/types.h"
+
+namespace slipface::detail {
+
+struct V3 {
+    double x, y, z;
+};
+
+inline V3 v3(const Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+inline Vec3 vec(const V3& v) {
+    return {v.x, v.y, v.z};
+}
+
+inline V3 operator+(const V3& a, const V3& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline V3 operator-(const V3& a, const V3& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline V3 operator-(const V3& a) {
+    return {-a.x, -a.y, -a.z};
+}
+inline V3 operator*(double s, const V3& a) {
+    return {s * a.x, s * a.y, s * a.z};
+}
+inline V3 mul(const V3& a, const V3& b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+inline double dot(const V3& a, const V3& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline V3 cross(const V3& a, const V3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline double largest(const V3& a) {
+    return std::fmax(std::fmax(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z));
+}
+inline bool finite(const V3& a) {
+    return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
+
+// Unit length without overflow or underflow on the way; zero for zero and for what is not finite.
+inline V3 unit(const V3& a) {
+    const double scale = largest(a);
+    if (!(scale > 0.0) || !std::isfinite(scale)) return {0.0, 0.0, 0.0};
+    const V3 b{a.x / scale, a.y / scale, a.z / scale};
+    const double length = std::sqrt(dot(b, b));
+    return {b.x / length, b.y / length, b.z / length};
+}
+
+}  // namespace slipface::detail

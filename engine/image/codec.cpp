@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+#include <stb/stb_image.h>
+#include <stb/stb_image_write.h>
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+
+#include "png_limit.h"
+#include "slipface/base/files.h"
+#include "slipface/image/image.h"
+
+namespace slipface {
+namespace {
+
+constexpr std::size_t largest_file = std::size_t{512} << 20;
+constexpr std::size_t largest_written = std::size_t{512}
+                                        << 20;  // stb counts the bytes of a picture in an int
+
+// stb would also try formats that nobody promised here and that are seldom tested: GIF, PSD, PIC, PNM,
+// Radiance.
+bool promised_format(std::string_view bytes) {
+    using namespace std::string_view_literals;
+    for (const std::string_view other : {"GIF8"sv, "8BPS"sv, "\x53\x80\xF6\x34"sv, "P5"sv, "P6"sv, "#?"sv}) {
+        if (bytes.starts_with(other)) return false;
+    }
+    return true;
+}
+
+std::string stb_reason() {
+    const char* reason = stbi_failure_reason();
+    return reason != nullptr ? reason : "unknown";
+}
+
+Result<Image> decode(std::string_view bytes, const std::string& place, int max_side) {
+    if (bytes.empty()) return Error{place, "is empty; expected a PNG, JPEG, TGA or BMP picture"};
+    if (bytes.size() > largest_file)
+        return Error{place, fmt::format("has {} bytes; too many for a picture", bytes.size())};
+    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = static_cast<int>(bytes.size());
+
+    const auto too_large = [&](auto width, auto height) {
+        return Error{place, fmt::format("is {} x {} pixels; at most {} x {} are read", width, height,
+                                        max_side, max_side)};
+    };
+    const auto limit = static_cast<std::uint32_t>(std::max(max_side, 0));
+    // stb refuses the largest headers without saying how large they are.
+    if (const auto header = png_size(bytes); header && (header->width > limit || header->height > limit)) {
+        return too_large(header->width, header->height);
+    }
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    if (!promised_format(bytes) || stbi_info_from_memory(data, size, &width, &height, &channels) == 0) {
+        return Error{place, "is no PNG, JPEG, TGA or BMP picture"};
+    }
+    if (width < 1 || height < 1 || width > max_side || height > max_side) return too_large(width, height);
+    if (!png_data_fits_header(bytes)) return Error{place, "is corrupt: its data do not fit its size"};
+
+    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+        stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
+    if (!pixels) return Error{place, "is corrupt: " + stb_reason()};
+    Image image{.width = width, .height = height, .rgba = {}};
+    image.rgba.assign(pixels.get(), pixels.get() + 4 * image.pixel_count());
+    return image;
+}
+
+}  // namespace
+
+Result<Image> decode_image(std::string_view bytes, const std::string& place, int max_side) {
+    try {
+        return decode(bytes, place, max_side);
+    } catch (const std::exception&) {
+        return Error{place, "needs more memory than there is"};
+    }
+}
+
+Result<Image> load_image(const std::filesystem::path& path, int max_side) {
+    const auto bytes = read_file(path, largest_file);
+    if (!bytes) return bytes.error();
+    return decode_image(*bytes, path.string(), max_side);
+}
+
+Status save_png(const std::filesystem::path& path, const Image& image) {
+    if (image.width < 1 || image.height < 1 || image.rgba.size() != 4 * image.pixel_count() ||
+        image.rgba.size() > largest_written) {
+        return Error{path.string(), fmt::format("cannot hold a picture of {} x {} pixels and {} bytes",
+                                                image.width, image.height, image.rgba.size())};
+    }
+    std::string bytes;
+    const auto append = [](void* context, void* data, int size) {
+        static_cast<std::string*>(context)->append(static_cast<const char*>(data),
+                                                   static_cast<std::size_t>(size));
+    };
+    if (stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.rgba.data(),
+                               4 * image.width) == 0) {
+        return Error{path.string(), "the picture needs more memory than there is"};
+    }
+    return write_file_atomic(path, bytes);
+}
+
+}  // namespace slipface

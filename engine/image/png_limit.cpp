@@ -1,0 +1,68 @@
+#include "png_limit.h"
+
+#include <stb/stb_image.h>
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace slipface {
+namespace {
+
+constexpr std::size_t signature_size = 8;
+constexpr std::size_t chunk_overhead = 12;  // length, type and checksum
+
+std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return value;
+}
+
+// All IDAT chunks, one after the other; stops where the file does.
+std::string pixel_data(std::string_view bytes) {
+    std::string data;
+    std::size_t at = signature_size;
+    while (at < bytes.size() && bytes.size() - at >= chunk_overhead) {
+        const std::size_t length = big_endian(bytes, at);
+        if (length > bytes.size() - at - chunk_overhead) break;
+        if (bytes.substr(at + 4, 4) == "IDAT") data += bytes.substr(at + 8, length);
+        at += chunk_overhead + length;
+    }
+    return data;
+}
+
+// Bytes of all rows with their filter bytes; interlacing adds at most a filter byte and a partial byte a row
+// and pass.
+std::size_t unpacked_size(const PngSize& size) {
+    constexpr std::size_t largest_pixel = 8;
+    constexpr std::size_t interlace_rows = 4;
+    return size.height * (size.width * largest_pixel + interlace_rows) + 1024;
+}
+
+}  // namespace
+
+std::optional<PngSize> png_size(std::string_view bytes) {
+    constexpr std::size_t header_end = signature_size + 8 + 13;
+    if (bytes.size() < header_end || bytes.substr(0, signature_size) != "\x89PNG\r\n\x1a\n")
+        return std::nullopt;
+    return PngSize{.width = big_endian(bytes, 16), .height = big_endian(bytes, 20)};
+}
+
+bool png_data_fits_header(std::string_view bytes) {
+    // Deflate packs at most 1032 bytes into one, so what is smaller than this cannot grow beyond 256 MiB.
+    constexpr std::size_t harmless = std::size_t{256} * 1024;
+    const auto size = png_size(bytes);
+    if (!size || bytes.size() <= harmless) return true;
+
+    const std::string packed = pixel_data(bytes);
+    if (packed.size() <= harmless) return true;
+    const std::size_t room = unpacked_size(*size);
+    if (room > std::numeric_limits<int>::max()) return false;
+    std::vector<char> unpacked(room);
+    return stbi_zlib_decode_buffer(unpacked.data(), static_cast<int>(unpacked.size()), packed.data(),
+                                   static_cast<int>(packed.size())) >= 0;
+}
+
+}  // namespace slipface

@@ -1,0 +1,103 @@
+#include "face_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "material_name.h"
+#include "slipface/base/hash.h"
+
+namespace slipface {
+
+FaceIndex::FaceIndex(const Mesh& mesh, SurfaceTable surfaces) : mesh_(mesh) {
+    std::vector<FaceId> faces(mesh.face_count());
+    std::iota(faces.begin(), faces.end(), FaceId{0});
+    keys_ = face_keys(mesh, faces);
+    material_base_.reserve(mesh.materials.size());
+    for (const Material& material : mesh.materials)
+        material_base_.push_back(base_material(material.name, surfaces));
+
+    Vec3 extent = Vec3::Zero();
+    for (const FaceKey& key : keys_)
+        extent = extent.cwiseMax(key.centroid.cwiseAbs());
+    cell_size_ = 8.0 * position_tolerance(extent);
+    by_hash_.reserve(keys_.size());
+    by_cell_.reserve(keys_.size());
+    for (const FaceId face : faces) {
+        by_hash_.push_back({keys_[face].loop_hash, face});
+        by_cell_.push_back({cell_code((keys_[face].centroid / cell_size_).array().floor()), face});
+    }
+    sort(by_hash_);
+    sort(by_cell_);
+}
+
+std::uint64_t FaceIndex::cell_code(const Vec3& cell) const {
+    Hasher hasher;
+    for (int axis = 0; axis < 3; ++axis)
+        hasher.f64(cell[axis]);
+    return hasher.value();
+}
+
+void FaceIndex::sort(std::vector<Entry>& entries) {
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+        return a.code != b.code ? a.code < b.code : a.face < b.face;
+    });
+}
+
+void FaceIndex::append(const std::vector<Entry>& entries, std::uint64_t code, std::vector<FaceId>& faces) {
+    auto entry = std::lower_bound(entries.begin(), entries.end(), code,
+                                  [](const Entry& a, std::uint64_t wanted) { return a.code < wanted; });
+    for (; entry != entries.end() && entry->code == code; ++entry)
+        faces.push_back(entry->face);
+}
+
+std::vector<FaceId> FaceIndex::with_hash(std::uint64_t loop_hash) const {
+    std::vector<FaceId> faces;
+    append(by_hash_, loop_hash, faces);
+    return faces;
+}
+
+std::vector<FaceId> FaceIndex::near(const Vec3& centroid, double tolerance) const {
+    std::vector<std::uint64_t> codes;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 offset((corner & 1) != 0 ? tolerance : -tolerance,
+                          (corner & 2) != 0 ? tolerance : -tolerance,
+                          (corner & 4) != 0 ? tolerance : -tolerance);
+        codes.push_back(cell_code(((centroid + offset) / cell_size_).array().floor()));
+    }
+    std::sort(codes.begin(), codes.end());
+    codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
+    std::vector<FaceId> faces;
+    for (const std::uint64_t code : codes)
+        append(by_cell_, code, faces);
+    std::erase_if(faces, [&](FaceId face) { return (keys_[face].centroid - centroid).norm() > tolerance; });
+    std::sort(faces.begin(), faces.end());
+    return faces;
+}
+
+bool FaceIndex::covers(FaceId face, const Vec3& point, const Vec3& direction) const {
+    for (std::uint32_t t = mesh_.face_first_triangle[face]; t < mesh_.face_first_triangle[face + 1]; ++t) {
+        Vec3 corner[3];
+        for (std::size_t i = 0; i < 3; ++i) {
+            corner[i] = mesh_.corner_position(mesh_.triangles[t][i]).cast<double>() - point;
+        }
+        // The point lies inside if it is on the same side of all edges, seen along the direction.
+        const double a = direction.dot(corner[0].cross(corner[1]));
+        const double b = direction.dot(corner[1].cross(corner[2]));
+        const double c = direction.dot(corner[2].cross(corner[0]));
+        if (((a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0)) && a + b + c != 0.0) return true;
+    }
+    return false;
+}
+
+bool FaceIndex::is_sliver(FaceId face, double tolerance) const {
+    const std::uint32_t first = mesh_.face_first_corner[face];
+    double length = 0.0;
+    for (std::uint32_t i = 0; i < mesh_.face_corner_count(face); ++i) {
+        length =
+            std::max(length, (mesh_.corner_position(first + i).cast<double>() - keys_[face].centroid).norm());
+    }
+    return keys_[face].area <= 4.0 * tolerance * length;
+}
+
+}  // namespace slipface

@@ -1,0 +1,47 @@
+// The faces of a mesh, to be looked up by what a stored key knows of them.
+#pragma once
+
+#include <vector>
+
+#include "face_match.h"
+
+namespace slipface {
+
+class FaceIndex {
+  public:
+    FaceIndex(const Mesh& mesh, SurfaceTable surfaces);
+
+    const FaceKey& key(FaceId face) const { return keys_[face]; }
+    const std::string& base(FaceId face) const { return material_base_[mesh_.face_material[face]]; }
+
+    // The faces with this loop hash, ascending.
+    std::vector<FaceId> with_hash(std::uint64_t loop_hash) const;
+
+    // The faces whose centroid lies within `tolerance` (at most the one for the mesh's bounds) of `centroid`,
+    // ascending.
+    std::vector<FaceId> near(const Vec3& centroid, double tolerance) const;
+
+    // True if `point`, moved along `direction`, meets the face.
+    bool covers(FaceId face, const Vec3& point, const Vec3& direction) const;
+
+    // True if the face is so narrow that rounding its corners may turn it any way.
+    bool is_sliver(FaceId face, double tolerance) const;
+
+  private:
+    struct Entry {
+        std::uint64_t code;
+        FaceId face;
+    };
+    std::uint64_t cell_code(const Vec3& cell) const;
+    static void sort(std::vector<Entry>& entries);
+    static void append(const std::vector<Entry>& entries, std::uint64_t code, std::vector<FaceId>& faces);
+
+    const Mesh& mesh_;
+    std::vector<FaceKey> keys_;
+    std::vector<std::string> material_base_;
+    double cell_size_ = 1.0;
+    std::vector<Entry> by_hash_;
+    std::vector<Entry> by_cell_;
+};
+
+}  // namespace slipface

@@ -1,0 +1,301 @@
+#include "face_match.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "face_index.h"
+#include "material_name.h"
+#include "mesh_collision.h"
+
+namespace slipface {
+namespace {
+
+enum class Stage : std::uint8_t { none, exact, plane, nearest };
+
+// Faces looked at in all, so that a file of a hundred thousand huge faces that are not there cannot hang the
+// editor.
+constexpr std::size_t max_visits = 50'000'000;
+constexpr std::size_t max_listed_orphans = 100;
+
+// How much smaller than the old face a part of it is, and how much larger its parts may be together.
+constexpr double part_share = 0.99;
+constexpr double whole_share = 1.01;
+
+Vec3 unit_or_zero(const Vec3& normal) {
+    const double length = normal.norm();
+    return length > 0.5 ? Vec3(normal / length) : Vec3(Vec3::Zero());
+}
+
+bool same_plane_direction(const Vec3& a, const Vec3& b) {
+    if (a.isZero() || b.isZero()) return a.isZero() && b.isZero();
+    return a.dot(b) > 0.999;
+}
+
+class Matcher {
+  public:
+    Matcher(const Mesh& mesh, SurfaceTable surfaces, const std::vector<StoredOverride>& stored)
+        : mesh_(mesh),
+          surfaces_(surfaces),
+          stored_(stored),
+          index_(mesh, surfaces),
+          claims_(mesh.face_count()),
+          found_(stored.size(), Stage::none),
+          types_(stored.size()),
+          bases_(stored.size()) {
+        result_.overrides.resize(mesh.face_count());
+        for (std::size_t i = 0; i < stored.size(); ++i) {
+            types_[i] = type_of(stored[i].type);
+            bases_[i] = base_material(stored[i].key.material, surfaces);
+        }
+    }
+
+    MatchedOverrides run() && {
+        run_stage(Stage::exact, [this](std::size_t i) { return match_hash(i); });
+        run_stage(Stage::exact, [this](std::size_t i) { return match_place(i); });
+        if (has_unmatched() && build_tree()) {
+            run_stage(Stage::plane, [this](std::size_t i) { return match_plane(i); });
+            run_stage(Stage::nearest, [this](std::size_t i) { return match_nearest(i); });
+        }
+        collect();
+        return std::move(result_);
+    }
+
+  private:
+    std::optional<SurfaceId> type_of(const std::string& name) const {
+        for (std::size_t i = 0; i < surfaces_.size() && i < max_surface_types; ++i) {
+            if (surfaces_[i].name == name) return static_cast<SurfaceId>(i);
+        }
+        return std::nullopt;
+    }
+
+    template <class Match>
+    void run_stage(Stage stage, Match match) {
+        for (std::size_t i = 0; i < stored_.size() && visits_ < max_visits; ++i) {
+            if (found_[i] == Stage::none && types_[i] && match(i)) found_[i] = stage;
+        }
+    }
+
+    bool has_unmatched() const {
+        for (std::size_t i = 0; i < stored_.size(); ++i) {
+            if (found_[i] == Stage::none && types_[i] && !stored_[i].key.normal.isZero()) return true;
+        }
+        return false;
+    }
+
+    bool build_tree() {
+        Result<CollisionWorld> built = build_mesh_collision(mesh_);
+        if (!built) return false;
+        tree_ = std::move(built).value();
+        return true;
+    }
+
+    bool is_free(FaceId face) const { return claims_[face] == Stage::none; }
+
+    void claim(FaceId face, std::size_t i, Stage stage) {
+        claims_[face] = stage;
+        result_.overrides[face] = types_[i];
+    }
+
+    bool match_hash(std::size_t i) {
+        const FaceKey& key = stored_[i].key;
+        std::vector<FaceId> faces = index_.with_hash(key.loop_hash);
+        visits_ += faces.size() + 1;
+        const double tolerance = position_tolerance(key.centroid);
+        std::erase_if(faces, [&](FaceId face) {
+            return (index_.key(face).centroid - key.centroid).norm() > tolerance;
+        });
+        for (const FaceId face : faces) {
+            if (index_.key(face).material != key.material || index_.key(face).copy != key.copy) continue;
+            if (!is_free(face)) return result_.overrides[face] == types_[i];
+            claim(face, i, Stage::exact);
+            return true;
+        }
+        return claim_best(i, faces);
+    }
+
+    bool match_place(std::size_t i) {
+        const FaceKey& key = stored_[i].key;
+        const double tolerance = position_tolerance(key.centroid);
+        std::vector<FaceId> faces = index_.near(key.centroid, tolerance);
+        visits_ += faces.size() + 1;
+        const Vec3 normal = unit_or_zero(key.normal);
+        std::erase_if(faces, [&](FaceId face) {
+            if (index_.is_sliver(face, tolerance)) return false;
+            const double area = index_.key(face).area;
+            return !same_plane_direction(unit_or_zero(index_.key(face).normal), normal) ||
+                   std::abs(area - key.area) > 0.02 * std::max(area, key.area);
+        });
+        return claim_best(i, faces);
+    }
+
+    // Of `faces` a free one: the same material before the same base name before any, then the nearest, then
+    // the lowest.
+    bool claim_best(std::size_t i, const std::vector<FaceId>& faces) {
+        const FaceKey& key = stored_[i].key;
+        FaceId best = no_id;
+        int best_rank = 0;
+        double best_distance = 0.0;
+        for (const FaceId face : faces) {
+            if (!is_free(face)) continue;
+            const int rank = index_.key(face).material == key.material ? 0
+                             : index_.base(face) == bases_[i]          ? 1
+                                                                       : 2;
+            const double distance = (index_.key(face).centroid - key.centroid).norm();
+            if (best == no_id || rank < best_rank || (rank == best_rank && distance < best_distance)) {
+                best = face;
+                best_rank = rank;
+                best_distance = distance;
+            }
+        }
+        if (best == no_id) return false;
+        claim(best, i, Stage::exact);
+        return true;
+    }
+
+    // Faces of the key's material with a triangle in the box of half size `reach` around the key's centroid,
+    // ascending.
+    std::vector<FaceId> faces_around(std::size_t i, double reach) {
+        const Vec3& centroid = stored_[i].key.centroid;
+        Aabb box;
+        box.add(centroid - Vec3::Constant(reach));
+        box.add(centroid + Vec3::Constant(reach));
+        std::vector<FaceId> faces;
+        for (const TriangleId triangle : tree_.triangles_in(box)) {
+            ++visits_;
+            const FaceId face = tree_.triangle_face(triangle);
+            if ((faces.empty() || faces.back() != face) && index_.base(face) == bases_[i])
+                faces.push_back(face);
+        }
+        ++visits_;
+        return faces;
+    }
+
+    bool match_plane(std::size_t i) {
+        const FaceKey& key = stored_[i].key;
+        const Vec3 normal = unit_or_zero(key.normal);
+        if (normal.isZero() || !(key.area > 0.0)) return false;
+        const double size = std::sqrt(key.area);
+        const double tolerance = position_tolerance(key.centroid);
+
+        struct Part {
+            double distance;
+            FaceId face;
+        };
+        std::vector<Part> parts;
+        for (const FaceId face : faces_around(i, size + tolerance)) {
+            const bool shared = claims_[face] == Stage::plane && result_.overrides[face] == types_[i];
+            if (!is_free(face) && !shared) continue;
+            const FaceKey& candidate = index_.key(face);
+            const Vec3 candidate_normal = face_normal(mesh_, face);
+            if (!(candidate_normal.dot(normal) > 0.999)) continue;
+            const Vec3 offset = candidate.centroid - key.centroid;
+            if (std::abs(candidate_normal.dot(offset)) > 1e-3 * size + tolerance) continue;
+            if (candidate.area >= part_share * key.area) {
+                if (!index_.covers(face, key.centroid, normal)) continue;
+                claim(face, i, Stage::plane);
+                return true;
+            }
+            if (offset.norm() <= size) parts.push_back({offset.norm(), face});
+        }
+        std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+            return a.distance != b.distance ? a.distance < b.distance : a.face < b.face;
+        });
+        double area = 0.0;
+        for (const Part& part : parts) {
+            area += index_.key(part.face).area;
+            if (area > whole_share * key.area) break;
+            claim(part.face, i, Stage::plane);
+        }
+        return !parts.empty();
+    }
+
+    bool match_nearest(std::size_t i) {
+        const FaceKey& key = stored_[i].key;
+        const Vec3 normal = unit_or_zero(key.normal);
+        if (normal.isZero() || !(key.area > 0.0)) return false;
+        const double size = std::sqrt(key.area);
+        FaceId best = no_id;
+        double best_distance = 0.0;
+        for (const FaceId face : faces_around(i, size)) {
+            const FaceKey& candidate = index_.key(face);
+            const double distance = (candidate.centroid - key.centroid).norm();
+            const bool similar = candidate.area > 0.25 * key.area && candidate.area < 4.0 * key.area &&
+                                 face_normal(mesh_, face).dot(normal) > 0.9 && distance <= size;
+            if (!is_free(face) || !similar || (best != no_id && distance >= best_distance)) continue;
+            if (distance > 0.25 * size && !index_.covers(face, key.centroid, normal)) continue;
+            best = face;
+            best_distance = distance;
+        }
+        if (best == no_id) return false;
+        claim(best, i, Stage::nearest);
+        return true;
+    }
+
+    void collect() {
+        for (std::size_t i = 0; i < stored_.size(); ++i) {
+            switch (found_[i]) {
+                case Stage::exact:
+                    ++result_.summary.exact;
+                    break;
+                case Stage::plane:
+                    ++result_.summary.by_plane;
+                    break;
+                case Stage::nearest:
+                    ++result_.summary.by_nearest;
+                    break;
+                case Stage::none:
+                    add_orphan(i);
+                    break;
+            }
+        }
+        if (result_.summary.orphaned > max_listed_orphans) {
+            result_.warnings.push_back({"", fmt::format("{} more painted faces found no face",
+                                                        result_.summary.orphaned - max_listed_orphans)});
+        }
+        if (visits_ >= max_visits) {
+            result_.warnings.push_back(
+                {"", "the search for moved faces was cut short: too many faces are not where they were"});
+        }
+    }
+
+    void add_orphan(std::size_t i) {
+        const StoredOverride& stored = stored_[i];
+        result_.orphans.push_back({stored.key, stored.type});
+        if (++result_.summary.orphaned > max_listed_orphans) return;
+        const Vec3& at = stored.key.centroid;
+        const std::string reason = types_[i] ? "found no face there" : "found no surface type of that name";
+        result_.warnings.push_back(
+            {stored.place, fmt::format("{}: a face painted \"{}\" at ({:.3f}, {:.3f}, {:.3f}), material "
+                                       "\"{}\"; kept as an orphan",
+                                       reason, stored.type, at.x(), at.y(), at.z(), stored.key.material)});
+    }
+
+    const Mesh& mesh_;
+    SurfaceTable surfaces_;
+    const std::vector<StoredOverride>& stored_;
+    FaceIndex index_;
+    CollisionWorld tree_;
+    std::vector<Stage> claims_;                    // [face]
+    std::vector<Stage> found_;                     // [stored]
+    std::vector<std::optional<SurfaceId>> types_;  // [stored]
+    std::vector<std::string> bases_;               // [stored]
+    std::size_t visits_ = 0;
+    MatchedOverrides result_;
+};
+
+}  // namespace
+
+MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
+                                 const std::vector<StoredOverride>& stored) {
+    if (stored.empty()) {
+        MatchedOverrides result;
+        result.overrides.resize(mesh.face_count());
+        return result;
+    }
+    return Matcher(mesh, surfaces, stored).run();
+}
+
+}  // namespace slipface

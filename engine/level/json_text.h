@@ -1,0 +1,56 @@
+// JSON as a level file needs it: strict on the way in, stable on the way out, and nothing lost in between.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "slipface/base/result.h"
+
+namespace slipface {
+
+// One JSON value. Members keep their order and numbers keep their spelling, so a value that Slipface does not
+// understand is written back as it was read.
+struct Json {
+    enum class Kind : std::uint8_t { null, boolean, number, string, array, object };
+
+    Kind kind = Kind::null;
+    bool truth = false;             // of a boolean
+    std::string text;               // of a string; a number as it was spelled
+    std::vector<Json> items;        // elements of an array, values of an object's members
+    std::vector<std::string> keys;  // names of an object's members
+
+    const Json* find(std::string_view key) const;  // a member, or null
+};
+
+inline constexpr int max_json_depth = 64;
+inline constexpr std::size_t max_json_values = 4'000'000;
+
+// Errors: place:line:column for what is no JSON (cut off, junk behind the end, bytes that are no UTF-8, a
+// number beyond double); place:/path for a key that occurs twice, nesting deeper than max_depth, more than
+// max_json_values values.
+Result<Json> parse_json(std::string_view text, const std::string& place, int max_depth = max_json_depth);
+
+// "a string", "the number 7", "an object", as error messages name what they found.
+std::string json_kind_text(const Json& value);
+
+// `text` in quotes and escaped; bytes that are no UTF-8 become U+FFFD.
+std::string json_quoted(std::string_view text);
+
+// On one line without spaces.
+std::string json_compact(const Json& value);
+
+// Objects and arrays of objects or long text over several lines, two spaces a level; arrays of numbers on one
+// line. `indent`: how many levels in the value stands; the first line is not indented.
+std::string json_pretty(const Json& value, int indent);
+
+Json json_number(double value);
+Json json_number(float value);  // with the digits that a float has
+Json json_number(std::int64_t value);
+Json json_string(std::string_view text);
+Json json_bool(bool value);
+Json json_array();
+Json json_object();
+void json_add(Json& object, std::string_view key, Json value);
+
+}  // namespace slipface

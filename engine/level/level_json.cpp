@@ -1,0 +1,106 @@
+#include "level_json.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "slipface/base/text.h"
+
+namespace slipface {
+namespace {
+
+constexpr double max_coordinate = 1e9;
+constexpr double max_area = 1e18;
+
+bool parse_part(std::string_view text, double limit, double& value) {
+    const std::optional<double> number = parse_double(text);
+    if (!number || !(std::abs(*number) <= limit)) return false;
+    value = *number;
+    return true;
+}
+
+bool parse_vector(std::string_view text, double limit, Vec3& vector) {
+    const std::vector<std::string_view> parts = split(text, ',');
+    if (parts.size() != 3) return false;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!parse_part(parts[static_cast<std::size_t>(axis)], limit, vector[axis])) return false;
+    }
+    return true;
+}
+
+bool parse_count(std::string_view text, std::uint32_t& value) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size();
+}
+
+double as_float(double value) {
+    return static_cast<double>(static_cast<float>(value));
+}
+
+}  // namespace
+
+std::string face_row_text(const FaceKey& key) {
+    const Vec3f c = key.centroid.cast<float>();
+    const Vec3& n = key.normal;
+    std::string row =
+        fmt::format("{:016x} {},{},{} {},{},{} {}", key.loop_hash, c.x() + 0.0F, c.y() + 0.0F, c.z() + 0.0F,
+                    n.x() + 0.0, n.y() + 0.0, n.z() + 0.0, static_cast<float>(key.area));
+    if (key.copy > 0) row += fmt::format(" {}", key.copy);
+    return row;
+}
+
+bool parse_face_row(std::string_view text, FaceKey& key) {
+    const std::vector<std::string_view> words = split(text, ' ');
+    if (words.size() < 4 || words.size() > 5 || words[0].size() != 16) return false;
+    const auto [end, error] = std::from_chars(words[0].data(), words[0].data() + 16, key.loop_hash, 16);
+    if (error != std::errc() || end != words[0].data() + 16) return false;
+    if (!parse_vector(words[1], max_coordinate, key.centroid) || !parse_vector(words[2], 1.001, key.normal))
+        return false;
+    if (!parse_part(words[3], max_area, key.area) || key.area < 0.0) return false;
+    key.centroid = key.centroid.unaryExpr(&as_float);
+    key.area = as_float(key.area);
+    return words.size() == 4 || parse_count(words[4], key.copy);
+}
+
+UnknownMembers UnknownMembers::parse(const UnknownKeys& keys) {
+    UnknownMembers members;
+    // The place adds a level to what the file's own limit allowed.
+    const Result<Json> json = parse_json(keys.json, "unknown keys", max_json_depth + 1);
+    if (!json || json->kind != Json::Kind::object) return members;
+    for (std::size_t i = 0; i < json->keys.size(); ++i) {
+        if (json->items[i].kind == Json::Kind::object)
+            members.objects_.emplace(json->keys[i], json->items[i]);
+    }
+    return members;
+}
+
+UnknownKeys UnknownMembers::text() const {
+    Json json = json_object();
+    for (const auto& [place, object] : objects_)
+        json_add(json, place, object);
+    return {json_compact(json)};
+}
+
+std::string UnknownMembers::place(std::string_view kind, std::string_view name) {
+    std::string place = fmt::format("/{}/{}", kind, name);
+    const int count = ++names_[place];
+    return count == 1 ? place : fmt::format("{}#{}", place, count);
+}
+
+void UnknownMembers::add(const std::string& place, std::string_view key, const Json& value) {
+    const auto object = objects_.try_emplace(place, json_object()).first;
+    json_add(object->second, key, value);
+}
+
+void UnknownMembers::append_to(Json& object, const std::string& place) const {
+    const auto found = objects_.find(place);
+    if (found == objects_.end()) return;
+    for (std::size_t i = 0; i < found->second.keys.size(); ++i) {
+        if (object.find(found->second.keys[i]) == nullptr) {
+            json_add(object, found->second.keys[i], found->second.items[i]);
+        }
+    }
+}
+
+}  // namespace slipface

@@ -1,0 +1,48 @@
+// The words of the level file, for reader and writer alike.
+//
+// {
+//   "slipface": 1,
+//   "mesh": "easy.obj",
+//   "spawn": {"position": [0, 1, 0], "yaw": 0},
+//   "surfaces": [{"name": "ice", "color": [...], "hatch": "diagonal", "hotkey": 2, ...one key a
+//   surface_fields() row}], "rules": [{"pattern": "*ice*", "type": "ice"}], "overrides": [{"type": "ice",
+//   "material": "stone", "faces": ["HASH CENTROID NORMAL AREA [COPY]", ...]}], "orphans": [...as overrides],
+//   "cameras": [{"name": "door", "eye": [...], "target": [...], "fov_y": 1.0472}],
+//   "movement": {...one key a settings_table() row}
+// }
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "face_match.h"
+#include "json_text.h"
+
+namespace slipface {
+
+inline constexpr int level_file_version = 1;
+
+// The text of the file as it is written at `file_path`, which decides how it names the mesh.
+std::string level_text(const Level& level, const std::filesystem::path& file_path);
+
+// A painted face as one short text: loop hash, centroid, normal, area, and the copy if it is not 0.
+std::string face_row_text(const FaceKey& key);
+bool parse_face_row(std::string_view text, FaceKey& key);  // leaves the material
+
+// Unknown members by place. Things of one kind are found again by name, so they keep their members when
+// others come and go; of several with one name the second is "NAME#2".
+class UnknownMembers {
+  public:
+    static UnknownMembers parse(const UnknownKeys& keys);
+    UnknownKeys text() const;
+
+    std::string place(std::string_view kind, std::string_view name);  // "/surfaces/ice"; counts the names
+    void add(const std::string& place, std::string_view key, const Json& value);
+    void append_to(Json& object, const std::string& place) const;
+
+  private:
+    std::map<std::string, Json> objects_;
+    std::map<std::string, int> names_;
+};
+
+}  // namespace slipface

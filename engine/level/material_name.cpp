@@ -1,0 +1,54 @@
+#include "material_name.h"
+
+#include <algorithm>
+
+#include "slipface/base/text.h"
+
+namespace slipface {
+namespace {
+
+std::string lower_without_spaces(std::string_view name) {
+    std::string text = to_lower(name);
+    std::replace(text.begin(), text.end(), ' ', '_');
+    return text;
+}
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+}  // namespace
+
+std::string normal_name(std::string_view name) {
+    std::string text = lower_without_spaces(name);
+    const std::size_t size = text.size();
+    if (size > 4 && text[size - 4] == '.' && is_digit(text[size - 3]) && is_digit(text[size - 2]) &&
+        is_digit(text[size - 1])) {
+        text.resize(size - 4);
+    }
+    return text;
+}
+
+std::string normal_pattern(std::string_view pattern) {
+    return pattern.find_first_of("*?") == std::string_view::npos ? normal_name(pattern)
+                                                                 : lower_without_spaces(pattern);
+}
+
+std::optional<SurfaceId> suffix_surface(std::string_view name, SurfaceTable surfaces) {
+    const std::string text = normal_name(name);
+    const std::size_t mark = text.rfind("__");
+    if (mark == std::string::npos) return std::nullopt;
+    const std::string_view wanted = std::string_view(text).substr(mark + 2);
+    for (std::size_t i = 0; i < surfaces.size() && i < max_surface_types; ++i) {
+        if (lower_without_spaces(surfaces[i].name) == wanted) return static_cast<SurfaceId>(i);
+    }
+    return std::nullopt;
+}
+
+std::string base_material(std::string_view name, SurfaceTable surfaces) {
+    std::string text = normal_name(name);
+    if (suffix_surface(name, surfaces)) text.resize(text.rfind("__"));
+    return text;
+}
+
+}  // namespace slipface

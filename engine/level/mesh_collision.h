@@ -1,0 +1,11 @@
+// A mesh's triangles as collision takes them.
+#pragma once
+
+#include "slipface/collision/collision_world.h"
+#include "slipface/mesh/mesh.h"
+
+namespace slipface {
+
+Result<CollisionWorld> build_mesh_collision(const Mesh& mesh);
+
+}  // namespace slipface

@@ -1,0 +1,324 @@
+// A level from the text of its file.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "json_reader.h"
+#include "level_json.h"
+
+namespace slipface {
+namespace {
+
+constexpr std::size_t max_rules = 100'000;
+constexpr std::size_t max_cameras = 100'000;
+constexpr double max_position = 1e9;
+constexpr double pi = 3.141592653589793;
+
+class LevelReader {
+  public:
+    LevelReader(const std::string& place, MeshPtr mesh) : reader_(place) {
+        loaded_.level.mesh = std::move(mesh);
+        loaded_.level.file_path = place;
+    }
+
+    Result<LoadedLevel> read(const Json& root) {
+        if (reader_.object(root, "/")) {
+            read_version(root);
+            read_mesh_name(root);
+            read_member(root, "spawn",
+                        [this](const Json& json, const std::string& path) { read_spawn(json, path); });
+            read_member(root, "surfaces",
+                        [this](const Json& json, const std::string& path) { read_surfaces(json, path); });
+            read_member(root, "rules",
+                        [this](const Json& json, const std::string& path) { read_rules(json, path); });
+            for (const char* key : {"overrides", "orphans"}) {
+                read_member(root, key,
+                            [this](const Json& json, const std::string& path) { read_faces(json, path); });
+            }
+            read_member(root, "cameras",
+                        [this](const Json& json, const std::string& path) { read_cameras(json, path); });
+            read_member(root, "movement",
+                        [this](const Json& json, const std::string& path) { read_movement(json, path); });
+            keep_unknown(root, "/", "/",
+                         {"slipface", "mesh", "spawn", "surfaces", "rules", "overrides", "orphans", "cameras",
+                          "movement"});
+        }
+        if (!reader_.ok()) return reader_.error();
+        loaded_.level.unknown = unknown_.text();
+        match();
+        return std::move(loaded_);
+    }
+
+  private:
+    template <class Read>
+    void read_member(const Json& object, const char* key, Read read) {
+        const Json* value = object.find(key);
+        if (value != nullptr && reader_.ok()) read(*value, std::string("/") + key);
+    }
+
+    void keep_unknown(const Json& object, const std::string& path, const std::string& place,
+                      const std::set<std::string_view>& known) {
+        if (!reader_.ok()) return;
+        for (std::size_t i = 0; i < object.keys.size(); ++i) {
+            if (known.contains(object.keys[i])) continue;
+            unknown_.add(place, object.keys[i], object.items[i]);
+            const std::string at = (path == "/" ? "" : path) + "/" + object.keys[i];
+            warn(at, "this key is unknown here; it is kept and written back");
+        }
+    }
+
+    void warn(const std::string& path, std::string message) {
+        loaded_.warnings.push_back({reader_.place(path), std::move(message)});
+    }
+
+    void read_version(const Json& root) {
+        const Json* version = reader_.member(root, "/", "slipface");
+        if (version == nullptr) return;
+        if (version->kind != Json::Kind::number || version->text != std::to_string(level_file_version)) {
+            reader_.fail("/slipface", json_kind_text(*version),
+                         fmt::format("the version {}, the only one that is understood", level_file_version));
+        }
+    }
+
+    void read_mesh_name(const Json& root) {
+        const Json* mesh = root.find("mesh");
+        std::string name;
+        if (mesh == nullptr || !reader_.text(*mesh, "/mesh", name)) return;
+        loaded_.level.mesh_path = loaded_.level.file_path.parent_path() / name;
+    }
+
+    void read_spawn(const Json& json, const std::string& path) {
+        if (!reader_.object(json, path)) return;
+        Level& level = loaded_.level;
+        if (const Json* value = json.find("position")) {
+            reader_.vector(*value, path + "/position", -max_position, max_position, level.spawn);
+        }
+        if (const Json* value = json.find("yaw")) {
+            reader_.number(*value, path + "/yaw", -1e6, 1e6, level.spawn_yaw);
+        }
+        keep_unknown(json, path, path, {"position", "yaw"});
+    }
+
+    void read_surfaces(const Json& json, const std::string& path) {
+        if (!reader_.array(json, path, max_surface_types)) return;
+        std::vector<SurfaceType>& surfaces = loaded_.level.surfaces;
+        surfaces.clear();
+        for (std::size_t i = 0; i < json.items.size() && reader_.ok(); ++i) {
+            const std::string here = fmt::format("{}/{}", path, i);
+            SurfaceType surface = read_surface(json.items[i], here);
+            const bool twin = std::any_of(surfaces.begin(), surfaces.end(), [&](const SurfaceType& other) {
+                return other.name == surface.name;
+            });
+            if (twin)
+                reader_.fail(here + "/name", fmt::format("\"{}\" a second time", surface.name),
+                             "each name once");
+            surfaces.push_back(std::move(surface));
+        }
+        if (reader_.ok() && (surfaces.empty() || surfaces.front().name != "default")) {
+            reader_.fail(path,
+                         surfaces.empty() ? "no type" : fmt::format("\"{}\" first", surfaces.front().name),
+                         "the type \"default\" first");
+        }
+    }
+
+    SurfaceType read_surface(const Json& json, const std::string& path) {
+        SurfaceType surface;
+        if (!reader_.object(json, path)) return surface;
+        const Json* name = reader_.member(json, path, "name");
+        if (name == nullptr || !reader_.text(*name, path + "/name", surface.name)) return surface;
+        if (surface.name.empty()) reader_.fail(path + "/name", "an empty name", "a name");
+
+        std::set<std::string_view> known{"name", "color", "hatch", "hotkey"};
+        if (const Json* value = json.find("color")) read_color(*value, path + "/color", surface);
+        if (const Json* value = json.find("hatch")) read_hatch(*value, path + "/hatch", surface);
+        if (const Json* value = json.find("hotkey"))
+            reader_.integer(*value, path + "/hotkey", 0, 9, surface.hotkey);
+        for (const SurfaceField& field : surface_fields()) {
+            known.insert(field.name);
+            if (const Json* value = json.find(field.name))
+                read_field(*value, path + "/" + field.name, field, surface);
+        }
+        keep_unknown(json, path, unknown_.place("surfaces", surface.name), known);
+        return surface;
+    }
+
+    void read_color(const Json& json, const std::string& path, SurfaceType& surface) {
+        Vec3 color = Vec3::Zero();
+        if (!reader_.vector(json, path, 0.0, 1.0, color)) return;
+        for (std::size_t i = 0; i < 3; ++i)
+            surface.color[i] = static_cast<float>(color[static_cast<Eigen::Index>(i)]);
+    }
+
+    void read_hatch(const Json& json, const std::string& path, SurfaceType& surface) {
+        std::string name;
+        if (!reader_.text(json, path, name)) return;
+        const auto found = std::find(hatch_names.begin(), hatch_names.end(), name);
+        if (found == hatch_names.end()) {
+            reader_.fail(path, json_kind_text(json), fmt::format("one of {}", fmt::join(hatch_names, ", ")));
+            return;
+        }
+        surface.hatch = static_cast<Hatch>(found - hatch_names.begin());
+    }
+
+    void read_field(const Json& json, const std::string& path, const SurfaceField& field,
+                    SurfaceType& surface) {
+        if (const auto* flag = std::get_if<bool SurfaceType::*>(&field.member)) {
+            reader_.boolean(json, path, surface.**flag);
+        } else if (const auto* number = std::get_if<double SurfaceType::*>(&field.member)) {
+            reader_.number(json, path, field.minimum, field.maximum, surface.**number);
+        } else if (const auto* vector = std::get_if<Vec3 SurfaceType::*>(&field.member)) {
+            reader_.vector(json, path, field.minimum, field.maximum, surface.**vector);
+        } else if (const auto* maybe = std::get_if<std::optional<double> SurfaceType::*>(&field.member)) {
+            double value = 0.0;
+            if (json.kind != Json::Kind::null &&
+                reader_.number(json, path, field.minimum, field.maximum, value)) {
+                surface.** maybe = value;
+            }
+        }
+    }
+
+    void read_rules(const Json& json, const std::string& path) {
+        if (!reader_.array(json, path, max_rules)) return;
+        for (std::size_t i = 0; i < json.items.size() && reader_.ok(); ++i) {
+            const std::string here = fmt::format("{}/{}", path, i);
+            MaterialRule rule;
+            if (!reader_.object(json.items[i], here)) return;
+            const Json* pattern = reader_.member(json.items[i], here, "pattern");
+            const Json* type = reader_.member(json.items[i], here, "type");
+            if (pattern == nullptr || type == nullptr ||
+                !reader_.text(*pattern, here + "/pattern", rule.pattern) ||
+                !reader_.text(*type, here + "/type", rule.type)) {
+                return;
+            }
+            if (!find_surface(loaded_.level, rule.type)) {
+                warn(here + "/type",
+                     fmt::format("found no surface type \"{}\"; the rule has no effect", rule.type));
+            }
+            keep_unknown(json.items[i], here, unknown_.place("rules", rule.pattern), {"pattern", "type"});
+            loaded_.level.rules.push_back(std::move(rule));
+        }
+    }
+
+    void read_faces(const Json& json, const std::string& path) {
+        if (!reader_.array(json, path, max_json_values)) return;
+        for (std::size_t i = 0; i < json.items.size() && reader_.ok(); ++i) {
+            read_face_group(json.items[i], fmt::format("{}/{}", path, i), path.substr(1));
+        }
+    }
+
+    void read_face_group(const Json& json, const std::string& path, std::string_view kind) {
+        StoredOverride stored;
+        if (!reader_.object(json, path)) return;
+        const Json* type = reader_.member(json, path, "type");
+        const Json* faces = reader_.member(json, path, "faces");
+        if (type == nullptr || faces == nullptr || !reader_.text(*type, path + "/type", stored.type)) return;
+        if (const Json* material = json.find("material")) {
+            if (!reader_.text(*material, path + "/material", stored.key.material)) return;
+        }
+        if (!reader_.array(*faces, path + "/faces", max_json_values)) return;
+        for (std::size_t i = 0; i < faces->items.size(); ++i) {
+            const Json& row = faces->items[i];
+            const std::string here = fmt::format("{}/faces/{}", path, i);
+            stored.key.copy = 0;
+            if (row.kind != Json::Kind::string || !parse_face_row(row.text, stored.key)) {
+                reader_.fail(here, json_kind_text(row),
+                             "\"HASH X,Y,Z NX,NY,NZ AREA\" with 16 hexadecimal digits, a point, a unit "
+                             "normal and an area");
+                return;
+            }
+            stored.place = reader_.place(here);
+            stored_.push_back(stored);
+        }
+        keep_unknown(json, path, unknown_.place(kind, stored.type + "/" + stored.key.material),
+                     {"type", "material", "faces"});
+    }
+
+    void read_cameras(const Json& json, const std::string& path) {
+        if (!reader_.array(json, path, max_cameras)) return;
+        for (std::size_t i = 0; i < json.items.size() && reader_.ok(); ++i) {
+            const std::string here = fmt::format("{}/{}", path, i);
+            const Json& item = json.items[i];
+            CameraBookmark camera;
+            if (!reader_.object(item, here)) return;
+            const Json* name = reader_.member(item, here, "name");
+            const Json* eye = reader_.member(item, here, "eye");
+            const Json* target = reader_.member(item, here, "target");
+            if (name == nullptr || eye == nullptr || target == nullptr) return;
+            reader_.text(*name, here + "/name", camera.name);
+            reader_.vector(*eye, here + "/eye", -max_position, max_position, camera.eye);
+            reader_.vector(*target, here + "/target", -max_position, max_position, camera.target);
+            if (const Json* fov = item.find("fov_y"))
+                reader_.number(*fov, here + "/fov_y", 0.01, pi - 0.01, camera.fov_y);
+            keep_unknown(item, here, unknown_.place("cameras", camera.name),
+                         {"name", "eye", "target", "fov_y"});
+            loaded_.level.cameras.push_back(std::move(camera));
+        }
+    }
+
+    void read_movement(const Json& json, const std::string& path) {
+        if (!reader_.object(json, path)) return;
+        std::set<std::string_view> known;
+        for (const SettingInfo& info : settings_table()) {
+            known.insert(info.name);
+            const Json* value = json.find(info.name);
+            if (value != nullptr && reader_.ok()) read_setting(*value, path + "/" + info.name, info);
+        }
+        keep_unknown(json, path, path, known);
+    }
+
+    void read_setting(const Json& json, const std::string& path, const SettingInfo& info) {
+        MovementSettings& settings = loaded_.level.movement;
+        double value = 0.0;
+        Status status;
+        if (std::holds_alternative<bool MovementSettings::*>(info.member)) {
+            bool flag = false;
+            if (!reader_.boolean(json, path, flag)) return;
+            value = flag ? 1.0 : 0.0;
+        } else if (std::holds_alternative<int MovementSettings::*>(info.member)) {
+            int whole = 0;
+            if (!reader_.integer(json, path, static_cast<int>(info.minimum), static_cast<int>(info.maximum),
+                                 whole))
+                return;
+            value = whole;
+        } else if (std::holds_alternative<PushOut MovementSettings::*>(info.member)) {
+            std::string choice;
+            if (!reader_.text(json, path, choice)) return;
+            status = set_setting(settings, std::string(info.name) + "=" + choice);
+            if (!status.ok()) reader_.fail(Error{reader_.place(path), status.error().message});
+            return;
+        } else if (!reader_.number(json, path, info.minimum, info.maximum, value)) {
+            return;
+        }
+        status = set_setting(settings, info, value);
+        if (!status.ok()) reader_.fail(Error{reader_.place(path), status.error().message});
+    }
+
+    void match() {
+        MatchedOverrides matched = match_overrides(*loaded_.level.mesh, loaded_.level.surfaces, stored_);
+        loaded_.level.overrides = std::move(matched.overrides);
+        loaded_.level.orphans = std::move(matched.orphans);
+        loaded_.match = matched.summary;
+        for (Diagnostic& warning : matched.warnings) {
+            if (warning.place.empty()) warning.place = loaded_.level.file_path.string();
+            loaded_.warnings.push_back(std::move(warning));
+        }
+    }
+
+    JsonReader reader_;
+    LoadedLevel loaded_;
+    UnknownMembers unknown_;
+    std::vector<StoredOverride> stored_;
+};
+
+}  // namespace
+
+Result<LoadedLevel> level_from_json(std::string_view json, const std::string& place, MeshPtr mesh) {
+    if (!mesh) return Error{place, "there is no geometry to put the level file on"};
+    const Result<Json> root = parse_json(json, place);
+    if (!root) return root.error();
+    return LevelReader(place, std::move(mesh)).read(*root);
+}
+
+}  // namespace slipface

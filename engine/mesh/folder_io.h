@@ -1,0 +1,24 @@
+#pragma once
+
+#include <assimp/IOSystem.hpp>
+#include <filesystem>
+
+namespace slipface {
+
+// Lets assimp read the regular files of one folder and below, and nothing else: a level that was sent by
+// somebody must not make the program read a device, a pipe or somebody's keys.
+class FolderIo final : public Assimp::IOSystem {
+  public:
+    explicit FolderIo(const std::filesystem::path& folder);
+
+    bool Exists(const char* file) const override;
+    char getOsSeparator() const override { return '/'; }
+    Assimp::IOStream* Open(const char* file, const char* mode) override;
+    void Close(Assimp::IOStream* stream) override;
+
+  private:
+    bool readable(const std::filesystem::path& file) const;
+    std::filesystem::path folder_;
+};
+
+}  // namespace slipface

@@ -1,0 +1,95 @@
+#include "import_obj.h"
+
+#include <assimp/scene.h>
+
+#include <assimp/Importer.hpp>
+
+#include "material_library.h"
+#include "obj_scan.h"
+#include "obj_text.h"
+
+namespace slipface {
+namespace {
+
+// Appends the corners of `mesh` behind those in `soup`; false where a face is not as the scan found it.
+bool add_corners(const aiMesh& mesh, const std::vector<std::uint32_t>& face_first_corner, std::size_t& face,
+                 PolygonSoup& soup) {
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i, ++face) {
+        const aiFace& polygon = mesh.mFaces[i];
+        if (face + 1 >= face_first_corner.size() ||
+            polygon.mNumIndices != face_first_corner[face + 1] - face_first_corner[face]) {
+            return false;
+        }
+        for (unsigned k = 0; k < polygon.mNumIndices; ++k) {
+            const unsigned vertex = polygon.mIndices[k];
+            const aiVector3D& position = mesh.mVertices[vertex];
+            soup.corner_position.emplace_back(position.x, position.y, position.z);
+            if (!mesh.HasTextureCoords(0)) continue;
+            const aiVector3D& uv = mesh.mTextureCoords[0][vertex];
+            soup.corner_uv.emplace_back(uv.x, uv.y);
+        }
+    }
+    return true;
+}
+
+// The clean text has neither objects nor groups nor the file's materials: assimp makes a mesh of each,
+// thousands of bytes long, and looks their names up one after the other. So faces come back in the order in
+// which they were written.
+Status read_polygons(const ObjScan& scan, const std::string& place, PolygonSoup& soup) {
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFileFromMemory(scan.clean.data(), scan.clean.size(), 0, "obj");
+    if (scene == nullptr)
+        return Error{place, fmt::format("assimp cannot read it: {}", importer.GetErrorString())};
+
+    soup.corner_position.reserve(scan.face_first_corner.back());
+    if (scene->mNumMeshes > 0 && scene->mMeshes[0]->HasTextureCoords(0)) {
+        soup.corner_uv.reserve(scan.face_first_corner.back());
+    }
+    std::size_t face = 0;
+    bool fits = true;
+    for (unsigned i = 0; i < scene->mNumMeshes && fits; ++i) {
+        fits = add_corners(*scene->mMeshes[i], scan.face_first_corner, face, soup);
+    }
+    if (fits && face + 1 == scan.face_first_corner.size()) return {};
+    return Error{
+        place, fmt::format("assimp reads other polygons than the {} in the file", scan.face_material.size())};
+}
+
+std::vector<Material> materials_of(const std::filesystem::path& path, const ObjScan& scan,
+                                   WarningList& warnings) {
+    MaterialsByName known;
+    const bool any_library = load_libraries(path, scan.libraries, known, warnings);
+    std::vector<Material> materials;
+    materials.reserve(scan.materials.size());
+    for (const NameOnLine& used : scan.materials) {
+        const auto found = known.find(used.name);
+        materials.push_back(found != known.end() ? found->second : named_material(used.name));
+        if (found == known.end() && any_library && !used.name.empty()) {
+            warnings.add(
+                fmt::format("{}:{}", path.string(), used.line),
+                fmt::format("material {} is in no material library: grey is used", in_quotes(used.name)));
+        }
+    }
+    return materials;
+}
+
+}  // namespace
+
+Result<PolygonSoup> import_obj(const std::filesystem::path& path, std::string text, WarningList& warnings) {
+    const std::string place = path.string();
+    auto scan = scan_obj(std::move(text), place, warnings);
+    if (!scan) return scan.error();
+
+    PolygonSoup soup;
+    if (const auto status = read_polygons(*scan, place, soup); !status) return status.error();
+    std::string().swap(scan->clean);
+    soup.materials = materials_of(path, *scan, warnings);
+    soup.face_first_corner = std::move(scan->face_first_corner);
+    soup.face_material = std::move(scan->face_material);
+    soup.face_group = std::move(scan->face_group);
+    for (NameOnLine& group : scan->groups)
+        soup.groups.push_back(std::move(group.name));
+    return soup;
+}
+
+}  // namespace slipface

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "slipface/base/result.h"
+
+namespace slipface {
+
+// Warnings up to a limit, so that a file of a million faults does not fill memory with a million sentences.
+class WarningList {
+  public:
+    explicit WarningList(std::size_t limit) : limit_(limit) {}
+
+    void add(const std::string& place, std::string message) {
+        if (list_.size() < limit_) {
+            list_.push_back({place, std::move(message)});
+        } else {
+            ++unlisted_;
+        }
+    }
+
+    // Whether the next warning would be listed: what is not need not be worded.
+    bool full() const { return list_.size() >= limit_; }
+    void add_unworded() { ++unlisted_; }
+
+    // Ends the list with how many more there were.
+    Warnings take(const std::string& place) {
+        if (unlisted_ > 0) list_.push_back({place, fmt::format("{} more warnings", unlisted_)});
+        unlisted_ = 0;
+        return std::exchange(list_, {});
+    }
+
+  private:
+    std::size_t limit_;
+    std::size_t unlisted_ = 0;
+    Warnings list_;
+};
+
+}  // namespace slipface

@@ -1,0 +1,50 @@
+// Bounce (lecture, "Bouncing"): the part along the surface is kept (scaled by the surface's friction), the
+// part into it is given back times the restitution e: V - (1+e) N (V.N).
+//
+// The touch lies within the step, so neither the velocity before nor after the step's gravity is the one that
+// hits. With u the speed along N and constant acceleration, u*u changes linearly with the distance: at the
+// share s of it, u*u = u0*u0 + s (u1*u1 - u0*u0). The rebound loses what gravity takes on the rest of the
+// way. Without this a ball's heights depend on where in a tick it lands.
+#include <algorithm>
+#include <cmath>
+
+#include "mover.h"
+
+namespace slipface {
+
+std::optional<Turn> bounce(Mover& mover, const Hit& hit) {
+    const double restitution = hit.surface.restitution;
+    if (!(restitution > 0.0)) return std::nullopt;
+    const Vec3& normal = hit.contact.normal;
+    const auto refuse = [&](double value, double limit, const char* why) {
+        decide(mover, "surface_types", false, "rebound, m/s", value, limit, why, hit.contact.face);
+        return std::nullopt;
+    };
+    if (hit.pass == Pass::horizontal && hit.walkable && mover.was_grounded) {
+        return refuse(0.0, 0.0, "no bounce: walked onto, not fallen onto");
+    }
+    const double before = mover.velocity_before.dot(normal);
+    const double after = mover.velocity.dot(normal);
+    const double impact =
+        std::sqrt(std::max(0.0, before * before + hit.done * (after * after - before * before)));
+    const double rebound = restitution * impact;
+    const double rest = mover.settings.gravity * mover.dt;
+    if (!(after < 0.0) || rebound <= rest) {
+        return refuse(rebound, rest, "no bounce: too slow, comes to rest");
+    }
+
+    const double into = hit.leftover.dot(normal);
+    const double risen = -restitution * into;
+    const double slowing = std::max(0.0, before - after) / mover.dt;
+    const double leaving = std::sqrt(std::max(0.0, rebound * rebound - 2.0 * slowing * risen));
+    const double friction = hit.surface.friction;
+    mover.bounced = true;
+    mover.grounded = false;
+    decide(mover, "surface_types", true, "rebound, m/s", rebound, rest, "bounces", hit.contact.face);
+    return Turn{.rule = Rule::bounce,
+                .leftover = friction * (hit.leftover - normal * into) + normal * risen,
+                .velocity = friction * (mover.velocity - normal * after) + normal * leaving,
+                .plane = normal};
+}
+
+}  // namespace slipface

@@ -1,0 +1,60 @@
+// Corners: where one surface turns the player into another.
+//
+// Turning at each contact alone sends the player to and fro between two walls, and each return costs an
+// iteration and shows as jitter. So a turn that leads back into an earlier plane of the same pass follows the
+// crease of the two instead, and a crease that leads into a third plane ends the move: three planes are a
+// corner.
+#include "mover.h"
+
+namespace slipface {
+
+namespace {
+
+// Going into a plane by less than this share is rounding; the skin absorbs it.
+constexpr double grazing = 1e-6;
+// Square of the sine below which two planes have no crease.
+constexpr double parallel = 1e-12;
+
+template <class Counts>
+bool leads_into(const Corner& corner, const Vec3& v, const Counts& counts) {
+    const double limit = -grazing * v.norm();
+    for (int i = 0; i < corner.count; ++i) {
+        if (counts(i) && v.dot(corner.planes[static_cast<std::size_t>(i)]) < limit) return true;
+    }
+    return false;
+}
+
+// `turned` made free of all planes: itself, `v` along a crease of the latest plane, or zero.
+template <class Counts>
+Vec3 freed(const Corner& corner, const Vec3& v, const Vec3& turned, const Vec3& plane, const Counts& counts,
+           Rule& rule) {
+    if (!leads_into(corner, turned, counts)) return turned;
+    rule = Rule::crease;
+    const double limit = -grazing * turned.norm();
+    for (int i = 0; i < corner.count; ++i) {
+        const Vec3& earlier = corner.planes[static_cast<std::size_t>(i)];
+        if (!counts(i) || turned.dot(earlier) >= limit) continue;
+        const Vec3 crease = plane.cross(earlier);
+        const double square = crease.squaredNorm();
+        if (square < parallel) continue;
+        const Vec3 along = crease * (crease.dot(v) / square);
+        if (!leads_into(corner, along, counts)) return along;
+    }
+    rule = Rule::stop;
+    return Vec3::Zero();
+}
+
+}  // namespace
+
+void respect_corner(const Corner& corner, const Vec3& leftover, const Vec3& velocity, Turn& turn) {
+    if (corner.count == 0) return;
+    turn.leftover = freed(
+        corner, leftover, turn.leftover, turn.plane, [](int) { return true; }, turn.rule);
+    if (!turn.constrains_velocity) return;
+    Rule ignored = turn.rule;
+    turn.velocity = freed(
+        corner, velocity, turn.velocity, turn.plane,
+        [&](int i) { return corner.constrains_velocity[static_cast<std::size_t>(i)]; }, ignored);
+}
+
+}  // namespace slipface

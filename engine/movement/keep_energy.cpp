@@ -1,0 +1,61 @@
+// Problem: a half-pipe is made of flat faces, and sliding projects the velocity at each of them, so speed is
+// lost where a round pipe would take none. Hack (lecture, "Frictionless surfaces"): the direction of V - N
+// (V.N), the length of V; only for glancing hits, N.V / |V| above keep_energy_limit, because a head-on hit is
+// no approximation of a curve.
+#include <algorithm>
+#include <cmath>
+
+#include "mover.h"
+
+namespace slipface {
+
+namespace {
+
+Vec3 redirected(const Vec3& v, const Vec3& normal) {
+    return direction_of(slide_along(v, normal)) * v.norm();
+}
+
+}  // namespace
+
+std::optional<Turn> keep_energy(Mover& mover, const Hit& hit) {
+    if (!hit.surface.keeps_energy) return std::nullopt;
+    const Vec3& normal = hit.contact.normal;
+    const double limit = mover.settings.keep_energy_limit;
+    // The vertical part of a split move says nothing about the direction of the whole; the velocity does.
+    const Vec3& judged = hit.pass == Pass::vertical ? mover.velocity : hit.leftover;
+    const double cosine = normal.dot(direction_of(judged));
+    const auto say = [&](bool acted, const char* outcome) {
+        decide(mover, "keep_energy", acted, "N.V / |V|", cosine, limit, outcome, hit.contact.face);
+    };
+    if (!mover.settings.keep_energy) {
+        say(false, "switched off: slides with loss");
+        return std::nullopt;
+    }
+    if (!(cosine > limit)) {
+        say(false, "refused: hits head-on");
+        return std::nullopt;
+    }
+    say(true, "keeps its speed");
+    mover.kept_energy = true;
+    return Turn{.rule = Rule::keep_energy,
+                .leftover = redirected(hit.leftover, normal),
+                .velocity = redirected(mover.velocity, normal),
+                .plane = normal};
+}
+
+// The hack keeps the length of a velocity to which this step's gravity was already added, and part of that
+// gravity only pressed the player onto the surface: kept, it would speed up a player gliding over flat ice.
+// So the speed is held to what the height gained or lost in this step allows.
+void cap_energy(Mover& mover, const Vec3& from, const Vec3& driven_velocity) {
+    if (!mover.kept_energy) return;
+    const double climbed = mover.position.y() - from.y();
+    const double allowed =
+        std::sqrt(std::max(0.0, driven_velocity.squaredNorm() - 2.0 * mover.settings.gravity * climbed));
+    const double speed = mover.velocity.norm();
+    const bool capped = speed > allowed;
+    decide(mover, "keep_energy", capped, "|V|, m/s", speed, allowed,
+           capped ? "speed held to gravity's work" : "speed within gravity's work", mover.support_face);
+    if (capped) mover.velocity *= allowed / speed;
+}
+
+}  // namespace slipface

@@ -1,0 +1,122 @@
+// Ladders: no gravity, the player moves along the plane of the surface. The stick into the wall climbs, away
+// from it descends, sideways goes along. Left at the bottom by reaching ground, at the top by rounding the
+// rim until what is touched can be walked on, anywhere by a jump.
+#include <cmath>
+
+#include "mover.h"
+
+namespace slipface {
+
+namespace {
+
+// Overhangs up to 30 degrees beyond the vertical are climbed.
+constexpr double overhang = -0.5;
+// A player on the ground passes a ladder unless the stick points into it within 60 degrees.
+constexpr double meant = 0.5;
+
+Vec3 as_vector(const Vec2& wish) {
+    return {wish.x(), 0.0, wish.y()};
+}
+
+void leave(Mover& mover, const Vec3& velocity, const char* why) {
+    mover.climbing = false;
+    mover.velocity = velocity;
+    decide(mover, "surface_types", false, "climbable", 0.0, 1.0, why, mover.support_face);
+    if (!mover.grounded) mover.support_face = no_id;
+}
+
+void support(Mover& mover, const Vec3& normal, FaceId face, SurfaceId surface) {
+    mover.support_normal = normal;
+    mover.support_face = face;
+    mover.support_surface = surface;
+}
+
+// After the move the ladder is looked for where it was; its face may have bent or ended.
+void follow(Mover& mover, const PlayerState& state, const Vec3& from, double rising, double sideways) {
+    const Vec3 moved = mover.position - from;
+    const Vec3 towards = -state.ground_normal * (moved.norm() + mover.settings.skin);
+    const Vec3 before = mover.position;
+    const Swept swept = sweep_with_skin(mover, Pass::probe, 0, towards);
+    if (!swept.contact) {
+        leave(mover, mover.velocity, "leaves the ladder: its face ended");
+        return;
+    }
+    mover.position = swept.reached;
+    const Contact& contact = *swept.contact;
+    const SurfaceType& surface = surface_of(mover, contact.surface);
+    mover.hazard = mover.hazard || surface.hazardous;
+    if (is_walkable(mover, contact.normal, surface)) {
+        mover.grounded = true;
+        support(mover, contact.normal, contact.face, contact.surface);
+        leave(mover, Vec3::Zero(), "leaves the ladder: on top");
+    } else if (surface.climbable) {
+        support(mover, contact.normal, contact.face, contact.surface);
+    } else if (contact.feature != Feature::interior && rising > 0.0) {
+        // The rim belongs to the faces of the top as well; whichever of them was touched, the way up goes on.
+        support(mover, contact.normal, state.ground_face, state.ground_surface);
+    } else if (rising >= std::abs(sideways)) {
+        // A plain wall goes on above the ladder: stepping onto it would drop the player back at every tick.
+        mover.position = from;
+        mover.velocity = Vec3::Zero();
+        support(mover, state.ground_normal, state.ground_face, state.ground_surface);
+        decide(mover, "surface_types", false, "climbable", 0.0, 1.0, "refused: the wall above is no ladder",
+               contact.face);
+    } else {
+        mover.position = before;
+        leave(mover, mover.velocity, "leaves the ladder: beside it");
+    }
+}
+
+}  // namespace
+
+std::optional<Turn> grab_ladder(Mover& mover, const Hit& hit) {
+    const Contact& contact = hit.contact;
+    if (!hit.surface.climbable || mover.on_ladder || hit.walkable) return std::nullopt;
+    const auto refuse = [&](const char* quantity, double value, double limit, const char* why) {
+        decide(mover, "surface_types", false, quantity, value, limit, why, contact.face);
+        return std::nullopt;
+    };
+    if (contact.normal.y() < overhang)
+        return refuse("N.y", contact.normal.y(), overhang, "too far overhead to climb");
+    const double into = -direction_of(as_vector(mover.wish)).dot(direction_of(horizontal(contact.normal)));
+    if (mover.was_grounded && into < meant)
+        return refuse("stick into the ladder", into, meant, "passes the ladder");
+    mover.climbing = true;
+    mover.grounded = false;
+    support(mover, contact.normal, contact.face, contact.surface);
+    decide(mover, "surface_types", true, "climbable", 1.0, 1.0, "takes hold of the ladder", contact.face);
+    return Turn{.rule = Rule::stop, .plane = contact.normal};
+}
+
+void climb(Mover& mover, const PlayerState& state) {
+    const Vec3& normal = state.ground_normal;
+    const SurfaceType& ladder = surface_of_face(mover, state.ground_face);
+    const Vec3 out = direction_of(horizontal(normal));
+    const Vec3 up = direction_of(Vec3::UnitY() - normal * normal.y());
+    const Vec3 side = Vec3::UnitY().cross(out);
+    const Vec3 wish = as_vector(mover.wish);
+    const double rising = -wish.dot(out);
+    const double sideways = wish.dot(side);
+    const Vec3 from = mover.position;
+
+    mover.on_ladder = true;
+    mover.climbing = true;
+    mover.hazard = mover.hazard || ladder.hazardous;
+    support(mover, normal, state.ground_face, state.ground_surface);
+    mover.velocity = ladder.climb_speed * (up * rising + side * sideways);
+    mover.velocity_before = mover.velocity;
+    decide(mover, "surface_types", true, "up, m/s", mover.velocity.y(), ladder.climb_speed, "climbs",
+           state.ground_face);
+    if (mover.velocity.isZero(0.0)) return;
+
+    collide_and_slide(mover, Pass::slide, mover.velocity * mover.dt);
+    if (mover.stuck) {
+        mover.climbing = false;
+    } else if (mover.grounded) {
+        leave(mover, Vec3::Zero(), "leaves the ladder: on the ground");
+    } else {
+        follow(mover, state, from, rising, sideways);
+    }
+}
+
+}  // namespace slipface

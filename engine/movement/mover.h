@@ -1,0 +1,135 @@
+// What the parts of one step share. A Mover lives for one call of step() or slide_move().
+#pragma once
+
+#include <array>
+
+#include "slipface/movement/step.h"
+
+namespace slipface {
+
+struct Mover {
+    const MovementScene& scene;
+    const MovementSettings& settings;
+    TraceSink* trace = nullptr;
+    double dt = 1.0;
+    double walkable_cosine = 1.0;  // of settings.max_slope
+    Vec2 wish = Vec2::Zero();      // at most 1 long
+
+    Vec3 position = Vec3::Zero();  // centre of the ellipsoid now
+    Vec3 velocity = Vec3::Zero();  // at the end of the step, as far as contacts have turned it
+    Vec3 velocity_before =
+        Vec3::Zero();  // at the start of the step: what a bounce gives back lies between the two
+    bool was_grounded = false;
+    bool on_ladder = false;  // the move climbs: ladders are slid along instead of grabbed
+
+    // Found out on the way.
+    bool grounded = false;
+    bool climbing = false;
+    bool stuck = false;
+    bool hazard = false;
+    bool bounced = false;
+    bool kept_energy = false;
+    Vec3 support_normal = Vec3::UnitY();  // of the surface stood on, climbed, stuck to or slid along
+    FaceId support_face = no_id;
+    SurfaceId support_surface = default_surface;
+
+    int sweeps = 0;
+    int contacts = 0;
+};
+
+// One contact, ready to be responded to.
+struct Hit {
+    Pass pass;
+    const Contact& contact;
+    const SurfaceType& surface;
+    bool walkable;  // flat enough to stand on
+    Vec3 leftover;  // of the displacement
+    double done;    // share of the pass's displacement that lies before the contact, 0..1
+};
+
+// What a contact makes of the displacement and the velocity.
+struct Turn {
+    Rule rule = Rule::slide;
+    Vec3 leftover = Vec3::Zero();
+    Vec3 velocity = Vec3::Zero();
+    Vec3 plane = Vec3::Zero();  // unit normal that later turns of this pass must respect
+    bool constrains_velocity = true;
+};
+
+inline Vec3 horizontal(const Vec3& v) {
+    return {v.x(), 0.0, v.z()};
+}
+
+// v / |v|, or zero where there is no direction. No division by zero and no overflow for any finite v.
+Vec3 direction_of(const Vec3& v);
+
+// The lecture's slide, V - N (V.N). What already leads away from the plane stays as it is.
+Vec3 slide_along(const Vec3& v, const Vec3& normal);
+
+// cos(angle) for angle in [0, pi/2] from additions and multiplications alone, so that every C library gives
+// the same bits.
+double slope_cosine(double angle);
+
+const SurfaceType& surface_of(const Mover& mover,
+                              SurfaceId surface);  // `default` for unknown ids and when switched off
+const SurfaceType& surface_of_face(const Mover& mover, FaceId face);
+double walkable_limit(const Mover& mover, const SurfaceType& surface);  // least N.y that can be stood on
+inline bool is_walkable(const Mover& mover, const Vec3& normal, const SurfaceType& surface) {
+    return normal.y() >= walkable_limit(mover, surface);
+}
+
+void decide(const Mover& mover, const char* hack, bool acted, const char* quantity, double value,
+            double limit, const char* outcome, FaceId face = no_id);
+
+// A sweep whose end keeps the skin.
+struct Swept {
+    Vec3 reached = Vec3::Zero();
+    double used = 1.0;                              // share of the move that was made
+    std::optional<Contact> contact = std::nullopt;  // t is a share of the move
+};
+Swept sweep_with_skin(Mover& mover, Pass pass, int iteration, const Vec3& move);
+
+// Collide and slide: moves the mover by `move`, at most settings.max_slides sweeps. Returns what could not be
+// used.
+Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move);
+
+// Notes what a contact means for the state: ground, ladder, hazard.
+void touch(Mover& mover, const Hit& hit);
+// Turns displacement and velocity at a contact: the first response that applies.
+Turn respond(Mover& mover, const Hit& hit);
+
+// Responses; each says nothing where it does not apply.
+std::optional<Turn> stick(Mover& mover, const Hit& hit);
+std::optional<Turn> grab_ladder(Mover& mover, const Hit& hit);
+std::optional<Turn> hold_by_static_friction(Mover& mover, const Hit& hit);
+std::optional<Turn> bounce(Mover& mover, const Hit& hit);
+std::optional<Turn> keep_energy(Mover& mover, const Hit& hit);
+std::optional<Turn> slide_at_wall(Mover& mover, const Hit& hit);
+std::optional<Turn> go_straight_ahead(Mover& mover, const Hit& hit);
+
+// Holds the earlier planes of a pass against the latest turn.
+struct Corner {
+    static constexpr int capacity = 8;
+    std::array<Vec3, capacity> planes;
+    std::array<bool, capacity> constrains_velocity;
+    int count = 0;
+};
+void respect_corner(const Corner& corner, const Vec3& leftover, const Vec3& velocity, Turn& turn);
+
+// Parts of a step.
+void walk(Mover& mover, const PlayerState& state, bool jump_pressed);
+void accelerate(Mover& mover, bool slippery);
+void pay_for_height(Mover& mover, double climbed);
+// How far `along`, a displacement or a velocity, leads down on ground of that normal; 0 going up.
+double descent(const Vec3& ground_normal, const Vec3& along);
+double press_down(const Mover& mover, const Vec3& ground_normal, const Vec3& move);  // metres this step, >= 0
+void set_ground_velocity(Mover& mover);
+void hold(Mover& mover, const PlayerState& state);
+void climb(Mover& mover, const PlayerState& state);
+void carry(Mover& mover, const SurfaceType& support);
+Vec3 carry_velocity(const Mover& mover, const SurfaceType& support);  // m/s at the mover's position
+void cap_energy(Mover& mover, const Vec3& from, const Vec3& driven_velocity);
+void push_out(Mover& mover);
+bool ends_inside(const Mover& mover, const Vec3& from);
+
+}  // namespace slipface

@@ -1,0 +1,39 @@
+// What a contact does: first what it means for the state, then how it turns the move.
+#include "mover.h"
+
+namespace slipface {
+
+namespace {
+
+using Response = std::optional<Turn> (*)(Mover&, const Hit&);
+
+// In the order in which they are asked. A new response is a file with one such function and one name here.
+constexpr std::array<Response, 7> responses{stick,       grab_ladder,   hold_by_static_friction, bounce,
+                                            keep_energy, slide_at_wall, go_straight_ahead};
+
+}  // namespace
+
+void touch(Mover& mover, const Hit& hit) {
+    mover.hazard = mover.hazard || hit.surface.hazardous;
+    // The horizontal part of a move meets ramps that the vertical part may then leave; only the latter knows
+    // the ground.
+    const bool ground = hit.walkable && hit.pass != Pass::horizontal;
+    if (mover.grounded && !ground) return;
+    mover.grounded = mover.grounded || ground;
+    mover.support_normal = hit.contact.normal;
+    mover.support_face = hit.contact.face;
+    mover.support_surface = hit.contact.surface;
+}
+
+Turn respond(Mover& mover, const Hit& hit) {
+    for (const Response response : responses) {
+        if (const std::optional<Turn> turn = response(mover, hit)) return *turn;
+    }
+    const Vec3& normal = hit.contact.normal;
+    return {.rule = Rule::slide,
+            .leftover = slide_along(hit.leftover, normal),
+            .velocity = slide_along(mover.velocity, normal),
+            .plane = normal};
+}
+
+}  // namespace slipface

@@ -1,0 +1,170 @@
+#include "slipface/movement/settings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "slipface/base/text.h"
+
+namespace slipface {
+
+namespace {
+
+constexpr double degree = 0.017453292519943295;
+
+template <class... F>
+struct Overloaded : F... {
+    using F::operator()...;
+};
+
+bool is_switch(const SettingInfo& info) {
+    return std::holds_alternative<bool MovementSettings::*>(info.member);
+}
+
+bool is_angle(const SettingInfo& info) {
+    return std::string_view(info.unit) == "deg";
+}
+
+// What a value may be, for error messages.
+std::string allowed(const SettingInfo& info) {
+    if (is_switch(info)) return "on or off";
+    if (std::holds_alternative<PushOut MovementSettings::*>(info.member)) return "off, iterative or analytic";
+    const bool whole = std::holds_alternative<int MovementSettings::*>(info.member);
+    std::string text = fmt::format("{} from {} to {}", whole ? "a whole number" : "a number",
+                                   to_text(info.minimum), to_text(info.maximum));
+    if (is_angle(info)) {
+        text += fmt::format(" radians ({}deg to {}deg)", std::round(info.minimum / degree),
+                            std::round(info.maximum / degree));
+    } else if (*info.unit != '\0') {
+        text += fmt::format(" {}", info.unit);
+    }
+    return text;
+}
+
+std::string excerpt(std::string_view text) {
+    constexpr std::size_t longest = 60;
+    return text.size() <= longest ? std::string(text) : std::string(text.substr(0, longest)) + "...";
+}
+
+// Levenshtein distance; the names compared are short.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j)
+        row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replace = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({replace, row[j] + 1, row[j - 1] + 1});
+        }
+    }
+    return row[b.size()];
+}
+
+std::string unknown_name(std::string_view name) {
+    std::string text = fmt::format("no such setting: '{}'", excerpt(name));
+    constexpr std::size_t longest_name = 64;
+    if (name.size() > longest_name) return text;
+    const std::string lower = to_lower(name);
+    const SettingInfo* nearest = nullptr;
+    std::size_t nearest_distance = 0;
+    for (const SettingInfo& info : settings_table()) {
+        const std::size_t distance = edit_distance(lower, info.name);
+        if (nearest == nullptr || distance < nearest_distance) {
+            nearest = &info;
+            nearest_distance = distance;
+        }
+    }
+    if (nearest != nullptr) text += fmt::format("; did you mean '{}'?", nearest->name);
+    return text;
+}
+
+std::optional<double> parse_value(const SettingInfo& info, std::string_view text) {
+    const std::string lower = to_lower(text);
+    if (is_switch(info)) {
+        if (lower == "true" || lower == "on") return 1.0;
+        if (lower == "false" || lower == "off") return 0.0;
+    }
+    if (std::holds_alternative<PushOut MovementSettings::*>(info.member)) {
+        for (std::size_t i = 0; i < push_out_names.size(); ++i) {
+            if (lower == push_out_names[i]) return static_cast<double>(i);
+        }
+    }
+    if (is_angle(info) && lower.size() > 3 && lower.ends_with("deg")) {
+        const std::optional<double> degrees =
+            parse_double(trim(std::string_view(lower).substr(0, lower.size() - 3)));
+        if (degrees) return *degrees * degree;
+        return std::nullopt;
+    }
+    return parse_double(text);
+}
+
+}  // namespace
+
+const SettingInfo* find_setting(std::string_view name) {
+    for (const SettingInfo& info : settings_table()) {
+        if (name == info.name) return &info;
+    }
+    return nullptr;
+}
+
+double get_setting(const MovementSettings& settings, const SettingInfo& info) {
+    return std::visit(
+        Overloaded{
+            [&](bool MovementSettings::*member) { return settings.*member ? 1.0 : 0.0; },
+            [&](int MovementSettings::*member) { return static_cast<double>(settings.*member); },
+            [&](double MovementSettings::*member) { return settings.*member; },
+            [&](PushOut MovementSettings::*member) { return static_cast<double>(settings.*member); },
+            [&](Vec3 MovementSettings::*member) { return (settings.*member)[info.axis]; },
+        },
+        info.member);
+}
+
+Status set_setting(MovementSettings& settings, const SettingInfo& info, double value) {
+    const bool number = std::holds_alternative<double MovementSettings::*>(info.member) ||
+                        std::holds_alternative<Vec3 MovementSettings::*>(info.member);
+    const bool fits = std::isfinite(value) && value >= info.minimum && value <= info.maximum &&
+                      (number || value == std::floor(value));
+    if (!fits) return Error{info.name, fmt::format("{} is not {}", to_text(value), allowed(info))};
+    std::visit(Overloaded{
+                   [&](bool MovementSettings::*member) { settings.*member = value != 0.0; },
+                   [&](int MovementSettings::*member) { settings.*member = static_cast<int>(value); },
+                   [&](double MovementSettings::*member) { settings.*member = value; },
+                   [&](PushOut MovementSettings::*member) {
+                       settings.*member = static_cast<PushOut>(static_cast<int>(value));
+                   },
+                   [&](Vec3 MovementSettings::*member) { (settings.*member)[info.axis] = value; },
+               },
+               info.member);
+    return {};
+}
+
+Status set_setting(MovementSettings& settings, std::string_view assignment) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string_view::npos) {
+        return Error{"", fmt::format("'{}' is not name=value", excerpt(assignment))};
+    }
+    const std::string_view name = trim(assignment.substr(0, equals));
+    const std::string_view text = trim(assignment.substr(equals + 1));
+    const SettingInfo* info = find_setting(name);
+    if (info == nullptr) return Error{"", unknown_name(name)};
+    const std::optional<double> value = parse_value(*info, text);
+    if (!value) return Error{info->name, fmt::format("'{}' is not {}", excerpt(text), allowed(*info))};
+    return set_setting(settings, *info, *value);
+}
+
+std::string setting_text(const MovementSettings& settings, const SettingInfo& info) {
+    const double value = get_setting(settings, info);
+    if (is_switch(info)) return value != 0.0 ? "on" : "off";
+    if (std::holds_alternative<PushOut MovementSettings::*>(info.member)) {
+        const auto index = static_cast<std::size_t>(value);
+        return index < push_out_names.size() ? push_out_names[index] : to_text(value);
+    }
+    return to_text(value);
+}
+
+}  // namespace slipface

@@ -1,0 +1,130 @@
+// The one description of every setting. Editor widgets, tooltips, --set, files and docs read it.
+#include <array>
+
+#include "slipface/movement/settings.h"
+
+namespace slipface {
+
+namespace {
+
+using S = MovementSettings;
+
+constexpr double degree = 0.017453292519943295;
+
+const std::array<SettingInfo, 21> table{{
+    {"radius_x", "Radius X", "Body", "m", 0.05, 5.0,
+     "Half the width of the player's ellipsoid along X. Keep it equal to radius Z, or turning the world "
+     "turns the player "
+     "too.",
+     "Slips into cracks between props and perches on rails and edges.",
+     "Does not fit through doors and touches walls that look out of reach.", "", &S::radii, 0},
+    {"radius_y", "Radius Y", "Body", "m", 0.05, 5.0,
+     "Half the height of the player's ellipsoid. The position of the player is its centre, so the feet are "
+     "this far "
+     "below.",
+     "Crawls under things that look too low.",
+     "Bumps its head on ceilings, and the round foot makes high kerbs climbable.", "", &S::radii, 1},
+    {"radius_z", "Radius Z", "Body", "m", 0.05, 5.0, "Half the width of the player's ellipsoid along Z.",
+     "Slips into cracks between props and perches on rails and edges.",
+     "Does not fit through doors and touches walls that look out of reach.", "", &S::radii, 2},
+
+    {"gravity", "Gravity", "Speed", "m/s2", 0.0, 100.0,
+     "Downward acceleration. Platformers use two to three times the real 9.81: a jump of speed v rises "
+     "v*v/(2g) and "
+     "lasts 2v/g.",
+     "Jumps float and the player has no weight.", "Jumps snap back before they can be steered.", "",
+     &S::gravity},
+    {"walk_speed", "Walking speed", "Speed", "m/s", 0.0, 50.0,
+     "Horizontal speed with the stick fully pushed.", "Levels feel long and dull.",
+     "Corners are overshot, and gaps meant to need a run are jumped by accident.", "", &S::walk_speed},
+    {"ground_acceleration", "Ground acceleration", "Speed", "m/s2", 0.0, 1000.0,
+     "How fast the horizontal velocity follows the stick on the ground; also the braking when it is let go.",
+     "Every floor feels like ice.", "Starts and stops in one tick, like a cursor.", "",
+     &S::ground_acceleration},
+    {"slippery_acceleration", "Slippery acceleration", "Speed", "m/s2", 0.0, 1000.0,
+     "How fast walking speeds up on surfaces that keep energy. They never brake.",
+     "Ice cannot be left without a slope or a push.", "Ice is steered like any floor.", "",
+     &S::slippery_acceleration},
+    {"air_acceleration", "Air acceleration", "Speed", "m/s2", 0.0, 500.0,
+     "How fast the horizontal velocity follows the stick in the air. With the stick let go the flight goes "
+     "on.",
+     "A jump cannot be corrected after take-off.", "The player turns round in mid-air and hugs walls.", "",
+     &S::air_acceleration},
+    {"terminal_speed", "Terminal speed", "Speed", "m/s", 1.0, 500.0, "Falling gets no faster than this.",
+     "Long falls look like parachuting.", "Long falls cannot be followed by the camera or steered.", "",
+     &S::terminal_speed},
+    {"jump_speed", "Jump speed", "Speed", "m/s", 0.0, 50.0,
+     "Upward speed at the start of a jump; along the surface's normal from a ladder or a sticky surface. The "
+     "height is "
+     "speed*speed/(2*gravity).",
+     "Ledges meant to be reached are not.", "Skips parts of the level.", "", &S::jump_speed},
+
+    {"skin", "Skin", "Collision", "m", 1e-4, 0.05,
+     "Distance kept from every surface that was touched. It is what makes rounding harmless: the next sweep "
+     "starts "
+     "clearly outside.",
+     "Rounding far from the origin uses it up; the player catches on seams.",
+     "A visible gap under the feet, and narrow passages close.", "", &S::skin},
+    {"max_slides", "Slides", "Collision", "", 1.0, 8.0,
+     "How many surfaces one move may meet. The rest of the move is turned at each of them; what is left "
+     "after the last "
+     "is given up.",
+     "With 1 the player sticks to every wall; with 2 inner corners swallow movement.",
+     "Costs sweeps and changes nothing: three planes are a corner that nothing leaves.", "", &S::max_slides},
+    {"max_slope", "Maximum slope", "Collision", "deg", 0.0, 89.0 * degree,
+     "The steepest ground that is walked and stood on. Steeper faces are walls for walking, and the player "
+     "slides down "
+     "them.",
+     "Slides off ramps that look walkable.", "Walks up cliffs.", "", &S::max_slope},
+
+    {"static_friction", "Static friction", "Hacks", "", 0.0, 1.0,
+     "Splits the move into a horizontal part, which slides, and a vertical part, which gets one sweep and "
+     "decides whether "
+     "the player is grounded. Off: the whole move slides, and gravity makes the player creep down every "
+     "slope.",
+     "", "", "", &S::static_friction},
+    {"ground_velocity", "Ground velocity", "Hacks", "", 0.0, 1.0,
+     "Presses a grounded player down a little instead of setting the vertical velocity to 0. Off: the player "
+     "hops down "
+     "ramps and cannot jump half of the time. Acts with static friction.",
+     "", "", "", &S::ground_velocity},
+    {"ground_speed", "Ground speed", "Hacks", "m/s", 0.0, 20.0,
+     "The least downward speed of a grounded player. Going down a slope it is raised to what the slope "
+     "needs.",
+     "Leaves the ground at every crest.", "Drops off ledges as if pulled.", "ground_velocity",
+     &S::ground_speed},
+    {"straight_ahead", "Straight ahead on ramps", "Hacks", "", 0.0, 1.0,
+     "A horizontal move that meets a ramp goes up it in the direction it was heading. Off: the ramp turns "
+     "the player "
+     "sideways.",
+     "", "", "", &S::straight_ahead},
+    {"keep_energy", "Keep energy", "Hacks", "", 0.0, 1.0,
+     "On surfaces that keep energy a glancing contact turns the velocity without shortening it. Off: a "
+     "half-pipe made of "
+     "flat faces takes speed away at each of them.",
+     "", "", "", &S::keep_energy},
+    {"keep_energy_limit", "Keep energy limit", "Hacks", "", -1.0, 0.0,
+     "Only hits with N.V / |V| above this keep their speed; steeper ones are head-on and lose it. -0.5 is a "
+     "turn of 30 "
+     "degrees.",
+     "Running into an icy wall shoots the player along it at full speed.",
+     "Half-pipes of few faces brake again.", "keep_energy", &S::keep_energy_limit},
+    {"surface_types", "Surface types", "Hacks", "", 0.0, 1.0,
+     "Ladders, ice, sticky, bouncy and moving surfaces and hazards act. Off: every face is plain ground.", "",
+     "", "", &S::surface_types},
+    {"push_out", "Push-out", "Hacks", "", 0.0, 2.0,
+     "What happens to a player who is inside geometry at the start of a step, by a bad spawn point or a "
+     "moved wall. Off: "
+     "only moves that lead out are free. Iterative: out of the deepest triangle first, several times. "
+     "Analytic: to the "
+     "common point of up to three planes at once, which acute corners need.",
+     "", "", "", &S::push_out},
+}};
+
+}  // namespace
+
+std::span<const SettingInfo> settings_table() {
+    return table;
+}
+
+}  // namespace slipface

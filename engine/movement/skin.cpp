@@ -1,0 +1,79 @@
+// Keeps `skin` metres between the player and what it touched.
+//
+// The lecture pushes the player off along the normal after every contact and warns that the push may lead
+// into another face. Stopping short on the way in gives the same distance and cannot: the centre stays on a
+// path that was swept. Only a player who already starts closer than the skin is pushed, and only as far as a
+// sweep of the push allows.
+#include <algorithm>
+
+#include "mover.h"
+
+namespace slipface {
+
+namespace {
+
+// How much further than the move is looked, in skins, so that a move does not end inside the skin of what it
+// would have touched next. Covers vertical moves onto slopes up to 75 degrees.
+constexpr double look_ahead = 4.0;
+
+// A skin this share short of the full one is not worth a push; rounding is far below it.
+constexpr double tolerated = 1e-3;
+
+Vec3 push_off(Mover& mover, const Vec3& from, const Vec3& push, FaceId face) {
+    const std::optional<Contact> blocked =
+        sweep_ellipsoid(mover.scene.collision, mover.settings.radii, from, push);
+    ++mover.sweeps;
+    // Between two faces closer than two skins the middle is the best place there is.
+    const Vec3 reached = from + push * (blocked ? 0.5 * blocked->t : 1.0);
+    if (mover.trace != nullptr) {
+        mover.trace->add(SweepRecord{
+            .pass = Pass::probe, .from = from, .move = push, .reached = reached, .contact = blocked});
+        decide(mover, "skin", true, "push, m", (reached - from).norm(), mover.settings.skin,
+               blocked ? "pushed off half the way to the next face" : "pushed off to keep the skin", face);
+    }
+    return reached;
+}
+
+}  // namespace
+
+Swept sweep_with_skin(Mover& mover, Pass pass, int iteration, const Vec3& move) {
+    const double skin = mover.settings.skin;
+    const double length = move.norm();
+    const Vec3 direction = direction_of(move);
+    const double reach = length + look_ahead * skin;
+
+    Swept swept{.reached = mover.position + move};
+    swept.contact =
+        sweep_ellipsoid(mover.scene.collision, mover.settings.radii, mover.position, direction * reach);
+    ++mover.sweeps;
+
+    double missing = 0.0;
+    if (swept.contact) {
+        const double into = -swept.contact->normal.dot(direction);
+        const double distance = swept.contact->t * reach;
+        const double stop = into > 0.0 ? distance - skin / into : 0.0;
+        if (stop >= length) {
+            swept.contact.reset();
+        } else {
+            const double made = std::max(stop, 0.0);
+            missing = skin - (distance - made) * std::max(into, 0.0);
+            swept.used = made / length;
+            swept.reached = mover.position + direction * made;
+            swept.contact->t = std::min(distance / length, 1.0);
+        }
+    }
+    if (mover.trace != nullptr) {
+        mover.trace->add(SweepRecord{.pass = pass,
+                                     .iteration = iteration,
+                                     .from = mover.position,
+                                     .move = move,
+                                     .reached = swept.reached,
+                                     .contact = swept.contact});
+    }
+    if (swept.contact && missing > tolerated * skin) {
+        swept.reached = push_off(mover, swept.reached, swept.contact->normal * missing, swept.contact->face);
+    }
+    return swept;
+}
+
+}  // namespace slipface

@@ -1,0 +1,148 @@
+// Walking, falling and jumping: everything but ladders and sticky surfaces.
+//
+// The displacement is the mean of the velocities before and after the step's acceleration times dt. For
+// constant acceleration that is exact, so jumps are as high at 30 Hz as at 360.
+#include <algorithm>
+#include <cmath>
+
+#include "mover.h"
+
+namespace slipface {
+
+namespace {
+
+// The horizontal part slides; the vertical part decides whether the player is grounded.
+void move_split(Mover& mover, const PlayerState& state, const Vec3& move) {
+    const Vec3 level = horizontal(move);
+    const double fall = mover.was_grounded ? -press_down(mover, state.ground_normal, move) : move.y();
+    if (!level.isZero(0.0)) collide_and_slide(mover, Pass::horizontal, level);
+    if (mover.stuck || mover.climbing) return;
+
+    const double height = mover.position.y();
+    const int contacts = mover.contacts;
+    collide_and_slide(mover, Pass::vertical, Vec3(0.0, fall, 0.0));
+    if (mover.grounded || mover.stuck || mover.climbing || mover.bounced) return;
+    // Two faces, each too steep to stand on, hold a player who is wedged between them; without this there
+    // would be no jumping out of a ditch.
+    const double dropped = height - mover.position.y();
+    if (fall < 0.0 && mover.contacts - contacts >= 2 && dropped < -0.01 * fall) {
+        mover.grounded = true;
+        mover.support_normal = Vec3::UnitY();
+        mover.velocity.y() = 0.0;
+        decide(mover, "static_friction", true, "dropped, m", dropped, -0.01 * fall,
+               "grounded: wedged between steep faces", mover.support_face);
+    }
+}
+
+// The whole move slides. Gravity alone may not bring a gliding player back to within reach of a sweep at
+// every tick, so the surface slid along is looked for where it was.
+void move_whole(Mover& mover, const PlayerState& state, const Vec3& move, bool touching) {
+    const int contacts = mover.contacts;
+    collide_and_slide(mover, Pass::slide, move);
+    if (!touching || mover.contacts != contacts) return;
+    const Swept swept = sweep_with_skin(mover, Pass::probe, 0, -state.ground_normal * mover.settings.skin);
+    if (!swept.contact) return;
+    mover.position = swept.reached;
+    ++mover.contacts;
+    const SurfaceType& surface = surface_of(mover, swept.contact->surface);
+    const Hit hit{.pass = Pass::slide,
+                  .contact = *swept.contact,
+                  .surface = surface,
+                  .walkable = is_walkable(mover, swept.contact->normal, surface),
+                  .leftover = mover.velocity * mover.dt,
+                  .done = 1.0};
+    // Moving off faster than it is pulled back is leaving, not gliding.
+    if (mover.velocity.dot(swept.contact->normal) > mover.settings.gravity * mover.dt) return;
+    touch(mover, hit);
+    mover.velocity = respond(mover, hit).velocity;
+}
+
+Vec3 jump_velocity(const Mover& mover, const PlayerState& state, const SurfaceType& support) {
+    decide(mover, "jump_speed", true, "jump, m/s", mover.settings.jump_speed, 0.0,
+           state.grounded ? "jumps" : "jumps off along the normal", state.ground_face);
+    if (!state.grounded) return state.ground_normal * mover.settings.jump_speed;
+    return horizontal(state.velocity) + Vec3(0.0, mover.settings.jump_speed, 0.0) +
+           carry_velocity(mover, support);
+}
+
+}  // namespace
+
+void accelerate(Mover& mover, bool slippery) {
+    const MovementSettings& settings = mover.settings;
+    const bool idle = mover.wish.isZero(0.0);
+    if (idle && (slippery || !mover.was_grounded)) return;
+    const double acceleration = slippery             ? settings.slippery_acceleration
+                                : mover.was_grounded ? settings.ground_acceleration
+                                                     : settings.air_acceleration;
+    const Vec3 target = Vec3(mover.wish.x(), 0.0, mover.wish.y()) * settings.walk_speed;
+    const Vec3 missing = target - horizontal(mover.velocity);
+    const double most = acceleration * mover.dt;
+    const double length = missing.norm();
+    if (length <= most) {
+        mover.velocity.x() = target.x();
+        mover.velocity.z() = target.z();
+    } else {
+        mover.velocity += missing * (most / length);
+    }
+}
+
+// A player who coasts uphill with the stick let go pays for the height, or low braking would lift it for
+// nothing.
+void pay_for_height(Mover& mover, double climbed) {
+    const double square = horizontal(mover.velocity).squaredNorm();
+    if (!(climbed > 0.0) || !(square > 0.0)) return;
+    const double left = std::sqrt(std::max(0.0, 1.0 - 2.0 * mover.settings.gravity * climbed / square));
+    mover.velocity.x() *= left;
+    mover.velocity.z() *= left;
+}
+
+void walk(Mover& mover, const PlayerState& state, bool jump_pressed) {
+    const MovementSettings& settings = mover.settings;
+    const SurfaceType& support = surface_of_face(mover, state.ground_face);
+    const bool touching = state.ground_face != no_id;
+    const bool slippery = touching && support.keeps_energy;
+    const bool split = settings.static_friction && !slippery;
+    const bool jumps = jump_pressed && (state.grounded || state.climbing || state.stuck);
+    const Vec3 from = mover.position;
+
+    Vec3 velocity = state.velocity;
+    if (jumps) {
+        velocity = jump_velocity(mover, state, support);
+    } else if (state.grounded && split) {
+        // The downward press is not a motion: what the player does have is the descent along the slope.
+        velocity.y() = settings.ground_velocity ? -descent(state.ground_normal, velocity) : 0.0;
+    }
+    mover.was_grounded = state.grounded && !jumps;
+    mover.velocity_before = velocity;
+    mover.velocity = velocity;
+    accelerate(mover, slippery);
+    const Vec3 driven = mover.velocity;
+    mover.velocity.y() = std::max(mover.velocity.y() - settings.gravity * mover.dt, -settings.terminal_speed);
+    const Vec3 move = 0.5 * mover.dt * (mover.velocity_before + mover.velocity);
+
+    if (split) {
+        move_split(mover, state, move);
+    } else {
+        if (slippery && settings.static_friction) {
+            decide(mover, "static_friction", false, "keeps energy", 1.0, 0.0,
+                   "refused: no static friction here, the whole move slides", state.ground_face);
+        }
+        move_whole(mover, state, move, touching && !jumps);
+    }
+
+    if (mover.grounded && split) {
+        if (mover.was_grounded && mover.wish.isZero(0.0))
+            pay_for_height(mover, mover.position.y() - from.y());
+        set_ground_velocity(mover);
+        // Rounding must not make an idle player creep.
+        const bool rests = mover.was_grounded && mover.wish.isZero(0.0) &&
+                           (mover.position - from).norm() <= 1e-3 * settings.skin;
+        if (rests) mover.position = from;
+    }
+    if (mover.was_grounded && !mover.grounded && !mover.stuck && !mover.climbing) {
+        mover.velocity += carry_velocity(mover, support);
+    }
+    cap_energy(mover, from, driven);
+}
+
+}  // namespace slipface

@@ -1,0 +1,19 @@
+// A level as a picture, in one call.
+#pragma once
+
+#include "slipface/level/level.h"
+#include "slipface/render/camera.h"
+#include "slipface/render/gl_context.h"
+#include "slipface/render/level_renderer.h"
+#include "slipface/render/overlay.h"
+
+namespace slipface {
+
+// `level` with its resolved surface types as `camera` sees it, width x height pixels (1..max_framebuffer_side). Textures are taken
+// from the mesh file's folder; `warnings`, if given, receives those that could not be used. `overlay` may be null.
+// Errors: a size out of range, a driver that refuses a shader or reports an error.
+Result<Image> render_level_picture(OffscreenContext& context, const Level& level, const Camera& camera, int width,
+                                   int height, const LevelStyle& style, const Overlay* overlay = nullptr,
+                                   Warnings* warnings = nullptr);
+
+}  // namespace slipface

@@ -1,0 +1,371 @@
+#include "slipface/render/level_renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "gl_util.h"
+#include "level_geometry.h"
+#include "level_shaders.h"
+#include "level_textures.h"
+#include "line_shaders.h"
+
+namespace slipface {
+
+namespace {
+
+constexpr std::uint8_t border_color[4] = {14, 17, 22, 150};
+constexpr std::uint8_t selected_color[4] = {255, 166, 64, 255};
+constexpr std::uint8_t hovered_color[4] = {255, 255, 255, 235};
+constexpr float border_width = 1.2f;
+constexpr float outline_width = 2.2f;
+constexpr float shortest_border = 2.5f;  // pixels; keeps dense geometry from turning black
+constexpr double line_bias = 2.0;        // pixels by which lines lie in front of the faces they border
+constexpr std::size_t triangles_per_upload = std::size_t{1} << 18U;
+constexpr int state_row = 4096;  // faces in one row of the face-state texture
+
+struct LineBuffer {
+    unsigned vertex_array = 0, buffer = 0;
+    GLsizei count = 0;
+};
+
+}  // namespace
+
+struct LevelRenderer::Impl {
+    explicit Impl(GlTable table) : gl(std::move(table)), textures(gl) {}
+
+    GlTable gl;
+    LevelTextures textures;
+    Status status;
+    MeshPtr mesh;
+    Vec3 origin = Vec3::Zero();
+    std::vector<DrawBatch> batches;
+    std::vector<std::uint8_t> face_state;  // [2 * face] surface, [2 * face + 1] highlight; whole rows
+    std::vector<std::uint8_t> highlights;  // [face]
+    std::size_t state_bytes_uploaded = 0;
+
+    unsigned background_program = 0, level_program = 0, line_program = 0;
+    unsigned empty_array = 0, level_array = 0, level_buffer = 0;
+    unsigned state_texture = 0, table_texture = 0, white_texture = 0;
+    LineBuffer borders, selected_outline, hovered_outline;
+    bool borders_built = false;
+
+    void build_programs();
+    void build_objects();
+    bool upload_geometry(Warnings& warnings);
+    void resize_face_state();
+    void change_face_state(std::span<const std::uint8_t> values, std::size_t channel);
+    void upload_lines(LineBuffer& lines, const std::vector<LineInstance>& instances);
+    void draw_background(const LevelStyle& style);
+    void draw_faces(const Camera& camera, int height, const Mat4f& clip, const LevelStyle& style);
+    void draw_lines(const LineBuffer& lines, float shortest);
+};
+
+void LevelRenderer::Impl::build_programs() {
+    const auto link = [&](const char* name, const std::string& vertex, const std::string& fragment) {
+        Result<unsigned> program = link_program(*gl, name, vertex, fragment);
+        if (program) return *program;
+        if (status) status = program.error();
+        return 0U;
+    };
+    background_program = link("background", background_vertex_shader, background_fragment_shader);
+    level_program = link("level", level_vertex_shader,
+                         std::string(level_fragment_shader_head) + level_fragment_shader_main);
+    line_program = link("line", line_vertex_shader, line_fragment_shader);
+}
+
+void LevelRenderer::Impl::build_objects() {
+    gl->GenVertexArrays(1, &empty_array);
+    gl->GenVertexArrays(1, &level_array);
+    gl->GenBuffers(1, &level_buffer);
+    gl->BindVertexArray(level_array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, level_buffer);
+    const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
+    constexpr GLsizei stride = sizeof(LevelVertex);
+    gl->VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, offset(offsetof(LevelVertex, position)));
+    gl->VertexAttribPointer(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, stride, offset(offsetof(LevelVertex, normal)));
+    gl->VertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, stride, offset(offsetof(LevelVertex, uv)));
+    gl->VertexAttribIPointer(3, 1, GL_UNSIGNED_INT, stride, offset(offsetof(LevelVertex, face)));
+    gl->VertexAttribPointer(4, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, offset(offsetof(LevelVertex, color)));
+    for (unsigned attribute = 0; attribute < 5; ++attribute) gl->EnableVertexAttribArray(attribute);
+    gl->BindVertexArray(0);
+    for (LineBuffer* lines : {&borders, &selected_outline, &hovered_outline}) {
+        gl->GenVertexArrays(1, &lines->vertex_array);
+        gl->GenBuffers(1, &lines->buffer);
+        describe_line_instances(*gl, lines->vertex_array, lines->buffer);
+    }
+    for (unsigned* texture : {&state_texture, &table_texture, &white_texture}) {
+        gl->GenTextures(1, texture);
+        gl->BindTexture(GL_TEXTURE_2D, *texture);
+        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    }
+    constexpr std::array<std::uint8_t, 4> white{255, 255, 255, 255};
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, white.data());
+    gl->BindTexture(GL_TEXTURE_2D, 0);
+}
+
+// Vertices are made and sent piece by piece, so that a large level does not need its geometry twice in memory.
+bool LevelRenderer::Impl::upload_geometry(Warnings& warnings) {
+    const DrawOrder order = draw_order(*mesh, textures.material_texture(), textures.count());
+    while (gl->GetError() != GL_NO_ERROR) {
+    }
+    const std::size_t bytes = 3 * order.triangles.size() * sizeof(LevelVertex);
+    gl->BindBuffer(GL_ARRAY_BUFFER, level_buffer);
+    gl->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_STATIC_DRAW);
+    if (gl->GetError() != GL_NO_ERROR) {
+        warnings.push_back({"graphics", "no memory for " + std::to_string(order.triangles.size()) +
+                                            " triangles (" + std::to_string(bytes >> 20U) + " MiB); nothing is drawn"});
+        return false;
+    }
+    std::vector<LevelVertex> vertices;
+    vertices.reserve(std::min(3 * order.triangles.size(), 3 * triangles_per_upload));
+    for (std::size_t first = 0; first < order.triangles.size(); first += triangles_per_upload) {
+        const std::size_t count = std::min(triangles_per_upload, order.triangles.size() - first);
+        vertices.clear();
+        append_vertices(*mesh, std::span(order.triangles).subspan(first, count), origin, vertices);
+        gl->BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(3 * first * sizeof(LevelVertex)),
+                          static_cast<GLsizeiptr>(vertices.size() * sizeof(LevelVertex)), vertices.data());
+    }
+    batches = order.batches;
+    return true;
+}
+
+void LevelRenderer::Impl::resize_face_state() {
+    const std::size_t faces = mesh ? mesh->face_count() : 0;
+    const std::size_t rows = std::max<std::size_t>(1, (faces + state_row - 1) / state_row);
+    highlights.assign(faces, 0);
+    face_state.assign(2 * rows * state_row, 0);
+    gl->BindTexture(GL_TEXTURE_2D, state_texture);
+    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RG8UI, state_row, static_cast<GLsizei>(rows), 0, GL_RG_INTEGER,
+                   GL_UNSIGNED_BYTE, face_state.data());
+    gl->BindTexture(GL_TEXTURE_2D, 0);
+    upload_lines(selected_outline, {});
+    upload_lines(hovered_outline, {});
+}
+
+// Sends, for each row of the texture, the span from the first to the last face that changed.
+void LevelRenderer::Impl::change_face_state(std::span<const std::uint8_t> values, std::size_t channel) {
+    const std::size_t faces = std::min(values.size(), highlights.size());
+    gl->BindTexture(GL_TEXTURE_2D, state_texture);
+    gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl->PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    for (std::size_t row = 0; row * state_row < faces; ++row) {
+        const std::size_t begin = row * state_row;
+        const std::size_t end = std::min(faces, begin + state_row);
+        std::size_t first = end, last = begin;
+        for (std::size_t face = begin; face < end; ++face) {
+            std::uint8_t& current = face_state[2 * face + channel];
+            if (current == values[face]) continue;
+            current = values[face];
+            first = std::min(first, face);
+            last = face;
+        }
+        if (first == end) continue;
+        const std::size_t count = last - first + 1;
+        gl->TexSubImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(first - begin), static_cast<GLint>(row),
+                          static_cast<GLsizei>(count), 1, GL_RG_INTEGER, GL_UNSIGNED_BYTE, &face_state[2 * first]);
+        state_bytes_uploaded += 2 * count;
+    }
+    gl->BindTexture(GL_TEXTURE_2D, 0);
+}
+
+void LevelRenderer::Impl::upload_lines(LineBuffer& lines, const std::vector<LineInstance>& instances) {
+    gl->BindBuffer(GL_ARRAY_BUFFER, lines.buffer);
+    gl->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size() * sizeof(LineInstance)),
+                   instances.data(), GL_STATIC_DRAW);
+    lines.count = static_cast<GLsizei>(instances.size());
+}
+
+void LevelRenderer::Impl::draw_background(const LevelStyle& style) {
+    gl->Disable(GL_DEPTH_TEST);
+    gl->UseProgram(background_program);
+    set_uniform(*gl, background_program, "top", style.background_top);
+    set_uniform(*gl, background_program, "bottom", style.background_bottom);
+    gl->BindVertexArray(empty_array);
+    gl->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat4f& clip, const LevelStyle& style) {
+    const double extent = mesh->bounds.empty() ? 1.0 : mesh->bounds.size().norm();
+    const Vec3 eye = camera.orthographic ? Vec3((camera.eye - camera.target).normalized()) : Vec3(camera.eye - origin);
+    gl->UseProgram(level_program);
+    set_uniform(*gl, level_program, "clip_from_local", clip);
+    set_uniform(*gl, level_program, "overlay", std::clamp(style.overlay, 0.0f, 1.0f));
+    gl->Uniform4f(gl->GetUniformLocation(level_program, "eye"), static_cast<float>(eye.x()),
+                  static_cast<float>(eye.y()), static_cast<float>(eye.z()), camera.orthographic ? 0.0f : 1.0f);
+    set_uniform(*gl, level_program, "depth_bias", depth_bias(camera, height, 0.1));
+    set_uniform(*gl, level_program, "fade_color", Vec3f(0.5f * (style.background_top + style.background_bottom)));
+    const double fade_start = 0.8 * extent;
+    set_uniform(*gl, level_program, "fade_range",
+                Vec2f(static_cast<float>(fade_start), static_cast<float>(4.0 * fade_start)));
+    set_uniform(*gl, level_program, "material_texture", 0);
+    set_uniform(*gl, level_program, "face_state", 1);
+    set_uniform(*gl, level_program, "surface_table", 2);
+    gl->ActiveTexture(GL_TEXTURE1);
+    gl->BindTexture(GL_TEXTURE_2D, state_texture);
+    gl->ActiveTexture(GL_TEXTURE2);
+    gl->BindTexture(GL_TEXTURE_2D, table_texture);
+    gl->ActiveTexture(GL_TEXTURE0);
+
+    if (style.back_faces) {
+        gl->Disable(GL_CULL_FACE);
+    } else {
+        gl->Enable(GL_CULL_FACE);
+        gl->CullFace(GL_BACK);
+        gl->FrontFace(GL_CCW);
+    }
+    gl->BindVertexArray(level_array);
+    for (const DrawBatch& batch : batches) {
+        const bool has_texture = batch.texture != LevelTextures::none;
+        gl->BindTexture(GL_TEXTURE_2D, has_texture ? textures.name(batch.texture) : white_texture);
+        set_uniform(*gl, level_program, "use_texture", !style.textured ? 0 : has_texture ? 2 : 1);
+        gl->DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * batch.first), static_cast<GLsizei>(3 * batch.count));
+    }
+    gl->Disable(GL_CULL_FACE);
+}
+
+void LevelRenderer::Impl::draw_lines(const LineBuffer& lines, float shortest) {
+    if (lines.count == 0) return;
+    set_uniform(*gl, line_program, "shortest", shortest);
+    gl->BindVertexArray(lines.vertex_array);
+    gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, lines.count);
+}
+
+LevelRenderer::LevelRenderer(GlTable gl) : impl_(std::make_unique<Impl>(std::move(gl))) {
+    impl_->build_programs();
+    impl_->build_objects();
+    impl_->resize_face_state();
+    set_surface_types({});
+    assert_no_gl_error(*impl_->gl, "LevelRenderer");
+}
+
+LevelRenderer::~LevelRenderer() {
+    const GladGLContext& gl = *impl_->gl;
+    for (const unsigned program : {impl_->background_program, impl_->level_program, impl_->line_program}) {
+        gl.DeleteProgram(program);
+    }
+    for (const LineBuffer* lines : {&impl_->borders, &impl_->selected_outline, &impl_->hovered_outline}) {
+        gl.DeleteVertexArrays(1, &lines->vertex_array);
+        gl.DeleteBuffers(1, &lines->buffer);
+    }
+    for (const unsigned* array : {&impl_->empty_array, &impl_->level_array}) gl.DeleteVertexArrays(1, array);
+    gl.DeleteBuffers(1, &impl_->level_buffer);
+    for (const unsigned* texture : {&impl_->state_texture, &impl_->table_texture, &impl_->white_texture}) {
+        gl.DeleteTextures(1, texture);
+    }
+}
+
+Status LevelRenderer::status() const { return impl_->status; }
+
+std::size_t LevelRenderer::face_state_bytes_uploaded() const { return impl_->state_bytes_uploaded; }
+
+Warnings LevelRenderer::set_mesh(MeshPtr mesh, const std::filesystem::path& folder) {
+    Warnings warnings;
+    impl_->mesh = std::move(mesh);
+    impl_->batches.clear();
+    impl_->borders_built = false;
+    impl_->textures.clear();
+    if (impl_->mesh) {
+        impl_->origin = drawing_origin(*impl_->mesh);
+        warnings = impl_->textures.load(*impl_->mesh, folder);
+        impl_->upload_geometry(warnings);
+    }
+    impl_->resize_face_state();
+    assert_no_gl_error(*impl_->gl, "LevelRenderer::set_mesh");
+    return warnings;
+}
+
+void LevelRenderer::set_face_surfaces(std::span<const SurfaceId> surfaces) {
+    impl_->change_face_state(surfaces, 0);
+    assert_no_gl_error(*impl_->gl, "LevelRenderer::set_face_surfaces");
+}
+
+void LevelRenderer::set_face_highlights(std::span<const std::uint8_t> highlights) {
+    std::uint8_t changed = 0;
+    const std::size_t faces = std::min(highlights.size(), impl_->highlights.size());
+    for (std::size_t face = 0; face < faces; ++face) {
+        changed = static_cast<std::uint8_t>(changed | (impl_->highlights[face] ^ highlights[face]));
+        impl_->highlights[face] = highlights[face];
+    }
+    if (changed == 0) return;
+    impl_->change_face_state(impl_->highlights, 1);
+    const auto outline = [&](std::uint8_t bit, const std::uint8_t(&color)[4], LineBuffer& lines) {
+        if ((changed & bit) == 0) return;
+        impl_->upload_lines(
+            lines, outline_lines(*impl_->mesh, impl_->highlights, bit, impl_->origin, color, outline_width));
+    };
+    outline(2, selected_color, impl_->selected_outline);
+    outline(1, hovered_color, impl_->hovered_outline);
+    assert_no_gl_error(*impl_->gl, "LevelRenderer::set_face_highlights");
+}
+
+void LevelRenderer::set_surface_types(SurfaceTable surfaces) {
+    std::array<std::uint8_t, 4 * 256> table{};
+    for (std::size_t i = 0; i < std::min<std::size_t>(surfaces.size(), 256); ++i) {
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const float value = std::clamp(surfaces[i].color[channel], 0.0f, 1.0f);
+            table[4 * i + channel] = static_cast<std::uint8_t>(std::lround(value * 255.0f));
+        }
+        table[4 * i + 3] = static_cast<std::uint8_t>(surfaces[i].hatch);
+    }
+    const GladGLContext& gl = *impl_->gl;
+    gl.BindTexture(GL_TEXTURE_2D, impl_->table_texture);
+    gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 256, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, table.data());
+    gl.BindTexture(GL_TEXTURE_2D, 0);
+}
+
+void LevelRenderer::draw(const Camera& camera, int width, int height, const LevelStyle& style) {
+    if (width <= 0 || height <= 0) return;
+    const GladGLContext& gl = *impl_->gl;
+    gl.Viewport(0, 0, width, height);
+    gl.Disable(GL_SCISSOR_TEST);
+    gl.Disable(GL_BLEND);
+    gl.Disable(GL_STENCIL_TEST);
+    gl.Disable(GL_CULL_FACE);
+    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl.DepthMask(GL_TRUE);
+    gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    gl.ClearColor(style.background_bottom.x(), style.background_bottom.y(), style.background_bottom.z(), 1.0f);
+    gl.ClearDepth(1.0);
+    gl.ClearStencil(0);
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    if (!impl_->status) return;
+    impl_->draw_background(style);
+
+    if (impl_->mesh) {
+        gl.Enable(GL_DEPTH_TEST);
+        gl.DepthFunc(GL_LEQUAL);
+        const Mat4f clip = clip_from_local(camera, width, height, impl_->origin);
+        impl_->draw_faces(camera, height, clip, style);
+        if (style.wireframe && !impl_->borders_built) {
+            impl_->upload_lines(impl_->borders,
+                                face_border_lines(*impl_->mesh, impl_->origin, border_color, border_width));
+            impl_->borders_built = true;
+        }
+        gl.Enable(GL_BLEND);
+        gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+        gl.DepthMask(GL_FALSE);
+        gl.UseProgram(impl_->line_program);
+        set_uniform(gl, impl_->line_program, "clip_from_local", clip);
+        set_uniform(gl, impl_->line_program, "viewport", Vec2f(static_cast<float>(width), static_cast<float>(height)));
+        set_uniform(gl, impl_->line_program, "opacity", 1.0f);
+        set_uniform(gl, impl_->line_program, "depth_bias", depth_bias(camera, height, line_bias));
+        if (style.wireframe) impl_->draw_lines(impl_->borders, shortest_border);
+        impl_->draw_lines(impl_->selected_outline, 0.0f);
+        impl_->draw_lines(impl_->hovered_outline, 0.0f);
+        gl.DepthMask(GL_TRUE);
+        gl.Disable(GL_BLEND);
+        gl.Disable(GL_DEPTH_TEST);
+    }
+    gl.BindVertexArray(0);
+    gl.BindTexture(GL_TEXTURE_2D, 0);
+    gl.UseProgram(0);
+    assert_no_gl_error(gl, "LevelRenderer::draw");
+}
+
+}  // namespace slipface

@@ -1,0 +1,178 @@
+// GLSL of the level's faces and of the background.
+#pragma once
+
+namespace slipface {
+
+inline constexpr const char* background_vertex_shader = R"(#version 330 core
+out float height;
+void main() {
+    vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+    height = 0.5 + 0.5 * corner.y;
+    gl_Position = vec4(corner, 0.0, 1.0);
+}
+)";
+
+inline constexpr const char* background_fragment_shader = R"(#version 330 core
+in float height;
+uniform vec3 top;
+uniform vec3 bottom;
+out vec4 out_color;
+void main() {
+    out_color = vec4(mix(bottom, top, smoothstep(0.0, 1.0, height)), 1.0);
+}
+)";
+
+// face_state: red = surface type, green = highlight bits, faces in rows of the texture's width.
+inline constexpr const char* level_vertex_shader = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec4 normal;
+layout(location = 2) in vec2 uv;
+layout(location = 3) in uint face;
+layout(location = 4) in vec4 color;
+uniform mat4 clip_from_local;
+uniform usampler2D face_state;
+uniform vec4 eye;                 // w 1: position; w 0: direction towards an orthographic camera
+uniform float depth_bias;         // clip space, towards the eye if added
+out vec3 place;
+out vec2 texture_place;
+flat out vec3 face_normal;
+flat out vec3 face_color;
+flat out uvec2 state;
+
+void main() {
+    int row = textureSize(face_state, 0).x;
+    state = texelFetch(face_state, ivec2(int(face) % row, int(face) / row), 0).rg;
+    place = position;
+    texture_place = uv;
+    face_normal = normal.xyz;
+    face_color = color.rgb;
+    gl_Position = clip_from_local * vec4(position, 1.0);
+    // Where two faces lie back to back in one place, the front is shown.
+    if (dot(normal.xyz, eye.xyz - eye.w * position) < 0.0) gl_Position.z -= depth_bias;
+}
+)";
+
+// Colours are squared to be lit and take the square root at the end: close to sRGB, and exact operations, so that every
+// processor gives the same pixels.
+inline constexpr const char* level_fragment_shader_head = R"(#version 330 core
+in vec3 place;
+in vec2 texture_place;
+flat in vec3 face_normal;
+flat in vec3 face_color;
+flat in uvec2 state;
+uniform sampler2D surface_table;  // red, green, blue: colour; alpha: hatch, in 255ths
+uniform sampler2D material_texture;
+uniform int use_texture;          // 0: plain, 1: material colour, 2: texture
+uniform float overlay;
+uniform vec4 eye;
+uniform vec3 fade_color;
+uniform vec2 fade_range;          // metres
+out vec4 out_color;
+
+// Share of ink of a stripe of `width` (of period 1) at x; `change` is how far x moves from pixel to pixel. Stripes too dense
+// to be seen become their mean.
+float stripe(float x, float width, float change) {
+    float ink = clamp((0.5 * width - abs(fract(x) - 0.5)) / max(change, 1e-6) + 0.5, 0.0, 1.0);
+    return mix(ink, width, smoothstep(0.3, 0.7, change));
+}
+
+float stripe(float x, float width) { return stripe(x, width, length(vec2(dFdx(x), dFdy(x)))); }
+
+float hatch(int pattern, vec2 p, float change) {
+    vec2 cell = fract(p) - 0.5;
+    float seen = 1.0 - smoothstep(0.25, 0.6, change);
+    if (pattern == 1) return stripe(p.x + p.y, 0.32);
+    if (pattern == 2) return max(stripe(p.x + p.y, 0.22), stripe(p.x - p.y, 0.22));
+    if (pattern == 3) return mix(0.2, clamp((0.25 - length(cell)) / change + 0.5, 0.0, 1.0), seen);
+    if (pattern == 4) return stripe(p.y, 0.32);
+    if (pattern == 5) return stripe(p.x, 0.32);
+    if (pattern == 6) {
+        vec2 side = clamp((abs(cell) - 0.25) / change, -0.5, 0.5);
+        return mix(0.5, 0.5 - 2.0 * side.x * side.y, seen);
+    }
+    if (pattern == 7) {
+        float ring = abs(length(cell) - 0.3);
+        return mix(0.25, clamp((0.08 - ring) / change + 0.5, 0.0, 1.0), seen);
+    }
+    return 0.0;
+}
+)";
+
+inline constexpr const char* level_fragment_shader_main = R"(
+// World planes, not the face's own: neighbours continue each other's pattern. Floors win ties, so that a ramp of 45 degrees
+// has one pattern.
+vec2 plane_place(vec3 n) {
+    vec3 a = abs(n);
+    if (a.y * 1.1 >= max(a.x, a.z)) return vec2(place.x, -place.z);
+    return a.x > a.z * 1.001 ? vec2(-place.z, place.y) : vec2(place.x, place.y);
+}
+
+// The pattern at the power-of-two size that suits the distance, blended from one size to the next.
+float hatch_at_distance(int pattern, vec2 p) {
+    vec2 across = vec2(length(vec2(dFdx(p.x), dFdy(p.x))), length(vec2(dFdx(p.y), dFdy(p.y))));
+    float metres_per_pixel = max(max(across.x, across.y) * 0.6 + min(across.x, across.y) * 0.4, 1e-7);
+    float level = clamp(log2(metres_per_pixel * 18.0 / 0.5), -2.0, 5.0);
+    float size = 0.5 * exp2(floor(level));
+    float change = max(across.x, across.y) / size;
+    float fine = hatch(pattern, p / size, change);
+    float coarse = hatch(pattern, p / (2.0 * size), 0.5 * change);
+    return mix(fine, coarse, smoothstep(0.6, 1.0, fract(level)));
+}
+
+// Lines a metre apart, stronger every eighth: scale for levels without textures.
+float metre_grid(vec2 p) {
+    vec2 change = vec2(length(vec2(dFdx(p.x), dFdy(p.x))), length(vec2(dFdx(p.y), dFdy(p.y))));
+    vec2 one = clamp(1.0 - abs(fract(p + 0.5) - 0.5) / max(change, 1e-6), 0.0, 1.0);
+    vec2 eight = clamp(1.0 - abs(fract(p / 8.0 + 0.5) - 0.5) * 8.0 / max(change, 1e-6), 0.0, 1.0);
+    float near = 1.0 - smoothstep(0.08, 0.35, max(change.x, change.y));
+    float far = 1.0 - smoothstep(0.5, 2.5, max(change.x, change.y));
+    return max(max(one.x, one.y) * near * 0.5, max(eight.x, eight.y) * far);
+}
+
+void main() {
+    bool back = !gl_FrontFacing;
+    vec3 n = back ? -face_normal : face_normal;
+    vec2 p = plane_place(face_normal);
+
+    float sky = 0.5 + 0.5 * n.y;
+    float key = max(dot(n, vec3(0.6015, 0.7018, 0.3810)) * 0.8 + 0.2, 0.0);
+    vec3 light = mix(vec3(0.20, 0.19, 0.20), vec3(0.42, 0.45, 0.50), sky) + key * vec3(0.60, 0.57, 0.52);
+
+    vec4 texel = texture(material_texture, texture_place);
+    float grid = metre_grid(p);
+    vec3 base;
+    if (use_texture == 2) {
+        base = texel.rgb * texel.rgb * mix(vec3(1.0), light, 0.55);
+    } else {
+        vec3 albedo = use_texture == 1 ? face_color * face_color : vec3(0.46, 0.47, 0.49);
+        base = albedo * light * (1.0 - 0.16 * grid);
+    }
+
+    int surface = int(state.x);
+    bool hovered = (state.y & 1u) != 0u;
+    bool selected = (state.y & 2u) != 0u;
+    if (use_texture == 2 && texel.a < 0.5 && state == uvec2(0)) discard;
+
+    vec4 type = texelFetch(surface_table, ivec2(surface, 0), 0);
+    if (surface != 0) {
+        vec3 paint = type.rgb * type.rgb * mix(vec3(0.95), light, 0.8);
+        float ink = hatch_at_distance(int(type.a * 255.0 + 0.5), p);
+        bool bright = dot(type.rgb * type.rgb, vec3(0.25, 0.6, 0.15)) > 0.22;
+        vec3 stroke = bright ? paint * 0.38 : mix(paint, vec3(0.9), 0.38);
+        base = mix(base, paint, min(overlay * 1.15, 1.0));
+        base = mix(base, stroke, ink * overlay);
+    }
+    if (selected) base = mix(base, vec3(1.0, 0.42, 0.06) * mix(vec3(0.9), light, 0.6), 0.5);
+    if (hovered) base = mix(base, vec3(1.0), 0.13) * 1.12;
+    if (back) {
+        float warning = stripe((gl_FragCoord.x + gl_FragCoord.y) / 14.0, 0.5, 1.0 / 14.0);
+        base = base * vec3(0.42, 0.20, 0.18) + vec3(0.035, 0.004, 0.004) + warning * vec3(0.030, 0.0, 0.0);
+    }
+
+    vec3 shown = sqrt(clamp(base, 0.0, 1.0));
+    float fade = 0.30 * smoothstep(fade_range.x, fade_range.y, distance(eye.xyz, place) * eye.w);
+    out_color = vec4(mix(shown, fade_color, fade), 1.0);
+}
+)";
+
+}  // namespace slipface

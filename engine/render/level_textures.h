@@ -1,0 +1,38 @@
+// The textures of a level's materials on the graphics card.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "gl_util.h"
+#include "slipface/mesh/mesh.h"
+
+namespace slipface {
+
+class LevelTextures {
+  public:
+    // Texture 0: none; the material's colour counts.
+    static constexpr std::uint32_t none = 0;
+
+    explicit LevelTextures(GlTable gl) : gl_(std::move(gl)) {}
+    ~LevelTextures() { clear(); }
+    LevelTextures(const LevelTextures&) = delete;
+    LevelTextures& operator=(const LevelTextures&) = delete;
+
+    // Loads each file once, however many materials name it. What cannot be loaded becomes a checker and a warning.
+    Warnings load(const Mesh& mesh, const std::filesystem::path& folder);
+    void clear();
+
+    const std::vector<std::uint32_t>& material_texture() const { return material_texture_; }  // [material]
+    std::size_t count() const { return names_.size() + 1; }
+    unsigned name(std::uint32_t texture) const { return texture == none ? 0 : names_[texture - 1]; }
+
+  private:
+    unsigned upload(const Image& image);
+
+    GlTable gl_;
+    std::vector<std::uint32_t> material_texture_;
+    std::vector<unsigned> names_;
+};
+
+}  // namespace slipface

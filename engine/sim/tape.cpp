@@ -1,0 +1,255 @@
+#include "slipface/sim/tape.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "slipface/base/files.h"
+#include "slipface/base/text.h"
+
+namespace slipface {
+namespace {
+
+constexpr std::string_view magic = "slipface-tape";
+constexpr std::string_view version = "1";
+constexpr std::uint64_t max_tape_bytes = 64ULL << 20;
+constexpr std::size_t fingerprint_digits = 16;
+constexpr double min_dt = 1e-4;
+constexpr double max_dt = 0.25;
+// A diagonal of two rounded numbers is a little longer than 1.
+constexpr double max_wish = 1.000001;
+
+std::vector<std::string_view> words_of(std::string_view line) {
+    std::vector<std::string_view> words;
+    while (!(line = trim(line)).empty()) {
+        const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+        words.push_back(line.substr(0, end));
+        line.remove_prefix(end);
+    }
+    return words;
+}
+
+std::string quoted(std::string_view text) {
+    constexpr std::size_t longest = 60;
+    return text.size() <= longest ? fmt::format("\"{}\"", text)
+                                  : fmt::format("\"{}...\"", text.substr(0, longest));
+}
+
+std::optional<double> parse_fraction(std::string_view text) {
+    const std::size_t slash = text.find('/');
+    if (slash == std::string_view::npos) return parse_double(text);
+    const auto over = parse_double(text.substr(0, slash));
+    const auto under = parse_double(text.substr(slash + 1));
+    if (!over || !under || *under == 0.0) return std::nullopt;
+    return *over / *under;
+}
+
+std::optional<std::uint64_t> parse_fingerprint(std::string_view text) {
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+    if (text.size() != fingerprint_digits || error != std::errc() || end != text.data() + text.size())
+        return std::nullopt;
+    return value;
+}
+
+std::optional<Vec2> parse_wish(std::string_view text) {
+    const std::vector<std::string_view> parts = split(text, ',');
+    if (parts.size() != 2) return std::nullopt;
+    const auto x = parse_double(parts[0]);
+    const auto z = parse_double(parts[1]);
+    if (!x || !z || !(std::hypot(*x, *z) <= max_wish)) return std::nullopt;
+    return Vec2(*x, *z);
+}
+
+class TapeParser {
+  public:
+    explicit TapeParser(const std::string& place) : place_(place) {}
+
+    Result<Tape> parse(std::string_view text) {
+        std::size_t number = 0;
+        for (std::size_t at = 0; at < text.size() && !error_;) {
+            const std::size_t end = std::min(text.find('\n', at), text.size());
+            line_ = ++number;
+            read_line(trim(text.substr(at, end - at)));
+            at = end + 1;
+        }
+        if (!error_ && !has_header_) {
+            line_ = std::max<std::size_t>(number, 1);
+            fail("the end of the text", "\"slipface-tape 1\" first");
+        }
+        if (error_) return *error_;
+        return std::move(tape_);
+    }
+
+  private:
+    void fail(std::string_view found, std::string_view expected) {
+        error_ =
+            Error{fmt::format("{}:{}", place_, line_), fmt::format("found {}, expected {}", found, expected)};
+    }
+
+    void read_line(std::string_view line) {
+        if (line.empty() || line.front() == '#') return;
+        const std::vector<std::string_view> words = words_of(line);
+        if (!has_header_) {
+            has_header_ = words.size() == 2 && words[0] == magic && words[1] == version;
+            if (!has_header_) fail(quoted(line), "\"slipface-tape 1\" first; no other version is understood");
+        } else if (words[0] == "level") {
+            read_level(words);
+        } else if (words[0] == "dt") {
+            read_dt(words);
+        } else if (words[0] == "set") {
+            read_setting(trim(line.substr(3)));
+        } else if (words[0] == "start") {
+            read_start(words);
+        } else {
+            read_segment(line, words);
+        }
+    }
+
+    // Once, and before the first tick: what holds for the whole run stands at its head.
+    bool may_set(bool& seen, std::string_view what) {
+        if (seen) fail(fmt::format("\"{}\" a second time", what), "it once");
+        if (!tape_.segments.empty())
+            fail(fmt::format("\"{}\" after the first tick", what), "it before all ticks");
+        seen = true;
+        return !error_;
+    }
+
+    void read_level(const std::vector<std::string_view>& words) {
+        if (!may_set(has_level_, "level")) return;
+        std::size_t last = words.size();
+        if (words.size() > 2) {
+            tape_.level_fingerprint = parse_fingerprint(words.back());
+            if (tape_.level_fingerprint) --last;
+        }
+        if (last < 2) return fail("\"level\" alone", "a name, and 16 hexadecimal digits if wanted");
+        const char* begin = words[1].data();
+        tape_.level_name.assign(begin, words[last - 1].data() + words[last - 1].size());
+    }
+
+    void read_dt(const std::vector<std::string_view>& words) {
+        if (!may_set(has_dt_, "dt")) return;
+        const auto dt = words.size() == 2 ? parse_fraction(words[1]) : std::nullopt;
+        if (!dt || !(*dt >= min_dt && *dt <= max_dt)) {
+            return fail(quoted(words.size() == 2 ? words[1] : "dt"),
+                        "one time step from 0.0001 to 0.25 seconds, as 1/60 or 0.02");
+        }
+        tape_.dt = *dt;
+        tape_.dt_text = words[1];
+    }
+
+    void read_setting(std::string_view assignment) {
+        bool seen = false;
+        if (!may_set(seen, "set")) return;
+        MovementSettings scratch;
+        const Status status = set_setting(scratch, assignment);
+        if (!status.ok()) {
+            error_ = Error{fmt::format("{}:{}", place_, line_), status.error().text()};
+            return;
+        }
+        tape_.settings.emplace_back(assignment);
+    }
+
+    void read_start(const std::vector<std::string_view>& words) {
+        if (!may_set(has_start_, "start")) return;
+        tape_.start = words.size() == 2 ? parse_vec3(words[1]) : std::nullopt;
+        if (!tape_.start)
+            fail(quoted(words.size() == 2 ? words[1] : "start"), "three numbers as x,y,z without spaces");
+    }
+
+    void read_segment(std::string_view line, const std::vector<std::string_view>& words) {
+        const auto ticks = parse_int(words[0]);
+        if (!ticks) return fail(quoted(line), "level, dt, set, start, or a number of ticks");
+        const auto left = static_cast<std::int64_t>(max_tape_ticks - ticks_);
+        if (*ticks < 1 || *ticks > left) {
+            return fail(fmt::format("{} ticks", *ticks),
+                        fmt::format("at least 1, and at most {} in the whole tape", max_tape_ticks));
+        }
+        TapeSegment segment;
+        segment.ticks = static_cast<int>(*ticks);
+        std::size_t word = 1;
+        if (word < words.size() && words[word] == "wish") {
+            const auto wish = word + 1 < words.size() ? parse_wish(words[word + 1]) : std::nullopt;
+            if (!wish) {
+                return fail(quoted(word + 1 < words.size() ? words[word + 1] : "wish"),
+                            "x,z without spaces, a vector no longer than 1");
+            }
+            segment.input.wish = *wish;
+            word += 2;
+        }
+        if (word < words.size() && words[word] == "jump") {
+            segment.input.jump = true;
+            ++word;
+        }
+        if (word < words.size()) return fail(quoted(words[word]), "TICKS [wish X,Z] [jump]");
+        ticks_ += static_cast<std::size_t>(segment.ticks);
+        tape_.segments.push_back(segment);
+    }
+
+    const std::string& place_;
+    std::size_t line_ = 0;
+    std::size_t ticks_ = 0;
+    bool has_header_ = false, has_level_ = false, has_dt_ = false, has_start_ = false;
+    std::optional<Error> error_;
+    Tape tape_;
+};
+
+bool same_input(const PlayerInput& a, const PlayerInput& b) {
+    return a.wish == b.wish && a.jump == b.jump;
+}
+
+}  // namespace
+
+std::size_t Tape::tick_count() const {
+    std::size_t count = 0;
+    for (const TapeSegment& segment : segments)
+        count += static_cast<std::size_t>(std::max(segment.ticks, 0));
+    return count;
+}
+
+Result<Tape> parse_tape(std::string_view text, const std::string& place) {
+    return TapeParser(place).parse(text);
+}
+
+Result<Tape> load_tape(const std::filesystem::path& path) {
+    const Result<std::string> text = read_file(path, max_tape_bytes);
+    if (!text) return text.error();
+    return parse_tape(*text, path.string());
+}
+
+std::string tape_to_text(const Tape& tape) {
+    std::string text = fmt::format("{} {}\n", magic, version);
+    if (!tape.level_name.empty()) {
+        text += "level " + tape.level_name;
+        if (tape.level_fingerprint) text += fmt::format(" {:016x}", *tape.level_fingerprint);
+        text += '\n';
+    }
+    text += fmt::format("dt {}\n", tape.dt_text);
+    for (const std::string& setting : tape.settings)
+        text += fmt::format("set {}\n", setting);
+    if (tape.start) {
+        text += fmt::format("start {},{},{}\n", to_text(tape.start->x()), to_text(tape.start->y()),
+                            to_text(tape.start->z()));
+    }
+    for (const TapeSegment& segment : tape.segments) {
+        const Vec2& wish = segment.input.wish;
+        text += std::to_string(segment.ticks);
+        if (!wish.isZero(0.0)) text += fmt::format(" wish {},{}", to_text(wish.x()), to_text(wish.y()));
+        text += segment.input.jump ? " jump\n" : "\n";
+    }
+    return text;
+}
+
+void append_tick(Tape& tape, const PlayerInput& input) {
+    const bool same = !tape.segments.empty() && same_input(tape.segments.back().input, input) &&
+                      tape.segments.back().ticks < std::numeric_limits<int>::max();
+    if (same) {
+        ++tape.segments.back().ticks;
+    } else {
+        tape.segments.push_back({1, input});
+    }
+}
+
+}  // namespace slipface

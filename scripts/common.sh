@@ -1,0 +1,51 @@
+# Shared by run.sh, test.sh and .ci/run: progress, packages, configure and build. Source it from the top folder.
+
+say() { printf '\n\033[1m==> %s\033[0m\n' "$*"; }
+
+# step TEXT COMMAND...: says what it does, does it, and on failure names the command to run by hand.
+step() {
+    say "$1"
+    shift
+    "$@" && return 0
+    printf '\nFailed. To see it again, run by hand:\n    %s\n' "$*" >&2
+    exit 1
+}
+
+# What building and running needs.
+packages=(
+    build-essential cmake ninja-build pkg-config
+    libimgui-dev libstb-dev libglfw3-dev libosmesa6 libegl1 libgl1-mesa-dri
+    libassimp-dev libeigen3-dev python3-glad nlohmann-json3-dev libcli11-dev libfmt-dev libtbb-dev
+    fonts-inter fonts-font-awesome
+)
+# What the tests need besides.
+test_packages=(libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev)
+# What the checks of .ci/run need besides.
+check_packages=(clang clang-format clang-tidy libclang-rt-14-dev)
+
+# install_packages NAME...: those that are missing, through apt; nothing at all when none is.
+install_packages() {
+    local missing=() name
+    for name in "$@"; do
+        [ "$(dpkg-query -W -f '${db:Status-Status}' "$name" 2>/dev/null)" = installed ] || missing+=("$name")
+    done
+    [ ${#missing[@]} -eq 0 ] && return 0
+    local sudo=()
+    if [ "$(id -u)" -ne 0 ]; then
+        command -v sudo >/dev/null || { echo "Please install as root: apt-get install ${missing[*]}" >&2; exit 1; }
+        sudo=(sudo)
+    fi
+    step "Updating the package list" "${sudo[@]}" apt-get update -q
+    step "Installing ${#missing[@]} packages: ${missing[*]}" \
+        "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
+}
+
+# configure PRESET and build PRESET [TARGET...]: only what is out of date.
+configure() {
+    [ -f "build/$1/build.ninja" ] || step "Configuring ($1)" cmake --preset "$1" --log-level=WARNING
+}
+build() {
+    local preset=$1
+    shift
+    step "Building ($preset)" cmake --build --preset "$preset" ${1:+--target "$@"}
+}

@@ -1,0 +1,171 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <thread>
+
+#include "slipface/base/files.h"
+
+namespace slipface {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class Files : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string name = testing::TempDir() + "slipface-files-XXXXXX";
+        ASSERT_NE(::mkdtemp(name.data()), nullptr);
+        folder = name;
+    }
+    void TearDown() override { fs::remove_all(folder); }
+
+    std::size_t files_in_folder() const {
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(folder), fs::directory_iterator{}));
+    }
+    static mode_t mode(const fs::path& path) {
+        struct stat status {};
+        ::stat(path.c_str(), &status);
+        return status.st_mode & 07777;
+    }
+
+    fs::path folder;
+};
+
+TEST_F(Files, WritesAndReadsAnyBytes) {
+    std::string bytes("a\0b\r\n\xff", 6);
+    bytes.append(3'000'000, 'x');
+    ASSERT_TRUE(write_file_atomic(folder / "f", bytes));
+    const auto back = read_file(folder / "f");
+    ASSERT_TRUE(back);
+    EXPECT_EQ(*back, bytes);
+    EXPECT_EQ(files_in_folder(), 1U) << "a temporary file was left behind";
+}
+
+TEST_F(Files, WritesAnEmptyFile) {
+    ASSERT_TRUE(write_file_atomic(folder / "empty", ""));
+    const auto back = read_file(folder / "empty");
+    ASSERT_TRUE(back);
+    EXPECT_EQ(*back, "");
+}
+
+TEST_F(Files, ReadRefusesWhatIsNoFile) {
+    const auto missing = read_file(folder / "no.obj");
+    ASSERT_FALSE(missing);
+    EXPECT_EQ(missing.error().place, (folder / "no.obj").string());
+    EXPECT_THAT(missing.error().message, HasSubstr("no such file"));
+
+    const auto directory = read_file(folder);
+    ASSERT_FALSE(directory);
+    EXPECT_THAT(directory.error().message, HasSubstr("directory"));
+
+    // A pipe without a writer would block whoever opens it the usual way.
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    const auto pipe = read_file(folder / "pipe");
+    ASSERT_FALSE(pipe);
+    EXPECT_THAT(pipe.error().message, HasSubstr("pipe"));
+
+    const auto device = read_file("/dev/zero");
+    ASSERT_FALSE(device);
+    EXPECT_THAT(device.error().message, HasSubstr("device"));
+}
+
+TEST_F(Files, ReadRefusesMoreThanTheLimit) {
+    ASSERT_TRUE(write_file_atomic(folder / "f", "12345"));
+    EXPECT_TRUE(read_file(folder / "f", 5));
+    const auto refused = read_file(folder / "f", 4);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message, HasSubstr("at most 4"));
+}
+
+TEST_F(Files, ReadsFilesThatDoNotKnowTheirSize) {
+    // Files of the proc file system say that they have 0 bytes.
+    const auto status = read_file("/proc/self/status");
+    ASSERT_TRUE(status);
+    EXPECT_THAT(*status, HasSubstr("Name:"));
+    EXPECT_FALSE(read_file("/proc/self/status", 10));
+}
+
+TEST_F(Files, ReplacingKeepsTheMode) {
+    ASSERT_TRUE(write_file_atomic(folder / "f", "old"));
+    fs::permissions(folder / "f", fs::perms(0640));
+    ASSERT_TRUE(write_file_atomic(folder / "f", "new"));
+    EXPECT_EQ(mode(folder / "f"), 0640U);
+    EXPECT_EQ(*read_file(folder / "f"), "new");
+}
+
+TEST_F(Files, NewFilesFollowTheUmask) {
+    const mode_t before = ::umask(027);
+    ASSERT_TRUE(write_file_atomic(folder / "f", "x"));
+    ::umask(before);
+    EXPECT_EQ(mode(folder / "f"), 0640U);
+}
+
+TEST_F(Files, WritesThroughSymbolicLinks) {
+    fs::create_directory(folder / "real");
+    ASSERT_TRUE(write_file_atomic(folder / "real" / "f", "old"));
+    fs::create_symlink("real/f", folder / "second");
+    fs::create_symlink("second", folder / "first");
+    ASSERT_TRUE(write_file_atomic(folder / "first", "new"));
+    EXPECT_TRUE(fs::is_symlink(folder / "first"));
+    EXPECT_TRUE(fs::is_symlink(folder / "second"));
+    EXPECT_EQ(*read_file(folder / "real" / "f"), "new");
+
+    fs::create_symlink("not-yet", folder / "dangling");
+    ASSERT_TRUE(write_file_atomic(folder / "dangling", "made"));
+    EXPECT_EQ(*read_file(folder / "not-yet"), "made");
+
+    fs::create_symlink("loop", folder / "loop");
+    const auto loop = write_file_atomic(folder / "loop", "x");
+    ASSERT_FALSE(loop);
+    EXPECT_THAT(loop.error().message, HasSubstr("symbolic links"));
+}
+
+TEST_F(Files, WriteRefusesAndLeavesNothingBehind) {
+    fs::create_directory(folder / "d");
+    const std::size_t before = files_in_folder();
+    EXPECT_FALSE(write_file_atomic(folder / "d", "x"));
+    EXPECT_FALSE(write_file_atomic(folder / "no-such-folder" / "f", "x"));
+    EXPECT_FALSE(write_file_atomic(folder / "", "x"));
+    EXPECT_FALSE(write_file_atomic(folder / std::string(300, 'n'), "x"));
+    EXPECT_EQ(files_in_folder(), before);
+}
+
+TEST_F(Files, WriteProtectedFilesAreLeftAlone) {
+    if (::geteuid() == 0) GTEST_SKIP() << "root may write everything";
+    ASSERT_TRUE(write_file_atomic(folder / "f", "old"));
+    fs::permissions(folder / "f", fs::perms(0444));
+    EXPECT_FALSE(write_file_atomic(folder / "f", "new"));
+    EXPECT_EQ(*read_file(folder / "f"), "old");
+}
+
+TEST_F(Files, TheLongestNamesCanBeWritten) {
+    const std::string name(255, 'n');  // the limit of the usual Linux file systems
+    ASSERT_TRUE(write_file_atomic(folder / name, "x"));
+    EXPECT_EQ(*read_file(folder / name), "x");
+}
+
+// One writer swaps two texts of different length, one reader reads: a reader never sees a mixture or a part.
+TEST_F(Files, ReadersSeeTheOldOrTheNewFile) {
+    const std::string a(100'000, 'a');
+    const std::string b(50'000, 'b');
+    ASSERT_TRUE(write_file_atomic(folder / "f", a));
+    std::jthread writer([&](const std::stop_token& stop) {
+        while (!stop.stop_requested()) {
+            (void)write_file_atomic(folder / "f", b);
+            (void)write_file_atomic(folder / "f", a);
+        }
+    });
+    for (int i = 0; i < 300; ++i) {
+        const auto seen = read_file(folder / "f");
+        ASSERT_TRUE(seen);
+        ASSERT_TRUE(*seen == a || *seen == b);
+    }
+}
+
+}  // namespace
+}  // namespace slipface

@@ -1,0 +1,65 @@
+// The data verbs through the real program, against numbers derived by hand.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program/run_program.h"
+
+namespace slipface::test {
+namespace {
+
+// A floor of 20 x 20 m at y = 0, facing up.
+const std::string floor_obj = "v -10 0 10\nv 10 0 10\nv 10 0 -10\nv -10 0 -10\nf 1 2 3 4\n";
+
+TEST(Info, CountsFacesAndTriangles) {
+    const ScratchFolder folder;
+    const ProgramRun run = run_program("info " + folder.write("floor.obj", floor_obj) + " --json");
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    const auto json = nlohmann::json::parse(run.output);
+    EXPECT_EQ(json.at("faces"), 1);
+    EXPECT_EQ(json.at("triangles"), 2);
+}
+
+TEST(Sweep, FallsOntoTheFloor) {
+    const ScratchFolder folder;
+    const std::string level = folder.write("floor.obj", floor_obj);
+    // An ellipsoid of half-height 0.9 that falls 4 m from y = 2.9 touches after 2.9 - 0.9 = 2 m: t = 0.5, straight below.
+    const ProgramRun run = run_program("sweep " + level + " --radii 0.4,0.9,0.4 --from 1,2.9,2 --move 0,-4,0 --json");
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    const auto json = nlohmann::json::parse(run.output);
+    EXPECT_NEAR(json.at("t").get<double>(), 0.5, 1e-12);
+    EXPECT_EQ(json.at("feature"), "interior");
+    EXPECT_EQ(json.at("face"), 0);
+}
+
+TEST(Sweep, AnswersEachRowOfACsv) {
+    const ScratchFolder folder;
+    const std::string level = folder.write("floor.obj", floor_obj);
+    const std::string queries = folder.write("q.csv", "ox,oy,oz,dx,dy,dz\n0,2,0,0,-4,0\n0,2,0,0,4,0\n");
+    const ProgramRun run = run_program("sweep " + level + " --radii 1,1,1 --queries " + queries + " --csv");
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    std::istringstream lines(run.output);
+    std::string header, hit, miss;
+    std::getline(lines, header);
+    std::getline(lines, hit);
+    std::getline(lines, miss);
+    EXPECT_EQ(header.substr(0, 3), "hit");
+    EXPECT_EQ(hit[0], '1');
+    EXPECT_EQ(miss[0], '0');
+}
+
+TEST(Simulate, TheSameTapeGivesTheSameHashes) {
+    const ScratchFolder folder;
+    const std::string level = folder.write("floor.obj", floor_obj);
+    const std::string tape = folder.write("t.tape", "slipface-tape 1\ndt 1/60\nstart 0,2,0\n90 wish 0,-1\n1 wish 0,0 jump\n60 wish 1,0\n");
+    const std::string arguments = "simulate " + level + " --tape " + tape + " --json";
+    const ProgramRun first = run_program(arguments), second = run_program(arguments);
+    ASSERT_EQ(first.exit_code, 0) << first.output;
+    EXPECT_EQ(first.output, second.output);
+    const ProgramRun other = run_program(arguments + " --set walk_speed=5");
+    EXPECT_NE(first.output, other.output);
+    EXPECT_EQ(run_program(arguments + " --set walk_sped=5").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace slipface::test
