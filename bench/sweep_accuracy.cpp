@@ -16,16 +16,18 @@ int main(int argc, char** argv) {
             return 64;
         }
     }
-    fmt::print("{} queries a family; depths and gaps in radii, path and point in metres, normal in radians\n\n", queries);
-    fmt::print("| {:<26} | {:>8} | {:>9} | {:>9} | {:>9} | {:>9} | {:>9} | {:>9} |\n", "family", "hits", "missed",
-               "false", "path", "touch", "normal", "point");
-    fmt::print("|{:-<28}|{:->10}|{:->11}|{:->11}|{:->11}|{:->11}|{:->11}|{:->11}|\n", "", ":", ":", ":", ":", ":", ":",
-               ":");
+    fmt::print(
+        "{} queries a family; depths and gaps in radii, path and point in metres, normal in radians\n\n",
+        queries);
+    fmt::print("| {:<26} | {:>8} | {:>9} | {:>9} | {:>9} | {:>9} | {:>9} | {:>9} |\n", "family", "hits",
+               "missed", "false", "path", "touch", "normal", "point");
+    fmt::print("|{:-<28}|{:->10}|{:->11}|{:->11}|{:->11}|{:->11}|{:->11}|{:->11}|\n", "", ":", ":", ":", ":",
+               ":", ":", ":");
     for (const auto& family : slipface::families::all) {
         const auto worst = slipface::families::run(family, queries, 1);
         fmt::print("| {:<26} | {:>8} | {:>9.1e} | {:>9.1e} | {:>9.1e} | {:>9.1e} | {:>9.1e} | {:>9.1e} |\n",
-                   family.name, worst.hits, worst.missed_depth, worst.false_gap, worst.path_error, worst.touch_error,
-                   worst.normal_error, worst.point_error);
+                   family.name, worst.hits, worst.missed_depth, worst.false_gap, worst.path_error,
+                   worst.touch_error, worst.normal_error, worst.point_error);
         std::fflush(stdout);
     }
     return 0;

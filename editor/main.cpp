@@ -18,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum ExitCode : int { fine = 0, check_failed = 1, bad_input = 2, bad_usage = 64 };
-
 int complain(const Error& error, int code) {
     fmt::print(stderr, "slipface: {}\n", error.text());
     return code;
@@ -32,20 +30,20 @@ int show_pictures(const fs::path& level, const Error& reason) {
     std::error_code error;
     fs::create_directories("out", error);
     if (const Status status = write_pictures(level, editor_png, level_png); !status)
-        return complain(status.error(), bad_input);
+        return complain(status.error(), cli::exit_bad_input);
     fmt::print("{}\n", fs::absolute(editor_png, error).string());
     if (!level.empty()) fmt::print("{}\n", fs::absolute(level_png, error).string());
-    return fine;
+    return cli::exit_fine;
 }
 
 int open_editor(const fs::path& level, float scale) {
     if (!level.empty()) {
         std::error_code error;
         if (!fs::exists(level, error))
-            return complain({level.string(), "no such file; expected an OBJ or a level file"}, bad_input);
+            return complain({level.string(), "no such file; expected an OBJ or a level file"}, cli::exit_bad_input);
     }
     const Status status = run_window({.level = level, .config = config_folder(), .scale = scale});
-    return status.ok() ? static_cast<int>(fine) : show_pictures(level, status.error());
+    return status.ok() ? cli::exit_fine : show_pictures(level, status.error());
 }
 
 struct EditArguments {
@@ -58,34 +56,34 @@ int edit_headless(const EditArguments& arguments) {
     const auto size = parse_size(arguments.size);
     if (!size)
         return complain({"--size", "found \"" + arguments.size + "\", expected a size such as 1280x720"},
-                        bad_usage);
+                        cli::exit_bad_usage);
     OffscreenOptions options;
     options.width = size->first;
     options.height = size->second;
     options.scale = arguments.scale > 0.0 ? static_cast<float>(arguments.scale) : 1.0f;
     Result<std::unique_ptr<OffscreenHost>> host = OffscreenHost::make(options);
-    if (!host) return complain(host.error(), bad_input);
+    if (!host) return complain(host.error(), cli::exit_bad_input);
     Editor& editor = (*host)->editor();
     if (!arguments.level.empty()) {
         open_level(editor, arguments.level);
-        if (editor.message) return complain({"", editor.message->text}, bad_input);
+        if (editor.message) return complain({"", editor.message->text}, cli::exit_bad_input);
         (*host)->frame();
     }
     if (!arguments.script.empty()) {
         const ScriptResult result = run_script_file(**host, arguments.script);
         if (!result)
             return complain(result.error,
-                            result.failure == ScriptFailure::expectation ? check_failed : bad_input);
+                            result.failure == ScriptFailure::expectation ? cli::exit_check_failed : cli::exit_bad_input);
         fmt::print("{}: {} line{} done\n", arguments.script, result.lines_done,
                    result.lines_done == 1 ? "" : "s");
     }
     if (!arguments.screenshot.empty()) {
         (*host)->settle();
         if (const Status status = save_png(arguments.screenshot, (*host)->screenshot()); !status)
-            return complain(status.error(), bad_input);
+            return complain(status.error(), cli::exit_bad_input);
         fmt::print("{}\n", arguments.screenshot);
     }
-    return fine;
+    return cli::exit_fine;
 }
 
 void add_edit_verb(CLI::App& app, int& exit_code) {
@@ -114,16 +112,16 @@ int run(int argument_count, char** arguments) {
         "A level named like a verb is opened as ./NAME.");
     std::string level;
     app.add_option("level", level, "OBJ or level file to open in the editor");
-    int exit_code = fine;
+    int exit_code = cli::exit_fine;
     add_edit_verb(app, exit_code);
     add_snapshot_verb(app, exit_code);
-    add_data_verbs(app, exit_code);
+    cli::add_data_verbs(app, exit_code);
     app.require_subcommand(0, 1);
     try {
         app.parse(argument_count, arguments);
     } catch (const CLI::ParseError& error) {
         const int code = app.exit(error);
-        return code == 0 ? static_cast<int>(fine) : static_cast<int>(bad_usage);
+        return code == 0 ? cli::exit_fine : cli::exit_bad_usage;
     }
     if (app.get_subcommands().empty()) return open_editor(level, 0.0f);
     return exit_code;

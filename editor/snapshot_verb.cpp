@@ -11,7 +11,6 @@
 #include "app/screens.h"
 #include "slipface/base/text.h"
 #include "slipface/snapshot/golden.h"
-#include "slipface/snapshot/scenes.h"
 
 namespace slipface {
 namespace {

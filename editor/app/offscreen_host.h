@@ -35,8 +35,8 @@ class OffscreenHost {
     // Builds frames until two in a row are equal, at most `most`. Returns how many.
     int settle(int most = 60);
     Image screenshot();  // draws the frame built last
-    // The parts that differ between frames built last and drawn last. Draws if there are any; true if it
-    // drew.
+    Image level_picture();  // the view's picture of the open level alone
+    // Draws the frame built last unless the picture shows it already. True if it drew.
     bool draw_if_needed();
 
     // Input as a person would give it; each takes effect in the next frame.

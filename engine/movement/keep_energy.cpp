@@ -21,8 +21,8 @@ std::optional<Turn> keep_energy(Mover& mover, const Hit& hit) {
     if (!hit.surface.keeps_energy) return std::nullopt;
     const Vec3& normal = hit.contact.normal;
     const double limit = mover.settings.keep_energy_limit;
-    // The vertical part of a split move says nothing about the direction of the whole; the velocity does.
-    const Vec3& judged = hit.pass == Pass::vertical ? mover.velocity : hit.leftover;
+    // One part of a split move says nothing about the direction of the whole; the velocity does.
+    const Vec3& judged = hit.pass == Pass::slide ? hit.leftover : mover.velocity;
     const double cosine = normal.dot(direction_of(judged));
     const auto say = [&](bool acted, const char* outcome) {
         decide(mover, "keep_energy", acted, "N.V / |V|", cosine, limit, outcome, hit.contact.face);

@@ -14,22 +14,22 @@ namespace {
 // The horizontal part slides; the vertical part decides whether the player is grounded.
 void move_split(Mover& mover, const PlayerState& state, const Vec3& move) {
     const Vec3 level = horizontal(move);
-    const double fall = mover.was_grounded ? -press_down(mover, state.ground_normal, move) : move.y();
+    const double rise = mover.was_grounded ? -press_down(mover, state.ground_normal, move) : move.y();
     if (!level.isZero(0.0)) collide_and_slide(mover, Pass::horizontal, level);
     if (mover.stuck || mover.climbing) return;
 
     const double height = mover.position.y();
     const int contacts = mover.contacts;
-    collide_and_slide(mover, Pass::vertical, Vec3(0.0, fall, 0.0));
+    collide_and_slide(mover, Pass::vertical, Vec3(0.0, rise, 0.0));
     if (mover.grounded || mover.stuck || mover.climbing || mover.bounced) return;
     // Two faces, each too steep to stand on, hold a player who is wedged between them; without this there
     // would be no jumping out of a ditch.
     const double dropped = height - mover.position.y();
-    if (fall < 0.0 && mover.contacts - contacts >= 2 && dropped < -0.01 * fall) {
+    if (rise < 0.0 && mover.contacts - contacts >= 2 && dropped < -0.01 * rise) {
         mover.grounded = true;
         mover.support_normal = Vec3::UnitY();
         mover.velocity.y() = 0.0;
-        decide(mover, "static_friction", true, "dropped, m", dropped, -0.01 * fall,
+        decide(mover, "static_friction", true, "dropped, m", dropped, -0.01 * rise,
                "grounded: wedged between steep faces", mover.support_face);
     }
 }
@@ -51,10 +51,19 @@ void move_whole(Mover& mover, const PlayerState& state, const Vec3& move, bool t
                   .walkable = is_walkable(mover, swept.contact->normal, surface),
                   .leftover = mover.velocity * mover.dt,
                   .done = 1.0};
-    // Moving off faster than it is pulled back is leaving, not gliding.
-    if (mover.velocity.dot(swept.contact->normal) > mover.settings.gravity * mover.dt) return;
+    // Moving off faster than gravity pulls back is leaving, not gliding; the second term is rounding.
+    const double off = mover.velocity.dot(swept.contact->normal);
+    if (off > mover.settings.gravity * mover.dt + 1e-9 * mover.velocity.norm()) return;
     touch(mover, hit);
     mover.velocity = respond(mover, hit).velocity;
+}
+
+// Gravity; of a player who slides on a surface only what pulls along it. What presses onto it is no speed to
+// be lost or kept at the contact.
+void fall(Mover& mover, const Vec3& surface_normal) {
+    const Vec3 pull = slide_along(Vec3(0.0, -mover.settings.gravity, 0.0), surface_normal);
+    mover.velocity += pull * mover.dt;
+    mover.velocity.y() = std::max(mover.velocity.y(), -mover.settings.terminal_speed);
 }
 
 Vec3 jump_velocity(const Mover& mover, const PlayerState& state, const SurfaceType& support) {
@@ -117,7 +126,7 @@ void walk(Mover& mover, const PlayerState& state, bool jump_pressed) {
     mover.velocity = velocity;
     accelerate(mover, slippery);
     const Vec3 driven = mover.velocity;
-    mover.velocity.y() = std::max(mover.velocity.y() - settings.gravity * mover.dt, -settings.terminal_speed);
+    fall(mover, !split && touching && !jumps ? state.ground_normal : Vec3(Vec3::Zero()));
     const Vec3 move = 0.5 * mover.dt * (mover.velocity_before + mover.velocity);
 
     if (split) {

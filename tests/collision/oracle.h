@@ -1,7 +1,7 @@
-// The exact sweep of one triangle, found another way than the engine finds it: the distance of a moving point to a
-// convex set is convex in time, so bisection on its slope finds the minimum and bisection on its value the first touch.
-// Needs nothing but the closest point of a triangle (C. Ericson, "Real-Time Collision Detection", 5.1.5), in 113-bit
-// arithmetic.
+// The exact sweep of one triangle, found another way than the engine finds it: the distance of a moving point
+// to a convex set is convex in time, so bisection on its slope finds the minimum and bisection on its value
+// the first touch. Needs nothing but the closest point of a triangle (C. Ericson, "Real-Time Collision
+// Detection", 5.1.5), in 113-bit arithmetic.
 #pragma once
 
 #include <array>
@@ -16,12 +16,24 @@ __extension__ typedef __float128 Quad;
 struct QuadVec {
     Quad x, y, z;
 };
-inline QuadVec quad(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-inline QuadVec operator+(const QuadVec& a, const QuadVec& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline QuadVec operator-(const QuadVec& a, const QuadVec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline QuadVec operator*(Quad s, const QuadVec& a) { return {s * a.x, s * a.y, s * a.z}; }
-inline QuadVec operator/(const QuadVec& a, const QuadVec& b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
-inline Quad dot(const QuadVec& a, const QuadVec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline QuadVec quad(const Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+inline QuadVec operator+(const QuadVec& a, const QuadVec& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline QuadVec operator-(const QuadVec& a, const QuadVec& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline QuadVec operator*(Quad s, const QuadVec& a) {
+    return {s * a.x, s * a.y, s * a.z};
+}
+inline QuadVec operator/(const QuadVec& a, const QuadVec& b) {
+    return {a.x / b.x, a.y / b.y, a.z / b.z};
+}
+inline Quad dot(const QuadVec& a, const QuadVec& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 inline Vec3 vec(const QuadVec& a) {
     return {static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)};
 }
@@ -68,7 +80,8 @@ class Sweep {
   public:
     Sweep(const Triangle& triangle, const Vec3& radii, const Vec3& from, const Vec3& move)
         : radii_(quad(radii)), d_(quad(move) / quad(radii)) {
-        for (std::size_t k = 0; k < 3; ++k) corners_[k] = (quad(triangle[k]) - quad(from)) / radii_;
+        for (std::size_t k = 0; k < 3; ++k)
+            corners_[k] = (quad(triangle[k]) - quad(from)) / radii_;
     }
 
     // Centre less closest point at time t, sphere space.
@@ -80,7 +93,8 @@ class Sweep {
     double clearance(Quad t) const {
         const QuadVec g = gap(t);
         const Quad square = dot(g, g);
-        return static_cast<double>((square - 1) / (1 + static_cast<Quad>(std::sqrt(static_cast<double>(square)))));
+        return static_cast<double>((square - 1) /
+                                   (1 + static_cast<Quad>(std::sqrt(static_cast<double>(square)))));
     }
     // Half the change of the squared distance with t; grows with t because the distance is convex.
     Quad slope(Quad t) const { return dot(gap(t), d_); }

@@ -22,7 +22,8 @@ struct Soup {
 
     void add(const Vec3& a, const Vec3& b, const Vec3& c) {
         const auto first = static_cast<std::uint32_t>(positions.size());
-        for (const Vec3& p : {a, b, c}) positions.push_back(p.cast<float>());
+        for (const Vec3& p : {a, b, c})
+            positions.push_back(p.cast<float>());
         triangles.push_back({first, first + 1, first + 2});
         faces.push_back(static_cast<FaceId>(faces.size()));
     }
@@ -85,8 +86,8 @@ inline Soup random_soup(Random& random, std::size_t count, double half, double s
     return soup;
 }
 
-// Rolling ground of cells x cells quads with `cell` metres a side, shared corners, and a box standing on about every
-// thirtieth quad: floor, walls and steps as levels have them.
+// Rolling ground of cells x cells quads with `cell` metres a side, shared corners, and a box standing on
+// about every thirtieth quad: floor, walls and steps as levels have them.
 inline Soup terrain(Random& random, std::size_t cells, double cell) {
     Soup soup;
     const auto height = [cell](std::size_t i, std::size_t j) {
@@ -96,7 +97,8 @@ inline Soup terrain(Random& random, std::size_t cells, double cell) {
     };
     for (std::size_t j = 0; j <= cells; ++j) {
         for (std::size_t i = 0; i <= cells; ++i) {
-            soup.positions.emplace_back(static_cast<float>(static_cast<double>(i) * cell), static_cast<float>(height(i, j)),
+            soup.positions.emplace_back(static_cast<float>(static_cast<double>(i) * cell),
+                                        static_cast<float>(height(i, j)),
                                         static_cast<float>(static_cast<double>(j) * cell));
         }
     }

@@ -36,7 +36,7 @@ struct SurfaceType {
     bool one_sided = false;
     bool solid = true;
     bool hazardous = false;           // touching it respawns
-    std::optional<double> max_slope;  // radians, instead of MovementSettings::max_slope
+    std::optional<double> max_slope = std::nullopt;  // radians, instead of MovementSettings::max_slope
 
     friend bool operator==(const SurfaceType&, const SurfaceType&) = default;
 };

@@ -1,0 +1,23 @@
+// The levels' textures, painted by rule. Each function paints one picture that repeats at its borders unless said otherwise.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "slipface/image/image.h"
+
+namespace slipface::generate {
+
+struct Texture {
+    std::string name;                // file name without ".png"
+    std::function<Image()> paint;
+};
+
+std::vector<Texture> stone_textures();
+std::vector<Texture> ornament_textures();
+std::vector<Texture> nature_textures();
+std::vector<Texture> surface_textures();  // those whose look tells what they do to who walks on them
+Image paint_labels();
+
+}  // namespace slipface::generate

@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "cli/format.h"
+#include "cli/verbs.h"
+#include "slipface/level/level_file.h"
+
+namespace slipface::cli {
+namespace {
+
+struct LevelInfo {
+    LoadedLevel loaded;
+    std::vector<std::size_t> faces_of_type;  // [SurfaceId]
+    double load_s = 0.0;
+    double bvh_s = 0.0;
+    BvhStatistics bvh;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Result<LevelInfo> gather(const std::filesystem::path& path) {
+    LevelInfo info;
+    const auto start = std::chrono::steady_clock::now();
+    Result<LoadedLevel> loaded = load_level(path);
+    if (!loaded) return loaded.error();
+    info.load_s = seconds_since(start);
+    info.loaded = std::move(*loaded);
+
+    const Level& level = info.loaded.level;
+    const auto bvh_start = std::chrono::steady_clock::now();
+    const Result<CollisionWorld> world = build_collision_world(level);
+    if (!world) return world.error();
+    info.bvh_s = seconds_since(bvh_start);
+    info.bvh = world->statistics();
+
+    info.faces_of_type.resize(level.surfaces.size());
+    for (const SurfaceId surface : resolve_surfaces(level).surface)
+        ++info.faces_of_type[surface];
+    return info;
+}
+
+std::size_t painted_count(const Level& level) {
+    std::size_t count = 0;
+    for (const auto& surface : level.overrides)
+        count += surface ? 1 : 0;
+    return count;
+}
+
+void print_info_json(const LevelInfo& info, std::ostream& out) {
+    const Level& level = info.loaded.level;
+    const Mesh& mesh = *level.mesh;
+    OutputJson json;
+    json["level"] = level.mesh_path.string();
+    json["fingerprint"] = hash_text(mesh.fingerprint);
+    json["faces"] = mesh.face_count();
+    json["triangles"] = mesh.triangle_count();
+    json["vertices"] = mesh.positions.size();
+    json["materials"] = mesh.materials.size();
+    json["faces_per_type"] = OutputJson::object();
+    for (std::size_t i = 0; i < level.surfaces.size(); ++i) {
+        json["faces_per_type"][level.surfaces[i].name] = info.faces_of_type[i];
+    }
+    json["painted_faces"] = painted_count(level);
+    json["orphans"] = level.orphans.size();
+    json["bounds"] = {{"min", vector_json(mesh.bounds.min)}, {"max", vector_json(mesh.bounds.max)}};
+    json["load_s"] = info.load_s;
+    json["bvh_s"] = info.bvh_s;
+    json["bvh_bytes"] = info.bvh.bytes;
+    json["bvh_nodes"] = info.bvh.nodes;
+    json["bvh_depth"] = info.bvh.depth;
+    json["warnings"] = OutputJson::array();
+    for (const Diagnostic& warning : info.loaded.warnings) {
+        json["warnings"].push_back({{"place", warning.place}, {"message", warning.message}});
+    }
+    print_json(out, json);
+}
+
+void print_info_text(const LevelInfo& info, std::ostream& out) {
+    const Level& level = info.loaded.level;
+    const Mesh& mesh = *level.mesh;
+    print_row(out, "level", level.mesh_path.string());
+    print_row(out, "faces", std::to_string(mesh.face_count()));
+    print_row(out, "triangles", std::to_string(mesh.triangle_count()));
+    print_row(out, "materials", std::to_string(mesh.materials.size()));
+    print_row(out, "bounds min", vector_text(mesh.bounds.min) + "  m");
+    print_row(out, "bounds max", vector_text(mesh.bounds.max) + "  m");
+    print_row(out, "loaded in", duration_text(info.load_s));
+    print_row(out, "BVH built in",
+              fmt::format("{}, {}", duration_text(info.bvh_s), bytes_text(info.bvh.bytes)));
+    print_row(out, "painted faces", fmt::format("{} ({})", painted_count(level), info.loaded.match.text()));
+    out << "\nfaces per type\n";
+    for (std::size_t i = 0; i < level.surfaces.size(); ++i) {
+        out << fmt::format("  {:<14}{:>9}\n", level.surfaces[i].name, info.faces_of_type[i]);
+    }
+    if (info.loaded.warnings.empty()) return;
+    out << "\nwarnings\n";
+    for (const Diagnostic& warning : info.loaded.warnings)
+        out << "  " << warning.text() << '\n';
+}
+
+}  // namespace
+
+int run_info(const InfoOptions& options, std::ostream& out, std::ostream& err) {
+    const Result<LevelInfo> info = gather(options.level);
+    if (!info) {
+        print_error(err, info.error());
+        return exit_bad_input;
+    }
+    options.json ? print_info_json(*info, out) : print_info_text(*info, out);
+    return exit_fine;
+}
+
+}  // namespace slipface::cli

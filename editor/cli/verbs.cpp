@@ -1,0 +1,119 @@
+#include "cli/verbs.h"
+
+#include <iostream>
+#include <memory>
+
+#include "slipface/base/text.h"
+
+namespace slipface::cli {
+namespace {
+
+// What the options' texts hold until the command line is complete.
+struct SweepWords {
+    std::string level, radii, from, move, queries;
+    bool json = false, csv = false;
+};
+
+std::string vector_check(const std::string& text) {
+    return parse_vec3(text) ? std::string() : "found " + text + ", expected three finite numbers as x,y,z";
+}
+
+std::string radii_check(const std::string& text) {
+    const std::optional<Vec3> radii = parse_vec3(text);
+    return radii && radii->minCoeff() > 0.0 ? std::string()
+                                            : "found " + text + ", expected three numbers above 0 as x,y,z";
+}
+
+// No exception leaves a verb; what the libraries below throw is bad input that nobody foresaw.
+template <class Run>
+int guarded(Run run) {
+    try {
+        return run();
+    } catch (const std::exception& error) {
+        print_error(std::cerr, {"", error.what()});
+        return exit_bad_input;
+    }
+}
+
+void add_info(CLI::App& app, int& exit_code) {
+    CLI::App* verb = app.add_subcommand("info", "Say what is in a level");
+    auto options = std::make_shared<InfoOptions>();
+    verb->add_option("LEVEL", options->level, "OBJ or level file")->required();
+    verb->add_flag("--json", options->json, "Print JSON");
+    verb->callback([options, &exit_code] {
+        exit_code = guarded([&] { return run_info(*options, std::cout, std::cerr); });
+    });
+}
+
+SweepOptions sweep_options(const SweepWords& words) {
+    SweepOptions options;
+    options.level = words.level;
+    options.radii = parse_vec3(words.radii).value_or(Vec3::Zero());
+    if (!words.from.empty()) options.from = parse_vec3(words.from);
+    if (!words.move.empty()) options.move = parse_vec3(words.move);
+    if (!words.queries.empty()) options.queries = words.queries;
+    options.format = words.json ? SweepFormat::json : words.csv ? SweepFormat::csv : SweepFormat::text;
+    return options;
+}
+
+void add_sweep(CLI::App& app, int& exit_code) {
+    CLI::App* verb =
+        app.add_subcommand("sweep", "Move an ellipsoid through a level and say what it touches first");
+    auto words = std::make_shared<SweepWords>();
+    verb->add_option("LEVEL", words->level, "OBJ or level file")->required();
+    verb->add_option("--radii", words->radii, "Half-axes of the ellipsoid, metres")
+        ->required()
+        ->type_name("rx,ry,rz")
+        ->check(radii_check);
+    CLI::Option* from = verb->add_option("--from", words->from, "Centre at the start, metres")
+                            ->type_name("x,y,z")
+                            ->check(vector_check);
+    CLI::Option* move = verb->add_option("--move", words->move, "Displacement, metres")
+                            ->type_name("x,y,z")
+                            ->check(vector_check);
+    CLI::Option* queries =
+        verb->add_option("--queries", words->queries, "Many sweeps: CSV with the header ox,oy,oz,dx,dy,dz")
+            ->type_name("FILE.csv");
+    from->needs(move);
+    move->needs(from);
+    queries->excludes(from)->excludes(move);
+    CLI::Option* json = verb->add_flag("--json", words->json, "Print JSON");
+    verb->add_flag("--csv", words->csv, "Print CSV")->excludes(json);
+    verb->callback([words, &exit_code] {
+        exit_code = guarded([&] { return run_sweep(sweep_options(*words), std::cout, std::cerr); });
+    });
+}
+
+void add_simulate(CLI::App& app, int& exit_code) {
+    CLI::App* verb = app.add_subcommand("simulate", "Run a tape of inputs through a level");
+    auto options = std::make_shared<SimulateOptions>();
+    verb->add_option("LEVEL", options->level, "OBJ or level file")->required();
+    verb->add_option("--tape", options->tape, "Inputs, tick by tick")->required()->type_name("FILE");
+    verb->add_option("--set", options->settings, "Change a movement setting; may be repeated")
+        ->type_name("name=value")
+        ->expected(1)
+        ->take_all();
+    verb->add_flag("--json", options->json, "Print JSON");
+    verb->callback([options, &exit_code] {
+        exit_code = guarded([&] { return run_simulate(*options, std::cout, std::cerr); });
+    });
+}
+
+}  // namespace
+
+void print_error(std::ostream& err, const Error& error) {
+    err << "slipface: " << error.text() << '\n';
+}
+
+void print_warnings(std::ostream& err, const Warnings& warnings) {
+    for (const Diagnostic& warning : warnings)
+        err << "slipface: warning: " << warning.text() << '\n';
+}
+
+void add_data_verbs(CLI::App& app, int& exit_code) {
+    add_info(app, exit_code);
+    add_sweep(app, exit_code);
+    add_simulate(app, exit_code);
+}
+
+}  // namespace slipface::cli

@@ -1,0 +1,182 @@
+// The tree must not change any answer: worlds of many triangles against worlds of one, bit for bit.
+#include <gtest/gtest.h>
+
+#include "brute_force.h"
+
+namespace slipface {
+namespace {
+
+using scenes::BruteForce;
+using scenes::Random;
+using scenes::same;
+using scenes::Soup;
+
+struct Scene {
+    const char* name;
+    Soup soup;
+    Vec3 middle;
+    double half;  // where queries start
+};
+
+std::vector<Scene> scenes_to_try() {
+    Random random(11);
+    std::vector<Scene> list;
+    list.push_back({"soup", scenes::random_soup(random, 300, 5, 1), Vec3::Zero(), 6});
+    list.push_back({"dust", scenes::random_soup(random, 300, 5, 0.01), Vec3::Zero(), 6});
+    list.push_back({"terrain", scenes::terrain(random, 12, 0.7), Vec3(4, 0.5, 4), 4});
+    list.push_back({"ball", scenes::ball(2, 2), Vec3::Zero(), 3});
+    // Everything at one height with shared edges: ties in plenty.
+    Soup flat;
+    for (int i = 0; i < 12; ++i) {
+        for (int j = 0; j < 12; ++j) {
+            const double x = i - 6;
+            const double z = j - 6;
+            flat.add_quad({x, 0, z}, {x, 0, z + 1}, {x + 1, 0, z + 1}, {x + 1, 0, z});
+        }
+    }
+    list.push_back({"flat", flat, Vec3(0, 0.8, 0), 5});
+    Soup same_place;
+    for (int i = 0; i < 40; ++i)
+        same_place.add({0, 0, 0}, {0, 0, 1}, {1, 0, 0});
+    list.push_back({"one triangle forty times", same_place, Vec3::Zero(), 2});
+    Soup far_out = scenes::random_soup(random, 200, 5, 1);
+    for (Vec3f& p : far_out.positions)
+        p += Vec3f(20000, -30000, 10000);
+    list.push_back({"far out", far_out, Vec3(20000, -30000, 10000), 6});
+    return list;
+}
+
+TEST(BruteForceAgreement, SweepsRaysPointsAndOverlaps) {
+    for (const Scene& scene : scenes_to_try()) {
+        SCOPED_TRACE(scene.name);
+        const CollisionWorld world = scene.soup.world();
+        const BruteForce brute(scene.soup);
+        Random random(12);
+        int hits = 0;
+        for (int i = 0; i < 400; ++i) {
+            Vec3 from = scene.middle + random.in_box(scene.half);
+            Vec3 move = std::pow(10.0, random.uniform(-3, 2)) * random.direction();
+            // Often exactly on the grid and along an axis, where ties and grazing contacts are.
+            if (random.below(3) == 0) from = (2 * from).array().round() / 2;
+            if (random.below(3) == 0) move = move.cwiseProduct(Vec3::Unit(static_cast<int>(random.below(3))));
+            const Vec3 radii = random.below(3) == 0 ? Vec3(0.5, 0.5, 0.5)
+                                                    : Vec3(random.uniform(0.05, 1), random.uniform(0.05, 1),
+                                                           random.uniform(0.05, 1));
+            const auto contact = sweep_ellipsoid(world, radii, from, move);
+            hits += contact.has_value();
+            ASSERT_TRUE(same(contact, brute.sweep(radii, from, move))) << i;
+            if (!move.isZero(0)) {
+                const double max_t = random.below(2) == 0 ? 1.0 : std::numeric_limits<double>::infinity();
+                ASSERT_TRUE(same(cast_ray(world, from, move, max_t), brute.ray(from, move, max_t))) << i;
+            }
+            const double limit = random.below(2) == 0 ? 0.5 : std::numeric_limits<double>::infinity();
+            ASSERT_TRUE(same(closest_point(world, from, limit), brute.closest(from, limit))) << i;
+
+            const auto expected = brute.overlaps(radii, from);
+            std::vector<Overlap> found(scene.soup.triangles.size());
+            const std::size_t count = find_overlaps(world, radii, from, found);
+            ASSERT_EQ(count, expected.size()) << i;
+            for (std::size_t k = 0; k < count; ++k)
+                ASSERT_TRUE(same(found[k], expected[k])) << i;
+            ASSERT_EQ(overlaps_any(world, radii, from), count > 0) << i;
+            // A short list holds the lowest triangles.
+            std::array<Overlap, 3> few;
+            ASSERT_EQ(find_overlaps(world, radii, from, few), count);
+            for (std::size_t k = 0; k < std::min(count, few.size()); ++k)
+                ASSERT_TRUE(same(few[k], expected[k])) << i;
+        }
+        EXPECT_GT(hits, 40);
+        EXPECT_LT(hits, 400);
+    }
+}
+
+TEST(BruteForceAgreement, TrianglesInBoxes) {
+    Random random(13);
+    const Soup soup = scenes::random_soup(random, 500, 5, 1);
+    const CollisionWorld world = soup.world();
+    for (int i = 0; i < 200; ++i) {
+        Aabb box;
+        const Vec3 at = random.in_box(6);
+        box.add(at);
+        box.add(at + random.in_box(2));
+        std::vector<TriangleId> expected;
+        for (std::size_t k = 0; k < soup.triangles.size(); ++k) {
+            Aabb own;
+            for (const Vec3& corner : world.triangle(static_cast<TriangleId>(k)))
+                own.add(corner);
+            if ((own.min.array() <= box.max.array()).all() && (own.max.array() >= box.min.array()).all()) {
+                expected.push_back(static_cast<TriangleId>(k));
+            }
+        }
+        EXPECT_EQ(world.triangles_in(box), expected);
+    }
+    EXPECT_TRUE(world.triangles_in(Aabb()).empty());
+    EXPECT_EQ(world.triangles_in(world.bounds()).size(), soup.triangles.size());
+}
+
+TEST(TriangleOrder, DoesNotChangeTheAnswer) {
+    for (const Scene& scene : scenes_to_try()) {
+        SCOPED_TRACE(scene.name);
+        Random random(14);
+        // order[k]: which triangle of the original is the k-th of the shuffled soup.
+        std::vector<std::size_t> order(scene.soup.triangles.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        for (std::size_t k = order.size(); k > 1; --k)
+            std::swap(order[k - 1], order[random.below(k)]);
+        Soup shuffled;
+        shuffled.positions = scene.soup.positions;
+        for (const std::size_t k : order) {
+            // Any corner may come first.
+            auto corners = scene.soup.triangles[k];
+            std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(random.below(3)),
+                        corners.end());
+            shuffled.triangles.push_back(corners);
+            shuffled.faces.push_back(scene.soup.faces[k]);
+        }
+        const CollisionWorld a = scene.soup.world();
+        const CollisionWorld b = shuffled.world();
+        for (int i = 0; i < 1000; ++i) {
+            const Vec3 from = scene.middle + random.in_box(scene.half);
+            const Vec3 move = random.uniform(0, 10) * random.direction();
+            const Vec3 radii(random.uniform(0.05, 1), random.uniform(0.05, 1), random.uniform(0.05, 1));
+            const auto one = sweep_ellipsoid(a, radii, from, move);
+            const auto other = sweep_ellipsoid(b, radii, from, move);
+            ASSERT_EQ(one.has_value(), other.has_value());
+            if (!one) continue;
+            // The first corner anchors the plane, so another first corner may round differently.
+            EXPECT_NEAR(one->t * move.norm(), other->t * move.norm(), 1e-9);
+            EXPECT_NEAR((one->normal - other->normal).norm(), 0, 1e-6);
+        }
+    }
+}
+
+TEST(TriangleOrder, PermutationAloneGivesTheSameBits) {
+    for (const Scene& scene : scenes_to_try()) {
+        SCOPED_TRACE(scene.name);
+        Soup reversed = scene.soup;
+        std::reverse(reversed.triangles.begin(), reversed.triangles.end());
+        std::reverse(reversed.faces.begin(), reversed.faces.end());
+        const CollisionWorld a = scene.soup.world();
+        const CollisionWorld b = reversed.world();
+        Random random(15);
+        for (int i = 0; i < 1000; ++i) {
+            const Vec3 from = scene.middle + random.in_box(scene.half);
+            const Vec3 move = random.uniform(0, 10) * random.direction();
+            const Vec3 radii(random.uniform(0.05, 1), random.uniform(0.05, 1), random.uniform(0.05, 1));
+            const auto one = sweep_ellipsoid(a, radii, from, move);
+            const auto other = sweep_ellipsoid(b, radii, from, move);
+            ASSERT_EQ(one.has_value(), other.has_value());
+            if (!one) continue;
+            EXPECT_EQ(one->t, other->t);
+            EXPECT_EQ(one->feature, other->feature);
+            // A border between two triangles is the same border for both.
+            if (one->t > 0 && one->feature != Feature::interior) {
+                EXPECT_EQ(one->point, other->point);
+                EXPECT_EQ(one->normal, other->normal);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace slipface

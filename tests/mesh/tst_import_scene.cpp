@@ -1,0 +1,101 @@
+#include <gmock/gmock.h>
+
+#include <cstring>
+
+#include "mesh_test_tools.h"
+
+namespace slipface {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class ImportScene : public ScratchFolder {
+  protected:
+    Result<ImportedMesh> import_as(const std::string& name, std::string_view text) {
+        write(name, text);
+        return import_mesh(folder / name);
+    }
+};
+
+// A quad and a triangle; the quad must stay one face.
+TEST_F(ImportScene, PlyKeepsPolygons) {
+    const auto result =
+        import_as("level.PLY",
+                  "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+                  "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+                  "0 0 0\n0 0 1\n1 0 1\n1 0 0\n2 0 0\n4 0 1 2 3\n3 2 4 3\n");
+    ASSERT_TRUE(result) << result.error().text();
+    const Mesh& mesh = *result->mesh;
+    ASSERT_EQ(mesh.face_count(), 2U);
+    EXPECT_EQ(mesh.face_corner_count(0), 4U);
+    EXPECT_EQ(mesh.positions.size(), 5U);
+    EXPECT_EQ(mesh.materials[mesh.face_material[0]].name, "");
+    EXPECT_EQ(face_normal(mesh, 0), Vec3(0, 1, 0));
+}
+
+// Two nodes draw one triangle: one moved by 10 m, one mirrored in x, whose front must stay its front.
+std::string two_nodes(const std::string& uri) {
+    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],
+        "nodes":[{"mesh":0,"name":"moved","translation":[10,0,0]},{"mesh":0,"name":"mirrored","scale":[-1,1,1]}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],
+        "materials":[{"name":"ice","pbrMetallicRoughness":{"baseColorFactor":[0.25,0.5,1,1]}}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,0,1]}],
+        "bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36}],
+        "buffers":[{"byteLength":36,"uri":")" +
+           uri + "\"}]}";
+}
+
+std::string triangle_bytes() {
+    const float coordinates[9] = {0, 0, 0, 0, 0, 1, 1, 0, 0};
+    std::string bytes(sizeof coordinates, '\0');
+    std::memcpy(bytes.data(), coordinates, sizeof coordinates);
+    return bytes;
+}
+
+TEST_F(ImportScene, GltfNodesArePlacedInTheWorld) {
+    write("data.bin", triangle_bytes());
+    const auto result = import_as("level.gltf", two_nodes("data.bin"));
+    ASSERT_TRUE(result) << result.error().text();
+    const Mesh& mesh = *result->mesh;
+    ASSERT_EQ(mesh.face_count(), 2U);
+    EXPECT_EQ(mesh.bounds.min, Vec3(-1, 0, 0));
+    EXPECT_EQ(mesh.bounds.max, Vec3(11, 0, 1));
+    EXPECT_EQ(face_normal(mesh, 0), Vec3(0, 1, 0));
+    EXPECT_EQ(face_normal(mesh, 1), Vec3(0, 1, 0));
+    EXPECT_THAT(mesh.groups, ElementsAre("moved", "mirrored"));
+    EXPECT_EQ(mesh.materials[mesh.face_material[0]].name, "ice");
+    EXPECT_EQ(mesh.materials[mesh.face_material[0]].diffuse, Vec3f(0.25F, 0.5F, 1));
+}
+
+TEST_F(ImportScene, FilesOutsideTheFolderAreNotRead) {
+    write("secret.bin", triangle_bytes());
+    EXPECT_FALSE(import_as("sub/level.gltf", two_nodes("../secret.bin")));
+    EXPECT_FALSE(import_as("sub/level.gltf", two_nodes((folder / "secret.bin").string())));
+    EXPECT_FALSE(import_as("sub/level.gltf", two_nodes("/dev/zero")));
+    write("sub/secret.bin", triangle_bytes());
+    EXPECT_TRUE(import_as("sub/level.gltf", two_nodes("secret.bin")));
+}
+
+TEST_F(ImportScene, BadFilesAreRefused) {
+    for (const char* name :
+         {"level.ply", "level.gltf", "level.glb", "level.stl", "level.off", "level.dae", "level.fbx"}) {
+        for (const std::string_view text :
+             {"", "junk", "ply\nformat ascii 1.0\n", "{\"asset\":{}}", "OFF\n1 1 1\n"}) {
+            const auto result = import_as(name, text);
+            ASSERT_FALSE(result) << name << ": " << text;
+            EXPECT_EQ(result.error().place, (folder / name).string());
+            EXPECT_FALSE(result.error().message.empty());
+        }
+    }
+    const auto far =
+        import_as("far.ply",
+                  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                  "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                  "0 0 0\n0 0 1\n1e20 0 1\n3 0 1 2\n");
+    ASSERT_FALSE(far);
+    EXPECT_THAT(far.error().message, HasSubstr("vertex 2"));
+}
+
+}  // namespace
+}  // namespace slipface

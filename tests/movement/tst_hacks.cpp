@@ -1,0 +1,432 @@
+// Each hack with its switch off, showing the artefact, and on, showing that it is gone.
+#include <cstring>
+
+#include "test_geometry.h"
+
+namespace slipface::test {
+
+namespace {
+
+bool same_bits(const Vec3& a, const Vec3& b) {
+    return std::memcmp(a.data(), b.data(), sizeof(double) * 3) == 0;
+}
+
+}  // namespace
+
+// --- static friction -------------------------------------------------------------------------------------------------
+
+TEST(StaticFriction, idle_on_30_degrees_is_bit_still_for_ten_seconds) {
+    Lab lab;
+    lab.slope(radians(30));
+    lab.ready();
+    const MovementSettings s;
+    PlayerState state = standing_on_slope(lab, s, radians(30));
+    ASSERT_TRUE(state.grounded);
+    const Vec3 rest = state.position;
+    for (int i = 0; i < 600; ++i) {
+        state = step(lab.scene(), s, state, {}, tick).state;
+        ASSERT_TRUE(same_bits(state.position, rest)) << "tick " << i;
+        ASSERT_TRUE(state.grounded);
+    }
+}
+
+TEST(StaticFriction, off_the_player_drifts_down_more_than_a_metre) {
+    Lab lab;
+    lab.slope(radians(30));
+    lab.ready();
+    MovementSettings s;
+    PlayerState state = standing_on_slope(lab, s, radians(30));
+    const Vec3 rest = state.position;
+    s.static_friction = false;
+    state = run(lab, s, state, {}, 600);
+    EXPECT_GT((state.position - rest).norm(), 1.0);
+    EXPECT_LT(state.position.x(), rest.x() - 0.5) << "downhill";
+}
+
+TEST(StaticFriction, holds_up_to_max_slope_and_not_above) {
+    for (const double degrees : {5.0, 15.0, 25.0, 35.0, 45.0, 49.0, 51.0, 55.0, 65.0, 75.0}) {
+        const double a = radians(degrees);
+        Lab lab;
+        lab.slope(a);
+        lab.ready();
+        const MovementSettings s;  // 50 degrees
+        PlayerState state = at({0.0, centre_height(s, slope_normal(a)), 0.0});
+        state = run(lab, s, state, {}, 60);
+        EXPECT_EQ(state.grounded, degrees < 50.0) << degrees;
+        if (degrees < 50.0) {
+            EXPECT_NEAR(state.position.x(), 0.0, 1e-5) << degrees;
+        } else {
+            // Frictionless plane: g sin a along the slope for 1 s, down from rest: g sin a / 2 metres, cos a of it along X.
+            const double along = 0.5 * s.gravity * std::sin(a);
+            EXPECT_NEAR(state.position.x(), -along * std::cos(a), 0.01 * along) << degrees;
+            EXPECT_NEAR(state.velocity.norm(), 2.0 * along, 0.01 * along) << degrees;
+        }
+    }
+}
+
+TEST(StaticFriction, a_surface_overrides_the_maximum_slope) {
+    Lab lab;
+    lab.surfaces[plain].max_slope = radians(20);
+    lab.slope(radians(30));
+    lab.ready();
+    const MovementSettings s;
+    EXPECT_FALSE(run(lab, s, at({0, centre_height(s, slope_normal(radians(30))), 0}), {}, 60).grounded);
+    lab.surfaces[plain].max_slope = radians(70);
+    EXPECT_TRUE(run(lab, s, at({0, centre_height(s, slope_normal(radians(30))), 0}), {}, 60).grounded);
+}
+
+TEST(StaticFriction, the_vertical_part_gets_exactly_one_sweep_on_ground) {
+    Lab lab;
+    lab.slope(radians(30));
+    lab.ready();
+    const MovementSettings s;
+    const PlayerState state = standing_on_slope(lab, s, radians(30));
+    TraceRecorder trace;
+    EXPECT_EQ(step(lab.scene(), s, state, {}, tick, &trace).sweeps, 1);
+    EXPECT_TRUE(has_decision(trace, "static_friction", true, "grounded"));
+}
+
+// --- steep slopes are walls ------------------------------------------------------------------------------------------
+
+TEST(SteepSlope, of_60_and_75_degrees_cannot_be_climbed_by_walking_or_jumping) {
+    for (const double degrees : {60.0, 75.0}) {
+        Lab lab;
+        lab.floor();
+        lab.slope(radians(degrees));
+        lab.ready();
+        const MovementSettings s;
+        PlayerState state = at({-6, 0.95, 0});
+        double top = 0.0;
+        for (int i = 0; i < 600; ++i) {
+            state = step(lab.scene(), s, state, wish(1, 0), tick).state;
+            top = std::max(top, state.position.y());
+            ASSERT_FALSE(overlaps_any(lab.world(), s.radii, state.position));
+        }
+        EXPECT_LT(top, 0.95 + 1e-3) << degrees;
+        // Jumping gains the jump's own height, 1.6 m, and nothing more however often it is repeated.
+        for (int i = 0; i < 600; ++i) {
+            state = step(lab.scene(), s, state, wish(1, 0, i % 2 == 0), tick).state;
+            top = std::max(top, state.position.y());
+        }
+        EXPECT_LT(top, 0.9 + 1.6 + 0.05) << degrees;
+    }
+}
+
+// --- ground velocity -------------------------------------------------------------------------------------------------
+
+namespace {
+
+// Share of the ticks of 1.5 s in the air, running down 30 degrees at 6 m/s.
+double airborne_share(const MovementSettings& s, double dt) {
+    Lab lab;
+    lab.slope(radians(30));
+    lab.ready();
+    PlayerState state = at({50.0, 0.0, 0.0}, {-6.0, -6.0 * std::tan(radians(30)), 0.0});
+    state.position.y() = 50.0 * std::tan(radians(30)) + centre_height(s, slope_normal(radians(30)));
+    state = step(lab.scene(), s, state, wish(-1, 0), dt).state;
+    const int ticks = static_cast<int>(1.5 / dt);
+    int airborne = 0;
+    for (int i = 0; i < ticks; ++i) {
+        state = step(lab.scene(), s, state, wish(-1, 0), dt).state;
+        airborne += state.grounded ? 0 : 1;
+    }
+    return static_cast<double>(airborne) / ticks;
+}
+
+}  // namespace
+
+TEST(GroundVelocity, on_the_player_is_grounded_in_every_tick) {
+    const MovementSettings s;
+    for (const int rate : {30, 60, 120, 240, 360}) EXPECT_EQ(airborne_share(s, 1.0 / rate), 0.0) << rate;
+}
+
+TEST(GroundVelocity, off_the_player_hops) {
+    MovementSettings s;
+    s.ground_velocity = false;
+    EXPECT_GT(airborne_share(s, tick), 0.3);
+}
+
+TEST(GroundVelocity, a_step_off_a_ledge_falls_from_rest) {
+    // The press is not a motion: after t seconds in the air the player has fallen g t t / 2, not ground_speed t more.
+    Lab lab;
+    lab.polygon({{-20, 0, -5}, {-20, 0, 5}, {0, 0, 5}, {0, 0, -5}});
+    lab.floor(-30);
+    lab.ready();
+    MovementSettings s;
+    PlayerState state = run(lab, s, at({-3, 0.95, 0}), wish(1, 0), 20);
+    while (state.grounded) state = step(lab.scene(), s, state, wish(1, 0), tick).state;
+    const double y = state.position.y();
+    const double v = state.velocity.y();
+    EXPECT_GT(v, -1.0 - s.gravity * tick);
+    state = run(lab, s, state, wish(1, 0), 30);
+    EXPECT_NEAR(state.position.y(), y + v * 0.5 - 10 * 0.25, 1e-9);
+}
+
+// --- straight ahead --------------------------------------------------------------------------------------------------
+
+namespace {
+
+// Direction of the horizontal way made over a 30 degree ramp with the stick at 45 degrees to it.
+double heading_on_ramp(const MovementSettings& s) {
+    Lab lab;
+    lab.slope(radians(30));
+    lab.ready();
+    PlayerState state = standing_on_slope(lab, s, radians(30));
+    const Vec3 from = state.position;
+    state = run(lab, s, state, wish(std::sqrt(0.5), std::sqrt(0.5)), 90);
+    const Vec3 way = state.position - from;
+    return std::atan2(way.z(), way.x());
+}
+
+}  // namespace
+
+TEST(StraightAhead, keeps_the_heading) {
+    const MovementSettings s;
+    EXPECT_NEAR(heading_on_ramp(s), pi / 4, 1e-4);
+}
+
+TEST(StraightAhead, off_the_ramp_turns_the_heading) {
+    MovementSettings s;
+    s.straight_ahead = false;
+    // V = (1,0,1)/sqrt 2, N = (-1/2, cos 30, 0): V - N (V.N) = (0.7071 (1 - 1/4), .., 0.7071), a heading of
+    // atan(1 / 0.75) = 0.9273.
+    EXPECT_NEAR(heading_on_ramp(s), std::atan2(1.0, 0.75), 1e-3);
+}
+
+TEST(StraightAhead, keeps_the_length_of_the_slide) {
+    Lab lab;
+    lab.slope(radians(30));
+    lab.ready();
+    MovementSettings s;
+    const Vec3 n = slope_normal(radians(30));
+    const Vec3 from(0.0, centre_height(s, n), 0.0);
+    for (const double heading : {0.0, 20.0, 45.0, 80.0}) {
+        const Vec3 v = 0.7 * Vec3(std::cos(radians(heading)), 0, std::sin(radians(heading)));
+        const SlideResult ahead = slide_move(lab.scene(), s, from, v);
+        const double length = (v - n * v.dot(n)).norm();
+        EXPECT_NEAR((ahead.position - from).norm(), length, 1e-6 * length) << heading;
+        // Direction V - (0, 1/N.y, 0) (N.V).
+        const Vec3 direction = (v - Vec3(0, v.dot(n) / n.y(), 0)).normalized();
+        EXPECT_NEAR(((ahead.position - from).normalized() - direction).norm(), 0.0, 1e-6) << heading;
+    }
+}
+
+TEST(StraightAhead, leaves_vertical_walls_to_plain_sliding) {
+    Lab lab;
+    lab.wall({0, -40}, {0, 40});
+    lab.ready();
+    const MovementSettings s;
+    TraceRecorder trace;
+    const SlideResult result = slide_move(lab.scene(), s, {-0.402, 5, 0}, {0.6, 0, 0.8}, &trace);
+    EXPECT_LT((result.position - Vec3(-0.402, 5, 0.8)).norm(), 1e-6);
+    EXPECT_TRUE(has_decision(trace, "max_slope", true, "a wall"));
+}
+
+// --- keep energy -----------------------------------------------------------------------------------------------------
+
+namespace {
+
+// Speed at the right rim of a half-pipe of ice entered down the left rim at 10 m/s without gravity, and with.
+PlayerState ride(const MovementSettings& s, int segments, double entry_speed) {
+    Lab lab;
+    lab.half_pipe(segments, 5.0, ice);
+    lab.ready();
+    // At the height of the axis beside the first face, moving along it.
+    const double first = pi / segments;  // the first face leans this much over two from the vertical
+    const Vec3 along = Vec3(std::sin(first / 2), -std::cos(first / 2), 0.0);
+    const Vec3 normal(std::cos(first / 2), std::sin(first / 2), 0.0);
+    const Vec3 on_face(-5.0 * std::cos(first / 2) * std::cos(first / 2),
+                       5.0 - 5.0 * std::cos(first / 2) * std::sin(first / 2), 0.0);
+    PlayerState state = at(on_face + normal * (s.radii.cwiseProduct(normal).norm() + s.skin), along * entry_speed);
+    for (int i = 0; i < 600; ++i) {
+        state = step(lab.scene(), s, state, {}, tick).state;
+        // On the last face: the velocity leads along it, mirrored from the first.
+        if (state.velocity.y() > 0.0 && std::abs(state.velocity.normalized().x() - along.x()) < 1e-6) return state;
+    }
+    return state;
+}
+
+}  // namespace
+
+TEST(KeepEnergy, off_a_half_pipe_takes_the_product_of_the_cosines) {
+    for (const int segments : {8, 16, 32, 64}) {
+        MovementSettings s;
+        s.gravity = 0.0;
+        s.keep_energy = false;
+        s.radii = Vec3(0.4, 0.4, 0.4);
+        const PlayerState out = ride(s, segments, 10.0);
+        // segments - 1 turns by pi / segments, each of which projects the velocity on the next face.
+        const double product = std::pow(std::cos(pi / segments), segments - 1);
+        EXPECT_NEAR(out.velocity.norm(), 10.0 * product, 1e-5) << segments;
+    }
+}
+
+TEST(KeepEnergy, on_the_exit_speed_is_the_entry_speed) {
+    for (const int segments : {8, 16, 32, 64}) {
+        MovementSettings s;
+        s.gravity = 0.0;
+        s.radii = Vec3(0.4, 0.4, 0.4);
+        EXPECT_NEAR(ride(s, segments, 10.0).velocity.norm(), 10.0, 1e-6) << segments;
+    }
+}
+
+TEST(KeepEnergy, on_the_exit_speed_is_the_entry_speed_and_gravitys_work) {
+    for (const int segments : {8, 16, 32, 64}) {
+        MovementSettings s;
+        Lab lab;
+        lab.half_pipe(segments, 5.0, ice);
+        lab.ready();
+        const double first = pi / segments / 2;
+        const Vec3 along(std::sin(first), -std::cos(first), 0.0);
+        const Vec3 normal(std::cos(first), std::sin(first), 0.0);
+        const Vec3 on_face(-5.0 * std::cos(first) * std::cos(first), 5.0 - 5.0 * std::cos(first) * std::sin(first), 0.0);
+        PlayerState state = at(on_face + normal * (s.radii.cwiseProduct(normal).norm() + s.skin), along * 12.0);
+        const double energy = 0.5 * 144.0 + s.gravity * state.position.y();
+        bool far_side = false;
+        for (int i = 0; i < 120 && !far_side; ++i) {
+            state = step(lab.scene(), s, state, {}, tick).state;
+            const double speed = std::sqrt(2.0 * (energy - s.gravity * state.position.y()));
+            ASSERT_NEAR(state.velocity.norm(), speed, 1e-3 * speed) << segments << " tick " << i;
+            far_side = state.position.x() > 3.5 && state.position.y() > 4.0;
+        }
+        EXPECT_TRUE(far_side) << segments;
+    }
+}
+
+TEST(KeepEnergy, off_with_gravity_speed_is_lost) {
+    MovementSettings s;
+    s.keep_energy = false;
+    Lab lab;
+    lab.half_pipe(8, 5.0, ice);
+    lab.ready();
+    PlayerState state = at({-4.0, 3.5, 0}, {0, -12, 0});
+    const double energy = 0.5 * 144.0 + s.gravity * state.position.y();
+    while (state.position.x() < 1.0) state = step(lab.scene(), s, state, {}, tick).state;
+    const double speed = std::sqrt(2.0 * (energy - s.gravity * state.position.y()));
+    EXPECT_LT(state.velocity.norm(), 0.9 * speed);
+}
+
+TEST(KeepEnergy, a_head_on_hit_is_not_redirected) {
+    Lab lab;
+    lab.wall({0, -40}, {0, 40}, -5, 20, ice);
+    lab.ready();
+    MovementSettings s;
+    s.gravity = 0.0;
+    // Into the wall at 35 degrees from its normal: N.V / |V| = -cos 35 = -0.82, below -0.5.
+    TraceRecorder head_on;
+    const Vec3 v = 10.0 * Vec3(std::cos(radians(35)), 0, std::sin(radians(35)));
+    PlayerState state = at({-1, 5, 0}, v);
+    for (int i = 0; i < 30; ++i) state = step(lab.scene(), s, state, {}, tick, &head_on).state;
+    EXPECT_NEAR(state.velocity.norm(), 10.0 * std::sin(radians(35)), 1e-9);
+    EXPECT_TRUE(has_decision(head_on, "keep_energy", false, "head-on"));
+    // At 65 degrees from the normal, -0.42: turned with all its speed.
+    state = run(lab, s, at({-1, 5, 0}, 10.0 * Vec3(std::cos(radians(65)), 0, std::sin(radians(65)))), {}, 30);
+    EXPECT_NEAR(state.velocity.norm(), 10.0, 1e-9);
+    // The limit is a setting.
+    s.keep_energy_limit = -0.3;
+    state = run(lab, s, at({-1, 5, 0}, 10.0 * Vec3(std::cos(radians(65)), 0, std::sin(radians(65)))), {}, 30);
+    EXPECT_NEAR(state.velocity.norm(), 10.0 * std::sin(radians(65)), 1e-9);
+}
+
+TEST(KeepEnergy, gliding_over_flat_ice_neither_gains_nor_loses) {
+    Lab lab;
+    lab.floor(0, ice, 500);
+    lab.ready();
+    const MovementSettings s;
+    for (const int rate : {30, 60, 120, 360}) {
+        PlayerState state = at({0, 0.9 + s.skin, 0}, {6, 0, 0});
+        state = run(lab, s, state, {}, 10 * rate, 1.0 / rate);
+        EXPECT_NEAR(state.velocity.norm(), 6.0, 1e-3) << rate;
+        EXPECT_NEAR(state.position.x(), 60.0, 0.06) << rate;
+        EXPECT_TRUE(state.grounded) << rate;
+    }
+}
+
+TEST(KeepEnergy, ice_does_not_hold_an_idle_player) {
+    Lab lab;
+    lab.slope(radians(20), ice);
+    lab.ready();
+    const MovementSettings s;
+    const PlayerState state = run(lab, s, at({0, centre_height(s, slope_normal(radians(20))), 0}), {}, 60);
+    // g sin 20 / 2 = 3.42 m along the slope in the first second.
+    EXPECT_NEAR(state.position.x(), -3.42 * std::cos(radians(20)), 0.1);
+}
+
+// --- push-out --------------------------------------------------------------------------------------------------------
+
+TEST(PushOut, off_an_overlapping_player_stays_inside) {
+    Lab lab;
+    lab.floor();
+    lab.ready();
+    const MovementSettings s;
+    EXPECT_LT(step(lab.scene(), s, at({0, 0.4, 0}), {}, tick).state.position.y(), 0.5);
+}
+
+TEST(PushOut, frees_from_a_plane_a_wedge_and_a_corner) {
+    for (const PushOut kind : {PushOut::iterative, PushOut::analytic}) {
+        for (const double degrees : {5.0, 20.0, 45.0, 85.0}) {
+            // Going from wall to wall converges by cos(angle)^2 a round: no use in narrow wedges, and said to be so.
+            if (kind == PushOut::iterative && degrees < 45.0) continue;
+            for (const bool corner : {false, true}) {
+                const double half = radians(degrees) / 2;
+                Lab lab;
+                lab.wall({0, 0}, {60 * std::cos(half), 60 * std::sin(half)});
+                lab.wall({0, 0}, {60 * std::cos(half), -60 * std::sin(half)});
+                if (corner) lab.floor();
+                lab.ready();
+                MovementSettings s;
+                s.gravity = 0.0;
+                s.push_out = kind;
+                const double apex = (0.4 + s.skin) / std::sin(half);
+                // Overlaps both walls, and the floor where there is one.
+                const PlayerState inside = at({apex - 0.05 / std::sin(half), 0.8, 0.003});
+                ASSERT_TRUE(overlaps_any(lab.world(), s.radii, inside.position));
+                TraceRecorder trace;
+                const PlayerState out = step(lab.scene(), s, inside, {}, tick, &trace).state;
+                EXPECT_FALSE(overlaps_any(lab.world(), s.radii, out.position))
+                    << degrees << (corner ? " corner " : " wedge ") << push_out_names[static_cast<std::size_t>(kind)];
+                ASSERT_FALSE(trace.records.empty());
+                const auto* record = std::get_if<PushOutRecord>(&trace.records.front());
+                ASSERT_NE(record, nullptr);
+                EXPECT_TRUE(record->free);
+                if (kind == PushOut::analytic) {
+                    EXPECT_EQ(record->planes, corner ? 3 : 2);
+                    // The common line, or point, of the planes a radius and a skin off.
+                    const double height = corner ? 0.9 + s.skin : 0.8;
+                    EXPECT_LT((record->to - Vec3(apex, height, 0)).norm(), 1e-5) << degrees;
+                }
+            }
+        }
+    }
+}
+
+TEST(PushOut, parallel_planes_are_refused_without_a_division_by_zero) {
+    // A slot narrower than the player: nowhere to go.
+    Lab lab;
+    lab.wall({-20, 0.3}, {20, 0.3}, -50, 50);
+    lab.wall({-20, -0.3}, {20, -0.3}, -50, 50);
+    lab.ready();
+    MovementSettings s;
+    s.gravity = 0.0;
+    for (const PushOut kind : {PushOut::iterative, PushOut::analytic}) {
+        s.push_out = kind;
+        TraceRecorder trace;
+        const PlayerState out = step(lab.scene(), s, at({0, 0, 0}), {}, tick, &trace).state;
+        EXPECT_EQ(out.position, Vec3(0, 0, 0));
+        ASSERT_FALSE(trace.records.empty());
+        EXPECT_FALSE(std::get<PushOutRecord>(trace.records.front()).free);
+    }
+}
+
+TEST(StartingInside, moves_that_lead_out_are_free) {
+    Lab lab;
+    lab.wall({0, -40}, {0, 40});
+    lab.ready();
+    const MovementSettings s;
+    const SlideResult out = slide_move(lab.scene(), s, {-0.1, 5, 0}, {-1, 0, 0});
+    EXPECT_LT((out.position - Vec3(-1.1, 5, 0)).norm(), 1e-12);
+    const SlideResult in = slide_move(lab.scene(), s, {-0.1, 5, 0}, {1, 0, 0});
+    EXPECT_LE(in.position.x(), -0.1 + 1e-12);
+}
+
+}  // namespace slipface::test
