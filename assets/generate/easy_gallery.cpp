@@ -107,7 +107,8 @@ void add_moss_wall(Model& model) {
             model.face("sticky_moss", {{x, ys[j], zs[i]}, {x, ys[j], zs[i + 1]}, {x, ys[j + 1], zs[i + 1]}, {x, ys[j + 1], zs[i]}});
         }
     }
-    box(model, "stone_wall", {x, floor_y, 1.5}, {6.9, gallery_y, 5.5}, side_east | side_south | side_north | side_top);
+    box(model, "stone_wall", {x, floor_y, 1.5}, {6.9, gallery_y, 5.5}, side_east | side_south | side_north);
+    model.face("stone_trim", {{x, gallery_y, 5.5}, {6.38, gallery_y, 5.5}, {6.38, gallery_y, 1.5}, {x, gallery_y, 1.5}});
     model.mirror_x(false);
 }
 

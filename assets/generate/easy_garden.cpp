@@ -1,3 +1,4 @@
+#include <array>
 #include <cstdint>
 
 #include "easy.h"
@@ -38,13 +39,13 @@ void add_rock(Model& model, const Vec3& foot, double radius, double height, std:
 void add_mushroom(Model& model, const Vec3& foot, double height, double cap) {
     const double under = height - 0.35 * cap;
     lathe(model, "mushroom_stem", foot, {{0.26 * cap, 0}, {0.2 * cap, 0.5 * under}, {0.24 * cap, under}}, 8);
-    lathe(model, "mushroom_stem", foot, {{0.24 * cap, under}, {0.95 * cap, under - 0.06}}, 12);
+    lathe(model, "mushroom_stem", foot, {{0.2 * cap, under}, {0.95 * cap, under - 0.06}}, 12);
     lathe(model, "bouncy_mushroom", foot,
           {{0.95 * cap, under - 0.06}, {cap, under + 0.08 * cap}, {0.8 * cap, under + 0.26 * cap}, {0.42 * cap, height}}, 12, 0,
           "bouncy_mushroom");
 }
 
-// A rosette of stiff leaves, each a bent strip seen from both sides.
+// A rosette of stiff leaves, each a bent strip with a front on both sides.
 void add_agave(Model& model, const Vec3& foot, double length, int leaves, std::uint32_t seed) {
     for (int i = 0; i < leaves; ++i) {
         const auto n = static_cast<std::uint32_t>(i);
@@ -54,15 +55,21 @@ void add_agave(Model& model, const Vec3& foot, double length, int leaves, std::u
         const Vec3 middle = foot + 0.55 * reach * (cos_deg(lift) * out + sin_deg(lift) * Vec3::UnitY());
         const Vec3 tip = middle + 0.5 * reach * (cos_deg(0.4 * lift) * out + sin_deg(0.4 * lift) * Vec3::UnitY());
         const double width = 0.13 * length;
-        model.face_uv("foliage", {{foot - 0.6 * width * side, {0.2, 0}}, {middle - width * side, {0, 0.5}},
-                                  {middle + width * side, {1, 0.5}}, {foot + 0.6 * width * side, {0.8, 0}}});
-        model.face_uv("foliage", {{middle - width * side, {0, 0.5}}, {tip, {0.5, 1}}, {middle + width * side, {1, 0.5}}});
+        const std::array<Corner, 5> leaf{{{foot - 0.6 * width * side, {0.2, 0}},
+                                          {middle - width * side, {0, 0.5}},
+                                          {tip, {0.5, 1}},
+                                          {middle + width * side, {1, 0.5}},
+                                          {foot + 0.6 * width * side, {0.8, 0}}}};
+        model.face_uv("foliage", {leaf[0], leaf[1], leaf[3], leaf[4]});
+        model.face_uv("foliage", {leaf[1], leaf[2], leaf[3]});
+        model.face_uv("foliage", {leaf[4], leaf[3], leaf[1], leaf[0]});
+        model.face_uv("foliage", {leaf[3], leaf[2], leaf[1]});
     }
 }
 
 void add_pot(Model& model, double x, double z, std::uint32_t seed) {
     lathe(model, "terracotta", {x, floor_y, z}, {{0.26, 0}, {0.4, 0.5}, {0.46, 0.5}, {0.46, 0.6}, {0.38, 0.6}}, 8, 0, "moss_bed");
-    add_agave(model, {x, floor_y + 0.58, z}, 0.75, 9, seed);
+    add_agave(model, {x, floor_y + 0.58, z}, 0.75, 7, seed);
 }
 
 }  // namespace

@@ -22,9 +22,19 @@ std::string hall_floor_material(double x, double z) {
     if (inside(x, 9, 11.5) && inside(z, -21.5, -14)) return {};           // the pit
     if (inside(x, 11.5, 14) && inside(z, -1.5, 6)) return {};             // under the stairs
     if (inside(x, -14, -11.5) && inside(z, -4, 6)) return {};             // under the ramp
-    if (inside(x, -11.5, -9) && inside(z, -24, 6)) return "conveyor_belt";
+    if (inside(x, -11.5, -9) && inside(z, -24, 6)) return {};             // the belt
     if (std::abs(x) < 2.5) return "mosaic_floor";
     return "stone_floor";
+}
+
+// Runs north along the west aisle, its chevrons pointing the way.
+void add_conveyor(Model& model) {
+    for (double z = -24; z < 6; z += 2.5) {
+        model.face_uv("conveyor_belt", {{{-11.5, floor_y, z + 2.5}, {0, 0}},
+                                        {{-9, floor_y, z + 2.5}, {1, 0}},
+                                        {{-9, floor_y, z}, {1, 1}},
+                                        {{-11.5, floor_y, z}, {0, 1}}});
+    }
 }
 
 void add_pit(Model& model) {
@@ -43,7 +53,7 @@ void add_pit(Model& model) {
 // One bay of an outer wall: plain below, a window at gallery level. `from` and `to` as in wall().
 void add_outer_bay(Model& model, const Vec3& from, const Vec3& to) {
     wall(model, "stone_wall", from, to, dado_y);
-    wall(model, "plaster", {from.x(), dado_y, from.z()}, {to.x(), dado_y, to.z()}, aisle_ceiling_y);
+    wall(model, "plaster", {from.x(), dado_y, from.z()}, {to.x(), dado_y, to.z()}, gallery_y);
     const ArchShape window{.from = from, .to = to, .y0 = gallery_y, .y1 = gallery_ceiling_y, .half_width = 0.9,
                            .sill = 5.0, .spring = 6.1, .rise = 0.9, .segments = 8};
     arch_wall(model, "plaster", window);
@@ -52,7 +62,7 @@ void add_outer_bay(Model& model, const Vec3& from, const Vec3& to) {
 }
 
 void add_pilaster(Model& model, double z) {
-    box(model, "stone_trim", {13.65, floor_y, z - 0.35}, {hall_x, aisle_ceiling_y, z + 0.35}, side_west | side_south | side_north);
+    box(model, "stone_trim", {13.65, floor_y, z - 0.35}, {hall_x, gallery_y, z + 0.35}, side_west | side_south | side_north);
     box(model, "stone_trim", {13.55, floor_y, z - 0.45}, {hall_x, floor_y + 0.3, z + 0.45},
         side_west | side_south | side_north | side_top);
     box(model, "stone_trim", {13.65, gallery_y, z - 0.3}, {hall_x, gallery_ceiling_y, z + 0.3},
@@ -66,7 +76,7 @@ void add_long_wall(Model& model, bool west) {
         const Vec3 from(hall_x, floor_y, z1 - bay), to(hall_x, floor_y, z1);
         if (west && inside(door_z, from.z(), to.z())) {
             // Reflected with its front, the opening stays in the middle of the bay.
-            const ArchShape door{.from = from, .to = to, .y0 = floor_y, .y1 = aisle_ceiling_y, .half_width = 1.5,
+            const ArchShape door{.from = from, .to = to, .y0 = floor_y, .y1 = gallery_y, .half_width = 1.5,
                                  .sill = floor_y, .spring = 1.4, .rise = 1.2, .segments = 10};
             arch_wall(model, "stone_wall", door);
             arch_reveal(model, "stone_trim", door, 4.0, true);
@@ -115,6 +125,7 @@ void add_entrance(Model& model) {
 void add_hall_floors(Model& model) {
     model.begin_group("hall_floor");
     grid_floor(model, {-14, -11.5, -9, -5, -2.5, 0, 2.5, 5, 9, 11.5, 14}, half_bays(), floor_y, hall_floor_material);
+    add_conveyor(model);
     add_pit(model);
 }
 

@@ -86,6 +86,7 @@ void add_half_pipe(Model& model) {
         const double angle = 180.0 * i / segments;
         return Vec3(x, floor_y - radius * sin_deg(angle), middle + radius * cos_deg(angle));
     };
+    const double arc = 2 * radius * sin_deg(90.0 / segments) / 3;  // of one segment, in texture tiles
     std::vector<Vec3> west_end, east_end;
     for (int i = 0; i <= segments; ++i) {
         west_end.push_back(point(i, pipe.west));
@@ -95,7 +96,9 @@ void add_half_pipe(Model& model) {
         for (int k = 0; k < pieces; ++k) {
             const double x0 = pipe.west + (pipe.east - pipe.west) * k / pieces;
             const double x1 = pipe.west + (pipe.east - pipe.west) * (k + 1) / pieces;
-            model.face("ice_pipe", {point(i + 1, x1), point(i + 1, x0), point(i, x0), point(i, x1)});
+            const double upper = arc * i, lower = arc * (i + 1);
+            model.face_uv("ice_pipe", {{point(i + 1, x1), {x1 / 3, lower}}, {point(i + 1, x0), {x0 / 3, lower}},
+                                       {point(i, x0), {x0 / 3, upper}}, {point(i, x1), {x1 / 3, upper}}});
         }
     }
     model.face("stone_wall", west_end);

@@ -31,7 +31,7 @@ Image stone_floor() {
 Image plaster() {
     return paint(256, [](double u, double v) {
         const double stain = ramp_between(0.55, 0.8, cloud(u, v, 3, 4, 31));
-        return Color(grained(mix(cream, sand, 0.35 * stain), u, v, 0.10, 33));
+        return Color(grained(mix(mix(cream, sand_light, 0.75), sand, 0.45 * stain), u, v, 0.10, 33));
     });
 }
 

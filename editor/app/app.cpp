@@ -1,7 +1,7 @@
 #include "app/app.h"
 
 #include <glad/gl.h>
-#include <imgui_impl_opengl3.h>
+#include <backends/imgui_impl_opengl3.h>
 #include <imgui_internal.h>
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "tools/docs.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -21,8 +23,12 @@ std::string cell(std::string_view text) {
 std::string row(std::initializer_list<std::string> cells) {
     std::string line = "|";
     for (const std::string& text : cells)
-        line += " " + cell(text) + " |";
+        line += fmt::format(" {} |", cell(text));
     return line + "\n";
+}
+
+std::string code(const char* name) {
+    return fmt::format("`{}`", name);
 }
 
 std::string shown_number(double value, std::string_view unit) {
@@ -43,12 +49,11 @@ std::string commands_markdown() {
         "by its id.\n\n"
         "Shortcuts go by the letter on the key. W A S D Q E fly while the right mouse button is down.\n\n";
     for (const char* menu : {"File", "Edit", "View", "Tools", "Playtest", "Help", ""}) {
-        text += "## " + std::string(*menu ? menu : "Without a menu entry") + "\n\n";
+        text += fmt::format("## {}\n\n", *menu ? menu : "Without a menu entry");
         text += row({"Command", "Shortcut", "Id", "What it does"}) + row({"---", "---", "---", "---"});
         for (const Command& command : commands())
             if (std::string_view(command.menu) == menu)
-                text += row({command.label, command.shortcut.text(), "`" + std::string(command.id) + "`",
-                             command.description});
+                text += row({command.label, command.shortcut.text(), code(command.id), command.description});
         text += "\n";
     }
     text.pop_back();
@@ -67,7 +72,7 @@ std::string settings_markdown() {
     for (const SettingInfo& info : settings_table()) {
         if (group != info.group) {
             group = info.group;
-            text += "\n### " + std::string(group) + "\n\n";
+            text += fmt::format("\n### {}\n\n", group);
             text += row({"Setting", "Name", "Default", "Range", "Meaning", "Too small", "Too large"});
             text += row({"---", "---", "---", "---", "---", "---", "---"});
         }
@@ -79,14 +84,14 @@ std::string settings_markdown() {
         const std::string range =
             number ? shown_number(info.minimum, info.unit) + " to " + shown_number(info.maximum, info.unit)
                    : "";
-        text += row({info.label, "`" + std::string(info.name) + "`", standard, range, info.meaning,
-                     info.too_small, info.too_large});
+        text +=
+            row({info.label, code(info.name), standard, range, info.meaning, info.too_small, info.too_large});
     }
     text += "\n## Surface types\n\n" + row({"Parameter", "Name", "Unit", "Range", "Meaning"}) +
             row({"---", "---", "---", "---", "---"});
     for (const SurfaceField& field : surface_fields()) {
         const bool is_switch = std::holds_alternative<bool SurfaceType::*>(field.member);
-        text += row({field.label, "`" + std::string(field.name) + "`", field.unit,
+        text += row({field.label, code(field.name), field.unit,
                      is_switch ? "on, off"
                                : shown_number(field.minimum, field.unit) + " to " +
                                      shown_number(field.maximum, field.unit),

@@ -1,5 +1,7 @@
 #include "sphere_triangle.h"
 
+#include <algorithm>
+#include <limits>
 #include <tuple>
 
 namespace slipface::detail {
@@ -138,11 +140,32 @@ V3 border_point(const SphereTriangle& triangle, const Nearest& nearest) {
     return edge.p + nearest.s * edge.e;
 }
 
-// A normal in sphere space as the unit normal of the ellipsoid in world space (inverse transpose). The
-// smallest radius is taken out first so that no radius overflows it.
+// a / b for each component, times the power of two that brings the largest to about 1.
+V3 scaled_quotient(const V3& a, const V3& b) {
+    const double top[3] = {a.x, a.y, a.z};
+    const double bottom[3] = {b.x, b.y, b.z};
+    double quotient[3];
+    int exponent[3];
+    int largest_exponent = std::numeric_limits<int>::min();
+    for (int i = 0; i < 3; ++i) {
+        int above = 0;
+        int below = 0;
+        quotient[i] = std::frexp(top[i], &above) / std::frexp(bottom[i], &below);
+        exponent[i] = above - below;
+        if (quotient[i] != 0.0) largest_exponent = std::max(largest_exponent, exponent[i]);
+    }
+    for (int i = 0; i < 3; ++i) {
+        quotient[i] = quotient[i] == 0.0 ? 0.0 : std::ldexp(quotient[i], exponent[i] - largest_exponent);
+    }
+    return {quotient[0], quotient[1], quotient[2]};
+}
+
+// A normal in sphere space as the unit normal of the ellipsoid in world space (inverse transpose).
 V3 world_normal(const V3& sphere, const EllipsoidQuery& query) {
-    const double least = std::fmin(std::fmin(query.radii.x, query.radii.y), query.radii.z);
-    return unit(mul(sphere, least * query.inverse));
+    const V3 world = mul(sphere, query.inverse);
+    const double size = largest(world);
+    // Radii at the ends of double's range overflow the plain product.
+    return unit(size > 1e-100 && size < 1e100 ? world : scaled_quotient(sphere, query.radii));
 }
 
 V3 edge_point_world(const LeafTriangle& leaf, const Edge& edge, double s) {

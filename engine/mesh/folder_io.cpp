@@ -1,15 +1,53 @@
 #include "folder_io.h"
 
-#include <assimp/MemoryIOWrapper.h>
-
 #include <algorithm>
+#include <assimp/IOStream.hpp>
 #include <cstring>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "slipface/base/files.h"
 
 namespace slipface {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// A file in memory. Some of assimp's readers ask for more at the end of a truncated file again and again, for
+// ever; an exception, which assimp turns into a refusal, stops them.
+class GuardedStream final : public Assimp::IOStream {
+  public:
+    explicit GuardedStream(std::string bytes) : bytes_(std::move(bytes)) {}
+
+    std::size_t Read(void* buffer, std::size_t size, std::size_t count) override {
+        if (size == 0 || count == 0) return 0;
+        const std::size_t items = std::min(count, (bytes_.size() - at_) / size);
+        if (items == 0 && ++reads_at_end_ > patience) throw std::runtime_error("unexpected end of file");
+        std::memcpy(buffer, bytes_.data() + at_, items * size);
+        at_ += items * size;
+        return items;
+    }
+    std::size_t Write(const void*, std::size_t, std::size_t) override { return 0; }
+    aiReturn Seek(std::size_t offset, aiOrigin origin) override {
+        const std::size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? at_ : bytes_.size();
+        if (offset > bytes_.size() - base) return aiReturn_FAILURE;
+        at_ = base + offset;
+        return aiReturn_SUCCESS;
+    }
+    std::size_t Tell() const override { return at_; }
+    std::size_t FileSize() const override { return bytes_.size(); }
+    void Flush() override {}
+
+  private:
+    static constexpr int patience = 1000;
+    std::string bytes_;
+    std::size_t at_ = 0;
+    int reads_at_end_ = 0;
+};
+
+}  // namespace
 
 FolderIo::FolderIo(const fs::path& folder) {
     std::error_code error;
@@ -35,13 +73,8 @@ bool FolderIo::Exists(const char* file) const {
 
 Assimp::IOStream* FolderIo::Open(const char* file, const char* mode) {
     if (std::strpbrk(mode, "wa+") != nullptr || !readable(file)) return nullptr;
-    const auto bytes = read_file(file);
-    if (!bytes) return nullptr;
-    auto copy = std::make_unique<std::uint8_t[]>(bytes->size() + 1);
-    std::memcpy(copy.get(), bytes->data(), bytes->size());
-    auto* stream = new Assimp::MemoryIOStream(copy.get(), bytes->size(), true);
-    (void)copy.release();  // the stream owns it from here on
-    return stream;
+    auto bytes = read_file(file);
+    return bytes ? new GuardedStream(std::move(*bytes)) : nullptr;
 }
 
 void FolderIo::Close(Assimp::IOStream* stream) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_faces = std::size_t{1} << 26;
 constexpr float largest_coordinate = 1e7F;  // metres
-constexpr std::array<std::string_view, 7> extensions{"gltf", "glb", "ply", "stl", "off", "dae", "fbx"};
+constexpr std::array<std::string_view, 6> extensions{"gltf", "glb", "ply", "stl", "off", "dae"};
 
 std::string text_of(const aiString& text) {
     bool converted = false;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 
 #include "slipface/mesh/mesh.h"
 #include "weld.h"
@@ -10,11 +11,6 @@ struct EdgeOfFace {
     std::uint32_t low, high;  // vertices
     FaceId face;
     friend auto operator<=>(const EdgeOfFace&, const EdgeOfFace&) = default;
-};
-
-struct Pair {
-    FaceId face, neighbour;
-    friend auto operator<=>(const Pair&, const Pair&) = default;
 };
 
 std::vector<EdgeOfFace> edges_of(const Mesh& mesh) {
@@ -35,34 +31,45 @@ std::vector<EdgeOfFace> edges_of(const Mesh& mesh) {
     return edges;
 }
 
-}  // namespace
-
-FaceNeighbours face_neighbours(const Mesh& mesh) {
-    const std::vector<EdgeOfFace> edges = edges_of(mesh);
-    std::vector<Pair> pairs;
+// Calls link(face, neighbour) for each pair of faces at a common edge.
+template <class Link>
+void for_each_link(const std::vector<EdgeOfFace>& edges, const Link& link) {
     for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
         while (end < edges.size() && edges[end].low == edges[begin].low &&
                edges[end].high == edges[begin].high)
             ++end;
         for (std::size_t a = begin; a < end; ++a) {
             for (std::size_t b = a + 1; b < std::min(end, a + 1 + max_linked_faces); ++b) {
-                pairs.push_back({edges[a].face, edges[b].face});
-                pairs.push_back({edges[b].face, edges[a].face});
+                link(edges[a].face, edges[b].face);
+                link(edges[b].face, edges[a].face);
             }
         }
     }
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
 
+}  // namespace
+
+FaceNeighbours face_neighbours(const Mesh& mesh) {
+    const std::vector<EdgeOfFace> edges = edges_of(mesh);
+    std::vector<std::size_t> end(mesh.face_count() + 1, 0);
+    for_each_link(edges, [&](FaceId face, FaceId) { ++end[face + 1]; });
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<FaceId> links(end.back());
+    for_each_link(edges, [&](FaceId face, FaceId neighbour) { links[end[face]++] = neighbour; });
+
+    // Filling has moved each face's begin to its end, which is the next face's begin.
     FaceNeighbours result;
-    result.first.assign(mesh.face_count() + 1, 0);
-    result.list.reserve(pairs.size());
-    for (const Pair& pair : pairs) {
-        ++result.first[pair.face + 1];
-        result.list.push_back(pair.neighbour);
+    result.first.reserve(mesh.face_count() + 1);
+    result.first.push_back(0);
+    std::size_t begin = 0;
+    for (FaceId face = 0; face < mesh.face_count(); ++face) {
+        const auto from = links.begin() + static_cast<std::ptrdiff_t>(begin);
+        const auto to = links.begin() + static_cast<std::ptrdiff_t>(end[face]);
+        begin = end[face];
+        std::sort(from, to);
+        result.list.insert(result.list.end(), from, std::unique(from, to));
+        result.first.push_back(static_cast<std::uint32_t>(result.list.size()));
     }
-    for (std::size_t i = 1; i < result.first.size(); ++i)
-        result.first[i] += result.first[i - 1];
     return result;
 }
 

@@ -32,7 +32,11 @@ std::vector<Vec2> project(std::span<const Vec3f> corners, const Vec3& normal) {
 class EarClipper {
   public:
     explicit EarClipper(const std::vector<Vec2>& points)
-        : points_(points), next_(points.size()), previous_(points.size()), ear_(points.size()) {
+        : points_(points),
+          next_(points.size()),
+          previous_(points.size()),
+          ear_(points.size()),
+          blocks_(points.size()) {
         const auto count = static_cast<std::uint32_t>(points.size());
         for (std::uint32_t i = 0; i < count; ++i) {
             next_[i] = i + 1 == count ? 0 : i + 1;
@@ -40,8 +44,11 @@ class EarClipper {
         }
         // A corner that is reflex or straight may lie in an ear; the others never do.
         for (std::uint32_t i = 0; i < count; ++i) {
-            if (corner_turn(i) <= 0.0) blockers_.push_back(i);
+            blocks_[i] = corner_turn(i) <= 0.0;
+            if (blocks_[i]) blockers_.push_back(i);
         }
+        std::sort(blockers_.begin(), blockers_.end(),
+                  [&](std::uint32_t a, std::uint32_t b) { return points_[a].x() < points_[b].x(); });
         for (std::uint32_t i = 0; i < count; ++i)
             ear_[i] = is_ear(i);
     }
@@ -55,7 +62,7 @@ class EarClipper {
             triangles.push_back({before, tip, after});
             next_[before] = after;
             previous_[after] = before;
-            next_[tip] = tip;  // no longer in the ring
+            blocks_[tip] = false;
             refresh(before);
             refresh(after);
             at = after;
@@ -74,12 +81,16 @@ class EarClipper {
         if (!(turn(a, b, c) > 0.0)) return false;
         const Vec2 low = a.cwiseMin(b).cwiseMin(c);
         const Vec2 high = a.cwiseMax(b).cwiseMax(c);
-        return std::none_of(blockers_.begin(), blockers_.end(), [&](std::uint32_t other) {
-            const Vec2& p = points_[other];
-            if (p.x() < low.x() || p.x() > high.x() || p.y() < low.y() || p.y() > high.y()) return false;
-            if (p == a || p == b || p == c) return false;
-            return turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
-        });
+        auto other =
+            std::lower_bound(blockers_.begin(), blockers_.end(), low.x(),
+                             [&](std::uint32_t corner, double x) { return points_[corner].x() < x; });
+        for (; other != blockers_.end() && points_[*other].x() <= high.x(); ++other) {
+            const Vec2& p = points_[*other];
+            if (!blocks_[*other] || p.y() < low.y() || p.y() > high.y()) continue;
+            if (p == a || p == b || p == c) continue;
+            if (turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0) return false;
+        }
+        return true;
     }
 
     // The first ear from `at` on; in a ring without one, which only polygons that cross or touch themselves
@@ -102,16 +113,16 @@ class EarClipper {
 
     // Cutting an ear changes only its two neighbours. One that has become convex blocks nobody any more.
     void refresh(std::uint32_t i) {
-        std::erase_if(blockers_, [&](std::uint32_t other) {
-            return next_[other] == other || (other == i && corner_turn(i) > 0.0);
-        });
+        if (corner_turn(i) > 0.0) blocks_[i] = false;
         ear_[i] = is_ear(i);
     }
 
     const std::vector<Vec2>& points_;
     std::vector<std::uint32_t> next_, previous_;
     std::vector<char> ear_;
-    std::vector<std::uint32_t> blockers_;
+    std::vector<char> blocks_;  // [corner] still in the ring and not convex
+    std::vector<std::uint32_t>
+        blockers_;  // those that were so at first, by x: an ear asks only those beside it
 };
 
 void fan(std::size_t count, std::vector<std::array<std::uint32_t, 3>>& triangles) {

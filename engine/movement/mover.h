@@ -119,7 +119,7 @@ void respect_corner(const Corner& corner, const Vec3& leftover, const Vec3& velo
 // Parts of a step.
 void walk(Mover& mover, const PlayerState& state, bool jump_pressed);
 void accelerate(Mover& mover, bool slippery);
-void pay_for_height(Mover& mover, double climbed);
+void coast(Mover& mover, const Vec3& from, const Vec3& driven_velocity);
 // How far `along`, a displacement or a velocity, leads down on ground of that normal; 0 going up.
 double descent(const Vec3& ground_normal, const Vec3& along);
 double press_down(const Mover& mover, const Vec3& ground_normal, const Vec3& move);  // metres this step, >= 0

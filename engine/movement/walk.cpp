@@ -42,6 +42,10 @@ void move_whole(Mover& mover, const PlayerState& state, const Vec3& move, bool t
     if (!touching || mover.contacts != contacts) return;
     const Swept swept = sweep_with_skin(mover, Pass::probe, 0, -state.ground_normal * mover.settings.skin);
     if (!swept.contact) return;
+    // Moving off faster than gravity pulls back is leaving, not gliding.
+    const double off = mover.velocity.dot(swept.contact->normal);
+    const double rounding = 1e-9 * mover.velocity.norm();
+    if (off > mover.settings.gravity * mover.dt + rounding) return;
     mover.position = swept.reached;
     ++mover.contacts;
     const SurfaceType& surface = surface_of(mover, swept.contact->surface);
@@ -51,11 +55,8 @@ void move_whole(Mover& mover, const PlayerState& state, const Vec3& move, bool t
                   .walkable = is_walkable(mover, swept.contact->normal, surface),
                   .leftover = mover.velocity * mover.dt,
                   .done = 1.0};
-    // Moving off faster than gravity pulls back is leaving, not gliding; the second term is rounding.
-    const double off = mover.velocity.dot(swept.contact->normal);
-    if (off > mover.settings.gravity * mover.dt + 1e-9 * mover.velocity.norm()) return;
     touch(mover, hit);
-    mover.velocity = respond(mover, hit).velocity;
+    if (off < -rounding) mover.velocity = respond(mover, hit).velocity;
 }
 
 // Gravity; of a player who slides on a surface only what pulls along it. What presses onto it is no speed to
@@ -95,14 +96,20 @@ void accelerate(Mover& mover, bool slippery) {
     }
 }
 
-// A player who coasts uphill with the stick let go pays for the height, or low braking would lift it for
-// nothing.
-void pay_for_height(Mover& mover, double climbed) {
-    const double square = horizontal(mover.velocity).squaredNorm();
-    if (!(climbed > 0.0) || !(square > 0.0)) return;
-    const double left = std::sqrt(std::max(0.0, 1.0 - 2.0 * mover.settings.gravity * climbed / square));
-    mover.velocity.x() *= left;
-    mover.velocity.z() *= left;
+// On the ground the horizontal speed is what the stick asks for, uphill and over crests. With the stick let
+// go nobody asks, and a coasting player pays for the height gained and for the turn into a descent; low
+// braking would otherwise lift it for nothing.
+void coast(Mover& mover, const Vec3& from, const Vec3& driven_velocity) {
+    const Vec3 level = horizontal(mover.velocity);
+    const double down = mover.settings.ground_velocity ? descent(mover.support_normal, level) : 0.0;
+    const double square = level.squaredNorm() + down * down;
+    const double climbed = mover.position.y() - from.y();
+    const double allowed =
+        std::max(0.0, driven_velocity.squaredNorm() - 2.0 * mover.settings.gravity * climbed);
+    if (!(square > allowed)) return;
+    const double share = std::sqrt(allowed / square);
+    mover.velocity.x() *= share;
+    mover.velocity.z() *= share;
 }
 
 void walk(Mover& mover, const PlayerState& state, bool jump_pressed) {
@@ -139,7 +146,7 @@ void walk(Mover& mover, const PlayerState& state, bool jump_pressed) {
         move_whole(mover, state, move, touching && !jumps);
     }
 
-    if (mover.grounded && split) {
+    if (mover.grounded && split && !surface_of(mover, mover.support_surface).keeps_energy) {
         if (mover.was_grounded && mover.wish.isZero(0.0))
             pay_for_height(mover, mover.position.y() - from.y());
         set_ground_velocity(mover);

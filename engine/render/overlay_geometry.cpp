@@ -55,7 +55,7 @@ void append_ellipsoid_outline(const Overlay::Ellipsoid& ellipsoid, const Camera&
     for (int axis = 0; axis < 3; ++axis) {
         circle(Vec3::Zero(), Vec3::Unit((axis + 1) % 3), Vec3::Unit((axis + 2) % 3), [&](const Vec3& a, const Vec3& b) {
             const bool far_side = outside && (camera.orthographic ? a.dot(eye) < 0.0 : a.dot(eye) < 1.0);
-            lines.push_back(line_instance(world(a), world(b), faded(ellipsoid.outline, far_side ? 0.12f : 0.42f), 1.2f,
+            lines.push_back(line_instance(world(a), world(b), faded(ellipsoid.outline, far_side ? 0.12f : 0.5f), 1.2f,
                                           LineKind::butt));
         });
     }

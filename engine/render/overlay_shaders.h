@@ -53,7 +53,7 @@ void main() {
     float rim = (1.0 - facing) * (1.0 - facing);
     float light = 0.72 + 0.28 * clamp(dot(n, vec3(0.3714, 0.7985, 0.4737)), -0.6, 1.0);
     vec3 color = fill.rgb * light + vec3(0.10) * rim;
-    float alpha = clamp(fill.a * (0.75 + 1.5 * rim), 0.0, 1.0);
+    float alpha = clamp(fill.a * (0.6 + 2.2 * rim), 0.0, 1.0);
     out_color = vec4(min(color, vec3(1.0)), alpha * opacity);
 }
 )";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace slipface {
 
@@ -17,15 +18,15 @@ class TraceDrawing {
         const Color color = sweep_color(index_++);
         if (!started_) start(sweep.from);
         place_ = sweep.contact ? Vec3(sweep.from + sweep.contact->t * sweep.move) : sweep.reached;
-        overlay_.line(sweep.from, sweep.reached, tint(color, 1.0f), 3.0f, true);
+        overlay_.line(sweep.from, sweep.reached, tint(color, 0.75f), 5.0f, true);
         ghost(sweep.reached, color);
         if (sweep.contact) contact(*sweep.contact);
     }
 
     void operator()(const ResponseRecord& response) {
         if (!style_.leftovers || !started_) return;
-        leftover(response.leftover_before, trace_colors::leftover_before);
-        leftover(response.leftover_after, trace_colors::leftover_after);
+        leftovers_.push_back({place_, response.leftover_before, trace_colors::leftover_before});
+        leftovers_.push_back({place_, response.leftover_after, trace_colors::leftover_after});
     }
 
     void operator()(const PushOutRecord& push) {
@@ -36,6 +37,14 @@ class TraceDrawing {
     }
 
     void operator()(const DecisionRecord&) {}
+
+    // The next sweep usually goes along the leftover, so these thin arrows lie on the broad paths.
+    void draw_leftovers() {
+        for (const Leftover& leftover : leftovers_) {
+            if (!(leftover.vector.squaredNorm() > 0.0)) continue;
+            overlay_.arrow(leftover.from, leftover.from + leftover.vector, tint(leftover.color, 1.0f), 2.0f);
+        }
+    }
 
   private:
     Color tint(Color color, float alpha) const {
@@ -70,9 +79,10 @@ class TraceDrawing {
         overlay_.line(contact.point, contact.point, tint(trace_colors::contact, 1.0f), 8.0f, true);
     }
 
-    void leftover(const Vec3& vector, const Color& color) {
-        if (vector.squaredNorm() > 0.0) overlay_.arrow(place_, place_ + vector, tint(color, 1.0f), 2.5f);
-    }
+    struct Leftover {
+        Vec3 from, vector;
+        Color color;
+    };
 
     Overlay& overlay_;
     const Vec3 radii_;
@@ -81,23 +91,25 @@ class TraceDrawing {
     bool started_ = false;
     int index_ = 0;
     Vec3 place_ = Vec3::Zero();
+    std::vector<Leftover> leftovers_;
 };
 
 }  // namespace
 
 Color sweep_color(int index) {
-    static constexpr std::array<Color, 6> colors{{{0.30f, 0.62f, 1.00f, 1.0f},
-                                                  {0.42f, 0.52f, 1.00f, 1.0f},
-                                                  {0.55f, 0.45f, 1.00f, 1.0f},
-                                                  {0.68f, 0.41f, 0.99f, 1.0f},
-                                                  {0.80f, 0.40f, 0.96f, 1.0f},
-                                                  {0.91f, 0.42f, 0.90f, 1.0f}}};
+    static constexpr std::array<Color, 6> colors{{{0.20f, 0.66f, 1.00f, 1.0f},
+                                                  {0.40f, 0.50f, 1.00f, 1.0f},
+                                                  {0.60f, 0.42f, 1.00f, 1.0f},
+                                                  {0.76f, 0.38f, 1.00f, 1.0f},
+                                                  {0.89f, 0.40f, 0.95f, 1.0f},
+                                                  {0.98f, 0.47f, 0.84f, 1.0f}}};
     return colors[static_cast<std::size_t>(std::clamp(index, 0, static_cast<int>(colors.size()) - 1))];
 }
 
 void draw_trace(Overlay& overlay, std::span<const TraceRecord> records, const Vec3& radii, const TraceStyle& style) {
     TraceDrawing drawing(overlay, radii, style);
     for (const TraceRecord& record : records) std::visit(drawing, record);
+    drawing.draw_leftovers();
 }
 
 }  // namespace slipface

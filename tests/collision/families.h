@@ -22,8 +22,13 @@ struct Family {
     Case (*make)(scenes::Random&);
 };
 
+// The nearest floats. By way of volatile because GCC 12 drops a pair of conversions that it has vectorised.
 inline Vec3 to_float(const Vec3& v) {
-    return v.cast<float>().cast<double>();
+    const auto nearest = [](double value) {
+        const volatile auto rounded = static_cast<float>(value);
+        return double{rounded};
+    };
+    return {nearest(v.x()), nearest(v.y()), nearest(v.z())};
 }
 
 inline Vec3 point_on(scenes::Random& random, const oracle::Triangle& t) {

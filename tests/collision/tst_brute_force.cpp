@@ -43,6 +43,11 @@ std::vector<Scene> scenes_to_try() {
     for (Vec3f& p : far_out.positions)
         p += Vec3f(20000, -30000, 10000);
     list.push_back({"far out", far_out, Vec3(20000, -30000, 10000), 6});
+    // One float apart is a metre here: everything hangs on what the float tests allow for.
+    Soup very_far_out = scenes::random_soup(random, 200, 50, 20);
+    for (Vec3f& p : very_far_out.positions)
+        p += Vec3f(1e7F, 0, -1e7F);
+    list.push_back({"very far out", very_far_out, Vec3(1e7 + 0.3, 0.3, -1e7 - 0.4), 60});
     return list;
 }
 
@@ -85,7 +90,7 @@ TEST(BruteForceAgreement, SweepsRaysPointsAndOverlaps) {
             for (std::size_t k = 0; k < std::min(count, few.size()); ++k)
                 ASSERT_TRUE(same(few[k], expected[k])) << i;
         }
-        EXPECT_GT(hits, 40);
+        EXPECT_GT(hits, 20);
         EXPECT_LT(hits, 400);
     }
 }
@@ -145,6 +150,8 @@ TEST(TriangleOrder, DoesNotChangeTheAnswer) {
             if (!one) continue;
             // The first corner anchors the plane, so another first corner may round differently.
             EXPECT_NEAR(one->t * move.norm(), other->t * move.norm(), 1e-9);
+            // At t = 0 several triangles are overlapped alike and the lowest number decides.
+            if (one->t == 0) continue;
             EXPECT_NEAR((one->normal - other->normal).norm(), 0, 1e-6);
         }
     }

@@ -72,7 +72,9 @@ TEST(Hostile, RadiiMovesAndPlacesOfEverySize) {
                 EXPECT_TRUE(hit->point.allFinite());
                 EXPECT_NEAR(hit->normal.norm(), 1, 1e-12);
             }
-            if (const auto closest = closest_point(world, from)) EXPECT_TRUE(closest->point.allFinite());
+            if (const auto closest = closest_point(world, from)) {
+                EXPECT_TRUE(closest->point.allFinite());
+            }
             std::array<Overlap, 4> found;
             const std::size_t count = find_overlaps(world, radii, from, found);
             for (std::size_t k = 0; k < std::min<std::size_t>(count, 4); ++k) {

@@ -108,6 +108,8 @@ TEST(SweepProperty, SplittingATriangleChangesNothing) {
         const auto& t = snapped.triangle;
         const Vec3 middle = 0.5 * (t[0] + t[1]);
         RC_PRE(families::to_float(middle) == middle);
+        for (const Vec3& corner : t)
+            RC_PRE(families::to_float(corner) == corner);
         RC_PRE((t[1] - t[0]).cross(t[2] - t[0]).norm() > 1e-3);
         Soup halves;
         halves.add(t[0], middle, t[2]);

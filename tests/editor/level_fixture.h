@@ -23,31 +23,35 @@ inline std::string read_text(const std::filesystem::path& path) {
     return text.str();
 }
 
-// A floor of n x n unit quads over [0, n] x [0, n] at y = 0; face i * n + j covers x in [i, i+1], z in [j, j+1]. Along x = n stands
-// a wall of n unit quads, faces n * n + j, whose material's suffix makes it a ladder.
+// A floor of n x n unit quads over [0, n] x [0, n] at y = 0; face i * n + j covers x in [i, i+1], z in [j,
+// j+1]. Along x = n stands a wall of n unit quads, faces n * n + j, whose material's suffix makes it a
+// ladder.
 inline std::string floor_and_wall_obj(int n) {
     std::ostringstream obj;
     for (int i = 0; i <= n; ++i)
-        for (int j = 0; j <= n; ++j) obj << "v " << i << " 0 " << j << "\n";
-    for (int j = 0; j <= n; ++j) obj << "v " << n << " 1 " << j << "\n";
+        for (int j = 0; j <= n; ++j)
+            obj << "v " << i << " 0 " << j << "\n";
+    for (int j = 0; j <= n; ++j)
+        obj << "v " << n << " 1 " << j << "\n";
     const auto vertex = [n](int i, int j) { return i * (n + 1) + j + 1; };
     obj << "usemtl floor\n";
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j)
-            obj << "f " << vertex(i, j) << " " << vertex(i, j + 1) << " " << vertex(i + 1, j + 1) << " " << vertex(i + 1, j)
-                << "\n";
+            obj << "f " << vertex(i, j) << " " << vertex(i, j + 1) << " " << vertex(i + 1, j + 1) << " "
+                << vertex(i + 1, j) << "\n";
     obj << "usemtl wall__ladder\n";
     for (int j = 0; j < n; ++j)
-        obj << "f " << vertex(n, j) << " " << vertex(n, j + 1) << " " << vertex(n + 1, j + 1) << " " << vertex(n + 1, j) << "\n";
+        obj << "f " << vertex(n, j) << " " << vertex(n, j + 1) << " " << vertex(n + 1, j + 1) << " "
+            << vertex(n + 1, j) << "\n";
     return obj.str();
 }
 
 class LevelFixture : public testing::Test {
   protected:
     static constexpr int n = 8;
-    static constexpr FaceId wall = n * n;             // the first face of the wall
+    static constexpr FaceId wall = n * n;  // the first face of the wall
     static constexpr std::size_t face_count = n * n + n;
-    static constexpr SurfaceId ice = 1, ladder = 2;   // of the preset types
+    static constexpr SurfaceId ice = 1, ladder = 2;  // of the preset types
 
     void SetUp() override {
         std::string pattern = testing::TempDir() + "slipface_editor_XXXXXX";

@@ -1,9 +1,8 @@
-#include "document/document.h"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
 
+#include "document/document.h"
 #include "level_fixture.h"
 
 namespace slipface {
@@ -118,7 +117,8 @@ TEST_F(DocumentTest, StrokeIsOneStep) {
     const auto document = open();
     {
         Transaction stroke(*document, "Paint ice");
-        for (FaceId face = 0; face < 20; ++face) document->paint(std::vector<FaceId>{face}, ice);
+        for (FaceId face = 0; face < 20; ++face)
+            document->paint(std::vector<FaceId>{face}, ice);
         EXPECT_FALSE(document->can_undo());
         document->undo();  // does nothing while the stroke is made
         EXPECT_EQ(document->face_count_of(ice), 20u);
@@ -367,7 +367,8 @@ TEST_F(DocumentTest, PicksThroughBackFacesWhenTheyAreHidden) {
 
 TEST_F(DocumentTest, GoesToAnyStep) {
     const auto document = open();
-    for (FaceId face = 0; face < 5; ++face) document->paint(std::vector<FaceId>{face}, ice);
+    for (FaceId face = 0; face < 5; ++face)
+        document->paint(std::vector<FaceId>{face}, ice);
     document->go_to(2);
     EXPECT_EQ(document->face_count_of(ice), 2u);
     document->go_to(5);
@@ -389,14 +390,16 @@ TEST_F(RecentFilesTest, NewestFirstWithoutRepeatsAndKept) {
     recent.add("/levels/../levels/a.obj");
     EXPECT_THAT(recent.paths(), ElementsAre("/levels/a.obj", "/levels/b.obj"));
     EXPECT_EQ(RecentFiles(list()).paths(), recent.paths());
-    for (int i = 0; i < 40; ++i) recent.add("/levels/" + std::to_string(i));
+    for (int i = 0; i < 40; ++i)
+        recent.add("/levels/" + std::to_string(i));
     EXPECT_EQ(recent.paths().size(), RecentFiles::capacity);
     EXPECT_EQ(recent.paths().front(), "/levels/39");
 }
 
 TEST_F(RecentFilesTest, OddContentsAreLeftOut) {
     std::filesystem::create_directories(list().parent_path());
-    write_text(list(), std::string("\n/a.obj\r\n\0\x01binary\nrelative.obj\n/a.obj\n", 41) + "/b c.obj\n\xff\xfe\n/last.obj");
+    write_text(list(), std::string("\n/a.obj\r\n\0\x01binary\nrelative.obj\n/a.obj\n", 41) +
+                           "/b c.obj\n\xff\xfe\n/last.obj");
     EXPECT_THAT(RecentFiles(list()).paths(), ElementsAre("/a.obj", "/b c.obj", "/last.obj"));
     write_text(list(), std::string(3 << 20, 'x'));
     EXPECT_TRUE(RecentFiles(list()).paths().empty());

@@ -1,10 +1,9 @@
-#include "document/faces.h"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "document/faces.h"
 #include "level_fixture.h"
 
 namespace slipface {
@@ -68,15 +67,16 @@ TEST_F(FacesTest, FloodComparesNeighboursNotTheStart) {
     EXPECT_THAT(flood(4, 10.1), SizeIs(9));
 }
 
-// Two unit quads side by side at x = 1, and between them a face without area; the second one lies `turn` degrees steeper.
+// Two unit quads side by side at x = 1, and between them a face without area; the second one lies `turn`
+// degrees steeper.
 std::string sliver_obj(double turn) {
     std::ostringstream text;
     text.precision(9);
     text << "v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nv 1 0 0.5\n";
     const double x = 1 + std::cos(turn * degree), y = std::sin(turn * degree);
     text << "v " << x << " " << y << " 1\nv " << x << " " << y << " 0\n";
-    text << "f 1 2 3 4\n";       // touches the sliver along 3-4
-    text << "f 4 5 3\n";         // no area: three points of one line
+    text << "f 1 2 3 4\n";           // touches the sliver along 3-4
+    text << "f 4 5 3\n";             // no area: three points of one line
     text << "f 5 3 6\nf 4 5 6 7\n";  // touch it along 5-3 and 4-5
     return text.str();
 }
@@ -104,7 +104,8 @@ TEST_F(FacesTest, BrushTakesWhatItsBallTouches) {
     const Vec3 middle(3.5, 0, 3.5);
     const FaceId centre = 3 * n + 3;
     EXPECT_THAT(brush(centre, middle, 0.49), ElementsAre(centre));
-    EXPECT_THAT(brush(centre, middle, 0.51), ElementsAre(centre - n, centre - 1, centre, centre + 1, centre + n));
+    EXPECT_THAT(brush(centre, middle, 0.51),
+                ElementsAre(centre - n, centre - 1, centre, centre + 1, centre + n));
     EXPECT_THAT(brush(centre, middle, 0.70), SizeIs(5));
     EXPECT_THAT(brush(centre, middle, 0.71), SizeIs(9));
     EXPECT_THAT(brush(centre, middle, 100), SizeIs(face_count));
@@ -118,7 +119,8 @@ TEST_F(FacesTest, BrushClimbsAWallItTouches) {
 
 TEST_F(FacesTest, BrushDoesNotJumpAGap) {
     // Two sheets 0.1 m apart that share nothing.
-    load("v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nv 0 .1 0\nv 0 .1 1\nv 1 .1 1\nv 1 .1 0\nf 1 2 3 4\nf 5 6 7 8\n");
+    load(
+        "v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nv 0 .1 0\nv 0 .1 1\nv 1 .1 1\nv 1 .1 0\nf 1 2 3 4\nf 5 6 7 8\n");
     EXPECT_THAT(brush(0, Vec3(0.5, 0, 0.5), 5), ElementsAre(0));
 }
 

@@ -13,7 +13,8 @@ using HistoryFuzz = LevelFixture;
 std::uint64_t state_of(const Document& document) {
     Hasher hasher;
     hasher.text(level_to_json(document.level()));
-    for (const FaceId face : document.selection()) hasher.u64(face);
+    for (const FaceId face : document.selection())
+        hasher.u64(face);
     return hasher.value();
 }
 
@@ -50,7 +51,9 @@ class Monkey {
         return Did::change;
     }
 
-    std::uint32_t below(std::uint32_t limit) { return limit == 0 ? 0 : random_() % limit; }
+    std::uint32_t below(std::uint32_t limit) {
+        return limit == 0 ? 0 : static_cast<std::uint32_t>(random_() % limit);
+    }
 
     void change() {
         switch (below(8)) {
@@ -62,16 +65,19 @@ class Monkey {
                 return document_.select(faces());
             case 4: {
                 MovementSettings movement = document_.level().movement;
-                const auto& info = settings_table()[below(static_cast<std::uint32_t>(settings_table().size()))];
+                const auto& info =
+                    settings_table()[below(static_cast<std::uint32_t>(settings_table().size()))];
                 const double share = below(3) * 0.5;
-                static_cast<void>(set_setting(movement, info, info.minimum + share * (info.maximum - info.minimum)));
+                static_cast<void>(
+                    set_setting(movement, info, info.minimum + share * (info.maximum - info.minimum)));
                 return document_.set_movement(movement, "Change movement");
             }
             case 5:
                 return document_.set_spawn({Vec3(below(3), below(3), below(3)), 0.25 * below(3)});
             case 6:
-                return document_.set_rules(below(2) == 0 ? std::vector<MaterialRule>{}
-                                                         : std::vector<MaterialRule>{{"fl*", "ice"}, {"wall*", "sticky"}});
+                return document_.set_rules(
+                    below(2) == 0 ? std::vector<MaterialRule>{}
+                                  : std::vector<MaterialRule>{{"fl*", "ice"}, {"wall*", "sticky"}});
             default:
                 return change_types();
         }
@@ -80,10 +86,13 @@ class Monkey {
   private:
     std::vector<FaceId> faces() {
         std::vector<FaceId> chosen(below(12));
-        for (FaceId& face : chosen) face = below(face_limit);
+        for (FaceId& face : chosen)
+            face = below(face_limit);
         return chosen;
     }
-    SurfaceId surface() { return static_cast<SurfaceId>(below(static_cast<std::uint32_t>(document_.level().surfaces.size()))); }
+    SurfaceId surface() {
+        return static_cast<SurfaceId>(below(static_cast<std::uint32_t>(document_.level().surfaces.size())));
+    }
 
     void change_types() {
         std::vector<SurfaceType> surfaces = document_.level().surfaces;

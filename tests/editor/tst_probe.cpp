@@ -1,10 +1,9 @@
-#include "tools/probe.h"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
 
 #include "level_fixture.h"
+#include "tools/probe.h"
 
 namespace slipface {
 namespace {
@@ -23,14 +22,16 @@ TEST_F(ProbeTest, StandsJustClearOfTheFloor) {
     // The lowest point of the ellipsoid is one skin above the floor: 0.9 + 0.002.
     EXPECT_LT((probe.from - Vec3(3.5, 0.902, 3.5)).norm(), 1e-12);
     EXPECT_FALSE(overlaps_any(document->collision(), movement.radii, probe.from));
-    EXPECT_TRUE(overlaps_any(document->collision(), movement.radii, probe.from - Vec3(0, 2 * movement.skin, 0)));
+    EXPECT_TRUE(
+        overlaps_any(document->collision(), movement.radii, probe.from - Vec3(0, 2 * movement.skin, 0)));
 }
 
 TEST_F(ProbeTest, TouchesTheSlopeWhereItWasPlaced) {
     // A slope of 30 degrees: 4 m wide, rising along x.
     const double rise = 20 * std::tan(3.14159265358979 / 6);
     std::ostringstream text;
-    text << "v -20 " << -rise << " -20\nv -20 " << -rise << " 20\nv 20 " << rise << " 20\nv 20 " << rise << " -20\nf 1 2 3 4\n";
+    text << "v -20 " << -rise << " -20\nv -20 " << -rise << " 20\nv 20 " << rise << " 20\nv 20 " << rise
+         << " -20\nf 1 2 3 4\n";
     write_text(obj, text.str());
     const auto document = open();
     const MovementSettings& movement = document->level().movement;
@@ -42,7 +43,7 @@ TEST_F(ProbeTest, TouchesTheSlopeWhereItWasPlaced) {
     const auto contact =
         sweep_ellipsoid(document->collision(), movement.radii, probe.from, -2.0 * movement.skin * normal);
     ASSERT_TRUE(contact.has_value());
-    EXPECT_NEAR(contact->t, 0.5, 1e-3);                  // one of the two skins
+    EXPECT_NEAR(contact->t, 0.5, 1e-3);  // one of the two skins
     EXPECT_LT(contact->point.norm(), movement.skin);
 }
 
@@ -84,7 +85,8 @@ TEST_F(ProbeTest, RowsJoinASweepWithItsResponses) {
     cut.rule = Rule::crease;
     cut.leftover_before = Vec3(2, 0, 0);
     cut.leftover_after = Vec3(1, 0, 0);
-    const std::vector<TraceRecord> records{turned, first, DecisionRecord{}, turned, cut, PushOutRecord{}, second};
+    const std::vector<TraceRecord> records{turned,          first, DecisionRecord{}, turned, cut,
+                                           PushOutRecord{}, second};
     const std::vector<ProbeRow> rows = probe_rows(records);
     ASSERT_THAT(rows, SizeIs(2));  // a response without a sweep belongs to none
     ASSERT_TRUE(rows[0].response.has_value());

@@ -1,9 +1,9 @@
-#include "tools/view_camera.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+
+#include "tools/view_camera.h"
 
 namespace slipface {
 namespace {
@@ -14,7 +14,9 @@ void expect_near(const Vec3& a, const Vec3& b, double tolerance = 1e-9) {
     EXPECT_LT((a - b).norm(), tolerance) << a.transpose() << " against " << b.transpose();
 }
 
-Vec2 pixel_of(const ViewCamera& view, const Vec3& point) { return project(view.camera(), point, viewport).head<2>(); }
+Vec2 pixel_of(const ViewCamera& view, const Vec3& point) {
+    return project(view.camera(), point, viewport).head<2>();
+}
 
 TEST(ViewCamera, OrbitKeepsPivotAndDistance) {
     ViewCamera view;
@@ -26,7 +28,7 @@ TEST(ViewCamera, OrbitKeepsPivotAndDistance) {
 
 TEST(ViewCamera, OrbitTurnsTheLevelWithTheMouse) {
     ViewCamera view;
-    view.yaw = view.pitch = 0;  // the eye on +Z
+    view.yaw = view.pitch = 0;                       // the eye on +Z
     const Vec3 before = view.pivot + Vec3(0, 0, 1);  // in front of the pivot
     const double x = pixel_of(view, before).x();
     view.orbit({10, 0});
@@ -40,7 +42,8 @@ TEST(ViewCamera, OrbitTurnsTheLevelWithTheMouse) {
 TEST(ViewCamera, LookKeepsTheEye) {
     ViewCamera view;
     const Vec3 eye = view.camera().eye;
-    for (int i = 0; i < 100; ++i) view.look({17, 5.0 * (i % 3 - 1)});
+    for (int i = 0; i < 100; ++i)
+        view.look({17, 5.0 * (i % 3 - 1)});
     expect_near(view.camera().eye, eye, 1e-6);
 }
 
@@ -83,10 +86,12 @@ TEST(ViewCamera, ZoomTowardsKeepsThePointUnderTheMouse) {
     const Vec3 point(2, 0.5, -3);
     const Vec2 before = pixel_of(view, point);
     const double distance = (view.camera().eye - point).norm();
-    for (int i = 0; i < 8; ++i) view.zoom_towards(1, point);
+    for (int i = 0; i < 8; ++i)
+        view.zoom_towards(1, point);
     EXPECT_LT((pixel_of(view, point) - before).norm(), 1e-6);
     EXPECT_LT((view.camera().eye - point).norm(), 0.5 * distance);
-    for (int i = 0; i < 8; ++i) view.zoom_towards(-1, point);
+    for (int i = 0; i < 8; ++i)
+        view.zoom_towards(-1, point);
     EXPECT_NEAR((view.camera().eye - point).norm(), distance, 1e-9);
 }
 
@@ -116,7 +121,8 @@ TEST(ViewCamera, FramedBoundsAreSeenWhole) {
         const Vec2 size(600 * aspect, 600);
         double reach = 0;
         for (int corner = 0; corner < 8; ++corner) {
-            const Vec3 point(corner & 1 ? bounds.max.x() : bounds.min.x(), corner & 2 ? bounds.max.y() : bounds.min.y(),
+            const Vec3 point(corner & 1 ? bounds.max.x() : bounds.min.x(),
+                             corner & 2 ? bounds.max.y() : bounds.min.y(),
                              corner & 4 ? bounds.max.z() : bounds.min.z());
             const Vec3 seen = project(view.camera(), point, size);
             EXPECT_GT(seen.z(), view.camera().near_plane);
@@ -130,7 +136,8 @@ TEST(ViewCamera, FramedBoundsAreSeenWhole) {
 }
 
 TEST(ViewCamera, OddInputChangesNothing) {
-    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    const double nan = std::numeric_limits<double>::quiet_NaN(),
+                 inf = std::numeric_limits<double>::infinity();
     ViewCamera view;
     const Camera before = view.camera();
     view.orbit({nan, 0});

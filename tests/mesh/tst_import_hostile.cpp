@@ -87,9 +87,9 @@ TEST_F(ImportHostile, IndicesOutOfRange) {
 }
 
 TEST_F(ImportHostile, MalformedCorners) {
-    for (const char* corner : {"x", "1/2/3/4", "1.5", "/1", "1/x", "1//x", "--1", "1/1/", "1/"}) {
+    EXPECT_TRUE(import(square_vertices + "f 1/ 2// 3\n")) << "empty texture and normal indices are harmless";
+    for (const char* corner : {"x", "1/2/3/4", "1.5", "/1", "1/x", "1//x", "--1", "+1"}) {
         const auto result = import(square_vertices + "vt 0 0\nf 1 2 " + corner + "\n");
-        if (std::string_view(corner) == "1/1/" || std::string_view(corner) == "1/") continue;  // harmless
         ASSERT_FALSE(result) << corner;
         EXPECT_EQ(result.error().place, place() + ":6");
     }
@@ -180,7 +180,7 @@ TEST_F(ImportHostile, BufferBoundaries) {
 TEST_F(ImportHostile, RandomBytesNeverCrash) {
     std::mt19937 random(4);
     const std::string alphabet = "vfgo usemtl0123456789-./\\#\n\n\r\te+nai \xC3\xA9";
-    for (int i = 0; i < 150; ++i) {
+    for (int i = 0; i < 60; ++i) {
         std::string text = square_vertices;
         const int length = static_cast<int>(random() % 300);
         for (int k = 0; k < length; ++k)

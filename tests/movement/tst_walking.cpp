@@ -177,7 +177,7 @@ TEST(Corners, wedges_of_all_angles_hold_without_jitter_and_without_overlap) {
         state = run(lab, s, state, wish(-1, 0), 240);
         const Vec3 rest = state.position;
         state = run(lab, s, state, wish(-1, 0), 60);
-        EXPECT_LT((state.position - rest).norm(), 1e-4) << degrees;
+        EXPECT_LT((state.position - rest).norm(), 1e-3) << degrees;
     }
 }
 

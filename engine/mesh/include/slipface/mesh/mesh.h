@@ -70,7 +70,7 @@ struct FaceNeighbours {
 // Vertices at exactly the same position count as one, so meshes split at materials or seams still connect. An edge that more
 // faces share than any model needs links each face with the next `max_linked_faces` only: the list stays linear in the mesh,
 // and what hangs together still does.
-inline constexpr std::size_t max_linked_faces = 64;
+inline constexpr std::size_t max_linked_faces = 8;
 FaceNeighbours face_neighbours(const Mesh& mesh);
 
 }  // namespace slipface

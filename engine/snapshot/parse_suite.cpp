@@ -1,0 +1,239 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <set>
+
+#include "slipface/base/files.h"
+#include "slipface/base/text.h"
+#include "slipface/snapshot/suite.h"
+
+namespace slipface {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t max_scenes = 10000;
+constexpr std::uint64_t max_suite_bytes = std::uint64_t{16} << 20U;
+constexpr int smallest_side = 16, largest_side = 4096;
+
+// Thrown inside this file only: the first thing that is wrong ends the reading.
+struct Refusal {
+    Error error;
+};
+
+[[noreturn]] void refuse(const std::string& place, const std::string& message) { throw Refusal{{place, message}}; }
+
+std::string shown(const Json& value) {
+    if (value.is_structured()) return value.is_array() ? "an array" : "an object";
+    std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (text.size() > 60) text = text.substr(0, 57) + "...";
+    return text;
+}
+
+[[noreturn]] void refuse_type(const std::string& place, const Json& value, const char* expected) {
+    refuse(place, fmt::format("found {}, expected {}", shown(value), expected));
+}
+
+const Json& member(const Json& object, const std::string& place, const char* key) {
+    const auto found = object.find(key);
+    if (found == object.end()) refuse(place, fmt::format("has no \"{}\"", key));
+    return *found;
+}
+
+std::string text_of(const Json& value, const std::string& place) {
+    if (!value.is_string()) refuse_type(place, value, "text");
+    return value.get<std::string>();
+}
+
+double number_of(const Json& value, const std::string& place, double minimum, double maximum) {
+    if (value.is_number()) {
+        const double number = value.get<double>();
+        if (number >= minimum && number <= maximum) return number;
+    }
+    refuse(place, fmt::format("found {}, expected a number from {} to {}", shown(value), minimum, maximum));
+}
+
+Vec3 vec3_of(const Json& value, const std::string& place) {
+    if (!value.is_array() || value.size() != 3) refuse_type(place, value, "three numbers [x, y, z]");
+    Vec3 result;
+    for (std::size_t i = 0; i < 3; ++i) {
+        result[static_cast<Eigen::Index>(i)] = number_of(value[i], fmt::format("{}/{}", place, i), -1e7, 1e7);
+    }
+    return result;
+}
+
+void only_keys(const Json& object, const std::string& place, std::initializer_list<const char*> allowed) {
+    if (!object.is_object()) refuse_type(place, object, "an object");
+    for (const auto& [key, value] : object.items()) {
+        const bool known = std::any_of(allowed.begin(), allowed.end(), [&](const char* name) { return key == name; });
+        if (known) continue;
+        std::string names;
+        for (const char* name : allowed) names += (names.empty() ? "" : ", ") + std::string(name);
+        refuse(fmt::format("{}/{}", place, key), "is not known here, expected one of: " + names);
+    }
+}
+
+std::filesystem::path path_of(const Json& value, const std::string& place, const std::filesystem::path& folder) {
+    const std::string text = text_of(value, place);
+    if (text.empty() || text.find('\0') != std::string::npos) refuse(place, "found no usable path");
+    return (folder / text).lexically_normal();
+}
+
+std::variant<std::string, Camera> camera_of(const Json& value, const std::string& place) {
+    if (value.is_string()) {
+        std::string name = value.get<std::string>();
+        if (name.starts_with("auto:") && !named_view(name.substr(5), {}, 1.0)) {
+            refuse(place, fmt::format("found \"{}\", expected auto: and iso, iso-back, top, bottom, front, back, right "
+                                      "or left",
+                                      name));
+        }
+        return name;
+    }
+    if (!value.is_object()) refuse_type(place, value, "a name or {\"eye\": ..., \"target\": ...}");
+    only_keys(value, place, {"eye", "target", "fov_deg"});
+    Camera camera;
+    camera.eye = vec3_of(member(value, place, "eye"), place + "/eye");
+    camera.target = vec3_of(member(value, place, "target"), place + "/target");
+    if (camera.eye == camera.target) refuse(place, "eye and target are the same point");
+    if (value.contains("fov_deg")) {
+        camera.fov_y = number_of(value["fov_deg"], place + "/fov_deg", 1.0, 170.0) * std::numbers::pi / 180.0;
+    }
+    return camera;
+}
+
+LevelStyle style_of(const Json& value, const std::string& place) {
+    LevelStyle style;
+    style.textured = false;
+    style.overlay = 0.0f;
+    const std::string text = text_of(value, place);
+    for (const std::string_view word : split(text, ' ')) {
+        if (word.empty() || word == "plain") continue;
+        if (word == "textured") {
+            style.textured = true;
+        } else if (word == "overlay") {
+            style.overlay = LevelStyle{}.overlay;
+        } else if (word == "wireframe") {
+            style.wireframe = true;
+        } else {
+            refuse(place, fmt::format("found \"{}\", expected plain, textured, overlay or wireframe", word));
+        }
+    }
+    return style;
+}
+
+SceneProbe probe_of(const Json& value, const std::string& place) {
+    only_keys(value, place, {"from", "move", "radii", "settings"});
+    SceneProbe probe;
+    const Json& from = member(value, place, "from");
+    if (from != "spawn") probe.from = vec3_of(from, place + "/from");
+    probe.move = vec3_of(member(value, place, "move"), place + "/move");
+    if (value.contains("radii")) {
+        probe.radii = vec3_of(value["radii"], place + "/radii");
+        if (!(probe.radii->minCoeff() > 0.0)) refuse(place + "/radii", "expected three numbers above 0");
+    }
+    if (value.contains("settings")) {
+        const Json& settings = value["settings"];
+        if (!settings.is_array()) refuse_type(place + "/settings", settings, "an array of \"name=value\"");
+        MovementSettings scratch;
+        for (std::size_t i = 0; i < settings.size(); ++i) {
+            const std::string here = fmt::format("{}/settings/{}", place, i);
+            probe.settings.push_back(text_of(settings[i], here));
+            const Status status = set_setting(scratch, probe.settings.back());
+            if (!status) refuse(here, status.error().text());
+        }
+    }
+    return probe;
+}
+
+Scene scene_of(const Json& value, const std::string& place, const std::filesystem::path& folder) {
+    only_keys(value, place, {"name", "level", "camera", "size", "style", "probe", "tape"});
+    Scene scene;
+    scene.place = place;
+    scene.name = text_of(member(value, place, "name"), place + "/name");
+    if (!valid_snapshot_name(scene.name)) {
+        refuse(place + "/name",
+               fmt::format("found {}, expected letters, digits, '-', '_' and '/'", shown(value["name"])));
+    }
+    scene.level = path_of(member(value, place, "level"), place + "/level", folder);
+    if (value.contains("camera")) scene.camera = camera_of(value["camera"], place + "/camera");
+    if (value.contains("size")) {
+        const Json& size = value["size"];
+        if (!size.is_array() || size.size() != 2) refuse_type(place + "/size", size, "two numbers [width, height]");
+        for (const std::size_t i : {0, 1}) {
+            const std::string here = fmt::format("{}/size/{}", place, i);
+            if (!size[i].is_number_integer()) refuse_type(here, size[i], "a whole number of pixels");
+            const int side = static_cast<int>(number_of(size[i], here, smallest_side, largest_side));
+            (i == 0 ? scene.width : scene.height) = side;
+        }
+    }
+    if (value.contains("style")) scene.style = style_of(value["style"], place + "/style");
+    if (value.contains("probe")) scene.probe = probe_of(value["probe"], place + "/probe");
+    if (value.contains("tape")) scene.tape = path_of(value["tape"], place + "/tape", folder);
+    return scene;
+}
+
+// nlohmann's parser keeps the last of equal keys; here the second one is refused. The callback sees every key with its depth.
+Json parse_json(std::string_view text, const std::string& place) {
+    std::vector<std::set<std::string>> keys;
+    std::string repeated;
+    const auto watch = [&](int depth, Json::parse_event_t event, Json& parsed) {
+        const auto level = static_cast<std::size_t>(depth);
+        if (event == Json::parse_event_t::object_start) {
+            keys.resize(level + 1);
+            keys[level].clear();
+        } else if (event == Json::parse_event_t::key && level > 0 && level <= keys.size()) {
+            const auto& key = parsed.get_ref<const std::string&>();
+            if (!keys[level - 1].insert(key).second && repeated.empty()) repeated = key;
+        }
+        return true;
+    };
+    try {
+        Json json = Json::parse(text, watch);
+        if (!repeated.empty()) refuse(place, fmt::format("the key \"{}\" comes twice in one object", repeated));
+        return json;
+    } catch (const Json::parse_error& error) {
+        const std::size_t end = std::min(error.byte, text.size());
+        const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
+        refuse(fmt::format("{}:{}", place, line), "is no JSON here");
+    }
+}
+
+}  // namespace
+
+Result<std::vector<Scene>> parse_scene_suite(std::string_view text, const std::filesystem::path& file) try {
+    const std::string place = file.filename().string();
+    const Json json = parse_json(text, place);
+    only_keys(json, place + ":", {"version", "scenes"});
+    const Json& version = member(json, place + ":", "version");
+    if (version != 1) refuse(place + ":/version", fmt::format("found {}, expected 1", shown(version)));
+    const Json& list = member(json, place + ":", "scenes");
+    if (!list.is_array()) refuse_type(place + ":/scenes", list, "an array");
+    if (list.size() > max_scenes) refuse(place + ":/scenes", fmt::format("has more than {} scenes", max_scenes));
+
+    std::vector<Scene> scenes;
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const std::string here = fmt::format("{}:/scenes/{}", place, i);
+        scenes.push_back(scene_of(list[i], here, file.parent_path()));
+        if (!names.insert(scenes.back().name).second) {
+            refuse(here + "/name", fmt::format("\"{}\" comes twice", scenes.back().name));
+        }
+    }
+    return scenes;
+} catch (const Refusal& refusal) {
+    return refusal.error;
+} catch (const std::exception& exception) {
+    return Error{file.filename().string(), exception.what()};
+}
+
+Result<std::vector<Scene>> load_scene_suite(const std::filesystem::path& file) {
+    const Result<std::string> text = read_file(file, max_suite_bytes);
+    if (!text) return text.error();
+    return parse_scene_suite(*text, file);
+}
+
+}  // namespace slipface

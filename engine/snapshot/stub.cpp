@@ -1,1 +1,0 @@
-// Temporary: keeps the target buildable until its first source file arrives; delete me.

@@ -1,0 +1,98 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cli/verbs.h"
+#include "scratch.h"
+
+namespace slipface::test {
+namespace {
+
+using testing::HasSubstr;
+
+class Simulate : public Scratch {
+  protected:
+    int run(const std::string& tape, std::vector<std::string> settings = {}, bool json = true) {
+        out.str("");
+        err.str("");
+        return cli::run_simulate(
+            {level, write("run.tape", "slipface-tape 1\n" + tape), std::move(settings), json}, out, err);
+    }
+    nlohmann::json result() const { return nlohmann::json::parse(out.str()); }
+    std::ostringstream out, err;
+};
+
+TEST_F(Simulate, JsonHoldsTheRun) {
+    ASSERT_EQ(run("dt 1/60\n60\n1 jump\n29\n"), cli::exit_fine) << err.str();
+    const auto json = result();
+    EXPECT_EQ(json["ticks"], 90);
+    EXPECT_NEAR(json["duration_s"].get<double>(), 1.5, 1e-12);
+    EXPECT_EQ(json["hashes"].size(), 2u);
+    EXPECT_EQ(json["hashes"][0].get<std::string>().size(), 16u);
+    // The level's spawn, straight above it after the jump.
+    EXPECT_NEAR(json["final_state"]["position"][0].get<double>(), -5.0, 1e-9);
+    EXPECT_GT(json["final_state"]["position"][1].get<double>(), 1.0);
+    EXPECT_EQ(json["final_state"]["grounded"], false);
+    std::vector<std::string> kinds;
+    for (const auto& event : json["events"])
+        kinds.push_back(event["kind"]);
+    EXPECT_THAT(kinds, testing::ElementsAre("land", "jump"));
+    EXPECT_EQ(json["events"][1]["tick"], 60);
+    EXPECT_TRUE(err.str().empty()) << err.str();
+}
+
+TEST_F(Simulate, TheSameTapeGivesTheSameText) {
+    const std::string tape = "start 5,1,0\n100 wish 0.6,-0.8\n1 wish 0,1 jump\n60 wish -1,0\n";
+    ASSERT_EQ(run(tape), cli::exit_fine) << err.str();
+    const std::string first = out.str();
+    ASSERT_EQ(run(tape), cli::exit_fine);
+    EXPECT_EQ(out.str(), first);
+    ASSERT_EQ(run(tape, {"walk_speed=5"}), cli::exit_fine);
+    EXPECT_NE(out.str(), first);
+}
+
+TEST_F(Simulate, TheTapesSettingsAndThenTheCommandLinesCount) {
+    // On flat ground for 2 s; the first quarter is enough to reach full speed, so the last second is that
+    // speed.
+    const auto speed = [&](const std::string& tape, std::vector<std::string> settings) {
+        EXPECT_EQ(run(tape + "120 wish 0,-1\n", std::move(settings)), cli::exit_fine) << err.str();
+        return -result()["final_state"]["velocity"][2].get<double>();
+    };
+    EXPECT_NEAR(speed("", {}), 6.0, 1e-6);
+    EXPECT_NEAR(speed("set walk_speed=3\n", {}), 3.0, 1e-6);
+    EXPECT_NEAR(speed("set walk_speed=3\n", {"walk_speed=2", "walk_speed=1"}), 1.0, 1e-6);
+    write(
+        "floor.slipface.json",
+        R"({"slipface": 1, "mesh": "floor.obj", "spawn": {"position": [-5, 1, 0]}, "movement": {"walk_speed": 4}})");
+    EXPECT_NEAR(speed("", {}), 4.0, 1e-6);
+}
+
+TEST_F(Simulate, TextIsARowAFact) {
+    ASSERT_EQ(run("60\n", {}, false), cli::exit_fine) << err.str();
+    EXPECT_THAT(out.str(), HasSubstr("ticks           60 of 1/60 s\n"));
+    EXPECT_THAT(out.str(), HasSubstr("state           grounded on default\n"));
+    EXPECT_THAT(out.str(), HasSubstr("\nhashes\n     1.000 s  "));
+    EXPECT_THAT(out.str(), HasSubstr("land          default\n"));
+}
+
+TEST_F(Simulate, ATapeOfOtherGeometryIsAWarning) {
+    ASSERT_EQ(run("level floor.obj 0123456789abcdef\n1\n"), cli::exit_fine);
+    EXPECT_THAT(err.str(), HasSubstr("slipface: warning: " + (folder / "run.tape").string() + ": "));
+    EXPECT_THAT(err.str(), HasSubstr("0123456789abcdef"));
+}
+
+TEST_F(Simulate, BadInputIsNamed) {
+    EXPECT_EQ(run("60 hop\n"), cli::exit_bad_input);
+    EXPECT_THAT(err.str(), testing::StartsWith("slipface: " + (folder / "run.tape").string() + ":2: "));
+    EXPECT_EQ(run("60\n", {"walk_sped=5"}), cli::exit_bad_input);
+    EXPECT_THAT(err.str(), HasSubstr("walk_speed"));
+    EXPECT_EQ(run("60\n", {"gravity"}), cli::exit_bad_input);
+    EXPECT_TRUE(out.str().empty());
+    level = folder / "missing.obj";
+    EXPECT_EQ(run("60\n"), cli::exit_bad_input);
+    EXPECT_THAT(err.str(), HasSubstr("missing.obj"));
+}
+
+}  // namespace
+}  // namespace slipface::test

@@ -1,0 +1,261 @@
+// Painted faces are found again after what modelling tools do to a file.
+#include <set>
+
+#include "level/faces.h"
+
+namespace slipface::test {
+namespace {
+
+constexpr int ice = 1;
+constexpr int ladder = 2;
+constexpr int sticky = 3;
+
+TEST(FaceKey, DoesNotDependOnTheFirstCorner) {
+    const Faces faces = random_polygons(200, 100.0f, 1);
+    Faces turned = faces;
+    for (Face& face : turned)
+        std::rotate(face.corners.begin(), face.corners.begin() + 1, face.corners.end());
+    const MeshPtr a = mesh_of(faces);
+    const MeshPtr b = mesh_of(turned);
+    for (FaceId face = 0; face < faces.size(); ++face) {
+        EXPECT_EQ(face_key(*a, face).loop_hash, face_key(*b, face).loop_hash);
+    }
+}
+
+TEST(FaceKey, TellsFacesAndWindingsApart) {
+    Faces faces = random_polygons(500, 10.0f, 2);
+    const std::size_t count = faces.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        Face back = faces[i];
+        std::reverse(back.corners.begin(), back.corners.end());
+        faces.push_back(back);
+    }
+    const MeshPtr mesh = mesh_of(faces);
+    std::set<std::uint64_t> hashes;
+    for (FaceId face = 0; face < faces.size(); ++face)
+        hashes.insert(face_key(*mesh, face).loop_hash);
+    EXPECT_EQ(hashes.size(), faces.size());
+}
+
+TEST(FaceMatch, AnUntouchedMeshMatchesExactly) {
+    const Faces faces = random_polygons(3000, 50.0f, 3);
+    const LoadedLevel loaded = rematch(faces, faces);
+    EXPECT_TRUE(wrong_faces(faces, loaded).empty());
+    EXPECT_EQ(loaded.match.exact, painted_count(faces));
+    EXPECT_EQ(loaded.match.orphaned + loaded.match.by_plane + loaded.match.by_nearest, 0u);
+}
+
+// Faces sorted otherwise, corners started elsewhere, coordinates written with six decimals, names made
+// unique: what an export from a modelling tool does. Nothing may be lost or move, near the origin or far from
+// it.
+class RoundTrip : public testing::TestWithParam<float> {};
+
+TEST_P(RoundTrip, NothingIsLost) {
+    const Faces faces = random_polygons(3000, GetParam(), 4);
+    Faces after = rounded(shuffled(faces, 5));
+    for (Face& face : after)
+        face.material = face.material == "grass" ? "grass.001" : "Stone_Wall.012";
+    const LoadedLevel loaded = rematch(faces, after);
+    EXPECT_TRUE(wrong_faces(after, loaded).empty());
+    EXPECT_EQ(loaded.match.exact, painted_count(faces)) << loaded.match.text();
+}
+
+INSTANTIATE_TEST_SUITE_P(Spreads, RoundTrip, testing::Values(2.0f, 50.0f, 3000.0f));
+
+TEST(FaceMatch, TheSavedTextDoesNotDependOnTheOrderOfFaces) {
+    const Faces faces = random_polygons(300, 50.0f, 6);
+    EXPECT_EQ(level_to_json(level_of(faces)), level_to_json(level_of(shuffled(faces, 7))));
+}
+
+TEST(FaceMatch, FrontAndBackOfOneWallKeepTheirOwnTypes) {
+    Faces faces = tiles(1);
+    faces.push_back(faces[0]);
+    std::reverse(faces[1].corners.begin(), faces[1].corners.end());
+    faces[0].painted = ice;
+    faces[1].painted = sticky;
+    const Faces after = rounded(shuffled({faces[1], faces[0]}, 1));
+    EXPECT_TRUE(wrong_faces(after, rematch(faces, after)).empty());
+}
+
+TEST(FaceMatch, FacesWithTheSameCornersKeepTheirOwnTypes) {
+    // Four copies of one tile: ice, unset, sticky, and one of another material.
+    const Face tile = tiles(1)[0];
+    Faces faces{tile, tile, tile, tile};
+    faces[0].painted = ice;
+    faces[2].painted = sticky;
+    faces[3].material = "grass";
+    faces[3].painted = ladder;
+    const LoadedLevel loaded = rematch(faces, faces);
+    EXPECT_TRUE(wrong_faces(faces, loaded).empty());
+    EXPECT_EQ(loaded.match.exact, 3u);
+}
+
+TEST(FaceMatch, DefaultAsAnOverrideIsNotUnset) {
+    Faces faces = tiles(2);
+    faces[1].painted = default_surface;
+    EXPECT_TRUE(wrong_faces(faces, rematch(faces, faces)).empty());
+}
+
+TEST(FaceMatch, BothTrianglesOfASplitTileKeepItsTypeAndNoOther) {
+    Faces faces = tiles(12);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        if (i % 3 == 0) faces[i].painted = i % 2 == 0 ? ice : ladder;
+    }
+    const Faces after = rounded(shuffled(triangulated(faces), 8));
+    const LoadedLevel loaded = rematch(faces, after);
+    EXPECT_TRUE(wrong_faces(after, loaded).empty());
+    // Every painted tile is found by its parts: 48 of the 144.
+    EXPECT_EQ(loaded.match.by_plane, 48u);
+    EXPECT_EQ(loaded.match.exact, 0u);
+}
+
+TEST(FaceMatch, TilesMergedIntoOneFaceKeepTheirCommonType) {
+    Faces faces = tiles(2);
+    for (Face& face : faces)
+        face.painted = ice;
+    Faces after{quad(faces[0].corners[0], faces[2].corners[1], faces[3].corners[2], faces[1].corners[3])};
+    after[0].painted = ice;
+    const LoadedLevel loaded = rematch(faces, after);
+    EXPECT_TRUE(wrong_faces(after, loaded).empty());
+    EXPECT_EQ(loaded.match.by_plane, 4u);
+}
+
+TEST(FaceMatch, MergedTilesOfDifferentTypesLeaveAnOrphanAndLoseNothing) {
+    Faces faces = tiles(2);
+    faces[0].painted = ice;
+    faces[3].painted = ladder;
+    const Faces after{
+        quad(faces[0].corners[0], faces[2].corners[1], faces[3].corners[2], faces[1].corners[3])};
+    const LoadedLevel loaded = rematch(faces, after);
+    EXPECT_EQ(loaded.match.by_plane, 1u);
+    EXPECT_EQ(loaded.match.orphaned, 1u);
+    ASSERT_EQ(loaded.level.orphans.size(), 1u);
+    EXPECT_EQ(loaded.warnings.size(), 1u);
+}
+
+TEST(FaceMatch, AnExtrudedFaceIsFoundAlongItsNormal) {
+    Faces faces = tiles(5);
+    faces[12].painted = sticky;
+    Faces after = faces;
+    for (Vec3f& corner : after[12].corners)
+        corner.y() += 0.5f;
+    const LoadedLevel loaded = rematch(faces, after);
+    EXPECT_TRUE(wrong_faces(after, loaded).empty());
+    EXPECT_EQ(loaded.match.by_nearest, 1u);
+}
+
+TEST(FaceMatch, AFaceWithAMovedCornerIsFound) {
+    Faces faces = tiles(5);
+    faces[12].painted = sticky;
+    Faces after = faces;
+    after[12].corners[0] += Vec3f(-0.2f, 0.1f, 0.1f);
+    const LoadedLevel loaded = rematch(faces, after);
+    EXPECT_TRUE(wrong_faces(after, loaded).empty());
+    EXPECT_EQ(loaded.match.orphaned, 0u);
+}
+
+TEST(FaceMatch, ADeletedTileDoesNotPaintItsNeighbours) {
+    Faces faces = tiles(5);
+    faces[12].painted = ice;
+    Faces after = faces;
+    after.erase(after.begin() + 12);
+    const LoadedLevel loaded = rematch(faces, after);
+    EXPECT_TRUE(wrong_faces(after, loaded).empty());
+    ASSERT_EQ(loaded.level.orphans.size(), 1u);
+    EXPECT_EQ(loaded.level.orphans[0].type, "ice");
+    EXPECT_EQ(loaded.level.orphans[0].key.material, "stone");
+}
+
+TEST(FaceMatch, AMovedFaceOfAnotherMaterialIsNotTaken) {
+    Faces faces = tiles(3);
+    faces[4].painted = ice;
+    Faces after = faces;
+    after[4].material = "grass";
+    after[4].painted = -1;
+    for (Vec3f& corner : after[4].corners)
+        corner.y() += 0.2f;
+    const LoadedLevel loaded = rematch(faces, after);
+    EXPECT_TRUE(wrong_faces(after, loaded).empty());
+    EXPECT_EQ(loaded.match.orphaned, 1u);
+}
+
+TEST(FaceMatch, AFaceInItsPlaceIsFoundUnderANewMaterial) {
+    Faces faces = tiles(3);
+    faces[4].painted = ice;
+    Faces after = rounded(faces);
+    after[4].material = "stone__ice";
+    EXPECT_TRUE(wrong_faces(after, rematch(faces, after)).empty());
+}
+
+TEST(FaceMatch, SliversAndFacesWithoutAreaAreFound) {
+    Faces faces;
+    for (int i = 0; i < 20; ++i) {
+        const float x = static_cast<float>(i) * 1.7f + 0.1234567f;
+        faces.push_back({{Vec3f(x, 0, 0), Vec3f(x + 1.0f, 1e-6f, 0), Vec3f(x + 0.5f, 3e-6f, 1e-6f)}});
+        faces.push_back({{Vec3f(x, 5, 0), Vec3f(x + 1, 5, 0), Vec3f(x + 2, 5, 0)}});
+        faces[faces.size() - 2].painted = ice;
+        faces.back().painted = ladder;
+    }
+    const Faces after = rounded(shuffled(faces, 9));
+    EXPECT_TRUE(wrong_faces(after, rematch(faces, after)).empty());
+}
+
+TEST(FaceMatch, OrphansSurviveTwoRoundsAndComeBackWithTheirFace) {
+    Faces faces = tiles(5);
+    faces[12].painted = ice;
+    faces[3].painted = ladder;
+    Faces without = faces;
+    without.erase(without.begin() + 12);
+
+    const LoadedLevel first = rematch(faces, without);
+    const auto second = level_from_json(level_to_json(first.level), "test.slipface.json", mesh_of(without));
+    ASSERT_TRUE(second.ok());
+    ASSERT_EQ(second->level.orphans.size(), 1u);
+    EXPECT_EQ(second->level.orphans, first.level.orphans);
+    EXPECT_EQ(level_to_json(second->level), level_to_json(first.level));
+
+    const auto third = level_from_json(level_to_json(second->level), "test.slipface.json", mesh_of(faces));
+    ASSERT_TRUE(third.ok());
+    EXPECT_TRUE(third->level.orphans.empty());
+    EXPECT_TRUE(wrong_faces(faces, *third).empty());
+}
+
+TEST(FaceMatch, AnUnknownTypeIsKeptAsAnOrphan) {
+    Faces faces = tiles(2);
+    faces[1].painted = ice;
+    std::string json = level_to_json(level_of(faces));
+    const std::size_t at = json.rfind("\"type\": \"ice\"");
+    json.replace(at, 13, "\"type\": \"lava\"");
+    const auto loaded = level_from_json(json, "test.slipface.json", mesh_of(faces));
+    ASSERT_TRUE(loaded.ok()) << loaded.error().text();
+    ASSERT_EQ(loaded->level.orphans.size(), 1u);
+    EXPECT_EQ(loaded->level.orphans[0].type, "lava");
+    EXPECT_FALSE(loaded->level.overrides[1].has_value());
+    EXPECT_NE(loaded->warnings.at(0).message.find("lava"), std::string::npos);
+    EXPECT_NE(level_to_json(loaded->level).find("lava"), std::string::npos);
+}
+
+TEST(FaceMatch, ManyOrphansAreListedOnceAndBriefly) {
+    Faces faces = tiles(20);
+    for (Face& face : faces)
+        face.painted = ice;
+    Faces elsewhere = tiles(2, 500.0f);
+    const LoadedLevel loaded = rematch(faces, elsewhere);
+    EXPECT_EQ(loaded.match.orphaned, 400u);
+    EXPECT_EQ(loaded.level.orphans.size(), 400u);
+    // A hundred by name and one line for the rest.
+    EXPECT_EQ(loaded.warnings.size(), 101u);
+}
+
+TEST(MatchSummary, SaysWhatWasFound) {
+    MatchSummary summary;
+    summary.exact = 812;
+    summary.by_plane = 14;
+    summary.orphaned = 3;
+    EXPECT_EQ(summary.text(), "812 exact, 14 by plane, 3 orphaned");
+    summary.by_nearest = 2;
+    EXPECT_EQ(summary.text(), "812 exact, 14 by plane, 2 by nearest, 3 orphaned");
+}
+
+}  // namespace
+}  // namespace slipface::test

@@ -1,0 +1,189 @@
+// Levels on disk.
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+
+#include "level/faces.h"
+
+namespace slipface::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class LevelFile : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string pattern = testing::TempDir() + "slipface-level-XXXXXX";
+        ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+        folder_ = pattern;
+        write("easy.obj",
+              "v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nv 0 2 0\nv 0 2 1\nusemtl stone\nf 1 2 3 4\nusemtl wall\nf "
+              "1 5 6 2\n");
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder_ / name, std::ios::binary) << text;
+    }
+    std::string read(const std::string& name) const {
+        std::ifstream file(folder_ / name, std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    LoadedLevel load(const std::string& name) const {
+        Result<LoadedLevel> loaded = load_level(folder_ / name);
+        if (!loaded) {
+            ADD_FAILURE() << loaded.error().text();
+            return {};
+        }
+        return std::move(*loaded);
+    }
+    Error error_of(const std::string& name) const {
+        const Result<LoadedLevel> loaded = load_level(folder_ / name);
+        if (loaded) {
+            ADD_FAILURE() << name << " was opened";
+            return {};
+        }
+        return loaded.error();
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(LevelFile, LiesBesideItsMesh) {
+    EXPECT_EQ(level_file_for("a/b.obj"), fs::path("a/b.slipface.json"));
+    EXPECT_EQ(level_file_for("b.v2.obj"), fs::path("b.v2.slipface.json"));
+}
+
+TEST_F(LevelFile, AMeshWithoutOneHasTheDefaults) {
+    const LoadedLevel loaded = load("easy.obj");
+    EXPECT_EQ(loaded.level.mesh->face_count(), 2u);
+    EXPECT_EQ(loaded.level.surfaces, preset_surface_types());
+    EXPECT_EQ(loaded.level.overrides.size(), 2u);
+    EXPECT_EQ(loaded.level.mesh_path, folder_ / "easy.obj");
+    EXPECT_EQ(loaded.level.file_path, folder_ / "easy.slipface.json");
+    EXPECT_GT(loaded.mesh_load_s, 0.0);
+    EXPECT_FALSE(fs::exists(folder_ / "easy.slipface.json"));
+}
+
+TEST_F(LevelFile, WhatIsSavedIsLoadedFromEitherFile) {
+    Level level = load("easy.obj").level;
+    level.overrides[1] = SurfaceId{2};
+    level.spawn = Vec3(1, 2, 3);
+    level.rules = {{"st*", "ice"}};
+    ASSERT_TRUE(save_level(level).ok());
+    for (const char* name : {"easy.obj", "easy.slipface.json"}) {
+        const LoadedLevel loaded = load(name);
+        EXPECT_EQ(loaded.level.overrides, level.overrides);
+        EXPECT_EQ(loaded.level.spawn, level.spawn);
+        EXPECT_EQ(loaded.level.rules, level.rules);
+        EXPECT_EQ(loaded.level.mesh_path, folder_ / "easy.obj");
+        EXPECT_EQ(loaded.level.file_path, folder_ / "easy.slipface.json");
+        EXPECT_EQ(loaded.match.text(), "1 exact, 0 by plane, 0 orphaned");
+    }
+    EXPECT_THAT(read("easy.slipface.json"), HasSubstr("\"mesh\": \"easy.obj\""));
+}
+
+TEST_F(LevelFile, SavedElsewhereItStillFindsItsMesh) {
+    Level level = load("easy.obj").level;
+    level.overrides[0] = SurfaceId{1};
+    fs::create_directories(folder_ / "a/b");
+    // Beside the mesh's folder's parent the name is relative; in another folder it is absolute, for ".." may
+    // not be followed.
+    ASSERT_TRUE(save_level(level, folder_ / "variant.slipface.json").ok());
+    ASSERT_TRUE(save_level(level, folder_ / "a/b/copy.slipface.json").ok());
+    EXPECT_THAT(read("variant.slipface.json"), HasSubstr("\"mesh\": \"easy.obj\""));
+    EXPECT_THAT(read("a/b/copy.slipface.json"), HasSubstr(folder_.string() + "/easy.obj"));
+    for (const char* name : {"variant.slipface.json", "a/b/copy.slipface.json"}) {
+        const LoadedLevel loaded = load(name);
+        EXPECT_EQ(loaded.level.overrides, level.overrides);
+        EXPECT_EQ(loaded.level.file_path, folder_ / name);
+        EXPECT_TRUE(fs::equivalent(loaded.level.mesh_path, folder_ / "easy.obj"));
+    }
+}
+
+TEST_F(LevelFile, AMissingMeshIsAnErrorThatNamesBothFiles) {
+    write("x.slipface.json", "{\"slipface\": 1, \"mesh\": \"gone.obj\"}");
+    const Error error = error_of("x.slipface.json");
+    EXPECT_THAT(error.place, HasSubstr("x.slipface.json:/mesh"));
+    EXPECT_THAT(error.message, HasSubstr("gone.obj"));
+}
+
+TEST_F(LevelFile, AMeshOutsideTheFolderIsRefused) {
+    for (const char* name : {"../easy.obj", "a/../../easy.obj"}) {
+        write("x.slipface.json", std::string("{\"slipface\": 1, \"mesh\": \"") + name + "\"}");
+        EXPECT_THAT(error_of("x.slipface.json").message, HasSubstr("inside the level's folder"));
+    }
+    write("x.slipface.json", "{\"slipface\": 1, \"mesh\": \"a/../easy.obj\"}");
+    EXPECT_EQ(load("x.slipface.json").level.mesh->face_count(), 2u);
+}
+
+TEST_F(LevelFile, NoMeshIsAnError) {
+    for (const char* json :
+         {"{\"slipface\": 1}", "{\"slipface\": 1, \"mesh\": \"\"}", "{\"slipface\": 1, \"mesh\": 7}", "[]"}) {
+        write("x.slipface.json", json);
+        EXPECT_THAT(error_of("x.slipface.json").place, HasSubstr("x.slipface.json:/mesh"));
+    }
+}
+
+TEST_F(LevelFile, AnotherMeshesLevelFileBesideAMeshIsAWarning) {
+    write("easy.slipface.json", "{\"slipface\": 1, \"mesh\": \"other.obj\"}");
+    const LoadedLevel loaded = load("easy.obj");
+    ASSERT_FALSE(loaded.warnings.empty());
+    bool told = false;
+    for (const Diagnostic& warning : loaded.warnings)
+        told |= warning.message.find("other.obj") != std::string::npos;
+    EXPECT_TRUE(told);
+    EXPECT_EQ(loaded.level.mesh_path, folder_ / "easy.obj");
+}
+
+TEST_F(LevelFile, ABrokenLevelFileIsAnErrorAndStaysAsItIs) {
+    write("easy.slipface.json", "{\"slipface\": 1,");
+    EXPECT_THAT(error_of("easy.obj").place, HasSubstr("easy.slipface.json:1:"));
+    EXPECT_EQ(read("easy.slipface.json"), "{\"slipface\": 1,");
+}
+
+TEST_F(LevelFile, FoldersAndMissingFilesAreErrors) {
+    fs::create_directories(folder_ / "easy.slipface.json");
+    EXPECT_THAT(error_of("easy.obj").place, HasSubstr("easy.slipface.json"));
+    EXPECT_THAT(error_of("missing.obj").place, HasSubstr("missing.obj"));
+    EXPECT_THAT(error_of("missing.slipface.json").place, HasSubstr("missing.slipface.json"));
+}
+
+TEST_F(LevelFile, SavingIntoAMissingFolderIsAnError) {
+    const Level level = load("easy.obj").level;
+    const Status status = save_level(level, folder_ / "missing" / "x.slipface.json");
+    ASSERT_FALSE(status.ok());
+    EXPECT_THAT(status.error().text(), HasSubstr("missing"));
+}
+
+TEST_F(LevelFile, UnknownKeysSurviveLoadingAndSaving) {
+    write("easy.slipface.json", R"({"slipface": 1, "mesh": "easy.obj", "studio": {"note": [1, 2.50]}})");
+    ASSERT_TRUE(save_level(load("easy.obj").level).ok());
+    EXPECT_THAT(read("easy.slipface.json"), HasSubstr("\"studio\": {\n    \"note\": [1, 2.50]\n  }"));
+}
+
+TEST_F(LevelFile, AHundredThousandPaintedFacesAreSavedAndFoundQuickly) {
+    Faces faces = tiles(317);
+    for (Face& face : faces)
+        face.painted = 1 + static_cast<int>(face.corners[0].x()) % 7;
+    Level level = level_of(faces);
+    level.file_path = folder_ / "big.slipface.json";
+    const auto start = std::chrono::steady_clock::now();
+    ASSERT_TRUE(save_level(level).ok());
+    const double save_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const Result<LoadedLevel> loaded = level_from_json(read("big.slipface.json"), "big", level.mesh);
+    const double both_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    ASSERT_TRUE(loaded.ok());
+    EXPECT_EQ(loaded->level.overrides, level.overrides);
+    RecordProperty("save_ms", static_cast<int>(save_s * 1e3));
+    RecordProperty("load_ms", static_cast<int>((both_s - save_s) * 1e3));
+    RecordProperty("bytes", static_cast<int>(fs::file_size(level.file_path)));
+    // A hundred times the time measured, so that only a wrong order of growth trips it.
+    EXPECT_LT(both_s, 20.0);
+}
+
+}  // namespace
+}  // namespace slipface::test

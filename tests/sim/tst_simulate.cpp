@@ -1,0 +1,251 @@
+// Running tapes over a flat floor of four stripes, 20 m long in X and 10 m wide in Z:
+//   z in (0, 10): default, (10, 20): ice, (20, 30): hazard, (30, 40): sticky. Spawn centres are given in each
+//   test.
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "slipface/sim/simulate.h"
+
+namespace slipface::test {
+namespace {
+
+using testing::ElementsAre;
+
+struct Stripes {
+    Stripes() {
+        std::vector<Vec3f> positions;
+        std::vector<std::array<std::uint32_t, 3>> triangles;
+        std::vector<FaceId> faces;
+        for (FaceId face = 0; face < 4; ++face) {
+            const float z = 10.0f * static_cast<float>(face);
+            const auto first = static_cast<std::uint32_t>(positions.size());
+            for (const Vec3f& corner :
+                 {Vec3f(-10, 0, z), Vec3f(-10, 0, z + 10), Vec3f(10, 0, z + 10), Vec3f(10, 0, z)}) {
+                positions.push_back(corner);
+            }
+            triangles.push_back({first, first + 1, first + 2});
+            triangles.push_back({first, first + 2, first + 3});
+            faces.insert(faces.end(), {face, face});
+        }
+        Result<CollisionWorld> built = CollisionWorld::build({positions, triangles, faces});
+        EXPECT_TRUE(built.ok());
+        world = std::move(*built);
+        apply_surface_rules(world, surfaces);
+        const auto id = [&](const char* name) {
+            for (std::size_t i = 0; i < surfaces.size(); ++i) {
+                if (surfaces[i].name == name) return static_cast<SurfaceId>(i);
+            }
+            ADD_FAILURE() << name;
+            return default_surface;
+        };
+        world.set_face_surface(1, id("ice"));
+        world.set_face_surface(2, id("hazard"));
+        world.set_face_surface(3, id("sticky"));
+    }
+
+    MovementScene scene() const { return {world, surfaces}; }
+
+    std::vector<SurfaceType> surfaces = preset_surface_types();
+    CollisionWorld world;
+};
+
+Tape tape_of(std::initializer_list<TapeSegment> segments) {
+    Tape tape;
+    tape.segments = segments;
+    return tape;
+}
+
+std::vector<std::string> kinds(const SimulationReport& report) {
+    std::vector<std::string> kinds;
+    for (const SimulationEvent& event : report.events)
+        kinds.push_back(event.kind);
+    return kinds;
+}
+
+const SimulationEvent* find_event(const SimulationReport& report, std::string_view kind) {
+    for (const SimulationEvent& event : report.events) {
+        if (event.kind == kind) return &event;
+    }
+    return nullptr;
+}
+
+TEST(Simulate, IsTheSameAsStepByStep) {
+    const Stripes stripes;
+    const Tape tape = tape_of(
+        {{30, {}}, {60, {Vec2(0.6, 0.8), false}}, {1, {Vec2(0, 1), true}}, {50, {Vec2(0, 1), false}}});
+    SimulationOptions options;
+    options.keep_states = true;
+    const SimulationReport report = simulate(stripes.scene(), {}, Vec3(0, 1.5, 2), tape, options);
+
+    PlayerState state;
+    state.position = Vec3(0, 1.5, 2);
+    double distance = 0.0;
+    std::uint64_t hash = 0;
+    std::size_t tick = 0;
+    ASSERT_EQ(report.states.size(), 141u);
+    for (const TapeSegment& segment : tape.segments) {
+        for (int i = 0; i < segment.ticks; ++i) {
+            const Vec3 before = state.position;
+            state = step(stripes.scene(), {}, state, segment.input, tape.dt).state;
+            distance += (state.position - before).norm();
+            hash = state_hash(state, hash);
+            ASSERT_EQ(report.states[tick++], state);
+        }
+    }
+    EXPECT_EQ(report.final_state, state);
+    EXPECT_EQ(report.ticks, 141u);
+    EXPECT_EQ(report.distance, distance);
+    EXPECT_EQ(report.second_hashes.back(), hash);
+}
+
+TEST(Simulate, TheSameTapeGivesTheSameHashesAndAnotherOneDoesNot) {
+    const Stripes stripes;
+    const Tape tape = tape_of({{200, {Vec2(0, 1), false}}});
+    const SimulationReport a = simulate(stripes.scene(), {}, Vec3(0, 1, 2), tape);
+    const SimulationReport b = simulate(stripes.scene(), {}, Vec3(0, 1, 2), tape);
+    EXPECT_EQ(a.second_hashes, b.second_hashes);
+    EXPECT_EQ(a.final_state, b.final_state);
+
+    // Gravity changes the fall in the first second already, and the chain carries it on.
+    MovementSettings weaker;
+    weaker.gravity = 19.0;
+    const SimulationReport c = simulate(stripes.scene(), weaker, Vec3(0, 1, 2), tape);
+    ASSERT_EQ(c.second_hashes.size(), a.second_hashes.size());
+    for (std::size_t i = 0; i < a.second_hashes.size(); ++i)
+        EXPECT_NE(a.second_hashes[i], c.second_hashes[i]);
+}
+
+TEST(Simulate, HashesWholeSecondsAndTheLastTick) {
+    const Stripes stripes;
+    const auto hash_count = [&](double dt, int ticks) {
+        Tape tape = tape_of({{ticks, {}}});
+        tape.dt = dt;
+        return simulate(stripes.scene(), {}, Vec3(0, 1, 2), tape).second_hashes.size();
+    };
+    EXPECT_EQ(hash_count(1.0 / 60, 60), 1u);
+    EXPECT_EQ(hash_count(1.0 / 60, 59), 1u);
+    EXPECT_EQ(hash_count(1.0 / 60, 61), 2u);
+    EXPECT_EQ(hash_count(1.0 / 60, 180), 3u);
+    EXPECT_EQ(hash_count(0.1, 30), 3u);  // 0.1 is above a tenth, 1.0 / 60 below a sixtieth
+    EXPECT_EQ(hash_count(1.0 / 49, 49 * 3), 3u);
+    EXPECT_EQ(hash_count(1.0 / 60, 1), 1u);
+}
+
+TEST(Simulate, AnEmptyTapeLeavesThePlayerAtTheStart) {
+    const Stripes stripes;
+    const SimulationReport report = simulate(stripes.scene(), {}, Vec3(1, 2, 3), Tape{});
+    EXPECT_EQ(report.final_state.position, Vec3(1, 2, 3));
+    EXPECT_EQ(report.ticks, 0u);
+    EXPECT_EQ(report.distance, 0.0);
+    EXPECT_TRUE(report.second_hashes.empty());
+    EXPECT_TRUE(report.events.empty());
+}
+
+TEST(Simulate, FallsInTheTimeOfTheClosedForm) {
+    const Stripes stripes;
+    // From 2 m above the floor: t = sqrt(2 * 2 / 20) = 0.447 s, the 27th tick of 1/60 s; one tick more or
+    // less is a matter of the integration.
+    const SimulationReport report = simulate(stripes.scene(), {}, Vec3(0, 2.9, 5), tape_of({{60, {}}}));
+    const SimulationEvent* land = find_event(report, "land");
+    ASSERT_NE(land, nullptr);
+    EXPECT_NEAR(static_cast<double>(land->tick), 26.0, 1.0);
+    EXPECT_EQ(land->detail, "default");
+    EXPECT_NEAR(report.distance, 2.0, 0.01);
+}
+
+TEST(Simulate, TellsJumpsAndLandings) {
+    const Stripes stripes;
+    const SimulationReport report = simulate(stripes.scene(), {}, Vec3(0, 0.95, 5),
+                                             tape_of({{30, {}}, {1, {Vec2(0, 0), true}}, {90, {}}}));
+    EXPECT_THAT(kinds(report), ElementsAre("land", "jump", "land"));
+    EXPECT_EQ(report.events[1].tick, 30u);
+    // In the air for 2 v / g = 2 * 8 / 20 = 0.8 s = 48 ticks.
+    EXPECT_NEAR(static_cast<double>(report.events[2].tick - report.events[1].tick), 48.0, 2.0);
+}
+
+TEST(Simulate, WalkingOffTheEdgeIsNoJump) {
+    const Stripes stripes;
+    // 3 m to the edge at 6 m/s; the jump key is held all the time, so it is never pressed while on the
+    // ground.
+    const SimulationReport report =
+        simulate(stripes.scene(), {}, Vec3(7, 0.95, 5), tape_of({{10, {}}, {60, {Vec2(1, 0), false}}}));
+    ASSERT_GE(report.events.size(), 2u);
+    EXPECT_EQ(report.events[1].kind, "leave ground");
+    EXPECT_EQ(find_event(report, "jump"), nullptr);
+    EXPECT_LT(report.final_state.position.y(), 0.9);
+}
+
+TEST(Simulate, TellsTheSurfaceThatIsWalkedOn) {
+    const Stripes stripes;
+    const SimulationReport report =
+        simulate(stripes.scene(), {}, Vec3(0, 0.95, 8), tape_of({{10, {}}, {60, {Vec2(0, 1), false}}}));
+    const SimulationEvent* surface = find_event(report, "surface");
+    ASSERT_NE(surface, nullptr);
+    EXPECT_EQ(surface->detail, "ice");
+    // 2 m at 6 m/s, after at least 0.1 s of speeding up.
+    EXPECT_NEAR(static_cast<double>(surface->tick), 10 + 20 + 3, 8.0);
+}
+
+TEST(Simulate, AHazardPutsThePlayerBackAndCountsNoDistanceForIt) {
+    const Stripes stripes;
+    const Vec3 start(0, 2.9, 25);
+    SimulationOptions options;
+    options.keep_states = true;
+    const SimulationReport report =
+        simulate(stripes.scene(), {}, start, tape_of({{40, {Vec2(0, 0), true}}}), options);
+    const SimulationEvent* hazard = find_event(report, "hazard");
+    ASSERT_NE(hazard, nullptr);
+    EXPECT_EQ(hazard->detail, "hazard");
+    const PlayerState& after = report.states[hazard->tick];
+    EXPECT_EQ(after.position, start);
+    EXPECT_EQ(after.velocity, Vec3(0, 0, 0));
+    EXPECT_FALSE(after.hazard);
+    EXPECT_TRUE(after.jump_held) << "a key that is held does not jump at once";
+    // 2 m down, once, and what is fallen since: less than 2 m.
+    EXPECT_GT(report.distance, 1.9);
+    EXPECT_LT(report.distance, 4.0);
+}
+
+TEST(Simulate, TellsWhenASurfaceHolds) {
+    const Stripes stripes;
+    const SimulationReport report = simulate(stripes.scene(), {}, Vec3(0, 1.5, 35), tape_of({{60, {}}}));
+    const SimulationEvent* stick = find_event(report, "stick");
+    ASSERT_NE(stick, nullptr);
+    EXPECT_EQ(stick->detail, "sticky");
+    EXPECT_TRUE(report.final_state.stuck);
+}
+
+TEST(Simulate, FeedsTheTrace) {
+    const Stripes stripes;
+    TraceRecorder trace;
+    SimulationOptions options;
+    options.trace = &trace;
+    simulate(stripes.scene(), {}, Vec3(0, 0.95, 5), tape_of({{5, {}}}), options);
+    EXPECT_GE(trace.records.size(), 5u);
+}
+
+TEST(StateHash, SeesPositionVelocityFlagsAndWhatWasBefore) {
+    const PlayerState state;
+    const std::uint64_t hash = state_hash(state, 0);
+    EXPECT_EQ(hash, state_hash(state, 0));
+    EXPECT_NE(hash, state_hash(state, 1));
+    PlayerState other = state;
+    other.position.x() = 1e-300;
+    EXPECT_NE(hash, state_hash(other, 0));
+    other = state;
+    other.velocity.z() = 1.0;
+    EXPECT_NE(hash, state_hash(other, 0));
+    for (bool PlayerState::*flag : {&PlayerState::grounded, &PlayerState::climbing, &PlayerState::stuck,
+                                    &PlayerState::jump_held, &PlayerState::hazard}) {
+        other = state;
+        other.*flag = true;
+        EXPECT_NE(hash, state_hash(other, 0));
+    }
+    other = state;
+    other.position.x() = -0.0;
+    EXPECT_EQ(hash, state_hash(other, 0)) << "equal states have equal hashes";
+}
+
+}  // namespace
+}  // namespace slipface::test

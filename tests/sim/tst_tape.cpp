@@ -1,0 +1,200 @@
+// The text of tapes.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "slipface/sim/simulate.h"
+
+namespace slipface::test {
+namespace {
+
+using testing::HasSubstr;
+
+void expect_equal(const Tape& a, const Tape& b) {
+    EXPECT_EQ(a.level_name, b.level_name);
+    EXPECT_EQ(a.level_fingerprint, b.level_fingerprint);
+    EXPECT_EQ(a.dt, b.dt);
+    EXPECT_EQ(a.dt_text, b.dt_text);
+    EXPECT_EQ(a.settings, b.settings);
+    EXPECT_EQ(a.start, b.start);
+    ASSERT_EQ(a.segments.size(), b.segments.size());
+    for (std::size_t i = 0; i < a.segments.size(); ++i) {
+        EXPECT_EQ(a.segments[i].ticks, b.segments[i].ticks);
+        EXPECT_EQ(a.segments[i].input.wish, b.segments[i].input.wish);
+        EXPECT_EQ(a.segments[i].input.jump, b.segments[i].input.jump);
+    }
+}
+
+Tape parsed(std::string_view text) {
+    Result<Tape> tape = parse_tape(text, "run.tape");
+    if (!tape) {
+        ADD_FAILURE() << tape.error().text();
+        return {};
+    }
+    return std::move(*tape);
+}
+
+constexpr std::string_view full_tape = R"(slipface-tape 1
+# recorded by hand
+
+level easy hall.obj 1f2e3d4c5b6a7988
+dt 1/120
+set max_slope=0.7
+  set  static_friction = off
+start 0,1,-0.25
+60 wish 0,-1
+1	wish 0.6,-0.8 jump
+30 jump
+2
+)";
+
+TEST(Tape, ReadsEveryKindOfLine) {
+    const Tape tape = parsed(full_tape);
+    EXPECT_EQ(tape.level_name, "easy hall.obj");
+    EXPECT_EQ(tape.level_fingerprint, 0x1f2e3d4c5b6a7988u);
+    EXPECT_EQ(tape.dt, 1.0 / 120.0);
+    EXPECT_EQ(tape.settings, (std::vector<std::string>{"max_slope=0.7", "static_friction = off"}));
+    EXPECT_EQ(tape.start, Vec3(0, 1, -0.25));
+    EXPECT_EQ(tape.tick_count(), 93u);
+    ASSERT_EQ(tape.segments.size(), 4u);
+    EXPECT_EQ(tape.segments[0].input.wish, Vec2(0, -1));
+    EXPECT_EQ(tape.segments[1].input.wish, Vec2(0.6, -0.8));
+    EXPECT_TRUE(tape.segments[1].input.jump);
+    EXPECT_TRUE(tape.segments[2].input.jump);
+    EXPECT_FALSE(tape.segments[3].input.jump);
+}
+
+TEST(Tape, ComesBackFromItsText) {
+    const Tape tape = parsed(full_tape);
+    expect_equal(parsed(tape_to_text(tape)), tape);
+    expect_equal(parsed(tape_to_text(Tape{})), Tape{});
+}
+
+TEST(Tape, NumbersComeBackBitByBit) {
+    Tape tape;
+    tape.start = Vec3(1.0 / 3.0, -1e-300, 123456.789);
+    append_tick(tape, {Vec2(std::sqrt(0.5), -std::sqrt(0.5)), false});
+    append_tick(tape, {Vec2(0.1, 1.0 / 7.0), true});
+    expect_equal(parsed(tape_to_text(tape)), tape);
+}
+
+TEST(Tape, LineEndsOfWindowsAndAMissingLastOneAreFine) {
+    const Tape tape = parsed("slipface-tape 1\r\ndt 0.02\r\n5 wish 1,0\r\n3 jump");
+    EXPECT_EQ(tape.dt, 0.02);
+    EXPECT_EQ(tape.tick_count(), 8u);
+}
+
+TEST(Tape, AppendedTicksAreGathered) {
+    Tape tape;
+    for (int i = 0; i < 10; ++i)
+        append_tick(tape, {Vec2(0, 1), i >= 7});
+    append_tick(tape, {});
+    ASSERT_EQ(tape.segments.size(), 3u);
+    EXPECT_EQ(tape.segments[0].ticks, 7);
+    EXPECT_EQ(tape.segments[1].ticks, 3);
+    EXPECT_EQ(tape.segments[2].ticks, 1);
+}
+
+struct BadTape {
+    const char* name;
+    const char* text;
+    const char* place;
+    const char* expected;
+};
+
+class BadTapes : public testing::TestWithParam<BadTape> {};
+
+TEST_P(BadTapes, AreRefusedWithTheirLine) {
+    const Result<Tape> tape = parse_tape(GetParam().text, "run.tape");
+    ASSERT_FALSE(tape.ok());
+    EXPECT_EQ(tape.error().place, GetParam().place) << tape.error().text();
+    EXPECT_THAT(tape.error().message, HasSubstr(GetParam().expected));
+}
+
+constexpr BadTape bad_tapes[] = {
+    {"Empty", "", "run.tape:1", "slipface-tape 1"},
+    {"OnlyComments", "# a\n\n# b\n", "run.tape:3", "slipface-tape 1"},
+    {"NoHeader", "dt 1/60\n", "run.tape:1", "dt 1/60"},
+    {"LaterVersion", "slipface-tape 2\n", "run.tape:1", "slipface-tape 2"},
+    {"UnknownWord", "slipface-tape 1\nspeed 3\n", "run.tape:2", "speed 3"},
+    {"NoLevel", "slipface-tape 1\nlevel\n", "run.tape:2", "name"},
+    {"TwoLevels", "slipface-tape 1\nlevel a\nlevel b\n", "run.tape:3", "second time"},
+    {"ZeroDt", "slipface-tape 1\ndt 0\n", "run.tape:2", "\"0\""},
+    {"LongDt", "slipface-tape 1\ndt 1/2\n", "run.tape:2", "0.25"},
+    {"EndlessDt", "slipface-tape 1\ndt 1/0\n", "run.tape:2", "1/0"},
+    {"TextDt", "slipface-tape 1\ndt 1/60s\n", "run.tape:2", "1/60s"},
+    {"NegativeDt", "slipface-tape 1\ndt -1/60\n", "run.tape:2", "-1/60"},
+    {"TwoDts", "slipface-tape 1\ndt 1/60\n\ndt 1/60\n", "run.tape:4", "second time"},
+    {"LateDt", "slipface-tape 1\n5\ndt 1/60\n", "run.tape:3", "before all ticks"},
+    {"UnknownSetting", "slipface-tape 1\nset max_slop=0.7\n", "run.tape:2", "max_slope"},
+    {"BadSetting", "slipface-tape 1\nset gravity=up\n", "run.tape:2", "up"},
+    {"NoSetting", "slipface-tape 1\nset\n", "run.tape:2", "name=value"},
+    {"FlatStart", "slipface-tape 1\nstart 1,2\n", "run.tape:2", "1,2"},
+    {"EndlessStart", "slipface-tape 1\nstart 1,2,inf\n", "run.tape:2", "inf"},
+    {"NoTicks", "slipface-tape 1\n0 jump\n", "run.tape:2", "0 ticks"},
+    {"NegativeTicks", "slipface-tape 1\n-5\n", "run.tape:2", "-5 ticks"},
+    {"HugeTicks", "slipface-tape 1\n99999999999999999999\n", "run.tape:2", "99999999999999999999"},
+    {"TooManyTicks", "slipface-tape 1\n10000001\n", "run.tape:2", "at most 10000000"},
+    {"TooManyTicksInAll", "slipface-tape 1\n9999999\n2\n", "run.tape:3", "at most 10000000"},
+    {"NoWish", "slipface-tape 1\n5 wish\n", "run.tape:2", "wish"},
+    {"LongWish", "slipface-tape 1\n5 wish 1,1\n", "run.tape:2", "no longer than 1"},
+    {"NanWish", "slipface-tape 1\n5 wish nan,0\n", "run.tape:2", "nan,0"},
+    {"DeepWish", "slipface-tape 1\n5 wish 0,0,0\n", "run.tape:2", "0,0,0"},
+    {"TrailingWord", "slipface-tape 1\n5 wish 0,1 jump jump\n", "run.tape:2", "[jump]"},
+    {"WrongOrder", "slipface-tape 1\n5 jump wish 0,1\n", "run.tape:2", "wish"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Tapes, BadTapes, testing::ValuesIn(bad_tapes),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Tape, TheLimitItselfIsAllowed) {
+    EXPECT_EQ(parsed("slipface-tape 1\n9999999\n1\n").tick_count(), max_tape_ticks);
+}
+
+TEST(Tape, CutOffAnywhereItNeverCrashes) {
+    for (std::size_t size = 0; size < full_tape.size(); ++size) {
+        const Result<Tape> tape = parse_tape(full_tape.substr(0, size), "run.tape");
+        if (size < 15) EXPECT_FALSE(tape.ok()) << size;
+        if (!tape) EXPECT_THAT(tape.error().place, HasSubstr("run.tape:"));
+    }
+}
+
+TEST(Tape, AMissingFileIsAnError) {
+    const Result<Tape> tape = load_tape("missing/run.tape");
+    ASSERT_FALSE(tape.ok());
+    EXPECT_THAT(tape.error().text(), HasSubstr("missing/run.tape"));
+}
+
+TEST(Tape, AFileIsReadAndNamedInErrors) {
+    const std::string path = testing::TempDir() + "slipface-run.tape";
+    std::ofstream(path) << "slipface-tape 1\n7\nhop\n";
+    const Result<Tape> tape = load_tape(path);
+    std::filesystem::remove(path);
+    ASSERT_FALSE(tape.ok());
+    EXPECT_EQ(tape.error().place, path + ":3");
+}
+
+TEST(TapeSettings, AreAppliedInOrder) {
+    Tape tape;
+    tape.settings = {"gravity=10", "static_friction=off", "gravity=12"};
+    MovementSettings settings;
+    ASSERT_TRUE(apply_tape_settings(settings, tape, "run.tape").ok());
+    EXPECT_EQ(settings.gravity, 12.0);
+    EXPECT_FALSE(settings.static_friction);
+}
+
+TEST(TapeSettings, ABadOneChangesNothing) {
+    Tape tape;
+    tape.settings = {"gravity=10", "gravity=-1"};
+    MovementSettings settings;
+    const Status status = apply_tape_settings(settings, tape, "run.tape");
+    ASSERT_FALSE(status.ok());
+    EXPECT_EQ(status.error().place, "run.tape");
+    EXPECT_THAT(status.error().message, HasSubstr("gravity=-1"));
+    EXPECT_EQ(settings, MovementSettings{});
+}
+
+}  // namespace
+}  // namespace slipface::test

@@ -1,0 +1,203 @@
+#include "slipface/snapshot/golden.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+namespace slipface {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A picture with some detail: a slope of grey, and bars.
+Image sample(int width = 96, int height = 64) {
+    Image image = make_image(width, height, 0, 0, 0);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            std::uint8_t* pixel = image.pixel(x, y);
+            pixel[0] = static_cast<std::uint8_t>(60 + x);
+            pixel[1] = static_cast<std::uint8_t>(80 + y);
+            pixel[2] = (x / 7) % 2 == 0 ? 90 : 180;
+        }
+    }
+    return image;
+}
+
+Image with_patch(Image image) {
+    for (int y = 10; y < 20; ++y) {
+        for (int x = 10; x < 20; ++x) image.pixel(x, y)[1] = 250;
+    }
+    return image;
+}
+
+Image with_noise(Image image) {
+    for (int x = 0; x < image.width; x += 9) image.pixel(x, 5)[0] ^= 1;
+    return image;
+}
+
+std::string bytes_of(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+class GoldenTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        root_ = fs::path(testing::TempDir()) / ("slipface_golden_" + std::to_string(::getpid()) + "_" +
+                                                testing::UnitTest::GetInstance()->current_test_info()->name());
+        folder_ = root_ / "goldens";
+        out_ = root_ / "out";
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(root_); }
+
+    GoldenResult check(const Image& image, const std::string& name = "scenes/a") const {
+        return check_golden(folder_, name, image, scene_tolerance, out_);
+    }
+    std::size_t files_in_goldens() const {
+        std::size_t count = 0;
+        for (const auto& entry : fs::recursive_directory_iterator(folder_)) count += entry.is_regular_file() ? 1U : 0U;
+        return count;
+    }
+
+    fs::path root_, folder_, out_;
+};
+
+TEST_F(GoldenTest, MissingWritesOnlyTheActualPicture) {
+    const GoldenResult result = check(sample());
+    EXPECT_EQ(result.state, GoldenState::missing);
+    EXPECT_EQ(result.name, "scenes/a");
+    EXPECT_NE(result.message.find("scenes/a.png: no golden"), std::string::npos) << result.message;
+    EXPECT_EQ(files_in_goldens(), 0U);
+    const auto actual = load_image(out_ / "scenes/a.actual.png");
+    ASSERT_TRUE(actual.ok());
+    EXPECT_EQ(*actual, sample());
+}
+
+TEST_F(GoldenTest, ApprovedIsSame) {
+    ASSERT_TRUE(approve_golden(folder_, "scenes/a", sample(), scene_tolerance).ok());
+    EXPECT_EQ(check(sample()).state, GoldenState::same);
+    EXPECT_EQ(check(with_noise(sample())).state, GoldenState::same);
+    EXPECT_FALSE(fs::exists(out_));
+}
+
+TEST_F(GoldenTest, DifferentWritesThreePictures) {
+    ASSERT_TRUE(approve_golden(folder_, "scenes/a", sample(), scene_tolerance).ok());
+    const std::string before = bytes_of(folder_ / "scenes/a.png");
+    const GoldenResult result = check(with_patch(sample()));
+    EXPECT_EQ(result.state, GoldenState::different);
+    EXPECT_EQ(result.comparison.differing, 100U);
+    EXPECT_EQ(result.message.find('\n'), std::string::npos);
+    EXPECT_EQ(*load_image(out_ / "scenes/a.expected.png"), sample());
+    EXPECT_EQ(*load_image(out_ / "scenes/a.actual.png"), with_patch(sample()));
+    EXPECT_EQ(load_image(out_ / "scenes/a.difference.png")->width, 96);
+    for (const char* ending : {"expected", "actual", "difference"}) {
+        EXPECT_NE(result.message.find(std::string("scenes/a.") + ending + ".png"), std::string::npos);
+    }
+    EXPECT_EQ(bytes_of(folder_ / "scenes/a.png"), before);
+}
+
+TEST_F(GoldenTest, OtherSizeIsDifferent) {
+    ASSERT_TRUE(approve_golden(folder_, "a", sample(), scene_tolerance).ok());
+    const GoldenResult result = check(sample(95, 64), "a");
+    EXPECT_EQ(result.state, GoldenState::different);
+    EXPECT_TRUE(result.comparison.size_differs);
+    EXPECT_TRUE(fs::exists(out_ / "a.difference.png"));
+}
+
+TEST_F(GoldenTest, UnreadableIsNotMissing) {
+    std::ofstream(folder_ / "junk.png") << "no picture";
+    std::ofstream(folder_ / "empty.png");
+    fs::create_directories(folder_ / "folder.png");
+    fs::create_symlink("nowhere", folder_ / "dangling.png");
+    for (const char* name : {"junk", "empty", "folder", "dangling"}) {
+        const GoldenResult result = check(sample(), name);
+        EXPECT_EQ(result.state, GoldenState::unreadable) << name;
+        EXPECT_TRUE(fs::exists(out_ / (std::string(name) + ".actual.png")));
+    }
+}
+
+TEST_F(GoldenTest, LfsPointerSaysWhatToDo) {
+    std::ofstream(folder_ / "a.png") << "version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 1\n";
+    const GoldenResult result = check(sample(), "a");
+    EXPECT_EQ(result.state, GoldenState::unreadable);
+    EXPECT_NE(result.message.find("git lfs pull"), std::string::npos) << result.message;
+}
+
+// Approving what passes leaves the file's bytes and time alone; approving a change replaces it.
+TEST_F(GoldenTest, ApproveTouchesOnlyWhatDiffers) {
+    ASSERT_TRUE(approve_golden(folder_, "a", sample(), scene_tolerance).ok());
+    const auto time = fs::last_write_time(folder_ / "a.png");
+    const std::string before = bytes_of(folder_ / "a.png");
+    ASSERT_TRUE(approve_golden(folder_, "a", with_noise(sample()), scene_tolerance).ok());
+    EXPECT_EQ(bytes_of(folder_ / "a.png"), before);
+    EXPECT_EQ(fs::last_write_time(folder_ / "a.png"), time);
+    ASSERT_TRUE(approve_golden(folder_, "a", with_patch(sample()), scene_tolerance).ok());
+    EXPECT_EQ(*load_image(folder_ / "a.png"), with_patch(sample()));
+}
+
+TEST_F(GoldenTest, ApproveReplacesAnUnreadableGolden) {
+    std::ofstream(folder_ / "a.png") << "no picture";
+    ASSERT_TRUE(approve_golden(folder_, "a", sample(), scene_tolerance).ok());
+    EXPECT_EQ(check(sample(), "a").state, GoldenState::same);
+}
+
+// Names cannot leave the folder.
+TEST_F(GoldenTest, NamesAreBounded) {
+    for (const char* name : {"", "/etc/a", "../a", "a/../b", "a//b", "a/", ".a", "a\\b", "a b", "a\nb", "a..b"}) {
+        EXPECT_FALSE(valid_snapshot_name(name)) << name;
+        EXPECT_EQ(check(sample(), name).state, GoldenState::unreadable) << name;
+        EXPECT_FALSE(approve_golden(folder_, name, sample(), scene_tolerance).ok()) << name;
+    }
+    EXPECT_FALSE(valid_snapshot_name(std::string(201, 'a')));
+    for (const char* name : {"a", "scenes/easy-overview", "v1.2/x_y"}) EXPECT_TRUE(valid_snapshot_name(name)) << name;
+    EXPECT_EQ(files_in_goldens(), 0U);
+    EXPECT_FALSE(fs::exists(out_));
+}
+
+TEST_F(GoldenTest, UnwritableFolderIsAnError) {
+    std::ofstream(root_ / "file") << "x";
+    EXPECT_FALSE(approve_golden(root_ / "file", "a", sample(), scene_tolerance).ok());
+    const GoldenResult result = check_golden(folder_, "a", sample(), scene_tolerance, root_ / "file");
+    EXPECT_EQ(result.state, GoldenState::missing);
+    EXPECT_EQ(result.message.find("wrote"), std::string::npos) << result.message;
+}
+
+TEST_F(GoldenTest, SnapshotThatChangesIsNondeterministic) {
+    int calls = 0;
+    Snapshot snapshot{"a", scene_tolerance, [&]() -> Result<Image> { return ++calls % 2 == 1 ? sample() : with_noise(sample()); }};
+    ASSERT_TRUE(approve_golden(folder_, "a", sample(), scene_tolerance).ok());
+    const auto twice = check_snapshot(snapshot, folder_, out_, true);
+    ASSERT_TRUE(twice.ok());
+    EXPECT_EQ(twice->state, GoldenState::nondeterministic);
+    EXPECT_TRUE(fs::exists(out_ / "a.first.png") && fs::exists(out_ / "a.second.png"));
+    const auto once = check_snapshot(snapshot, folder_, out_);
+    ASSERT_TRUE(once.ok());
+    EXPECT_EQ(once->state, GoldenState::same);
+}
+
+TEST_F(GoldenTest, SnapshotThatFailsIsAnError) {
+    const Snapshot snapshot{"a", scene_tolerance, []() -> Result<Image> { return Error{"here", "no"}; }};
+    const auto result = check_snapshot(snapshot, folder_, out_, true);
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.error().text(), "here: no");
+}
+
+TEST_F(GoldenTest, OrphansAreFound) {
+    for (const char* name : {"scenes/a", "scenes/b", "old"}) {
+        ASSERT_TRUE(approve_golden(folder_, name, sample(), scene_tolerance).ok());
+    }
+    std::ofstream(folder_ / "scenes.json") << "{}";
+    const std::vector<Snapshot> snapshots{{"scenes/a", scene_tolerance, {}}};
+    EXPECT_EQ(orphan_goldens(folder_, snapshots), (std::vector<std::string>{"old", "scenes/b"}));
+    EXPECT_TRUE(orphan_goldens(root_ / "nowhere", snapshots).empty());
+}
+
+TEST(GoldenState, Names) {
+    EXPECT_STREQ(golden_state_name(GoldenState::same), "same");
+    EXPECT_STREQ(golden_state_name(GoldenState::nondeterministic), "nondeterministic");
+}
+
+}  // namespace
+}  // namespace slipface

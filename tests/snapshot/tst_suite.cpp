@@ -1,0 +1,212 @@
+#include "slipface/snapshot/suite.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+namespace slipface {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string suite_of(const std::string& scene) { return R"({"version": 1, "scenes": [)" + scene + "]}"; }
+
+Result<std::vector<Scene>> parse(const std::string& text) { return parse_scene_suite(text, "folder/scenes.json"); }
+
+TEST(SceneSuite, ReadsEveryField) {
+    const auto scenes = parse(suite_of(R"({
+        "name": "scenes/a", "level": "../levels/a.obj",
+        "camera": {"eye": [1, 2, 3], "target": [4, 5, 6], "fov_deg": 90}, "size": [320, 200],
+        "style": "textured wireframe",
+        "probe": {"from": [0, 1, 0], "move": [0, 0, -3], "radii": [0.5, 1, 0.5], "settings": ["max_slides=5"]},
+        "tape": "run.tape"})"));
+    ASSERT_TRUE(scenes.ok()) << scenes.error().text();
+    ASSERT_EQ(scenes->size(), 1U);
+    const Scene& scene = scenes->front();
+    EXPECT_EQ(scene.name, "scenes/a");
+    EXPECT_EQ(scene.level, fs::path("levels/a.obj"));
+    EXPECT_EQ(*scene.tape, fs::path("folder/run.tape"));
+    const auto& camera = std::get<Camera>(scene.camera);
+    EXPECT_EQ(camera.eye, Vec3(1, 2, 3));
+    EXPECT_EQ(camera.target, Vec3(4, 5, 6));
+    EXPECT_NEAR(camera.fov_y, 1.5707963267948966, 1e-12);
+    EXPECT_EQ(scene.width, 320);
+    EXPECT_EQ(scene.height, 200);
+    EXPECT_TRUE(scene.style.textured);
+    EXPECT_TRUE(scene.style.wireframe);
+    EXPECT_EQ(scene.style.overlay, 0.0f);
+    ASSERT_TRUE(scene.probe.has_value());
+    EXPECT_EQ(*scene.probe->from, Vec3(0, 1, 0));
+    EXPECT_EQ(scene.probe->move, Vec3(0, 0, -3));
+    EXPECT_EQ(*scene.probe->radii, Vec3(0.5, 1, 0.5));
+    EXPECT_EQ(scene.probe->settings, std::vector<std::string>{"max_slides=5"});
+    EXPECT_EQ(scene.place, "scenes.json:/scenes/0");
+}
+
+TEST(SceneSuite, DefaultsAndSpawn) {
+    const auto scenes = parse(suite_of(R"({"name": "a", "level": "a.obj", "probe": {"from": "spawn", "move": [1, 0, 0]}})"));
+    ASSERT_TRUE(scenes.ok()) << scenes.error().text();
+    const Scene& scene = scenes->front();
+    EXPECT_EQ(std::get<std::string>(scene.camera), "auto:iso");
+    EXPECT_EQ(scene.width, 960);
+    EXPECT_TRUE(scene.style.textured);
+    EXPECT_GT(scene.style.overlay, 0.0f);
+    EXPECT_FALSE(scene.probe->from.has_value());
+    EXPECT_FALSE(scene.probe->radii.has_value());
+}
+
+// Each fault is refused at its own place.
+TEST(SceneSuite, ErrorsNameThePlace) {
+    struct Case {
+        const char* scene;
+        const char* place;
+    };
+    const Case cases[] = {
+        {R"(7)", "scenes.json:/scenes/0"},
+        {R"({"level": "a.obj"})", "scenes.json:/scenes/0"},
+        {R"({"name": "a"})", "scenes.json:/scenes/0"},
+        {R"({"name": "../a", "level": "a.obj"})", "scenes.json:/scenes/0/name"},
+        {R"({"name": 3, "level": "a.obj"})", "scenes.json:/scenes/0/name"},
+        {R"({"name": "a", "level": ""})", "scenes.json:/scenes/0/level"},
+        {R"({"name": "a", "level": "a.obj", "colour": 1})", "scenes.json:/scenes/0/colour"},
+        {R"({"name": "a", "level": "a.obj", "camera": "auto:sideways"})", "scenes.json:/scenes/0/camera"},
+        {R"({"name": "a", "level": "a.obj", "camera": 4})", "scenes.json:/scenes/0/camera"},
+        {R"({"name": "a", "level": "a.obj", "camera": {"eye": [1, 2, 3]}})", "scenes.json:/scenes/0/camera"},
+        {R"({"name": "a", "level": "a.obj", "camera": {"eye": [1, 2], "target": [0, 0, 0]}})", "scenes.json:/scenes/0/camera/eye"},
+        {R"({"name": "a", "level": "a.obj", "camera": {"eye": [1, 2, 1e300], "target": [0, 0, 0]}})",
+         "scenes.json:/scenes/0/camera/eye/2"},
+        {R"({"name": "a", "level": "a.obj", "camera": {"eye": [1, 2, 3], "target": [1, 2, 3]}})", "scenes.json:/scenes/0/camera"},
+        {R"({"name": "a", "level": "a.obj", "camera": {"eye": [1, 2, 3], "target": [0, 0, 0], "fov_deg": 0}})",
+         "scenes.json:/scenes/0/camera/fov_deg"},
+        {R"({"name": "a", "level": "a.obj", "size": 100})", "scenes.json:/scenes/0/size"},
+        {R"({"name": "a", "level": "a.obj", "size": [100, 1e9]})", "scenes.json:/scenes/0/size/1"},
+        {R"({"name": "a", "level": "a.obj", "size": [15, 100]})", "scenes.json:/scenes/0/size/0"},
+        {R"({"name": "a", "level": "a.obj", "size": [99.5, 100]})", "scenes.json:/scenes/0/size/0"},
+        {R"({"name": "a", "level": "a.obj", "style": "shiny"})", "scenes.json:/scenes/0/style"},
+        {R"({"name": "a", "level": "a.obj", "probe": {"move": [1, 0, 0]}})", "scenes.json:/scenes/0/probe"},
+        {R"({"name": "a", "level": "a.obj", "probe": {"from": "here", "move": [1, 0, 0]}})", "scenes.json:/scenes/0/probe/from"},
+        {R"({"name": "a", "level": "a.obj", "probe": {"from": "spawn", "move": ["1", 0, 0]}})",
+         "scenes.json:/scenes/0/probe/move/0"},
+        {R"({"name": "a", "level": "a.obj", "probe": {"from": "spawn", "move": [1, 0, 0], "radii": [1, 0, 1]}})",
+         "scenes.json:/scenes/0/probe/radii"},
+        {R"({"name": "a", "level": "a.obj", "probe": {"from": "spawn", "move": [1, 0, 0], "settings": ["warp=9"]}})",
+         "scenes.json:/scenes/0/probe/settings/0"},
+        {R"({"name": "a", "level": "a.obj", "tape": []})", "scenes.json:/scenes/0/tape"},
+        {R"({"name": "a", "level": "a.obj"}, {"name": "a", "level": "a.obj"})", "scenes.json:/scenes/1/name"},
+    };
+    for (const Case& c : cases) {
+        const auto scenes = parse(suite_of(c.scene));
+        ASSERT_FALSE(scenes.ok()) << c.scene;
+        EXPECT_EQ(scenes.error().place, c.place) << c.scene << ": " << scenes.error().text();
+        EXPECT_FALSE(scenes.error().message.empty());
+    }
+}
+
+TEST(SceneSuite, FileErrors) {
+    const auto place = [](const std::string& text) {
+        const auto scenes = parse(text);
+        return scenes.ok() ? std::string("accepted") : scenes.error().place;
+    };
+    EXPECT_EQ(place(""), "scenes.json:1");
+    EXPECT_EQ(place("{\n\"version\": 1,\n\"scenes\": [}\n"), "scenes.json:3");
+    EXPECT_EQ(place("[]"), "scenes.json:");
+    EXPECT_EQ(place("{}"), "scenes.json:");
+    EXPECT_EQ(place(R"({"version": 2, "scenes": []})"), "scenes.json:/version");
+    EXPECT_EQ(place(R"({"version": 1, "scenes": {}})"), "scenes.json:/scenes");
+    EXPECT_EQ(place(R"({"version": 1, "scenes": [], "more": 1})"), "scenes.json:/more");
+    EXPECT_EQ(place(R"({"version": 1, "version": 1, "scenes": []})"), "scenes.json");
+    EXPECT_EQ(place(std::string(100000, '[')), "scenes.json:1");
+    EXPECT_EQ(place("\xff\xfe junk"), "scenes.json:1");
+    EXPECT_EQ(place(R"({"version": 1, "scenes": []})"), "accepted");
+}
+
+class SceneTest : public testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        folder_ = fs::path(testing::TempDir()) / ("slipface_scenes_" + std::to_string(::getpid()));
+        fs::create_directories(folder_);
+        // A floor of 12 x 12 m with a wall across it at z = -2, and one camera.
+        std::ofstream(folder_ / "room.obj") << "v -6 0 6\nv 6 0 6\nv 6 0 -6\nv -6 0 -6\n"
+                                               "v -6 0 -2\nv 6 0 -2\nv 6 3 -2\nv -6 3 -2\n"
+                                               "f 1 2 3 4\nf 5 6 7 8\n";
+        std::ofstream(folder_ / "run.tape") << "slipface-tape 1\ndt 1/60\nstart 0,1,4\n60 wish 0,-1\n";
+        auto context = make_offscreen_context();
+        ASSERT_TRUE(context.ok()) << context.error().text();
+        context_ = std::move(*context);
+    }
+    static void TearDownTestSuite() {
+        context_.reset();
+        fs::remove_all(folder_);
+    }
+
+    static Result<Image> render(const std::string& more) {
+        const auto scenes = parse_scene_suite(
+            suite_of(R"({"name": "a", "level": "room.obj", "size": [160, 90])" + more + "}"), folder_ / "scenes.json");
+        if (!scenes) return scenes.error();
+        return render_scene(scenes->front(), *context_);
+    }
+
+    static inline fs::path folder_;
+    static inline std::unique_ptr<OffscreenContext> context_;
+};
+
+TEST_F(SceneTest, ProbeAndTapeAreDrawn) {
+    const auto bare = render("");
+    ASSERT_TRUE(bare.ok()) << bare.error().text();
+    EXPECT_EQ(bare->width, 160);
+    const auto probe = render(R"(, "probe": {"from": [0, 1, 2], "move": [1, 0, -6], "settings": ["max_slides=2"]})");
+    ASSERT_TRUE(probe.ok()) << probe.error().text();
+    const auto tape = render(R"(, "tape": "run.tape")");
+    ASSERT_TRUE(tape.ok()) << tape.error().text();
+    EXPECT_GT(compare_images(*bare, *probe, scene_tolerance).differing, 100U);
+    EXPECT_GT(compare_images(*bare, *tape, scene_tolerance).differing, 100U);
+    EXPECT_FALSE(compare_images(*probe, *tape, scene_tolerance).same);
+}
+
+TEST_F(SceneTest, ErrorsNameTheScene) {
+    struct Case {
+        const char* more;
+        const char* place;
+        const char* part;
+    };
+    for (const Case& c : {Case{R"(, "camera": "balcony")", "scenes.json:/scenes/0/camera", "balcony"},
+                          Case{R"(, "tape": "gone.tape")", "scenes.json:/scenes/0/tape", "gone.tape"}}) {
+        const auto image = render(c.more);
+        ASSERT_FALSE(image.ok());
+        EXPECT_EQ(image.error().place, c.place);
+        EXPECT_NE(image.error().message.find(c.part), std::string::npos) << image.error().text();
+    }
+    Scene scene;
+    scene.level = folder_ / "gone.obj";
+    scene.place = "scenes.json:/scenes/4";
+    const auto image = render_scene(scene, *context_);
+    ASSERT_FALSE(image.ok());
+    EXPECT_EQ(image.error().place, "scenes.json:/scenes/4/level");
+}
+
+TEST_F(SceneTest, SnapshotsRenderTheScenesTwiceAlike) {
+    const auto scenes = parse_scene_suite(
+        R"({"version": 1, "scenes": [{"name": "a", "level": "room.obj", "size": [160, 90]},
+            {"name": "b", "level": "room.obj", "size": [160, 90], "camera": "auto:top", "style": "plain"}]})",
+        folder_ / "scenes.json");
+    ASSERT_TRUE(scenes.ok()) << scenes.error().text();
+    const auto snapshots = scene_snapshots(*scenes, *context_);
+    ASSERT_EQ(snapshots.size(), 2U);
+    EXPECT_EQ(snapshots[1].name, "b");
+    for (const Snapshot& snapshot : snapshots) {
+        const auto result = check_snapshot(snapshot, folder_ / "goldens", folder_ / "out", true);
+        ASSERT_TRUE(result.ok()) << result.error().text();
+        EXPECT_EQ(result->state, GoldenState::missing);
+    }
+}
+
+// The suite that ships is read without an error.
+TEST(ShippedSuite, IsValid) {
+    const auto scenes = load_scene_suite(fs::path(SLIPFACE_SOURCE_DIR) / "screenshots" / "scenes.json");
+    ASSERT_TRUE(scenes.ok()) << scenes.error().text();
+    EXPECT_GE(scenes->size(), 5U);
+}
+
+}  // namespace
+}  // namespace slipface

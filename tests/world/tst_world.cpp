@@ -1,0 +1,203 @@
+// The world: what is ticked and drawn, when, and who is told.
+#include <gmock/gmock.h>
+
+#include <functional>
+
+#include "slipface/mesh/build.h"
+#include "slipface/world/geometric_manager.h"
+
+namespace slipface::test {
+namespace {
+
+using testing::ElementsAre;
+
+using Diary = std::vector<std::string>;
+
+class CountingGraphics final : public Graphics {
+  public:
+    void draw_triangles(const CollisionWorld& drawn) override { triangles += drawn.triangle_count(); }
+    void draw_ellipsoid(const Vec3& centre, const Vec3& radii) override {
+        centres.push_back(centre);
+        last_radii = radii;
+    }
+    std::size_t triangles = 0;
+    std::vector<Vec3> centres;
+    Vec3 last_radii = Vec3::Zero();
+};
+
+class NamedEntity : public Entity {
+  public:
+    NamedEntity(Diary& diary_, std::string name_) : diary(diary_), name(std::move(name_)) {}
+    ~NamedEntity() override { diary.push_back("end " + name); }
+    void on_tick(double) override {
+        diary.push_back("tick " + name);
+        if (action) action();
+    }
+    void on_draw(Graphics&) const override { diary.push_back("draw " + name); }
+    Diary& diary;
+    std::string name;
+    std::function<void()> action;
+};
+
+class NamedManager : public Manager {
+  public:
+    NamedManager(Diary& diary, std::string name) : diary_(diary), name_(std::move(name)) {}
+    void on_tick(double) override { diary_.push_back("tick " + name_); }
+    void on_draw(Graphics&) override { diary_.push_back("draw " + name_); }
+    void on_entity_added(Entity& entity) override { tell(" gets ", entity); }
+    void on_entity_removed(Entity& entity) override { tell(" loses ", entity); }
+
+  private:
+    void tell(const char* what, Entity& entity) {
+        diary_.push_back(name_ + what + dynamic_cast<NamedEntity&>(entity).name);
+    }
+    Diary& diary_;
+    std::string name_;
+};
+
+TEST(World, TicksAndDrawsInOrderEntitiesFirst) {
+    Diary diary;
+    World world;
+    world.make_manager<NamedManager>(diary, "M");
+    world.make_entity<NamedEntity>(diary, "a");
+    world.make_entity<NamedEntity>(diary, "b");
+    world.make_manager<NamedManager>(diary, "N");
+    diary.clear();
+    world.tick(0.1);
+    EXPECT_THAT(diary, ElementsAre("tick a", "tick b", "tick M", "tick N"));
+    diary.clear();
+    CountingGraphics graphics;
+    world.draw(graphics);
+    EXPECT_THAT(diary, ElementsAre("draw a", "draw b", "draw M", "draw N"));
+    diary.clear();
+}
+
+TEST(World, TellsManagersOfEntitiesWhicheverCameFirst) {
+    Diary diary;
+    World world;
+    Entity& a = world.make_entity<NamedEntity>(diary, "a");
+    world.make_manager<NamedManager>(diary, "M");
+    world.make_entity<NamedEntity>(diary, "b");
+    world.remove_entity(a);
+    EXPECT_THAT(diary, ElementsAre("M gets a", "M gets b", "M loses a", "end a"));
+    EXPECT_EQ(world.entity_count(), 1u);
+}
+
+TEST(World, LeavesEntitiesOfOthersAlone) {
+    Diary diary;
+    World world;
+    World other;
+    Entity& a = other.make_entity<NamedEntity>(diary, "a");
+    world.remove_entity(a);
+    EXPECT_EQ(other.entity_count(), 1u);
+    EXPECT_TRUE(diary.empty());
+}
+
+TEST(World, AnEntityMayRemoveItselfAndOthersWhileTicked) {
+    Diary diary;
+    World world;
+    world.make_manager<NamedManager>(diary, "M");
+    auto& a = world.make_entity<NamedEntity>(diary, "a");
+    auto& b = world.make_entity<NamedEntity>(diary, "b");
+    world.make_entity<NamedEntity>(diary, "c");
+    a.action = [&] {
+        world.remove_entity(b);
+        world.remove_entity(a);
+        world.remove_entity(a);
+        EXPECT_EQ(world.entity_count(), 1u);
+    };
+    diary.clear();
+    world.tick(0.1);
+    EXPECT_THAT(diary, ElementsAre("tick a", "M loses b", "M loses a", "tick c", "tick M", "end a", "end b"));
+    EXPECT_EQ(world.entity_count(), 1u);
+    diary.clear();
+}
+
+TEST(World, AnEntityMayAddOthersWhileTicked) {
+    Diary diary;
+    World world;
+    auto& a = world.make_entity<NamedEntity>(diary, "a");
+    a.action = [&] {
+        // Many, so that the list must grow while it is walked.
+        if (world.entity_count() == 1) {
+            for (int i = 0; i < 100; ++i)
+                world.make_entity<NamedEntity>(diary, "x");
+        }
+    };
+    world.tick(0.1);
+    EXPECT_EQ(world.entity_count(), 101u);
+    EXPECT_EQ(std::count(diary.begin(), diary.end(), "tick x"), 100);
+    diary.clear();
+}
+
+Level floor_level() {
+    PolygonSoup soup;
+    soup.corner_position = {Vec3f(-50, 0, -50), Vec3f(-50, 0, 50), Vec3f(50, 0, 50), Vec3f(50, 0, -50)};
+    soup.face_first_corner = {0, 4};
+    Result<MeshPtr> mesh = build_mesh(std::move(soup));
+    EXPECT_TRUE(mesh.ok());
+    Level level;
+    level.mesh = *mesh;
+    return level;
+}
+
+GeometricManager& add_floor(World& world) {
+    Result<std::unique_ptr<GeometricManager>> manager = GeometricManager::make(floor_level());
+    EXPECT_TRUE(manager.ok());
+    return static_cast<GeometricManager&>(world.add_manager(std::move(*manager)));
+}
+
+TEST(GeometricManager, MovesEachCharacterAsStepDoes) {
+    World world;
+    GeometricManager& geometry = add_floor(world);
+    auto& walker = world.make_entity<Character>();
+    auto& idler = world.make_entity<Character>();
+    walker.state.position = Vec3(0, 1, 0);
+    idler.state.position = Vec3(5, 1, 0);
+    walker.input.wish = Vec2(0, -1);
+
+    PlayerState expected = walker.state;
+    const MovementScene scene{geometry.collision(), geometry.level().surfaces};
+    for (int i = 0; i < 60; ++i) {
+        world.tick(1.0 / 60);
+        expected = step(scene, walker.settings, expected, walker.input, 1.0 / 60).state;
+        ASSERT_EQ(walker.state, expected);
+    }
+    EXPECT_LT(walker.state.position.z(), -4.0);
+    EXPECT_TRUE(idler.state.grounded);
+    // On the floor at the ellipsoid's half height of 0.9 and the skin of 0.002.
+    EXPECT_NEAR(idler.state.position.y(), 0.902, 0.002);
+}
+
+TEST(GeometricManager, ARemovedCharacterStandsStill) {
+    World world;
+    add_floor(world);
+    auto& stays = world.make_entity<Character>();
+    auto& leaves = world.make_entity<Character>();
+    stays.state.position = leaves.state.position = Vec3(0, 10, 0);
+    world.remove_entity(leaves);
+    world.tick(1.0 / 60);
+    EXPECT_LT(stays.state.position.y(), 10.0);
+    EXPECT_EQ(world.entity_count(), 1u);
+}
+
+TEST(GeometricManager, DrawsItsTrianglesOnceAndEachCharacter) {
+    World world;
+    add_floor(world);
+    auto& character = world.make_entity<Character>();
+    character.state.position = Vec3(1, 2, 3);
+    character.settings.radii = Vec3(0.5, 1, 0.5);
+    CountingGraphics graphics;
+    world.draw(graphics);
+    EXPECT_EQ(graphics.triangles, 2u);
+    ASSERT_EQ(graphics.centres.size(), 1u);
+    EXPECT_EQ(graphics.centres[0], Vec3(1, 2, 3));
+    EXPECT_EQ(graphics.last_radii, Vec3(0.5, 1, 0.5));
+}
+
+TEST(GeometricManager, RefusesALevelWithoutGeometry) {
+    EXPECT_FALSE(GeometricManager::make(Level{}).ok());
+}
+
+}  // namespace
+}  // namespace slipface::test
