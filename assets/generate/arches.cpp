@@ -12,7 +12,8 @@ std::vector<Vec2> opening(const ArchShape& shape) {
     if (shape.sill < shape.spring) outline.emplace_back(middle - shape.half_width, shape.sill);
     for (int i = 0; i <= shape.segments; ++i) {
         const double angle = 180.0 - 180.0 * i / shape.segments;
-        outline.emplace_back(middle + shape.half_width * cos_deg(angle), shape.spring + shape.rise * sin_deg(angle));
+        outline.emplace_back(middle + shape.half_width * cos_deg(angle),
+                             shape.spring + shape.rise * sin_deg(angle));
     }
     if (shape.sill < shape.spring) outline.emplace_back(middle + shape.half_width, shape.sill);
     return outline;
@@ -35,13 +36,19 @@ void arch_wall(Model& model, const std::string& material, const ArchShape& shape
     const auto add = [&](const std::vector<Vec2>& points) {
         std::vector<Vec3> corners;
         corners.reserve(points.size());
-        for (const Vec2& point : points) corners.push_back(along_wall(shape, point));
+        for (const Vec2& point : points)
+            corners.push_back(along_wall(shape, point));
         model.face(material, corners);
     };
     std::vector<Vec2> around = outline;
     if (shape.sill > shape.y0) {
         // The part below the sill is a face of its own, so that the rest stays a polygon without a hole.
-        add({{0, shape.y0}, {length, shape.y0}, {length, shape.sill}, outline.back(), outline.front(), {0, shape.sill}});
+        add({{0, shape.y0},
+             {length, shape.y0},
+             {length, shape.sill},
+             outline.back(),
+             outline.front(),
+             {0, shape.sill}});
     }
     const double base = std::max(shape.y0, shape.sill);
     around.emplace_back(length, base);
@@ -51,7 +58,8 @@ void arch_wall(Model& model, const std::string& material, const ArchShape& shape
     add(around);
 }
 
-void arch_reveal(Model& model, const std::string& material, const ArchShape& shape, double depth, bool jambs) {
+void arch_reveal(Model& model, const std::string& material, const ArchShape& shape, double depth,
+                 bool jambs) {
     const std::vector<Vec2> outline = opening(shape);
     const Vec3 back = behind(shape, depth);
     for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
@@ -72,7 +80,8 @@ void arch_panel(Model& model, const std::string& material, const ArchShape& shap
     const std::vector<Vec2> outline = opening(shape);
     const Vec3 back = behind(shape, depth);
     std::vector<Vec3> corners;
-    for (const Vec2& point : outline) corners.insert(corners.begin(), along_wall(shape, point) + back);
+    for (const Vec2& point : outline)
+        corners.insert(corners.begin(), along_wall(shape, point) + back);
     model.face(material, corners);
 }
 

@@ -58,6 +58,7 @@ Model make_easy() {
     add_test_room(model);
     add_test_ramps_and_stairs(model);
     add_test_obstacles(model);
+    model.join_edges();
     return model;
 }
 

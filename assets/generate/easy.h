@@ -1,8 +1,8 @@
 // The level `easy`: a sunken temple with a frozen pool, and a test room behind its west aisle.
 //
-// The hall runs north (-Z) from the entrance at z = 11 to the apse at z = -29 in eight bays of 5 m. The nave is 13 m wide
-// between two arcades, with aisles behind them, and galleries above the aisles. The floor lies at y = -1, so that a player of
-// the usual size stands free at the origin.
+// The hall runs north (-Z) from the entrance at z = 11 to the apse at z = -29 in eight bays of 5 m. The nave
+// is 13 m wide between two arcades, with aisles behind them, and galleries above the aisles. The floor lies
+// at y = -1, so that a player of the usual size stands free at the origin.
 #pragma once
 
 #include "model.h"
@@ -13,7 +13,7 @@ inline constexpr double floor_y = -1.0;
 inline constexpr double gallery_y = 4.0;
 inline constexpr double aisle_ceiling_y = 3.6;
 inline constexpr double gallery_ceiling_y = 7.6;
-inline constexpr double springing_y = 8.0;    // where the vault begins
+inline constexpr double springing_y = 8.0;  // where the vault begins
 inline constexpr double vault_rise = 5.0;
 inline constexpr double nave_x = 6.5;         // half the nave's width
 inline constexpr double arcade_back_x = 7.5;  // the arcade walls are 1 m thick
@@ -32,7 +32,7 @@ void add_vault(Model& model);
 void add_apse(Model& model);
 void add_pool(Model& model);
 void add_galleries(Model& model);
-void add_ways_up(Model& model);   // stairs, ramp, ladder, moss wall
+void add_ways_up(Model& model);  // stairs, ramp, ladder, moss wall
 void add_garden(Model& model);
 void add_test_room(Model& model);
 void add_test_ramps_and_stairs(Model& model);

@@ -5,7 +5,8 @@ namespace slipface::generate {
 namespace {
 
 constexpr double opening = 1.9;  // half the width of an arch
-const std::vector<Vec2> column_profile{{0.54, -0.75}, {0.54, -0.6}, {0.42, -0.48}, {0.36, 1.25}, {0.43, 1.35}, {0.58, 1.75}};
+const std::vector<Vec2> column_profile{{0.54, -0.75}, {0.54, -0.6}, {0.42, -0.48},
+                                       {0.36, 1.25},  {0.43, 1.35}, {0.58, 1.75}};
 
 void add_column(Model& model, double z) {
     box(model, "stone_trim", {6.4, floor_y, z - 0.6}, {7.6, -0.75, z + 0.6}, side_standing);
@@ -18,8 +19,15 @@ void add_arch_bay(Model& model, double z0, double z1) {
     const Vec3 north_back(arcade_back_x, 0, z0), south_back(arcade_back_x, 0, z1);
     const double thickness = arcade_back_x - nave_x;
 
-    ArchShape lower{.from = north_nave, .to = south_nave, .y0 = 2.0, .y1 = gallery_y, .half_width = opening,
-                    .sill = 2.0, .spring = 2.0, .rise = 1.4, .segments = 10};
+    ArchShape lower{.from = north_nave,
+                    .to = south_nave,
+                    .y0 = 2.0,
+                    .y1 = gallery_y,
+                    .half_width = opening,
+                    .sill = 2.0,
+                    .spring = 2.0,
+                    .rise = 1.4,
+                    .segments = 10};
     arch_wall(model, "stone_wall", lower);
     arch_reveal(model, "stone_trim", lower, thickness, false);
     lower.from = south_back;
@@ -27,8 +35,15 @@ void add_arch_bay(Model& model, double z0, double z1) {
     lower.y1 = aisle_ceiling_y;
     arch_wall(model, "stone_wall", lower);
 
-    ArchShape upper{.from = north_nave, .to = south_nave, .y0 = gallery_y, .y1 = springing_y, .half_width = opening,
-                    .sill = gallery_y, .spring = 6.0, .rise = 1.1, .segments = 8};
+    ArchShape upper{.from = north_nave,
+                    .to = south_nave,
+                    .y0 = gallery_y,
+                    .y1 = springing_y,
+                    .half_width = opening,
+                    .sill = gallery_y,
+                    .spring = 6.0,
+                    .rise = 1.1,
+                    .segments = 8};
     arch_wall(model, "stone_wall", upper);
     arch_reveal(model, "stone_trim", upper, thickness, true);
     upper.from = south_back;
@@ -44,7 +59,8 @@ void add_pier_details(Model& model, double z) {
                                    {{6.44, 4.55, z + 0.42}, {1, 0}},
                                    {{6.44, 5.75, z + 0.42}, {1, 1}},
                                    {{6.44, 5.75, z - 0.42}, {0, 1}}});
-    box(model, "bronze", {6.4, 5.72, z - 0.5}, {6.48, 5.8, z + 0.5}, side_west | side_bottom | side_north | side_south);
+    box(model, "bronze", {6.4, 5.72, z - 0.5}, {6.48, 5.8, z + 0.5},
+        side_west | side_bottom | side_north | side_south);
 }
 
 void add_end_pilaster(Model& model, double z0, double z1) {

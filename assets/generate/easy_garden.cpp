@@ -22,13 +22,15 @@ void add_rock(Model& model, const Vec3& foot, double radius, double height, std:
         const double swell = row == 0 ? 1.0 : row == 1 ? 1.05 : 0.6;
         const double angle = 360.0 * (side % sides) / sides + 16.0 * (scatter(seed, n) - 0.5);
         const double r = radius * swell * (0.8 + 0.35 * scatter(seed, n + 40));
-        const double y = row == 0 ? -0.1 : height * (row == 1 ? 0.45 : 0.85) * (0.85 + 0.3 * scatter(seed, n + 80));
+        const double y =
+            row == 0 ? -0.1 : height * (row == 1 ? 0.45 : 0.85) * (0.85 + 0.3 * scatter(seed, n + 80));
         return Vec3(foot + Vec3(r * cos_deg(angle), y, -r * sin_deg(angle)));
     };
     const Vec3 top = foot + Vec3(0.1 * radius, height, 0.05 * radius);
     for (int side = 0; side < sides; ++side) {
         for (int row = 0; row < 2; ++row) {
-            const Vec3 a = point(side, row), b = point(side + 1, row), c = point(side + 1, row + 1), d = point(side, row + 1);
+            const Vec3 a = point(side, row), b = point(side + 1, row), c = point(side + 1, row + 1),
+                       d = point(side, row + 1);
             model.face("rock", {a, b, c});
             model.face("rock", {a, c, d});
         }
@@ -41,8 +43,11 @@ void add_mushroom(Model& model, const Vec3& foot, double height, double cap) {
     lathe(model, "mushroom_stem", foot, {{0.26 * cap, 0}, {0.2 * cap, 0.5 * under}, {0.24 * cap, under}}, 8);
     lathe(model, "mushroom_stem", foot, {{0.2 * cap, under}, {0.95 * cap, under - 0.06}}, 12);
     lathe(model, "bouncy_mushroom", foot,
-          {{0.95 * cap, under - 0.06}, {cap, under + 0.08 * cap}, {0.8 * cap, under + 0.26 * cap}, {0.42 * cap, height}}, 12, 0,
-          "bouncy_mushroom");
+          {{0.95 * cap, under - 0.06},
+           {cap, under + 0.08 * cap},
+           {0.8 * cap, under + 0.26 * cap},
+           {0.42 * cap, height}},
+          12, 0, "bouncy_mushroom");
 }
 
 // A rosette of stiff leaves, each a bent strip with a front on both sides.
@@ -50,10 +55,12 @@ void add_agave(Model& model, const Vec3& foot, double length, int leaves, std::u
     for (int i = 0; i < leaves; ++i) {
         const auto n = static_cast<std::uint32_t>(i);
         const double angle = 360.0 * i / leaves + 24.0 * scatter(seed, n);
-        const double lift = 35.0 + 35.0 * scatter(seed, n + 20), reach = length * (0.8 + 0.4 * scatter(seed, n + 40));
+        const double lift = 35.0 + 35.0 * scatter(seed, n + 20),
+                     reach = length * (0.8 + 0.4 * scatter(seed, n + 40));
         const Vec3 out(cos_deg(angle), 0, -sin_deg(angle)), side(sin_deg(angle), 0, cos_deg(angle));
         const Vec3 middle = foot + 0.55 * reach * (cos_deg(lift) * out + sin_deg(lift) * Vec3::UnitY());
-        const Vec3 tip = middle + 0.5 * reach * (cos_deg(0.4 * lift) * out + sin_deg(0.4 * lift) * Vec3::UnitY());
+        const Vec3 tip =
+            middle + 0.5 * reach * (cos_deg(0.4 * lift) * out + sin_deg(0.4 * lift) * Vec3::UnitY());
         const double width = 0.13 * length;
         const std::array<Corner, 5> leaf{{{foot - 0.6 * width * side, {0.2, 0}},
                                           {middle - width * side, {0, 0.5}},
@@ -68,7 +75,8 @@ void add_agave(Model& model, const Vec3& foot, double length, int leaves, std::u
 }
 
 void add_pot(Model& model, double x, double z, std::uint32_t seed) {
-    lathe(model, "terracotta", {x, floor_y, z}, {{0.26, 0}, {0.4, 0.5}, {0.46, 0.5}, {0.46, 0.6}, {0.38, 0.6}}, 8, 0, "moss_bed");
+    lathe(model, "terracotta", {x, floor_y, z},
+          {{0.26, 0}, {0.4, 0.5}, {0.46, 0.5}, {0.46, 0.6}, {0.38, 0.6}}, 8, 0, "moss_bed");
     add_agave(model, {x, floor_y + 0.58, z}, 0.75, 7, seed);
 }
 
@@ -77,7 +85,8 @@ void add_pot(Model& model, double x, double z, std::uint32_t seed) {
 // A bed of moss, rocks and mushrooms in the south end of the east aisle, and plants along the nave.
 void add_garden(Model& model) {
     model.begin_group("garden");
-    const std::vector<Vec2> bed{{13.6, 7.2}, {12.4, 6.6}, {10.4, 7.0}, {9.6, 8.2}, {9.8, 10.4}, {11.2, 11.0}, {13.6, 11.0}};
+    const std::vector<Vec2> bed{{13.6, 7.2}, {12.4, 6.6},  {10.4, 7.0}, {9.6, 8.2},
+                                {9.8, 10.4}, {11.2, 11.0}, {13.6, 11.0}};
     std::vector<Vec2> plan(bed.begin(), bed.end());
     prism(model, "rock", plan, floor_y, floor_y + 0.28, "moss_bed");
     const double y = floor_y + 0.28;
@@ -92,7 +101,8 @@ void add_garden(Model& model) {
     add_agave(model, {13.0, y, 10.3}, 0.8, 8, 17);
     std::uint32_t seed = 20;
     for (const double x : {-5.6, 5.6}) {
-        for (const double z : {6.0, -1.5, -22.6}) add_pot(model, x, z, seed++);
+        for (const double z : {6.0, -1.5, -22.6})
+            add_pot(model, x, z, seed++);
     }
     add_rock(model, {-9.2, floor_y, -26.5}, 1.0, 1.1, 31);
     add_rock(model, {-10.6, floor_y, -27.6}, 0.8, 1.7, 33);

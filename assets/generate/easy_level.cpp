@@ -29,14 +29,20 @@ void set_surfaces(Level& level) {
         if (surface.name == "turntable") surface.spin_centre = Vec3(0, -1.8, -12.75);
         if (surface.name == "bouncy") surface.restitution = 0.9;
     }
-    level.surfaces.push_back({.name = "foliage", .color = {0.47f, 0.67f, 0.19f}, .hatch = Hatch::dots, .hotkey = 9, .solid = false});
+    level.surfaces.push_back({.name = "foliage",
+                              .color = {0.47f, 0.67f, 0.19f},
+                              .hatch = Hatch::dots,
+                              .hotkey = 9,
+                              .solid = false});
     level.rules = {
-        {"ice*", "ice"},           {"ladder*", "ladder"},       {"sticky*", "sticky"}, {"bouncy*", "bouncy"},
-        {"conveyor*", "conveyor"}, {"turntable*", "turntable"}, {"hazard*", "hazard"}, {"foliage*", "foliage"},
+        {"ice*", "ice"},       {"ladder*", "ladder"},     {"sticky*", "sticky"},
+        {"bouncy*", "bouncy"}, {"conveyor*", "conveyor"}, {"turntable*", "turntable"},
+        {"hazard*", "hazard"}, {"foliage*", "foliage"},
     };
 }
 
-// What a rule by material cannot say: one iced ramp, one sticky ramp, a way of bouncy tiles, and a pedestal that throws.
+// What a rule by material cannot say: one iced ramp, one sticky ramp, a way of bouncy tiles, and a pedestal
+// that throws.
 void paint_faces(Level& level) {
     struct Painted {
         Vec3 point;
@@ -44,15 +50,13 @@ void paint_faces(Level& level) {
         const char* surface;
     };
     const Painted painted[] = {
-        {{-45, 0, 4.3}, "ramp_stone", "ice"},           // 15 degrees
-        {{-47, 0.5, -8.7}, "ramp_stone", "ice"},        // 40 degrees
-        {{-48, 0.5, -19.1}, "ramp_steep", "sticky"},    // 60 degrees
-        {{0, 0.6, -31}, "tile_teal", "bouncy"},         // the crystal's plinth
-        {{-21, -1, -21}, "test_floor", "bouncy"},
-        {{-23, -1, -21}, "test_floor", "ice"},
-        {{12.75, -1, -15.25}, "stone_floor", "ice"},    // beside the pit
-        {{12.75, -1, -17.75}, "stone_floor", "ice"},
-        {{12.75, -1, -20.25}, "stone_floor", "ice"},
+        {{-45, 0, 4.3}, "ramp_stone", "ice"},         // 15 degrees
+        {{-47, 0.5, -8.7}, "ramp_stone", "ice"},      // 40 degrees
+        {{-48, 0.5, -19.1}, "ramp_steep", "sticky"},  // 60 degrees
+        {{0, 0.6, -31}, "tile_teal", "bouncy"},       // the crystal's plinth
+        {{-21, -1, -21}, "test_floor", "bouncy"},    {{-23, -1, -21}, "test_floor", "ice"},
+        {{12.75, -1, -15.25}, "stone_floor", "ice"},  // beside the pit
+        {{12.75, -1, -17.75}, "stone_floor", "ice"}, {{12.75, -1, -20.25}, "stone_floor", "ice"},
     };
     level.overrides.assign(level.mesh->face_count(), std::nullopt);
     for (const Painted& entry : painted) {

@@ -1,4 +1,5 @@
-// The level file of `easy`: which materials are what, some faces painted by hand, where the player starts, viewpoints.
+// The level file of `easy`: which materials are what, some faces painted by hand, where the player starts,
+// viewpoints.
 #pragma once
 
 #include <filesystem>

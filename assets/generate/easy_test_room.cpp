@@ -27,8 +27,16 @@ void add_walls(Model& model) {
     add_wall_run(model, {room.west, y, room.south}, {room.west, y, room.north}, 8);
     add_wall_run(model, {room.east, y, room.north}, {room.east, y, -14}, 3);
     add_wall_run(model, {room.east, y, -9}, {room.east, y, room.south}, 4);
-    arch_wall(model, "stone_wall", {.from = {room.east, y, -14}, .to = {room.east, y, -9}, .y0 = y, .y1 = room.top,
-                                    .half_width = 1.5, .sill = y, .spring = 1.4, .rise = 1.2, .segments = 10});
+    arch_wall(model, "stone_wall",
+              {.from = {room.east, y, -14},
+               .to = {room.east, y, -9},
+               .y0 = y,
+               .y1 = room.top,
+               .half_width = 1.5,
+               .sill = y,
+               .spring = 1.4,
+               .rise = 1.2,
+               .segments = 10});
 }
 
 void add_ceiling(Model& model) {
@@ -39,7 +47,9 @@ void add_ceiling(Model& model) {
             const double x0 = room.west + width * column, x1 = x0 + width;
             const double z0 = room.north + depth * row, z1 = z0 + depth;
             coffer(model, "plaster", (row + column) % 2 == 0 ? "sky" : "coffer_panel",
-                   {Vec3(x0, room.top, z0), Vec3(x1, room.top, z0), Vec3(x1, room.top, z1), Vec3(x0, room.top, z1)}, 1.0, 0.6);
+                   {Vec3(x0, room.top, z0), Vec3(x1, room.top, z0), Vec3(x1, room.top, z1),
+                    Vec3(x0, room.top, z1)},
+                   1.0, 0.6);
         }
     }
 }
@@ -48,7 +58,8 @@ void add_ceiling(Model& model) {
 void add_seam_field(Model& model) {
     const int cells = 15;
     const auto noise = [](int i, int j, std::uint32_t salt) {
-        std::uint32_t bits = static_cast<std::uint32_t>(i) * 73856093U ^ static_cast<std::uint32_t>(j) * 19349663U ^ salt;
+        std::uint32_t bits =
+            static_cast<std::uint32_t>(i) * 73856093U ^ static_cast<std::uint32_t>(j) * 19349663U ^ salt;
         bits = (bits ^ (bits >> 13U)) * 0x5bd1e995U;
         return bits ^ (bits >> 15U);
     };
@@ -97,8 +108,10 @@ void add_half_pipe(Model& model) {
             const double x0 = pipe.west + (pipe.east - pipe.west) * k / pieces;
             const double x1 = pipe.west + (pipe.east - pipe.west) * (k + 1) / pieces;
             const double upper = arc * i, lower = arc * (i + 1);
-            model.face_uv("ice_pipe", {{point(i + 1, x1), {x1 / 3, lower}}, {point(i + 1, x0), {x0 / 3, lower}},
-                                       {point(i, x0), {x0 / 3, upper}}, {point(i, x1), {x1 / 3, upper}}});
+            model.face_uv("ice_pipe", {{point(i + 1, x1), {x1 / 3, lower}},
+                                       {point(i + 1, x0), {x0 / 3, lower}},
+                                       {point(i, x0), {x0 / 3, upper}},
+                                       {point(i, x1), {x1 / 3, upper}}});
         }
     }
     model.face("stone_wall", west_end);
@@ -107,10 +120,13 @@ void add_half_pipe(Model& model) {
     const double bottom = floor_y - radius, x = pipe.east - 0.12;
     for (int i = 0; i < 3; ++i) {
         const double y0 = bottom + i, y1 = y0 + 1;
-        model.face_uv("ladder_wood", {{{x, y0, middle - 0.5}, {0, y0}}, {{x, y0, middle + 0.5}, {1, y0}},
-                                      {{x, y1, middle + 0.5}, {1, y1}}, {{x, y1, middle - 0.5}, {0, y1}}});
+        model.face_uv("ladder_wood", {{{x, y0, middle - 0.5}, {0, y0}},
+                                      {{x, y0, middle + 0.5}, {1, y0}},
+                                      {{x, y1, middle + 0.5}, {1, y1}},
+                                      {{x, y1, middle - 0.5}, {0, y1}}});
     }
-    box(model, "wood_planks", {x, bottom, middle - 0.5}, {pipe.east, floor_y, middle + 0.5}, side_north | side_south | side_top);
+    box(model, "wood_planks", {x, bottom, middle - 0.5}, {pipe.east, floor_y, middle + 0.5},
+        side_north | side_south | side_top);
 }
 
 }  // namespace
@@ -120,8 +136,10 @@ void add_test_room(Model& model) {
     add_walls(model);
     add_ceiling(model);
     std::vector<double> xs, zs;
-    for (double x = room.west; x <= room.east; x += 2) xs.push_back(x);
-    for (double z = room.north; z <= room.south; z += 2) zs.push_back(z);
+    for (double x = room.west; x <= room.east; x += 2)
+        xs.push_back(x);
+    for (double z = room.north; z <= room.south; z += 2)
+        zs.push_back(z);
     grid_floor(model, xs, zs, floor_y, [](double x, double z) {
         return pipe.contains(x, z) || seam_field.contains(x, z) ? "" : "test_floor";
     });

@@ -11,7 +11,9 @@ namespace {
 
 constexpr double steepest_walkable_deg = 50.0;
 
-std::string degrees_text(double degrees) { return std::to_string(static_cast<int>(degrees)) + "*"; }
+std::string degrees_text(double degrees) {
+    return std::to_string(static_cast<int>(degrees)) + "*";
+}
 
 // Fifteen ramps side by side along the west wall, rising towards it.
 void add_ramps(Model& model) {
@@ -21,9 +23,15 @@ void add_ramps(Model& model) {
         const double run = std::min(8.0, 3.0 / tan_deg(degrees));
         const double z = room.south - 0.7 - pitch * i;
         ramp(model, degrees > steepest_walkable_deg ? "ramp_steep" : "ramp_stone", "stone_trim",
-             {.left = {room.west + landing + run, floor_y, z}, .ahead = -Vec3::UnitX(), .width = width, .run = run,
-              .height = run * tan_deg(degrees), .landing = landing, .back = false});
-        add_label(model, degrees_text(degrees), {room.west + 0.02, 3.6, z - 0.1}, {room.west + 0.02, 3.6, z - width + 0.1});
+             {.left = {room.west + landing + run, floor_y, z},
+              .ahead = -Vec3::UnitX(),
+              .width = width,
+              .run = run,
+              .height = run * tan_deg(degrees),
+              .landing = landing,
+              .back = false});
+        add_label(model, degrees_text(degrees), {room.west + 0.02, 3.6, z - 0.1},
+                  {room.west + 0.02, 3.6, z - width + 0.1});
     }
 }
 
@@ -37,9 +45,16 @@ void add_flights(Model& model) {
         const double rise = 0.1 * static_cast<double>(i + 1);
         const double foot = room.south - landing - treads[i] * counts[i];
         stairs(model, "step_stone", "stone_trim",
-               {.left = {x, floor_y, foot}, .ahead = Vec3::UnitZ(), .width = width, .count = counts[i], .rise = rise,
-                .tread = treads[i], .landing = landing, .back = false});
-        add_label(model, "0." + std::to_string(i + 1), {x - 0.3, 3.0, room.south - 0.02}, {x - 1.9, 3.0, room.south - 0.02});
+               {.left = {x, floor_y, foot},
+                .ahead = Vec3::UnitZ(),
+                .width = width,
+                .count = counts[i],
+                .rise = rise,
+                .tread = treads[i],
+                .landing = landing,
+                .back = false});
+        add_label(model, "0." + std::to_string(i + 1), {x - 0.3, 3.0, room.south - 0.02},
+                  {x - 1.9, 3.0, room.south - 0.02});
     }
 }
 
@@ -52,10 +67,16 @@ void add_wedges(Model& model) {
         const double width = 2 * half + 1.0, middle = x + 0.5 * width;
         const double front = room.north + depth + back;
         prism(model, "stone_trim",
-              {{x + width, front}, {x + width, room.north}, {x, room.north}, {x, front}, {middle - half, front},
-               {middle, room.north + back}, {middle + half, front}},
+              {{x + width, front},
+               {x + width, room.north},
+               {x, room.north},
+               {x, front},
+               {middle - half, front},
+               {middle, room.north + back},
+               {middle + half, front}},
               floor_y, 1.2, "stone_floor");
-        add_label(model, degrees_text(degrees), {middle - 0.7, 2.2, room.north + 0.02}, {middle + 0.7, 2.2, room.north + 0.02});
+        add_label(model, degrees_text(degrees), {middle - 0.7, 2.2, room.north + 0.02},
+                  {middle + 0.7, 2.2, room.north + 0.02});
         x += width + gap;
     }
 }
@@ -71,7 +92,8 @@ void add_overhangs(Model& model) {
         model.face("stone_floor", {{x, y1, z1}, {wall_x, y1, z1}, {wall_x, y1, z0}, {x, y1, z0}});
         model.face("stone_trim", {{wall_x, y0, z1}, {wall_x, y1, z1}, {x, y1, z1}});
         model.face("stone_trim", {{wall_x, y0, z0}, {x, y1, z0}, {wall_x, y1, z0}});
-        add_label(model, degrees_text(degrees), {wall_x - 0.02, 2.2, z0 + 0.5}, {wall_x - 0.02, 2.2, z1 - 0.5});
+        add_label(model, degrees_text(degrees), {wall_x - 0.02, 2.2, z0 + 0.5},
+                  {wall_x - 0.02, 2.2, z1 - 0.5});
         south += 3.5;
     }
 }
@@ -83,8 +105,8 @@ void add_blocks(Model& model) {
         box(model, "wood_planks", {x, floor_y, z}, {x + 1.2, floor_y + height, z + 1.2}, side_standing);
     }
     for (int i = 0; i < 4; ++i) {
-        lathe(model, "column_stone", {-38.5, floor_y, -8.0 + 2.6 * i}, {{0.35, 0}, {0.35, 2.4}, {0.25, 2.5}}, 8, 0,
-              "stone_trim");
+        lathe(model, "column_stone", {-38.5, floor_y, -8.0 + 2.6 * i}, {{0.35, 0}, {0.35, 2.4}, {0.25, 2.5}},
+              8, 0, "stone_trim");
     }
 }
 

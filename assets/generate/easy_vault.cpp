@@ -9,11 +9,14 @@ constexpr double apse_radius = 6.0;
 constexpr double apse_rise = 4.6;
 constexpr double dais_y = 0.0;
 
-double vault_deg(int i) { return 180.0 * i / vault_segments; }
+double vault_deg(int i) {
+    return 180.0 * i / vault_segments;
+}
 
 // A point of the vault's profile, `inset` metres in from it.
 Vec3 vault_point(int i, double z, double inset = 0.0) {
-    return {(nave_x - inset) * cos_deg(vault_deg(i)), springing_y + (vault_rise - inset) * sin_deg(vault_deg(i)), z};
+    return {(nave_x - inset) * cos_deg(vault_deg(i)),
+            springing_y + (vault_rise - inset) * sin_deg(vault_deg(i)), z};
 }
 
 Vec3 apse_point(int i, double z) {
@@ -42,14 +45,18 @@ void add_rose_window(Model& model) {
     };
     std::vector<Vec3> glass;
     for (int i = 0; i < sides; ++i) {
-        model.face("stone_trim", {around(i, 2.4, 0), around(i + 1, 2.4, 0), around(i + 1, 2.25, 0.3), around(i, 2.25, 0.3)});
-        model.face("stone_trim", {around(i, 2.25, 0.3), around(i + 1, 2.25, 0.3), around(i + 1, 1.95, 0.3), around(i, 1.95, 0.3)});
-        model.face("stone_trim", {around(i, 1.95, 0.3), around(i + 1, 1.95, 0.3), around(i + 1, 1.9, 0.1), around(i, 1.9, 0.1)});
+        model.face("stone_trim", {around(i, 2.4, 0), around(i + 1, 2.4, 0), around(i + 1, 2.25, 0.3),
+                                  around(i, 2.25, 0.3)});
+        model.face("stone_trim", {around(i, 2.25, 0.3), around(i + 1, 2.25, 0.3), around(i + 1, 1.95, 0.3),
+                                  around(i, 1.95, 0.3)});
+        model.face("stone_trim", {around(i, 1.95, 0.3), around(i + 1, 1.95, 0.3), around(i + 1, 1.9, 0.1),
+                                  around(i, 1.9, 0.1)});
         glass.push_back(around(i, 1.9, 0.1));
     }
     std::vector<Corner> pane;
     for (const Vec3& point : glass) {
-        pane.push_back({point, Vec2(0.5 - (point.x() - centre.x()) / 3.8, 0.5 + (point.y() - centre.y()) / 3.8)});
+        pane.push_back(
+            {point, Vec2(0.5 - (point.x() - centre.x()) / 3.8, 0.5 + (point.y() - centre.y()) / 3.8)});
     }
     model.face_uv("rose_glass", pane);
 }
@@ -59,13 +66,15 @@ void add_shell(Model& model) {
     const auto point = [](int i, int row) {
         const double back = 90.0 * row / rows;
         return Vec3(apse_radius * cos_deg(vault_deg(i)) * cos_deg(back),
-                    springing_y + apse_rise * sin_deg(vault_deg(i)) * cos_deg(back), north_z - apse_radius * sin_deg(back));
+                    springing_y + apse_rise * sin_deg(vault_deg(i)) * cos_deg(back),
+                    north_z - apse_radius * sin_deg(back));
     };
     for (int i = 0; i < vault_segments; ++i) {
-        model.face("stone_trim", {apse_point(i, north_z), vault_point(i, north_z), vault_point(i + 1, north_z),
-                                  apse_point(i + 1, north_z)});
+        model.face("stone_trim", {apse_point(i, north_z), vault_point(i, north_z),
+                                  vault_point(i + 1, north_z), apse_point(i + 1, north_z)});
         for (int row = 0; row < rows; ++row) {
-            std::vector<Vec3> corners{point(i, row + 1), point(i, row), point(i + 1, row), point(i + 1, row + 1)};
+            std::vector<Vec3> corners{point(i, row + 1), point(i, row), point(i + 1, row),
+                                      point(i + 1, row + 1)};
             if (row + 1 == rows) corners.pop_back();
             model.face("apse_mosaic", corners);
         }
@@ -81,9 +90,12 @@ void add_crystal(Model& model, const Vec3& foot, const Vec3& axis, double radius
         return Vec3(foot + h * along + r * (cos_deg(angle) * u + sin_deg(angle) * v));
     };
     for (int i = 0; i < 6; ++i) {
-        model.face("crystal", {ring(i, 0.8 * radius, 0), ring(i + 1, 0.8 * radius, 0), ring(i + 1, radius, 0.7 * length)});
-        model.face("crystal", {ring(i, 0.8 * radius, 0), ring(i + 1, radius, 0.7 * length), ring(i, radius, 0.7 * length)});
-        model.face("crystal", {ring(i, radius, 0.7 * length), ring(i + 1, radius, 0.7 * length), foot + length * along});
+        model.face("crystal", {ring(i, 0.8 * radius, 0), ring(i + 1, 0.8 * radius, 0),
+                               ring(i + 1, radius, 0.7 * length)});
+        model.face("crystal", {ring(i, 0.8 * radius, 0), ring(i + 1, radius, 0.7 * length),
+                               ring(i, radius, 0.7 * length)});
+        model.face("crystal",
+                   {ring(i, radius, 0.7 * length), ring(i + 1, radius, 0.7 * length), foot + length * along});
     }
 }
 
@@ -102,7 +114,8 @@ void add_vault(Model& model) {
         }
     }
     std::vector<Vec3> tympanum;
-    for (int i = vault_segments; i >= 0; --i) tympanum.push_back(vault_point(i, south_z));
+    for (int i = vault_segments; i >= 0; --i)
+        tympanum.push_back(vault_point(i, south_z));
     model.face("plaster", tympanum);
     add_rose_window(model);
 }
@@ -110,8 +123,14 @@ void add_vault(Model& model) {
 void add_apse(Model& model) {
     model.begin_group("apse");
     stairs(model, "stone_floor", "stone_trim",
-           {.left = {-6, floor_y, -24}, .ahead = -Vec3::UnitZ(), .width = 12, .count = 5, .rise = 0.2, .tread = 0.4,
-            .landing = 3.0, .back = false});
+           {.left = {-6, floor_y, -24},
+            .ahead = -Vec3::UnitZ(),
+            .width = 12,
+            .count = 5,
+            .rise = 0.2,
+            .tread = 0.4,
+            .landing = 3.0,
+            .back = false});
     for (const double side : {-1.0, 1.0}) {
         const double x0 = side < 0 ? -nave_x : apse_radius, x1 = side < 0 ? -apse_radius : nave_x;
         wall(model, "stone_trim", {x0, floor_y, north_z}, {x1, floor_y, north_z}, springing_y);
@@ -121,11 +140,19 @@ void add_apse(Model& model) {
         return Vec3(apse_radius * cos_deg(angle), dais_y, north_z - apse_radius * sin_deg(angle));
     };
     std::vector<Vec3> dais;
-    for (int i = 6; i >= 0; --i) dais.push_back(rim(i));
+    for (int i = 6; i >= 0; --i)
+        dais.push_back(rim(i));
     model.face("mosaic_floor", dais);
     for (int i = 0; i < 6; ++i) {
-        const ArchShape window{.from = rim(i), .to = rim(i + 1), .y0 = dais_y, .y1 = springing_y, .half_width = 0.8,
-                               .sill = 2.2, .spring = 5.6, .rise = 0.8, .segments = 8};
+        const ArchShape window{.from = rim(i),
+                               .to = rim(i + 1),
+                               .y0 = dais_y,
+                               .y1 = springing_y,
+                               .half_width = 0.8,
+                               .sill = 2.2,
+                               .spring = 5.6,
+                               .rise = 0.8,
+                               .segments = 8};
         arch_wall(model, "stone_wall", window);
         arch_reveal(model, "stone_trim", window, 0.5, true);
         arch_panel(model, i == 0 || i == 5 ? "tile_teal" : "sky", window, 0.5);

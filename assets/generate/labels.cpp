@@ -14,7 +14,8 @@ void add_label(Model& model, const std::string& text, const Vec3& from, const Ve
     const double v1 = 1.0 - static_cast<double>(cell / label_columns) / label_rows;
     const double v0 = v1 - 1.0 / label_rows;
     const Vec3 up = 0.5 * (to - from).norm() * Vec3::UnitY();
-    model.face_uv("sign_labels", {{from, {u0, v0}}, {to, {u1, v0}}, {to + up, {u1, v1}}, {from + up, {u0, v1}}});
+    model.face_uv("sign_labels",
+                  {{from, {u0, v0}}, {to, {u1, v0}}, {to + up, {u1, v1}}, {from + up, {u0, v1}}});
 }
 
 }  // namespace slipface::generate

@@ -1,4 +1,5 @@
-// slipface_generate_levels OUT_FOLDER: writes the shipped levels and their textures, the same bytes at every run.
+// slipface_generate_levels OUT_FOLDER: writes the shipped levels and their textures, the same bytes at every
+// run.
 #include <fmt/format.h>
 
 #include <exception>
@@ -18,7 +19,8 @@ Status write_textures(const std::filesystem::path& folder) {
     std::error_code failed;
     std::filesystem::create_directories(folder, failed);
     if (failed) return Error{folder.string(), failed.message()};
-    for (const auto& textures : {stone_textures(), ornament_textures(), nature_textures(), surface_textures()}) {
+    for (const auto& textures :
+         {stone_textures(), ornament_textures(), nature_textures(), surface_textures()}) {
         for (const Texture& texture : textures) {
             const Status status = save_png(folder / (texture.name + ".png"), texture.paint());
             if (!status.ok()) return status;
@@ -30,11 +32,15 @@ Status write_textures(const std::filesystem::path& folder) {
 Status write_easy(const std::filesystem::path& folder) {
     const Model model = make_easy();
     const std::filesystem::path obj = folder / "easy.obj";
-    if (Status status = write_file_atomic(obj, obj_text(model, "easy", "easy.mtl")); !status.ok()) return status;
-    if (Status status = write_file_atomic(folder / "easy.mtl", mtl_text(model, "easy")); !status.ok()) return status;
+    if (Status status = write_file_atomic(obj, obj_text(model, "easy", "easy.mtl")); !status.ok())
+        return status;
+    if (Status status = write_file_atomic(folder / "easy.mtl", mtl_text(model, "easy")); !status.ok())
+        return status;
     std::size_t triangles = 0;
-    for (const ModelFace& face : model.faces()) triangles += face.vertices.size() - 2;
-    fmt::print("easy: {} faces, {} triangles, {} vertices\n", model.faces().size(), triangles, model.positions().size());
+    for (const ModelFace& face : model.faces())
+        triangles += face.vertices.size() - 2;
+    fmt::print("easy: {} faces, {} triangles, {} vertices\n", model.faces().size(), triangles,
+               model.positions().size());
     return write_easy_level(obj);
 }
 

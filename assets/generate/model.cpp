@@ -9,7 +9,9 @@
 namespace slipface::generate {
 namespace {
 
-std::int64_t to_grid(double value) { return static_cast<std::int64_t>(std::llround(value * grid_per_unit)); }
+std::int64_t to_grid(double value) {
+    return static_cast<std::int64_t>(std::llround(value * grid_per_unit));
+}
 
 Vec3 newell_normal(const std::vector<Vec3>& corners) {
     Vec3 sum = Vec3::Zero();
@@ -21,7 +23,8 @@ Vec3 newell_normal(const std::vector<Vec3>& corners) {
     return sum.normalized();
 }
 
-// Floors and ceilings are mapped from above; anything else keeps v upright along the steepest line of its plane.
+// Floors and ceilings are mapped from above; anything else keeps v upright along the steepest line of its
+// plane.
 Vec2 project_uv(const Vec3& position, const Vec3& normal) {
     if (std::abs(normal.y()) > 0.999) return {position.x(), -position.z()};
     const Vec3 along = Vec3(normal.z(), 0, -normal.x()).normalized();
@@ -31,8 +34,12 @@ Vec2 project_uv(const Vec3& position, const Vec3& normal) {
 
 using Grid3 = Model::Grid3;
 
-std::int64_t dot(const Grid3& a, const Grid3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Grid3 difference(const Grid3& a, const Grid3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+std::int64_t dot(const Grid3& a, const Grid3& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Grid3 difference(const Grid3& a, const Grid3& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 bool parallel(const Grid3& a, const Grid3& b) {
     return a[1] * b[2] == a[2] * b[1] && a[2] * b[0] == a[0] * b[2] && a[0] * b[1] == a[1] * b[0];
 }
@@ -45,13 +52,18 @@ double cos_deg(double degrees) {
 double sin_deg(double degrees) {
     return std::round(std::sin(degrees * std::numbers::pi / 180.0) * 1e12) / 1e12;
 }
-double tan_deg(double degrees) { return sin_deg(degrees) / cos_deg(degrees); }
-
-Model::Model(std::vector<ModelMaterial> materials) : materials_(std::move(materials)) {
-    for (std::size_t i = 0; i < materials_.size(); ++i) material_index_[materials_[i].name] = i;
+double tan_deg(double degrees) {
+    return sin_deg(degrees) / cos_deg(degrees);
 }
 
-void Model::begin_group(std::string name) { groups_.push_back(std::move(name)); }
+Model::Model(std::vector<ModelMaterial> materials) : materials_(std::move(materials)) {
+    for (std::size_t i = 0; i < materials_.size(); ++i)
+        material_index_[materials_[i].name] = i;
+}
+
+void Model::begin_group(std::string name) {
+    groups_.push_back(std::move(name));
+}
 
 std::size_t Model::add_position(const Vec3& position) {
     const Grid3 key{to_grid(position.x()), to_grid(position.y()), to_grid(position.z())};
@@ -71,7 +83,8 @@ void Model::face(const std::string& material, std::vector<Vec3> corners) {
     const double scale = materials_.at(material_index_.at(material)).metres_per_tile;
     std::vector<Vec3> world = corners;
     if (mirror_) {
-        for (Vec3& corner : world) corner.x() = -corner.x();
+        for (Vec3& corner : world)
+            corner.x() = -corner.x();
         std::reverse(world.begin(), world.end());
     }
     const Vec3 normal = newell_normal(world);
@@ -85,7 +98,8 @@ void Model::face(const std::string& material, std::vector<Vec3> corners) {
 
 void Model::face_uv(const std::string& material, std::vector<Corner> corners) {
     if (mirror_) {
-        for (Corner& corner : corners) corner.position.x() = -corner.position.x();
+        for (Corner& corner : corners)
+            corner.position.x() = -corner.position.x();
         std::reverse(corners.begin(), corners.end());
     }
     ModelFace face;
@@ -108,7 +122,8 @@ void Model::face_uv(const std::string& material, std::vector<Corner> corners) {
 void Model::join_edges() {
     // Vertices sorted by position: the candidates of an edge are found in the x range that it covers.
     std::vector<std::size_t> by_position(positions_.size());
-    for (std::size_t i = 0; i < by_position.size(); ++i) by_position[i] = i;
+    for (std::size_t i = 0; i < by_position.size(); ++i)
+        by_position[i] = i;
     std::sort(by_position.begin(), by_position.end(),
               [&](std::size_t a, std::size_t b) { return positions_[a] < positions_[b]; });
 
@@ -123,12 +138,15 @@ void Model::join_edges() {
             joined.uvs.push_back(face.uvs[i]);
             std::vector<std::pair<std::int64_t, std::size_t>> between;
             const Grid3 lowest{std::min(from[0], to[0]), INT64_MIN, INT64_MIN};
-            auto candidate = std::lower_bound(by_position.begin(), by_position.end(), lowest,
-                                              [&](std::size_t a, const Grid3& key) { return positions_[a] < key; });
-            for (; candidate != by_position.end() && positions_[*candidate][0] <= std::max(from[0], to[0]); ++candidate) {
+            auto candidate =
+                std::lower_bound(by_position.begin(), by_position.end(), lowest,
+                                 [&](std::size_t a, const Grid3& key) { return positions_[a] < key; });
+            for (; candidate != by_position.end() && positions_[*candidate][0] <= std::max(from[0], to[0]);
+                 ++candidate) {
                 const Grid3 offset = difference(positions_[*candidate], from);
                 const std::int64_t along = dot(offset, edge);
-                if (along > 0 && along < dot(edge, edge) && parallel(offset, edge)) between.emplace_back(along, *candidate);
+                if (along > 0 && along < dot(edge, edge) && parallel(offset, edge))
+                    between.emplace_back(along, *candidate);
             }
             std::sort(between.begin(), between.end());
             const Grid2 uv_from = uvs_[face.uvs[i]];

@@ -20,7 +20,7 @@ struct Corner {
 // How often a material's texture repeats.
 struct ModelMaterial {
     std::string name;
-    std::string texture;            // file name in textures/, without ".png"
+    std::string texture;  // file name in textures/, without ".png"
     double metres_per_tile = 2.0;
 };
 
@@ -31,8 +31,8 @@ struct ModelFace {
     std::vector<std::size_t> uvs;
 };
 
-// Positions and texture coordinates are kept in units of 1e-4, so that equal corners are one vertex and the text written
-// from them is the same with every compiler.
+// Positions and texture coordinates are kept in units of 1e-4, so that equal corners are one vertex and the
+// text written from them is the same with every compiler.
 class Model {
   public:
     explicit Model(std::vector<ModelMaterial> materials);

@@ -12,8 +12,10 @@ namespace {
 std::string decimal(std::int64_t units) {
     const auto per_unit = static_cast<std::int64_t>(grid_per_unit);
     const std::int64_t magnitude = std::abs(units);
-    std::string text = fmt::format("{}{}.{:04}", units < 0 ? "-" : "", magnitude / per_unit, magnitude % per_unit);
-    while (text.back() == '0') text.pop_back();
+    std::string text =
+        fmt::format("{}{}.{:04}", units < 0 ? "-" : "", magnitude / per_unit, magnitude % per_unit);
+    while (text.back() == '0')
+        text.pop_back();
     if (text.back() == '.') text.pop_back();
     return text;
 }
@@ -22,12 +24,14 @@ std::string decimal(std::int64_t units) {
 
 std::string obj_text(const Model& model, const std::string& title, const std::string& mtl_name) {
     std::string text =
-        fmt::format("# Slipface level: {}. Metres, +Y up. Made by slipface_generate_levels.\nmtllib {}\n", title, mtl_name);
+        fmt::format("# Slipface level: {}. Metres, +Y up. Made by slipface_generate_levels.\nmtllib {}\n",
+                    title, mtl_name);
     const auto out = std::back_inserter(text);
     for (const auto& at : model.positions()) {
         fmt::format_to(out, "v {} {} {}\n", decimal(at[0]), decimal(at[1]), decimal(at[2]));
     }
-    for (const auto& uv : model.uvs()) fmt::format_to(out, "vt {} {}\n", decimal(uv[0]), decimal(uv[1]));
+    for (const auto& uv : model.uvs())
+        fmt::format_to(out, "vt {} {}\n", decimal(uv[0]), decimal(uv[1]));
 
     for (std::size_t group = 0; group < model.groups().size(); ++group) {
         fmt::format_to(out, "o {}\n", model.groups()[group]);
@@ -50,14 +54,15 @@ std::string obj_text(const Model& model, const std::string& title, const std::st
 
 std::string mtl_text(const Model& model, const std::string& title) {
     std::vector<bool> used(model.materials().size());
-    for (const ModelFace& face : model.faces()) used[face.material] = true;
+    for (const ModelFace& face : model.faces())
+        used[face.material] = true;
     std::string text = fmt::format("# Materials of the Slipface level: {}\n", title);
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!used[i]) continue;
         const ModelMaterial& material = model.materials()[i];
         fmt::format_to(std::back_inserter(text),
-                       "\nnewmtl {}\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd textures/{}.png\n", material.name,
-                       material.texture);
+                       "\nnewmtl {}\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd textures/{}.png\n",
+                       material.name, material.texture);
     }
     return text;
 }

@@ -6,7 +6,9 @@
 namespace slipface::generate {
 namespace {
 
-int wrapped(int value, int period) { return ((value % period) + period) % period; }
+int wrapped(int value, int period) {
+    return ((value % period) + period) % period;
+}
 
 }  // namespace
 
@@ -15,7 +17,9 @@ double ramp_between(double a, double b, double t) {
     return x * x * (3.0 - 2.0 * x);
 }
 
-Color mix(const Color& a, const Color& b, double share) { return a + (b - a) * std::clamp(share, 0.0, 1.0); }
+Color mix(const Color& a, const Color& b, double share) {
+    return a + (b - a) * std::clamp(share, 0.0, 1.0);
+}
 
 double hash01(std::uint32_t seed, int x, int y) {
     std::uint32_t bits = seed * 0x9e3779b9U;

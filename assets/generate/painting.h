@@ -1,5 +1,5 @@
-// What the textures are painted with: colours, noise that repeats at the border, and patterns of stones. Only additions,
-// products and exactly rounded roots, so that every compiler paints the same bytes.
+// What the textures are painted with: colours, noise that repeats at the border, and patterns of stones. Only
+// additions, products and exactly rounded roots, so that every compiler paints the same bytes.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,15 @@ using Color = Vec3;  // sRGB, 0..1
 
 // Warm sandstone with teal and bronze accents.
 namespace palette {
-inline const Color sand{0.80, 0.70, 0.55}, sand_light{0.89, 0.82, 0.69}, sand_dark{0.58, 0.48, 0.37}, mortar{0.47, 0.40, 0.32};
-inline const Color cream{0.91, 0.86, 0.75}, teal{0.16, 0.46, 0.47}, teal_dark{0.08, 0.27, 0.30}, teal_light{0.42, 0.71, 0.69};
+inline const Color sand{0.80, 0.70, 0.55}, sand_light{0.89, 0.82, 0.69}, sand_dark{0.58, 0.48, 0.37},
+    mortar{0.47, 0.40, 0.32};
+inline const Color cream{0.91, 0.86, 0.75}, teal{0.16, 0.46, 0.47}, teal_dark{0.08, 0.27, 0.30},
+    teal_light{0.42, 0.71, 0.69};
 inline const Color bronze{0.55, 0.40, 0.22}, gold{0.85, 0.67, 0.34}, terracotta{0.72, 0.40, 0.27};
-inline const Color wood{0.50, 0.34, 0.20}, wood_dark{0.29, 0.19, 0.11}, moss{0.33, 0.42, 0.18}, leaf{0.30, 0.50, 0.26};
-inline const Color ice{0.74, 0.88, 0.93}, sky{0.66, 0.82, 0.92}, soot{0.13, 0.11, 0.11}, ember{0.98, 0.46, 0.10};
+inline const Color wood{0.50, 0.34, 0.20}, wood_dark{0.29, 0.19, 0.11}, moss{0.33, 0.42, 0.18},
+    leaf{0.30, 0.50, 0.26};
+inline const Color ice{0.74, 0.88, 0.93}, sky{0.66, 0.82, 0.92}, soot{0.13, 0.11, 0.11},
+    ember{0.98, 0.46, 0.10};
 }  // namespace palette
 
 // Share from 0 to 1 as t passes from a to b, smooth at both ends.
@@ -43,9 +47,9 @@ CellDistance cell_distance(double u, double v, int cells, std::uint32_t seed);
 
 // Rows of blocks in running bond: where in its block (u, v) lies.
 struct Block {
-    double edge = 0;     // distance to the block's border, in texture widths
-    double lit = 0;      // 1 near its upper and left border, -1 near its lower and right one, fading inward
-    double tint = 0;     // 0..1, the block's own
+    double edge = 0;  // distance to the block's border, in texture widths
+    double lit = 0;   // 1 near its upper and left border, -1 near its lower and right one, fading inward
+    double tint = 0;  // 0..1, the block's own
 };
 Block block_at(double u, double v, int columns, int rows, double shift, std::uint32_t seed);
 

@@ -48,25 +48,29 @@ void prism(Model& model, const std::string& material, const std::vector<Vec2>& p
     if (bottom) model.face(material, lower);
 }
 
-void disc(Model& model, const std::string& material, const Vec3& centre, double radius, int sides, double first_deg) {
+void disc(Model& model, const std::string& material, const Vec3& centre, double radius, int sides,
+          double first_deg) {
     std::vector<Corner> corners;
     for (int i = 0; i < sides; ++i) {
         const double angle = first_deg + 360.0 * i / sides;
         const Vec2 around(cos_deg(angle), sin_deg(angle));
-        corners.push_back({centre + radius * Vec3(around.x(), 0, -around.y()), Vec2(0.5, 0.5) + 0.5 * around});
+        corners.push_back(
+            {centre + radius * Vec3(around.x(), 0, -around.y()), Vec2(0.5, 0.5) + 0.5 * around});
     }
     model.face_uv(material, std::move(corners));
 }
 
-void lathe(Model& model, const std::string& material, const Vec3& centre, const std::vector<Vec2>& profile, int sides,
-           double first_deg, const std::string& cap_material) {
+void lathe(Model& model, const std::string& material, const Vec3& centre, const std::vector<Vec2>& profile,
+           int sides, double first_deg, const std::string& cap_material) {
     const auto point = [&](int side, const Vec2& ring) {
         const double angle = first_deg + 360.0 * (side % sides) / sides;
         return Vec3(centre + Vec3(ring.x() * cos_deg(angle), ring.y(), -ring.x() * sin_deg(angle)));
     };
-    // One texture tile for each quarter turn, and upward along the profile at the scale of a turn's widest quarter.
+    // One texture tile for each quarter turn, and upward along the profile at the scale of a turn's widest
+    // quarter.
     double widest = 0.0;
-    for (const Vec2& ring : profile) widest = std::max(widest, ring.x());
+    for (const Vec2& ring : profile)
+        widest = std::max(widest, ring.x());
     const double tile = 1.5708 * widest;
     double along = 0.0;
     for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
@@ -86,11 +90,13 @@ void lathe(Model& model, const std::string& material, const Vec3& centre, const 
     }
     if (cap_material.empty()) return;
     std::vector<Vec3> cap;
-    for (int side = 0; side < sides; ++side) cap.push_back(point(side, profile.back()));
+    for (int side = 0; side < sides; ++side)
+        cap.push_back(point(side, profile.back()));
     model.face(cap_material, cap);
 }
 
-void stairs(Model& model, const std::string& tread_material, const std::string& side_material, const StairShape& shape) {
+void stairs(Model& model, const std::string& tread_material, const std::string& side_material,
+            const StairShape& shape) {
     const Vec3 up = Vec3::UnitY();
     const Vec3 across = shape.width * shape.ahead.cross(up);
     std::vector<Vec3> outline{shape.left};
@@ -109,12 +115,14 @@ void stairs(Model& model, const std::string& tread_material, const std::string& 
     outline.push_back(back);
     if (shape.back) model.face(side_material, {back + across, back, end, end + across});
     std::vector<Vec3> other_side;
-    for (const Vec3& point : outline) other_side.insert(other_side.begin(), point + across);
+    for (const Vec3& point : outline)
+        other_side.insert(other_side.begin(), point + across);
     if (shape.left_side) model.face(side_material, outline);
     if (shape.right_side) model.face(side_material, other_side);
 }
 
-void ramp(Model& model, const std::string& top_material, const std::string& side_material, const RampShape& shape) {
+void ramp(Model& model, const std::string& top_material, const std::string& side_material,
+          const RampShape& shape) {
     const Vec3 up = Vec3::UnitY();
     const Vec3 across = shape.width * shape.ahead.cross(up);
     const Vec3 crest = shape.left + shape.run * shape.ahead + shape.height * up;
@@ -129,13 +137,14 @@ void ramp(Model& model, const std::string& top_material, const std::string& side
     outline.push_back(back);
     if (shape.back) model.face(side_material, {back + across, back, end, end + across});
     std::vector<Vec3> other_side;
-    for (const Vec3& point : outline) other_side.insert(other_side.begin(), point + across);
+    for (const Vec3& point : outline)
+        other_side.insert(other_side.begin(), point + across);
     if (shape.left_side) model.face(side_material, outline);
     if (shape.right_side) model.face(side_material, other_side);
 }
 
-void coffer(Model& model, const std::string& rim_material, const std::string& inner_material, const std::array<Vec3, 4>& quad,
-            double rim, double depth) {
+void coffer(Model& model, const std::string& rim_material, const std::string& inner_material,
+            const std::array<Vec3, 4>& quad, double rim, double depth) {
     const Vec3 normal = (quad[1] - quad[0]).cross(quad[3] - quad[0]).normalized();
     const Vec3 u = (quad[1] - quad[0]).normalized();
     const Vec3 v = (quad[3] - quad[0]).normalized();
@@ -143,7 +152,8 @@ void coffer(Model& model, const std::string& rim_material, const std::string& in
     const std::array<Vec3, 4> edge{quad[0] + rim * (u + v), quad[1] + rim * (v - u), quad[2] - rim * (u + v),
                                    quad[3] + rim * (u - v)};
     std::array<Vec3, 4> inner = edge;
-    for (Vec3& corner : inner) corner -= depth * normal;
+    for (Vec3& corner : inner)
+        corner -= depth * normal;
     for (std::size_t i = 0; i < 4; ++i) {
         const std::size_t next = (i + 1) % 4;
         model.face(rim_material, {outer[i], outer[next], edge[next], edge[i]});

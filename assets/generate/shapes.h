@@ -1,4 +1,5 @@
-// Building blocks. Everything faces outward from the solid that it describes, or towards the space that it encloses.
+// Building blocks. Everything faces outward from the solid that it describes, or towards the space that it
+// encloses.
 #pragma once
 
 #include <functional>
@@ -11,7 +12,7 @@ namespace slipface::generate {
 
 // Sides of a box, to leave out what nobody sees.
 enum Side : unsigned {
-    side_east = 1,    // +x
+    side_east = 1,  // +x
     side_west = 2,
     side_top = 4,
     side_bottom = 8,
@@ -22,7 +23,8 @@ enum Side : unsigned {
     side_standing = side_all & ~unsigned{side_bottom},
 };
 
-void box(Model& model, const std::string& material, const Vec3& low, const Vec3& high, unsigned sides = side_all);
+void box(Model& model, const std::string& material, const Vec3& low, const Vec3& high,
+         unsigned sides = side_all);
 
 // Names the material of the cell around a point, or is empty for a hole.
 using CellMaterial = std::function<std::string(double x, double z)>;
@@ -39,26 +41,29 @@ void prism(Model& model, const std::string& material, const std::vector<Vec2>& p
            const std::string& top_material, bool bottom = false);
 
 // A regular polygon, flat, facing up; the texture covers it once.
-void disc(Model& model, const std::string& material, const Vec3& centre, double radius, int sides, double first_deg = 0);
+void disc(Model& model, const std::string& material, const Vec3& centre, double radius, int sides,
+          double first_deg = 0);
 
-// A profile of (radius, y) points turned about the vertical through `centre`, from bottom to top. A radius of zero closes
-// it at a point; a last radius above zero is closed by a cap of `cap_material`, or left open if that is empty.
-void lathe(Model& model, const std::string& material, const Vec3& centre, const std::vector<Vec2>& profile, int sides,
-           double first_deg = 0, const std::string& cap_material = {});
+// A profile of (radius, y) points turned about the vertical through `centre`, from bottom to top. A radius of
+// zero closes it at a point; a last radius above zero is closed by a cap of `cap_material`, or left open if
+// that is empty.
+void lathe(Model& model, const std::string& material, const Vec3& centre, const std::vector<Vec2>& profile,
+           int sides, double first_deg = 0, const std::string& cap_material = {});
 
-// Solid stairs from the floor y0: `count` steps in direction `ahead` (horizontal, unit), the first riser on the line from
-// `left` along `across` (horizontal, unit) for `width`.
+// Solid stairs from the floor y0: `count` steps in direction `ahead` (horizontal, unit), the first riser on
+// the line from `left` along `across` (horizontal, unit) for `width`.
 struct StairShape {
-    Vec3 left = Vec3::Zero();       // lower left end of the first riser, seen by who climbs
+    Vec3 left = Vec3::Zero();  // lower left end of the first riser, seen by who climbs
     Vec3 ahead = -Vec3::UnitZ();
     double width = 2.0;
     int count = 8;
     double rise = 0.25;
     double tread = 0.35;
-    double landing = 0.0;           // metres added to the last tread
+    double landing = 0.0;  // metres added to the last tread
     bool left_side = true, right_side = true, back = true;
 };
-void stairs(Model& model, const std::string& tread_material, const std::string& side_material, const StairShape& shape);
+void stairs(Model& model, const std::string& tread_material, const std::string& side_material,
+            const StairShape& shape);
 
 // A solid ramp in the same terms: `run` metres ahead it has risen by `height`, then `landing` metres of flat.
 struct RampShape {
@@ -70,10 +75,12 @@ struct RampShape {
     double landing = 0.0;
     bool left_side = true, right_side = true, back = true;
 };
-void ramp(Model& model, const std::string& top_material, const std::string& side_material, const RampShape& shape);
+void ramp(Model& model, const std::string& top_material, const std::string& side_material,
+          const RampShape& shape);
 
-// A wall from y0 to y1 on the line from `from` to `to` (left to right seen from the front) with one arched opening in its
-// middle: straight jambs from `sill` to `spring`, then half an ellipse of height `rise`. With sill == y0 it is a doorway.
+// A wall from y0 to y1 on the line from `from` to `to` (left to right seen from the front) with one arched
+// opening in its middle: straight jambs from `sill` to `spring`, then half an ellipse of height `rise`. With
+// sill == y0 it is a doorway.
 struct ArchShape {
     Vec3 from = Vec3::Zero();
     Vec3 to = Vec3::UnitX();
@@ -84,15 +91,16 @@ struct ArchShape {
 };
 void arch_wall(Model& model, const std::string& material, const ArchShape& shape);
 
-// The inner side of that opening, `depth` metres from the front away; with `jambs` the straight parts and the sill too.
+// The inner side of that opening, `depth` metres from the front away; with `jambs` the straight parts and the
+// sill too.
 void arch_reveal(Model& model, const std::string& material, const ArchShape& shape, double depth, bool jambs);
 
 // What closes the opening, `depth` metres behind the front.
 void arch_panel(Model& model, const std::string& material, const ArchShape& shape, double depth);
 
-// A raised or sunken panel: the quad's rim, the sides and the inner quad; positive depth goes away from the front. The inner
-// quad shows its texture once.
-void coffer(Model& model, const std::string& rim_material, const std::string& inner_material, const std::array<Vec3, 4>& quad,
-            double rim, double depth);
+// A raised or sunken panel: the quad's rim, the sides and the inner quad; positive depth goes away from the
+// front. The inner quad shows its texture once.
+void coffer(Model& model, const std::string& rim_material, const std::string& inner_material,
+            const std::array<Vec3, 4>& quad, double rim, double depth);
 
 }  // namespace slipface::generate

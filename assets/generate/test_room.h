@@ -6,7 +6,9 @@ namespace slipface::generate {
 struct FloorPlan {
     double west, east, north, south;
     double top = 0;
-    constexpr bool contains(double x, double z) const { return x > west && x < east && z > north && z < south; }
+    constexpr bool contains(double x, double z) const {
+        return x > west && x < east && z > north && z < south;
+    }
 };
 
 inline constexpr FloorPlan room{.west = -50, .east = -18, .north = -29, .south = 11, .top = 7};

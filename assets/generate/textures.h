@@ -1,4 +1,5 @@
-// The levels' textures, painted by rule. Each function paints one picture that repeats at its borders unless said otherwise.
+// The levels' textures, painted by rule. Each function paints one picture that repeats at its borders unless
+// said otherwise.
 #pragma once
 
 #include <functional>
@@ -10,7 +11,7 @@
 namespace slipface::generate {
 
 struct Texture {
-    std::string name;                // file name without ".png"
+    std::string name;  // file name without ".png"
     std::function<Image()> paint;
 };
 

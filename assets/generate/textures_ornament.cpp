@@ -15,26 +15,39 @@ Vec2 folded(double u, double v) {
     return {std::max(x, y), std::min(x, y)};
 }
 
-bool in_disc(const Vec2& p, const Vec2& centre, double radius) { return (p - centre).squaredNorm() < radius * radius; }
+bool in_disc(const Vec2& p, const Vec2& centre, double radius) {
+    return (p - centre).squaredNorm() < radius * radius;
+}
 
 // An eight-pointed star of two squares, one standing on its corner.
-bool in_star(const Vec2& p, double size) { return p.x() < size || p.x() + p.y() < 1.41421356 * size; }
+bool in_star(const Vec2& p, double size) {
+    return p.x() < size || p.x() + p.y() < 1.41421356 * size;
+}
 
 Image mosaic_floor() {
     return paint(256, [](double u, double v) {
         const Vec2 p = folded(u, v);
         const CellDistance chip = cell_distance(u, v, 28, 101);
         Color color = mix(sand_light, cream, 0.5);
-        if (p.x() > 0.46) color = mix(sand, sand_dark, 0.3);
-        else if (p.x() > 0.40) color = teal;
-        else if (p.x() > 0.385) color = gold;
-        else if (in_star(p, 0.07)) color = gold;
-        else if (in_star(p, 0.20)) color = teal;
-        else if (in_star(p, 0.225)) color = cream;
-        else if (in_star(p, 0.245)) color = terracotta;
-        else if (in_disc(p, {0.33, 0.33}, 0.035)) color = terracotta;
+        if (p.x() > 0.46)
+            color = mix(sand, sand_dark, 0.3);
+        else if (p.x() > 0.40)
+            color = teal;
+        else if (p.x() > 0.385)
+            color = gold;
+        else if (in_star(p, 0.07))
+            color = gold;
+        else if (in_star(p, 0.20))
+            color = teal;
+        else if (in_star(p, 0.225))
+            color = cream;
+        else if (in_star(p, 0.245))
+            color = terracotta;
+        else if (in_disc(p, {0.33, 0.33}, 0.035))
+            color = terracotta;
         color *= 0.90 + 0.16 * chip.tint;
-        return Color(mix(mix(color, mortar, 0.35), color, ramp_between(0.04, 0.16, chip.second - chip.nearest)));
+        return Color(
+            mix(mix(color, mortar, 0.35), color, ramp_between(0.04, 0.16, chip.second - chip.nearest)));
     });
 }
 
@@ -44,8 +57,10 @@ Image tile_teal() {
         const Vec2 p = folded(x, y);
         const double tint = hash01(113, static_cast<int>(3.0 * u), static_cast<int>(3.0 * v));
         Color color = mix(teal, teal_dark, 0.25 + 0.35 * tint);
-        if (in_star(p, 0.09)) color = gold;
-        else if (in_star(p, 0.24) && !in_star(p, 0.205)) color = teal_light;
+        if (in_star(p, 0.09))
+            color = gold;
+        else if (in_star(p, 0.24) && !in_star(p, 0.205))
+            color = teal_light;
         color = grained(color, u, v, 0.14, 117) * (1.0 + 0.10 * (y - x));
         return p.x() > 0.475 ? mix(color, cream, 0.5) : color;
     });
@@ -56,12 +71,18 @@ Image coffer_panel() {
     return paint(256, [](double u, double v) {
         const Vec2 p = folded(u, v);
         Color color = mix(teal_dark, teal, 0.35 + 0.5 * cloud(u, v, 5, 3, 121));
-        if (p.x() > 0.47) color = mix(sand_light, gold, 0.5);
-        else if (p.x() > 0.44 && p.x() < 0.455) color = gold;
-        else if (in_star(p, 0.15)) color = in_star(p, 0.11) ? gold : mix(gold, bronze, 0.7);
-        else if (in_disc(p, {0.0, 0.0}, 0.32) && !in_disc(p, {0.0, 0.0}, 0.30)) color = mix(teal, teal_light, 0.7);
-        else if (in_disc(p, {0.36, 0.36}, 0.05)) color = gold;
-        else if (hash01(127, static_cast<int>(u * 24), static_cast<int>(v * 24)) > 0.93) color = teal_light;
+        if (p.x() > 0.47)
+            color = mix(sand_light, gold, 0.5);
+        else if (p.x() > 0.44 && p.x() < 0.455)
+            color = gold;
+        else if (in_star(p, 0.15))
+            color = in_star(p, 0.11) ? gold : mix(gold, bronze, 0.7);
+        else if (in_disc(p, {0.0, 0.0}, 0.32) && !in_disc(p, {0.0, 0.0}, 0.30))
+            color = mix(teal, teal_light, 0.7);
+        else if (in_disc(p, {0.36, 0.36}, 0.05))
+            color = gold;
+        else if (hash01(127, static_cast<int>(u * 24), static_cast<int>(v * 24)) > 0.93)
+            color = teal_light;
         return Color(grained(color, u, v, 0.12, 123));
     });
 }
@@ -111,10 +132,14 @@ Image banner_cloth() {
         const double fold = 0.88 + 0.16 * noise(u, 0.5, 5, 1, 153);
         Color color = mix(teal_dark, teal, 0.7);
         const double radius = std::sqrt(x * x + y * y);
-        if (x > 0.45 || v < 0.06 || v > 0.95) color = gold;
-        else if (v < 0.14 && static_cast<int>(u * 16) % 2 == 0) color = gold;
-        else if (radius < 0.13) color = gold;
-        else if (radius < 0.28 && radius > 0.17 && (x < 0.03 || y < 0.03 || std::abs(x - y) < 0.042)) color = gold;
+        if (x > 0.45 || v < 0.06 || v > 0.95)
+            color = gold;
+        else if (v < 0.14 && static_cast<int>(u * 16) % 2 == 0)
+            color = gold;
+        else if (radius < 0.13)
+            color = gold;
+        else if (radius < 0.28 && radius > 0.17 && (x < 0.03 || y < 0.03 || std::abs(x - y) < 0.042))
+            color = gold;
         return Color(color * weave * fold);
     });
 }
@@ -165,8 +190,13 @@ std::vector<Texture> ornament_textures() {
         {"banner_cloth", banner_cloth},
         {"bronze", bronze_metal},
         {"sky", sky_light},
-        {"wood_planks", [] { return paint(256, [](double u, double v) { return planks(v, u, 6, wood, 191); }); }},
-        {"wood_floor", [] { return paint(256, [](double u, double v) { return planks(u, v, 8, mix(wood, sand, 0.25), 193); }); }},
+        {"wood_planks",
+         [] { return paint(256, [](double u, double v) { return planks(v, u, 6, wood, 191); }); }},
+        {"wood_floor",
+         [] {
+             return paint(256,
+                          [](double u, double v) { return planks(u, v, 8, mix(wood, sand, 0.25), 193); });
+         }},
         {"door_wood", door_wood},
     };
 }

@@ -8,7 +8,8 @@ namespace {
 
 using namespace palette;
 
-Color blocks(double u, double v, int columns, int rows, double shift, const Color& light, const Color& dark, std::uint32_t seed) {
+Color blocks(double u, double v, int columns, int rows, double shift, const Color& light, const Color& dark,
+             std::uint32_t seed) {
     const Block block = block_at(u, v, columns, rows, shift, seed);
     Color color = mix(dark, light, 0.35 + 0.6 * block.tint);
     color = grained(color, u, v, 0.22, seed + 3) * (1.0 + 0.10 * block.lit);
@@ -23,7 +24,8 @@ Image stone_wall() {
 
 Image stone_floor() {
     return paint(256, [](double u, double v) {
-        const Color stone = blocks(u, v, 3, 3, 0.333333, mix(sand, sand_light, 0.3), mix(sand, sand_dark, 0.45), 23);
+        const Color stone =
+            blocks(u, v, 3, 3, 0.333333, mix(sand, sand_light, 0.3), mix(sand, sand_dark, 0.45), 23);
         return Color(stone.cwiseProduct(Color(0.93, 0.94, 0.97)));
     });
 }
@@ -36,7 +38,8 @@ Image plaster() {
 }
 
 Image stone_trim() {
-    return paint(256, [](double u, double v) { return grained(mix(sand_light, cream, 0.4), u, v, 0.13, 41); });
+    return paint(256,
+                 [](double u, double v) { return grained(mix(sand_light, cream, 0.4), u, v, 0.13, 41); });
 }
 
 // Four flutes across.
@@ -49,12 +52,14 @@ Image column_stone() {
 }
 
 Image step_stone() {
-    return paint(128, [](double u, double v) { return grained(mix(sand_light, teal_light, 0.12), u, v, 0.15, 53); });
+    return paint(
+        128, [](double u, double v) { return grained(mix(sand_light, teal_light, 0.12), u, v, 0.15, 53); });
 }
 
 Image rock() {
     return paint(256, [](double u, double v) {
-        const double crack = ramp_between(0.0, 0.12, cell_distance(u, v, 5, 61).second - cell_distance(u, v, 5, 61).nearest);
+        const double crack =
+            ramp_between(0.0, 0.12, cell_distance(u, v, 5, 61).second - cell_distance(u, v, 5, 61).nearest);
         const Color stone = grained(Color(0.52, 0.49, 0.45), u, v, 0.45, 63);
         return Color(mix(0.72 * stone, stone, crack));
     });
@@ -70,7 +75,8 @@ Image terracotta_pot() {
 Image test_floor() {
     return paint(256, [](double u, double v) {
         // Two metres a tile: a line each metre, a cross in the middle of each square.
-        const double x = std::abs(2.0 * u - std::floor(2.0 * u + 0.5)), y = std::abs(2.0 * v - std::floor(2.0 * v + 0.5));
+        const double x = std::abs(2.0 * u - std::floor(2.0 * u + 0.5)),
+                     y = std::abs(2.0 * v - std::floor(2.0 * v + 0.5));
         const double cx = std::abs(x - 0.5), cy = std::abs(y - 0.5);
         const bool line = x < 0.012 || y < 0.012;
         const bool cross = (cx < 0.01 && cy < 0.06) || (cy < 0.01 && cx < 0.06);
@@ -84,7 +90,8 @@ Image seam_floor() {
     return paint(256, [](double u, double v) {
         const CellDistance cell = cell_distance(u, v, 12, 73);
         const Color chip = mix(mix(sand, sand_light, cell.tint), teal_light, cell.tint > 0.86 ? 0.6 : 0.0);
-        return Color(mix(mix(mortar, chip, 0.55), chip, ramp_between(0.05, 0.14, cell.second - cell.nearest)));
+        return Color(
+            mix(mix(mortar, chip, 0.55), chip, ramp_between(0.05, 0.14, cell.second - cell.nearest)));
     });
 }
 

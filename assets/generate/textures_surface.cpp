@@ -17,10 +17,12 @@ Image ladder_wood() {
         const double rung = std::abs(3.0 * v - std::floor(3.0 * v) - 0.5);
         const double rail = std::min(u, 1.0 - u);
         const double grain = 0.86 + 0.28 * noise(u, v, 6, 64, 301);
-        if (rail < 0.10) return Color(mix(wood, sand, 0.35) * (0.75 + 0.3 * ramp_between(0.0, 0.05, std::min(rail, 0.10 - rail))) *
-                                      (0.86 + 0.28 * noise(u, v, 64, 6, 303)));
+        if (rail < 0.10)
+            return Color(mix(wood, sand, 0.35) *
+                         (0.75 + 0.3 * ramp_between(0.0, 0.05, std::min(rail, 0.10 - rail))) *
+                         (0.86 + 0.28 * noise(u, v, 64, 6, 303)));
         if (rung < 0.17) return Color(mix(wood, gold, 0.35) * grain * (1.12 - 2.2 * rung));
-        return Color(mix(wood_dark, soot, 0.5) * (rung < 0.24 ? 0.7 : 1.0));
+        return Color(mix(wood_dark, soot, 0.2) * (rung < 0.24 ? 0.7 : 1.0));
     });
 }
 
@@ -74,13 +76,16 @@ Image turntable_stone() {
         const Color stone = grained(mix(sand, teal_light, 0.18), u, v, 0.22, 351);
         if (radius > 0.93) return mix(stone, teal, 0.7);
         if (radius < 0.14) return mix(stone, gold, 0.7);
-        if (std::abs(radius - 0.45) < 0.012 || std::abs(radius - 0.90) < 0.012 || std::abs(radius - 0.17) < 0.012)
+        if (std::abs(radius - 0.45) < 0.012 || std::abs(radius - 0.90) < 0.012 ||
+            std::abs(radius - 0.17) < 0.012)
             return Color(0.6 * stone);
-        // Spirals: turn the point back by an angle that grows with its radius, then ask how far it is from the nearest axis.
+        // Spirals: turn the point back by an angle that grows with its radius, then ask how far it is from
+        // the nearest axis.
         const double lean = radius > 0.45 ? 0.5 * (radius - 0.45) : 0.35 * (0.45 - radius);
         const double scale = 1.0 / std::sqrt(1.0 + lean * lean);
         const double rx = (x + lean * y) * scale, ry = (y - lean * x) * scale;
-        const double axis = std::min(std::abs(rx), std::abs(ry)), diagonal = 0.70710678 * std::abs(std::abs(rx) - std::abs(ry));
+        const double axis = std::min(std::abs(rx), std::abs(ry)),
+                     diagonal = 0.70710678 * std::abs(std::abs(rx) - std::abs(ry));
         const double arm = std::min(axis, diagonal);
         return arm < 0.012 + 0.03 * (0.9 - radius) ? mix(stone, teal_dark, 0.75) : stone;
     });
@@ -91,7 +96,8 @@ Image hazard_embers() {
         const CellDistance crust = cell_distance(u, v, 6, 361);
         const double heat = 1.0 - ramp_between(0.03, 0.30, crust.second - crust.nearest);
         const Color rock = grained(mix(soot, Color(0.30, 0.13, 0.10), crust.tint), u, v, 0.4, 363);
-        return heat > 0.6 ? mix(ember, Color(1.0, 0.90, 0.45), (heat - 0.6) / 0.4) : mix(rock, ember, heat / 0.6);
+        return heat > 0.6 ? mix(ember, Color(1.0, 0.90, 0.45), (heat - 0.6) / 0.4)
+                          : mix(rock, ember, heat / 0.6);
     });
 }
 
@@ -123,7 +129,8 @@ constexpr std::array<Glyph, 18> glyphs{{
 
 bool has_ink(char letter, int column, int row) {
     if (column < 0 || column >= 5 || row < 0 || row >= 7) return false;
-    const auto* glyph = std::find_if(glyphs.begin(), glyphs.end(), [&](const Glyph& g) { return g.letter == letter; });
+    const auto* glyph =
+        std::find_if(glyphs.begin(), glyphs.end(), [&](const Glyph& g) { return g.letter == letter; });
     return glyph != glyphs.end() && glyph->rows[static_cast<std::size_t>(row)][column] == '#';
 }
 
@@ -150,14 +157,10 @@ Image paint_labels() {
 
 std::vector<Texture> surface_textures() {
     return {
-        {"ladder_wood", ladder_wood},
-        {"sticky_moss", sticky_moss},
-        {"bouncy_mushroom", bouncy_mushroom},
-        {"bouncy_pad", bouncy_pad},
-        {"conveyor_belt", conveyor_belt},
-        {"turntable_stone", turntable_stone},
-        {"hazard_embers", hazard_embers},
-        {"sign_labels", paint_labels},
+        {"ladder_wood", ladder_wood},         {"sticky_moss", sticky_moss},
+        {"bouncy_mushroom", bouncy_mushroom}, {"bouncy_pad", bouncy_pad},
+        {"conveyor_belt", conveyor_belt},     {"turntable_stone", turntable_stone},
+        {"hazard_embers", hazard_embers},     {"sign_labels", paint_labels},
     };
 }
 

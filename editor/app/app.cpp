@@ -1,7 +1,6 @@
 #include "app/app.h"
 
 #include <glad/gl.h>
-#include <backends/imgui_impl_opengl3.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -9,13 +8,11 @@
 #include "app/draw_hash.h"
 #include "app/parts.h"
 #include "app/scene_view.h"
+#include "app/ui_renderer.h"
 #include "panels/viewport_panel.h"
 #include "widgets/imgui_compat.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
-
-// Dear ImGui's OpenGL functions come from the same place as ours, whatever made the context.
-extern "C" int imgl3wInit2(slipface::GlGetProc get_proc);
 
 namespace slipface {
 
@@ -30,6 +27,7 @@ struct App::Impl {
     FrameContext frame;
     SceneView scene;
     Parts parts;
+    std::unique_ptr<UiRenderer> renderer;
     ImGuiContext* context = nullptr;
     std::uint64_t built_hash = 1, drawn_hash = 0;
 };
@@ -50,8 +48,7 @@ App::App(const AppOptions& options) : impl_(std::make_unique<Impl>(options)) {
     ui::set_tooltip_delay(options.deterministic ? 0.0 : 0.45);
     ui::apply_theme(options.scale);
     ui::load_fonts(options.scale);
-    imgl3wInit2(options.get_proc);
-    ImGui_ImplOpenGL3_Init("#version 330 core");
+    self.renderer = std::make_unique<UiRenderer>(options.gl);
 
     reset_viewport_panel();
     self.frame.viewport = &self.scene;
@@ -60,7 +57,6 @@ App::App(const AppOptions& options) : impl_(std::make_unique<Impl>(options)) {
 
 App::~App() {
     ImGui::SetCurrentContext(impl_->context);
-    ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext(impl_->context);
 }
 
@@ -124,12 +120,12 @@ void App::build_frame(int width, int height, double seconds) {
     io.DisplaySize = size;
     io.DeltaTime = static_cast<float>(self.frame.seconds);
 
-    ImGui_ImplOpenGL3_NewFrame();
     ui::begin_widget_frame();
     self.scene.begin_frame();
     ImGui::NewFrame();
     layout(self.parts, size);
     ImGui::Render();
+    ui::end_widget_frame();
     self.parts.texture_warnings = self.scene.texture_warnings();
 
     const float dim = self.context->DimBgRatio;
@@ -170,7 +166,7 @@ void App::draw_frame() {
     gl.Disable(GL_SCISSOR_TEST);
     gl.ClearColor(ground.x, ground.y, ground.z, 1.0f);
     gl.Clear(GL_COLOR_BUFFER_BIT);
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    self.renderer->draw(*ImGui::GetDrawData());
     self.drawn_hash = self.built_hash;
 }
 

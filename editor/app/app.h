@@ -12,9 +12,8 @@ namespace slipface {
 
 struct AppOptions {
     GlTable gl;
-    GlGetProc get_proc = nullptr;  // for Dear ImGui's renderer
-    float scale = 1.0f;            // pixels per design pixel
-    bool deterministic = false;    // pictures for goldens: no caret blink, no paths, fixed time
+    float scale = 1.0f;          // pixels per design pixel
+    bool deterministic = false;  // pictures for goldens: no caret blink, no paths, fixed time
     std::string hidden_folder;  // left out of messages, so that pictures do not depend on where the files lie
     std::filesystem::path config;  // folder for recent files; empty: nothing is remembered
 };

@@ -162,7 +162,7 @@ void welcome(Parts& parts) {
     ImGui::PopFont();
     ui::muted_text("Paint what surfaces do, walk the level, and see why every step went where it went");
     ImGui::Dummy({0, 14 * scale});
-    if (ui::primary_button("\uf07c  Open a level\u2026##Open", true, {180 * scale, 34 * scale}))
+    if (ui::primary_button("\uf07c  Open a level\u2026###Open", true, {180 * scale, 34 * scale}))
         run_command(parts.editor, "file.open");
     ImGui::Dummy({0, 10 * scale});
     const std::vector<std::filesystem::path> recent = parts.editor.recent.paths();

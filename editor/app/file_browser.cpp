@@ -31,12 +31,27 @@ bool is_there(const fs::path& path) {
     return fs::exists(path, error);
 }
 
-void show_folder(FileBrowser& browser, const fs::path& folder) {
+// Paths below the hidden folder are shown and typed relative to it.
+std::string shown_path(const Parts& parts, const fs::path& path) {
+    std::string text = path.string();
+    if (!parts.hidden_folder.empty() && text.starts_with(parts.hidden_folder))
+        text.erase(0, parts.hidden_folder.size());
+    return text;
+}
+
+fs::path typed_path(const Parts& parts) {
+    const fs::path path(parts.browser.path_text);
+    if (path.is_absolute()) return path;
+    return (parts.hidden_folder.empty() ? parts.browser.folder : fs::path(parts.hidden_folder)) / path;
+}
+
+void show_folder(Parts& parts, const fs::path& folder) {
+    FileBrowser& browser = parts.browser;
     std::error_code error;
     const fs::path absolute = fs::weakly_canonical(folder, error);
     browser.folder = error ? folder : absolute;
     browser.entries = list_folder(browser.folder);
-    browser.path_text = (browser.folder / "").string();
+    browser.path_text = shown_path(parts, browser.folder / "");
     browser.problem.clear();
     browser.overwrite.clear();
 }
@@ -51,9 +66,9 @@ void begin(Parts& parts) {
     else if (!editor.recent.paths().empty())
         folder = editor.recent.paths().front().parent_path();
     browser.shown = editor.file_dialog;
-    show_folder(browser, folder.empty() ? fs::path(".") : folder);
+    show_folder(parts, folder.empty() ? fs::path(".") : folder);
     if (editor.file_dialog == FileDialogKind::save_as && editor.document)
-        browser.path_text = (browser.folder / editor.document->level().file_path.filename()).string();
+        browser.path_text = shown_path(parts, browser.folder / editor.document->level().file_path.filename());
 }
 
 // The user wants `path`, by double click, Enter or the button.
@@ -61,7 +76,7 @@ void choose(Parts& parts, const fs::path& path, bool may_overwrite) {
     FileBrowser& browser = parts.browser;
     Editor& editor = parts.editor;
     if (is_folder(path)) {
-        show_folder(browser, path);
+        show_folder(parts, path);
         return;
     }
     if (browser.shown == FileDialogKind::open) {
@@ -101,12 +116,12 @@ void entry_list(Parts& parts, float height) {
             const FileBrowser::Entry& entry = browser.entries[static_cast<std::size_t>(i)];
             const fs::path path = browser.folder / entry.name;
             const std::string label = (entry.folder ? "\uf07b  " : "\uf15b  ") + entry.name;
-            const bool selected = fs::path(browser.path_text) == path;
+            const bool selected = typed_path(parts) == path;
             if (ImGui::Selectable(label.c_str(), selected, ImGuiSelectableFlags_AllowDoubleClick)) {
                 if (entry.folder || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
                     chosen = path;
                 else
-                    browser.path_text = path.string();
+                    browser.path_text = shown_path(parts, path);
                 browser.problem.clear();
             }
             ui::record_last_item(entry.name, true, selected);
@@ -157,7 +172,7 @@ void answer_buttons(Parts& parts) {
     ImGui::SameLine();
     const bool opening = browser.shown == FileDialogKind::open;
     if (ui::primary_button(opening ? "Open" : "Save", !browser.path_text.empty(), {width, 0}))
-        choose(parts, fs::path(browser.path_text), false);
+        choose(parts, typed_path(parts), false);
 }
 
 }  // namespace
@@ -189,7 +204,7 @@ void file_browser(Parts& parts) {
     ImGui::PopFont();
     ImGui::Dummy({0, 2 * scale});
 
-    if (ui::button("\uf062##Up", "To the folder above")) show_folder(browser, browser.folder.parent_path());
+    if (ui::button("\uf062###Up", "To the folder above")) show_folder(parts, browser.folder.parent_path());
     ImGui::SameLine();
     const bool typing_before = ImGui::GetIO().WantTextInput;
     ui::input_text("##Path", &browser.path_text, "Path of an OBJ or a .slipface.json file");
@@ -210,8 +225,7 @@ void file_browser(Parts& parts) {
     }
     if (parts.editor.file_dialog == FileDialogKind::none) return;
     answer_buttons(parts);
-    if (entered && parts.editor.file_dialog != FileDialogKind::none)
-        choose(parts, fs::path(browser.path_text), false);
+    if (entered && parts.editor.file_dialog != FileDialogKind::none) choose(parts, typed_path(parts), false);
 }
 
 }  // namespace slipface

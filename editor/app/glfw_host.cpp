@@ -2,8 +2,8 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <imgui.h>
 #include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <chrono>
@@ -227,7 +227,6 @@ Status run_window(const WindowOptions& options) {
     {
         AppOptions app_options;
         app_options.gl = std::move(gl).value();
-        app_options.get_proc = glfwGetProcAddress;
         app_options.scale = scale;
         app_options.config = options.config;
         App app(app_options);

@@ -66,7 +66,7 @@ float menu_bar(Parts& parts) {
         for (const Command& command : commands())
             if (*command.menu && seen.insert(command.menu).second) menu(editor, command.menu);
         if (editor.document) {
-            const std::string name = document_name(editor) + (editor.document->dirty() ? "  \u25cf" : "");
+            const std::string name = document_name(editor) + (editor.document->dirty() ? "  \u2022" : "");
             const float width = ImGui::CalcTextSize(name.c_str()).x;
             const float x = ImGui::GetWindowWidth() - width - 14 * scale;
             if (x > ImGui::GetCursorPosX()) {

@@ -20,7 +20,6 @@ Result<std::unique_ptr<OffscreenHost>> OffscreenHost::make(const OffscreenOption
     host->target_ = std::make_unique<Framebuffer>(host->context_->gl(), options.width, options.height);
     AppOptions app;
     app.gl = host->context_->gl();
-    app.get_proc = host->context_->get_proc();
     app.scale = options.scale;
     app.deterministic = true;
     app.hidden_folder = options.hidden_folder;

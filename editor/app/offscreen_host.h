@@ -34,7 +34,7 @@ class OffscreenHost {
     void frame();  // builds one frame of 1/60 s
     // Builds frames until two in a row are equal, at most `most`. Returns how many.
     int settle(int most = 60);
-    Image screenshot();  // draws the frame built last
+    Image screenshot();     // draws the frame built last
     Image level_picture();  // the view's picture of the open level alone
     // Draws the frame built last unless the picture shows it already. True if it drew.
     bool draw_if_needed();

@@ -33,7 +33,7 @@ void status_bar(Parts& parts) {
 
     ImGui::AlignTextToFramePadding();
     const ImVec2 min = ImGui::GetWindowPos();
-    ImGui::PushClipRect(min, {min.x + end, min.y + ImGui::GetWindowHeight()}, true);
+    ImGui::PushClipRect(min, {min.x + end - 20 * ui::scale(), min.y + ImGui::GetWindowHeight()}, true);
     if (editor.document)
         ImGui::TextColored(p.muted, "%s", viewport_hint(editor).c_str());
     else

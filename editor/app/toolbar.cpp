@@ -28,7 +28,6 @@ constexpr const char* shown_commands[] = {
     "view.overlay",
     "view.wireframe",
     "view.frame_selected",
-    "",
 };
 
 std::string tooltip_text(const Command& command) {
@@ -61,7 +60,9 @@ void command_button(Editor& editor, const Command& command) {
 void tool_options(Editor& editor) {
     const float scale = ui::scale();
     const float room = ImGui::GetContentRegionAvail().x - 120 * scale;
-    if (room < 180 * scale || !editor.document) return;
+    if (room < 260 * scale || !editor.document || editor.playtest) return;
+    if (editor.tool != Tool::paint && editor.tool != Tool::fill) return;
+    group_line();
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 2 * scale);
     const ui::Scope scope("Options");
     const auto brush = [&] {
@@ -110,7 +111,7 @@ void play_button(Editor& editor) {
     if (!command) return;
     const float scale = ui::scale();
     const bool walking = editor.playtest.has_value();
-    const char* const label = walking ? "\uf04d  Stop" : "\uf04b  Play";
+    const char* const label = walking ? "\uf04d  Stop###Play" : "\uf04b  Play###Play";
     const float width = 92 * scale;
     ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - width - 10 * scale));
     ImGui::SetCursorPosY(5 * scale);
@@ -120,7 +121,6 @@ void play_button(Editor& editor) {
     const bool pressed =
         walking ? ui::button(label, nullptr, enabled, size) : ui::primary_button(label, enabled, size);
     ImGui::PopFont();
-    ui::record_last_item("Play", enabled, walking);
     ui::tooltip(tooltip_text(*command).c_str());
     if (!pressed) return;
     if (walking)

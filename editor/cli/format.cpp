@@ -3,6 +3,15 @@
 #include <fmt/format.h>
 
 namespace slipface::cli {
+namespace {
+
+// Three decimals, and no sign in front of a zero.
+std::string millimetres(double value) {
+    std::string text = fmt::format("{:.3f}", value);
+    return text == "-0.000" ? text.substr(1) : text;
+}
+
+}  // namespace
 
 OutputJson vector_json(const Vec3& vector) {
     return OutputJson::array({vector.x(), vector.y(), vector.z()});
@@ -17,8 +26,8 @@ void print_row(std::ostream& out, std::string_view name, std::string_view value)
 }
 
 std::string vector_text(const Vec3& vector) {
-    // Adding zero turns -0 into 0.
-    return fmt::format("{:.3f}  {:.3f}  {:.3f}", vector.x() + 0.0, vector.y() + 0.0, vector.z() + 0.0);
+    return fmt::format("{}  {}  {}", millimetres(vector.x()), millimetres(vector.y()),
+                       millimetres(vector.z()));
 }
 
 std::string duration_text(double seconds) {

@@ -91,8 +91,7 @@ void add_simulate(CLI::App& app, int& exit_code) {
     verb->add_option("--tape", options->tape, "Inputs, tick by tick")->required()->type_name("FILE");
     verb->add_option("--set", options->settings, "Change a movement setting; may be repeated")
         ->type_name("name=value")
-        ->expected(1)
-        ->take_all();
+        ->allow_extra_args(false);
     verb->add_flag("--json", options->json, "Print JSON");
     verb->callback([options, &exit_code] {
         exit_code = guarded([&] { return run_simulate(*options, std::cout, std::cerr); });

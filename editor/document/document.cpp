@@ -56,7 +56,8 @@ Status Document::save_as(const std::filesystem::path& level_file) {
     if (level_file == level_.mesh_path || std::filesystem::equivalent(level_file, level_.mesh_path, ignored))
         return Error{level_file.string(), "is the level's geometry; expected another name, such as " +
                                               level_file_for(level_.mesh_path).filename().string()};
-    const std::filesystem::path before = std::exchange(level_.file_path, level_file);
+    // A copy, because save() hands in level_.file_path itself.
+    const std::filesystem::path before = std::exchange(level_.file_path, std::filesystem::path(level_file));
     Status status = save_level(level_);
     if (!status) {
         level_.file_path = before;

@@ -36,7 +36,9 @@ void history_panel(Editor& editor) {
             ImGui::TextDisabled("saved");
         }
     }
-    if (wanted) document.go_to(*wanted);
+    if (!wanted) return;
+    document.go_to(*wanted);
+    keep_brush_valid(editor);
 }
 
 }  // namespace slipface

@@ -1,6 +1,7 @@
 // The selected faces, or the one under the mouse.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -9,6 +10,7 @@
 #include "panels/panels.h"
 #include "panels/property_rows.h"
 #include "tools/face_summary.h"
+#include "tools/icons.h"
 #include "widgets/ui.h"
 
 namespace slipface {
@@ -75,8 +77,26 @@ void facts(const Document& document, const FaceSummary& summary) {
     fact("Material", shown_name(summary.material));
     fact("Group", shown_name(summary.group));
     fact("Slope", slope_text(summary));
-    fact("Area", fmt::format("{:.4g} m²", summary.area));
+    fact("Area", summary.area >= 1000.0 ? fmt::format("{:.0f} m²", summary.area)
+                                        : fmt::format("{:.4g} m²", summary.area));
     fact("Triangles", std::to_string(summary.triangles));
+}
+
+// At the right end of the heading's line.
+void selection_buttons(Editor& editor, const FaceSummary& summary, float top) {
+    const float side = ImGui::GetFrameHeight() + 4.0f * ui::scale();
+    const float width = 3.0f * side + 2.0f * ImGui::GetStyle().ItemInnerSpacing.x;
+    const float left = ImGui::GetCursorPosX();
+    ImGui::SetCursorPos({left + std::max(0.0f, ImGui::GetContentRegionAvail().x - width), top});
+    if (ui::icon_button(icons::brush, "Paint", "Give these faces the brush's surface type", false))
+        run_command(editor, "edit.fill_selection");
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    if (ui::icon_button(icons::eraser, "Unset", "Take the painted types off these faces", false,
+                        summary.painted > 0))
+        run_command(editor, "edit.unset_selection");
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    if (ui::icon_button(icons::frame, "Frame", "Move the camera to see these faces", false))
+        run_command(editor, "view.frame_selected");
 }
 
 }  // namespace
@@ -98,18 +118,14 @@ void inspector_panel(Editor& editor) {
         return;
     }
     const FaceSummary& summary = selection_summary(document);
+    const float top = ImGui::GetCursorPosY();
     ui::heading((selected == 1 ? "Face " + std::to_string(document.selection()[0]) + ", selected"
                                : std::to_string(selected) + " faces selected")
                     .c_str());
+    const float below = ImGui::GetCursorPosY();
+    selection_buttons(editor, summary, top);
+    ImGui::SetCursorPosY(std::max(below, ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y));
     facts(document, summary);
-    ImGui::Spacing();
-    if (ui::button("Paint", "Give these faces the brush's surface type"))
-        run_command(editor, "edit.fill_selection");
-    ImGui::SameLine();
-    if (ui::button("Unset", "Take the painted types off these faces", summary.painted > 0))
-        run_command(editor, "edit.unset_selection");
-    ImGui::SameLine();
-    if (ui::button("Frame", "Move the camera to see these faces")) run_command(editor, "view.frame_selected");
 }
 
 }  // namespace slipface

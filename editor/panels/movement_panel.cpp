@@ -30,8 +30,8 @@ std::string setting_tooltip(const SettingInfo& info) {
     if (is_switch(info) || is_choice(info))
         text += "Default: " + setting_text(defaults, info);
     else
-        text += number_text(info.minimum, info.unit) + " to " + number_text(info.maximum, info.unit) +
-                ", default " + number_text(get_setting(defaults, info), info.unit);
+        text += range_text(info.minimum, info.maximum, info.unit) + ", default " +
+                number_text(get_setting(defaults, info), info.unit);
     if (*info.too_small) text += std::string("\nToo small: ") + info.too_small;
     if (*info.too_large) text += std::string("\nToo large: ") + info.too_large;
     return text;

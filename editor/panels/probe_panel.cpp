@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "panels/panels.h"
@@ -91,11 +92,16 @@ void sweep_table(const Document& document, const std::vector<ProbeRow>& rows) {
 }
 
 void vector_edit(const char* label, Vec3& vector, const char* tooltip) {
+    constexpr double unseen = 0.0005;  // rounds to 0 with the three digits shown, and would read "-0.000"
     ImGui::TextUnformatted(label);
-    Vec3 changed = vector;
+    Vec3 shown = vector;
+    for (double& number : shown)
+        if (std::abs(number) < unseen) number = 0.0;
+    Vec3 changed = shown;
     const std::string id = std::string("##") + label;
-    if (ui::drag_vec3(id.c_str(), changed.data(), 0.02f, "%.3f", tooltip) && changed.allFinite())
-        vector = changed;
+    if (!ui::drag_vec3(id.c_str(), changed.data(), 0.02f, "%.3f", tooltip) || !changed.allFinite()) return;
+    for (int axis = 0; axis < 3; ++axis)
+        if (changed[axis] != shown[axis]) vector[axis] = changed[axis];
 }
 
 void outcome(const Probe& probe, const ProbeResult& result) {
@@ -165,13 +171,20 @@ void probe_panel(Editor& editor) {
     ImGui::SameLine();
     const bool cleared = ui::button("Clear", "Take the probe out of the level");
 
+    if (cleared) {
+        run_command(editor, "tools.clear_probe");
+        return;
+    }
+    if (editor.probe.move.isZero(0.0)) {
+        ui::muted_text("Pull the displacement out of the ellipsoid with the mouse, or type it above");
+        return;
+    }
     const ProbeResult result = run_probe(editor.probe, document.scene(), document.level().movement);
     ui::heading("Result");
     outcome(editor.probe, result);
     ui::heading("Sweeps");
     sweep_table(document, probe_rows(result.records));
     decisions(result);
-    if (cleared) run_command(editor, "tools.clear_probe");
 }
 
 }  // namespace slipface

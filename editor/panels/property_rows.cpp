@@ -110,9 +110,10 @@ bool number_slider(const char* label, double* value, double minimum, double maxi
     double shown = *value * factor;
     const double low = minimum * factor, high = maximum * factor;
     // Most values of a range such as 0 to 1000 lie near its lower end.
-    const bool logarithmic =
-        !whole && !is_angle(unit) && minimum >= 0.0 && (maximum >= 10.0 || maximum <= 0.1);
-    const std::string format = (whole ? "%.0f" : "%.4g") + suffix(unit);
+    const bool from_zero = minimum == 0.0 && maximum >= 500.0;
+    const bool decades = minimum > 0.0 && maximum >= 100.0 * minimum;
+    const bool logarithmic = !whole && !is_angle(unit) && (from_zero || decades);
+    const std::string format = (whole ? "%.0f" : from_zero ? "%.1f" : "%.4g") + suffix(unit);
     ImGui::SetNextItemWidth(-1.0f);
     const bool changed = ImGui::SliderScalar(
         (std::string("##") + label).c_str(), ImGuiDataType_Double, &shown, &low, &high, format.c_str(),
@@ -126,6 +127,10 @@ bool number_slider(const char* label, double* value, double minimum, double maxi
 
 std::string number_text(double value, const char* unit) {
     return fmt::format("{:.4g}{}", value * (is_angle(unit) ? degrees_per_radian : 1.0), suffix(unit));
+}
+
+std::string range_text(double minimum, double maximum, const char* unit) {
+    return number_text(minimum, is_angle(unit) ? unit : "") + " to " + number_text(maximum, unit);
 }
 
 std::string sentence_case(std::string text) {

@@ -31,6 +31,8 @@ bool number_slider(const char* label, double* value, double minimum, double maxi
 
 // "12.5 m/s", "50°": a stored number as people read it.
 std::string number_text(double value, const char* unit);
+// "0 to 100 m/s²", "0° to 89°".
+std::string range_text(double minimum, double maximum, const char* unit);
 // Upper case for a row's label: "iterative" becomes "Iterative".
 std::string sentence_case(std::string text);
 

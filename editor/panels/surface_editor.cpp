@@ -29,8 +29,7 @@ struct Target {
 std::string field_tooltip(const SurfaceField& field) {
     std::string text = field.meaning;
     if (!std::holds_alternative<bool SurfaceType::*>(field.member))
-        text +=
-            "\n\n" + number_text(field.minimum, field.unit) + " to " + number_text(field.maximum, field.unit);
+        text += "\n\n" + range_text(field.minimum, field.maximum, field.unit);
     return text;
 }
 
@@ -146,9 +145,12 @@ void fields(const Target& target) {
     float label_width = 0.0f;
     for (const SurfaceField& field : surface_fields())
         label_width = std::max(label_width, label_width_of(field.label));
-    if (begin_property_rows("type", label_width)) {
+    if (begin_property_rows("look", label_width_of("Colour"))) {
         name_row(target);
         look_rows(target);
+        end_property_rows();
+    }
+    if (begin_property_rows("type", label_width)) {
         for (const SurfaceField& field : surface_fields()) {
             ImGui::PushID(field.name);
             if (const auto* number = std::get_if<double SurfaceType::*>(&field.member))

@@ -283,6 +283,7 @@ bool run_command(Editor& editor, std::string_view id) {
     const Command* command = find_command(id);
     if (!command || !command->enabled(editor)) return false;
     command->run(editor);
+    keep_brush_valid(editor);
     return true;
 }
 

@@ -58,7 +58,7 @@ void open_level(Editor& editor, const std::filesystem::path& path) {
     editor.tool_faces = {};
     editor.probe = {};
     const Document& document = *editor.document;
-    if (editor.brush && *editor.brush >= document.level().surfaces.size()) editor.brush = default_surface;
+    keep_brush_valid(editor);
     if (const std::vector<CameraBookmark>& cameras = document.level().cameras; !cameras.empty())
         editor.view.look_at(cameras.front().eye, cameras.front().target);
     else
@@ -209,6 +209,11 @@ void choose_brush(Editor& editor, std::optional<SurfaceId> surface) {
     editor.brush = surface;
     if (editor.tool != Tool::paint && editor.tool != Tool::fill) editor.tool = Tool::paint;
     editor.status = "Brush: " + brush_name(editor);
+}
+
+void keep_brush_valid(Editor& editor) {
+    if (editor.document && editor.brush && *editor.brush >= editor.document->level().surfaces.size())
+        editor.brush = default_surface;
 }
 
 void set_spawn_hovered(Editor& editor) {

@@ -98,6 +98,7 @@ void click_select(Editor& editor, bool add);         // toggles when adding; emp
 void pick_surface(Editor& editor);                   // eyedropper: the hovered face's type becomes the brush
 void frame_selected(Editor& editor, double aspect);  // or everything when nothing is selected
 void choose_brush(Editor& editor, std::optional<SurfaceId> surface);
+void keep_brush_valid(Editor& editor);  // undo may take the brush's type away; then it is `default`
 void set_spawn_hovered(
     Editor& editor);  // a player standing at the hovered point, looking where the camera looks
 void start_playtest(Editor& editor);  // again from the spawn if it is running

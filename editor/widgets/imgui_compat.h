@@ -136,4 +136,12 @@ inline ImTextureID texture_id(unsigned texture) {
 #endif
 }
 
+inline unsigned texture_name(ImTextureID id) {
+#if IMGUI_VERSION_NUM >= 19140
+    return static_cast<unsigned>(id);
+#else
+    return static_cast<unsigned>(reinterpret_cast<std::uintptr_t>(id));
+#endif
+}
+
 }  // namespace slipface::ui

@@ -20,13 +20,12 @@ Registry& registry() {
     return instance;
 }
 
-// What a label shows; the part after "##" when it shows nothing.
+// What a label shows. The part after "###" stands for the whole where there is one, the part after "##" where
+// nothing is shown.
 std::string_view visible_name(std::string_view label) {
+    if (const std::size_t id = label.find("###"); id != std::string_view::npos) return label.substr(id + 3);
     const std::size_t hash = label.find("##");
-    if (hash == std::string_view::npos) return label;
-    if (hash > 0) return label.substr(0, hash);
-    label.remove_prefix(label.starts_with("###") ? 3 : 2);
-    return label;
+    return hash == 0 ? label.substr(2) : label.substr(0, hash);
 }
 
 }  // namespace
@@ -37,9 +36,13 @@ const std::map<std::string, WidgetRect, std::less<>>& widgets() {
 
 void begin_widget_frame() {
     Registry& r = registry();
-    r.complete.swap(r.current);
     r.current.clear();
     r.prefix.clear();
+}
+
+void end_widget_frame() {
+    Registry& r = registry();
+    r.complete.swap(r.current);
 }
 
 void bring_into_view(std::string_view path) {

@@ -63,8 +63,8 @@ void apply_theme(float scale) {
     color[ImGuiCol_ScrollbarGrabHovered] = p.pressed;
     color[ImGuiCol_ScrollbarGrabActive] = p.muted;
     color[ImGuiCol_CheckMark] = p.accent;
-    color[ImGuiCol_SliderGrab] = with_alpha(p.accent, 0.85f);
-    color[ImGuiCol_SliderGrabActive] = p.accent;
+    color[ImGuiCol_SliderGrab] = with_alpha(p.accent, 0.42f);  // the value is read through it
+    color[ImGuiCol_SliderGrabActive] = with_alpha(p.accent, 0.7f);
     color[ImGuiCol_Button] = p.raised;
     color[ImGuiCol_ButtonHovered] = p.hovered;
     color[ImGuiCol_ButtonActive] = p.pressed;

@@ -23,6 +23,7 @@ struct WidgetRect {
 // All widgets of the last complete frame by path: "Movement/Keep energy", "Toolbar/Paint", "Menu/File/Save".
 const std::map<std::string, WidgetRect, std::less<>>& widgets();
 void begin_widget_frame();
+void end_widget_frame();
 // Scrolls the widget into view when it is drawn next. For scripts: a person would turn the wheel.
 void bring_into_view(std::string_view path);
 // The path that `name` has inside the current scopes.

@@ -105,26 +105,21 @@ class Builder {
     const std::vector<BinaryNode>& nodes() const { return nodes_; }
 
   private:
-    // Orders the items of `node` and returns how many go left; 0 makes it a leaf.
+    // Orders the items of `node` and returns how many go left; 0 makes it a leaf. A leaf is
+    // tested eight at a time, so one that is not full saves nothing.
     std::uint32_t split(const BinaryNode& node, const Box& centres, int depth) {
-        if (node.count <= 2) return 0;
-        const auto begin = items_.begin() + node.first;
-        const auto end = begin + node.count;
+        if (node.count <= leaf_capacity) return 0;
         if (depth < cost_split_depth) {
             const Split best = best_split(node, centres);
-            // A leaf costs one test a triangle, a split about one triangle more.
-            const double leaf_cost = node.box.area() * node.count;
-            const double split_cost = best.cost + node.box.area() * split_price;
-            if (node.count <= leaf_capacity && !(split_cost < leaf_cost)) return 0;
             if (std::isfinite(best.cost)) {
+                const auto begin = items_.begin() + node.first;
                 const Binning bins(centres.min[best.axis], centres.max[best.axis]);
-                const auto middle = std::partition(begin, end, [&](const Item& item) {
+                const auto middle = std::partition(begin, begin + node.count, [&](const Item& item) {
                     return bins.bin(item.centre(best.axis)) < best.bin;
                 });
                 return static_cast<std::uint32_t>(middle - begin);
             }
         }
-        if (node.count <= leaf_capacity) return 0;
         return halve(node, centres);
     }
 
@@ -179,8 +174,6 @@ class Builder {
         });
         return half;
     }
-
-    static constexpr double split_price = 1.0;
 
     std::vector<Item>& items_;
     std::vector<BinaryNode> nodes_;

@@ -22,19 +22,26 @@ struct PointBoxes {
         }
     }
 
-    std::uint32_t within(const BvhNode& node, float limit, float* keys) const {
-        Lanes sum = Lanes::all(0.0F);
+    // Which of eight boxes (rows as BvhNode::bound orders them) are within `limit`, a squared distance.
+    template <class Row>
+    std::uint32_t within(Row&& row, float limit, Lanes& sum) const {
+        sum = Lanes::all(0.0F);
         for (int axis = 0; axis < 3; ++axis) {
             const Lanes origin = Lanes::all(centre[axis]);
-            const Lanes below = Lanes::load(node.bound[axis]) - origin - Lanes::all(up[axis]);
-            const Lanes above = Lanes::all(down[axis]) - (Lanes::load(node.bound[axis + 3]) - origin);
+            const Lanes below = row(axis) - origin - Lanes::all(up[axis]);
+            const Lanes above = Lanes::all(down[axis]) - (row(axis + 3) - origin);
             const Lanes distance = lanes_max(lanes_max(below, above), Lanes::all(0.0F));
             sum = sum + distance * distance;
         }
         // Four roundings on the way; the slack is larger than their sum.
         sum = sum * Lanes::all(1.0F - 2.0F * time_slack);
-        sum.store(keys);
         return lanes_not_above(sum, Lanes::all(limit));
+    }
+    std::uint32_t within(const BvhNode& node, float limit, float* keys) const {
+        Lanes sum;
+        const std::uint32_t mask = within([&](int k) { return Lanes::load(node.bound[k]); }, limit, sum);
+        sum.store(keys);
+        return mask;
     }
 };
 
@@ -54,28 +61,35 @@ std::optional<ClosestPoint> closest_point(const CollisionWorld& world, const Vec
     Nearest best{};
     std::uint32_t best_slot = no_id;
     TriangleId best_triangle = no_id;
-    const auto consider = [&](std::uint32_t first, std::uint32_t count) {
-        for (std::uint32_t slot = first; slot < first + count; ++slot) {
-            const LeafTriangle& leaf = impl.bvh.triangles[slot];
-            const Nearest nearest = nearest_part(SphereTriangle(leaf, query));
-            const bool nearer =
-                nearest.distance2 < best2 || (nearest.distance2 == best2 && leaf.id < best_triangle);
-            if (!nearer || !impl.rule_of(leaf.id).solid) continue;
-            best = nearest;
-            best2 = nearest.distance2;
-            best_slot = slot;
-            best_triangle = leaf.id;
-        }
-        return true;
+    const auto consider = [&](std::uint32_t slot) {
+        const LeafTriangle& leaf = impl.bvh.triangles[slot];
+        const Nearest nearest = nearest_part(SphereTriangle(leaf, query));
+        const bool nearer =
+            nearest.distance2 < best2 || (nearest.distance2 == best2 && leaf.id < best_triangle);
+        if (!nearer || !impl.rule_of(leaf.id).solid) return;
+        best = nearest;
+        best2 = nearest.distance2;
+        best_slot = slot;
+        best_triangle = leaf.id;
     };
     if (std::fmax(largest(query.centre), impl.reach) <= float_range) {
         const PointBoxes boxes(query.centre);
+        float limit = distance_limit(best2);
         walk_ordered(
-            impl.bvh,
-            [&](const BvhNode& node, float* keys) { return boxes.within(node, distance_limit(best2), keys); },
-            [&] { return distance_limit(best2); }, consider);
+            impl.bvh, [&](const BvhNode& node, float* keys) { return boxes.within(node, limit, keys); },
+            [&] { return limit; },
+            [&](std::uint32_t first, std::uint32_t count) {
+                const LeafLanes leaf(&impl.bvh.triangles[first], count);
+                Lanes distance;
+                std::uint32_t mask = boxes.within(leaf, limit, distance) & leaf.present;
+                for (; mask != 0; mask &= mask - 1)
+                    consider(first + static_cast<std::uint32_t>(std::countr_zero(mask)));
+                limit = distance_limit(best2);
+                return true;
+            });
     } else {
-        consider(0, static_cast<std::uint32_t>(impl.bvh.triangles.size()));
+        for (std::uint32_t slot = 0; slot < impl.bvh.triangles.size(); ++slot)
+            consider(slot);
     }
     if (best_triangle == no_id) return std::nullopt;
     const LeafTriangle& leaf = impl.bvh.triangles[best_slot];

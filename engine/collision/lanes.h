@@ -8,6 +8,7 @@
 #include <emmintrin.h>
 #else
 #include <algorithm>
+#include <cmath>
 #endif
 
 namespace slipface::detail {
@@ -33,6 +34,29 @@ inline Lanes operator-(Lanes a, Lanes b) {
 inline Lanes operator*(Lanes a, Lanes b) {
     return {_mm_mul_ps(a.low, b.low), _mm_mul_ps(a.high, b.high)};
 }
+// Nine floats from each of eight places, turned into nine times eight.
+inline void lanes_gather9(const float* const (&from)[8], Lanes (&to)[9]) {
+    const auto four = [&from](int k, __m128(&out)[9]) {
+        for (int part = 0; part < 2; ++part) {
+            __m128 a = _mm_loadu_ps(from[k] + 4 * part);
+            __m128 b = _mm_loadu_ps(from[k + 1] + 4 * part);
+            __m128 c = _mm_loadu_ps(from[k + 2] + 4 * part);
+            __m128 d = _mm_loadu_ps(from[k + 3] + 4 * part);
+            _MM_TRANSPOSE4_PS(a, b, c, d);
+            out[4 * part] = a;
+            out[4 * part + 1] = b;
+            out[4 * part + 2] = c;
+            out[4 * part + 3] = d;
+        }
+        out[8] = _mm_setr_ps(from[k][8], from[k + 1][8], from[k + 2][8], from[k + 3][8]);
+    };
+    __m128 low[9];
+    __m128 high[9];
+    four(0, low);
+    four(4, high);
+    for (int i = 0; i < 9; ++i)
+        to[i] = {low[i], high[i]};
+}
 // Where one of the two is not a number: the second.
 inline Lanes lanes_min(Lanes a, Lanes b) {
     return {_mm_min_ps(a.low, b.low), _mm_min_ps(a.high, b.high)};
@@ -40,10 +64,23 @@ inline Lanes lanes_min(Lanes a, Lanes b) {
 inline Lanes lanes_max(Lanes a, Lanes b) {
     return {_mm_max_ps(a.low, b.low), _mm_max_ps(a.high, b.high)};
 }
+inline Lanes lanes_abs(Lanes a) {
+    const __m128 sign = _mm_set1_ps(-0.0F);
+    return {_mm_andnot_ps(sign, a.low), _mm_andnot_ps(sign, a.high)};
+}
+inline Lanes lanes_sqrt(Lanes a) {
+    return {_mm_sqrt_ps(a.low), _mm_sqrt_ps(a.high)};
+}
 // Bit k is set where a[k] <= b[k].
 inline std::uint32_t lanes_not_above(Lanes a, Lanes b) {
     return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a.low, b.low)) |
                                       (_mm_movemask_ps(_mm_cmple_ps(a.high, b.high)) << 4));
+}
+
+// Bit k is set where a[k] > b[k]; not where one of them is no number.
+inline std::uint32_t lanes_above(Lanes a, Lanes b) {
+    return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmpgt_ps(a.low, b.low)) |
+                                      (_mm_movemask_ps(_mm_cmpgt_ps(a.high, b.high)) << 4));
 }
 
 #else
@@ -80,6 +117,16 @@ inline Lanes lanes_min(Lanes a, Lanes b) {
 }
 inline Lanes lanes_max(Lanes a, Lanes b) {
     return Lanes::each([&](int k) { return a.value[k] > b.value[k] ? a.value[k] : b.value[k]; });
+}
+inline Lanes lanes_abs(Lanes a) {
+    return Lanes::each([&](int k) { return std::fabs(a.value[k]); });
+}
+inline Lanes lanes_sqrt(Lanes a) {
+    return Lanes::each([&](int k) { return std::sqrt(a.value[k]); });
+}
+inline void lanes_gather9(const float* const (&from)[8], Lanes (&to)[9]) {
+    for (int i = 0; i < 9; ++i)
+        to[i] = Lanes::each([&](int k) { return from[k][i]; });
 }
 inline std::uint32_t lanes_not_above(Lanes a, Lanes b) {
     std::uint32_t mask = 0;

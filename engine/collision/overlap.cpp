@@ -1,4 +1,5 @@
 #include "impl.h"
+#include "leaf_filter.h"
 #include "sphere_triangle.h"
 #include "traverse.h"
 
@@ -12,20 +13,24 @@ template <class Visit>
 void visit_near(const CollisionWorld::Impl& world, const EllipsoidQuery& query, Visit&& visit) {
     const double reach = std::fmax(largest(query.centre), world.reach);
     const double least = std::fmin(std::fmin(query.radii.x, query.radii.y), query.radii.z);
-    const auto visit_leaf = [&](std::uint32_t first, std::uint32_t count) {
-        for (std::uint32_t slot = first; slot < first + count; ++slot) {
-            if (!visit(slot)) return false;
-        }
-        return true;
-    };
     if (!in_float_range(least) || !in_float_range(largest(query.radii)) || reach > float_range) {
-        visit_leaf(0, static_cast<std::uint32_t>(world.bvh.triangles.size()));
+        for (std::uint32_t slot = 0; slot < world.bvh.triangles.size(); ++slot) {
+            if (!visit(slot)) return;
+        }
         return;
     }
     const BoxPath path(query.centre, query.move, box_half_extents(query.radii, query.move, reach));
+    const LeafFilter filter(query, path, reach);
     walk_ordered(
         world.bvh, [&](const BvhNode& node, float* keys) { return path.meet(node, 1.0F, keys); },
-        [] { return 1.0F; }, visit_leaf);
+        [] { return 1.0F; },
+        [&](std::uint32_t first, std::uint32_t count) {
+            std::uint32_t mask = filter.candidates(&world.bvh.triangles[first], count, 1.0F);
+            for (; mask != 0; mask &= mask - 1) {
+                if (!visit(first + static_cast<std::uint32_t>(std::countr_zero(mask)))) return false;
+            }
+            return true;
+        });
 }
 
 bool refused(const CollisionWorld::Impl& world, const Vec3& radii, const Vec3& centre) {

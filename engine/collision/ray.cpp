@@ -77,29 +77,36 @@ std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, 
     RayTouch best{std::ldexp(max_t, exponent), {0.0, 0.0, 0.0}};
     std::uint32_t best_slot = no_id;
     TriangleId best_triangle = no_id;
-    const auto consider = [&](std::uint32_t first, std::uint32_t count) {
-        for (std::uint32_t slot = first; slot < first + count; ++slot) {
-            const LeafTriangle& leaf = impl.bvh.triangles[slot];
-            RayTouch touch{};
-            if (!meet(ray, leaf, touch)) continue;
-            if (!(touch.t < best.t || (touch.t == best.t && leaf.id < best_triangle))) continue;
-            if (!impl.rule_of(leaf.id).solid) continue;
-            best = touch;
-            best_slot = slot;
-            best_triangle = leaf.id;
-        }
-        return true;
+    const auto consider = [&](std::uint32_t slot) {
+        const LeafTriangle& leaf = impl.bvh.triangles[slot];
+        RayTouch touch{};
+        if (!meet(ray, leaf, touch)) return;
+        if (!(touch.t < best.t || (touch.t == best.t && leaf.id < best_triangle))) return;
+        if (!impl.rule_of(leaf.id).solid) return;
+        best = touch;
+        best_slot = slot;
+        best_triangle = leaf.id;
     };
     const double reach = std::fmax(largest(start), impl.reach);
     if (reach <= float_range) {
         const double half = 1e-14 * reach;
         const BoxPath path(start, d, {half, half, half});
+        float limit = time_limit(best.t);
         walk_ordered(
-            impl.bvh,
-            [&](const BvhNode& node, float* keys) { return path.meet(node, time_limit(best.t), keys); },
-            [&] { return time_limit(best.t); }, consider);
+            impl.bvh, [&](const BvhNode& node, float* keys) { return path.meet(node, limit, keys); },
+            [&] { return limit; },
+            [&](std::uint32_t first, std::uint32_t count) {
+                const LeafLanes leaf(&impl.bvh.triangles[first], count);
+                Lanes enter;
+                std::uint32_t mask = path.meet(leaf, limit, enter) & leaf.present;
+                for (; mask != 0; mask &= mask - 1)
+                    consider(first + static_cast<std::uint32_t>(std::countr_zero(mask)));
+                limit = time_limit(best.t);
+                return true;
+            });
     } else {
-        consider(0, static_cast<std::uint32_t>(impl.bvh.triangles.size()));
+        for (std::uint32_t slot = 0; slot < impl.bvh.triangles.size(); ++slot)
+            consider(slot);
     }
     const double t = std::ldexp(best.t, -exponent);
     if (best_triangle == no_id || !std::isfinite(t)) return std::nullopt;

@@ -1,4 +1,5 @@
 #include "impl.h"
+#include "leaf_filter.h"
 #include "sphere_triangle.h"
 #include "traverse.h"
 
@@ -44,13 +45,17 @@ std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& 
     const double reach = std::fmax(std::fmax(largest(query.centre), largest(query.move)), impl.reach);
     if (in_float_range(radii.minCoeff()) && in_float_range(radii.maxCoeff()) && reach <= float_range) {
         const BoxPath path(query.centre, query.move, box_half_extents(query.radii, query.move, reach));
+        const LeafFilter filter(query, path, reach);
+        float limit = time_limit(best.hit.t);
         walk_ordered(
-            impl.bvh,
-            [&](const BvhNode& node, float* keys) { return path.meet(node, time_limit(best.hit.t), keys); },
-            [&] { return time_limit(best.hit.t); },
+            impl.bvh, [&](const BvhNode& node, float* keys) { return path.meet(node, limit, keys); },
+            [&] { return limit; },
             [&](std::uint32_t first, std::uint32_t count) {
-                for (std::uint32_t slot = first; slot < first + count; ++slot)
-                    consider(impl, query, slot, best);
+                std::uint32_t mask = filter.candidates(&impl.bvh.triangles[first], count, limit);
+                for (; mask != 0; mask &= mask - 1) {
+                    consider(impl, query, first + static_cast<std::uint32_t>(std::countr_zero(mask)), best);
+                }
+                limit = time_limit(best.hit.t);
                 return true;
             });
     } else {

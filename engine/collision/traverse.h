@@ -24,19 +24,41 @@ inline bool in_float_range(double radius) {
 inline constexpr float time_slack = 1e-6F;
 inline constexpr float least_time = 1e-37F;
 
-// Directed conversions; infinite beyond float's range on the outer side.
+// A float above (below) any that rounds to `value`: a step of one unit in the last place or two, without
+// asking which way the conversion went.
 inline float round_up(double value) {
-    constexpr float inf = std::numeric_limits<float>::infinity();
-    constexpr float largest_float = std::numeric_limits<float>::max();
-    if (value > double{largest_float}) return inf;
-    if (value < -double{largest_float}) return -largest_float;
+    if (value > double{std::numeric_limits<float>::max()}) return std::numeric_limits<float>::infinity();
+    if (value < -double{std::numeric_limits<float>::max()}) return -std::numeric_limits<float>::max();
     const auto nearest = static_cast<float>(value);
-    return double{nearest} < value ? std::nextafter(nearest, inf) : nearest;
+    return nearest + std::fabs(nearest) * 0x1.8p-23F + std::numeric_limits<float>::min();
 }
-inline float round_down(double value) { return -round_up(-value); }
+inline float round_down(double value) {
+    return -round_up(-value);
+}
 
 // The latest float time at which something may still improve on `best`.
-inline float time_limit(double best) { return round_up(best) * (1.0F + 2.0F * time_slack) + least_time; }
+inline float time_limit(double best) {
+    return round_up(best) * (1.0F + 2.0F * time_slack) + least_time;
+}
+
+// Up to eight triangles of a leaf side by side.
+struct LeafLanes {
+    Lanes v[9];             // x, y, z of the three corners
+    std::uint32_t present;  // mask of lanes in use
+
+    LeafLanes(const LeafTriangle* first, std::uint32_t count) : present((1U << count) - 1) {
+        const float* from[8];
+        // Lanes beyond the leaf repeat its last triangle: nothing behind the array is read.
+        for (std::uint32_t k = 0; k < 8; ++k)
+            from[k] = first[std::min(k, count - 1)].v.data();
+        lanes_gather9(from, v);
+    }
+    // The triangles' own boxes, in the order of BvhNode::bound.
+    Lanes operator()(int row) const {
+        return row < 3 ? lanes_min(lanes_min(v[row], v[row + 3]), v[row + 6])
+                       : lanes_max(lanes_max(v[row - 3], v[row]), v[row + 3]);
+    }
+};
 
 // The path of an axis-aligned box (or a point) against the tree's boxes: near and far plane of each axis are
 // widened by the path's own half extents, then tested as slabs.
@@ -65,20 +87,27 @@ struct BoxPath {
         }
     }
 
-    // Which children are met no later than `limit`, and when they are entered.
-    std::uint32_t meet(const BvhNode& node, float limit, float* entry) const {
-        Lanes enter = Lanes::all(0.0F);
+    // Which of eight boxes are met no later than `limit`, and when they are entered. `row(k)` gives the
+    // boxes' bounds as BvhNode::bound orders them.
+    template <class Row>
+    std::uint32_t meet(Row&& row, float limit, Lanes& enter) const {
+        enter = Lanes::all(0.0F);
         Lanes leave = Lanes::all(limit);
         for (int axis = 0; axis < 3; ++axis) {
             const Lanes origin = Lanes::all(centre[axis]);
             const Lanes scale = Lanes::all(inverse[axis]);
-            const Lanes near = Lanes::load(node.bound[near_row[axis]]) - origin;
-            const Lanes far = Lanes::load(node.bound[far_row[axis]]) - origin;
+            const Lanes near = row(near_row[axis]) - origin;
+            const Lanes far = row(far_row[axis]) - origin;
             enter = lanes_max((near - Lanes::all(near_offset[axis])) * scale, enter);
             leave = lanes_min((far - Lanes::all(far_offset[axis])) * scale, leave);
         }
-        enter.store(entry);
         return lanes_not_above(enter, leave * Lanes::all(1.0F + 4.0F * time_slack) + Lanes::all(least_time));
+    }
+    std::uint32_t meet(const BvhNode& node, float limit, float* entry) const {
+        Lanes enter;
+        const std::uint32_t mask = meet([&](int k) { return Lanes::load(node.bound[k]); }, limit, enter);
+        enter.store(entry);
+        return mask;
     }
 };
 

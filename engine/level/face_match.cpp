@@ -17,7 +17,7 @@ enum class Stage : std::uint8_t { none, exact, plane, nearest };
 
 // Faces looked at in all, so that a file of a hundred thousand huge faces that are not there cannot hang the
 // editor.
-constexpr std::size_t max_visits = 50'000'000;
+constexpr std::size_t max_visits = 30'000'000;
 constexpr std::size_t max_listed_orphans = 100;
 
 // How much smaller than the old face a part of it is, and how much larger its parts may be together.
@@ -189,6 +189,7 @@ class Matcher {
             const bool shared = claims_[face] == Stage::plane && result_.overrides[face] == types_[i];
             if (!is_free(face) && !shared) continue;
             const FaceKey& candidate = index_.key(face);
+            if (candidate.normal.dot(normal) < 0.99) continue;
             const Vec3 candidate_normal = face_normal(mesh_, face);
             if (!(candidate_normal.dot(normal) > 0.999)) continue;
             const Vec3 offset = candidate.centroid - key.centroid;
@@ -223,7 +224,7 @@ class Matcher {
             const FaceKey& candidate = index_.key(face);
             const double distance = (candidate.centroid - key.centroid).norm();
             const bool similar = candidate.area > 0.25 * key.area && candidate.area < 4.0 * key.area &&
-                                 face_normal(mesh_, face).dot(normal) > 0.9 && distance <= size;
+                                 candidate.normal.dot(normal) > 0.9 && distance <= size;
             if (!is_free(face) || !similar || (best != no_id && distance >= best_distance)) continue;
             if (distance > 0.25 * size && !index_.covers(face, key.centroid, normal)) continue;
             best = face;

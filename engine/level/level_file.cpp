@@ -40,7 +40,7 @@ Result<fs::path> mesh_of_level_file(const fs::path& file_path, std::string_view 
                      fmt::format("found {}, expected a path inside the level's folder or an absolute one",
                                  json_quoted(mesh->text))};
     }
-    return file_path.parent_path() / name;
+    return file_path.parent_path() / normal;
 }
 
 Result<LoadedLevel> load_mesh(const fs::path& mesh_path) {

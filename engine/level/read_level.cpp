@@ -204,11 +204,11 @@ class LevelReader {
     void read_faces(const Json& json, const std::string& path) {
         if (!reader_.array(json, path, max_json_values)) return;
         for (std::size_t i = 0; i < json.items.size() && reader_.ok(); ++i) {
-            read_face_group(json.items[i], fmt::format("{}/{}", path, i), path.substr(1));
+            read_face_group(json.items[i], fmt::format("{}/{}", path, i));
         }
     }
 
-    void read_face_group(const Json& json, const std::string& path, std::string_view kind) {
+    void read_face_group(const Json& json, const std::string& path) {
         StoredOverride stored;
         if (!reader_.object(json, path)) return;
         const Json* type = reader_.member(json, path, "type");
@@ -231,7 +231,7 @@ class LevelReader {
             stored.place = reader_.place(here);
             stored_.push_back(stored);
         }
-        keep_unknown(json, path, unknown_.place(kind, stored.type + "/" + stored.key.material),
+        keep_unknown(json, path, unknown_.place("faces", stored.type + "/" + stored.key.material),
                      {"type", "material", "faces"});
     }
 

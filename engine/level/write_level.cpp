@@ -65,7 +65,7 @@ struct PaintedFace {
 
 // One object for each type and material; its faces sorted by what they are and not by where the mesh holds
 // them, so that a mesh whose faces were reordered gives the same text.
-Json groups_json(std::vector<PaintedFace> faces, std::string_view kind, UnknownMembers& unknown) {
+Json groups_json(std::vector<PaintedFace> faces, UnknownMembers& unknown) {
     std::sort(faces.begin(), faces.end(), [](const PaintedFace& a, const PaintedFace& b) {
         if (a.type_rank != b.type_rank) return a.type_rank < b.type_rank;
         if (const int order = a.type.compare(b.type); order != 0) return order < 0;
@@ -85,7 +85,7 @@ Json groups_json(std::vector<PaintedFace> faces, std::string_view kind, UnknownM
             rows.items.push_back(json_string(face_row_text(faces[i].key)));
         }
         json_add(group, "faces", std::move(rows));
-        unknown.append_to(group, unknown.place(kind, first.type + "/" + first.key.material));
+        unknown.append_to(group, unknown.place("faces", first.type + "/" + first.key.material));
         groups.items.push_back(std::move(group));
     }
     return groups;
@@ -164,8 +164,8 @@ std::string level_text(const Level& level, const std::filesystem::path& file_pat
         rules.items.push_back(std::move(json));
     }
     json_add(root, "rules", std::move(rules));
-    json_add(root, "overrides", groups_json(painted_faces(level), "overrides", unknown));
-    json_add(root, "orphans", groups_json(orphaned_faces(level), "orphans", unknown));
+    json_add(root, "overrides", groups_json(painted_faces(level), unknown));
+    json_add(root, "orphans", groups_json(orphaned_faces(level), unknown));
 
     Json cameras = json_array();
     for (const CameraBookmark& camera : level.cameras) {

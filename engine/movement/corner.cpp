@@ -37,7 +37,7 @@ Vec3 freed(const Corner& corner, const Vec3& v, const Vec3& turned, const Vec3& 
         const Vec3 crease = plane.cross(earlier);
         const double square = crease.squaredNorm();
         if (square < parallel) continue;
-        const Vec3 along = crease * (crease.dot(v) / square);
+        Vec3 along = crease * (crease.dot(v) / square);
         if (!leads_into(corner, along, counts)) return along;
     }
     rule = Rule::stop;

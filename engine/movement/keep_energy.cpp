@@ -43,18 +43,20 @@ std::optional<Turn> keep_energy(Mover& mover, const Hit& hit) {
                 .plane = normal};
 }
 
-// The hack keeps the length of a velocity to which this step's gravity was already added, and part of that
-// gravity only pressed the player onto the surface: kept, it would speed up a player gliding over flat ice.
-// So the speed is held to what the height gained or lost in this step allows.
+// The hack keeps the length of a velocity to which this step's gravity was already added, though the contact
+// may have come before gravity did that work, and a push that restores the skin lifts the player a little.
+// Kept, both would be energy from nothing, so the speed is held to what the height gained or lost in this
+// step allows.
 void cap_energy(Mover& mover, const Vec3& from, const Vec3& driven_velocity) {
-    if (!mover.kept_energy) return;
     const double climbed = mover.position.y() - from.y();
     const double allowed =
         std::sqrt(std::max(0.0, driven_velocity.squaredNorm() - 2.0 * mover.settings.gravity * climbed));
     const double speed = mover.velocity.norm();
     const bool capped = speed > allowed;
-    decide(mover, "keep_energy", capped, "|V|, m/s", speed, allowed,
-           capped ? "speed held to gravity's work" : "speed within gravity's work", mover.support_face);
+    if (mover.kept_energy) {
+        decide(mover, "keep_energy", capped, "|V|, m/s", speed, allowed,
+               capped ? "speed held to gravity's work" : "speed within gravity's work", mover.support_face);
+    }
     if (capped) mover.velocity *= allowed / speed;
 }
 

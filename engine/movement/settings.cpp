@@ -18,6 +18,8 @@ template <class... F>
 struct Overloaded : F... {
     using F::operator()...;
 };
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;
 
 bool is_switch(const SettingInfo& info) {
     return std::holds_alternative<bool MovementSettings::*>(info.member);
@@ -45,7 +47,7 @@ std::string allowed(const SettingInfo& info) {
 
 std::string excerpt(std::string_view text) {
     constexpr std::size_t longest = 60;
-    return text.size() <= longest ? std::string(text) : std::string(text.substr(0, longest)) + "...";
+    return text.size() <= longest ? std::string(text) : fmt::format("{}...", text.substr(0, longest));
 }
 
 // Levenshtein distance; the names compared are short.

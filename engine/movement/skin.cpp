@@ -24,7 +24,7 @@ Vec3 push_off(Mover& mover, const Vec3& from, const Vec3& push, FaceId face) {
         sweep_ellipsoid(mover.scene.collision, mover.settings.radii, from, push);
     ++mover.sweeps;
     // Between two faces closer than two skins the middle is the best place there is.
-    const Vec3 reached = from + push * (blocked ? 0.5 * blocked->t : 1.0);
+    Vec3 reached = from + push * (blocked ? 0.5 * blocked->t : 1.0);
     if (mover.trace != nullptr) {
         mover.trace->add(SweepRecord{
             .pass = Pass::probe, .from = from, .move = push, .reached = reached, .contact = blocked});

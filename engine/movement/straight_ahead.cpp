@@ -30,9 +30,9 @@ std::optional<Turn> go_straight_ahead(Mover& mover, const Hit& hit) {
     const Vec3 slid = slide_along(hit.leftover, normal);
     Turn turn{.rule = Rule::slide,
               .leftover = slid,
-              .velocity = mover.velocity,
+              .velocity = mover.was_grounded ? mover.velocity : slide_along(mover.velocity, normal),
               .plane = normal,
-              .constrains_velocity = false};
+              .constrains_velocity = !mover.was_grounded};
     const bool acts = mover.settings.straight_ahead;
     if (acts) {
         const Vec3 ahead = hit.leftover - Vec3(0.0, hit.leftover.dot(normal) / normal.y(), 0.0);

@@ -147,18 +147,19 @@ void walk(Mover& mover, const PlayerState& state, bool jump_pressed) {
     }
 
     if (mover.grounded && split && !surface_of(mover, mover.support_surface).keeps_energy) {
-        if (mover.was_grounded && mover.wish.isZero(0.0))
-            pay_for_height(mover, mover.position.y() - from.y());
+        if (mover.wish.isZero(0.0)) coast(mover, from, driven);
         set_ground_velocity(mover);
         // Rounding must not make an idle player creep.
         const bool rests = mover.was_grounded && mover.wish.isZero(0.0) &&
                            (mover.position - from).norm() <= 1e-3 * settings.skin;
         if (rests) mover.position = from;
     }
+    // In the air nothing but speed pays for the height that a ramp gives.
+    const bool flying = !mover.was_grounded && !mover.grounded && mover.contacts > 0;
+    if (!split || flying || mover.kept_energy || mover.bounced) cap_energy(mover, from, driven);
     if (mover.was_grounded && !mover.grounded && !mover.stuck && !mover.climbing) {
         mover.velocity += carry_velocity(mover, support);
     }
-    cap_energy(mover, from, driven);
 }
 
 }  // namespace slipface

@@ -13,7 +13,8 @@ struct Axes {
     Vec3 right, up, back;  // unit; back points from the target to the eye
 };
 
-// Looking straight up or down, +Y says nothing about which way is up on the screen; then -Z (or +Z) is, as on a map.
+// Looking straight up or down, +Y says nothing about which way is up on the screen; then -Z (or +Z) is, as on
+// a map.
 Axes camera_axes(const Camera& camera) {
     Vec3 back = camera.eye - camera.target;
     const double length = back.norm();
@@ -92,7 +93,8 @@ Ray pixel_ray(const Camera& camera, const Vec2& pixel, const Vec2& viewport_size
         return {on_plane - axes.back * camera.near_plane, -axes.back};
     }
     const double tangent = std::tan(0.5 * camera.fov_y);
-    return {camera.eye, (axes.right * (x * tangent * aspect) + axes.up * (y * tangent) - axes.back).normalized()};
+    return {camera.eye,
+            (axes.right * (x * tangent * aspect) + axes.up * (y * tangent) - axes.back).normalized()};
 }
 
 Vec3 project(const Camera& camera, const Vec3& point, const Vec2& viewport_size) {
@@ -100,15 +102,16 @@ Vec3 project(const Camera& camera, const Vec3& point, const Vec2& viewport_size)
     const Vec3 offset = point - camera.eye;
     const double depth = -axes.back.dot(offset);
     const double aspect = viewport_size.x() / viewport_size.y();
-    const double half = camera.orthographic ? 0.5 * camera.ortho_height : depth * std::tan(0.5 * camera.fov_y);
+    const double half =
+        camera.orthographic ? 0.5 * camera.ortho_height : depth * std::tan(0.5 * camera.fov_y);
     const double x = axes.right.dot(offset) / (half * aspect);
     const double y = axes.up.dot(offset) / half;
     return {0.5 * (x + 1.0) * viewport_size.x(), 0.5 * (1.0 - y) * viewport_size.y(), depth};
 }
 
-// The eye is shifted sideways as well as back: with perspective the middle of the box is not in the middle of its picture.
-// For each axis with half-angle tangent t, both |x - shift| <= (d - z) t must hold for every corner, which gives
-// d = (A + B) / 2t and shift = (A - B) / 2 with A = max(x + z t), B = max(-x + z t).
+// The eye is shifted sideways as well as back: with perspective the middle of the box is not in the middle of
+// its picture. For each axis with half-angle tangent t, both |x - shift| <= (d - z) t must hold for every
+// corner, which gives d = (A + B) / 2t and shift = (A - B) / 2 with A = max(x + z t), B = max(-x + z t).
 Camera frame_bounds(const Aabb& bounds, double yaw, double pitch, double fov_y, double aspect) {
     const Aabb box = usable_bounds(bounds);
     Camera camera;
@@ -154,7 +157,8 @@ std::optional<Camera> named_view(std::string_view name, const Aabb& bounds, doub
                                           {"back", -Vec3::UnitZ()},
                                           {"right", Vec3::UnitX()},
                                           {"left", -Vec3::UnitX()}}};
-    const auto view = std::find_if(views.begin(), views.end(), [&](const OrthoView& v) { return v.name == name; });
+    const auto view =
+        std::find_if(views.begin(), views.end(), [&](const OrthoView& v) { return v.name == name; });
     if (view == views.end()) return std::nullopt;
 
     const Aabb box = usable_bounds(bounds);
@@ -170,7 +174,8 @@ std::optional<Camera> named_view(std::string_view name, const Aabb& bounds, doub
     double height = 0.0;
     for (const Vec3& corner : corners(box)) {
         const Vec3 offset = corner - box.centre();
-        height = std::max({height, 2.0 * std::abs(axes.up.dot(offset)), 2.0 * std::abs(axes.right.dot(offset)) / aspect});
+        height = std::max(
+            {height, 2.0 * std::abs(axes.up.dot(offset)), 2.0 * std::abs(axes.right.dot(offset)) / aspect});
     }
     camera.ortho_height = margin * (height > 0.0 ? height : reach);
     return camera;

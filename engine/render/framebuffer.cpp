@@ -14,7 +14,8 @@ int bounded_side(const GladGLContext& gl, int side) {
     GLint texture_limit = 0, renderbuffer_limit = 0;
     gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &texture_limit);
     gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer_limit);
-    return std::clamp(side, 1, std::max(1, std::min({texture_limit, renderbuffer_limit, max_framebuffer_side})));
+    return std::clamp(side, 1,
+                      std::max(1, std::min({texture_limit, renderbuffer_limit, max_framebuffer_side})));
 }
 
 }  // namespace
@@ -84,7 +85,8 @@ Image Framebuffer::read() {
     gl_->BindFramebuffer(GL_FRAMEBUFFER, 0);
     assert_no_gl_error(*gl_, "Framebuffer::read");
 
-    for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+        image.rgba[i] = 255;
     const auto row_bytes = 4 * static_cast<std::ptrdiff_t>(width_);
     for (int top = 0, bottom = height_ - 1; top < bottom; ++top, --bottom) {
         std::swap_ranges(image.rgba.begin() + top * row_bytes, image.rgba.begin() + (top + 1) * row_bytes,

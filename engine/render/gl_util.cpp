@@ -20,7 +20,8 @@ void assert_no_gl_error([[maybe_unused]] const GladGLContext& gl, [[maybe_unused
 
 namespace {
 
-Result<unsigned> compile_shader(const GladGLContext& gl, GLenum kind, const char* name, const std::string& source) {
+Result<unsigned> compile_shader(const GladGLContext& gl, GLenum kind, const char* name,
+                                const std::string& source) {
     const unsigned shader = gl.CreateShader(kind);
     const char* text = source.c_str();
     gl.ShaderSource(shader, 1, &text, nullptr);
@@ -68,6 +69,10 @@ void set_uniform(const GladGLContext& gl, unsigned program, const char* name, co
     gl.UniformMatrix4fv(gl.GetUniformLocation(program, name), 1, GL_FALSE, value.data());
 }
 
+void set_uniform(const GladGLContext& gl, unsigned program, const char* name, const Eigen::Vector4f& value) {
+    gl.Uniform4f(gl.GetUniformLocation(program, name), value.x(), value.y(), value.z(), value.w());
+}
+
 void set_uniform(const GladGLContext& gl, unsigned program, const char* name, const Vec3f& value) {
     gl.Uniform3f(gl.GetUniformLocation(program, name), value.x(), value.y(), value.z());
 }
@@ -108,7 +113,11 @@ void describe_line_instances(const GladGLContext& gl, unsigned vertex_array, uns
     gl.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, offset(offsetof(LineInstance, color)));
     gl.VertexAttribPointer(3, 1, GL_FLOAT, GL_FALSE, stride, offset(offsetof(LineInstance, width)));
     gl.VertexAttribPointer(4, 1, GL_FLOAT, GL_FALSE, stride, offset(offsetof(LineInstance, kind)));
-    for (unsigned attribute = 0; attribute < 5; ++attribute) {
+    for (unsigned side = 0; side < 2; ++side) {
+        gl.VertexAttribPointer(5 + side, 4, GL_INT_2_10_10_10_REV, GL_TRUE, stride,
+                               offset(offsetof(LineInstance, normals) + side * sizeof(std::uint32_t)));
+    }
+    for (unsigned attribute = 0; attribute < 7; ++attribute) {
         gl.EnableVertexAttribArray(attribute);
         gl.VertexAttribDivisor(attribute, 1);
     }

@@ -3,6 +3,7 @@
 
 #include <glad/gl.h>
 
+#include <cstdint>
 #include <string>
 
 #include "slipface/base/result.h"
@@ -16,26 +17,32 @@ using Mat4f = Eigen::Matrix4f;
 // Asserts in debug builds that no GL call has failed since the last look; `where` is shown.
 void assert_no_gl_error(const GladGLContext& gl, const char* where);
 
-// A linked program. The shaders are part of this module, so a failure means a driver that refuses valid GLSL 3.30; the error
-// carries its log.
+// A linked program. The shaders are part of this module, so a failure means a driver that refuses valid
+// GLSL 3.30; the error carries its log.
 Result<unsigned> link_program(const GladGLContext& gl, const char* name, const std::string& vertex,
                               const std::string& fragment);
 
 void set_uniform(const GladGLContext& gl, unsigned program, const char* name, const Mat4f& value);
+void set_uniform(const GladGLContext& gl, unsigned program, const char* name, const Eigen::Vector4f& value);
 void set_uniform(const GladGLContext& gl, unsigned program, const char* name, const Vec3f& value);
 void set_uniform(const GladGLContext& gl, unsigned program, const char* name, const Vec2f& value);
 void set_uniform(const GladGLContext& gl, unsigned program, const char* name, float value);
 void set_uniform(const GladGLContext& gl, unsigned program, const char* name, int value);
 
-// clip_from_world seen from a space whose origin is at `origin`, so that single precision does not suffer far from zero.
+// clip_from_world seen from a space whose origin is at `origin`, so that single precision does not suffer far
+// from zero.
 Mat4f clip_from_local(const Camera& camera, int width, int height, const Vec3& origin);
 
-// What to add to a clip-space z so that a point comes nearer to the eye by `pixels` times the size of a pixel at its place. For
-// a perspective with z_clip = A z_view + B, scaling a point by (1 - e) towards the eye changes z_clip by B e / (1 - e) at an
-// unchanged w; for an orthographic camera it is A times the distance.
+// What to add to a clip-space z so that a point comes nearer to the eye by `pixels` times the size of a pixel
+// at its place. For a perspective with z_clip = A z_view + B, scaling a point by (1 - e) towards the eye
+// changes z_clip by B e / (1 - e) at an unchanged w; for an orthographic camera it is A times the distance.
 float depth_bias(const Camera& camera, int height, double pixels);
 
-enum class LineKind { butt, round, arrow };  // ends cut off at a and b; half-round beyond them; a head that points at b
+enum class LineKind {
+    butt,
+    round,
+    arrow
+};  // ends cut off at a and b; half-round beyond them; a head that points at b
 
 // One segment of a line as the vertex shader of line_shaders.h reads it, once an instance.
 struct LineInstance {
@@ -44,9 +51,12 @@ struct LineInstance {
     std::uint8_t color[4];
     float width;  // pixels
     float kind;   // LineKind
+    // Normals of the faces on both sides, packed as in LevelVertex; zero: none, which counts as facing the
+    // eye.
+    std::uint32_t normals[2];
 };
 
-// Binds `vertex_array` and describes `buffer` to it as LineInstance records for attributes 0 to 4.
+// Binds `vertex_array` and describes `buffer` to it as LineInstance records for attributes 0 to 6.
 void describe_line_instances(const GladGLContext& gl, unsigned vertex_array, unsigned buffer);
 
 }  // namespace slipface

@@ -12,11 +12,11 @@
 namespace slipface {
 
 struct LevelVertex {
-    float position[3];         // relative to the drawing origin
-    std::uint32_t normal;      // of the face; signed 2_10_10_10, red in the low bits
+    float position[3];     // relative to the drawing origin
+    std::uint32_t normal;  // of the face; signed 2_10_10_10, red in the low bits
     float uv[2];
     std::uint32_t face;
-    std::uint8_t color[4];     // the material's diffuse colour
+    std::uint8_t color[4];  // the material's diffuse colour
 };
 static_assert(sizeof(LevelVertex) == 32);
 
@@ -33,10 +33,11 @@ struct DrawOrder {
 };
 
 // `material_texture` gives each material's texture; numbers below `texture_count`.
-DrawOrder draw_order(const Mesh& mesh, std::span<const std::uint32_t> material_texture, std::size_t texture_count);
+DrawOrder draw_order(const Mesh& mesh, std::span<const std::uint32_t> material_texture,
+                     std::size_t texture_count);
 
-// A point near the middle of the mesh to which vertices are relative. A multiple of 64 m on each axis, so that patterns of
-// 16 m and below lie where they lie in world space.
+// A point near the middle of the mesh to which vertices are relative. A multiple of 64 m on each axis, so
+// that patterns of 16 m and below lie where they lie in world space.
 Vec3 drawing_origin(const Mesh& mesh);
 
 // The vertices of the given triangles, three each, appended to `vertices`.
@@ -44,11 +45,12 @@ void append_vertices(const Mesh& mesh, std::span<const TriangleId> triangles, co
                      std::vector<LevelVertex>& vertices);
 
 // The borders of all faces, each edge once. Ascending by vertex pair.
-std::vector<LineInstance> face_border_lines(const Mesh& mesh, const Vec3& origin, const std::uint8_t (&color)[4],
-                                            float width);
+std::vector<LineInstance> face_border_lines(const Mesh& mesh, const Vec3& origin,
+                                            const std::uint8_t (&color)[4], float width);
 
 // The outline of the faces whose highlight has `bit`: the edges that only one of them has.
-std::vector<LineInstance> outline_lines(const Mesh& mesh, std::span<const std::uint8_t> highlights, std::uint8_t bit,
-                                        const Vec3& origin, const std::uint8_t (&color)[4], float width);
+std::vector<LineInstance> outline_lines(const Mesh& mesh, std::span<const std::uint8_t> highlights,
+                                        std::uint8_t bit, const Vec3& origin, const std::uint8_t (&color)[4],
+                                        float width);
 
 }  // namespace slipface

@@ -7,11 +7,13 @@
 
 namespace slipface {
 
-Result<Image> render_level_picture(OffscreenContext& context, const Level& level, const Camera& camera, int width,
-                                   int height, const LevelStyle& style, const Overlay* overlay, Warnings* warnings) {
+Result<Image> render_level_picture(OffscreenContext& context, const Level& level, const Camera& camera,
+                                   int width, int height, const LevelStyle& style, const Overlay* overlay,
+                                   Warnings* warnings) {
     if (width < 1 || height < 1 || width > max_framebuffer_side || height > max_framebuffer_side) {
         return Error{"picture size", "found " + std::to_string(width) + "x" + std::to_string(height) +
-                                         ", expected 1 to " + std::to_string(max_framebuffer_side) + " pixels a side"};
+                                         ", expected 1 to " + std::to_string(max_framebuffer_side) +
+                                         " pixels a side"};
     }
     if (!context.make_current()) return Error{context.backend_name(), "the context cannot be made current"};
     const GlTable& gl = context.gl();

@@ -1,9 +1,11 @@
 #include "slipface/render/level_renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstring>
+#include <cstddef>
 
+#include "face_state.h"
 #include "gl_util.h"
 #include "level_geometry.h"
 #include "level_shaders.h"
@@ -14,7 +16,7 @@ namespace slipface {
 
 namespace {
 
-constexpr std::uint8_t border_color[4] = {14, 17, 22, 150};
+constexpr std::uint8_t border_color[4] = {14, 17, 22, 135};
 constexpr std::uint8_t selected_color[4] = {255, 166, 64, 255};
 constexpr std::uint8_t hovered_color[4] = {255, 255, 255, 235};
 constexpr float border_width = 1.2f;
@@ -22,7 +24,6 @@ constexpr float outline_width = 2.2f;
 constexpr float shortest_border = 2.5f;  // pixels; keeps dense geometry from turning black
 constexpr double line_bias = 2.0;        // pixels by which lines lie in front of the faces they border
 constexpr std::size_t triangles_per_upload = std::size_t{1} << 18U;
-constexpr int state_row = 4096;  // faces in one row of the face-state texture
 
 struct LineBuffer {
     unsigned vertex_array = 0, buffer = 0;
@@ -32,33 +33,32 @@ struct LineBuffer {
 }  // namespace
 
 struct LevelRenderer::Impl {
-    explicit Impl(GlTable table) : gl(std::move(table)), textures(gl) {}
+    explicit Impl(GlTable table) : gl(std::move(table)), textures(gl), face_state(gl) {}
 
     GlTable gl;
     LevelTextures textures;
+    FaceState face_state;
     Status status;
     MeshPtr mesh;
     Vec3 origin = Vec3::Zero();
     std::vector<DrawBatch> batches;
-    std::vector<std::uint8_t> face_state;  // [2 * face] surface, [2 * face + 1] highlight; whole rows
     std::vector<std::uint8_t> highlights;  // [face]
-    std::size_t state_bytes_uploaded = 0;
 
     unsigned background_program = 0, level_program = 0, line_program = 0;
     unsigned empty_array = 0, level_array = 0, level_buffer = 0;
-    unsigned state_texture = 0, table_texture = 0, white_texture = 0;
+    unsigned table_texture = 0, white_texture = 0;
     LineBuffer borders, selected_outline, hovered_outline;
     bool borders_built = false;
 
     void build_programs();
     void build_objects();
     bool upload_geometry(Warnings& warnings);
-    void resize_face_state();
-    void change_face_state(std::span<const std::uint8_t> values, std::size_t channel);
+    void reset_faces();
     void upload_lines(LineBuffer& lines, const std::vector<LineInstance>& instances);
     void draw_background(const LevelStyle& style);
     void draw_faces(const Camera& camera, int height, const Mat4f& clip, const LevelStyle& style);
     void draw_lines(const LineBuffer& lines, float shortest);
+    Eigen::Vector4f eye_uniform(const Camera& camera) const;
 };
 
 void LevelRenderer::Impl::build_programs() {
@@ -83,18 +83,20 @@ void LevelRenderer::Impl::build_objects() {
     const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
     constexpr GLsizei stride = sizeof(LevelVertex);
     gl->VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, offset(offsetof(LevelVertex, position)));
-    gl->VertexAttribPointer(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, stride, offset(offsetof(LevelVertex, normal)));
+    gl->VertexAttribPointer(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, stride,
+                            offset(offsetof(LevelVertex, normal)));
     gl->VertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, stride, offset(offsetof(LevelVertex, uv)));
     gl->VertexAttribIPointer(3, 1, GL_UNSIGNED_INT, stride, offset(offsetof(LevelVertex, face)));
     gl->VertexAttribPointer(4, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, offset(offsetof(LevelVertex, color)));
-    for (unsigned attribute = 0; attribute < 5; ++attribute) gl->EnableVertexAttribArray(attribute);
+    for (unsigned attribute = 0; attribute < 5; ++attribute)
+        gl->EnableVertexAttribArray(attribute);
     gl->BindVertexArray(0);
     for (LineBuffer* lines : {&borders, &selected_outline, &hovered_outline}) {
         gl->GenVertexArrays(1, &lines->vertex_array);
         gl->GenBuffers(1, &lines->buffer);
         describe_line_instances(*gl, lines->vertex_array, lines->buffer);
     }
-    for (unsigned* texture : {&state_texture, &table_texture, &white_texture}) {
+    for (unsigned* texture : {&table_texture, &white_texture}) {
         gl->GenTextures(1, texture);
         gl->BindTexture(GL_TEXTURE_2D, *texture);
         gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -105,7 +107,8 @@ void LevelRenderer::Impl::build_objects() {
     gl->BindTexture(GL_TEXTURE_2D, 0);
 }
 
-// Vertices are made and sent piece by piece, so that a large level does not need its geometry twice in memory.
+// Vertices are made and sent piece by piece, so that a large level does not need its geometry twice in
+// memory.
 bool LevelRenderer::Impl::upload_geometry(Warnings& warnings) {
     const DrawOrder order = draw_order(*mesh, textures.material_texture(), textures.count());
     while (gl->GetError() != GL_NO_ERROR) {
@@ -115,7 +118,8 @@ bool LevelRenderer::Impl::upload_geometry(Warnings& warnings) {
     gl->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_STATIC_DRAW);
     if (gl->GetError() != GL_NO_ERROR) {
         warnings.push_back({"graphics", "no memory for " + std::to_string(order.triangles.size()) +
-                                            " triangles (" + std::to_string(bytes >> 20U) + " MiB); nothing is drawn"});
+                                            " triangles (" + std::to_string(bytes >> 20U) +
+                                            " MiB); nothing is drawn"});
         return false;
     }
     std::vector<LevelVertex> vertices;
@@ -131,45 +135,12 @@ bool LevelRenderer::Impl::upload_geometry(Warnings& warnings) {
     return true;
 }
 
-void LevelRenderer::Impl::resize_face_state() {
+void LevelRenderer::Impl::reset_faces() {
     const std::size_t faces = mesh ? mesh->face_count() : 0;
-    const std::size_t rows = std::max<std::size_t>(1, (faces + state_row - 1) / state_row);
     highlights.assign(faces, 0);
-    face_state.assign(2 * rows * state_row, 0);
-    gl->BindTexture(GL_TEXTURE_2D, state_texture);
-    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RG8UI, state_row, static_cast<GLsizei>(rows), 0, GL_RG_INTEGER,
-                   GL_UNSIGNED_BYTE, face_state.data());
-    gl->BindTexture(GL_TEXTURE_2D, 0);
+    face_state.resize(faces);
     upload_lines(selected_outline, {});
     upload_lines(hovered_outline, {});
-}
-
-// Sends, for each row of the texture, the span from the first to the last face that changed.
-void LevelRenderer::Impl::change_face_state(std::span<const std::uint8_t> values, std::size_t channel) {
-    const std::size_t faces = std::min(values.size(), highlights.size());
-    gl->BindTexture(GL_TEXTURE_2D, state_texture);
-    gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
-    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl->PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-    for (std::size_t row = 0; row * state_row < faces; ++row) {
-        const std::size_t begin = row * state_row;
-        const std::size_t end = std::min(faces, begin + state_row);
-        std::size_t first = end, last = begin;
-        for (std::size_t face = begin; face < end; ++face) {
-            std::uint8_t& current = face_state[2 * face + channel];
-            if (current == values[face]) continue;
-            current = values[face];
-            first = std::min(first, face);
-            last = face;
-        }
-        if (first == end) continue;
-        const std::size_t count = last - first + 1;
-        gl->TexSubImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(first - begin), static_cast<GLint>(row),
-                          static_cast<GLsizei>(count), 1, GL_RG_INTEGER, GL_UNSIGNED_BYTE, &face_state[2 * first]);
-        state_bytes_uploaded += 2 * count;
-    }
-    gl->BindTexture(GL_TEXTURE_2D, 0);
 }
 
 void LevelRenderer::Impl::upload_lines(LineBuffer& lines, const std::vector<LineInstance>& instances) {
@@ -188,16 +159,26 @@ void LevelRenderer::Impl::draw_background(const LevelStyle& style) {
     gl->DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat4f& clip, const LevelStyle& style) {
+// The eye relative to the drawing origin with w = 1; for an orthographic camera the direction towards it with
+// w = 0.
+Eigen::Vector4f LevelRenderer::Impl::eye_uniform(const Camera& camera) const {
+    const Vec3 eye =
+        camera.orthographic ? Vec3((camera.eye - camera.target).normalized()) : Vec3(camera.eye - origin);
+    const Vec3f e = eye.cast<float>();
+    return {e.x(), e.y(), e.z(), camera.orthographic ? 0.0f : 1.0f};
+}
+
+void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat4f& clip,
+                                     const LevelStyle& style) {
     const double extent = mesh->bounds.empty() ? 1.0 : mesh->bounds.size().norm();
-    const Vec3 eye = camera.orthographic ? Vec3((camera.eye - camera.target).normalized()) : Vec3(camera.eye - origin);
+    const Eigen::Vector4f eye = eye_uniform(camera);
     gl->UseProgram(level_program);
     set_uniform(*gl, level_program, "clip_from_local", clip);
     set_uniform(*gl, level_program, "overlay", std::clamp(style.overlay, 0.0f, 1.0f));
-    gl->Uniform4f(gl->GetUniformLocation(level_program, "eye"), static_cast<float>(eye.x()),
-                  static_cast<float>(eye.y()), static_cast<float>(eye.z()), camera.orthographic ? 0.0f : 1.0f);
+    set_uniform(*gl, level_program, "eye", eye);
     set_uniform(*gl, level_program, "depth_bias", depth_bias(camera, height, 0.1));
-    set_uniform(*gl, level_program, "fade_color", Vec3f(0.5f * (style.background_top + style.background_bottom)));
+    set_uniform(*gl, level_program, "fade_color",
+                Vec3f(0.5f * (style.background_top + style.background_bottom)));
     const double fade_start = 0.8 * extent;
     set_uniform(*gl, level_program, "fade_range",
                 Vec2f(static_cast<float>(fade_start), static_cast<float>(4.0 * fade_start)));
@@ -205,7 +186,7 @@ void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat
     set_uniform(*gl, level_program, "face_state", 1);
     set_uniform(*gl, level_program, "surface_table", 2);
     gl->ActiveTexture(GL_TEXTURE1);
-    gl->BindTexture(GL_TEXTURE_2D, state_texture);
+    gl->BindTexture(GL_TEXTURE_2D, face_state.texture());
     gl->ActiveTexture(GL_TEXTURE2);
     gl->BindTexture(GL_TEXTURE_2D, table_texture);
     gl->ActiveTexture(GL_TEXTURE0);
@@ -222,7 +203,8 @@ void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat
         const bool has_texture = batch.texture != LevelTextures::none;
         gl->BindTexture(GL_TEXTURE_2D, has_texture ? textures.name(batch.texture) : white_texture);
         set_uniform(*gl, level_program, "use_texture", !style.textured ? 0 : has_texture ? 2 : 1);
-        gl->DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * batch.first), static_cast<GLsizei>(3 * batch.count));
+        gl->DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * batch.first),
+                       static_cast<GLsizei>(3 * batch.count));
     }
     gl->Disable(GL_CULL_FACE);
 }
@@ -237,7 +219,7 @@ void LevelRenderer::Impl::draw_lines(const LineBuffer& lines, float shortest) {
 LevelRenderer::LevelRenderer(GlTable gl) : impl_(std::make_unique<Impl>(std::move(gl))) {
     impl_->build_programs();
     impl_->build_objects();
-    impl_->resize_face_state();
+    impl_->reset_faces();
     set_surface_types({});
     assert_no_gl_error(*impl_->gl, "LevelRenderer");
 }
@@ -251,16 +233,21 @@ LevelRenderer::~LevelRenderer() {
         gl.DeleteVertexArrays(1, &lines->vertex_array);
         gl.DeleteBuffers(1, &lines->buffer);
     }
-    for (const unsigned* array : {&impl_->empty_array, &impl_->level_array}) gl.DeleteVertexArrays(1, array);
+    for (const unsigned* array : {&impl_->empty_array, &impl_->level_array})
+        gl.DeleteVertexArrays(1, array);
     gl.DeleteBuffers(1, &impl_->level_buffer);
-    for (const unsigned* texture : {&impl_->state_texture, &impl_->table_texture, &impl_->white_texture}) {
+    for (const unsigned* texture : {&impl_->table_texture, &impl_->white_texture}) {
         gl.DeleteTextures(1, texture);
     }
 }
 
-Status LevelRenderer::status() const { return impl_->status; }
+Status LevelRenderer::status() const {
+    return impl_->status;
+}
 
-std::size_t LevelRenderer::face_state_bytes_uploaded() const { return impl_->state_bytes_uploaded; }
+std::size_t LevelRenderer::face_state_bytes_uploaded() const {
+    return impl_->face_state.bytes_uploaded();
+}
 
 Warnings LevelRenderer::set_mesh(MeshPtr mesh, const std::filesystem::path& folder) {
     Warnings warnings;
@@ -273,13 +260,13 @@ Warnings LevelRenderer::set_mesh(MeshPtr mesh, const std::filesystem::path& fold
         warnings = impl_->textures.load(*impl_->mesh, folder);
         impl_->upload_geometry(warnings);
     }
-    impl_->resize_face_state();
+    impl_->reset_faces();
     assert_no_gl_error(*impl_->gl, "LevelRenderer::set_mesh");
     return warnings;
 }
 
 void LevelRenderer::set_face_surfaces(std::span<const SurfaceId> surfaces) {
-    impl_->change_face_state(surfaces, 0);
+    impl_->face_state.change(surfaces, FaceState::Channel::surface);
     assert_no_gl_error(*impl_->gl, "LevelRenderer::set_face_surfaces");
 }
 
@@ -291,7 +278,7 @@ void LevelRenderer::set_face_highlights(std::span<const std::uint8_t> highlights
         impl_->highlights[face] = highlights[face];
     }
     if (changed == 0) return;
-    impl_->change_face_state(impl_->highlights, 1);
+    impl_->face_state.change(impl_->highlights, FaceState::Channel::highlight);
     const auto outline = [&](std::uint8_t bit, const std::uint8_t(&color)[4], LineBuffer& lines) {
         if ((changed & bit) == 0) return;
         impl_->upload_lines(
@@ -330,7 +317,8 @@ void LevelRenderer::draw(const Camera& camera, int width, int height, const Leve
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl.DepthMask(GL_TRUE);
     gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-    gl.ClearColor(style.background_bottom.x(), style.background_bottom.y(), style.background_bottom.z(), 1.0f);
+    gl.ClearColor(style.background_bottom.x(), style.background_bottom.y(), style.background_bottom.z(),
+                  1.0f);
     gl.ClearDepth(1.0);
     gl.ClearStencil(0);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
@@ -352,10 +340,15 @@ void LevelRenderer::draw(const Camera& camera, int width, int height, const Leve
         gl.DepthMask(GL_FALSE);
         gl.UseProgram(impl_->line_program);
         set_uniform(gl, impl_->line_program, "clip_from_local", clip);
-        set_uniform(gl, impl_->line_program, "viewport", Vec2f(static_cast<float>(width), static_cast<float>(height)));
+        set_uniform(gl, impl_->line_program, "viewport",
+                    Vec2f(static_cast<float>(width), static_cast<float>(height)));
         set_uniform(gl, impl_->line_program, "opacity", 1.0f);
         set_uniform(gl, impl_->line_program, "depth_bias", depth_bias(camera, height, line_bias));
+        const Eigen::Vector4f nobody = Eigen::Vector4f::Zero();
+        set_uniform(gl, impl_->line_program, "cull_eye",
+                    style.back_faces ? nobody : impl_->eye_uniform(camera));
         if (style.wireframe) impl_->draw_lines(impl_->borders, shortest_border);
+        set_uniform(gl, impl_->line_program, "cull_eye", nobody);
         impl_->draw_lines(impl_->selected_outline, 0.0f);
         impl_->draw_lines(impl_->hovered_outline, 0.0f);
         gl.DepthMask(GL_TRUE);

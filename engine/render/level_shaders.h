@@ -52,8 +52,8 @@ void main() {
 }
 )";
 
-// Colours are squared to be lit and take the square root at the end: close to sRGB, and exact operations, so that every
-// processor gives the same pixels.
+// Colours are squared to be lit and take the square root at the end: close to sRGB, and exact operations, so
+// that every processor gives the same pixels.
 inline constexpr const char* level_fragment_shader_head = R"(#version 330 core
 in vec3 place;
 in vec2 texture_place;
@@ -142,7 +142,7 @@ void main() {
     float grid = metre_grid(p);
     vec3 base;
     if (use_texture == 2) {
-        base = texel.rgb * texel.rgb * mix(vec3(1.0), light, 0.55);
+        base = texel.rgb * texel.rgb * mix(vec3(1.0), light, 0.72);
     } else {
         vec3 albedo = use_texture == 1 ? face_color * face_color : vec3(0.46, 0.47, 0.49);
         base = albedo * light * (1.0 - 0.16 * grid);

@@ -10,8 +10,9 @@ namespace slipface {
 
 namespace {
 
-constexpr int max_file_side = 8192;            // larger files are refused before they are decoded
-constexpr std::uint64_t max_total_bytes = std::uint64_t{1} << 30;  // of all textures of a level, mipmaps included
+constexpr int max_file_side = 8192;  // larger files are refused before they are decoded
+constexpr std::uint64_t max_total_bytes = std::uint64_t{1}
+                                          << 30;  // of all textures of a level, mipmaps included
 constexpr std::size_t max_texture_warnings = 100;
 
 Image checker() {
@@ -42,9 +43,10 @@ Image halved(const Image& image) {
     return half;
 }
 
-// Windows tools write backslashes, and many write the path of the machine they ran on: then the file's name alone is tried
-// beside the level.
-std::optional<std::filesystem::path> find_texture(const std::string& authored, const std::filesystem::path& folder) {
+// Windows tools write backslashes, and many write the path of the machine they ran on: then the file's name
+// alone is tried beside the level.
+std::optional<std::filesystem::path> find_texture(const std::string& authored,
+                                                  const std::filesystem::path& folder) {
     if (authored.find('\0') != std::string::npos || authored.size() > 4096) return std::nullopt;
     std::string portable = authored;
     std::replace(portable.begin(), portable.end(), '\\', '/');
@@ -86,7 +88,8 @@ Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& fold
         const std::string place = "material \"" + material.name + "\"";
         const auto path = find_texture(material.texture, folder);
         if (!path) {
-            warn(place, "found no texture \"" + material.texture + "\" in " + folder.string() + "; drawn as a checker");
+            warn(place, "found no texture \"" + material.texture + "\" in " + folder.string() +
+                            "; drawn as a checker");
             return use_checker();
         }
         Result<Image> image = load_image(*path, max_file_side);
@@ -94,7 +97,8 @@ Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& fold
             warn(place, image.error().text() + "; drawn as a checker");
             return use_checker();
         }
-        while (image->width > driver_side || image->height > driver_side) *image = halved(*image);
+        while (image->width > driver_side || image->height > driver_side)
+            *image = halved(*image);
         const std::uint64_t bytes = image->rgba.size() + image->rgba.size() / 3;
         if (total_bytes + bytes > max_total_bytes) {
             warn(place, "the level's textures exceed 1 GiB; drawn as a checker");
@@ -126,8 +130,8 @@ unsigned LevelTextures::upload(const Image& image) {
     const std::size_t row_bytes = 4 * static_cast<std::size_t>(image.width);
     std::vector<std::uint8_t> from_bottom(image.rgba.size());
     for (int y = 0; y < image.height; ++y) {
-        std::memcpy(from_bottom.data() + static_cast<std::size_t>(image.height - 1 - y) * row_bytes, image.pixel(0, y),
-                    row_bytes);
+        std::memcpy(from_bottom.data() + static_cast<std::size_t>(image.height - 1 - y) * row_bytes,
+                    image.pixel(0, y), row_bytes);
     }
     unsigned texture = 0;
     gl_->GenTextures(1, &texture);

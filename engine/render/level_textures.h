@@ -19,7 +19,8 @@ class LevelTextures {
     LevelTextures(const LevelTextures&) = delete;
     LevelTextures& operator=(const LevelTextures&) = delete;
 
-    // Loads each file once, however many materials name it. What cannot be loaded becomes a checker and a warning.
+    // Loads each file once, however many materials name it. What cannot be loaded becomes a checker and a
+    // warning.
     Warnings load(const Mesh& mesh, const std::filesystem::path& folder);
     void clear();
 

@@ -1,21 +1,26 @@
-// Lines as screen-space quads: a core profile need not draw lines wider than one pixel, and drivers disagree on those.
+// Lines as screen-space quads: a core profile need not draw lines wider than one pixel, and drivers disagree
+// on those.
 #pragma once
 
 namespace slipface {
 
-// Attributes: LineInstance (gl_util.h). Uniforms: clip_from_local, viewport (pixels), shortest (pixels: shorter segments fade
-// out; 0: none do), opacity, depth_bias (clip space, added: negative is towards the eye).
+// Attributes: LineInstance (gl_util.h). Uniforms: clip_from_local, viewport (pixels), shortest (pixels:
+// shorter segments fade out; 0: none do), opacity, depth_bias (clip space, added: negative is towards the
+// eye).
 inline constexpr const char* line_vertex_shader = R"(#version 330 core
 layout(location = 0) in vec3 end_a;
 layout(location = 1) in vec3 end_b;
 layout(location = 2) in vec4 color;
 layout(location = 3) in float width;
 layout(location = 4) in float kind;
+layout(location = 5) in vec4 normal_left;
+layout(location = 6) in vec4 normal_right;
 uniform mat4 clip_from_local;
 uniform vec2 viewport;
 uniform float shortest;
 uniform float opacity;
 uniform float depth_bias;
+uniform vec4 cull_eye;  // as the level's `eye`: lines between faces that all look away are left out; 0: none are
 flat out vec4 line_color;
 flat out float half_width;
 flat out float line_kind;
@@ -28,6 +33,10 @@ vec4 clipped(vec4 a, vec4 b) {
     float da = a.z + a.w;
     float db = b.z + b.w;
     return da < 0.0 && db > 0.0 ? mix(a, b, da / (da - db)) : a;
+}
+
+bool away(vec3 normal, vec3 to_eye) {
+    return dot(to_eye, to_eye) > 0.0 && dot(normal, normal) > 0.5 && dot(normal, to_eye) <= 0.0;
 }
 
 void main() {
@@ -56,11 +65,15 @@ void main() {
     vec4 end = at_b ? b : a;
     vec2 offset = along * (at_b ? extension : -extension) + across * (side * reach);
     gl_Position = vec4(end.xy + offset * 2.0 / viewport * end.w, end.z + depth_bias, end.w);
-    if ((raw_a.z + raw_a.w < 0.0 && raw_b.z + raw_b.w < 0.0) || line_color.a <= 0.0) gl_Position = vec4(2, 2, 2, 1);
+    vec3 to_eye = cull_eye.xyz - cull_eye.w * end_a;
+    bool looks_away = away(normal_left.xyz, to_eye) && away(normal_right.xyz, to_eye);
+    bool behind = raw_a.z + raw_a.w < 0.0 && raw_b.z + raw_b.w < 0.0;
+    if (behind || looks_away || line_color.a <= 0.0) gl_Position = vec4(2, 2, 2, 1);
 }
 )";
 
-// Soft edges of one pixel: the distance to the segment against half the width. An arrow's head narrows to its point at b.
+// Soft edges of one pixel: the distance to the segment against half the width. An arrow's head narrows to its
+// point at b.
 inline constexpr const char* line_fragment_shader = R"(#version 330 core
 flat in vec4 line_color;
 flat in float half_width;

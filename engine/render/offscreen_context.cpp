@@ -1,5 +1,6 @@
-// Contexts without a window. OSMesa and EGL are opened with dlopen: linked beside libGL, libOSMesa's exported gl* names would
-// take the place of libGL's. The libraries stay open, because Mesa registers clean-up code that runs at exit.
+// Contexts without a window. OSMesa and EGL are opened with dlopen: linked beside libGL, libOSMesa's exported
+// gl* names would take the place of libGL's. The libraries stay open, because Mesa registers clean-up code
+// that runs at exit.
 #include <dlfcn.h>
 #include <glad/gl.h>
 
@@ -24,9 +25,10 @@ Warnings make_environment_safe() {
     if (width == nullptr) return warnings;
     const auto value = parse_int(width);
     if (value && *value <= widest_safe_vector) return warnings;
-    warnings.push_back({"LP_NATIVE_VECTOR_WIDTH", std::string("found \"") + width +
-                                                      "\", which crashes Mesa's software renderer; expected at most "
-                                                      "256; the variable was unset"});
+    warnings.push_back(
+        {"LP_NATIVE_VECTOR_WIDTH", std::string("found \"") + width +
+                                       "\", which crashes Mesa's software renderer; expected at most "
+                                       "256; the variable was unset"});
     unsetenv("LP_NATIVE_VECTOR_WIDTH");
     return warnings;
 }
@@ -78,7 +80,8 @@ struct OsmesaLibrary {
 
     Context (*create_context_attribs)(const int* attributes, Context share) = nullptr;
     void (*destroy_context)(Context) = nullptr;
-    unsigned char (*make_current)(Context, void* buffer, GLenum type, GLsizei width, GLsizei height) = nullptr;
+    unsigned char (*make_current)(Context, void* buffer, GLenum type, GLsizei width,
+                                  GLsizei height) = nullptr;
     GlProc (*get_proc_address)(const char* name) = nullptr;
 };
 
@@ -94,7 +97,8 @@ Result<const OsmesaLibrary*> osmesa_library() {
             !find_function(handle, "OSMesaDestroyContext", found.destroy_context) ||
             !find_function(handle, "OSMesaMakeCurrent", found.make_current) ||
             !find_function(handle, "OSMesaGetProcAddress", found.get_proc_address)) {
-            return Error{"OSMesa", "the library lacks OSMesaCreateContextAttribs, expected version 11.2 or later"};
+            return Error{"OSMesa",
+                         "the library lacks OSMesaCreateContextAttribs, expected version 11.2 or later"};
         }
         return found;
     }();
@@ -130,8 +134,9 @@ Result<std::unique_ptr<OffscreenContext>> make_osmesa(const Warnings& warnings) 
     const auto library = osmesa_library();
     if (!library) return library.error();
     using L = OsmesaLibrary;
-    const std::array attributes{L::format,        L::rgba, L::depth_bits,    24, L::stencil_bits, 8, L::profile,
-                                L::core_profile,  L::major_version, 3, L::minor_version, 3, 0};
+    const std::array attributes{L::format,  L::rgba,         L::depth_bits,    24, L::stencil_bits,  8,
+                                L::profile, L::core_profile, L::major_version, 3,  L::minor_version, 3,
+                                0};
     const L::Context handle = (*library)->create_context_attribs(attributes.data(), nullptr);
     if (handle == nullptr) return Error{"OSMesa", "the library refuses an OpenGL 3.3 core context"};
     auto context = std::make_unique<OsmesaContext>(**library, handle);
@@ -170,7 +175,8 @@ Result<const EglLibrary*> egl_library() {
             !find_function(handle, "eglMakeCurrent", found.make_current)) {
             return Error{"EGL", "the library lacks functions, expected EGL 1.4 or later"};
         }
-        using GetPlatformDisplay = EglLibrary::Handle (*)(unsigned platform, void* native, const int* attributes);
+        using GetPlatformDisplay =
+            EglLibrary::Handle (*)(unsigned platform, void* native, const int* attributes);
         const auto get_display =
             reinterpret_cast<GetPlatformDisplay>(found.get_proc_address("eglGetPlatformDisplayEXT"));
         if (get_display == nullptr) return Error{"EGL", "the library lacks eglGetPlatformDisplayEXT"};
@@ -186,7 +192,8 @@ Result<const EglLibrary*> egl_library() {
 
 class EglContext final : public LoadedContext {
   public:
-    EglContext(const EglLibrary& library, EglLibrary::Handle context) : library_(library), context_(context) {}
+    EglContext(const EglLibrary& library, EglLibrary::Handle context)
+        : library_(library), context_(context) {}
     ~EglContext() override {
         library_.make_current(library_.display, nullptr, nullptr, nullptr);
         library_.destroy_context(library_.display, context_);
@@ -194,7 +201,9 @@ class EglContext final : public LoadedContext {
     EglContext(const EglContext&) = delete;
     EglContext& operator=(const EglContext&) = delete;
 
-    bool make_current() override { return library_.make_current(library_.display, nullptr, nullptr, context_) != 0; }
+    bool make_current() override {
+        return library_.make_current(library_.display, nullptr, nullptr, context_) != 0;
+    }
     GlGetProc get_proc() const override { return library_.get_proc_address; }
     std::string backend_name() const override { return "EGL surfaceless"; }
 
@@ -208,9 +217,12 @@ Result<std::unique_ptr<OffscreenContext>> make_egl(const Warnings& warnings) {
     if (!library) return library.error();
     using L = EglLibrary;
     (*library)->bind_api(L::opengl_api);
-    const std::array attributes{L::major_version, 3, L::minor_version, 3, L::profile_mask, L::core_profile, L::none};
-    const L::Handle handle = (*library)->create_context((*library)->display, nullptr, nullptr, attributes.data());
-    if (handle == nullptr) return Error{"EGL", "the library refuses an OpenGL 3.3 core context without a config"};
+    const std::array attributes{L::major_version, 3,      L::minor_version, 3, L::profile_mask,
+                                L::core_profile,  L::none};
+    const L::Handle handle =
+        (*library)->create_context((*library)->display, nullptr, nullptr, attributes.data());
+    if (handle == nullptr)
+        return Error{"EGL", "the library refuses an OpenGL 3.3 core context without a config"};
     auto context = std::make_unique<EglContext>(**library, handle);
     if (!context->make_current()) return Error{"EGL", "the context cannot be made current without a surface"};
     if (Status status = context->load(warnings); !status) return status.error();

@@ -28,16 +28,19 @@ LineInstance line_instance(const Vec3& a, const Vec3& b, const Color& color, flo
             {bf.x(), bf.y(), bf.z()},
             {byte_of(color.red), byte_of(color.green), byte_of(color.blue), byte_of(color.alpha)},
             width,
-            static_cast<float>(kind)};
+            static_cast<float>(kind),
+            {0, 0}};
 }
 
-// In the space where the ellipsoid is the unit sphere, the silhouette seen from e (at distance d > 1) is the circle of radius
-// sqrt(1 - 1/d^2) about e / d^2; seen from infinity it is the unit circle across the direction of view.
+// In the space where the ellipsoid is the unit sphere, the silhouette seen from e (at distance d > 1) is the
+// circle of radius sqrt(1 - 1/d^2) about e / d^2; seen from infinity it is the unit circle across the
+// direction of view.
 void append_ellipsoid_outline(const Overlay::Ellipsoid& ellipsoid, const Camera& camera, const Vec3& origin,
                               std::vector<LineInstance>& lines) {
     const Vec3& radii = ellipsoid.radii;
     const Vec3 centre = ellipsoid.centre - origin;
-    const Vec3 view = camera.orthographic ? Vec3(camera.eye - camera.target) : Vec3(camera.eye - ellipsoid.centre);
+    const Vec3 view =
+        camera.orthographic ? Vec3(camera.eye - camera.target) : Vec3(camera.eye - ellipsoid.centre);
     const Vec3 eye = view.cwiseQuotient(radii);
     const double distance = eye.norm();
     const bool outside = camera.orthographic || distance > 1.0;
@@ -53,11 +56,14 @@ void append_ellipsoid_outline(const Overlay::Ellipsoid& ellipsoid, const Camera&
     };
     const auto world = [&](const Vec3& sphere) { return Vec3(centre + sphere.cwiseProduct(radii)); };
     for (int axis = 0; axis < 3; ++axis) {
-        circle(Vec3::Zero(), Vec3::Unit((axis + 1) % 3), Vec3::Unit((axis + 2) % 3), [&](const Vec3& a, const Vec3& b) {
-            const bool far_side = outside && (camera.orthographic ? a.dot(eye) < 0.0 : a.dot(eye) < 1.0);
-            lines.push_back(line_instance(world(a), world(b), faded(ellipsoid.outline, far_side ? 0.12f : 0.5f), 1.2f,
-                                          LineKind::butt));
-        });
+        circle(Vec3::Zero(), Vec3::Unit((axis + 1) % 3), Vec3::Unit((axis + 2) % 3),
+               [&](const Vec3& a, const Vec3& b) {
+                   const bool far_side =
+                       outside && (camera.orthographic ? a.dot(eye) < 0.0 : a.dot(eye) < 1.0);
+                   lines.push_back(line_instance(world(a), world(b),
+                                                 faded(ellipsoid.outline, far_side ? 0.12f : 0.5f), 1.2f,
+                                                 LineKind::butt));
+               });
     }
     if (!outside || !(distance > 0.0)) return;
     const Vec3 direction = eye / distance;
@@ -83,12 +89,15 @@ SphereMesh unit_sphere(int rings, int sectors) {
                     .cast<float>());
         }
     }
-    const auto index = [&](int ring, int sector) { return static_cast<std::uint16_t>(ring * (sectors + 1) + sector); };
+    const auto index = [&](int ring, int sector) {
+        return static_cast<std::uint16_t>(ring * (sectors + 1) + sector);
+    };
     for (int ring = 0; ring < rings; ++ring) {
         for (int sector = 0; sector < sectors; ++sector) {
             const std::array<std::uint16_t, 4> quad{index(ring, sector), index(ring, sector + 1),
                                                     index(ring + 1, sector + 1), index(ring + 1, sector)};
-            for (const std::size_t corner : {0, 1, 2, 0, 2, 3}) mesh.indices.push_back(quad[corner]);
+            for (const std::size_t corner : {0, 1, 2, 0, 2, 3})
+                mesh.indices.push_back(quad[corner]);
         }
     }
     return mesh;

@@ -23,21 +23,28 @@ struct TriangleVertex {
     std::uint8_t color[4];
 };
 
-bool finite(const Overlay::Line& line) { return line.a.allFinite() && line.b.allFinite(); }
-bool finite(const Overlay::Triangle& t) { return t.a.allFinite() && t.b.allFinite() && t.c.allFinite(); }
+bool finite(const Overlay::Line& line) {
+    return line.a.allFinite() && line.b.allFinite();
+}
+bool finite(const Overlay::Triangle& t) {
+    return t.a.allFinite() && t.b.allFinite() && t.c.allFinite();
+}
 bool drawable(const Overlay::Ellipsoid& e) {
     return e.centre.allFinite() && e.radii.allFinite() && e.radii.minCoeff() > 0.0;
 }
 
 // Indices of `items` from the farthest to the nearest; equally far ones keep their order.
 template <class Item, class Place>
-std::vector<std::size_t> far_to_near(const std::vector<Item>& items, const Camera& camera, const Place& place) {
+std::vector<std::size_t> far_to_near(const std::vector<Item>& items, const Camera& camera,
+                                     const Place& place) {
     std::vector<double> depth(items.size());
     const Vec3 forward = camera.target - camera.eye;
-    for (std::size_t i = 0; i < items.size(); ++i) depth[i] = forward.dot(place(items[i]) - camera.eye);
+    for (std::size_t i = 0; i < items.size(); ++i)
+        depth[i] = forward.dot(place(items[i]) - camera.eye);
     std::vector<std::size_t> order(items.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return depth[a] > depth[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return depth[a] > depth[b]; });
     return order;
 }
 
@@ -58,7 +65,8 @@ struct OverlayRenderer::Impl {
     void draw_hidden_then_visible(unsigned program, const std::function<void()>& draw_all);
     void draw_triangles(const Overlay& overlay, const Camera& camera, int width, int height);
     void draw_ellipsoids(const Overlay& overlay, const Camera& camera, int width, int height);
-    void draw_lines(const std::vector<LineInstance>& lines, bool on_top, const Camera& camera, int width, int height);
+    void draw_lines(const std::vector<LineInstance>& lines, bool on_top, const Camera& camera, int width,
+                    int height);
 };
 
 void OverlayRenderer::Impl::build() {
@@ -69,7 +77,8 @@ void OverlayRenderer::Impl::build() {
         return 0U;
     };
     line_program = link("line", line_vertex_shader, line_fragment_shader);
-    triangle_program = link("overlay triangle", overlay_triangle_vertex_shader, overlay_triangle_fragment_shader);
+    triangle_program =
+        link("overlay triangle", overlay_triangle_vertex_shader, overlay_triangle_fragment_shader);
     ellipsoid_program = link("ellipsoid", ellipsoid_vertex_shader, ellipsoid_fragment_shader);
 
     gl->GenVertexArrays(1, &line_array);
@@ -97,7 +106,8 @@ void OverlayRenderer::Impl::build() {
     gl->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(sphere.positions.size() * sizeof(Vec3f)),
                    sphere.positions.data(), GL_STATIC_DRAW);
     gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, sphere_indices);
-    gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(sphere.indices.size() * sizeof(std::uint16_t)),
+    gl->BufferData(GL_ELEMENT_ARRAY_BUFFER,
+                   static_cast<GLsizeiptr>(sphere.indices.size() * sizeof(std::uint16_t)),
                    sphere.indices.data(), GL_STATIC_DRAW);
     gl->VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vec3f), nullptr);
     gl->EnableVertexAttribArray(0);
@@ -106,14 +116,16 @@ void OverlayRenderer::Impl::build() {
 }
 
 // Positions are relative to the eye, so that shapes keep their precision far from zero.
-void OverlayRenderer::Impl::begin(unsigned program, const Camera& camera, int width, int height, double bias) {
+void OverlayRenderer::Impl::begin(unsigned program, const Camera& camera, int width, int height,
+                                  double bias) {
     gl->UseProgram(program);
     set_uniform(*gl, program, "clip_from_local", clip_from_local(camera, width, height, camera.eye));
     set_uniform(*gl, program, "depth_bias", depth_bias(camera, height, bias));
 }
 
 // The two depth tests are each other's opposite, so every pixel is drawn in exactly one of the passes.
-void OverlayRenderer::Impl::draw_hidden_then_visible(unsigned program, const std::function<void()>& draw_all) {
+void OverlayRenderer::Impl::draw_hidden_then_visible(unsigned program,
+                                                     const std::function<void()>& draw_all) {
     gl->DepthFunc(GL_GREATER);
     set_uniform(*gl, program, "opacity", hidden_opacity);
     draw_all();
@@ -122,7 +134,8 @@ void OverlayRenderer::Impl::draw_hidden_then_visible(unsigned program, const std
     draw_all();
 }
 
-void OverlayRenderer::Impl::draw_triangles(const Overlay& overlay, const Camera& camera, int width, int height) {
+void OverlayRenderer::Impl::draw_triangles(const Overlay& overlay, const Camera& camera, int width,
+                                           int height) {
     std::vector<TriangleVertex> vertices;
     const auto centroid = [](const Overlay::Triangle& t) { return Vec3((t.a + t.b + t.c) / 3.0); };
     std::vector<Overlay::Triangle> triangles;
@@ -130,7 +143,8 @@ void OverlayRenderer::Impl::draw_triangles(const Overlay& overlay, const Camera&
                  [](const Overlay::Triangle& t) { return finite(t); });
     for (const std::size_t i : far_to_near(triangles, camera, centroid)) {
         const Overlay::Triangle& triangle = triangles[i];
-        const LineInstance packed = line_instance(triangle.a, triangle.b, triangle.color, 0.0f, LineKind::butt);
+        const LineInstance packed =
+            line_instance(triangle.a, triangle.b, triangle.color, 0.0f, LineKind::butt);
         for (const Vec3& corner : {triangle.a, triangle.b, triangle.c}) {
             const Vec3f p = (corner - camera.eye).cast<float>();
             vertices.push_back({{p.x(), p.y(), p.z()},
@@ -139,15 +153,16 @@ void OverlayRenderer::Impl::draw_triangles(const Overlay& overlay, const Camera&
     }
     if (vertices.empty()) return;
     gl->BindBuffer(GL_ARRAY_BUFFER, triangle_buffer);
-    gl->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(TriangleVertex)), vertices.data(),
-                   GL_STREAM_DRAW);
+    gl->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(TriangleVertex)),
+                   vertices.data(), GL_STREAM_DRAW);
     begin(triangle_program, camera, width, height, overlay_bias);
     gl->BindVertexArray(triangle_array);
     draw_hidden_then_visible(triangle_program,
                              [&] { gl->DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size())); });
 }
 
-void OverlayRenderer::Impl::draw_ellipsoids(const Overlay& overlay, const Camera& camera, int width, int height) {
+void OverlayRenderer::Impl::draw_ellipsoids(const Overlay& overlay, const Camera& camera, int width,
+                                            int height) {
     std::vector<Overlay::Ellipsoid> filled;
     std::copy_if(overlay.ellipsoids.begin(), overlay.ellipsoids.end(), std::back_inserter(filled),
                  [](const Overlay::Ellipsoid& e) { return drawable(e) && e.fill.alpha > 0.0f; });
@@ -156,12 +171,10 @@ void OverlayRenderer::Impl::draw_ellipsoids(const Overlay& overlay, const Camera
     const Vec3f towards_eye = (camera.eye - camera.target).normalized().cast<float>();
 
     begin(ellipsoid_program, camera, width, height, 0.0);
-    if (camera.orthographic) {
-        gl->Uniform4f(gl->GetUniformLocation(ellipsoid_program, "eye"), towards_eye.x(), towards_eye.y(),
-                      towards_eye.z(), 0.0f);
-    } else {
-        gl->Uniform4f(gl->GetUniformLocation(ellipsoid_program, "eye"), 0.0f, 0.0f, 0.0f, 1.0f);
-    }
+    const Eigen::Vector4f eye = camera.orthographic
+                                    ? Eigen::Vector4f(towards_eye.x(), towards_eye.y(), towards_eye.z(), 0)
+                                    : Eigen::Vector4f(0, 0, 0, 1);
+    set_uniform(*gl, ellipsoid_program, "eye", eye);
     const GLint centre_uniform = gl->GetUniformLocation(ellipsoid_program, "centre");
     const GLint radii_uniform = gl->GetUniformLocation(ellipsoid_program, "radii");
     const GLint fill_uniform = gl->GetUniformLocation(ellipsoid_program, "fill");
@@ -183,15 +196,16 @@ void OverlayRenderer::Impl::draw_ellipsoids(const Overlay& overlay, const Camera
     gl->Disable(GL_CULL_FACE);
 }
 
-void OverlayRenderer::Impl::draw_lines(const std::vector<LineInstance>& lines, bool on_top, const Camera& camera,
-                                       int width, int height) {
+void OverlayRenderer::Impl::draw_lines(const std::vector<LineInstance>& lines, bool on_top,
+                                       const Camera& camera, int width, int height) {
     if (lines.empty()) return;
     gl->BindBuffer(GL_ARRAY_BUFFER, line_buffer);
-    gl->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(lines.size() * sizeof(LineInstance)), lines.data(),
-                   GL_STREAM_DRAW);
+    gl->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(lines.size() * sizeof(LineInstance)),
+                   lines.data(), GL_STREAM_DRAW);
     begin(line_program, camera, width, height, overlay_bias);
     set_uniform(*gl, line_program, "viewport", Vec2f(static_cast<float>(width), static_cast<float>(height)));
     set_uniform(*gl, line_program, "shortest", 0.0f);
+    set_uniform(*gl, line_program, "cull_eye", Eigen::Vector4f(Eigen::Vector4f::Zero()));
     gl->BindVertexArray(line_array);
     const auto draw_all = [&] {
         gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(lines.size()));
@@ -224,7 +238,9 @@ OverlayRenderer::~OverlayRenderer() {
     }
 }
 
-Status OverlayRenderer::status() const { return impl_->status; }
+Status OverlayRenderer::status() const {
+    return impl_->status;
+}
 
 void OverlayRenderer::draw(const Overlay& overlay, const Camera& camera, int width, int height) {
     if (!impl_->status || width <= 0 || height <= 0) return;
@@ -246,11 +262,11 @@ void OverlayRenderer::draw(const Overlay& overlay, const Camera& camera, int wid
     for (const Overlay::Line& line : overlay.lines) {
         if (!finite(line) || !(line.width > 0.0f)) continue;
         // Round ends would overlap, and show, where translucent segments meet.
-        const LineKind kind = line.arrow                  ? LineKind::arrow
+        const LineKind kind = line.arrow                 ? LineKind::arrow
                               : line.color.alpha >= 1.0f ? LineKind::round
-                                                          : LineKind::butt;
-        const LineInstance instance =
-            line_instance(line.a - camera.eye, line.b - camera.eye, line.color, std::min(line.width, 64.0f), kind);
+                                                         : LineKind::butt;
+        const LineInstance instance = line_instance(line.a - camera.eye, line.b - camera.eye, line.color,
+                                                    std::min(line.width, 64.0f), kind);
         (line.on_top ? on_top : in_scene).push_back(instance);
     }
     impl_->draw_triangles(overlay, camera, width, height);

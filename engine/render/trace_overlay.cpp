@@ -56,7 +56,8 @@ class TraceDrawing {
         started_ = true;
         place_ = centre;
         if (style_.ghosts) {
-            overlay_.ellipsoid(centre, radii_, tint(trace_colors::start, 0.06f), tint(trace_colors::start, 1.0f));
+            overlay_.ellipsoid(centre, radii_, tint(trace_colors::start, 0.06f),
+                               tint(trace_colors::start, 1.0f));
         }
         overlay_.cross(centre, 0.16 * size_, tint(trace_colors::start, 1.0f), 2.0f);
     }
@@ -71,8 +72,8 @@ class TraceDrawing {
                           tint(trace_colors::normal, 0.55f));
         }
         if (!style_.contacts) return;
-        overlay_.arrow(contact.point, contact.point + contact.normal * (0.7 * size_), tint(trace_colors::normal, 1.0f),
-                       2.5f);
+        overlay_.arrow(contact.point, contact.point + contact.normal * (0.7 * size_),
+                       tint(trace_colors::normal, 1.0f), 2.5f);
         // A short line with round ends is a dot of constant size on the screen.
         const Color dark{0.10f, 0.09f, 0.04f, style_.opacity};
         overlay_.line(contact.point, contact.point, dark, 11.0f, true);
@@ -106,9 +107,11 @@ Color sweep_color(int index) {
     return colors[static_cast<std::size_t>(std::clamp(index, 0, static_cast<int>(colors.size()) - 1))];
 }
 
-void draw_trace(Overlay& overlay, std::span<const TraceRecord> records, const Vec3& radii, const TraceStyle& style) {
+void draw_trace(Overlay& overlay, std::span<const TraceRecord> records, const Vec3& radii,
+                const TraceStyle& style) {
     TraceDrawing drawing(overlay, radii, style);
-    for (const TraceRecord& record : records) std::visit(drawing, record);
+    for (const TraceRecord& record : records)
+        std::visit(drawing, record);
     drawing.draw_leftovers();
 }
 

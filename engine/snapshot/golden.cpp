@@ -47,7 +47,8 @@ void write_and_tell(const fs::path& path, const Image& image, std::string& messa
 
 bool valid_snapshot_name(std::string_view name) {
     const auto plain = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+               c == '_';
     };
     bool after_separator = true;
     for (const char c : name) {
@@ -65,11 +66,16 @@ bool valid_snapshot_name(std::string_view name) {
 
 const char* golden_state_name(GoldenState state) {
     switch (state) {
-        case GoldenState::same: return "same";
-        case GoldenState::different: return "different";
-        case GoldenState::missing: return "missing";
-        case GoldenState::unreadable: return "unreadable";
-        case GoldenState::nondeterministic: return "nondeterministic";
+        case GoldenState::same:
+            return "same";
+        case GoldenState::different:
+            return "different";
+        case GoldenState::missing:
+            return "missing";
+        case GoldenState::unreadable:
+            return "unreadable";
+        case GoldenState::nondeterministic:
+            return "nondeterministic";
     }
     return "unknown";
 }
@@ -80,7 +86,8 @@ GoldenResult check_golden(const fs::path& folder, const std::string& name, const
     result.name = name;
     if (!valid_snapshot_name(name)) {
         result.state = GoldenState::unreadable;
-        result.message = fmt::format("found the snapshot name \"{}\", expected letters, digits, '-', '_' and '/'", name);
+        result.message =
+            fmt::format("found the snapshot name \"{}\", expected letters, digits, '-', '_' and '/'", name);
         return result;
     }
     const fs::path golden_path = png_path(folder, name, ".png");
@@ -104,7 +111,8 @@ GoldenResult check_golden(const fs::path& folder, const std::string& name, const
     if (result.state == GoldenState::different) {
         write_and_tell(png_path(out, name, ".expected.png"), *golden, result.message);
         write_and_tell(png_path(out, name, ".actual.png"), actual, result.message);
-        write_and_tell(png_path(out, name, ".difference.png"), difference_image(*golden, actual), result.message);
+        write_and_tell(png_path(out, name, ".difference.png"), difference_image(*golden, actual),
+                       result.message);
     }
     return result;
 }

@@ -25,7 +25,9 @@ struct Refusal {
     Error error;
 };
 
-[[noreturn]] void refuse(const std::string& place, const std::string& message) { throw Refusal{{place, message}}; }
+[[noreturn]] void refuse(const std::string& place, const std::string& message) {
+    throw Refusal{{place, message}};
+}
 
 std::string shown(const Json& value) {
     if (value.is_structured()) return value.is_array() ? "an array" : "an object";
@@ -69,15 +71,18 @@ Vec3 vec3_of(const Json& value, const std::string& place) {
 void only_keys(const Json& object, const std::string& place, std::initializer_list<const char*> allowed) {
     if (!object.is_object()) refuse_type(place, object, "an object");
     for (const auto& [key, value] : object.items()) {
-        const bool known = std::any_of(allowed.begin(), allowed.end(), [&](const char* name) { return key == name; });
+        const bool known =
+            std::any_of(allowed.begin(), allowed.end(), [&](const char* name) { return key == name; });
         if (known) continue;
         std::string names;
-        for (const char* name : allowed) names += (names.empty() ? "" : ", ") + std::string(name);
+        for (const char* name : allowed)
+            names += (names.empty() ? "" : ", ") + std::string(name);
         refuse(fmt::format("{}/{}", place, key), "is not known here, expected one of: " + names);
     }
 }
 
-std::filesystem::path path_of(const Json& value, const std::string& place, const std::filesystem::path& folder) {
+std::filesystem::path path_of(const Json& value, const std::string& place,
+                              const std::filesystem::path& folder) {
     const std::string text = text_of(value, place);
     if (text.empty() || text.find('\0') != std::string::npos) refuse(place, "found no usable path");
     return (folder / text).lexically_normal();
@@ -87,9 +92,11 @@ std::variant<std::string, Camera> camera_of(const Json& value, const std::string
     if (value.is_string()) {
         std::string name = value.get<std::string>();
         if (name.starts_with("auto:") && !named_view(name.substr(5), {}, 1.0)) {
-            refuse(place, fmt::format("found \"{}\", expected auto: and iso, iso-back, top, bottom, front, back, right "
-                                      "or left",
-                                      name));
+            refuse(
+                place,
+                fmt::format("found \"{}\", expected auto: and iso, iso-back, top, bottom, front, back, right "
+                            "or left",
+                            name));
         }
         return name;
     }
@@ -118,8 +125,11 @@ LevelStyle style_of(const Json& value, const std::string& place) {
             style.overlay = LevelStyle{}.overlay;
         } else if (word == "wireframe") {
             style.wireframe = true;
+        } else if (word == "cutaway") {
+            style.back_faces = false;
         } else {
-            refuse(place, fmt::format("found \"{}\", expected plain, textured, overlay or wireframe", word));
+            refuse(place, fmt::format("found \"{}\", expected plain, textured, overlay, wireframe or cutaway",
+                                      word));
         }
     }
     return style;
@@ -162,7 +172,8 @@ Scene scene_of(const Json& value, const std::string& place, const std::filesyste
     if (value.contains("camera")) scene.camera = camera_of(value["camera"], place + "/camera");
     if (value.contains("size")) {
         const Json& size = value["size"];
-        if (!size.is_array() || size.size() != 2) refuse_type(place + "/size", size, "two numbers [width, height]");
+        if (!size.is_array() || size.size() != 2)
+            refuse_type(place + "/size", size, "two numbers [width, height]");
         for (const std::size_t i : {0, 1}) {
             const std::string here = fmt::format("{}/size/{}", place, i);
             if (!size[i].is_number_integer()) refuse_type(here, size[i], "a whole number of pixels");
@@ -176,7 +187,8 @@ Scene scene_of(const Json& value, const std::string& place, const std::filesyste
     return scene;
 }
 
-// nlohmann's parser keeps the last of equal keys; here the second one is refused. The callback sees every key with its depth.
+// nlohmann's parser keeps the last of equal keys; here the second one is refused. The callback sees every key
+// with its depth.
 Json parse_json(std::string_view text, const std::string& place) {
     std::vector<std::set<std::string>> keys;
     std::string repeated;
@@ -193,7 +205,8 @@ Json parse_json(std::string_view text, const std::string& place) {
     };
     try {
         Json json = Json::parse(text, watch);
-        if (!repeated.empty()) refuse(place, fmt::format("the key \"{}\" comes twice in one object", repeated));
+        if (!repeated.empty())
+            refuse(place, fmt::format("the key \"{}\" comes twice in one object", repeated));
         return json;
     } catch (const Json::parse_error& error) {
         const std::size_t end = std::min(error.byte, text.size());
@@ -212,7 +225,8 @@ Result<std::vector<Scene>> parse_scene_suite(std::string_view text, const std::f
     if (version != 1) refuse(place + ":/version", fmt::format("found {}, expected 1", shown(version)));
     const Json& list = member(json, place + ":", "scenes");
     if (!list.is_array()) refuse_type(place + ":/scenes", list, "an array");
-    if (list.size() > max_scenes) refuse(place + ":/scenes", fmt::format("has more than {} scenes", max_scenes));
+    if (list.size() > max_scenes)
+        refuse(place + ":/scenes", fmt::format("has more than {} scenes", max_scenes));
 
     std::vector<Scene> scenes;
     std::set<std::string> names;

@@ -37,7 +37,8 @@ Result<Camera> scene_camera(const Scene& scene, const Level& level) {
         return camera;
     }
     std::string names;
-    for (const CameraBookmark& bookmark : level.cameras) names += (names.empty() ? "" : ", ") + bookmark.name;
+    for (const CameraBookmark& bookmark : level.cameras)
+        names += (names.empty() ? "" : ", ") + bookmark.name;
     return Error{scene.place + "/camera", fmt::format("the level has no camera \"{}\"; it has: {}", name,
                                                       names.empty() ? "none" : names)};
 }
@@ -65,8 +66,8 @@ Status draw_tape(const Scene& scene, const Level& level, const CollisionWorld& c
         return at_scene(scene, "/tape", status.error());
     }
     const Vec3 start = tape->start.value_or(level.spawn);
-    const SimulationReport report =
-        simulate({collision, level.surfaces}, settings, start, *tape, {.keep_states = true, .trace = nullptr});
+    const SimulationReport report = simulate({collision, level.surfaces}, settings, start, *tape,
+                                             {.keep_states = true, .trace = nullptr});
     Vec3 previous = start;
     for (const PlayerState& state : report.states) {
         if (state.position != previous) overlay.line(previous, state.position, path_color, 2.5f);

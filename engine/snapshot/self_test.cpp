@@ -1,5 +1,6 @@
-// Shipped mutations of a picture. Their sizes come from measurements (docs/snapshots.md): the faint ones are the smallest real
-// changes that were seen, the noise is the largest that another processor or another Mesa made.
+// Shipped mutations of a picture. Their sizes come from measurements (docs/snapshots.md): the faint ones are
+// the smallest real changes that were seen, the noise is the largest that another processor or another Mesa
+// made.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -22,7 +23,9 @@ class Random {
     std::uint64_t state_ = 20231117;
 };
 
-std::uint8_t clamped(double value) { return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L)); }
+std::uint8_t clamped(double value) {
+    return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L));
+}
 
 // Moved by `amount`, towards the side where there is room.
 std::uint8_t moved(std::uint8_t value, int amount) {
@@ -105,18 +108,19 @@ Image patch(const Image& picture) {
 Image rounding_noise(const Image& picture) {
     Image image = picture;
     Random random;
-    const auto width = static_cast<std::uint32_t>(picture.width), height = static_cast<std::uint32_t>(picture.height);
+    const auto width = static_cast<std::uint32_t>(picture.width),
+               height = static_cast<std::uint32_t>(picture.height);
     const std::size_t count = picture.pixel_count() * 13 / 10000;
     for (std::size_t i = 0; i < count; ++i) {
         const int x = static_cast<int>(random.below(width)), y = static_cast<int>(random.below(height));
-        std::uint8_t& value = image.pixel(x, y)[random.below(3)];
-        value = moved(value, 1);
+        const std::uint32_t channel = random.below(3);
+        image.pixel(x, y)[channel] = moved(picture.pixel(x, y)[channel], 1);
     }
     return image;
 }
 
-// One pixel in 5000 is off by up to 29 levels, each in a cell of 32 pixels of its own and away from that cell's border, so
-// that no window of 16 pixels holds two.
+// One pixel in 5000 is off by up to 29 levels, each in a cell of 32 pixels of its own and away from that
+// cell's border, so that no window of 16 pixels holds two.
 Image edge_noise(const Image& picture) {
     Image image = picture;
     Random random;
@@ -145,7 +149,8 @@ std::vector<SelfTestCase> self_test_cases(const Image& picture) {
             {"rounding of another processor", true, rounding_noise(picture)},
             {"edges of another Mesa", true, edge_noise(picture)},
             {"light 5 % lower", false, mapped(picture, [](double value) { return 0.95 * value; })},
-            {"gamma 2.4 instead of 2.2", false, mapped(picture, [](double value) { return std::pow(value, 2.2 / 2.4); })},
+            {"gamma 2.4 instead of 2.2", false,
+             mapped(picture, [](double value) { return std::pow(value, 2.2 / 2.4); })},
             {"one line gone", false, one_line(picture)},
             {"object moved by one pixel", false, object_moved_one_pixel(picture)},
             {"patch of 6 x 6 pixels", false, patch(picture)},

@@ -52,7 +52,8 @@ TEST_F(Info, ListsWarningsWithTheirPlace) {
     write("floor.slipface.json", R"({"slipface": 1, "studio": 1})");
     ASSERT_EQ(run(level, true), cli::exit_fine) << err.str();
     bool found = false;
-    for (const auto& warning : nlohmann::json::parse(out.str())["warnings"]) {
+    const auto json = nlohmann::json::parse(out.str());
+    for (const auto& warning : json["warnings"]) {
         found |= warning["place"].get<std::string>().ends_with("floor.slipface.json:/studio");
     }
     EXPECT_TRUE(found) << out.str();

@@ -168,7 +168,7 @@ TEST(World, KeepsItsTrianglesAndCounts) {
     EXPECT_EQ(statistics.triangles, 2000U);
     EXPECT_GT(statistics.nodes, 2000U / 64);
     EXPECT_GT(statistics.bytes, 2000U * 40);
-    EXPECT_LT(statistics.bytes, 2000U * 100);
+    EXPECT_LT(statistics.bytes, 2000U * 80);
     EXPECT_TRUE(CollisionWorld().bounds().empty());
     EXPECT_EQ(CollisionWorld().triangle_count(), 0U);
     EXPECT_EQ(CollisionWorld().face_surface(3), default_surface);

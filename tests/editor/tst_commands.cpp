@@ -104,21 +104,25 @@ TEST(CommandTable, NothingBreaksWithoutALevel) {
 }
 
 TEST_F(EditorTest, EveryCommandRunsOnALevel) {
-    for (const char* state : {"plain", "selected", "hovered", "playing", "probing", "stroke"}) {
+    for (const std::string state : {"plain", "selected", "hovered", "playing", "probing", "stroke"}) {
         for (const Command& command : commands()) {
-            SCOPED_TRACE(std::string(state) + " " + command.id);
-            Editor one;
-            open_level(one, obj);
-            ASSERT_TRUE(one.document);
-            if (std::string(state) == "selected") one.document->select({1, 2});
-            if (std::string(state) == "hovered") hover(one, Ray{Vec3(1.5, 5, 1.5), Vec3(0, -1, 0)});
-            if (std::string(state) == "playing") start_playtest(one);
-            if (std::string(state) == "probing") one.probe.placed = true;
-            if (std::string(state) == "stroke") one.document->begin("Stroke");
-            const bool enabled = command.enabled(one);
-            EXPECT_EQ(run_command(one, command.id), enabled);
-            if (command.checked) command.checked(one);
-            EXPECT_FALSE(one.message.has_value());
+            SCOPED_TRACE(state + " " + command.id);
+            while (document().in_transaction())
+                editor.document->commit();
+            editor.playtest.reset();
+            editor.hovered = no_id;
+            editor.probe = {};
+            editor.document->select({});
+            if (state == "selected") editor.document->select({1, 2});
+            if (state == "hovered") point_at(1.5, 1.5);
+            if (state == "playing") start_playtest(editor);
+            if (state == "probing") editor.probe.placed = true;
+            if (state == "stroke") editor.document->begin("Stroke");
+            const bool enabled = command.enabled(editor);
+            EXPECT_EQ(run_command(editor, command.id), enabled);
+            if (command.checked) command.checked(editor);
+            EXPECT_FALSE(editor.message.has_value());
+            ASSERT_TRUE(editor.document);
         }
     }
 }
@@ -345,6 +349,12 @@ TEST_F(EditorTest, TypesAreAddedAndRemoved) {
     for (const SurfaceType& type : document().level().surfaces)
         names.insert(type.name);
     EXPECT_EQ(names.size(), max_surface_types);
+}
+
+TEST_F(EditorTest, UndoneTypeIsNoBrush) {
+    ASSERT_TRUE(add_surface_type(editor).has_value());
+    ASSERT_TRUE(run_command(editor, "edit.undo"));
+    EXPECT_EQ(editor.brush, default_surface);
 }
 
 TEST_F(EditorTest, ATakenHotkeyChangesHands) {

@@ -398,8 +398,8 @@ TEST_F(RecentFilesTest, NewestFirstWithoutRepeatsAndKept) {
 
 TEST_F(RecentFilesTest, OddContentsAreLeftOut) {
     std::filesystem::create_directories(list().parent_path());
-    write_text(list(), std::string("\n/a.obj\r\n\0\x01binary\nrelative.obj\n/a.obj\n", 41) +
-                           "/b c.obj\n\xff\xfe\n/last.obj");
+    using namespace std::string_literals;
+    write_text(list(), "\n/a.obj\r\n/bin\0ary\nrelative.obj\n/a.obj\n/b c.obj\n\xff\xfe\n/last.obj"s);
     EXPECT_THAT(RecentFiles(list()).paths(), ElementsAre("/a.obj", "/b c.obj", "/last.obj"));
     write_text(list(), std::string(3 << 20, 'x'));
     EXPECT_TRUE(RecentFiles(list()).paths().empty());

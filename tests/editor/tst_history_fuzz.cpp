@@ -42,7 +42,7 @@ class Monkey {
             document_.go_to(below(static_cast<std::uint32_t>(document_.history().size()) + 2));
             return Did::travel;
         }
-        if (choice == 13) {
+        if (choice == 13 && below(8) == 0) {
             EXPECT_TRUE(document_.save().ok());
             EXPECT_FALSE(document_.dirty());
             return Did::save;

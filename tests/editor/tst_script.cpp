@@ -49,7 +49,7 @@ TEST_F(ScriptTest, ErrorsNameTheLineAndWhatIsNear) {
     EXPECT_NE(run("camera bookmark Nowhere").find("no camera \"Nowhere\""), std::string::npos);
     EXPECT_NE(run("hold X 3").find("expected W"), std::string::npos);
     EXPECT_NE(run("expect luck").find("cannot expect \"luck\""), std::string::npos);
-    EXPECT_NE(run("click \"Toolbar/Save\"").find("disabled"), std::string::npos);
+    EXPECT_NE(run("click \"Toolbar/Undo\"").find("disabled"), std::string::npos);
 }
 
 TEST_F(ScriptTest, ExpectationsFailAsSuchAndNameWhatWasFound) {

@@ -127,11 +127,12 @@ TEST(LevelJson, UnknownKeysAreKeptWhereTheyStand) {
         "cameras": [{"name": "c", "eye": [0,0,0], "target": [1,0,0], "lens": "wide"}],
         "spawn": {"position": [1, 2, 3], "facing_hint": "door"},
         "movement": {"gravity": 10, "wall_jump": true},
-        "overrides": [{"type": "ice", "material": "gone", "faces": [], "artist": "me"}]})";
+        "overrides": [{"type": "ice", "material": "gone", "artist": "me",
+                       "faces": ["0123456789abcdef 500,0,0 0,1,0 1"]}]})";
     Result<LoadedLevel> loaded = load(json);
     ASSERT_TRUE(loaded.ok()) << loaded.error().text();
-    // studio, deep, two sounds, two notes, lens, facing_hint, wall_jump, artist.
-    EXPECT_EQ(loaded->warnings.size(), 10u);
+    // studio, deep, two sounds, two notes, lens, facing_hint, wall_jump, artist; and one orphan.
+    EXPECT_EQ(loaded->warnings.size(), 11u);
     EXPECT_EQ(loaded->warnings[0].place, "easy.slipface.json:/spawn/facing_hint");
 
     // Reordering the surfaces must not mix up what belongs to them.
@@ -151,6 +152,7 @@ TEST(LevelJson, UnknownKeysAreKeptWhereTheyStand) {
     EXPECT_THAT(saved, HasSubstr("\"lens\": \"wide\""));
     EXPECT_THAT(saved, HasSubstr("\"facing_hint\": \"door\""));
     EXPECT_THAT(saved, HasSubstr("\"wall_jump\": true"));
+    EXPECT_THAT(saved, HasSubstr("\"artist\": \"me\""));
     EXPECT_LT(saved.find("\"studio\""), saved.find("\"deep\""));
 }
 
@@ -290,7 +292,7 @@ TEST_P(HostileJson, IsRefusedWithItsPlace) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, HostileJson, testing::Range(std::size_t{0}, hostile_files().size()),
-                         [](const auto& info) { return std::string(hostile_files()[info.param].name); });
+                         [](const auto& row_) { return std::string(hostile_files()[row_.param].name); });
 
 TEST(LevelJson, SixtyFourLevelsAreAllowedAndKept) {
     const Result<LoadedLevel> loaded = load(nested(63, '[', ']'));
@@ -366,7 +368,7 @@ TEST(LevelJson, AHundredThousandFarAndHugeMissingFacesDoNotHang) {
     std::string json = R"({"slipface": 1, "overrides": [{"type": "ice", "material": "stone", "faces": [)";
     for (int i = 0; i < 100'000; ++i) {
         json += i == 0 ? "\n" : ",\n";
-        json += "\"" + std::string(16, '0') + " " + std::to_string(i % 40) + ",3,0 0,1,0 1e12\"";
+        json += "\"" + std::string(16, '0') + " " + std::to_string(i % 40) + ",3,0 0,-1,0 1e12\"";
     }
     Faces faces = tiles(60);
     const Result<LoadedLevel> loaded = level_from_json(json + "]}]}", place, mesh_of(faces));

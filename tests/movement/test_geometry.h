@@ -29,7 +29,8 @@ class Lab {
 
     FaceId polygon(const std::vector<Vec3>& corners, SurfaceId surface = plain) {
         const auto first = static_cast<std::uint32_t>(positions_.size());
-        for (const Vec3& corner : corners) positions_.push_back(corner.cast<float>());
+        for (const Vec3& corner : corners)
+            positions_.push_back(corner.cast<float>());
         const auto face = static_cast<FaceId>(face_surfaces_.size());
         face_surfaces_.push_back(surface);
         for (std::uint32_t i = 2; i < corners.size(); ++i) {
@@ -39,18 +40,23 @@ class Lab {
         return face;
     }
     FaceId floor(double height = 0.0, SurfaceId surface = plain, double half = 50.0) {
-        return polygon({{-half, height, -half}, {-half, height, half}, {half, height, half}, {half, height, -half}},
-                       surface);
+        return polygon(
+            {{-half, height, -half}, {-half, height, half}, {half, height, half}, {half, height, -half}},
+            surface);
     }
     // A plane through the origin that rises along +X at `angle` from the horizontal.
     FaceId slope(double angle, SurfaceId surface = plain, double half = 100.0) {
         const Vec3 up(std::cos(angle), std::sin(angle), 0.0);
         const Vec3 across(0.0, 0.0, 1.0);
-        return polygon({half * (-up - across), half * (-up + across), half * (up + across), half * (up - across)}, surface);
+        return polygon(
+            {half * (-up - across), half * (-up + across), half * (up + across), half * (up - across)},
+            surface);
     }
     // A vertical rectangle from a to b, `low` to `high`.
-    FaceId wall(const Vec2& a, const Vec2& b, double low = -5.0, double high = 20.0, SurfaceId surface = plain) {
-        return polygon({{a.x(), low, a.y()}, {b.x(), low, b.y()}, {b.x(), high, b.y()}, {a.x(), high, a.y()}}, surface);
+    FaceId wall(const Vec2& a, const Vec2& b, double low = -5.0, double high = 20.0,
+                SurfaceId surface = plain) {
+        return polygon({{a.x(), low, a.y()}, {b.x(), low, b.y()}, {b.x(), high, b.y()}, {a.x(), high, a.y()}},
+                       surface);
     }
     // Half a pipe along Z with its axis at height `radius`: faces from the left rim down and up to the right.
     void half_pipe(int segments, double radius, SurfaceId surface, double half_length = 50.0) {
@@ -69,7 +75,8 @@ class Lab {
             CollisionWorld::build({.positions = positions_, .triangles = triangles_, .faces = faces_});
         ASSERT_TRUE(built.ok()) << built.error().text();
         world_ = std::move(built).value();
-        for (FaceId face = 0; face < face_surfaces_.size(); ++face) world_.set_face_surface(face, face_surfaces_[face]);
+        for (FaceId face = 0; face < face_surfaces_.size(); ++face)
+            world_.set_face_surface(face, face_surfaces_[face]);
         apply_surface_rules(world_, surfaces);
     }
     CollisionWorld& world() { return world_; }
@@ -83,8 +90,9 @@ class Lab {
     CollisionWorld world_;
 };
 
-// Height of the centre above a plane through the origin with the unit normal `n` at which the ellipsoid is `skin` off it:
-// the ellipsoid's extent along n is |R n| (componentwise product), and the plane is met where n.c = |R n| + skin.
+// Height of the centre above a plane through the origin with the unit normal `n` at which the ellipsoid is
+// `skin` off it: the ellipsoid's extent along n is |R n| (componentwise product), and the plane is met where
+// n.c = |R n| + skin.
 inline double centre_height(const MovementSettings& s, const Vec3& n) {
     return (s.radii.cwiseProduct(n).norm() + s.skin) / n.y();
 }
@@ -104,9 +112,10 @@ inline PlayerInput wish(double x, double z, bool jump = false) {
     return {.wish = Vec2(x, z), .jump = jump};
 }
 
-inline PlayerState run(const Lab& lab, const MovementSettings& settings, PlayerState state, const PlayerInput& input,
-                       int ticks, double dt = tick) {
-    for (int i = 0; i < ticks; ++i) state = step(lab.scene(), settings, state, input, dt).state;
+inline PlayerState run(const Lab& lab, const MovementSettings& settings, PlayerState state,
+                       const PlayerInput& input, int ticks, double dt = tick) {
+    for (int i = 0; i < ticks; ++i)
+        state = step(lab.scene(), settings, state, input, dt).state;
     return state;
 }
 
@@ -119,8 +128,10 @@ inline PlayerState standing_on_slope(const Lab& lab, const MovementSettings& set
 inline std::uint64_t hash_of(const PlayerState& s, std::uint64_t previous) {
     Hasher hasher;
     hasher.u64(previous);
-    for (int i = 0; i < 3; ++i) hasher.f64(s.position[i]);
-    for (int i = 0; i < 3; ++i) hasher.f64(s.velocity[i]);
+    for (int i = 0; i < 3; ++i)
+        hasher.f64(s.position[i]);
+    for (int i = 0; i < 3; ++i)
+        hasher.f64(s.velocity[i]);
     hasher.u64(static_cast<std::uint64_t>(s.grounded) * 4 + static_cast<std::uint64_t>(s.climbing) * 2 +
                static_cast<std::uint64_t>(s.stuck));
     return hasher.value();
@@ -140,7 +151,8 @@ class Random {
     std::uint64_t state_;
 };
 
-inline bool has_decision(const TraceRecorder& trace, const std::string& hack, bool acted, const std::string& outcome_part) {
+inline bool has_decision(const TraceRecorder& trace, const std::string& hack, bool acted,
+                         const std::string& outcome_part) {
     for (const TraceRecord& record : trace.records) {
         const auto* decision = std::get_if<DecisionRecord>(&record);
         if (decision != nullptr && hack == decision->hack && decision->acted == acted &&

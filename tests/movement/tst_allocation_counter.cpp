@@ -1,8 +1,8 @@
-#include "allocation_counter.h"
-
 #include <atomic>
 #include <cstdlib>
 #include <new>
+
+#include "allocation_counter.h"
 
 namespace {
 

@@ -13,7 +13,8 @@ bool same_bits(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-// --- static friction -------------------------------------------------------------------------------------------------
+// --- static friction
+// -------------------------------------------------------------------------------------------------
 
 TEST(StaticFriction, idle_on_30_degrees_is_bit_still_for_ten_seconds) {
     Lab lab;
@@ -56,7 +57,8 @@ TEST(StaticFriction, holds_up_to_max_slope_and_not_above) {
         if (degrees < 50.0) {
             EXPECT_NEAR(state.position.x(), 0.0, 1e-5) << degrees;
         } else {
-            // Frictionless plane: g sin a along the slope for 1 s, down from rest: g sin a / 2 metres, cos a of it along X.
+            // Frictionless plane: g sin a along the slope for 1 s, down from rest: g sin a / 2 metres, cos a
+            // of it along X.
             const double along = 0.5 * s.gravity * std::sin(a);
             EXPECT_NEAR(state.position.x(), -along * std::cos(a), 0.01 * along) << degrees;
             EXPECT_NEAR(state.velocity.norm(), 2.0 * along, 0.01 * along) << degrees;
@@ -86,7 +88,8 @@ TEST(StaticFriction, the_vertical_part_gets_exactly_one_sweep_on_ground) {
     EXPECT_TRUE(has_decision(trace, "static_friction", true, "grounded"));
 }
 
-// --- steep slopes are walls ------------------------------------------------------------------------------------------
+// --- steep slopes are walls
+// ------------------------------------------------------------------------------------------
 
 TEST(SteepSlope, of_60_and_75_degrees_cannot_be_climbed_by_walking_or_jumping) {
     for (const double degrees : {60.0, 75.0}) {
@@ -112,7 +115,8 @@ TEST(SteepSlope, of_60_and_75_degrees_cannot_be_climbed_by_walking_or_jumping) {
     }
 }
 
-// --- ground velocity -------------------------------------------------------------------------------------------------
+// --- ground velocity
+// -------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -137,7 +141,8 @@ double airborne_share(const MovementSettings& s, double dt) {
 
 TEST(GroundVelocity, on_the_player_is_grounded_in_every_tick) {
     const MovementSettings s;
-    for (const int rate : {30, 60, 120, 240, 360}) EXPECT_EQ(airborne_share(s, 1.0 / rate), 0.0) << rate;
+    for (const int rate : {30, 60, 120, 240, 360})
+        EXPECT_EQ(airborne_share(s, 1.0 / rate), 0.0) << rate;
 }
 
 TEST(GroundVelocity, off_the_player_hops) {
@@ -147,14 +152,16 @@ TEST(GroundVelocity, off_the_player_hops) {
 }
 
 TEST(GroundVelocity, a_step_off_a_ledge_falls_from_rest) {
-    // The press is not a motion: after t seconds in the air the player has fallen g t t / 2, not ground_speed t more.
+    // The press is not a motion: after t seconds in the air the player has fallen g t t / 2, not ground_speed
+    // t more.
     Lab lab;
     lab.polygon({{-20, 0, -5}, {-20, 0, 5}, {0, 0, 5}, {0, 0, -5}});
     lab.floor(-30);
     lab.ready();
     MovementSettings s;
     PlayerState state = run(lab, s, at({-3, 0.95, 0}), wish(1, 0), 20);
-    while (state.grounded) state = step(lab.scene(), s, state, wish(1, 0), tick).state;
+    while (state.grounded)
+        state = step(lab.scene(), s, state, wish(1, 0), tick).state;
     const double y = state.position.y();
     const double v = state.velocity.y();
     EXPECT_GT(v, -1.0 - s.gravity * tick);
@@ -162,7 +169,8 @@ TEST(GroundVelocity, a_step_off_a_ledge_falls_from_rest) {
     EXPECT_NEAR(state.position.y(), y + v * 0.5 - 10 * 0.25, 1e-9);
 }
 
-// --- straight ahead --------------------------------------------------------------------------------------------------
+// --- straight ahead
+// --------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -222,7 +230,8 @@ TEST(StraightAhead, leaves_vertical_walls_to_plain_sliding) {
     EXPECT_TRUE(has_decision(trace, "max_slope", true, "a wall"));
 }
 
-// --- keep energy -----------------------------------------------------------------------------------------------------
+// --- keep energy
+// -----------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -237,11 +246,13 @@ PlayerState ride(const MovementSettings& s, int segments, double entry_speed) {
     const Vec3 normal(std::cos(first / 2), std::sin(first / 2), 0.0);
     const Vec3 on_face(-5.0 * std::cos(first / 2) * std::cos(first / 2),
                        5.0 - 5.0 * std::cos(first / 2) * std::sin(first / 2), 0.0);
-    PlayerState state = at(on_face + normal * (s.radii.cwiseProduct(normal).norm() + s.skin), along * entry_speed);
+    PlayerState state =
+        at(on_face + normal * (s.radii.cwiseProduct(normal).norm() + s.skin), along * entry_speed);
     for (int i = 0; i < 600; ++i) {
         state = step(lab.scene(), s, state, {}, tick).state;
         // On the last face: the velocity leads along it, mirrored from the first.
-        if (state.velocity.y() > 0.0 && std::abs(state.velocity.normalized().x() - along.x()) < 1e-6) return state;
+        if (state.velocity.y() > 0.0 && std::abs(state.velocity.normalized().x() - along.x()) < 1e-6)
+            return state;
     }
     return state;
 }
@@ -279,8 +290,10 @@ TEST(KeepEnergy, on_the_exit_speed_is_the_entry_speed_and_gravitys_work) {
         const double first = pi / segments / 2;
         const Vec3 along(std::sin(first), -std::cos(first), 0.0);
         const Vec3 normal(std::cos(first), std::sin(first), 0.0);
-        const Vec3 on_face(-5.0 * std::cos(first) * std::cos(first), 5.0 - 5.0 * std::cos(first) * std::sin(first), 0.0);
-        PlayerState state = at(on_face + normal * (s.radii.cwiseProduct(normal).norm() + s.skin), along * 12.0);
+        const Vec3 on_face(-5.0 * std::cos(first) * std::cos(first),
+                           5.0 - 5.0 * std::cos(first) * std::sin(first), 0.0);
+        PlayerState state =
+            at(on_face + normal * (s.radii.cwiseProduct(normal).norm() + s.skin), along * 12.0);
         const double energy = 0.5 * 144.0 + s.gravity * state.position.y();
         bool far_side = false;
         for (int i = 0; i < 120 && !far_side; ++i) {
@@ -301,7 +314,8 @@ TEST(KeepEnergy, off_with_gravity_speed_is_lost) {
     lab.ready();
     PlayerState state = at({-4.0, 3.5, 0}, {0, -12, 0});
     const double energy = 0.5 * 144.0 + s.gravity * state.position.y();
-    while (state.position.x() < 1.0) state = step(lab.scene(), s, state, {}, tick).state;
+    while (state.position.x() < 1.0)
+        state = step(lab.scene(), s, state, {}, tick).state;
     const double speed = std::sqrt(2.0 * (energy - s.gravity * state.position.y()));
     EXPECT_LT(state.velocity.norm(), 0.9 * speed);
 }
@@ -316,7 +330,8 @@ TEST(KeepEnergy, a_head_on_hit_is_not_redirected) {
     TraceRecorder head_on;
     const Vec3 v = 10.0 * Vec3(std::cos(radians(35)), 0, std::sin(radians(35)));
     PlayerState state = at({-1, 5, 0}, v);
-    for (int i = 0; i < 30; ++i) state = step(lab.scene(), s, state, {}, tick, &head_on).state;
+    for (int i = 0; i < 30; ++i)
+        state = step(lab.scene(), s, state, {}, tick, &head_on).state;
     EXPECT_NEAR(state.velocity.norm(), 10.0 * std::sin(radians(35)), 1e-9);
     EXPECT_TRUE(has_decision(head_on, "keep_energy", false, "head-on"));
     // At 65 degrees from the normal, -0.42: turned with all its speed.
@@ -352,7 +367,8 @@ TEST(KeepEnergy, ice_does_not_hold_an_idle_player) {
     EXPECT_NEAR(state.position.x(), -3.42 * std::cos(radians(20)), 0.1);
 }
 
-// --- push-out --------------------------------------------------------------------------------------------------------
+// --- push-out
+// --------------------------------------------------------------------------------------------------------
 
 TEST(PushOut, off_an_overlapping_player_stays_inside) {
     Lab lab;
@@ -365,7 +381,8 @@ TEST(PushOut, off_an_overlapping_player_stays_inside) {
 TEST(PushOut, frees_from_a_plane_a_wedge_and_a_corner) {
     for (const PushOut kind : {PushOut::iterative, PushOut::analytic}) {
         for (const double degrees : {5.0, 20.0, 45.0, 85.0}) {
-            // Going from wall to wall converges by cos(angle)^2 a round: no use in narrow wedges, and said to be so.
+            // Going from wall to wall converges by cos(angle)^2 a round: no use in narrow wedges, and said to
+            // be so.
             if (kind == PushOut::iterative && degrees < 45.0) continue;
             for (const bool corner : {false, true}) {
                 const double half = radians(degrees) / 2;
@@ -384,7 +401,8 @@ TEST(PushOut, frees_from_a_plane_a_wedge_and_a_corner) {
                 TraceRecorder trace;
                 const PlayerState out = step(lab.scene(), s, inside, {}, tick, &trace).state;
                 EXPECT_FALSE(overlaps_any(lab.world(), s.radii, out.position))
-                    << degrees << (corner ? " corner " : " wedge ") << push_out_names[static_cast<std::size_t>(kind)];
+                    << degrees << (corner ? " corner " : " wedge ")
+                    << push_out_names[static_cast<std::size_t>(kind)];
                 ASSERT_FALSE(trace.records.empty());
                 const auto* record = std::get_if<PushOutRecord>(&trace.records.front());
                 ASSERT_NE(record, nullptr);

@@ -1,8 +1,8 @@
+#include <gmock/gmock.h>
+
 #include <cmath>
 #include <limits>
 #include <set>
-
-#include <gmock/gmock.h>
 
 #include "test_geometry.h"
 
@@ -32,14 +32,16 @@ TEST(SettingsTable, describes_every_setting_completely) {
     }
     for (const char* group : {"Body", "Speed", "Collision", "Hacks"}) {
         bool used = false;
-        for (const SettingInfo& info : settings_table()) used = used || std::string(info.group) == group;
+        for (const SettingInfo& info : settings_table())
+            used = used || std::string(info.group) == group;
         EXPECT_TRUE(used) << group;
     }
     EXPECT_EQ(find_setting("no_such"), nullptr);
 }
 
 TEST(SettingsTable, reaches_every_member) {
-    // Every row sets its own member and no other: set all rows to their minimum one by one; each must change the struct.
+    // Every row sets its own member and no other: set all rows to their minimum one by one; each must change
+    // the struct.
     for (const SettingInfo& info : settings_table()) {
         const MovementSettings defaults;
         MovementSettings changed;
@@ -53,7 +55,8 @@ TEST(SettingsTable, reaches_every_member) {
         }
         // And back through its text.
         MovementSettings read;
-        ASSERT_TRUE(set_setting(read, std::string(info.name) + "=" + setting_text(changed, info)).ok()) << info.name;
+        ASSERT_TRUE(set_setting(read, std::string(info.name) + "=" + setting_text(changed, info)).ok())
+            << info.name;
         EXPECT_TRUE(read == changed) << info.name;
     }
 }

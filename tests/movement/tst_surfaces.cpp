@@ -5,7 +5,8 @@
 
 namespace slipface::test {
 
-// --- ladder ----------------------------------------------------------------------------------------------------------
+// --- ladder
+// ----------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -21,7 +22,8 @@ void build_ladder(Lab& lab) {
 
 PlayerState on_ladder(const Lab& lab, const MovementSettings& s) {
     PlayerState state = run(lab, s, at({1.0, 0.95, 0}), {}, 30);
-    for (int i = 0; i < 60 && !state.climbing; ++i) state = step(lab.scene(), s, state, wish(1, 0), tick).state;
+    for (int i = 0; i < 60 && !state.climbing; ++i)
+        state = step(lab.scene(), s, state, wish(1, 0), tick).state;
     return state;
 }
 
@@ -127,7 +129,8 @@ TEST(Ladder, is_passed_by_who_walks_along_it) {
     EXPECT_GT(state.position.z(), 3.0);
 }
 
-// --- sticky ----------------------------------------------------------------------------------------------------------
+// --- sticky
+// ----------------------------------------------------------------------------------------------------------
 
 TEST(Sticky, walls_and_ceilings_hold_until_a_jump) {
     for (const bool overhead : {false, true}) {
@@ -141,7 +144,8 @@ TEST(Sticky, walls_and_ceilings_hold_until_a_jump) {
         lab.ready();
         const MovementSettings s;
         PlayerState state = at({1, 1, 0}, overhead ? Vec3(0, 12, 0) : Vec3(10, 0, 0));
-        for (int i = 0; i < 30 && !state.stuck; ++i) state = step(lab.scene(), s, state, {}, tick).state;
+        for (int i = 0; i < 30 && !state.stuck; ++i)
+            state = step(lab.scene(), s, state, {}, tick).state;
         ASSERT_TRUE(state.stuck) << overhead;
         const Vec3 held = state.position;
         EXPECT_EQ(state.velocity, Vec3(0, 0, 0));
@@ -168,7 +172,8 @@ TEST(Sticky, does_not_act_without_surface_types) {
     EXPECT_FALSE(run(lab, s, at({0, 1, 0}), {}, 60).stuck);
 }
 
-// --- bounce ----------------------------------------------------------------------------------------------------------
+// --- bounce
+// ----------------------------------------------------------------------------------------------------------
 
 TEST(Bouncy, drop_heights_fall_by_the_square_of_the_restitution) {
     for (const double e : {0.5, 0.8, 1.0}) {
@@ -192,7 +197,8 @@ TEST(Bouncy, drop_heights_fall_by_the_square_of_the_restitution) {
                     expected *= e * e;
                     const double height =
                         state.position.y() - rest + state.velocity.y() * state.velocity.y() / (2 * s.gravity);
-                    EXPECT_NEAR(height, expected, 0.01 * expected) << e << " at " << rate << " Hz, bounce " << bounces;
+                    EXPECT_NEAR(height, expected, 0.01 * expected)
+                        << e << " at " << rate << " Hz, bounce " << bounces;
                     ++bounces;
                 }
                 rising = up;
@@ -241,7 +247,8 @@ TEST(Bouncy, walls_reflect_and_scale_the_parallel_part_by_friction) {
     EXPECT_LT((state.velocity - Vec3(-4, 0, 1)).norm(), 1e-9);
 }
 
-// --- moving surfaces -------------------------------------------------------------------------------------------------
+// --- moving surfaces
+// -------------------------------------------------------------------------------------------------
 
 TEST(Conveyor, carries_and_gives_its_velocity_on_leave) {
     Lab lab;
@@ -286,12 +293,15 @@ TEST(Turntable, carries_on_the_circle) {
     for (int i = 1; i <= 60; ++i) {
         state = step(lab.scene(), s, state, {}, tick).state;
         const double a = 2 * pi * i / 60;
-        EXPECT_LT((state.position - Vec3(1 + 9 * std::cos(a), 0.9 + s.skin, 2 - 9 * std::sin(a))).norm(), 1e-4) << i;
+        EXPECT_LT((state.position - Vec3(1 + 9 * std::cos(a), 0.9 + s.skin, 2 - 9 * std::sin(a))).norm(),
+                  1e-4)
+            << i;
         EXPECT_TRUE(state.grounded);
     }
 }
 
-// --- the rest --------------------------------------------------------------------------------------------------------
+// --- the rest
+// --------------------------------------------------------------------------------------------------------
 
 TEST(Hazard, is_reported_while_touched) {
     Lab lab;
@@ -343,7 +353,8 @@ TEST(Surfaces, an_unknown_id_is_plain_ground) {
 TEST(Surfaces, presets_are_complete) {
     const std::vector<SurfaceType> types = preset_surface_types();
     ASSERT_EQ(types.size(), 8u);
-    const std::array<const char*, 8> names{"default", "ice", "ladder", "sticky", "bouncy", "conveyor", "turntable", "hazard"};
+    const std::array<const char*, 8> names{"default", "ice",      "ladder",    "sticky",
+                                           "bouncy",  "conveyor", "turntable", "hazard"};
     for (std::size_t i = 0; i < types.size(); ++i) {
         EXPECT_EQ(types[i].name, names[i]);
         for (std::size_t j = 0; j < i; ++j) {
@@ -359,7 +370,8 @@ TEST(Surfaces, presets_are_complete) {
             }
         }
     }
-    EXPECT_TRUE(types[ice].keeps_energy && types[ladder].climbable && types[sticky].sticky && types[hazard].hazardous);
+    EXPECT_TRUE(types[ice].keeps_energy && types[ladder].climbable && types[sticky].sticky &&
+                types[hazard].hazardous);
     EXPECT_GT(types[bouncy].restitution, 0.0);
 }
 

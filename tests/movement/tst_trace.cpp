@@ -20,7 +20,8 @@ TEST(Trace, without_a_sink_a_step_allocates_nothing) {
     PlayerState state = at({-2, 3, 0});
     const MovementScene scene = lab.scene();
     const long before = allocation_count();
-    for (int i = 0; i < 300; ++i) state = step(scene, s, state, wish(1, 0.3, i % 50 == 0), tick).state;
+    for (int i = 0; i < 300; ++i)
+        state = step(scene, s, state, wish(1, 0.3, i % 50 == 0), tick).state;
     EXPECT_EQ(allocation_count(), before);
     // And the counter does count.
     TraceRecorder trace;
@@ -43,8 +44,8 @@ TEST(Trace, tells_the_steps_of_a_slide_in_order) {
     EXPECT_EQ(first.from, Vec3(0, 5, 0));
     EXPECT_EQ(first.move, Vec3(4, -1, 3));
     ASSERT_TRUE(first.contact.has_value());
-    EXPECT_NEAR(first.contact->t, 1.6 / 4.0, 1e-6);                  // 2 m less the radius, of 4 m
-    EXPECT_NEAR(first.reached.x(), 1.6 - s.skin, 1e-6);              // and the skin
+    EXPECT_NEAR(first.contact->t, 1.6 / 4.0, 1e-6);      // 2 m less the radius, of 4 m
+    EXPECT_NEAR(first.reached.x(), 1.6 - s.skin, 1e-6);  // and the skin
     const double used = (1.6 - s.skin) / 4.0;
     EXPECT_LT((response.leftover_before - (1 - used) * Vec3(4, -1, 3)).norm(), 1e-6);
     EXPECT_LT((response.leftover_after - (1 - used) * Vec3(0, -1, 3)).norm(), 1e-6);
@@ -67,27 +68,30 @@ TEST(Trace, says_why_a_hack_was_refused) {
 }
 
 TEST(Trace, every_kind_of_record_is_a_sentence) {
-    const Contact contact{.t = 0.25, .normal = {0, 1, 0}, .point = {1, 0, 2}, .triangle = 7, .face = 3, .surface = 1};
+    const Contact contact{
+        .t = 0.25, .normal = {0, 1, 0}, .point = {1, 0, 2}, .triangle = 7, .face = 3, .surface = 1};
     EXPECT_EQ(trace_text(SweepRecord{.pass = Pass::vertical,
                                      .iteration = 1,
                                      .from = {1, 2, 3},
                                      .move = {0, -4, -0.0},
                                      .reached = {1, 1, 3},
                                      .contact = contact}),
-              "vertical sweep 2: from (1, 2, 3) by (0, -4, 0), touches the interior of triangle 7 (face 3, surface 1) at t "
+              "vertical sweep 2: from (1, 2, 3) by (0, -4, 0), touches the interior of triangle 7 (face 3, "
+              "surface 1) at t "
               "= 0.25 with normal (0, 1, 0), stops at (1, 1, 3)");
     EXPECT_EQ(trace_text(SweepRecord{.move = {1, 0, 0}}), "slide sweep 1: from (0, 0, 0) by (1, 0, 0), free");
     EXPECT_EQ(trace_text(ResponseRecord{.rule = Rule::straight_ahead,
                                         .leftover_before = {3, 0, 4},
                                         .leftover_after = {0, 0, 2},
                                         .normal = {0, 1, 0}}),
-              "straight ahead: leftover (3, 0, 4) (5 m) becomes (0, 0, 2) (2 m) at normal (0, 1, 0) (no face, surface 0)");
+              "straight ahead: leftover (3, 0, 4) (5 m) becomes (0, 0, 2) (2 m) at normal (0, 1, 0) (no "
+              "face, surface 0)");
     EXPECT_EQ(trace_text(PushOutRecord{.to = {0, 0.5, 0}, .planes = 1, .free = true}),
               "push_out: 1 plane, from (0, 0, 0) by 0.5 m to (0, 0.5, 0), free");
     EXPECT_THAT(trace_text(PushOutRecord{.planes = 2}), HasSubstr("2 planes"));
     EXPECT_THAT(trace_text(PushOutRecord{.planes = 2}), HasSubstr("still overlapping"));
-    for (const Rule rule : {Rule::slide, Rule::bounce, Rule::straight_ahead, Rule::keep_energy, Rule::stick, Rule::crease,
-                            Rule::stop}) {
+    for (const Rule rule : {Rule::slide, Rule::bounce, Rule::straight_ahead, Rule::keep_energy, Rule::stick,
+                            Rule::crease, Rule::stop}) {
         EXPECT_STRNE(rule_name(rule), "unknown");
     }
     for (const Pass pass : {Pass::slide, Pass::horizontal, Pass::vertical, Pass::probe}) {
@@ -107,7 +111,8 @@ TEST(Trace, every_decision_of_a_hack_names_a_setting) {
     TraceRecorder trace;
     PlayerState state = at({-1, 3, 0});
     for (int i = 0; i < 400; ++i) {
-        state = step(lab.scene(), s, state, wish(i / 100 % 2 == 0 ? 1 : -1, 0.1, i % 60 == 0), tick, &trace).state;
+        state = step(lab.scene(), s, state, wish(i / 100 % 2 == 0 ? 1 : -1, 0.1, i % 60 == 0), tick, &trace)
+                    .state;
     }
     int decisions = 0;
     for (const TraceRecord& record : trace.records) {

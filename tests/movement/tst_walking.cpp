@@ -100,7 +100,8 @@ TEST(Walking, reaches_walk_speed_and_stops) {
 }
 
 TEST(Walls, sliding_keeps_the_parallel_speed) {
-    // A wall along the direction (cos a, sin a) in x, z; the player pushes along +X. What is left of 6 m/s is 6 cos a.
+    // A wall along the direction (cos a, sin a) in x, z; the player pushes along +X. What is left of 6 m/s is
+    // 6 cos a.
     for (const double degrees : {10.0, 30.0, 45.0, 60.0, 80.0}) {
         const double a = radians(degrees);
         Lab lab;
@@ -130,7 +131,8 @@ TEST(Walls, a_slide_move_has_the_length_of_the_projection) {
     lab.wall({-40, 0}, {40, 0});
     lab.ready();
     const MovementSettings s;
-    // 1 m at 30 degrees into a wall at distance 0.402 (radius and skin): all of it slides, cos 30 m along the wall.
+    // 1 m at 30 degrees into a wall at distance 0.402 (radius and skin): all of it slides, cos 30 m along the
+    // wall.
     const Vec3 from(0, 2, 0.402);
     const Vec3 move(std::cos(radians(30)), 0, -std::sin(radians(30)));
     const SlideResult result = slide_move(lab.scene(), s, from, move);
@@ -189,7 +191,8 @@ TEST(Corners, a_third_plane_stops_the_move) {
         const double a = radians(20.0 + 120.0 * k);
         rims[static_cast<std::size_t>(k)] = Vec3(std::cos(a), 1.4, std::sin(a)) * 30.0;
     }
-    for (std::size_t k = 0; k < 3; ++k) lab.polygon({{0, 0, 0}, rims[k], rims[(k + 1) % 3]});
+    for (std::size_t k = 0; k < 3; ++k)
+        lab.polygon({{0, 0, 0}, rims[k], rims[(k + 1) % 3]});
     lab.ready();
     const MovementSettings s;
     TraceRecorder trace;
@@ -248,8 +251,10 @@ TEST(Ditch, two_steep_faces_ground_a_wedged_player) {
     Lab lab;
     const double a = radians(65);
     const Vec3 z(0, 0, 50);
-    lab.polygon({-z, z, Vec3(-50 * std::cos(a), 50 * std::sin(a), 50), Vec3(-50 * std::cos(a), 50 * std::sin(a), -50)});
-    lab.polygon({-z, z, Vec3(50 * std::cos(a), 50 * std::sin(a), 50), Vec3(50 * std::cos(a), 50 * std::sin(a), -50)});
+    lab.polygon({-z, z, Vec3(-50 * std::cos(a), 50 * std::sin(a), 50),
+                 Vec3(-50 * std::cos(a), 50 * std::sin(a), -50)});
+    lab.polygon(
+        {-z, z, Vec3(50 * std::cos(a), 50 * std::sin(a), 50), Vec3(50 * std::cos(a), 50 * std::sin(a), -50)});
     lab.ready();
     const MovementSettings s;
     PlayerState state = run(lab, s, at({0.1, 4, 0}), {}, 180);

@@ -24,8 +24,8 @@ class DrawingTest : public testing::Test {
 
     static const GlTable& gl() { return context_->gl(); }
 
-    static Image draw(LevelRenderer& renderer, const Camera& camera, int width, int height, const LevelStyle& style,
-                      const Overlay* overlay = nullptr) {
+    static Image draw(LevelRenderer& renderer, const Camera& camera, int width, int height,
+                      const LevelStyle& style, const Overlay* overlay = nullptr) {
         Framebuffer framebuffer(gl(), width, height);
         framebuffer.bind();
         renderer.draw(camera, width, height, style);
@@ -65,7 +65,8 @@ inline int delta(const Image& a, const Image& b, int x, int y) {
 inline std::size_t differing_pixels(const Image& a, const Image& b) {
     std::size_t count = 0;
     for (int y = 0; y < a.height; ++y) {
-        for (int x = 0; x < a.width; ++x) count += delta(a, b, x, y) > 0 ? 1U : 0U;
+        for (int x = 0; x < a.width; ++x)
+            count += delta(a, b, x, y) > 0 ? 1U : 0U;
     }
     return count;
 }

@@ -57,7 +57,8 @@ class MeshBuilder {
         return face;
     }
 
-    // An axis-aligned box, seen from outside. Returns its top face; the others follow as bottom, +X, -X, +Z, -Z.
+    // An axis-aligned box, seen from outside. Returns its top face; the others follow as bottom, +X, -X, +Z,
+    // -Z.
     FaceId box(const Vec3& a, const Vec3& b, std::uint32_t material = 0) {
         const auto p = [&](int x, int y, int z) {
             return Vec3(x != 0 ? b.x() : a.x(), y != 0 ? b.y() : a.y(), z != 0 ? b.z() : a.z());
@@ -89,8 +90,8 @@ class MeshBuilder {
     Mesh mesh_;
 };
 
-// A courtyard with a ramp, stairs, pillars, a half-pipe and a wall that is seen from behind. `painted` lists faces with
-// surface types 1 to 7, in this order.
+// A courtyard with a ramp, stairs, pillars, a half-pipe and a wall that is seen from behind. `painted` lists
+// faces with surface types 1 to 7, in this order.
 struct Courtyard {
     MeshPtr mesh;
     std::vector<FaceId> painted;
@@ -117,7 +118,8 @@ inline Courtyard make_courtyard(const std::string& floor_texture = "", const std
     b.face({{-9, 0, -2}, {-3, 0, -2}, {-3, 3, -2}}, stone);
     b.face({{-3, 0, -5}, {-9, 0, -5}, {-3, 3, -5}}, stone);
     const FaceId deck = b.box({-3, 2.6, -5}, {2, 3, -2}, stone);
-    for (int i = 0; i < 8; ++i) b.box({2.0 + 0.5 * i, 0, -5}, {2.5 + 0.5 * i, 3.0 - 0.375 * i, -2}, stone);
+    for (int i = 0; i < 8; ++i)
+        b.box({2.0 + 0.5 * i, 0, -5}, {2.5 + 0.5 * i, 3.0 - 0.375 * i, -2}, stone);
     const FaceId pillar = b.box({-7, 0, 3}, {-5.5, 3.5, 4.5}, wall);
     b.box({-2, 0, 4}, {-1, 1.0, 5}, stone);
     const FaceId crate = b.box({0.5, 0, 3.5}, {2.0, 1.5, 5.0}, wall);
@@ -130,7 +132,8 @@ inline Courtyard make_courtyard(const std::string& floor_texture = "", const std
         pipe.push_back(b.face({at(a0, 8), at(a1, 8), at(a1, 3), at(a0, 3)}, stone));
     }
     yard.painted = {ramp, pillar + 4, deck, crate, tiles[17], tiles[27], tiles[20]};
-    for (const FaceId face : pipe) yard.painted.push_back(face);
+    for (const FaceId face : pipe)
+        yard.painted.push_back(face);
     (void)left;
     yard.mesh = b.build();
     return yard;

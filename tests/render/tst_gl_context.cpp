@@ -76,7 +76,8 @@ TEST(EglDeathTest, DrawsInItsOwnProcess) {
             }
             const Image image = courtyard_picture(**context);
             int brightest = 0;
-            for (const std::uint8_t value : image.rgba) brightest = std::max<int>(brightest, value == 255 ? 0 : value);
+            for (const std::uint8_t value : image.rgba)
+                brightest = std::max<int>(brightest, value == 255 ? 0 : value);
             std::exit((*context)->backend_name() == "EGL surfaceless" && brightest > 120 ? 0 : 2);
         },
         testing::ExitedWithCode(0), "");
@@ -115,7 +116,8 @@ TEST_F(FramebufferTest, SizesAreKeptOrClamped) {
     struct Case {
         int width, height, expected_width, expected_height;
     };
-    for (const Case& c : {Case{1, 1, 1, 1}, Case{17, 9, 17, 9}, Case{0, -5, 1, 1}, Case{1000000, 1, max_framebuffer_side, 1}}) {
+    for (const Case& c : {Case{1, 1, 1, 1}, Case{17, 9, 17, 9}, Case{0, -5, 1, 1},
+                          Case{1000000, 1, max_framebuffer_side, 1}}) {
         Framebuffer framebuffer(gl(), c.width, c.height);
         EXPECT_EQ(framebuffer.width(), c.expected_width);
         EXPECT_EQ(framebuffer.height(), c.expected_height);

@@ -1,6 +1,5 @@
-#include "slipface/render/level_picture.h"
-
 #include "drawing.h"
+#include "slipface/render/level_picture.h"
 
 namespace slipface {
 namespace {
@@ -39,7 +38,8 @@ TEST_F(LevelPictureTest, DrawsLevelOverridesAndOverlay) {
 
 TEST_F(LevelPictureTest, RefusesSizes) {
     const Level level = courtyard();
-    for (const auto& [width, height] : {std::pair(0, 10), std::pair(10, -1), std::pair(max_framebuffer_side + 1, 10)}) {
+    for (const auto& [width, height] :
+         {std::pair(0, 10), std::pair(10, -1), std::pair(max_framebuffer_side + 1, 10)}) {
         const auto picture = render_level_picture(*context_, level, {}, width, height, {});
         ASSERT_FALSE(picture.ok());
         EXPECT_EQ(picture.error().place, "picture size");

@@ -1,13 +1,11 @@
-#include "slipface/render/level_renderer.h"
-
 #include <glad/gl.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
 
-#include <unistd.h>
-
 #include "drawing.h"
+#include "slipface/render/level_renderer.h"
 
 namespace slipface {
 namespace {
@@ -84,7 +82,7 @@ TEST_F(LevelRendererTest, PaintChangesExactlyTheFace) {
 
 // Hovering and selecting reach as far as their outline, 2.2 pixels wide, plus a pixel of softness.
 TEST_F(LevelRendererTest, HighlightChangesExactlyTheFace) {
-    for (const std::uint8_t highlight : {1, 2, 3}) {
+    for (const auto highlight : {std::uint8_t{1}, std::uint8_t{2}, std::uint8_t{3}}) {
         LevelRenderer renderer(gl());
         renderer.set_mesh(four_tiles(), "");
         const Image before = draw(renderer, tile_camera, side, side, {});
@@ -105,7 +103,8 @@ TEST_F(LevelRendererTest, HighlightChangesExactlyTheFace) {
     }
 }
 
-// The outline of two selected neighbours goes round both: the edge between them (column 100) looks like the inside.
+// The outline of two selected neighbours goes round both: the edge between them (column 100) looks like the
+// inside.
 TEST_F(LevelRendererTest, SelectedNeighboursShareOneOutline) {
     LevelRenderer renderer(gl());
     renderer.set_mesh(four_tiles(), "");
@@ -133,7 +132,8 @@ TEST_F(LevelRendererTest, DefaultFacesIgnoreTheOverlay) {
     EXPECT_NE(draw(renderer, tile_camera, side, side, with), plain);
 }
 
-// Each hatch is told from each other without colour: eight types of one colour on one face give different pictures.
+// Each hatch is told from each other without colour: eight types of one colour on one face give different
+// pictures.
 TEST_F(LevelRendererTest, HatchesDifferWithoutColour) {
     std::vector<SurfaceType> types(9);
     for (std::size_t i = 1; i < types.size(); ++i) {
@@ -157,7 +157,8 @@ TEST_F(LevelRendererTest, HatchesDifferWithoutColour) {
 TEST_F(LevelRendererTest, UploadsOnlyWhatChanged) {
     LevelRenderer renderer(gl());
     MeshBuilder builder;
-    for (int i = 0; i < 100; ++i) builder.face({{1.0 * i, 0, 1}, {i + 1.0, 0, 1}, {i + 1.0, 0, 0}});
+    for (int i = 0; i < 100; ++i)
+        builder.face({{1.0 * i, 0, 1}, {i + 1.0, 0, 1}, {i + 1.0, 0, 0}});
     renderer.set_mesh(builder.build(), "");
     std::vector<SurfaceId> surfaces(100, 0);
     const auto cost = [&] {
@@ -176,7 +177,8 @@ TEST_F(LevelRendererTest, UploadsOnlyWhatChanged) {
 // Faces are spread over rows of 4096 in the face-state texture: the last of 5000 is found again.
 TEST_F(LevelRendererTest, ManyFacesKeepTheirState) {
     MeshBuilder builder;
-    for (int i = 0; i < 4998; ++i) builder.face({{20, 0, 1}, {21, 0, 1}, {21, 0, 0}});
+    for (int i = 0; i < 4998; ++i)
+        builder.face({{20, 0, 1}, {21, 0, 1}, {21, 0, 0}});
     builder.face({{-4, 0, 4}, {4, 0, 4}, {4, 0, 0}, {-4, 0, 0}});
     builder.face({{-4, 0, 0}, {4, 0, 0}, {4, 0, -4}, {-4, 0, -4}});
     LevelRenderer renderer(gl());
@@ -256,6 +258,27 @@ TEST_F(LevelRendererTest, WireframeDrawsPolygonBordersOnly) {
     EXPECT_EQ(delta(before, after, 50, 70), 0);
 }
 
+// A floor under a ceiling that is culled from above: its border across the middle is culled with it, the
+// floor's stays.
+TEST_F(LevelRendererTest, CulledFacesTakeTheirBordersAlong) {
+    MeshBuilder builder;
+    builder.face({{-4, 0, 4}, {4, 0, 4}, {4, 0, -4}, {-4, 0, -4}});
+    builder.face({{-4, 3, -2}, {4, 3, -2}, {4, 3, 2}, {-4, 3, 2}});
+    LevelRenderer renderer(gl());
+    renderer.set_mesh(builder.build(), "");
+    LevelStyle style;
+    style.back_faces = false;
+    const Image without = draw(renderer, tile_camera, side, side, style);
+    style.wireframe = true;
+    const Image with = draw(renderer, tile_camera, side, side, style);
+    EXPECT_EQ(delta(without, with, 100, 60), 0);
+    EXPECT_GT(delta(without, with, 100, 20), 20);
+    style.back_faces = true;
+    const Image ceiling = draw(renderer, tile_camera, side, side, style);
+    style.wireframe = false;
+    EXPECT_GT(delta(draw(renderer, tile_camera, side, side, style), ceiling, 100, 60), 10);
+}
+
 class TextureTest : public LevelRendererTest {
   protected:
     void SetUp() override {
@@ -319,8 +342,9 @@ TEST_F(TextureTest, HostileOnesAreReported) {
     std::ofstream(folder_ / "junk.png") << "\x89PNG\r\n\x1a\n and then nothing of use";
     std::filesystem::create_directories(folder_ / "folder.png");
     MeshBuilder builder;
-    for (const std::string& name : {std::string("junk.png"), std::string("folder.png"), std::string("..\\..\\x.png"),
-                                    std::string("nul\0.png", 8), std::string(100000, 'x')}) {
+    for (const std::string& name :
+         {std::string("junk.png"), std::string("folder.png"), std::string("..\\..\\x.png"),
+          std::string("nul\0.png", 8), std::string(100000, 'x')}) {
         const auto material = builder.material("m", {0.5f, 0.5f, 0.5f}, name);
         builder.face({{-4, 0, 4}, {4, 0, 4}, {4, 0, -4}}, material);
     }
@@ -337,7 +361,8 @@ TEST_F(TextureTest, WindowsPathsFindTheFileBesideTheLevel) {
 // Thousands of missing textures give a bounded list and one line that counts the rest.
 TEST_F(TextureTest, WarningsAreBounded) {
     MeshBuilder builder;
-    for (int i = 0; i < 250; ++i) builder.material("m", {0.5f, 0.5f, 0.5f}, "gone" + std::to_string(i) + ".png");
+    for (int i = 0; i < 250; ++i)
+        builder.material("m", {0.5f, 0.5f, 0.5f}, "gone" + std::to_string(i) + ".png");
     builder.face({{-4, 0, 4}, {4, 0, 4}, {4, 0, -4}});
     LevelRenderer renderer(gl());
     const Warnings warnings = renderer.set_mesh(builder.build(), folder_);
@@ -345,8 +370,8 @@ TEST_F(TextureTest, WarningsAreBounded) {
     EXPECT_NE(warnings.back().message.find("150 more"), std::string::npos);
 }
 
-// 2^20 m out, where single precision steps by 1/8 m, the same level (whose corners are on that raster) is the same picture:
-// positions reach the GPU relative to the level, and patterns repeat every 64 m.
+// 2^20 m out, where single precision steps by 1/8 m, the same level (whose corners are on that raster) is the
+// same picture: positions reach the GPU relative to the level, and patterns repeat every 64 m.
 TEST_F(LevelRendererTest, FarFromTheOriginLooksTheSame) {
     Image pictures[2];
     for (int i = 0; i < 2; ++i) {

@@ -1,11 +1,10 @@
-#include "slipface/render/overlay.h"
-
 #include <glad/gl.h>
 
 #include <cmath>
 #include <limits>
 
 #include "drawing.h"
+#include "slipface/render/overlay.h"
 
 namespace slipface {
 namespace {
@@ -43,7 +42,9 @@ class OverlayTest : public test::DrawingTest {
     Image bare_;
 };
 
-TEST_F(OverlayTest, EmptyChangesNothing) { EXPECT_EQ(with({}), bare_); }
+TEST_F(OverlayTest, EmptyChangesNothing) {
+    EXPECT_EQ(with({}), bare_);
+}
 
 // A line of 4 pixels along X at z = 0, from x = -4 to 4: pixel columns 20 to 180, rows 98 to 101.
 TEST_F(OverlayTest, LineHasItsPlaceAndWidth) {
@@ -52,7 +53,8 @@ TEST_F(OverlayTest, LineHasItsPlaceAndWidth) {
     const Image image = with(overlay);
     for (const int x : {25, 100, 175}) {
         int rows = 0;
-        for (int y = 90; y < 110; ++y) rows += delta(bare_, image, x, y) > 60 ? 1 : 0;
+        for (int y = 90; y < 110; ++y)
+            rows += delta(bare_, image, x, y) > 60 ? 1 : 0;
         EXPECT_EQ(rows, 4) << x;
         EXPECT_EQ(image.pixel(x, 100)[0], 255);
         EXPECT_EQ(image.pixel(x, 100)[1], 0);
@@ -105,7 +107,8 @@ TEST_F(OverlayTest, LineThroughTheEyePlaneIsClipped) {
     const Image image = draw(renderer_, ahead, side, side, {}, &overlay);
     std::size_t left = 0, right = 0;
     for (int y = 0; y < side; ++y) {
-        for (int x = 0; x < side; ++x) (x < 98 ? left : right) += delta(bare, image, x, y) > 30 ? 1U : 0U;
+        for (int x = 0; x < side; ++x)
+            (x < 98 ? left : right) += delta(bare, image, x, y) > 30 ? 1U : 0U;
     }
     EXPECT_EQ(left, 0U);
     EXPECT_GT(right, 100U);
@@ -173,7 +176,8 @@ TEST_F(OverlayTest, ArrowHasAHead) {
     const Image image = with(overlay);
     const auto thickness = [&](int x) {
         int rows = 0;
-        for (int y = 80; y < 120; ++y) rows += delta(bare_, image, x, y) > 60 ? 1 : 0;
+        for (int y = 80; y < 120; ++y)
+            rows += delta(bare_, image, x, y) > 60 ? 1 : 0;
         return rows;
     };
     EXPECT_LE(thickness(30), 3);
@@ -186,14 +190,16 @@ TEST_F(OverlayTest, CrossHasThreeArms) {
     overlay.cross({1, 2, 3}, 0.5, red);
     ASSERT_EQ(overlay.lines.size(), 3U);
     for (int axis = 0; axis < 3; ++axis) {
-        const Vec3 arm = overlay.lines[static_cast<std::size_t>(axis)].b - overlay.lines[static_cast<std::size_t>(axis)].a;
+        const Vec3 arm =
+            overlay.lines[static_cast<std::size_t>(axis)].b - overlay.lines[static_cast<std::size_t>(axis)].a;
         EXPECT_DOUBLE_EQ(arm[axis], 0.5);
         EXPECT_DOUBLE_EQ(arm.norm(), 0.5);
     }
 }
 
 TEST_F(OverlayTest, NonsenseIsLeftOut) {
-    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    const double nan = std::numeric_limits<double>::quiet_NaN(),
+                 inf = std::numeric_limits<double>::infinity();
     Overlay overlay;
     overlay.line({nan, 0, 0}, {1, 0, 0}, red);
     overlay.line({0, 0, 0}, {inf, 0, 0}, red);

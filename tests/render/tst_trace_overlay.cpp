@@ -1,13 +1,15 @@
-#include "slipface/render/trace_overlay.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "slipface/render/trace_overlay.h"
+
 namespace slipface {
 namespace {
 
-bool operator==(const Color& a, const Color& b) { return a.red == b.red && a.green == b.green && a.blue == b.blue; }
+bool operator==(const Color& a, const Color& b) {
+    return a.red == b.red && a.green == b.green && a.blue == b.blue;
+}
 
 const Vec3 radii(0.4, 0.9, 0.4);
 
@@ -32,9 +34,9 @@ std::vector<TraceRecord> two_sweeps() {
 }
 
 std::size_t arrows(const Overlay& overlay, const Color& color) {
-    return static_cast<std::size_t>(std::count_if(overlay.lines.begin(), overlay.lines.end(), [&](const auto& line) {
-        return line.arrow && line.color == color;
-    }));
+    return static_cast<std::size_t>(
+        std::count_if(overlay.lines.begin(), overlay.lines.end(),
+                      [&](const auto& line) { return line.arrow && line.color == color; }));
 }
 
 // One ghost where it started and one a sweep, in the order's colours, where the sweeps ended.
@@ -48,7 +50,8 @@ TEST(TraceOverlay, OneGhostASweep) {
     EXPECT_TRUE(overlay.ellipsoids[1].outline == sweep_color(0));
     EXPECT_EQ(overlay.ellipsoids[2].centre, Vec3(0.99, 0, 0.5));
     EXPECT_TRUE(overlay.ellipsoids[2].outline == sweep_color(1));
-    for (const auto& ellipsoid : overlay.ellipsoids) EXPECT_EQ(ellipsoid.radii, radii);
+    for (const auto& ellipsoid : overlay.ellipsoids)
+        EXPECT_EQ(ellipsoid.radii, radii);
 }
 
 // Leftovers start at the centre at the contact: from + t * move = (1, 0, 0).
@@ -82,9 +85,12 @@ TEST(TraceOverlay, OpacityScalesEverything) {
     style.opacity = 0.25f;
     Overlay overlay;
     draw_trace(overlay, two_sweeps(), radii, style);
-    for (const auto& line : overlay.lines) EXPECT_LE(line.color.alpha, 0.25f);
-    for (const auto& ellipsoid : overlay.ellipsoids) EXPECT_LE(ellipsoid.outline.alpha, 0.25f);
-    for (const auto& triangle : overlay.triangles) EXPECT_LE(triangle.color.alpha, 0.25f);
+    for (const auto& line : overlay.lines)
+        EXPECT_LE(line.color.alpha, 0.25f);
+    for (const auto& ellipsoid : overlay.ellipsoids)
+        EXPECT_LE(ellipsoid.outline.alpha, 0.25f);
+    for (const auto& triangle : overlay.triangles)
+        EXPECT_LE(triangle.color.alpha, 0.25f);
 }
 
 TEST(TraceOverlay, PushOutIsAnArrowToAGhost) {
@@ -106,7 +112,8 @@ TEST(TraceOverlay, EmptyTraceAndLoneResponseDrawNothing) {
 }
 
 TEST(TraceOverlay, SweepColoursDifferAndEnd) {
-    for (int i = 0; i < 5; ++i) EXPECT_FALSE(sweep_color(i) == sweep_color(i + 1));
+    for (int i = 0; i < 5; ++i)
+        EXPECT_FALSE(sweep_color(i) == sweep_color(i + 1));
     EXPECT_TRUE(sweep_color(5) == sweep_color(1000));
     EXPECT_TRUE(sweep_color(-1) == sweep_color(0));
 }

@@ -147,7 +147,7 @@ constexpr BadTape bad_tapes[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(Tapes, BadTapes, testing::ValuesIn(bad_tapes),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& row) { return std::string(row.param.name); });
 
 TEST(Tape, TheLimitItselfIsAllowed) {
     EXPECT_EQ(parsed("slipface-tape 1\n9999999\n1\n").tick_count(), max_tape_ticks);
@@ -156,8 +156,12 @@ TEST(Tape, TheLimitItselfIsAllowed) {
 TEST(Tape, CutOffAnywhereItNeverCrashes) {
     for (std::size_t size = 0; size < full_tape.size(); ++size) {
         const Result<Tape> tape = parse_tape(full_tape.substr(0, size), "run.tape");
-        if (size < 15) EXPECT_FALSE(tape.ok()) << size;
-        if (!tape) EXPECT_THAT(tape.error().place, HasSubstr("run.tape:"));
+        if (size < 15) {
+            EXPECT_FALSE(tape.ok()) << size;
+        }
+        if (!tape) {
+            EXPECT_THAT(tape.error().place, HasSubstr("run.tape:"));
+        }
     }
 }
 

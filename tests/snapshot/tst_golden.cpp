@@ -1,9 +1,9 @@
-#include "slipface/snapshot/golden.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <fstream>
+
+#include "slipface/snapshot/golden.h"
 
 namespace slipface {
 namespace {
@@ -26,13 +26,15 @@ Image sample(int width = 96, int height = 64) {
 
 Image with_patch(Image image) {
     for (int y = 10; y < 20; ++y) {
-        for (int x = 10; x < 20; ++x) image.pixel(x, y)[1] = 250;
+        for (int x = 10; x < 20; ++x)
+            image.pixel(x, y)[1] = 250;
     }
     return image;
 }
 
 Image with_noise(Image image) {
-    for (int x = 0; x < image.width; x += 9) image.pixel(x, 5)[0] ^= 1;
+    for (int x = 0; x < image.width; x += 9)
+        image.pixel(x, 5)[0] ^= 1;
     return image;
 }
 
@@ -44,8 +46,9 @@ std::string bytes_of(const fs::path& path) {
 class GoldenTest : public testing::Test {
   protected:
     void SetUp() override {
-        root_ = fs::path(testing::TempDir()) / ("slipface_golden_" + std::to_string(::getpid()) + "_" +
-                                                testing::UnitTest::GetInstance()->current_test_info()->name());
+        root_ =
+            fs::path(testing::TempDir()) / ("slipface_golden_" + std::to_string(::getpid()) + "_" +
+                                            testing::UnitTest::GetInstance()->current_test_info()->name());
         folder_ = root_ / "goldens";
         out_ = root_ / "out";
         fs::create_directories(folder_);
@@ -57,7 +60,8 @@ class GoldenTest : public testing::Test {
     }
     std::size_t files_in_goldens() const {
         std::size_t count = 0;
-        for (const auto& entry : fs::recursive_directory_iterator(folder_)) count += entry.is_regular_file() ? 1U : 0U;
+        for (const auto& entry : fs::recursive_directory_iterator(folder_))
+            count += entry.is_regular_file() ? 1U : 0U;
         return count;
     }
 
@@ -145,13 +149,15 @@ TEST_F(GoldenTest, ApproveReplacesAnUnreadableGolden) {
 
 // Names cannot leave the folder.
 TEST_F(GoldenTest, NamesAreBounded) {
-    for (const char* name : {"", "/etc/a", "../a", "a/../b", "a//b", "a/", ".a", "a\\b", "a b", "a\nb", "a..b"}) {
+    for (const char* name :
+         {"", "/etc/a", "../a", "a/../b", "a//b", "a/", ".a", "a\\b", "a b", "a\nb", "a..b"}) {
         EXPECT_FALSE(valid_snapshot_name(name)) << name;
         EXPECT_EQ(check(sample(), name).state, GoldenState::unreadable) << name;
         EXPECT_FALSE(approve_golden(folder_, name, sample(), scene_tolerance).ok()) << name;
     }
     EXPECT_FALSE(valid_snapshot_name(std::string(201, 'a')));
-    for (const char* name : {"a", "scenes/easy-overview", "v1.2/x_y"}) EXPECT_TRUE(valid_snapshot_name(name)) << name;
+    for (const char* name : {"a", "scenes/easy-overview", "v1.2/x_y"})
+        EXPECT_TRUE(valid_snapshot_name(name)) << name;
     EXPECT_EQ(files_in_goldens(), 0U);
     EXPECT_FALSE(fs::exists(out_));
 }
@@ -166,7 +172,8 @@ TEST_F(GoldenTest, UnwritableFolderIsAnError) {
 
 TEST_F(GoldenTest, SnapshotThatChangesIsNondeterministic) {
     int calls = 0;
-    Snapshot snapshot{"a", scene_tolerance, [&]() -> Result<Image> { return ++calls % 2 == 1 ? sample() : with_noise(sample()); }};
+    Snapshot snapshot{"a", scene_tolerance,
+                      [&]() -> Result<Image> { return ++calls % 2 == 1 ? sample() : with_noise(sample()); }};
     ASSERT_TRUE(approve_golden(folder_, "a", sample(), scene_tolerance).ok());
     const auto twice = check_snapshot(snapshot, folder_, out_, true);
     ASSERT_TRUE(twice.ok());

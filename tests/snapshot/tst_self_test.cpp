@@ -47,7 +47,12 @@ TEST(SelfTest, EveryCaseBehavesForScenesAndScreens) {
 
 // The noise is real: without a tolerance it does not pass, and it is as strong as promised.
 TEST(SelfTest, NoiseIsNotNothing) {
-    const CompareTolerance exact{.pixel_delta = 0, .ratio = 0.0, .minimum_pixels = 0, .strong_delta = 0, .window = 16, .window_pixels = 1};
+    const CompareTolerance exact{.pixel_delta = 0,
+                                 .ratio = 0.0,
+                                 .minimum_pixels = 0,
+                                 .strong_delta = 0,
+                                 .window = 16,
+                                 .window_pixels = 1};
     for (const SelfTestCase& test : self_test_cases(courtyard())) {
         if (!test.must_pass || test.name == "unchanged") continue;
         const Comparison comparison = compare_images(courtyard(), test.picture, exact);
@@ -81,7 +86,8 @@ TEST(SelfTest, BrokenGatesAreNoticed) {
 TEST(SelfTest, SameCasesEveryTime) {
     const auto first = self_test_cases(courtyard()), second = self_test_cases(courtyard());
     ASSERT_EQ(first.size(), second.size());
-    for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i].picture, second[i].picture) << first[i].name;
+    for (std::size_t i = 0; i < first.size(); ++i)
+        EXPECT_EQ(first[i].picture, second[i].picture) << first[i].name;
 }
 
 TEST(SelfTest, TinyAndFlatPicturesDoNotPass) {

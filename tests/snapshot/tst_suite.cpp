@@ -1,18 +1,22 @@
-#include "slipface/snapshot/suite.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <fstream>
+
+#include "slipface/snapshot/suite.h"
 
 namespace slipface {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string suite_of(const std::string& scene) { return R"({"version": 1, "scenes": [)" + scene + "]}"; }
+std::string suite_of(const std::string& scene) {
+    return R"({"version": 1, "scenes": [)" + scene + "]}";
+}
 
-Result<std::vector<Scene>> parse(const std::string& text) { return parse_scene_suite(text, "folder/scenes.json"); }
+Result<std::vector<Scene>> parse(const std::string& text) {
+    return parse_scene_suite(text, "folder/scenes.json");
+}
 
 TEST(SceneSuite, ReadsEveryField) {
     const auto scenes = parse(suite_of(R"({
@@ -45,7 +49,8 @@ TEST(SceneSuite, ReadsEveryField) {
 }
 
 TEST(SceneSuite, DefaultsAndSpawn) {
-    const auto scenes = parse(suite_of(R"({"name": "a", "level": "a.obj", "probe": {"from": "spawn", "move": [1, 0, 0]}})"));
+    const auto scenes =
+        parse(suite_of(R"({"name": "a", "level": "a.obj", "probe": {"from": "spawn", "move": [1, 0, 0]}})"));
     ASSERT_TRUE(scenes.ok()) << scenes.error().text();
     const Scene& scene = scenes->front();
     EXPECT_EQ(std::get<std::string>(scene.camera), "auto:iso");
@@ -73,10 +78,12 @@ TEST(SceneSuite, ErrorsNameThePlace) {
         {R"({"name": "a", "level": "a.obj", "camera": "auto:sideways"})", "scenes.json:/scenes/0/camera"},
         {R"({"name": "a", "level": "a.obj", "camera": 4})", "scenes.json:/scenes/0/camera"},
         {R"({"name": "a", "level": "a.obj", "camera": {"eye": [1, 2, 3]}})", "scenes.json:/scenes/0/camera"},
-        {R"({"name": "a", "level": "a.obj", "camera": {"eye": [1, 2], "target": [0, 0, 0]}})", "scenes.json:/scenes/0/camera/eye"},
+        {R"({"name": "a", "level": "a.obj", "camera": {"eye": [1, 2], "target": [0, 0, 0]}})",
+         "scenes.json:/scenes/0/camera/eye"},
         {R"({"name": "a", "level": "a.obj", "camera": {"eye": [1, 2, 1e300], "target": [0, 0, 0]}})",
          "scenes.json:/scenes/0/camera/eye/2"},
-        {R"({"name": "a", "level": "a.obj", "camera": {"eye": [1, 2, 3], "target": [1, 2, 3]}})", "scenes.json:/scenes/0/camera"},
+        {R"({"name": "a", "level": "a.obj", "camera": {"eye": [1, 2, 3], "target": [1, 2, 3]}})",
+         "scenes.json:/scenes/0/camera"},
         {R"({"name": "a", "level": "a.obj", "camera": {"eye": [1, 2, 3], "target": [0, 0, 0], "fov_deg": 0}})",
          "scenes.json:/scenes/0/camera/fov_deg"},
         {R"({"name": "a", "level": "a.obj", "size": 100})", "scenes.json:/scenes/0/size"},
@@ -85,7 +92,8 @@ TEST(SceneSuite, ErrorsNameThePlace) {
         {R"({"name": "a", "level": "a.obj", "size": [99.5, 100]})", "scenes.json:/scenes/0/size/0"},
         {R"({"name": "a", "level": "a.obj", "style": "shiny"})", "scenes.json:/scenes/0/style"},
         {R"({"name": "a", "level": "a.obj", "probe": {"move": [1, 0, 0]}})", "scenes.json:/scenes/0/probe"},
-        {R"({"name": "a", "level": "a.obj", "probe": {"from": "here", "move": [1, 0, 0]}})", "scenes.json:/scenes/0/probe/from"},
+        {R"({"name": "a", "level": "a.obj", "probe": {"from": "here", "move": [1, 0, 0]}})",
+         "scenes.json:/scenes/0/probe/from"},
         {R"({"name": "a", "level": "a.obj", "probe": {"from": "spawn", "move": ["1", 0, 0]}})",
          "scenes.json:/scenes/0/probe/move/0"},
         {R"({"name": "a", "level": "a.obj", "probe": {"from": "spawn", "move": [1, 0, 0], "radii": [1, 0, 1]}})",
@@ -142,7 +150,8 @@ class SceneTest : public testing::Test {
 
     static Result<Image> render(const std::string& more) {
         const auto scenes = parse_scene_suite(
-            suite_of(R"({"name": "a", "level": "room.obj", "size": [160, 90])" + more + "}"), folder_ / "scenes.json");
+            suite_of(R"({"name": "a", "level": "room.obj", "size": [160, 90])" + more + "}"),
+            folder_ / "scenes.json");
         if (!scenes) return scenes.error();
         return render_scene(scenes->front(), *context_);
     }
@@ -155,7 +164,8 @@ TEST_F(SceneTest, ProbeAndTapeAreDrawn) {
     const auto bare = render("");
     ASSERT_TRUE(bare.ok()) << bare.error().text();
     EXPECT_EQ(bare->width, 160);
-    const auto probe = render(R"(, "probe": {"from": [0, 1, 2], "move": [1, 0, -6], "settings": ["max_slides=2"]})");
+    const auto probe =
+        render(R"(, "probe": {"from": [0, 1, 2], "move": [1, 0, -6], "settings": ["max_slides=2"]})");
     ASSERT_TRUE(probe.ok()) << probe.error().text();
     const auto tape = render(R"(, "tape": "run.tape")");
     ASSERT_TRUE(tape.ok()) << tape.error().text();

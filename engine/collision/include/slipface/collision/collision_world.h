@@ -18,7 +18,9 @@ namespace slipface {
 // What collision needs to know of a surface type.
 struct SurfaceRule {
     bool solid = true;       // false: nothing collides with it
-    bool one_sided = false;  // true: only motion against the triangle's winding normal touches it
+    // true: only motion against the triangle's winding normal touches it, and only while the centre is not behind its plane.
+    // Rays and closest points see both sides.
+    bool one_sided = false;
 };
 
 struct TriangleSoup {
@@ -112,6 +114,7 @@ std::optional<ClosestPoint> closest_point(const CollisionWorld& world, const Vec
 
 // The solid triangles that the ellipsoid at `centre` overlaps (distance in sphere space < 1), ascending by triangle, as many
 // as `out` holds. Returns how many there are in all, which may be more.
+// A one-sided triangle counts only while the centre is not behind its plane, as for sweeps.
 std::size_t find_overlaps(const CollisionWorld& world, const Vec3& radii, const Vec3& centre, std::span<Overlap> out);
 
 // True if find_overlaps would find one. Stops at the first.

@@ -35,7 +35,7 @@ struct SurfaceType {
     Vec3 spin_centre = Vec3::Zero();  // metres, world space
     bool one_sided = false;
     bool solid = true;
-    bool hazardous = false;           // touching it respawns
+    bool hazardous = false;                          // touching it respawns
     std::optional<double> max_slope = std::nullopt;  // radians, instead of MovementSettings::max_slope
 
     friend bool operator==(const SurfaceType&, const SurfaceType&) = default;

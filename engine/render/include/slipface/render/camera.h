@@ -17,18 +17,19 @@ struct Camera {
     double near_plane = 0.05;           // metres
     double far_plane = 2000.0;
     bool orthographic = false;
-    double ortho_height = 10.0;         // metres from the lower to the upper edge
+    double ortho_height = 10.0;  // metres from the lower to the upper edge
 };
 
 struct Ray {
     Vec3 origin = Vec3::Zero();
-    Vec3 direction = Vec3::UnitZ();     // unit
+    Vec3 direction = Vec3::UnitZ();  // unit
 };
 
 Mat4 view_from_world(const Camera& camera);
 Mat4 clip_from_view(const Camera& camera, double aspect);
 
-// Pixels count from the upper left corner of a viewport of width x height; the ray goes through the given point.
+// Pixels count from the upper left corner of a viewport of width x height; the ray goes through the given
+// point.
 Ray pixel_ray(const Camera& camera, const Vec2& pixel, const Vec2& viewport_size);
 
 // Where `point` appears, pixels; z is the depth in metres along the view direction (behind the camera: <= 0).
@@ -37,8 +38,9 @@ Vec3 project(const Camera& camera, const Vec3& point, const Vec2& viewport_size)
 // A camera that sees all of `bounds` from the direction (yaw about +Y, pitch above the horizon; radians).
 Camera frame_bounds(const Aabb& bounds, double yaw, double pitch, double fov_y, double aspect);
 
-// A camera that sees all of `bounds`, by name: "iso" and "iso-back" (perspective, from above a corner), or "top", "bottom", "front",
-// "back", "right", "left" (orthographic; "top" is a map with -Z upwards). Nothing for any other name.
+// A camera that sees all of `bounds`, by name: "iso" and "iso-back" (perspective, from above a corner), or
+// "top", "bottom", "front", "back", "right", "left" (orthographic; "top" is a map with -Z upwards). Nothing
+// for any other name.
 std::optional<Camera> named_view(std::string_view name, const Aabb& bounds, double aspect);
 
 }  // namespace slipface

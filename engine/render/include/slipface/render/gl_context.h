@@ -22,28 +22,30 @@ Result<GlTable> load_gl_table(GlGetProc get_proc);
 
 enum class OffscreenBackend { automatic, osmesa, egl };
 
-// A context without a window. Its libraries are opened at run time. Make at most one kind of context (off-screen or GLFW) in
-// one process: Mesa's dispatch is shared between them.
+// A context without a window. Its libraries are opened at run time. Make at most one kind of context
+// (off-screen or GLFW) in one process: Mesa's dispatch is shared between them.
 class OffscreenContext {
   public:
     virtual ~OffscreenContext() = default;
     virtual const GlTable& gl() const = 0;
     virtual GlGetProc get_proc() const = 0;
-    virtual std::string backend_name() const = 0;   // "OSMesa", "EGL surfaceless"
-    virtual std::string renderer() const = 0;       // GL_RENDERER
-    virtual std::string version() const = 0;        // GL_VERSION
-    virtual bool make_current() = 0;                // on this thread; false if the library refuses
-    virtual const Warnings& warnings() const = 0;   // about the environment, for the user to see
+    virtual std::string backend_name() const = 0;  // "OSMesa", "EGL surfaceless"
+    virtual std::string renderer() const = 0;      // GL_RENDERER
+    virtual std::string version() const = 0;       // GL_VERSION
+    virtual bool make_current() = 0;               // on this thread; false if the library refuses
+    virtual const Warnings& warnings() const = 0;  // about the environment, for the user to see
 };
 
-// automatic: OSMesa, else EGL surfaceless. The error says what was tried and which package provides it. The context is
-// current on this thread afterwards.
-Result<std::unique_ptr<OffscreenContext>> make_offscreen_context(OffscreenBackend backend = OffscreenBackend::automatic);
+// automatic: OSMesa, else EGL surfaceless. The error says what was tried and which package provides it. The
+// context is current on this thread afterwards.
+Result<std::unique_ptr<OffscreenContext>> make_offscreen_context(
+    OffscreenBackend backend = OffscreenBackend::automatic);
 
 inline constexpr int max_framebuffer_side = 8192;  // pixels
 
-// A colour (RGBA8) and depth target with 4x multisampling, resolved into a texture. Sides are clamped to 1..max_framebuffer_side
-// and to what the driver can do. Use it, and destroy it, while its context is current.
+// A colour (RGBA8) and depth target with 4x multisampling, resolved into a texture. Sides are clamped
+// to 1..max_framebuffer_side and to what the driver can do. Use it, and destroy it, while its context is
+// current.
 class Framebuffer {
   public:
     Framebuffer(GlTable gl, int width, int height);
@@ -53,15 +55,16 @@ class Framebuffer {
 
     int width() const { return width_; }
     int height() const { return height_; }
-    void bind();                     // draw into it, viewport set
-    void resolve();                  // multisampled colour into the texture
+    void bind();                                           // draw into it, viewport set
+    void resolve();                                        // multisampled colour into the texture
     unsigned texture() const { return resolve_texture_; }  // rows from the bottom
-    Image read();                    // resolves; rows from the top, alpha 255
+    Image read();                                          // resolves; rows from the top, alpha 255
 
   private:
     GlTable gl_;
     int width_, height_;
-    unsigned msaa_framebuffer_ = 0, msaa_color_ = 0, msaa_depth_ = 0, resolve_framebuffer_ = 0, resolve_texture_ = 0;
+    unsigned msaa_framebuffer_ = 0, msaa_color_ = 0, msaa_depth_ = 0, resolve_framebuffer_ = 0,
+             resolve_texture_ = 0;
 };
 
 }  // namespace slipface

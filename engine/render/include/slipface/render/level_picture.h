@@ -9,11 +9,12 @@
 
 namespace slipface {
 
-// `level` with its resolved surface types as `camera` sees it, width x height pixels (1..max_framebuffer_side). Textures are taken
-// from the mesh file's folder; `warnings`, if given, receives those that could not be used. `overlay` may be null.
-// Errors: a size out of range, a driver that refuses a shader or reports an error.
-Result<Image> render_level_picture(OffscreenContext& context, const Level& level, const Camera& camera, int width,
-                                   int height, const LevelStyle& style, const Overlay* overlay = nullptr,
-                                   Warnings* warnings = nullptr);
+// `level` with its resolved surface types as `camera` sees it, width x height pixels
+// (1..max_framebuffer_side). Textures are taken from the mesh file's folder; `warnings`, if given, receives
+// those that could not be used. `overlay` may be null. Errors: a size out of range, a driver that refuses a
+// shader or reports an error.
+Result<Image> render_level_picture(OffscreenContext& context, const Level& level, const Camera& camera,
+                                   int width, int height, const LevelStyle& style,
+                                   const Overlay* overlay = nullptr, Warnings* warnings = nullptr);
 
 }  // namespace slipface

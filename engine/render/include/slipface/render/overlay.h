@@ -20,8 +20,8 @@ class Overlay {
     struct Line {
         Vec3 a, b;
         Color color;
-        float width;  // pixels
-        bool on_top;  // drawn over the level; else hidden parts are drawn faintly
+        float width;         // pixels
+        bool on_top;         // drawn over the level; else hidden parts are drawn faintly
         bool arrow = false;  // a head at b, sized by the width
     };
     struct Ellipsoid {
@@ -35,10 +35,12 @@ class Overlay {
     };
 
     void line(const Vec3& a, const Vec3& b, Color color, float width = 2.0f, bool on_top = false);
-    void arrow(const Vec3& from, const Vec3& to, Color color, float width = 2.0f, bool on_top = true);  // head at `to`
-    void cross(const Vec3& centre, double size, Color color, float width = 2.0f);                       // point marker
+    void arrow(const Vec3& from, const Vec3& to, Color color, float width = 2.0f,
+               bool on_top = true);                                                // head at `to`
+    void cross(const Vec3& centre, double size, Color color, float width = 2.0f);  // point marker
     void ellipsoid(const Vec3& centre, const Vec3& radii, Color fill, Color outline);
-    void disc(const Vec3& centre, const Vec3& normal, double radius, Color fill, Color outline);        // contact plane
+    void disc(const Vec3& centre, const Vec3& normal, double radius, Color fill,
+              Color outline);  // contact plane
     void triangle(const Vec3& a, const Vec3& b, const Vec3& c, Color color);
 
     std::vector<Line> lines;

@@ -1,11 +1,11 @@
-// The story of a sweep or a step, drawn: one picture language for the editor's probe, the snapshots and anything else that shows
-// a trace.
+// The story of a sweep or a step, drawn: one picture language for the editor's probe, the snapshots and
+// anything else that shows a trace.
 //
 //   white outline      where the ellipsoid started
 //   blue to violet     where each sweep left it, in order, with the path of its centre
 //   yellow             contact points
 //   green              contact normals and contact planes
-//   red, cyan          the leftover before and after a contact turned it, in metres, from the centre at the contact
+//   red, cyan          the leftover before and after a contact, from the centre at the contact
 //   orange             push-outs
 #pragma once
 
@@ -17,11 +17,11 @@
 namespace slipface {
 
 struct TraceStyle {
-    bool ghosts = true;          // ellipsoids; else only the path of the centre
-    bool contacts = true;        // points and normals
-    bool planes = true;          // contact planes as discs
+    bool ghosts = true;    // ellipsoids; else only the path of the centre
+    bool contacts = true;  // points and normals
+    bool planes = true;    // contact planes as discs
     bool leftovers = true;
-    float opacity = 1.0f;        // of all of it, 0..1
+    float opacity = 1.0f;  // of all of it, 0..1
 };
 
 namespace trace_colors {
@@ -33,10 +33,12 @@ inline constexpr Color leftover_after{0.25f, 0.86f, 0.93f, 1.0f};
 inline constexpr Color push_out{1.0f, 0.60f, 0.18f, 1.0f};
 }  // namespace trace_colors
 
-// The hue of the sweep that is `index`-th in its trace: blue at 0, violet from 5 on. Tables use it for their rows.
+// The hue of the sweep that is `index`-th in its trace: blue at 0, violet from 5 on. Tables use it for their
+// rows.
 Color sweep_color(int index);
 
 // Adds the drawing of `records` to `overlay`. `radii` are the moving ellipsoid's.
-void draw_trace(Overlay& overlay, std::span<const TraceRecord> records, const Vec3& radii, const TraceStyle& style = {});
+void draw_trace(Overlay& overlay, std::span<const TraceRecord> records, const Vec3& radii,
+                const TraceStyle& style = {});
 
 }  // namespace slipface

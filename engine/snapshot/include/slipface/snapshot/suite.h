@@ -2,18 +2,31 @@
 //
 //   { "version": 1,
 //     "scenes": [
-//       { "name": "scenes/easy-iso",              goldens are NAME.png; letters, digits, '-', '_', '/'
-//         "level": "../assets/levels/easy.obj",   relative to the suite file
-//         "camera": "auto:iso",                   see below
-//         "size": [960, 540],                     pixels, 16 to 4096 a side; this is the default
-//         "style": "textured overlay",            any of: textured, overlay, wireframe; "plain" stands for none
-//         "probe": { "from": [0, 1, 0], "move": [0, 0, -3], "radii": [0.4, 0.9, 0.4], "settings": ["max_slides=5"] },
+//       { "name": "scenes/easy-iso",
+//         "level": "../assets/levels/easy.obj",
+//         "camera": "auto:iso",
+//         "size": [960, 540],
+//         "style": "textured overlay",
+//         "probe": { "from": [0, 1, 0], "move": [0, 0, -3] },
 //         "tape": "../assets/tapes/easy.tape" } ] }
 //
-// camera: "auto:" and a name of named_view ("auto:iso", "auto:top", ...), or the name of one of the level's bookmarks, or
-//   { "eye": [x, y, z], "target": [x, y, z], "fov_deg": 60 }   (fov_deg may be left out).
-// probe: one slide_move, drawn with draw_trace. "from" may be "spawn"; "radii" and "settings" may be left out, then the level's count.
-// tape: simulated from its start or the level's spawn; the path of the centre, the start and the end are drawn.
+// name: the golden is NAME.png; letters, digits, '-', '_' and '/'.
+//
+// level, tape: relative to the suite file.
+//
+// camera: "auto:" and a name of named_view, or the name of one of the level's bookmarks, or { "eye": [x, y,
+// z], "target": [x, y, z], "fov_deg": 60 }, where fov_deg may be left out. Without a camera: "auto:iso".
+//
+// size: pixels, 16 to 4096 a side. Without: 960 x 540.
+//
+// style: any of textured, overlay, wireframe, cutaway (back faces left out, so that rooms are seen from
+// outside); "plain" stands for none of them. Without: "textured overlay".
+//
+// probe: one slide_move, drawn with draw_trace. "from" may be "spawn". "radii" ([x, y, z]) and "settings"
+// (["max_slides=5"]) may be given; else the level's count.
+//
+// tape: simulated from its start or the level's spawn; the path of the centre, the start and the end are
+// drawn.
 #pragma once
 
 #include <filesystem>
@@ -28,10 +41,10 @@
 namespace slipface {
 
 struct SceneProbe {
-    std::optional<Vec3> from;            // nothing: the level's spawn
+    std::optional<Vec3> from;  // nothing: the level's spawn
     Vec3 move = Vec3::Zero();
     std::optional<Vec3> radii;
-    std::vector<std::string> settings;   // "name=value"
+    std::vector<std::string> settings;  // "name=value"
 };
 
 struct Scene {
@@ -43,11 +56,11 @@ struct Scene {
     LevelStyle style;
     std::optional<SceneProbe> probe;
     std::optional<std::filesystem::path> tape;
-    std::string place;                   // "scenes.json:/scenes/2", for errors
+    std::string place;  // "scenes.json:/scenes/2", for errors
 };
 
-// Errors name the file and the JSON path ("scenes.json:/scenes/2/size"), or the line for text that is no JSON. Keys that are not
-// known and names that come twice are errors.
+// Errors name the file and the JSON path ("scenes.json:/scenes/2/size"), or the line for text that is no
+// JSON. Keys that are not known and names that come twice are errors.
 Result<std::vector<Scene>> parse_scene_suite(std::string_view text, const std::filesystem::path& file);
 Result<std::vector<Scene>> load_scene_suite(const std::filesystem::path& file);
 
