@@ -40,7 +40,8 @@ int open_editor(const fs::path& level, float scale) {
     if (!level.empty()) {
         std::error_code error;
         if (!fs::exists(level, error))
-            return complain({level.string(), "no such file; expected an OBJ or a level file"}, cli::exit_bad_input);
+            return complain({level.string(), "no such file; expected an OBJ or a level file"},
+                            cli::exit_bad_input);
     }
     const Status status = run_window({.level = level, .config = config_folder(), .scale = scale});
     return status.ok() ? cli::exit_fine : show_pictures(level, status.error());
@@ -72,8 +73,9 @@ int edit_headless(const EditArguments& arguments) {
     if (!arguments.script.empty()) {
         const ScriptResult result = run_script_file(**host, arguments.script);
         if (!result)
-            return complain(result.error,
-                            result.failure == ScriptFailure::expectation ? cli::exit_check_failed : cli::exit_bad_input);
+            return complain(result.error, result.failure == ScriptFailure::expectation
+                                              ? cli::exit_check_failed
+                                              : cli::exit_bad_input);
         fmt::print("{}: {} line{} done\n", arguments.script, result.lines_done,
                    result.lines_done == 1 ? "" : "s");
     }

@@ -39,6 +39,7 @@ void OffscreenHost::frame() {
 }
 
 int OffscreenHost::settle(int most) {
+    if (editor().playtest) most = 1;
     int equal = 0, built = 0;
     while (built < most && equal < 2) {
         const std::uint64_t before = app_->frame_hash();

@@ -33,6 +33,7 @@ class OffscreenHost {
 
     void frame();  // builds one frame of 1/60 s
     // Builds frames until two in a row are equal, at most `most`. Returns how many.
+    // While somebody is walking nothing comes to rest: then it is one.
     int settle(int most = 60);
     Image screenshot();     // draws the frame built last
     Image level_picture();  // the view's picture of the open level alone

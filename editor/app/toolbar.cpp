@@ -107,26 +107,22 @@ void tool_options(Editor& editor) {
 }
 
 void play_button(Editor& editor) {
-    const Command* const command = find_command("playtest.start");
-    if (!command) return;
     const float scale = ui::scale();
     const bool walking = editor.playtest.has_value();
+    const Command* const command = find_command(walking ? "playtest.stop" : "playtest.start");
+    if (!command) return;
     const char* const label = walking ? "\uf04d  Stop###Play" : "\uf04b  Play###Play";
     const float width = 92 * scale;
     ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - width - 10 * scale));
     ImGui::SetCursorPosY(5 * scale);
     const ImVec2 size{width, ImGui::GetFrameHeight() + 4 * scale};
-    const bool enabled = walking || command->enabled(editor);
+    const bool enabled = command->enabled(editor);
     ImGui::PushFont(ui::fonts().semibold);
     const bool pressed =
         walking ? ui::button(label, nullptr, enabled, size) : ui::primary_button(label, enabled, size);
     ImGui::PopFont();
     ui::tooltip(tooltip_text(*command).c_str());
-    if (!pressed) return;
-    if (walking)
-        stop_playtest(editor);
-    else
-        start_playtest(editor);
+    if (pressed) run_command(editor, command->id);
 }
 
 }  // namespace

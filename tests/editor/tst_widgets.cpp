@@ -11,7 +11,7 @@ using WidgetsTest = AppFixture;
 TEST_F(WidgetsTest, TheFontsHoldLettersPunctuationAndIcons) {
     const ImFont* const font = ui::fonts().regular;
     ASSERT_NE(font, nullptr);
-    for (const ImWchar glyph :
+    for (const int glyph :
          {0x41, 0xe4, 0x2026, 0x2013, 0x2014, 0xd7, 0xb0, 0xb7, 0x2192, 0x2022, 0xf04b, 0xf071, 0xf07c})
         EXPECT_NE(font->FindGlyphNoFallback(static_cast<ImWchar>(glyph)), nullptr) << std::hex << glyph;
     EXPECT_EQ(font->FindGlyphNoFallback(0x4e2d), nullptr);
