@@ -1,4 +1,5 @@
-// What nearly every file reads; only there to make builds from nothing fast. Files still include what they use.
+// What nearly every file reads; only there to make builds from nothing fast. Files still include what they
+// use.
 #pragma once
 
 #include <fmt/core.h>

@@ -11,7 +11,9 @@
 #include "app/script.h"
 #include "cli/verbs.h"
 #include "document/recent_files.h"
+#include "slipface/base/files.h"
 #include "snapshot_verb.h"
+#include "tools/docs.h"
 
 namespace slipface {
 namespace {
@@ -47,6 +49,11 @@ int open_editor(const fs::path& level, float scale) {
     return status.ok() ? cli::exit_fine : show_pictures(level, status.error());
 }
 
+void print_warnings(const Warnings& warnings) {
+    for (const Diagnostic& warning : warnings)
+        fmt::print(stderr, "slipface: warning: {}\n", warning.text());
+}
+
 struct EditArguments {
     std::string level, script, screenshot, size = "1280x720";
     double scale = 0.0;
@@ -69,6 +76,7 @@ int edit_headless(const EditArguments& arguments) {
         open_level(editor, arguments.level);
         if (editor.message) return complain({"", editor.message->text}, cli::exit_bad_input);
         (*host)->frame();
+        print_warnings(editor.document->warnings());
     }
     if (!arguments.script.empty()) {
         const ScriptResult result = run_script_file(**host, arguments.script);
@@ -84,6 +92,7 @@ int edit_headless(const EditArguments& arguments) {
         if (const Status status = save_png(arguments.screenshot, (*host)->screenshot()); !status)
             return complain(status.error(), cli::exit_bad_input);
         fmt::print("{}\n", arguments.screenshot);
+        print_warnings((*host)->app().texture_warnings());
     }
     return cli::exit_fine;
 }
@@ -106,6 +115,22 @@ void add_edit_verb(CLI::App& app, int& exit_code) {
     });
 }
 
+// The pages of docs/ that are made from tables; a test holds the files against them.
+void add_docs_verb(CLI::App& app, int& exit_code) {
+    auto folder = std::make_shared<std::string>("docs");
+    CLI::App* const verb = app.add_subcommand("docs", "Write commands.md, settings.md and scripting.md");
+    verb->add_option("folder", *folder, "Where to")->capture_default_str();
+    verb->callback([folder, &exit_code] {
+        const std::pair<const char*, std::string> pages[] = {{"commands.md", commands_markdown()},
+                                                             {"settings.md", settings_markdown()},
+                                                             {"scripting.md", script_verbs_markdown()}};
+        for (const auto& [name, text] : pages) {
+            if (const Status status = write_file_atomic(fs::path(*folder) / name, text); !status)
+                exit_code = complain(status.error(), cli::exit_bad_input);
+        }
+    });
+}
+
 int run(int argument_count, char** arguments) {
     CLI::App app("Slipface: level editor and movement lab for 3D platformers", "slipface");
     app.set_version_flag("--version", std::string("slipface ") + SLIPFACE_VERSION);
@@ -117,6 +142,7 @@ int run(int argument_count, char** arguments) {
     int exit_code = cli::exit_fine;
     add_edit_verb(app, exit_code);
     add_snapshot_verb(app, exit_code);
+    add_docs_verb(app, exit_code);
     cli::add_data_verbs(app, exit_code);
     app.require_subcommand(0, 1);
     try {

@@ -60,6 +60,10 @@ App::~App() {
     ImGui::DestroyContext(impl_->context);
 }
 
+const Warnings& App::texture_warnings() const {
+    return impl_->scene.texture_warnings();
+}
+
 Editor& App::editor() {
     return impl_->editor;
 }

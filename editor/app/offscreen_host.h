@@ -59,7 +59,6 @@ class OffscreenHost {
     std::unique_ptr<App> app_;
     int width_ = 0, height_ = 0;
     ImVec2 mouse_{0, 0};
-    std::uint64_t built_frames_ = 0;
 };
 
 }  // namespace slipface

@@ -96,7 +96,7 @@ SphereMesh unit_sphere(int rings, int sectors) {
         for (int sector = 0; sector < sectors; ++sector) {
             const std::array<std::uint16_t, 4> quad{index(ring, sector), index(ring, sector + 1),
                                                     index(ring + 1, sector + 1), index(ring + 1, sector)};
-            for (const std::size_t corner : {0, 1, 2, 0, 2, 3})
+            for (const std::size_t corner : {0u, 1u, 2u, 0u, 2u, 3u})
                 mesh.indices.push_back(quad[corner]);
         }
     }

@@ -71,8 +71,8 @@ Vec3 vec3_of(const Json& value, const std::string& place) {
 void only_keys(const Json& object, const std::string& place, std::initializer_list<const char*> allowed) {
     if (!object.is_object()) refuse_type(place, object, "an object");
     for (const auto& [key, value] : object.items()) {
-        const bool known =
-            std::any_of(allowed.begin(), allowed.end(), [&](const char* name) { return key == name; });
+        const bool known = std::any_of(allowed.begin(), allowed.end(),
+                                       [&key = key](const char* name) { return key == name; });
         if (known) continue;
         std::string names;
         for (const char* name : allowed)
@@ -174,7 +174,7 @@ Scene scene_of(const Json& value, const std::string& place, const std::filesyste
         const Json& size = value["size"];
         if (!size.is_array() || size.size() != 2)
             refuse_type(place + "/size", size, "two numbers [width, height]");
-        for (const std::size_t i : {0, 1}) {
+        for (const std::size_t i : {0u, 1u}) {
             const std::string here = fmt::format("{}/size/{}", place, i);
             if (!size[i].is_number_integer()) refuse_type(here, size[i], "a whole number of pixels");
             const int side = static_cast<int>(number_of(size[i], here, smallest_side, largest_side));

@@ -14,7 +14,8 @@ int main(int argc, char** argv) {
     auto& player = world.make_entity<slipface::Character>();
     player.state.position = level.level().spawn;
     player.input.wish = {0, -1};  // walk along -Z
-    for (int tick = 0; tick < 120; ++tick) world.tick(1.0 / 60);
+    for (int tick = 0; tick < 120; ++tick)
+        world.tick(1.0 / 60);
 
     const auto& at = player.state.position;
     const auto& ground = level.level().surfaces[player.state.ground_surface];

@@ -25,7 +25,8 @@ inline ProgramRun run_program(const std::string& arguments, int timeout_s = 60) 
     FILE* pipe = popen(command.c_str(), "r");
     if (pipe == nullptr) return run;
     std::array<char, 4096> buffer{};
-    while (const std::size_t count = fread(buffer.data(), 1, buffer.size(), pipe)) run.output.append(buffer.data(), count);
+    while (const std::size_t count = fread(buffer.data(), 1, buffer.size(), pipe))
+        run.output.append(buffer.data(), count);
     const int status = pclose(pipe);
     run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return run;

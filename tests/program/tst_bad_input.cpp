@@ -1,5 +1,5 @@
-// Hostile files through the real program: each gives a clear message with its place and exit code 2 or a warning; nothing
-// crashes, nothing hangs. The same loader serves the editor's dialogs.
+// Hostile files through the real program: each gives a clear message with its place and exit code 2 or a
+// warning; nothing crashes, nothing hangs. The same loader serves the editor's dialogs.
 #include <gtest/gtest.h>
 
 #include "program/run_program.h"
@@ -15,7 +15,9 @@ struct BadFile {
     std::string expected;  // must be in the message
 };
 
-void PrintTo(const BadFile& file, std::ostream* out) { *out << file.name; }
+void PrintTo(const BadFile& file, std::ostream* out) {
+    *out << file.name;
+}
 
 class BadObj : public testing::TestWithParam<BadFile> {};
 
@@ -41,17 +43,18 @@ std::string binary_junk() {
 
 INSTANTIATE_TEST_SUITE_P(
     Files, BadObj,
-    testing::Values(BadFile{"Empty", "", "bad.obj"}, BadFile{"NoFaces", square, "face"},
-                    BadFile{"BinaryJunk", binary_junk(), "bad.obj"},
-                    BadFile{"IndexTooLarge", square + "f 1 2 3\nf 1 2 9\n", "bad.obj:6"},
-                    BadFile{"IndexZero", square + "f 0 1 2\n", "bad.obj:5"},
-                    BadFile{"IndexTooNegative", square + "f -1 -2 -9\n", "bad.obj:5"},
-                    BadFile{"IndexBeyond64Bits", square + "f 1 2 99999999999999999999999\n", "bad.obj:5"},
-                    BadFile{"NotANumber", "v 0 nan 0\n" + square + "f 1 2 3\n", "bad.obj:1"},
-                    BadFile{"Infinite", square + "v inf 0 0\nf 1 2 3\n", "bad.obj:5"},
-                    BadFile{"Huge", square + "v 1e38 0 0\nf 1 2 3\n", "bad.obj:5"},
-                    BadFile{"LongLine", square + "v " + std::string(10'000'000, '1') + " 0 0\nf 1 2 3\n", "bad.obj:5"},
-                    BadFile{"LongComment", square + "f 1 2 3\n#" + std::string(10'000'000, 'x') + "\n", "bad.obj:6"}),
+    testing::Values(
+        BadFile{"Empty", "", "bad.obj"}, BadFile{"NoFaces", square, "face"},
+        BadFile{"BinaryJunk", binary_junk(), "bad.obj"},
+        BadFile{"IndexTooLarge", square + "f 1 2 3\nf 1 2 9\n", "bad.obj:6"},
+        BadFile{"IndexZero", square + "f 0 1 2\n", "bad.obj:5"},
+        BadFile{"IndexTooNegative", square + "f -1 -2 -9\n", "bad.obj:5"},
+        BadFile{"IndexBeyond64Bits", square + "f 1 2 99999999999999999999999\n", "bad.obj:5"},
+        BadFile{"NotANumber", "v 0 nan 0\n" + square + "f 1 2 3\n", "bad.obj:1"},
+        BadFile{"Infinite", square + "v inf 0 0\nf 1 2 3\n", "bad.obj:5"},
+        BadFile{"Huge", square + "v 1e38 0 0\nf 1 2 3\n", "bad.obj:5"},
+        BadFile{"LongLine", square + "v " + std::string(10'000'000, '1') + " 0 0\nf 1 2 3\n", "bad.obj:5"},
+        BadFile{"LongComment", square + "f 1 2 3\n#" + std::string(10'000'000, 'x') + "\n", "bad.obj:6"}),
     [](const auto& case_) { return std::string(case_.param.name); });
 
 TEST(BadPath, MissingFile) {
@@ -70,7 +73,8 @@ TEST(BadPath, Directory) {
 
 TEST(BadObjWarning, AMillionGroupsOpenWithinSeconds) {
     std::string text = square;
-    for (int i = 0; i < 1'000'000; ++i) text += "g " + std::to_string(i) + "\n";
+    for (int i = 0; i < 1'000'000; ++i)
+        text += "g " + std::to_string(i) + "\n";
     text += "f 1 2 3 4\n";
     const ScratchFolder folder;
     const ProgramRun run = run_program("info " + folder.write("groups.obj", text), 20);
@@ -84,8 +88,9 @@ TEST(BadObjWarning, MissingAndCorruptTexturesAreWarnings) {
     const std::string level =
         folder.write("m.obj", "mtllib m.mtl\n" + square + "usemtl a\nf 1 2 3\nusemtl b\nf 1 3 4\n");
     folder.write("look.script", "wait 1\n");
-    const ProgramRun run = run_program("edit " + level + " --headless --script " + (folder / "look.script").string() +
-                                       " --screenshot " + (folder / "out.png").string());
+    const ProgramRun run =
+        run_program("edit " + level + " --headless --script " + (folder / "look.script").string() +
+                    " --screenshot " + (folder / "out.png").string());
     EXPECT_EQ(run.exit_code, 0) << run.output;
     EXPECT_NE(run.output.find("missing.png"), std::string::npos) << run.output;
     EXPECT_NE(run.output.find("corrupt.png"), std::string::npos) << run.output;
@@ -106,14 +111,16 @@ TEST_P(BadLevelFile, IsRefusedWithItsPlace) {
 
 INSTANTIATE_TEST_SUITE_P(
     Files, BadLevelFile,
-    testing::Values(BadFile{"Empty", "", "level.slipface.json"}, BadFile{"Truncated", R"({"slipface": 1, "rules": [)", ":1"},
+    testing::Values(BadFile{"Empty", "", "level.slipface.json"},
+                    BadFile{"Truncated", R"({"slipface": 1, "rules": [)", ":1"},
                     BadFile{"WrongVersion", R"({"slipface": 99})", "99"},
                     BadFile{"NoVersion", R"({"rules": []})", "slipface"},
                     BadFile{"WrongType", R"({"slipface": 1, "rules": "ice"})", "/rules"},
                     BadFile{"DuplicateKey", R"({"slipface": 1, "rules": [], "rules": []})", "rules"},
                     BadFile{"NotAnObject", "[1, 2, 3]", "object"},
                     BadFile{"DeepNesting", std::string(100'000, '['), "level.slipface.json"},
-                    BadFile{"NumberTooLarge", R"({"slipface": 1, "spawn": {"position": [1e999, 0, 0], "yaw": 0}})",
+                    BadFile{"NumberTooLarge",
+                            R"({"slipface": 1, "spawn": {"position": [1e999, 0, 0], "yaw": 0}})",
                             "level.slipface.json"}),
     [](const auto& case_) { return std::string(case_.param.name); });
 
@@ -122,7 +129,8 @@ TEST(LevelFileWarning, UnknownKeysWarnAndStay) {
     const std::string level = folder.write("level.obj", square + "f 1 2 3 4\n");
     folder.write("level.slipface.json", R"({"slipface": 1, "studio_note": "keep me"})");
     folder.write("save.script", "command file.save\n");
-    const ProgramRun run = run_program("edit " + level + " --headless --script " + (folder / "save.script").string());
+    const ProgramRun run =
+        run_program("edit " + level + " --headless --script " + (folder / "save.script").string());
     EXPECT_EQ(run.exit_code, 0) << run.output;
     std::ifstream file(folder / "level.slipface.json");
     const std::string text{std::istreambuf_iterator<char>(file), {}};

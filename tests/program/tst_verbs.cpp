@@ -23,8 +23,10 @@ TEST(Info, CountsFacesAndTriangles) {
 TEST(Sweep, FallsOntoTheFloor) {
     const ScratchFolder folder;
     const std::string level = folder.write("floor.obj", floor_obj);
-    // An ellipsoid of half-height 0.9 that falls 4 m from y = 2.9 touches after 2.9 - 0.9 = 2 m: t = 0.5, straight below.
-    const ProgramRun run = run_program("sweep " + level + " --radii 0.4,0.9,0.4 --from 1,2.9,2 --move 0,-4,0 --json");
+    // An ellipsoid of half-height 0.9 that falls 4 m from y = 2.9 touches after 2.9 - 0.9 = 2 m: t = 0.5,
+    // straight below.
+    const ProgramRun run =
+        run_program("sweep " + level + " --radii 0.4,0.9,0.4 --from 1,2.9,2 --move 0,-4,0 --json");
     ASSERT_EQ(run.exit_code, 0) << run.output;
     const auto json = nlohmann::json::parse(run.output);
     EXPECT_NEAR(json.at("t").get<double>(), 0.5, 1e-12);
@@ -51,7 +53,8 @@ TEST(Sweep, AnswersEachRowOfACsv) {
 TEST(Simulate, TheSameTapeGivesTheSameHashes) {
     const ScratchFolder folder;
     const std::string level = folder.write("floor.obj", floor_obj);
-    const std::string tape = folder.write("t.tape", "slipface-tape 1\ndt 1/60\nstart 0,2,0\n90 wish 0,-1\n1 wish 0,0 jump\n60 wish 1,0\n");
+    const std::string tape = folder.write(
+        "t.tape", "slipface-tape 1\ndt 1/60\nstart 0,2,0\n90 wish 0,-1\n1 wish 0,0 jump\n60 wish 1,0\n");
     const std::string arguments = "simulate " + level + " --tape " + tape + " --json";
     const ProgramRun first = run_program(arguments), second = run_program(arguments);
     ASSERT_EQ(first.exit_code, 0) << first.output;

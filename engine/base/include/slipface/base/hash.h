@@ -12,7 +12,8 @@ class Hasher {
   public:
     void bytes(const void* data, std::size_t size) {
         const auto* byte = static_cast<const unsigned char*>(data);
-        for (std::size_t i = 0; i < size; ++i) state_ = (state_ ^ byte[i]) * 0x100000001b3ULL;
+        for (std::size_t i = 0; i < size; ++i)
+            state_ = (state_ ^ byte[i]) * 0x100000001b3ULL;
     }
     void text(std::string_view text) { bytes(text.data(), text.size()); }
     void u64(std::uint64_t value) { bytes(&value, sizeof value); }

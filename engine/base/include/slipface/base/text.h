@@ -27,8 +27,8 @@ std::string_view trim(std::string_view text);
 std::vector<std::string_view> split(std::string_view text, char separator);
 std::string to_lower(std::string_view text);
 
-// `text` against a pattern in which '*' stands for any run of characters and '?' for one. Takes time linear in the text
-// for a pattern with a bounded number of stars; never recursive.
+// `text` against a pattern in which '*' stands for any run of characters and '?' for one. Takes time linear
+// in the text for a pattern with a bounded number of stars; never recursive.
 bool glob_match(std::string_view pattern, std::string_view text);
 
 }  // namespace slipface

@@ -1,7 +1,7 @@
 // Vectors, boxes and ids that every module shares.
 //
-// World space: metres, +Y up, right-handed. Directions and points are column vectors of double; what the OBJ file
-// wrote stays float (Vec3f), because that is all the precision it has.
+// World space: metres, +Y up, right-handed. Directions and points are column vectors of double; what the OBJ
+// file wrote stays float (Vec3f), because that is all the precision it has.
 #pragma once
 
 #include <Eigen/Core>

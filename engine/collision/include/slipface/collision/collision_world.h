@@ -1,7 +1,7 @@
 // The triangles of a level, ready to be asked what a moving ellipsoid, a ray or a point meets.
 //
-// A world is built once from a mesh; the surface type of each face may change at any time without a rebuild. Queries are
-// const, free of allocation, and may run on any number of threads while nobody changes the world.
+// A world is built once from a mesh; the surface type of each face may change at any time without a rebuild.
+// Queries are const, free of allocation, and may run on any number of threads while nobody changes the world.
 #pragma once
 
 #include <array>
@@ -17,9 +17,9 @@ namespace slipface {
 
 // What collision needs to know of a surface type.
 struct SurfaceRule {
-    bool solid = true;       // false: nothing collides with it
-    // true: only motion against the triangle's winding normal touches it, and only while the centre is not behind its plane.
-    // Rays and closest points see both sides.
+    bool solid = true;  // false: nothing collides with it
+    // true: only motion against the triangle's winding normal touches it, and only while the centre is not
+    // behind its plane. Rays and closest points see both sides.
     bool one_sided = false;
 };
 
@@ -32,21 +32,21 @@ struct TriangleSoup {
 struct BvhStatistics {
     std::size_t triangles = 0;
     std::size_t nodes = 0;
-    std::size_t bytes = 0;       // BVH and collision triangles together
+    std::size_t bytes = 0;  // BVH and collision triangles together
     int depth = 0;
 };
 
 struct RayHit {
-    double t = 0.0;              // distance in units of the direction's length
+    double t = 0.0;  // distance in units of the direction's length
     Vec3 point = Vec3::Zero();
     Vec3 normal = Vec3::Zero();  // unit, the triangle's winding normal turned towards the ray's origin
     TriangleId triangle = no_id;
     FaceId face = no_id;
-    bool back_face = false;      // the ray came from behind the winding normal
+    bool back_face = false;  // the ray came from behind the winding normal
 };
 
 struct ClosestPoint {
-    double distance = 0.0;       // metres
+    double distance = 0.0;  // metres
     Vec3 point = Vec3::Zero();
     TriangleId triangle = no_id;
     FaceId face = no_id;
@@ -59,19 +59,20 @@ struct Overlap {
     SurfaceId surface = default_surface;
     Feature feature = Feature::interior;  // where the closest point (in sphere space) lies
     Vec3 point = Vec3::Zero();            // that closest point, world space
-    Vec3 normal = Vec3::Zero();           // contact normal there, unit, towards the centre; winding normal if the centre is on it
-    double depth_sphere_space = 0.0;      // 1 - distance in sphere space, (0, 1]
+    Vec3 normal = Vec3::Zero();       // contact normal there, unit, towards the centre; winding normal if the
+                                      // centre is on it
+    double depth_sphere_space = 0.0;  // 1 - distance in sphere space, (0, 1]
 };
 
 class CollisionWorld {
   public:
-    CollisionWorld();                     // empty: every query misses
+    CollisionWorld();  // empty: every query misses
     ~CollisionWorld();
     CollisionWorld(CollisionWorld&&) noexcept;
     CollisionWorld& operator=(CollisionWorld&&) noexcept;
 
-    // Refuses indices out of range, spans of unequal length and coordinates that are not finite. Degenerate triangles are
-    // kept: they collide as the edges and points that they are.
+    // Refuses indices out of range, spans of unequal length and coordinates that are not finite. Degenerate
+    // triangles are kept: they collide as the edges and points that they are.
     static Result<CollisionWorld> build(const TriangleSoup& soup);
 
     void set_face_surface(FaceId face, SurfaceId surface);       // faces outside the soup are ignored
@@ -80,13 +81,14 @@ class CollisionWorld {
     SurfaceRule surface_rule(SurfaceId surface) const;
 
     std::size_t triangle_count() const;
-    std::array<Vec3, 3> triangle(TriangleId triangle) const;     // corners, world space
+    std::array<Vec3, 3> triangle(TriangleId triangle) const;  // corners, world space
     FaceId triangle_face(TriangleId triangle) const;
-    Vec3 triangle_normal(TriangleId triangle) const;             // winding normal, unit; zero for a degenerate one
+    Vec3 triangle_normal(TriangleId triangle) const;  // winding normal, unit; zero for a degenerate one
     Aabb bounds() const;
     BvhStatistics statistics() const;
 
-    // Calls visit(triangle) for every triangle whose box meets `box`, in ascending order of triangle. For debug views and tests.
+    // Calls visit(triangle) for every triangle whose box meets `box`, in ascending order of triangle. For
+    // debug views and tests.
     std::vector<TriangleId> triangles_in(const Aabb& box) const;
 
     struct Impl;
@@ -96,15 +98,19 @@ class CollisionWorld {
     std::unique_ptr<Impl> impl_;
 };
 
-// First touch of the ellipsoid `radii` (all > 0, metres) whose centre moves from `from` by `move`, or nothing.
+// First touch of the ellipsoid `radii` (all > 0, metres) whose centre moves from `from` by `move`, or
+// nothing.
 //
-// Starting in touch or overlap: a move that does not go further in is free of that triangle, one that does is a hit at t = 0
-// with the normal of the closest point. Ties: smallest t, then interior before edge before vertex, then the lowest triangle.
-// A zero move touches nothing. Non-finite input, or radii that are not positive, touch nothing.
-// Source: lecture, "Computing the contact point" and "Contact plane in ellipsoid space"; docs/sweep.md derives it.
-std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& radii, const Vec3& from, const Vec3& move);
+// Starting in touch or overlap: a move that does not go further in is free of that triangle, one that does is
+// a hit at t = 0 with the normal of the closest point. Ties: smallest t, then interior before edge before
+// vertex, then the lowest triangle. A zero move touches nothing. Non-finite input, or radii that are not
+// positive, touch nothing. Source: lecture, "Computing the contact point" and "Contact plane in ellipsoid
+// space"; docs/sweep.md derives it.
+std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& radii, const Vec3& from,
+                                       const Vec3& move);
 
-// First solid triangle, from either side, that the ray from `origin` along `direction` (any length) meets with t in [0, max_t].
+// First solid triangle, from either side, that the ray from `origin` along `direction` (any length) meets
+// with t in [0, max_t].
 std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
                                double max_t = std::numeric_limits<double>::infinity());
 
@@ -112,10 +118,11 @@ std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, 
 std::optional<ClosestPoint> closest_point(const CollisionWorld& world, const Vec3& point,
                                           double max_distance = std::numeric_limits<double>::infinity());
 
-// The solid triangles that the ellipsoid at `centre` overlaps (distance in sphere space < 1), ascending by triangle, as many
-// as `out` holds. Returns how many there are in all, which may be more.
-// A one-sided triangle counts only while the centre is not behind its plane, as for sweeps.
-std::size_t find_overlaps(const CollisionWorld& world, const Vec3& radii, const Vec3& centre, std::span<Overlap> out);
+// The solid triangles that the ellipsoid at `centre` overlaps (distance in sphere space < 1), ascending by
+// triangle, as many as `out` holds. Returns how many there are in all, which may be more. A one-sided
+// triangle counts only while the centre is not behind its plane, as for sweeps.
+std::size_t find_overlaps(const CollisionWorld& world, const Vec3& radii, const Vec3& centre,
+                          std::span<Overlap> out);
 
 // True if find_overlaps would find one. Stops at the first.
 bool overlaps_any(const CollisionWorld& world, const Vec3& radii, const Vec3& centre);

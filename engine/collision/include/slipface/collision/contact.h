@@ -5,17 +5,18 @@
 
 namespace slipface {
 
-// The part of the triangle that was touched first. The order is the order of preference when several are touched at
-// the same time.
+// The part of the triangle that was touched first. The order is the order of preference when several are
+// touched at the same time.
 enum class Feature : std::uint8_t { interior, edge, vertex };
 
 const char* feature_name(Feature feature);
 
 // First touch of a moving ellipsoid. All vectors are in world space.
 struct Contact {
-    double t = 1.0;                    // share of the displacement done at the touch, [0, 1]
-    Vec3 normal = Vec3::Zero();        // unit; of the contact plane, which is tangent to the ellipsoid, towards its centre
-    Vec3 point = Vec3::Zero();         // on the triangle
+    double t = 1.0;  // share of the displacement done at the touch, [0, 1]
+    Vec3 normal =
+        Vec3::Zero();  // unit; of the contact plane, which is tangent to the ellipsoid, towards its centre
+    Vec3 point = Vec3::Zero();  // on the triangle
     TriangleId triangle = no_id;
     FaceId face = no_id;
     SurfaceId surface = default_surface;

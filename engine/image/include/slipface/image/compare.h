@@ -1,5 +1,5 @@
-// The gate that decides whether two pictures are the same. Thresholds follow measurements of rasteriser noise against
-// the smallest real changes (docs/snapshots.md).
+// The gate that decides whether two pictures are the same. Thresholds follow measurements of rasteriser noise
+// against the smallest real changes (docs/snapshots.md).
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 namespace slipface {
 
 struct CompareTolerance {
-    int pixel_delta = 2;         // a pixel differs when any channel differs by more than this, 0..255
-    double ratio = 0.0005;       // at most this share of pixels (and at least `minimum_pixels` of them) may differ
+    int pixel_delta = 2;    // a pixel differs when any channel differs by more than this, 0..255
+    double ratio = 0.0005;  // at most this share of pixels (and at least `minimum_pixels` of them) may differ
     int minimum_pixels = 10;
-    int strong_delta = 4;        // a pixel differs strongly when any channel differs by more than this
-    int window = 16;             // side of the density window, pixels
-    int window_pixels = 6;       // as many strongly differing pixels within one window fail
+    int strong_delta = 4;   // a pixel differs strongly when any channel differs by more than this
+    int window = 16;        // side of the density window, pixels
+    int window_pixels = 6;  // as many strongly differing pixels within one window fail
 };
 
 inline constexpr CompareTolerance scene_tolerance{};
@@ -23,19 +23,20 @@ inline constexpr CompareTolerance ui_tolerance{.pixel_delta = 1, .window_pixels 
 struct Comparison {
     bool same = false;
     bool size_differs = false;
-    int max_delta = 0;             // largest channel difference
-    std::size_t differing = 0;     // pixels beyond pixel_delta
-    std::size_t allowed = 0;       // pixels that may be
-    int densest_window = 0;        // strongly differing pixels in the worst window (every position is tried)
+    int max_delta = 0;          // largest channel difference
+    std::size_t differing = 0;  // pixels beyond pixel_delta
+    std::size_t allowed = 0;    // pixels that may be
+    int densest_window = 0;     // strongly differing pixels in the worst window (every position is tried)
     int densest_x = 0, densest_y = 0;
-    std::string verdict;           // one line with the numbers that decided
+    std::string verdict;  // one line with the numbers that decided
 };
 
 // Compares colour and alpha. Pictures of different size are never the same.
 Comparison compare_images(const Image& expected, const Image& actual, const CompareTolerance& tolerance);
 
-// Where they differ: the expected picture in faint grey, differing pixels from yellow (weak) to red (strong). Pictures of
-// different size are compared over the larger of both, what is missing counting as strongest difference.
+// Where they differ: the expected picture in faint grey, differing pixels from yellow (weak) to red (strong).
+// Pictures of different size are compared over the larger of both, what is missing counting as strongest
+// difference.
 Image difference_image(const Image& expected, const Image& actual);
 
 }  // namespace slipface

@@ -18,18 +18,22 @@ struct Image {
     int height = 0;
     std::vector<std::uint8_t> rgba;
 
-    std::size_t pixel_count() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+    std::size_t pixel_count() const {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
     const std::uint8_t* pixel(int x, int y) const {
-        return rgba.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+        return rgba.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                  static_cast<std::size_t>(x));
     }
     std::uint8_t* pixel(int x, int y) { return const_cast<std::uint8_t*>(std::as_const(*this).pixel(x, y)); }
     friend bool operator==(const Image&, const Image&) = default;
 };
 
-Image make_image(int width, int height, std::uint8_t red, std::uint8_t green, std::uint8_t blue, std::uint8_t alpha = 255);
+Image make_image(int width, int height, std::uint8_t red, std::uint8_t green, std::uint8_t blue,
+                 std::uint8_t alpha = 255);
 
-// Reads PNG, JPEG, TGA or BMP (stb_image). Refuses pictures wider or higher than `max_side` before decoding them, so
-// that a small file cannot demand gigabytes.
+// Reads PNG, JPEG, TGA or BMP (stb_image). Refuses pictures wider or higher than `max_side` before decoding
+// them, so that a small file cannot demand gigabytes.
 Result<Image> load_image(const std::filesystem::path& path, int max_side = 8192);
 Result<Image> decode_image(std::string_view bytes, const std::string& place, int max_side = 8192);
 

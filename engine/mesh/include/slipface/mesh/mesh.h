@@ -13,27 +13,27 @@
 namespace slipface {
 
 struct Material {
-    std::string name;                        // as `newmtl` wrote it; empty for faces without a material
-    Vec3f diffuse = Vec3f::Constant(0.8f);   // Kd, 0..1, sRGB as authored
-    std::string texture;                     // map_Kd as authored, relative to the MTL's folder; empty: none
+    std::string name;                       // as `newmtl` wrote it; empty for faces without a material
+    Vec3f diffuse = Vec3f::Constant(0.8f);  // Kd, 0..1, sRGB as authored
+    std::string texture;                    // map_Kd as authored, relative to the MTL's folder; empty: none
 };
 
-// A *face* is one polygon of the file, in the file's winding (counter-clockwise seen from the front). Its corners are
-// consecutive in the corner arrays. A *triangle* is three corner indices of one face.
+// A *face* is one polygon of the file, in the file's winding (counter-clockwise seen from the front). Its
+// corners are consecutive in the corner arrays. A *triangle* is three corner indices of one face.
 struct Mesh {
-    std::vector<Vec3f> positions;                              // [vertex], metres; shared between faces
-    std::vector<std::uint32_t> corner_vertex;                  // [corner] index into positions
-    std::vector<Vec2f> corner_uv;                              // [corner], V up; zero where the file gives none
-    std::vector<std::uint32_t> face_first_corner;              // [face + 1], ends with the number of corners
-    std::vector<std::uint32_t> face_material;                  // [face] index into materials
-    std::vector<std::uint32_t> face_group;                     // [face] index into groups
-    std::vector<std::array<std::uint32_t, 3>> triangles;       // [triangle] corner indices
-    std::vector<FaceId> triangle_face;                         // [triangle] ascending
-    std::vector<std::uint32_t> face_first_triangle;            // [face + 1], ends with the number of triangles
-    std::vector<Material> materials;                           // at least one
-    std::vector<std::string> groups;                           // object and group names; at least one
+    std::vector<Vec3f> positions;                         // [vertex], metres; shared between faces
+    std::vector<std::uint32_t> corner_vertex;             // [corner] index into positions
+    std::vector<Vec2f> corner_uv;                         // [corner], V up; zero where the file gives none
+    std::vector<std::uint32_t> face_first_corner;         // [face + 1], ends with the number of corners
+    std::vector<std::uint32_t> face_material;             // [face] index into materials
+    std::vector<std::uint32_t> face_group;                // [face] index into groups
+    std::vector<std::array<std::uint32_t, 3>> triangles;  // [triangle] corner indices
+    std::vector<FaceId> triangle_face;                    // [triangle] ascending
+    std::vector<std::uint32_t> face_first_triangle;       // [face + 1], ends with the number of triangles
+    std::vector<Material> materials;                      // at least one
+    std::vector<std::string> groups;                      // object and group names; at least one
     Aabb bounds;
-    std::uint64_t fingerprint = 0;                             // of positions, faces and material names
+    std::uint64_t fingerprint = 0;  // of positions, faces and material names
 
     std::size_t face_count() const { return face_material.size(); }
     std::size_t triangle_count() const { return triangles.size(); }
@@ -47,8 +47,8 @@ struct Mesh {
 
 using MeshPtr = std::shared_ptr<const Mesh>;
 
-// Newell's normal of a face: unit length, or zero for a face without area. Source: Newell's method, the sum of the
-// cross products of consecutive corners, exact for planar polygons and an average for bent ones.
+// Newell's normal of a face: unit length, or zero for a face without area. Source: Newell's method, the sum
+// of the cross products of consecutive corners, exact for planar polygons and an average for bent ones.
 Vec3 face_normal(const Mesh& mesh, FaceId face);
 
 // The mean of the face's corners, world space.
@@ -67,9 +67,9 @@ struct FaceNeighbours {
     }
 };
 
-// Vertices at exactly the same position count as one, so meshes split at materials or seams still connect. An edge that more
-// faces share than any model needs links each face with the next `max_linked_faces` only: the list stays linear in the mesh,
-// and what hangs together still does.
+// Vertices at exactly the same position count as one, so meshes split at materials or seams still connect. An
+// edge that more faces share than any model needs links each face with the next `max_linked_faces` only: the
+// list stays linear in the mesh, and what hangs together still does.
 inline constexpr std::size_t max_linked_faces = 8;
 FaceNeighbours face_neighbours(const Mesh& mesh);
 
