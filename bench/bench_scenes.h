@@ -7,21 +7,34 @@
 
 namespace slipface::bench {
 
-// Rolling ground with boxes on it, the same density at every size.
+// Of the same density at every size: a building of furnished rooms, or rolling ground with boxes on it.
+enum class Kind { rooms, ground };
+
 struct Level {
     scenes::Soup soup;
     CollisionWorld world;
 };
 
-inline const Level& level(std::int64_t triangles) {
-    static std::map<std::int64_t, Level> levels;
-    const auto found = levels.find(triangles);
-    if (found != levels.end()) return found->second;
+inline scenes::Soup make_soup(Kind kind, std::int64_t triangles) {
     scenes::Random random(1);
-    const double cells = std::sqrt(static_cast<double>(triangles) / (2.0 + 10.0 / 30.0));
-    scenes::Soup soup = scenes::terrain(random, static_cast<std::size_t>(cells), 1.0);
+    const auto count = static_cast<double>(triangles);
+    if (kind == Kind::ground) {
+        const double cells = std::sqrt(count / (2.0 + 10.0 / 30.0));
+        return scenes::terrain(random, static_cast<std::size_t>(cells), 1.0);
+    }
+    const std::size_t floors = triangles < 100000 ? 2 : 5;
+    const double rooms = std::sqrt(count / (242.0 * static_cast<double>(floors)));
+    return std::move(scenes::Rooms(random, static_cast<std::size_t>(std::lround(rooms)), floors).soup);
+}
+
+inline const Level& level(std::int64_t triangles, Kind kind = Kind::rooms) {
+    static std::map<std::pair<std::int64_t, Kind>, Level> levels;
+    const std::pair key(triangles, kind);
+    const auto found = levels.find(key);
+    if (found != levels.end()) return found->second;
+    scenes::Soup soup = make_soup(kind, triangles);
     CollisionWorld world = soup.world();
-    return levels.emplace(triangles, Level{std::move(soup), std::move(world)}).first->second;
+    return levels.emplace(key, Level{std::move(soup), std::move(world)}).first->second;
 }
 
 struct Query {
@@ -43,9 +56,8 @@ inline std::vector<Query> queries(const Level& level, const Vec3& radii, double 
         const Vec3 at = (corners[0] + corners[1] + corners[2]) / 3;
         const Vec3 from = at + random.uniform(0, 1.0 + radii.maxCoeff()) * random.direction();
         if (overlaps_any(level.world, radii, from)) continue;
-        // Below the ground there is nothing to play.
-        const auto ground = cast_ray(level.world, from + Vec3(0, 1e4, 0), {0, -1, 0});
-        if (!ground || ground->point.y() > from.y()) continue;
+        // Where there is no ground there is nothing to play.
+        if (!cast_ray(level.world, from, {0, -1, 0})) continue;
         list.push_back({from, length * random.direction()});
     }
     return list;

@@ -45,7 +45,8 @@ int open_editor(const fs::path& level, float scale) {
             return complain({level.string(), "no such file; expected an OBJ or a level file"},
                             cli::exit_bad_input);
     }
-    const Status status = run_window({.level = level, .config = config_folder(), .scale = scale});
+    const Status status =
+        run_window({.level = level, .config = config_folder(), .state = state_folder(), .scale = scale});
     return status.ok() ? cli::exit_fine : show_pictures(level, status.error());
 }
 
@@ -55,7 +56,7 @@ void print_warnings(const Warnings& warnings) {
 }
 
 struct EditArguments {
-    std::string level, script, screenshot, size = "1280x720";
+    std::string level, script, screenshot, state, size = "1280x720";
     double scale = 0.0;
     bool headless = false;
 };
@@ -69,6 +70,7 @@ int edit_headless(const EditArguments& arguments) {
     options.width = size->first;
     options.height = size->second;
     options.scale = arguments.scale > 0.0 ? static_cast<float>(arguments.scale) : 1.0f;
+    options.state = arguments.state;
     Result<std::unique_ptr<OffscreenHost>> host = OffscreenHost::make(options);
     if (!host) return complain(host.error(), cli::exit_bad_input);
     Editor& editor = (*host)->editor();
@@ -104,6 +106,9 @@ void add_edit_verb(CLI::App& app, int& exit_code) {
     verb->add_flag("--headless", arguments->headless, "Draw off-screen, without a window");
     verb->add_option("--script", arguments->script, "Script to run (docs/scripting.md); implies --headless");
     verb->add_option("--screenshot", arguments->screenshot, "PNG to write at the end; implies --headless");
+    verb->add_option("--state", arguments->state,
+                     "Folder for autosaves of an off-screen run; without it none are made")
+        ->type_name("DIR");
     verb->add_option("--size", arguments->size, "Size of the off-screen window, WxH")->capture_default_str();
     verb->add_option("--scale", arguments->scale, "Pixels per design pixel; the screen's own by default")
         ->check(CLI::Range(0.5, 4.0));

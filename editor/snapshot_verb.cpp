@@ -1,131 +1,236 @@
 #include "snapshot_verb.h"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <filesystem>
+#include <cstdlib>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
-#include "app/screens.h"
 #include "cli/exit_codes.h"
-#include "slipface/base/text.h"
-#include "slipface/snapshot/golden.h"
-#include "slipface/snapshot/suite.h"
+#include "snapshots/doctor.h"
+#include "snapshots/review.h"
+#include "snapshots/verbs.h"
 
 namespace slipface {
 namespace {
 
-namespace fs = std::filesystem;
+using Shared = std::shared_ptr<CheckArguments>;
 
-struct CheckArguments {
-    std::string goldens = "screenshots", out = "out/snapshots", only = "*";
-    bool approve = false, twice = false;
-};
-
-struct Totals {
-    int same = 0, failed = 0, approved = 0;
-};
-
-void report(const char* what, const std::string& name, const std::string& message) {
-    fmt::print("{:<17} {}{}{}\n", what, name, message.empty() ? "" : "  ", message);
-    std::fflush(stdout);
+int usual_jobs() {
+    const unsigned processors = std::thread::hardware_concurrency();
+    return static_cast<int>(processors == 0 ? 1 : std::min(processors, 16U));
 }
 
-void approve_one(const CheckArguments& arguments, const Snapshot& snapshot, const std::string& why,
-                 Totals& totals) {
-    const Result<Image> picture = snapshot.render();
-    const Status status = picture
-                              ? approve_golden(arguments.goldens, snapshot.name, *picture, snapshot.tolerance)
-                              : Status(picture.error());
-    ++(status.ok() ? totals.approved : totals.failed);
-    report(status.ok() ? "approved" : "FAILED", snapshot.name, status.ok() ? why : status.error().text());
+// Every context of this process and of its workers is then made by that library.
+void choose_gl(const Shared& arguments) {
+    if (arguments->work.suite.gl != "auto") ::setenv("SLIPFACE_GL", arguments->work.suite.gl.c_str(), 1);
 }
 
-void check_one(const CheckArguments& arguments, const Snapshot& snapshot, Totals& totals) {
-    const Result<GoldenResult> result =
-        check_snapshot(snapshot, arguments.goldens, arguments.out, arguments.twice);
-    if (!result) {
-        ++totals.failed;
-        return report("FAILED", snapshot.name, result.error().text());
-    }
-    if (result->state == GoldenState::same) {
-        ++totals.same;
-        return report("same", snapshot.name, "");
-    }
-    if (arguments.approve && result->state != GoldenState::nondeterministic)
-        return approve_one(arguments, snapshot, result->message, totals);
-    ++totals.failed;
-    report(golden_state_name(result->state), snapshot.name, result->message);
+void add_gl(CLI::App& verb, const Shared& arguments) {
+    verb.add_option("--gl", arguments->work.suite.gl, "Which library draws: auto, osmesa or egl")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
 }
 
-// Those of `snapshots` that are asked for. Returns how many.
-int check_all(const CheckArguments& arguments, const std::vector<Snapshot>& snapshots, Totals& totals) {
-    int matched = 0;
-    for (const Snapshot& snapshot : snapshots) {
-        if (!glob_match(arguments.only, snapshot.name)) continue;
-        ++matched;
-        check_one(arguments, snapshot, totals);
-    }
-    return matched;
+// Which snapshots there are.
+void add_suite(CLI::App& verb, const Shared& arguments) {
+    SuiteArguments& suite = arguments->work.suite;
+    verb.add_option("--goldens", suite.goldens, "Folder of the goldens")->capture_default_str();
+    verb.add_option("--suite", suite.suites,
+                    "Suite files, instead of GOLDENS/scenes.json and GOLDENS/editor");
+    add_gl(verb, arguments);
 }
 
-int bad_input(const std::string& message) {
-    fmt::print(stderr, "slipface: {}\n", message);
-    return cli::exit_bad_input;
+void add_levels(CLI::App& verb, const Shared& arguments, const char* name) {
+    SuiteArguments& suite = arguments->work.suite;
+    verb.add_option(name, suite.levels, "Levels to take pictures of, instead of the suites");
+    verb.add_option("--cameras", suite.cameras, "For levels: cameras, as in a suite");
+    verb.add_option("--size", suite.size, "For levels: size of the pictures")->capture_default_str();
+    verb.add_option("--style", suite.style, "For levels: style, as in a suite")->capture_default_str();
+    verb.add_option("--tape", suite.tape, "For levels: a tape to draw");
 }
 
-int check(const CheckArguments& arguments) {
-    std::error_code error;
-    const fs::path goldens = arguments.goldens;
-    if (!fs::is_directory(goldens, error))
-        return bad_input(arguments.goldens +
-                         ": no such folder; expected the goldens (run in the project, or give --goldens)");
-    const std::vector<Snapshot> screens = screen_snapshots(goldens / "editor");
-    std::vector<Snapshot> all = screens;
-    Totals totals;
-    int matched = 0;
-    if (fs::exists(goldens / "scenes.json", error)) {
-        const Result<std::vector<Scene>> suite = load_scene_suite(goldens / "scenes.json");
-        if (!suite) return bad_input(suite.error().text());
-        // Scenes share one context; the screens, which make their own, come when it is gone.
-        Result<std::unique_ptr<OffscreenContext>> context = make_offscreen_context();
-        if (!context) return bad_input(context.error().text());
-        const std::vector<Snapshot> scenes = scene_snapshots(*suite, **context);
-        matched += check_all(arguments, scenes, totals);
-        all.insert(all.end(), scenes.begin(), scenes.end());
-    }
-    matched += check_all(arguments, screens, totals);
-    if (matched == 0) return bad_input("no snapshot is named like \"" + arguments.only + "\"");
-    if (arguments.only == "*")
-        for (const std::string& orphan : orphan_goldens(goldens, all)) {
-            ++totals.failed;
-            report("orphan", orphan, "no snapshot makes this golden");
-        }
-    fmt::print("{} same, {} approved, {} failed\n", totals.same, totals.approved, totals.failed);
-    if (totals.failed > 0 && !arguments.approve)
-        fmt::print("Pictures: {}. To make them the goldens: slipface snapshot check --only '{}' --approve\n",
-                   arguments.out, arguments.only);
-    return totals.failed == 0 ? cli::exit_fine : cli::exit_check_failed;
+// Which of them, and how the work is shared out.
+void add_choice(CLI::App& verb, const Shared& arguments) {
+    verb.add_option("--only", arguments->only, "Names, with * and ?");
+    verb.add_option("--out", arguments->work.out, "Folder for pictures and reports")->capture_default_str();
+    verb.add_option("--jobs", arguments->work.jobs, "Processes at a time")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 256));
+    verb.add_option("--shard", arguments->shard, "Only a part: 2/4 is the second of four");
+    verb.add_flag("--quiet", arguments->quiet, "Only what is not the same");
+    verb.add_flag("--timing", arguments->timing, "Say how much of the time was rasterising");
+}
+
+Shared new_arguments(WorkKind kind) {
+    auto arguments = std::make_shared<CheckArguments>();
+    arguments->work.kind = kind;
+    arguments->work.jobs = usual_jobs();
+    return arguments;
+}
+
+void add_check_verbs(CLI::App& group, int& exit_code) {
+    const Shared check = new_arguments(WorkKind::check);
+    CLI::App* const verb =
+        group.add_subcommand("check", "Render every snapshot and compare it with its golden");
+    add_suite(*verb, check);
+    add_choice(*verb, check);
+    verb->add_flag("--twice", check->work.twice, "Render twice and fail where the two differ");
+    verb->add_flag("--detailed-exit", check->detailed,
+                   "1 differences, 2 only missing or orphans, 3 not rendered, 4 golden unreadable");
+    verb->callback([check, &exit_code] {
+        choose_gl(check);
+        exit_code = snapshot_check(*check);
+    });
+
+    const Shared compare = new_arguments(WorkKind::check);
+    compare->actual = "out/rendered";
+    compare->detailed = true;
+    CLI::App* const compare_verb =
+        group.add_subcommand("compare", "Compare pictures that `render` made before with the goldens");
+    add_suite(*compare_verb, compare);
+    add_choice(*compare_verb, compare);
+    compare_verb->add_option("--actual", compare->actual, "Folder of the pictures")->capture_default_str();
+    compare_verb->callback([compare, &exit_code] {
+        choose_gl(compare);
+        exit_code = snapshot_compare(*compare);
+    });
+}
+
+void add_render_verb(CLI::App& group, int& exit_code) {
+    const Shared render = new_arguments(WorkKind::render);
+    render->work.out = "out/rendered";
+    CLI::App* const verb = group.add_subcommand("render", "Take pictures, of the suites or of levels");
+    add_suite(*verb, render);
+    add_levels(*verb, render, "level");
+    add_choice(*verb, render);
+    verb->add_flag("--sheet", render->sheet,
+                   "Contact sheets besides: many pictures with their names on a few");
+    verb->callback([render, &exit_code] {
+        choose_gl(render);
+        exit_code = snapshot_render(*render);
+    });
+}
+
+void add_approve_verb(CLI::App& group, int& exit_code) {
+    const Shared approve = new_arguments(WorkKind::approve);
+    CLI::App* const verb = group.add_subcommand("approve", "Make what differs or is missing the golden");
+    add_suite(*verb, approve);
+    verb->add_option("name", approve->only, "Names, with * and ?; none: all");
+    verb->add_option("--from", approve->from,
+                     "A report.json: approve what that check saw, without rendering");
+    verb->add_option("--jobs", approve->work.jobs, "Processes at a time")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 256));
+    verb->add_option("--reason", approve->reason, "Said again at the end, for the commit");
+    verb->add_flag("--force", approve->work.force, "Rewrite what passes, too");
+    verb->add_flag("--quick", approve->work.quick, "Pack pictures fast instead of small");
+    verb->add_flag("--prune", approve->prune, "Remove goldens that no snapshot makes");
+    verb->add_flag("--any-renderer", approve->work.any_renderer,
+                   "Also from a renderer other than Mesa's software one");
+    verb->add_flag("--in-ci", approve->in_ci, "Also where a CI runs");
+    verb->callback([approve, &exit_code] {
+        choose_gl(approve);
+        exit_code = snapshot_approve(*approve);
+    });
+}
+
+void add_report_verbs(CLI::App& group, int& exit_code) {
+    const Shared review = new_arguments(WorkKind::check);
+    review->from = "out/snapshots/report.json";
+    CLI::App* const review_verb = group.add_subcommand("review", "Look at what a check found, in the editor");
+    review_verb->add_option("report", review->from, "The check's report.json")->capture_default_str();
+    review_verb->callback([review, &exit_code] { exit_code = snapshot_review(review->from); });
+
+    const Shared list = new_arguments(WorkKind::check);
+    CLI::App* const list_verb = group.add_subcommand("list", "Name every snapshot and its golden");
+    add_suite(*list_verb, list);
+    list_verb->add_option("--only", list->only, "Names, with * and ?");
+    list_verb->add_flag("--orphans", list->orphans_only,
+                        "Only goldens that no snapshot makes; 2 if there are any");
+    list_verb->add_flag("--json", list->json, "As JSON");
+    list_verb->callback([list, &exit_code] { exit_code = snapshot_list(*list); });
+
+    const Shared merge = new_arguments(WorkKind::check);
+    const auto reports = std::make_shared<std::vector<std::string>>();
+    CLI::App* const merge_verb = group.add_subcommand("merge", "Put the reports of shards together");
+    merge_verb->add_option("report", *reports, "report.json of each shard")->required();
+    merge_verb->add_option("--out", merge->work.out, "Folder of the merged report")->capture_default_str();
+    merge_verb->add_flag("--detailed-exit", merge->detailed, "As for check");
+    merge_verb->callback([merge, reports, &exit_code] { exit_code = snapshot_merge(*reports, *merge); });
+}
+
+void add_diff_verb(CLI::App& group, int& exit_code) {
+    struct Files {
+        std::string expected, actual, profile = "scene", picture;
+        bool json = false;
+    };
+    const auto files = std::make_shared<Files>();
+    CLI::App* const verb = group.add_subcommand("diff", "Put two pictures through the gate");
+    verb->add_option("expected", files->expected, "PNG")->required();
+    verb->add_option("actual", files->actual, "PNG")->required();
+    verb->add_option("--profile", files->profile, "scene or ui")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"scene", "ui"}));
+    verb->add_option("--out", files->picture, "PNG to write: where they differ");
+    verb->add_flag("--json", files->json, "As JSON");
+    verb->callback([files, &exit_code] {
+        exit_code =
+            snapshot_diff(files->expected, files->actual, files->profile, files->picture, files->json);
+    });
+}
+
+void add_doctor_verb(CLI::App& group, int& exit_code) {
+    const Shared arguments = new_arguments(WorkKind::check);
+    const auto part = std::make_shared<std::string>();
+    const auto pictures = std::make_shared<std::vector<std::string>>();
+    CLI::App* const verb =
+        group.add_subcommand("doctor", "Say whether pictures can be trusted on this machine");
+    verb->add_option("picture", *pictures, "Pictures to put through the gate's self-test, too");
+    verb->add_option("--part", *part)->group("");
+    verb->add_option("--gl", arguments->work.suite.gl)->group("");
+    verb->callback([arguments, part, pictures, &exit_code] {
+        choose_gl(arguments);
+        exit_code = part->empty() ? snapshot_doctor(*pictures) : snapshot_doctor_part(*part);
+    });
+}
+
+// Not for people: one of the processes of --jobs.
+void add_worker_verb(CLI::App& group, int& exit_code) {
+    const Shared worker = new_arguments(WorkKind::check);
+    CLI::App* const verb = group.add_subcommand("worker", "")->group("");
+    add_suite(*verb, worker);
+    add_levels(*verb, worker, "--level");
+    verb->add_option("--out", worker->work.out);
+    verb->add_option_function<std::string>("--kind", [worker](const std::string& kind) {
+        worker->work.kind = kind == "render"    ? WorkKind::render
+                            : kind == "approve" ? WorkKind::approve
+                                                : WorkKind::check;
+    });
+    verb->add_flag("--twice", worker->work.twice);
+    verb->add_flag("--force", worker->work.force);
+    verb->add_flag("--quick", worker->work.quick);
+    verb->add_flag("--any-renderer", worker->work.any_renderer);
+    verb->callback([worker, &exit_code] {
+        choose_gl(worker);
+        exit_code = run_worker(worker->work);
+    });
 }
 
 }  // namespace
 
 void add_snapshot_verb(CLI::App& app, int& exit_code) {
-    CLI::App* const verb =
+    CLI::App* const group =
         app.add_subcommand("snapshot", "Compare pictures of scenes and of the editor with the approved ones");
-    verb->require_subcommand(1);
-    auto arguments = std::make_shared<CheckArguments>();
-    CLI::App* const check_verb =
-        verb->add_subcommand("check", "Render every snapshot and compare it with its golden");
-    check_verb->add_option("--goldens", arguments->goldens, "Folder of the goldens")->capture_default_str();
-    check_verb->add_option("--out", arguments->out, "Folder for pictures of what differs")
-        ->capture_default_str();
-    check_verb->add_option("--only", arguments->only, "Names to check, with * and ?")->capture_default_str();
-    check_verb->add_flag("--approve", arguments->approve, "Make what differs or is missing the golden");
-    check_verb->add_flag("--twice", arguments->twice, "Render twice and fail where the two differ");
-    check_verb->callback([arguments, &exit_code] { exit_code = check(*arguments); });
+    group->require_subcommand(1);
+    add_check_verbs(*group, exit_code);
+    add_render_verb(*group, exit_code);
+    add_approve_verb(*group, exit_code);
+    add_report_verbs(*group, exit_code);
+    add_diff_verb(*group, exit_code);
+    add_doctor_verb(*group, exit_code);
+    add_worker_verb(*group, exit_code);
 }
 
 }  // namespace slipface

@@ -15,7 +15,7 @@ step() {
 packages=(
     build-essential cmake ninja-build pkg-config
     libimgui-dev libstb-dev libglfw3-dev libosmesa6 libegl1 libgl1-mesa-dri
-    libassimp-dev libeigen3-dev python3-glad nlohmann-json3-dev libcli11-dev libfmt-dev libtbb-dev
+    libassimp-dev libeigen3-dev python3-glad nlohmann-json3-dev libcli11-dev libfmt-dev libtbb-dev libdeflate-dev
     fonts-inter fonts-font-awesome
 )
 # What the tests need besides.

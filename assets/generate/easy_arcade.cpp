@@ -87,7 +87,7 @@ void add_arcades(Model& model) {
         add_end_pilaster(model, north_z, north_z + 0.62);
         // String course below the gallery and cornice below the vault.
         const unsigned strip = side_west | side_top | side_bottom;
-        box(model, "stone_trim", {6.38, 3.78, north_z}, {nave_x, gallery_y, south_z}, strip);
+        box(model, "stone_trim", {6.38, 3.78, north_z}, {nave_x, gallery_y, 8.5}, strip);
         box(model, "tile_teal", {6.46, 7.3, north_z}, {nave_x, 7.7, south_z}, strip);
         box(model, "stone_trim", {6.2, 7.8, north_z}, {nave_x, springing_y, south_z}, strip);
         model.mirror_x(false);

@@ -95,7 +95,7 @@ void add_loft(Model& model) {
 }
 
 void add_ladder(Model& model) {
-    const double z0 = -7.0, z1 = -6.0, x0 = 6.3, x1 = 6.42, top = gallery_y;
+    const double z0 = -7.0, z1 = -6.0, x0 = 6.3, x1 = 6.42, top = gallery_y + 0.02;
     std::vector<double> ys;
     for (int i = 0; i <= 5; ++i)
         ys.push_back(floor_y + (top - floor_y) * i / 5);

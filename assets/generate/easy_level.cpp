@@ -1,82 +1,34 @@
-#include "easy_level.h"
-
-#include <limits>
-#include <string>
-
-#include "easy.h"
-#include "slipface/level/level_file.h"
-#include "slipface/mesh/import.h"
+// What `easy` is beside its geometry: surface types, paint, viewpoints, light.
+#include "recipes.h"
 
 namespace slipface::generate {
 namespace {
-
-// The face nearest to `point` of those whose material is `material`.
-FaceId face_at(const Mesh& mesh, const Vec3& point, const std::string& material) {
-    FaceId best = no_id;
-    double best_distance = std::numeric_limits<double>::infinity();
-    for (FaceId face = 0; face < mesh.face_count(); ++face) {
-        if (mesh.materials[mesh.face_material[face]].name != material) continue;
-        const double distance = (face_centroid(mesh, face) - point).squaredNorm();
-        if (distance >= best_distance) continue;
-        best = face;
-        best_distance = distance;
-    }
-    return best;
-}
 
 void set_surfaces(Level& level) {
     for (SurfaceType& surface : level.surfaces) {
         if (surface.name == "turntable") surface.spin_centre = Vec3(0, -1.8, -12.75);
         if (surface.name == "bouncy") surface.restitution = 0.9;
     }
-    level.surfaces.push_back({.name = "foliage",
-                              .color = {0.47f, 0.67f, 0.19f},
-                              .hatch = Hatch::dots,
-                              .hotkey = 9,
-                              .solid = false});
-    level.rules = {
-        {"ice*", "ice"},       {"ladder*", "ladder"},     {"sticky*", "sticky"},
-        {"bouncy*", "bouncy"}, {"conveyor*", "conveyor"}, {"turntable*", "turntable"},
-        {"hazard*", "hazard"}, {"foliage*", "foliage"},
-    };
+    add_common_rules(level);
 }
 
 // What a rule by material cannot say: one iced ramp, one sticky ramp, a way of bouncy tiles, and a pedestal
 // that throws.
-void paint_faces(Level& level) {
-    struct Painted {
-        Vec3 point;
-        const char* material;
-        const char* surface;
-    };
-    const Painted painted[] = {
-        {{-45, 0, 4.3}, "ramp_stone", "ice"},         // 15 degrees
-        {{-47, 0.5, -8.7}, "ramp_stone", "ice"},      // 40 degrees
-        {{-48, 0.5, -19.1}, "ramp_steep", "sticky"},  // 60 degrees
-        {{0, 0.6, -31}, "tile_teal", "bouncy"},       // the crystal's plinth
-        {{-21, -1, -21}, "test_floor", "bouncy"},    {{-23, -1, -21}, "test_floor", "ice"},
-        {{12.75, -1, -15.25}, "stone_floor", "ice"},  // beside the pit
-        {{12.75, -1, -17.75}, "stone_floor", "ice"}, {{12.75, -1, -20.25}, "stone_floor", "ice"},
-    };
-    level.overrides.assign(level.mesh->face_count(), std::nullopt);
-    for (const Painted& entry : painted) {
-        const FaceId face = face_at(*level.mesh, entry.point, entry.material);
-        if (face != no_id) level.overrides[face] = find_surface(level, entry.surface);
-    }
-}
+const PaintedFace painted[] = {
+    {{-45, 0, 4.3}, "ramp_stone", "ice"},         // 15 degrees
+    {{-47, 0.5, -8.7}, "ramp_stone", "ice"},      // 40 degrees
+    {{-48, 0.5, -19.1}, "ramp_steep", "sticky"},  // 60 degrees
+    {{0, 0.6, -31}, "tile_teal", "bouncy"},       // the crystal's plinth
+    {{-21, -1, -21}, "test_floor", "bouncy"},    {{-23, -1, -21}, "test_floor", "ice"},
+    {{12.75, -1, -15.25}, "stone_floor", "ice"},  // beside the pit
+    {{12.75, -1, -17.75}, "stone_floor", "ice"}, {{12.75, -1, -20.25}, "stone_floor", "ice"},
+};
 
 }  // namespace
 
-Status write_easy_level(const std::filesystem::path& obj) {
-    Result<ImportedMesh> imported = import_mesh(obj);
-    if (!imported.ok()) return imported.error();
-    if (!imported->warnings.empty()) return imported->warnings.front();
-    Level level;
-    level.mesh_path = obj;
-    level.file_path = level_file_for(obj);
-    level.mesh = imported->mesh;
+void annotate_easy(Level& level) {
     set_surfaces(level);
-    paint_faces(level);
+    paint_faces(level, painted);
     level.cameras = {
         {.name = "overview", .eye = {-5.2, 6.4, 10.2}, .target = {1.6, 1.2, -14}, .fov_y = 1.15},
         {.name = "hall", .eye = {0, 0.7, 9.4}, .target = {0, 2.2, -29}},
@@ -87,7 +39,19 @@ Status write_easy_level(const std::filesystem::path& obj) {
         {.name = "test-room", .eye = {-19.4, 4.6, 8.2}, .target = {-39, -1.6, -15}, .fov_y = 1.2},
         {.name = "half-pipe", .eye = {-37.2, 0.6, -11.4}, .target = {-28, -3.2, -16.6}},
     };
-    return save_level(level);
+    level.light = LevelLight{
+        .texel_m = 0.4,
+        .sun_direction = {-0.62, 0.55, 0.22},
+        .sun_color = {1.7, 1.4, 1.0},
+        .sun_size = 0.03,
+        .sky_zenith = {0, 0, 0},
+        .sky_horizon = {0, 0, 0},
+        .ambient = {0.95, 0.90, 0.90},
+        .emitters = {{"sky", {3.8, 4.2, 4.8}, true},
+                     {"rose_glass", {2.2, 1.4, 1.0}},
+                     {"crystal", {0.6, 2.2, 2.6}},
+                     {"hazard*", {2.4, 0.8, 0.2}}},
+    };
 }
 
 }  // namespace slipface::generate

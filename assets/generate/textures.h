@@ -18,6 +18,7 @@ struct Texture {
 std::vector<Texture> stone_textures();
 std::vector<Texture> ornament_textures();
 std::vector<Texture> nature_textures();
+std::vector<Texture> wild_textures();     // of the open air and of the mines
 std::vector<Texture> surface_textures();  // those whose look tells what they do to who walks on them
 Image paint_labels();
 

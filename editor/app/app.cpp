@@ -4,9 +4,11 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/draw_hash.h"
 #include "app/parts.h"
+#include "app/picture_shelf.h"
 #include "app/scene_view.h"
 #include "app/ui_renderer.h"
 #include "panels/viewport_panel.h"
@@ -17,18 +19,46 @@
 namespace slipface {
 
 struct App::Impl {
-    explicit Impl(const AppOptions& given) : options(given), scene(given.gl, editor), parts(editor, frame) {
+    explicit Impl(const AppOptions& given)
+        : options(given),
+          scene(given.gl, editor),
+          preview(given.gl, editor.session),
+          pictures(given.gl),
+          parts(editor, frame) {
+        parts.preview = &preview;
         parts.deterministic = given.deterministic;
         parts.hidden_folder = given.hidden_folder;
+    }
+
+    // Fonts, spacing and colours as the session wants them.
+    void apply_look() {
+        const float scale = options.scale * static_cast<float>(editor.session.zoom);
+        const bool light = editor.session.theme == Theme::light;
+        if (renderer && scale == shown_scale && light == shown_light) return;
+        shown_scale = scale;
+        shown_light = light;
+        ui::use_light_palette(light);
+        ui::set_scale(scale);
+        ui::apply_theme(scale);
+        ui::load_fonts(scale);
+        renderer.reset();
+        renderer = std::make_unique<UiRenderer>(options.gl);
+        const auto color = [](const ImVec4& c) { return Vec3f(c.x, c.y, c.z); };
+        editor.style.background_top = color(ui::palette().view_top);
+        editor.style.background_bottom = color(ui::palette().view_bottom);
     }
 
     AppOptions options;
     Editor editor;
     FrameContext frame;
     SceneView scene;
+    LevelPreview preview;
+    PictureShelf pictures;
     Parts parts;
     std::unique_ptr<UiRenderer> renderer;
     ImGuiContext* context = nullptr;
+    float shown_scale = 0.0f;
+    bool shown_light = false;
     std::uint64_t built_hash = 1, drawn_hash = 0;
 };
 
@@ -44,18 +74,19 @@ App::App(const AppOptions& options) : impl_(std::make_unique<Impl>(options)) {
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     io.MouseDrawCursor = false;
 
-    ui::set_scale(options.scale);
     ui::set_tooltip_delay(options.deterministic ? 0.0 : 0.45);
-    ui::apply_theme(options.scale);
-    ui::load_fonts(options.scale);
-    self.renderer = std::make_unique<UiRenderer>(options.gl);
+    self.editor.session.beside = static_cast<bool>(options.wake);
+    self.editor.session.wake = options.wake;
+    begin_session(self.editor, options.config, options.state);
+    self.apply_look();
 
     reset_viewport_panel();
     self.frame.viewport = &self.scene;
-    if (!options.config.empty()) self.editor.recent = RecentFiles(options.config / "recent");
+    self.frame.pictures = &self.pictures;
 }
 
 App::~App() {
+    store_preferences(impl_->editor);
     ImGui::SetCurrentContext(impl_->context);
     ImGui::DestroyContext(impl_->context);
 }
@@ -76,8 +107,17 @@ void App::key_pressed(const KeyPress& press) {
     const ImGuiIO& io = ImGui::GetIO();
     const Shortcut& key = press.shortcut;
     const bool escape = key == Shortcut{.key = "Escape"};
+    if (take_key_for_rebinding(editor, key)) return;
+    if (guide_key(editor, key)) return;
     if (dialog_is_open(editor)) {
         if (escape && !GImGui->ActiveId) close_dialog(editor);
+        // In a text box Enter belongs to the box; buttons that have the keyboard's focus react to Space.
+        if (key == Shortcut{.key = "Enter"} && !io.WantTextInput && !editor.session.loading)
+            ui::request_accept();
+        return;
+    }
+    if (editor.show_command_palette) {
+        if (escape || key == Shortcut{.key = "P", .ctrl = true}) editor.show_command_palette = false;
         return;
     }
     if (escape) {
@@ -96,7 +136,7 @@ void App::key_pressed(const KeyPress& press) {
     const bool editing_key =
         key.ctrl && key.key.size() == 1 && edited_by_text_boxes.find(key.key[0]) != std::string_view::npos;
     if (io.WantTextInput && (plain || editing_key || escape)) return;
-    const Command* const command = command_for(key);
+    const Command* const command = editor.session.keymap.command_for(key);
     if (!command) return;
     // Keys that move the player or the camera are no commands meanwhile.
     if (plain && viewport_is_flying()) return;
@@ -106,6 +146,12 @@ void App::key_pressed(const KeyPress& press) {
 
 void App::drop_file(const std::filesystem::path& path) {
     if (!dialog_is_open(impl_->editor)) request_open(impl_->editor, path);
+}
+
+double App::tick(double now_s, bool& shown_changed) {
+    const double wait = tick_session(impl_->editor, now_s, shown_changed);
+    if (!ImGui::GetIO().MouseDown[0]) store_preferences(impl_->editor);
+    return wait;
 }
 
 void App::focus_lost() {
@@ -124,10 +170,13 @@ void App::build_frame(int width, int height, double seconds) {
     io.DisplaySize = size;
     io.DeltaTime = static_cast<float>(self.frame.seconds);
 
+    self.apply_look();
     ui::begin_widget_frame();
     self.scene.begin_frame();
+    self.preview.begin_frame();
     ImGui::NewFrame();
     layout(self.parts, size);
+    if (self.editor.clipboard) ImGui::SetClipboardText(std::exchange(self.editor.clipboard, {})->c_str());
     ImGui::Render();
     ui::end_widget_frame();
     self.parts.texture_warnings = self.scene.texture_warnings();
@@ -139,6 +188,7 @@ void App::build_frame(int width, int height, double seconds) {
     Hasher hasher;
     hasher.u64(hash_draw_data(*ImGui::GetDrawData()));
     hasher.u64(self.scene.wanted_hash());
+    hasher.u64(self.preview.hash());
     self.built_hash = hasher.value();
 }
 
@@ -162,6 +212,7 @@ void App::draw_frame() {
     GLint window_framebuffer = 0;
     gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &window_framebuffer);
     self.scene.draw();
+    self.preview.draw();
     gl.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(window_framebuffer));
     const ImDrawData& data = *ImGui::GetDrawData();
     gl.Viewport(0, 0, static_cast<GLsizei>(data.DisplaySize.x * data.FramebufferScale.x),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -15,7 +16,10 @@ struct AppOptions {
     float scale = 1.0f;          // pixels per design pixel
     bool deterministic = false;  // pictures for goldens: no caret blink, no paths, fixed time
     std::string hidden_folder;  // left out of messages, so that pictures do not depend on where the files lie
-    std::filesystem::path config;  // folder for recent files; empty: nothing is remembered
+    std::filesystem::path config;  // folder for preferences and recent files; empty: nothing is remembered
+    std::filesystem::path state;   // folder for autosaves; empty: none are made
+    std::function<void()>
+        wake;  // called from threads when something is there to be shown; empty: callers wait
 };
 
 // A key press, for shortcuts. Text and navigation keys reach Dear ImGui by themselves.
@@ -36,7 +40,10 @@ class App {
 
     void key_pressed(const KeyPress& press);
     void drop_file(const std::filesystem::path& path);
-    void focus_lost();        // releases every held key
+    void focus_lost();  // releases every held key
+    // Does what is due beside the frames. Returns in how many seconds to call again at the latest; sets
+    // `shown_changed` if a frame is needed. Draws nothing.
+    double tick(double now_s, bool& shown_changed);
     FrameContext& context();  // the host fills `held` before each frame and obeys the outputs after it
 
     // Builds one frame of `width` x `height` pixels lasting `seconds`, without drawing it. The host has fed

@@ -1,6 +1,7 @@
 // The one window on top of everything: a message, the question about unsaved changes, or the file browser.
 #include <algorithm>
 
+#include "app/dialog_parts.h"
 #include "app/parts.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
@@ -8,16 +9,20 @@
 namespace slipface {
 namespace {
 
-enum class DialogKind { none, message, unsaved, file };
+enum class DialogKind { none, message, loading, unsaved, reload, recover, file };
 
 DialogKind dialog_kind(const Editor& editor) {
     if (editor.message) return DialogKind::message;
+    if (editor.session.loading) return DialogKind::loading;
     if (editor.unsaved) return DialogKind::unsaved;
+    if (editor.session.reload) return DialogKind::reload;
+    if (!editor.session.recoverable.empty()) return DialogKind::recover;
     if (editor.file_dialog != FileDialogKind::none) return DialogKind::file;
     return DialogKind::none;
 }
 
-// Text without the folder that pictures must not depend on.
+}  // namespace
+
 std::string shown_text(const Parts& parts, std::string text) {
     if (parts.hidden_folder.empty()) return text;
     for (std::size_t at; (at = text.find(parts.hidden_folder)) != std::string::npos;)
@@ -25,7 +30,7 @@ std::string shown_text(const Parts& parts, std::string text) {
     return text;
 }
 
-void title(const char* icon, const ImVec4& color, const char* text) {
+void dialog_title(const char* icon, const ImVec4& color, const char* text) {
     ImGui::PushFont(ui::fonts().semibold);
     if (*icon) {
         ImGui::TextColored(color, "%s", icon);
@@ -36,7 +41,6 @@ void title(const char* icon, const ImVec4& color, const char* text) {
     ImGui::Dummy({0, 4 * ui::scale()});
 }
 
-// Puts the cursor where `count` buttons of this width end at the right edge.
 void align_buttons(int count, float width) {
     ImGui::Dummy({0, 6 * ui::scale()});
     const float total =
@@ -51,11 +55,13 @@ void wrapped(const std::string& text) {
     ImGui::PopTextWrapPos();
 }
 
+namespace {
+
 void message_dialog(Parts& parts) {
     const ui::Scope scope("Message");
     const float scale = ui::scale();
     const MessageDialog message = *parts.editor.message;
-    title("\uf071", ui::palette().accent, message.title.c_str());
+    dialog_title("\uf071", ui::palette().accent, message.title.c_str());
     wrapped(shown_text(parts, message.text));
     if (!message.details.empty()) {
         ImGui::Dummy({0, 4 * scale});
@@ -79,7 +85,7 @@ void unsaved_dialog(Parts& parts) {
     const float scale = ui::scale();
     const UnsavedDialog question = *editor.unsaved;
     const bool quitting = question.then == UnsavedDialog::Then::quit;
-    title("\uf0c7", ui::palette().accent, "Save the changes?");
+    dialog_title("\uf0c7", ui::palette().accent, "Save the changes?");
     wrapped(document_name(editor) + " has changes that are not in its file. " +
             (quitting ? "Quitting" : "Opening another level") + " without saving loses them.");
     const float width = 120 * scale;
@@ -93,6 +99,15 @@ void unsaved_dialog(Parts& parts) {
 
 }  // namespace
 
+namespace {
+
+float design_width(DialogKind kind) {
+    if (kind == DialogKind::file) return 860.0f;
+    return kind == DialogKind::recover ? 620.0f : 480.0f;
+}
+
+}  // namespace
+
 bool dialog_is_open(const Editor& editor) {
     return dialog_kind(editor) != DialogKind::none;
 }
@@ -102,8 +117,17 @@ void close_dialog(Editor& editor) {
         case DialogKind::message:
             editor.message.reset();
             break;
+        case DialogKind::loading:
+            cancel_loading(editor);
+            break;
         case DialogKind::unsaved:
             editor.unsaved.reset();
+            break;
+        case DialogKind::reload:
+            answer_reload(editor, ReloadChoice::keep);
+            break;
+        case DialogKind::recover:
+            editor.session.recoverable.clear();
             break;
         case DialogKind::file:
             editor.file_dialog = FileDialogKind::none;
@@ -122,7 +146,7 @@ void dialogs(Parts& parts) {
 
     const float scale = ui::scale();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float width = std::min((kind == DialogKind::file ? 720 : 480) * scale, screen.x * 0.94f);
+    const float width = std::min(design_width(kind) * scale, screen.x * 0.94f);
     const float height = kind == DialogKind::file ? std::min(520 * scale, screen.y * 0.92f) : 0.0f;
     ImGui::SetNextWindowSize({width, height});
     ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
@@ -137,8 +161,17 @@ void dialogs(Parts& parts) {
         case DialogKind::message:
             message_dialog(parts);
             break;
+        case DialogKind::loading:
+            loading_dialog(parts);
+            break;
         case DialogKind::unsaved:
             unsaved_dialog(parts);
+            break;
+        case DialogKind::reload:
+            reload_dialog(parts);
+            break;
+        case DialogKind::recover:
+            recover_dialog(parts);
             break;
         case DialogKind::file:
             file_browser(parts);

@@ -56,8 +56,11 @@ void hash_camera(Hasher& hasher, const Camera& camera) {
 
 void hash_style(Hasher& hasher, const LevelStyle& style) {
     hasher.u64(style.textured);
+    hasher.u64(style.baked_light);
     hasher.f64(static_cast<double>(style.overlay));
     hasher.u64(style.wireframe);
+    hasher.u64(static_cast<std::uint64_t>(style.colors));
+    hasher.f64(style.max_slope);
     hasher.u64(style.back_faces);
     add(hasher, style.background_top);
     add(hasher, style.background_bottom);

@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <system_error>
 
+#include "app/dialog_parts.h"
 #include "app/parts.h"
 #include "slipface/base/text.h"
 #include "slipface/level/level_file.h"
+#include "tools/lab_actions.h"
 #include "widgets/imgui_compat.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
@@ -16,9 +18,37 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_entries = 5000;
 
+// What is asked for, a row a kind.
+struct Kind {
+    FileDialogKind kind;
+    const char* title;
+    const char* suffix;  // of what is listed, and added to a name that is saved without it
+    const char* hint;
+    bool saves;
+    void (*chosen)(Editor& editor, const fs::path& path);
+};
+constexpr Kind kinds[] = {
+    {FileDialogKind::open, "Open a level", "", "Path of an OBJ or a .slipface.json file", false,
+     request_open},
+    {FileDialogKind::save_as, "Save the level file as", ".slipface.json",
+     "Path of an OBJ or a .slipface.json file", true, save_level_as},
+    {FileDialogKind::open_tape, "Open a tape", ".tape", "Path of a .tape file", false, open_tape},
+    {FileDialogKind::save_tape, "Save the tape as", ".tape", "Path of a .tape file", true, save_tape},
+    {FileDialogKind::save_csv, "Export the run as CSV", ".csv", "Path of a .csv file", true, save_run_csv},
+};
+const Kind& kind_of(FileDialogKind kind) {
+    for (const Kind& row : kinds)
+        if (row.kind == kind) return row;
+    return kinds[0];
+}
+
 bool is_level_name(const std::string& name) {
     const std::string lower = to_lower(name);
     return lower.ends_with(".obj") || lower.ends_with(".slipface.json");
+}
+bool is_listed(const std::string& name, const Kind& kind) {
+    const bool levels = kind.kind == FileDialogKind::open || kind.kind == FileDialogKind::save_as;
+    return levels ? is_level_name(name) : to_lower(name).ends_with(kind.suffix);
 }
 
 bool is_folder(const fs::path& path) {
@@ -50,7 +80,7 @@ void show_folder(Parts& parts, const fs::path& folder) {
     std::error_code error;
     const fs::path absolute = fs::weakly_canonical(folder, error);
     browser.folder = error ? folder : absolute;
-    browser.entries = list_folder(browser.folder);
+    browser.entries = list_folder(browser.folder, kind_of(browser.shown).kind);
     browser.path_text = shown_path(parts, browser.folder / "");
     browser.problem.clear();
     browser.overwrite.clear();
@@ -67,8 +97,13 @@ void begin(Parts& parts) {
         folder = editor.recent.paths().front().parent_path();
     browser.shown = editor.file_dialog;
     show_folder(parts, folder.empty() ? fs::path(".") : folder);
-    if (editor.file_dialog == FileDialogKind::save_as && editor.document)
+    if (!editor.document) return;
+    const Kind& kind = kind_of(editor.file_dialog);
+    if (kind.kind == FileDialogKind::save_as)
         browser.path_text = shown_path(parts, browser.folder / editor.document->level().file_path.filename());
+    else if (kind.saves)
+        browser.path_text =
+            shown_path(parts, browser.folder / editor.document->level().mesh_path.stem().concat(kind.suffix));
 }
 
 // The user wants `path`, by double click, Enter or the button.
@@ -79,27 +114,30 @@ void choose(Parts& parts, const fs::path& path, bool may_overwrite) {
         show_folder(parts, path);
         return;
     }
-    if (browser.shown == FileDialogKind::open) {
+    const Kind& kind = kind_of(browser.shown);
+    if (!kind.saves) {
         if (!is_there(path)) {
             browser.problem = "No such file: " + path.filename().string();
             return;
         }
         editor.file_dialog = FileDialogKind::none;
-        request_open(editor, path);
+        kind.chosen(editor, path);
         return;
     }
     fs::path target = path;
-    if (!to_lower(target.filename().string()).ends_with(".slipface.json")) target += ".slipface.json";
+    if (!to_lower(target.filename().string()).ends_with(kind.suffix)) target += kind.suffix;
     if (!is_folder(target.parent_path())) {
         browser.problem = "No such folder: " + target.parent_path().string();
         return;
     }
-    if (is_there(target) && !may_overwrite && target != editor.document->level().file_path) {
+    const bool own_file =
+        kind.kind == FileDialogKind::save_as && target == editor.document->level().file_path;
+    if (is_there(target) && !may_overwrite && !own_file) {
         browser.overwrite = target;
         return;
     }
     editor.file_dialog = FileDialogKind::none;
-    save_level_as(editor, target);
+    kind.chosen(editor, target);
 }
 
 void entry_list(Parts& parts, float height) {
@@ -109,6 +147,10 @@ void entry_list(Parts& parts, float height) {
     ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, 6 * ui::scale());
     ImGui::BeginChild("list", {0, height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
     fs::path chosen;
+    if (browser.scroll_to >= 0)
+        ImGui::SetScrollY(static_cast<float>(browser.scroll_to) * ImGui::GetTextLineHeightWithSpacing() -
+                          0.5f * height);
+    browser.scroll_to = -1;
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(browser.entries.size()));
     while (clipper.Step()) {
@@ -127,7 +169,7 @@ void entry_list(Parts& parts, float height) {
             ui::record_last_item(entry.name, true, selected);
         }
     }
-    if (browser.entries.empty()) ui::muted_text("No levels here");
+    if (browser.entries.empty()) ui::muted_text("No such files here");
     ImGui::EndChild();
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
@@ -151,6 +193,51 @@ void recent_list(Parts& parts, float height) {
     if (!chosen.empty()) choose(parts, chosen, false);
 }
 
+// The level that is chosen in the list, as a picture.
+void preview(Parts& parts, float height) {
+    FileBrowser& browser = parts.browser;
+    const fs::path typed = typed_path(parts);
+    if (is_level_name(typed.filename().string()) && is_there(typed)) browser.previewed = typed;
+    if (browser.previewed.empty() || !parts.preview) return;
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float picture = std::min(width / 1.5f, height - 2.0f * ImGui::GetTextLineHeightWithSpacing());
+    if (picture < 40 * ui::scale()) return;
+    const LevelPreview::Shown shown =
+        parts.preview->show(browser.previewed, static_cast<int>(picture * 1.5f), static_cast<int>(picture));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 end{at.x + picture * 1.5f, at.y + picture};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (shown.texture != 0)
+        list.AddImageRounded(ui::texture_id(shown.texture), at, end, {0, 1}, {1, 0}, IM_COL32_WHITE,
+                             6 * ui::scale());
+    else
+        list.AddRectFilled(at, end, ui::packed(ui::palette().panel), 6 * ui::scale());
+    ImGui::Dummy({width, picture});
+    ui::record_last_item("Preview");
+    ImGui::TextUnformatted(browser.previewed.filename().c_str());
+    ui::muted_text(shown_text(parts, shown.facts).c_str());
+}
+
+// The arrow keys move the choice in the list, while the path box is not being edited.
+void keyboard(Parts& parts) {
+    FileBrowser& browser = parts.browser;
+    const bool back = ui::key_pressed(ImGuiKey_Backspace);
+    if (ImGui::GetIO().WantTextInput || !browser.overwrite.empty()) return;
+    if (back) return show_folder(parts, browser.folder.parent_path());
+    const int step =
+        (ui::key_pressed(ImGuiKey_DownArrow) ? 1 : 0) - (ui::key_pressed(ImGuiKey_UpArrow) ? 1 : 0);
+    if (step == 0 || browser.entries.empty()) return;
+    const fs::path typed = typed_path(parts);
+    int row = step > 0 ? -1 : static_cast<int>(browser.entries.size());
+    for (std::size_t i = 0; i < browser.entries.size(); ++i)
+        if (browser.folder / browser.entries[i].name == typed) row = static_cast<int>(i);
+    row = std::clamp(row + step, 0, static_cast<int>(browser.entries.size()) - 1);
+    browser.path_text =
+        shown_path(parts, browser.folder / browser.entries[static_cast<std::size_t>(row)].name);
+    browser.problem.clear();
+    browser.scroll_to = row;
+}
+
 void answer_buttons(Parts& parts) {
     FileBrowser& browser = parts.browser;
     const float width = 110 * ui::scale();
@@ -170,14 +257,14 @@ void answer_buttons(Parts& parts) {
     ImGui::SameLine(x);
     if (ui::button("Cancel", nullptr, true, {width, 0})) parts.editor.file_dialog = FileDialogKind::none;
     ImGui::SameLine();
-    const bool opening = browser.shown == FileDialogKind::open;
-    if (ui::primary_button(opening ? "Open" : "Save", !browser.path_text.empty(), {width, 0}))
+    if (ui::primary_button(kind_of(browser.shown).saves ? "Save" : "Open", !browser.path_text.empty(),
+                           {width, 0}))
         choose(parts, typed_path(parts), false);
 }
 
 }  // namespace
 
-std::vector<FileBrowser::Entry> list_folder(const fs::path& folder) {
+std::vector<FileBrowser::Entry> list_folder(const fs::path& folder, FileDialogKind kind) {
     std::vector<FileBrowser::Entry> entries;
     std::error_code error;
     for (fs::directory_iterator it(folder, error), end; !error && it != end && entries.size() < most_entries;
@@ -185,7 +272,7 @@ std::vector<FileBrowser::Entry> list_folder(const fs::path& folder) {
         const std::string name = it->path().filename().string();
         std::error_code unreadable;
         const bool is_dir = it->is_directory(unreadable);
-        if (name.starts_with('.') || (!is_dir && !is_level_name(name))) continue;
+        if (name.starts_with('.') || (!is_dir && !is_listed(name, kind_of(kind)))) continue;
         entries.push_back({name, is_dir});
     }
     std::sort(entries.begin(), entries.end(), [](const FileBrowser::Entry& a, const FileBrowser::Entry& b) {
@@ -200,27 +287,29 @@ void file_browser(Parts& parts) {
     const ui::Scope scope("File dialog");
     const float scale = ui::scale();
     ImGui::PushFont(ui::fonts().semibold);
-    ImGui::TextUnformatted(browser.shown == FileDialogKind::open ? "Open a level" : "Save the level file as");
+    ImGui::TextUnformatted(kind_of(browser.shown).title);
     ImGui::PopFont();
     ImGui::Dummy({0, 2 * scale});
 
+    keyboard(parts);
     if (ui::button("\uf062###Up", "To the folder above")) show_folder(parts, browser.folder.parent_path());
     ImGui::SameLine();
     const bool typing_before = ImGui::GetIO().WantTextInput;
-    ui::input_text("##Path", &browser.path_text, "Path of an OBJ or a .slipface.json file");
+    ui::input_text("##Path", &browser.path_text, kind_of(browser.shown).hint);
     const bool entered = typing_before && ImGui::IsItemDeactivated() &&
                          (ui::key_pressed(ImGuiKey_Enter) || ui::key_pressed(ui::key_pad_enter));
 
     const float footer = ImGui::GetFrameHeightWithSpacing() + 10 * scale;
     const float height = std::max(60 * scale, ImGui::GetContentRegionAvail().y - footer);
     if (ImGui::BeginTable("lists", 2, ImGuiTableFlags_SizingStretchProp)) {
-        ImGui::TableSetupColumn("here", ImGuiTableColumnFlags_WidthStretch, 2.4f);
+        ImGui::TableSetupColumn("here", ImGuiTableColumnFlags_WidthStretch, 1.7f);
         ImGui::TableSetupColumn("recent", ImGuiTableColumnFlags_WidthStretch, 1.0f);
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         entry_list(parts, height - 8 * scale);
         ImGui::TableNextColumn();
-        recent_list(parts, height - 8 * scale);
+        recent_list(parts, (height - 8 * scale) * 0.42f);
+        preview(parts, (height - 8 * scale) * 0.58f);
         ImGui::EndTable();
     }
     if (parts.editor.file_dialog == FileDialogKind::none) return;

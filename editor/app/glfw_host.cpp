@@ -8,12 +8,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "app/app.h"
 #include "app/glfw_keys.h"
 #include "app/parts.h"
+#include "tools/review.h"
 
 namespace slipface {
 namespace {
@@ -153,13 +156,17 @@ void run_loop(Window& window) {
     using Clock = std::chrono::steady_clock;
     App& app = *window.app;
     bool gamepad_jump = false;
-    Clock::time_point before = Clock::now();
+    const Clock::time_point start = Clock::now();
+    Clock::time_point before = start;
     while (!app.editor().quit) {
-        const bool animating = app.context().animating;
-        if (animating || window.frames_due > 0)
+        bool shown_changed = false;
+        const double wait =
+            app.tick(std::chrono::duration<double>(Clock::now() - start).count(), shown_changed);
+        if (shown_changed) window.frames_due = std::max(window.frames_due, frames_after_event);
+        if (app.context().animating || window.frames_due > 0)
             glfwPollEvents();
         else
-            glfwWaitEventsTimeout(5.0);
+            glfwWaitEventsTimeout(std::max(0.01, wait));
         if (window.frames_due <= 0 && !app.context().animating) continue;
 
         const Clock::time_point now = Clock::now();
@@ -188,6 +195,57 @@ void run_loop(Window& window) {
     }
 }
 
+// The window's place is kept in design pixels of the screen; a place that no screen shows any more is not
+// taken.
+bool on_a_screen(int x, int y, int width) {
+    int count = 0;
+    GLFWmonitor** const monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        int left = 0, top = 0, screen_width = 0, screen_height = 0;
+        glfwGetMonitorWorkarea(monitors[i], &left, &top, &screen_width, &screen_height);
+        // Enough of the title bar to take hold of.
+        if (y >= top && y < top + screen_height - 40 && x + width > left + 80 && x < left + screen_width - 80)
+            return true;
+    }
+    return false;
+}
+
+struct Place {
+    int width = 1440, height = 900;
+    std::optional<std::pair<int, int>> at;
+    bool maximized = false;
+};
+
+Place remembered_place(const Preferences& preferences, const WindowOptions& options) {
+    Place place{options.width, options.height, {}, preferences.flag("window.maximized", false)};
+    place.width = static_cast<int>(preferences.number("window.width", place.width, 480, 16384));
+    place.height = static_cast<int>(preferences.number("window.height", place.height, 320, 16384));
+    int left = 0, top = 0, width = 0, height = 0;
+    if (GLFWmonitor* const monitor = glfwGetPrimaryMonitor()) {
+        glfwGetMonitorWorkarea(monitor, &left, &top, &width, &height);
+        if (width > 0) place.width = std::min(place.width, width);
+        if (height > 0) place.height = std::min(place.height, height);
+    }
+    if (preferences.text("window.x").empty()) return place;
+    const int x = static_cast<int>(preferences.number("window.x", 0, -32768, 32768));
+    const int y = static_cast<int>(preferences.number("window.y", 0, -32768, 32768));
+    if (on_a_screen(x, y, place.width)) place.at = std::pair{x, y};
+    return place;
+}
+
+void remember_place(GLFWwindow* handle, Preferences& preferences) {
+    const bool maximized = glfwGetWindowAttrib(handle, GLFW_MAXIMIZED) == GLFW_TRUE;
+    preferences.set("window.maximized", maximized);
+    if (maximized) return;
+    int x = 0, y = 0, width = 0, height = 0;
+    glfwGetWindowPos(handle, &x, &y);
+    glfwGetWindowSize(handle, &width, &height);
+    preferences.set("window.x", static_cast<double>(x));
+    preferences.set("window.y", static_cast<double>(y));
+    preferences.set("window.width", static_cast<double>(width));
+    preferences.set("window.height", static_cast<double>(height));
+}
+
 struct Library {
     Library() { glfwSetErrorCallback(remember_error); }
     ~Library() { glfwTerminate(); }
@@ -205,10 +263,14 @@ Status run_window(const WindowOptions& options) {
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "slipface");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "slipface");
+    const Place place = remembered_place(
+        options.config.empty() ? Preferences() : Preferences(options.config / "preferences"), options);
+    glfwWindowHint(GLFW_MAXIMIZED, place.maximized ? GLFW_TRUE : GLFW_FALSE);
     Window window;
-    window.handle = glfwCreateWindow(options.width, options.height, "Slipface", nullptr, nullptr);
+    window.handle = glfwCreateWindow(place.width, place.height, "Slipface", nullptr, nullptr);
     if (!window.handle)
         return Error{"window", last_error_text.empty() ? "OpenGL 3.3 is not available" : last_error_text};
+    if (place.at) glfwSetWindowPos(window.handle, place.at->first, place.at->second);
     glfwSetWindowUserPointer(window.handle, &window);
     glfwSetWindowSizeLimits(window.handle, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwMakeContextCurrent(window.handle);
@@ -229,11 +291,16 @@ Status run_window(const WindowOptions& options) {
         app_options.gl = std::move(gl).value();
         app_options.scale = scale;
         app_options.config = options.config;
+        app_options.state = options.state;
+        app_options.wake = glfwPostEmptyEvent;  // may be called from any thread
         App app(app_options);
         ImGui_ImplGlfw_InitForOpenGL(window.handle, true);
         window.app = &app;
-        if (!options.level.empty()) open_level(app.editor(), options.level);
+        if (!options.level.empty()) start_loading(app.editor(), options.level);
+        if (!options.review.empty()) open_review(app.editor(), options.review);
         run_loop(window);
+        remember_place(window.handle, app.editor().session.preferences);
+        window.frames_due = 0;
         window.app = nullptr;
         ImGui_ImplGlfw_Shutdown();
     }

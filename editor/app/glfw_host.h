@@ -9,8 +9,10 @@
 namespace slipface {
 
 struct WindowOptions {
-    std::filesystem::path level;   // opened at once; empty: none
-    std::filesystem::path config;  // folder for recent files
+    std::filesystem::path level{};   // opened at once; empty: none
+    std::filesystem::path config{};  // folder for preferences and recent files
+    std::filesystem::path state{};   // folder for autosaves
+    std::filesystem::path review{};  // a snapshot report to go through; empty: none
     int width = 1440, height = 900;
     float scale = 0.0f;  // 0: what the screen says
 };

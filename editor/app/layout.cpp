@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "app/parts.h"
+#include "panels/review_view.h"
 #include "panels/viewport_panel.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
@@ -52,108 +53,150 @@ float splitter(const char* name, const Region& region, bool vertical) {
     return moved;
 }
 
-struct Tab {
-    const char* label;
-    bool shown;
-    void (*panel)(Editor&);
-};
-
-void right_column(Parts& parts) {
-    Editor& editor = parts.editor;
-    if (editor.tool != parts.last_tool) {
-        if (editor.tool == Tool::probe) parts.wanted_tab = "Probe";
-        parts.last_tool = editor.tool;
-    }
-    const Tab tabs[] = {
-        {"Movement", editor.show_settings, movement_panel},
-        {"Probe", editor.show_probe_table, probe_panel},
-        {"History", editor.show_history, history_panel},
-        {"Warnings", editor.show_warnings, warnings_panel},
+// What a right click on a tab offers.
+void tab_menu(Editor& editor, PanelId panel) {
+    if (!ImGui::BeginPopupContextItem(panel_info(panel).name)) return;
+    struct Place {
+        Dock dock;
+        const char* label;
     };
-    const Tab* open_tab = nullptr;
+    const ui::Scope scope("Tab menu");
+    for (const Place& place :
+         {Place{Dock::left, "To the left"}, Place{Dock::left_lower, "To the left, below"},
+          Place{Dock::right, "To the right"}, Place{Dock::bottom, "To the bottom"}})
+        if (ui::menu_item(place.label, "", editor.layout.dock(panel) == place.dock, true, nullptr))
+            editor.layout.move(panel, place.dock);
+    ImGui::Separator();
+    if (ui::menu_item("Hide", "", false, true, nullptr)) editor.layout.hide(panel);
+    ImGui::EndPopup();
+}
+
+// The panels of a dock as tabs, and the open one under them.
+void dock_panels(Parts& parts, Dock dock) {
+    Editor& editor = parts.editor;
+    const std::optional<PanelId> front = editor.layout.front_of(dock);
+    if (!front) return;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {4 * ui::scale(), 4 * ui::scale()});
     if (ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_FittingPolicyScroll | ImGuiTabBarFlags_NoTooltip)) {
         const ui::Scope scope("Tabs");
-        for (const Tab& tab : tabs) {
-            if (!tab.shown) continue;
-            const bool wanted = parts.wanted_tab && std::string_view(parts.wanted_tab) == tab.label;
+        std::optional<PanelId>& opened = parts.opened_tabs[static_cast<std::size_t>(dock)];
+        for (const PanelInfo& info : panel_table()) {
+            if (!editor.layout.shown(info.id) || editor.layout.dock(info.id) != dock) continue;
+            // ImGui keeps which tab is open; it is told when the layout wants another.
+            const bool wanted = *front == info.id && opened != *front;
             const bool open =
-                ImGui::BeginTabItem(tab.label, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
-            if (wanted) parts.wanted_tab = nullptr;
-            ui::record_last_item(tab.label, true, open);
-            if (!open) continue;
-            open_tab = &tab;
-            ImGui::EndTabItem();
+                ImGui::BeginTabItem(info.label, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
+            ui::record_last_item(info.label, true, *front == info.id);
+            // Opened by the mouse or by keys.
+            if (open && *front != info.id && opened == front) editor.layout.show(info.id);
+            tab_menu(editor, info.id);
+            if (open) ImGui::EndTabItem();
         }
+        opened = front;
         ImGui::EndTabBar();
     }
     ImGui::PopStyleVar();
     // The rows scroll, the tabs stay.
-    ImGui::BeginChild("rows", {0, 0}, false, ImGuiWindowFlags_NoSavedSettings);
-    if (open_tab) open_tab->panel(editor);
+    ImGui::BeginChild(panel_info(*front).name, {0, 0}, false, ImGuiWindowFlags_NoSavedSettings);
+    draw_panel(*front, editor, parts.frame);
     ImGui::EndChild();
+}
+
+bool occupied(const Editor& editor, Dock dock) {
+    return editor.document && editor.layout.front_of(dock).has_value();
+}
+
+// The left column: one dock over another, or either alone.
+void left_column(Parts& parts, const Region& column, ImVec2 padding, float gap) {
+    Editor& editor = parts.editor;
+    PanelLayout& sizes = editor.layout;
+    const ui::Palette& p = ui::palette();
+    const float scale = ui::scale();
+    const bool upper = occupied(editor, Dock::left), lower = occupied(editor, Dock::left_lower);
+    float split = upper ? column.max.y : column.min.y - gap;
+    if (upper && lower)
+        split = std::round(column.max.y - std::min(sizes.left_lower * scale, column.size().y * 0.5f) - gap);
+    if (upper) {
+        begin_region("##left", {column.min, {column.max.x, split}}, padding, p.panel);
+        dock_panels(parts, Dock::left);
+        ImGui::End();
+    }
+    if (upper && lower) {
+        sizes.left_lower -=
+            splitter("##Lower border", {{column.min.x, split}, {column.max.x, split + gap}}, false) / scale;
+        sizes.left_lower = std::clamp(sizes.left_lower, 80.0f, 600.0f);
+    }
+    if (lower) {
+        begin_region("##left lower", {{column.min.x, split + gap}, column.max}, padding, p.panel);
+        dock_panels(parts, Dock::left_lower);
+        ImGui::End();
+    }
 }
 
 }  // namespace
 
 void layout(Parts& parts, ImVec2 size) {
     Editor& editor = parts.editor;
-    LayoutSizes& sizes = parts.sizes;
+    PanelLayout& sizes = editor.layout;
     const float scale = ui::scale();
     const float gap = std::round(4.0f * scale);
     const float menu_height = menu_bar(parts);
     const float toolbar_height = std::round(46.0f * scale);
     const float status_height = std::round(30.0f * scale);
-    const bool opened = editor.document != nullptr;
     const bool walking = editor.playtest.has_value();
+    if (editor.tool != parts.last_tool) {
+        if (editor.tool == Tool::probe && sizes.shown(PanelId::probe)) sizes.show(PanelId::probe);
+        parts.last_tool = editor.tool;
+    }
 
     const float top = menu_height + toolbar_height + 1.0f;
     const float bottom = std::max(top + 1.0f, size.y - status_height);
     // A small window keeps at least a third for the view.
     const float left_width = std::round(std::min(sizes.left * scale, size.x * 0.30f));
     const float right_width = std::round(std::min(sizes.right * scale, size.x * 0.36f));
-    const bool left_shown = opened && editor.show_palette && !walking;
-    const bool right_shown = opened && (editor.show_settings || editor.show_probe_table ||
-                                        editor.show_history || editor.show_warnings);
+    const float low_height = std::round(std::min(sizes.bottom * scale, (bottom - top) * 0.5f));
+    const bool left_shown = (occupied(editor, Dock::left) || occupied(editor, Dock::left_lower)) && !walking;
+    const bool right_shown = occupied(editor, Dock::right), low_shown = occupied(editor, Dock::bottom);
     const float view_left = left_shown ? left_width + gap : 0.0f;
     const float view_right = right_shown ? size.x - right_width - gap : size.x;
+    const float view_bottom = low_shown ? bottom - low_height - gap : bottom;
 
     const ui::Palette& p = ui::palette();
-    const ImVec2 panel_padding{std::round(12 * scale), std::round(10 * scale)};
+    const ImVec2 panel_padding{std::round(12 * scale), std::round(8 * scale)};
     begin_region("##toolbar", {{0, menu_height}, {size.x, menu_height + toolbar_height}},
                  {10 * scale, 5 * scale}, p.panel);
     toolbar(parts);
     ImGui::End();
 
     if (left_shown) {
-        const float height = bottom - top;
-        const float inspector = std::min(sizes.inspector * scale, height * 0.5f);
-        const float split = std::round(bottom - inspector - gap);
-        begin_region("##palette", {{0, top}, {left_width, split}}, panel_padding, p.panel,
-                     ImGuiWindowFlags_AlwaysUseWindowPadding);
-        palette_panel(editor);
-        ImGui::End();
-        sizes.inspector -=
-            splitter("##Inspector border", {{0, split}, {left_width, split + gap}}, false) / scale;
-        sizes.inspector = std::clamp(sizes.inspector, 80.0f, 600.0f);
-        begin_region("##inspector", {{0, split + gap}, {left_width, bottom}}, panel_padding, p.panel);
-        inspector_panel(editor);
-        ImGui::End();
+        left_column(parts, {{0, top}, {left_width, bottom}}, panel_padding, gap);
         sizes.left +=
             splitter("##Left border", {{left_width, top}, {left_width + gap, bottom}}, true) / scale;
         sizes.left = std::clamp(sizes.left, 160.0f, 520.0f);
     }
     if (right_shown) {
         begin_region("##right", {{size.x - right_width, top}, {size.x, bottom}}, panel_padding, p.panel);
-        right_column(parts);
+        dock_panels(parts, Dock::right);
         ImGui::End();
         sizes.right -=
             splitter("##Right border", {{view_right, top}, {view_right + gap, bottom}}, true) / scale;
         sizes.right = std::clamp(sizes.right, 200.0f, 640.0f);
     }
+    if (low_shown) {
+        begin_region("##bottom", {{view_left, view_bottom + gap}, {view_right, bottom}}, panel_padding,
+                     p.panel);
+        dock_panels(parts, Dock::bottom);
+        ImGui::End();
+        sizes.bottom -=
+            splitter("##Bottom border", {{view_left, view_bottom}, {view_right, view_bottom + gap}}, false) /
+            scale;
+        sizes.bottom = std::clamp(sizes.bottom, 90.0f, 700.0f);
+    }
 
-    begin_region("##viewport", {{view_left, top}, {view_right, bottom}}, {0, 0}, p.window);
-    if (opened)
+    begin_region("##viewport", {{view_left, top}, {view_right, view_bottom}}, {0, 0}, p.window);
+    if (review_view(editor, parts.frame)) {
+        // The snapshots' pictures are in the place of the level.
+    } else if (editor.document)
         viewport_panel(editor, parts.frame);
     else
         welcome(parts);
@@ -164,7 +207,9 @@ void layout(Parts& parts, ImVec2 size) {
     ImGui::End();
 
     shortcuts_window(editor);
+    command_palette(editor);
     dialogs(parts);
+    guide(parts);
 }
 
 }  // namespace slipface

@@ -27,15 +27,31 @@ void recent_menu(Editor& editor) {
     ui::end_menu();
 }
 
-void menu(Editor& editor, const char* name) {
-    if (!ui::begin_menu(name)) return;
+// "View" of "View/Panels".
+std::string_view top_menu(const Command& command) {
+    const std::string_view menu = command.menu;
+    return menu.substr(0, menu.find('/'));
+}
+
+// The rows of the menu with this full name, and where its first row stands each of its submenus.
+void menu(Editor& editor, const std::string& name) {
+    const std::size_t slash = name.find('/');
+    if (!ui::begin_menu(slash == std::string::npos ? name.c_str() : name.c_str() + slash + 1)) return;
     const Command* before = nullptr;
+    std::set<std::string_view> seen;
     for (const Command& command : commands()) {
-        if (std::string_view(command.menu) != name) continue;
+        if (std::string_view(command.menu) != name) {
+            if (slash == std::string::npos && top_menu(command) == name && seen.insert(command.menu).second) {
+                if (before && std::string_view(before->menu) == name) ImGui::Separator();
+                menu(editor, command.menu);
+                before = &command;
+            }
+            continue;
+        }
         if (before && family(*before) != family(command)) ImGui::Separator();
         const bool checked = command.checked && command.checked(editor);
-        if (ui::menu_item(command.label, command.shortcut.text().c_str(), checked, command.enabled(editor),
-                          command.description, command.icon))
+        if (ui::menu_item(command.label, shortcut_text(editor, command).c_str(), checked,
+                          command.enabled(editor), command.description, command.icon))
             run_command(editor, command.id);
         if (std::string_view(command.id) == "file.open") recent_menu(editor);
         before = &command;
@@ -64,7 +80,8 @@ float menu_bar(Parts& parts) {
         const ui::Scope scope("Menu");
         std::set<std::string_view> seen;
         for (const Command& command : commands())
-            if (*command.menu && seen.insert(command.menu).second) menu(editor, command.menu);
+            if (*command.menu && seen.insert(top_menu(command)).second)
+                menu(editor, std::string(top_menu(command)));
         if (editor.document) {
             const std::string name = document_name(editor) + (editor.document->dirty() ? "  \u2022" : "");
             const float width = ImGui::CalcTextSize(name.c_str()).x;

@@ -1,6 +1,8 @@
 #include "app/offscreen_host.h"
 
 #include <cfloat>
+#include <cstdlib>
+#include <system_error>
 
 #include "widgets/imgui_compat.h"
 
@@ -24,6 +26,7 @@ Result<std::unique_ptr<OffscreenHost>> OffscreenHost::make(const OffscreenOption
     app.deterministic = true;
     app.hidden_folder = options.hidden_folder;
     app.config = options.config;
+    app.state = host->state_ = options.state;
     host->app_ = std::make_unique<App>(app);
     ui::fill_key_map();
     ui::feed_without_trickling();
@@ -32,10 +35,49 @@ Result<std::unique_ptr<OffscreenHost>> OffscreenHost::make(const OffscreenOption
     return host;
 }
 
-OffscreenHost::~OffscreenHost() = default;
+OffscreenHost::~OffscreenHost() {
+    app_.reset();
+    std::error_code ignored;
+    if (!own_state_.empty()) std::filesystem::remove_all(own_state_, ignored);
+}
 
 void OffscreenHost::frame() {
+    clock_s_ += frame_s;
+    bool shown_changed = false;
+    app_->tick(clock_s_, shown_changed);
     app_->build_frame(width_, height_, frame_s);
+}
+
+void OffscreenHost::want_state_folder() {
+    if (!state_.empty()) return;
+    std::error_code error;
+    std::string pattern = (std::filesystem::temp_directory_path(error) / "slipface_XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) return;
+    state_ = own_state_ = pattern;
+    editor().session.autosave = AutosaveSession(state_ / "autosave");
+}
+
+Status OffscreenHost::autosave() {
+    want_state_folder();
+    Session& session = editor().session;
+    if (!editor().document) return Error{"", "nothing is open"};
+    if (!session.autosave.active()) return Error{state_.string(), "cannot hold autosaves"};
+    const std::size_t before = session.autosave.written();
+    session.autosave.tick(*editor().document, clock_s_);
+    clock_s_ += 3600.0;
+    session.autosave.tick(*editor().document, clock_s_);
+    if (const Status status = session.autosave.finish(); !status) return status;
+    if (session.autosave.written() == before) return Error{"", "there was nothing to autosave"};
+    return {};
+}
+
+void OffscreenHost::crash() {
+    want_state_folder();
+    Session& session = editor().session;
+    session.autosave.abandon();
+    editor().document.reset();
+    session.autosave = AutosaveSession(state_ / "autosave");
+    session.recoverable = session.autosave.recoverable();
 }
 
 int OffscreenHost::settle(int most) {

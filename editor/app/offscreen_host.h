@@ -16,7 +16,8 @@ struct OffscreenOptions {
     int width = 1280, height = 720;
     float scale = 1.0f;
     std::string hidden_folder;     // left out of messages
-    std::filesystem::path config;  // folder for recent files; empty: nothing is remembered
+    std::filesystem::path config;  // folder for preferences and recent files; empty: nothing is remembered
+    std::filesystem::path state;  // folder for autosaves; empty: one of its own when a script wants autosaves
 };
 
 class OffscreenHost {
@@ -28,10 +29,15 @@ class OffscreenHost {
 
     App& app() { return *app_; }
     Editor& editor() { return app_->editor(); }
+    const OffscreenContext& context() const { return *context_; }
     int width() const { return width_; }
     int height() const { return height_; }
 
-    void frame();  // builds one frame of 1/60 s
+    void frame();  // builds one frame of 1/60 s, and does what is due beside the frames
+    // Lets an autosave come due and writes it. The reason why not.
+    Status autosave();
+    // Leaves the autosaves as a crash would, and looks for what it left as the next run would.
+    void crash();
     // Builds frames until two in a row are equal, at most `most`. Returns how many.
     // While somebody is walking nothing comes to rest: then it is one.
     int settle(int most = 60);
@@ -57,7 +63,11 @@ class OffscreenHost {
     std::unique_ptr<OffscreenContext> context_;
     std::unique_ptr<Framebuffer> target_;
     std::unique_ptr<App> app_;
+    void want_state_folder();
+
     int width_ = 0, height_ = 0;
+    double clock_s_ = 0.0;
+    std::filesystem::path state_, own_state_;
     ImVec2 mouse_{0, 0};
 };
 

@@ -3,11 +3,14 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/level_preview.h"
 #include "panels/panels.h"
 
 namespace slipface {
@@ -24,13 +27,8 @@ struct FileBrowser {
     std::string problem;              // why the last answer was not taken
     std::vector<Entry> entries;       // of `folder`: folders first, then by name
     std::filesystem::path overwrite;  // asked about; empty: nothing
-};
-
-// Sizes that the user may drag, in design pixels.
-struct LayoutSizes {
-    float left = 264.0f;
-    float right = 344.0f;
-    float inspector = 210.0f;
+    int scroll_to = -1;               // the row that the keyboard chose; -1: none
+    std::filesystem::path previewed;  // the level that was looked at last, by click or key
 };
 
 struct Parts {
@@ -41,10 +39,10 @@ struct Parts {
     bool deterministic = false;
     std::string hidden_folder;  // left out of messages, so that pictures do not depend on where the files lie
     FileBrowser browser;
-    LayoutSizes sizes;
-    Tool last_tool = Tool::select;     // to notice a change: the probe tool opens the probe's numbers
-    const char* wanted_tab = nullptr;  // to be opened in the right column
-    Warnings texture_warnings;         // of the level that is shown
+    LevelPreview* preview = nullptr;
+    Tool last_tool = Tool::select;  // to notice a change: the probe tool opens the probe's numbers
+    std::array<std::optional<PanelId>, dock_count> opened_tabs;  // what ImGui was told to open last
+    Warnings texture_warnings;                                   // of the level that is shown
 };
 
 void layout(Parts& parts, ImVec2 size);
@@ -54,12 +52,17 @@ void status_bar(Parts& parts);  // into the current window
 void welcome(Parts& parts);     // into the current window: nothing is open
 void dialogs(Parts& parts);
 void shortcuts_window(Editor& editor);
+void command_palette(Editor& editor);
+bool take_key_for_rebinding(Editor& editor, const Shortcut& key);  // true: it was waited for
+void guide(Parts& parts);                             // the tour and the overlay of keys, over everything
+bool guide_key(Editor& editor, const Shortcut& key);  // true: the tour or the overlay took it
 bool dialog_is_open(const Editor& editor);
 void close_dialog(Editor& editor);  // as its Cancel does
 void file_browser(Parts& parts);    // inside the dialog's window
 
-// A folder's levels and folders, sorted; nothing when it cannot be read.
-std::vector<FileBrowser::Entry> list_folder(const std::filesystem::path& folder);
+// A folder's folders and files of the kind asked for, sorted; nothing when it cannot be read.
+std::vector<FileBrowser::Entry> list_folder(const std::filesystem::path& folder,
+                                            FileDialogKind kind = FileDialogKind::open);
 
 // Of the window: "easy.obj • — Slipface".
 std::string window_title(const Editor& editor);

@@ -1,10 +1,18 @@
 #include "app/scene_view.h"
 
+#include <glad/gl.h>
+
 #include <algorithm>
 
 #include "app/draw_hash.h"
+#include "slipface/level/shown_mesh.h"
 
 namespace slipface {
+
+SceneView::~SceneView() {
+    for (const Still& still : stills_)
+        if (still.texture != 0) gl_->DeleteTextures(1, &still.texture);
+}
 
 SceneView::SceneView(GlTable gl, Editor& editor)
     : gl_(gl), editor_(editor), level_(gl), overlay_renderer_(std::move(gl)) {}
@@ -14,7 +22,14 @@ void SceneView::upload() {
     const bool other_mesh = mesh_ != document.level().mesh;
     if (other_mesh) {
         mesh_ = document.level().mesh;
-        texture_warnings_ = level_.set_mesh(mesh_, document.level().mesh_path.parent_path());
+        texture_warnings_ =
+            level_.set_mesh(shown_mesh(document.level()), document.level().mesh_path.parent_path());
+        ++uploads_;
+    }
+    if (other_mesh || document.level().light != light_) {
+        light_ = document.level().light;
+        for (Diagnostic& warning : level_.set_light(light_, mesh_, document.level().file_path.parent_path()))
+            texture_warnings_.push_back(std::move(warning));
         ++uploads_;
     }
     if (other_mesh || document.face_revision() != face_revision_) {
@@ -22,6 +37,20 @@ void SceneView::upload() {
         level_.set_surface_types(document.level().surfaces);
         level_.set_face_surfaces(document.resolved().surface);
         ++uploads_;
+    }
+
+    // Platforms stand where the playtest's last tick left them, and at the level's beginning while it is
+    // edited.
+    const std::vector<std::uint32_t> parts = face_platforms(document.level());
+    if (!parts.empty() || moved_) {
+        const double time_s =
+            editor_.playtest ? static_cast<double>(editor_.playtest->tape().tick_count()) * Playtest::tick_s
+                             : 0.0;
+        if (other_mesh || !moved_ || *moved_ != time_s) {
+            level_.move_faces(parts, platform_poses(document.level(), time_s));
+            moved_ = parts.empty() ? std::optional<double>() : time_s;
+            ++uploads_;
+        }
     }
 
     // Everything that face_highlights() looks at.
@@ -32,7 +61,10 @@ void SceneView::upload() {
     highlights.u64(editor_.playtest.has_value());
     highlights.f64(editor_.brush_radius);
     highlights.f64(editor_.fill_angle);
-    if (editor_.brush_radius > 0.0 && editor_.tool == Tool::paint)
+    highlights.f64(editor_.select_radius);
+    highlights.u64(static_cast<std::uint64_t>(editor_.select_shape));
+    if ((editor_.brush_radius > 0.0 && editor_.tool == Tool::paint) ||
+        (editor_.select_radius > 0.0 && editor_.tool == Tool::select))
         for (int i = 0; i < 3; ++i)
             highlights.f64(editor_.hovered_point[i]);
     if (other_mesh || highlights.value() != highlights_hash_) {
@@ -46,17 +78,19 @@ void SceneView::upload() {
     }
 }
 
-unsigned SceneView::render(const Camera& camera, const Overlay& overlay, int width, int height) {
+unsigned SceneView::render(std::size_t pane, const Camera& camera, const Overlay& overlay, int width,
+                           int height) {
     width = std::clamp(width, 1, 8192);
     height = std::clamp(height, 1, 8192);
     upload();
-    if (!target_ || target_->width() != width || target_->height() != height) {
-        target_ = std::make_unique<Framebuffer>(gl_, width, height);
-        drawn_hash_ = 0;
+    Picture& picture = pictures_[std::min(pane, pictures_.size() - 1)];
+    if (!picture.target || picture.target->width() != width || picture.target->height() != height) {
+        picture.target = std::make_unique<Framebuffer>(gl_, width, height);
+        picture.drawn_hash = 0;
     }
-    camera_ = camera;
-    overlay_ = overlay;
-    wanted_ = true;
+    picture.camera = camera;
+    picture.overlay = overlay;
+    picture.wanted = true;
     Hasher hasher;
     hash_camera(hasher, camera);
     hash_overlay(hasher, overlay);
@@ -64,17 +98,56 @@ unsigned SceneView::render(const Camera& camera, const Overlay& overlay, int wid
     hasher.u64(uploads_);
     hasher.u64(static_cast<std::uint64_t>(width));
     hasher.u64(static_cast<std::uint64_t>(height));
-    wanted_hash_ = hasher.value();
-    return target_->texture();
+    picture.wanted_hash = hasher.value();
+    return picture.target->texture();
+}
+
+void SceneView::begin_frame() {
+    for (Picture& picture : pictures_)
+        picture.wanted = false;
+}
+
+std::uint64_t SceneView::wanted_hash() const {
+    Hasher hasher;
+    for (const Picture& picture : pictures_)
+        hasher.u64(picture.wanted ? picture.wanted_hash : 0);
+    return hasher.value();
+}
+
+unsigned SceneView::still(int slot, const Image& image, std::uint64_t revision) {
+    Still& kept = stills_[static_cast<std::size_t>(slot) % stills_.size()];
+    if (kept.texture != 0 && kept.revision == revision) return kept.texture;
+    if (kept.texture == 0) gl_->GenTextures(1, &kept.texture);
+    kept.revision = revision;
+    gl_->BindTexture(GL_TEXTURE_2D, kept.texture);
+    gl_->BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    gl_->PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                    image.rgba.data());
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl_->BindTexture(GL_TEXTURE_2D, 0);
+    return kept.texture;
 }
 
 void SceneView::draw() {
-    if (!wanted_ || !target_ || wanted_hash_ == drawn_hash_) return;
-    target_->bind();
-    level_.draw(camera_, target_->width(), target_->height(), editor_.style);
-    overlay_renderer_.draw(overlay_, camera_, target_->width(), target_->height());
-    target_->resolve();
-    drawn_hash_ = wanted_hash_;
+    for (Picture& picture : pictures_) {
+        if (!picture.wanted || !picture.target || picture.wanted_hash == picture.drawn_hash) continue;
+        const int width = picture.target->width(), height = picture.target->height();
+        picture.target->bind();
+        level_.draw(picture.camera, width, height, editor_.style);
+        overlay_renderer_.draw(picture.overlay, picture.camera, width, height);
+        picture.target->resolve();
+        picture.drawn_hash = picture.wanted_hash;
+    }
+}
+
+Image SceneView::picture() const {
+    const auto& target = pictures_[editor_.panes.active].target;
+    return target ? target->read() : Image{};
 }
 
 }  // namespace slipface

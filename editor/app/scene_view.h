@@ -2,7 +2,9 @@
 // changed.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
 
 #include "panels/panels.h"
 
@@ -11,15 +13,18 @@ namespace slipface {
 class SceneView final : public ViewportServices {
   public:
     SceneView(GlTable gl, Editor& editor);
+    ~SceneView() override;
 
     // Remembers what is wanted; draw() makes it.
-    unsigned render(const Camera& camera, const Overlay& overlay, int width, int height) override;
+    unsigned render(std::size_t pane, const Camera& camera, const Overlay& overlay, int width,
+                    int height) override;
+    unsigned still(int slot, const Image& image, std::uint64_t revision) override;
 
-    void begin_frame() { wanted_ = false; }
-    std::uint64_t wanted_hash() const { return wanted_ ? wanted_hash_ : 0; }
-    void draw();  // into the texture that render() returned; nothing if it holds that picture already
+    void begin_frame();
+    std::uint64_t wanted_hash() const;
+    void draw();  // into the textures that render() returned; nothing if they hold those pictures already
 
-    Image picture() const { return target_ ? target_->read() : Image{}; }
+    Image picture() const;  // of the active pane
 
     const Warnings& texture_warnings() const { return texture_warnings_; }
 
@@ -30,18 +35,28 @@ class SceneView final : public ViewportServices {
     Editor& editor_;
     LevelRenderer level_;
     OverlayRenderer overlay_renderer_;
-    std::unique_ptr<Framebuffer> target_;
-
     MeshPtr mesh_;  // uploaded
+    std::optional<LevelLight> light_;
     std::uint64_t face_revision_ = 0, highlights_hash_ = 0;
     std::vector<std::uint8_t> highlights_;
-    std::uint64_t uploads_ = 0;  // counts up whenever the GPU's copy changed
+    std::optional<double> moved_;  // time for which the platforms were placed; nothing: nothing moves
+    std::uint64_t uploads_ = 0;    // counts up whenever the GPU's copy changed
     Warnings texture_warnings_;
 
-    Camera camera_;
-    Overlay overlay_;
-    bool wanted_ = false;
-    std::uint64_t wanted_hash_ = 0, drawn_hash_ = 0;
+    struct Picture {
+        std::unique_ptr<Framebuffer> target;
+        Camera camera;
+        Overlay overlay;
+        bool wanted = false;
+        std::uint64_t wanted_hash = 0, drawn_hash = 0;
+    };
+    std::array<Picture, Panes::most> pictures_;
+
+    struct Still {
+        unsigned texture = 0;
+        std::uint64_t revision = 0;
+    };
+    std::array<Still, 4> stills_;  // [slot]
 };
 
 }  // namespace slipface

@@ -1,11 +1,17 @@
 #include "app/screens.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "app/script.h"
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
+#include "slipface/snapshot/screen.h"
+#include "slipface/snapshot/suite.h"
+#include "widgets/ui.h"
 
 namespace slipface {
 namespace {
@@ -15,7 +21,20 @@ namespace fs = std::filesystem;
 struct ScreenHeader {
     std::string level;
     OffscreenOptions options;
+    std::vector<MaskRect> masks;
 };
+
+std::optional<MaskRect> parse_mask(std::string_view text) {
+    std::array<int, 4> numbers{};
+    const auto words = split(text, ',');
+    if (words.size() != numbers.size()) return std::nullopt;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const std::optional<std::int64_t> value = parse_int(trim(words[i]));
+        if (!value || *value < 0 || *value > 16384) return std::nullopt;
+        numbers[i] = static_cast<int>(*value);
+    }
+    return MaskRect{numbers[0], numbers[1], numbers[2], numbers[3]};
+}
 
 Result<ScreenHeader> read_header(std::string_view text, const std::string& place) {
     ScreenHeader header;
@@ -40,12 +59,34 @@ Result<ScreenHeader> read_header(std::string_view text, const std::string& place
             const std::optional<double> scale = parse_double(value);
             if (!scale) return Error{bad.place, bad.message + ", expected a scale such as 1 or 1.5"};
             header.options.scale = static_cast<float>(*scale);
+        } else if (key == "mask") {
+            const auto mask = parse_mask(value);
+            if (!mask) return Error{bad.place, bad.message + ", expected a mask such as 10,20,300,40"};
+            header.masks.push_back(*mask);
         }
     }
     return header;
 }
 
-Result<Image> render_screen(const fs::path& script, const fs::path& project) {
+// The widgets that can be seen, and what drew them.
+std::string screen_numbers(const OffscreenHost& host, const ScreenHeader& header) {
+    nlohmann::ordered_json numbers;
+    numbers["version"] = 1;
+    numbers["screen"] = {
+        {"width", header.options.width}, {"height", header.options.height}, {"scale", header.options.scale}};
+    nlohmann::ordered_json widgets = nlohmann::ordered_json::object();
+    for (const auto& [path, widget] : ui::widgets()) {
+        const auto pixel = [](float value) { return static_cast<int>(std::lround(value)); };
+        if (!widget.visible) continue;
+        widgets[path] = {pixel(widget.min.x), pixel(widget.min.y), pixel(widget.max.x - widget.min.x),
+                         pixel(widget.max.y - widget.min.y)};
+    }
+    numbers["widgets"] = widgets;
+    numbers["renderer"] = nlohmann::ordered_json::parse(renderer_fingerprint(host.context()));
+    return numbers_to_text(numbers.dump());
+}
+
+Result<Rendering> render_screen(const fs::path& script, const fs::path& project) {
     const std::string place = script.filename().string();
     const Result<std::string> text = read_file(script, 1u << 20);
     if (!text) return text.error();
@@ -61,7 +102,14 @@ Result<Image> render_screen(const fs::path& script, const fs::path& project) {
     }
     const ScriptResult result = run_script(**host, *text, place, project);
     if (!result) return result.error;
-    return (*host)->screenshot();
+    Image image = (*host)->screenshot();
+    return Rendering{std::move(image), screen_numbers(**host, *header)};
+}
+
+std::vector<MaskRect> masks_of(const fs::path& script) {
+    const Result<std::string> text = read_file(script, 1u << 20);
+    const Result<ScreenHeader> header = text ? read_header(*text, script.filename().string()) : text.error();
+    return header ? header->masks : std::vector<MaskRect>();
 }
 
 }  // namespace
@@ -75,9 +123,13 @@ std::vector<Snapshot> screen_snapshots(const fs::path& folder) {
         if (it->path().extension() == ".script") scripts.push_back(it->path());
     std::sort(scripts.begin(), scripts.end());
     std::vector<Snapshot> snapshots;
-    for (const fs::path& script : scripts)
-        snapshots.push_back({"editor/" + script.stem().string(), ui_tolerance,
-                             [script, project] { return render_screen(script, project); }});
+    for (const fs::path& script : scripts) {
+        Snapshot snapshot{"editor/" + script.stem().string(), ui_tolerance,
+                          [script, project] { return render_screen(script, project); }};
+        snapshot.masks = masks_of(script);
+        snapshot.explain = explain_widgets;
+        snapshots.push_back(std::move(snapshot));
+    }
     return snapshots;
 }
 

@@ -10,7 +10,9 @@ namespace slipface {
 
 // One snapshot for each NAME.script in `folder` (screenshots/editor), by name. The script's first comment
 // lines may say
-// "# level: PATH" (relative to the project, two folders up), "# size: 1280x720" and "# scale: 1".
+// "# level: PATH" (relative to the project, two folders up), "# size: 1280x720", "# scale: 1" and, any number
+// of times,
+// "# mask: X,Y,WIDTH,HEIGHT" for a part that is not compared.
 std::vector<Snapshot> screen_snapshots(const std::filesystem::path& folder);
 
 // "1280x720" as numbers.

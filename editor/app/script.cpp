@@ -2,9 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
 #include "app/script_context.h"
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
+#include "tools/audit_job.h"
+#include "tools/review.h"
 
 namespace slipface {
 namespace {
@@ -125,6 +131,12 @@ void verb_open(ScriptContext& context, const Words& words) {
     context.host.frame();
 }
 
+void verb_review(ScriptContext& context, const Words& words) {
+    open_review(context.editor(), script_path(context, words[1]));
+    context.host.frame();
+    context.host.frame();
+}
+
 void verb_drop(ScriptContext& context, const Words& words) {
     context.host.app().drop_file(script_path(context, words[1]));
     context.host.frame();
@@ -147,10 +159,40 @@ void verb_wait(ScriptContext& context, const Words& words) {
         context.host.frame();
 }
 
+// Runs and audits do their work a frame at a time or on threads of their own.
+void verb_finish(ScriptContext& context, const Words&) {
+    constexpr int most_frames = 20000;
+    for (int i = 0; i < most_frames; ++i) {
+        context.host.frame();
+        const Editor& editor = context.editor();
+        const bool auditing = editor.audit && editor.audit->running();
+        if (!auditing && (!editor.lab.has_tape() || editor.lab.complete())) return;
+        if (auditing) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    context.fail("the audit did not end");
+}
+
 void verb_screenshot(ScriptContext& context, const Words& words) {
     context.host.settle();
     if (const Status status = save_png(script_path(context, words[1]), context.host.screenshot()); !status)
         context.fail(status.error().text());
+}
+
+void verb_autosave(ScriptContext& context, const Words&) {
+    if (const Status status = context.host.autosave(); !status) context.fail(status.error().text());
+    context.host.frame();
+}
+
+void verb_crash(ScriptContext& context, const Words&) {
+    context.host.crash();
+    context.host.frame();
+    context.host.frame();
+}
+
+void verb_say(ScriptContext& context, const Words& words) {
+    context.host.frame();
+    fmt::print("{}\n", words[1]);
+    std::fflush(stdout);
 }
 
 void verb_park(ScriptContext& context, const Words&) {
@@ -177,10 +219,22 @@ constexpr ScriptVerb verbs[] = {
     {"wheel", "n", "Turns the wheel by n notches where the mouse is", 1, 1, verb_wheel},
     {"hold", "W [A] [Space] frames", "Holds movement keys down for so many frames", 2, 8, verb_hold},
     {"look", "dx dy", "Moves the mouse by so many pixels while playing", 2, 2, verb_look},
-    {"camera", "eye x,y,z target x,y,z | bookmark NAME | frame", "Places the camera", 1, 4, verb_camera},
+    {"camera", "eye x,y,z target x,y,z | frame | bookmark NAME | save NAME | delete NAME | rename NAME NEW",
+     "Places the camera, or changes the level's cameras", 1, 4, verb_camera},
+    {"pane", "n", "Goes on in this view of those shown, 1 to 4", 1, 1, verb_pane},
+    {"select",
+     "faces 3,5-9 [add|remove] | type NAME | save NAME | recall NAME | delete NAME | rename NAME NEW",
+     "Selects faces by number or type, or keeps selections under names", 2, 3, verb_select},
+    {"replace", "TYPE NEW|unset", "Gives every face of a type another, within the selection if there is one",
+     2, 2, verb_replace},
     {"open", "PATH", "Opens a level, asking nothing", 1, 1, verb_open},
+    {"review", "PATH", "Opens a snapshot report for review (docs/snapshots.md)", 1, 1, verb_review},
     {"drop", "PATH", "Drops a file onto the window", 1, 1, verb_drop},
     {"wait", "n", "Lets n frames pass, each 1/60 s", 1, 1, verb_wait},
+    {"autosave", "", "Writes the autosave that would be due after a while", 0, 0, verb_autosave},
+    {"crash", "", "Leaves autosaves behind and starts anew, as after a crash", 0, 0, verb_crash},
+    {"say", "\"text\"", "Prints a line to standard output", 1, 1, verb_say},
+    {"finish", "", "Lets frames pass until the lab's runs are complete and no audit runs", 0, 0, verb_finish},
     {"park_mouse", "", "Takes the mouse out of the window", 0, 0, verb_park},
     {"screenshot", "PATH", "Writes a PNG of the window when it has come to rest", 1, 1, verb_screenshot},
     {"expect", "WHAT ...", "Fails the script unless something is so; see below", 1, 4, verb_expect},

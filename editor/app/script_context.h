@@ -35,12 +35,15 @@ std::optional<ImVec2> view_point(ScriptContext& context, const Words& words, std
 std::optional<double> number(ScriptContext& context, const std::string& word);
 std::optional<Vec3> vec3(ScriptContext& context, const std::string& word);
 std::filesystem::path script_path(const ScriptContext& context, const std::string& word);
-Shortcut parse_shortcut(std::string_view text);
 
 void verb_viewport(ScriptContext& context, const Words& words);
 void verb_hold(ScriptContext& context, const Words& words);
 void verb_look(ScriptContext& context, const Words& words);
 void verb_camera(ScriptContext& context, const Words& words);
+bool camera_bookmark(ScriptContext& context, const Words& words);
+void verb_select(ScriptContext& context, const Words& words);
+void verb_replace(ScriptContext& context, const Words& words);
+void verb_pane(ScriptContext& context, const Words& words);
 void verb_expect(ScriptContext& context, const Words& words);
 std::string expectations_markdown();
 

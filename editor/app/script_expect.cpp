@@ -77,6 +77,31 @@ void expect_grounded(ScriptContext& c, const Words& w) {
     if (!c.editor().playtest) return c.fail("nobody is playing");
     expect_state(c, "grounded", c.editor().playtest->state().grounded, w[2]);
 }
+void expect_tape(ScriptContext& c, const Words& w) {
+    expect_number(c, "tape", c.editor().lab.ticks(), w[2]);
+}
+void expect_tick(ScriptContext& c, const Words& w) {
+    expect_number(c, "tick", c.editor().lab.cursor(), w[2]);
+}
+void expect_ghosts(ScriptContext& c, const Words& w) {
+    expect_number(c, "ghosts", c.editor().lab.runs().size(), w[2]);
+}
+void expect_parts(ScriptContext& c, const Words& w) {
+    const std::optional<std::int64_t> run = parse_int(w[2]);
+    const Lab& lab = c.editor().lab;
+    if (!run || *run < 1 || static_cast<std::size_t>(*run) >= lab.runs().size())
+        return c.fail("no ghost " + w[2]);
+    expect_state(c, "parts", lab.divergence(static_cast<std::size_t>(*run)).has_value(), w[3]);
+}
+void expect_repeats(ScriptContext& c, const Words& w) {
+    const std::optional<bool> repeats = c.editor().lab.repeats();
+    if (!repeats) return c.fail("the tape does not say how it ends, or its run is not complete");
+    expect_state(c, "repeats", *repeats, w[2]);
+}
+void expect_story(ScriptContext& c, const Words& w) {
+    if (!document(c)) return;
+    expect_text(c, "story", story_text(c.editor().lab.story(*c.editor().document)), w[2]);
+}
 void expect_surface(ScriptContext& c, const Words& w) {
     const Document* const d = document(c);
     if (!d) return;
@@ -119,6 +144,22 @@ void expect_setting(ScriptContext& c, const Words& w) {
         c.unmet("expected setting " + w[2] + ", found " + setting_text(d->level().movement, *info));
 }
 
+void expect_hidden(ScriptContext& c, const Words& w) {
+    if (const Document* const d = document(c)) expect_number(c, "hidden", d->hidden().size(), w[2]);
+}
+void expect_saved(ScriptContext& c, const Words& w) {
+    if (const Document* const d = document(c)) expect_number(c, "saved", d->saved_selections().size(), w[2]);
+}
+void expect_cameras(ScriptContext& c, const Words& w) {
+    if (const Document* const d = document(c)) expect_number(c, "cameras", d->level().cameras.size(), w[2]);
+}
+void expect_panes(ScriptContext& c, const Words& w) {
+    expect_number(c, "panes", c.editor().panes.count, w[2]);
+}
+void expect_view(ScriptContext& c, const Words& w) {
+    expect_text(c, "view", c.editor().view.name(), w[2]);
+}
+
 struct Expectation {
     const char *name, *arguments, *meaning;
     std::size_t words;
@@ -136,9 +177,22 @@ constexpr Expectation expectations[] = {
     {"dirty", "yes|no", "The document differs from its file", 3, expect_dirty},
     {"playing", "yes|no", "The playtest is running", 3, expect_playing},
     {"grounded", "yes|no", "The player stands on something", 3, expect_grounded},
+    {"tape", "n", "The lab's tape has so many ticks", 3, expect_tape},
+    {"tick", "n", "The lab's cursor is at this tick", 3, expect_tick},
+    {"ghosts", "n", "The lab runs the tape in so many ways", 3, expect_ghosts},
+    {"parts", "RUN yes|no",
+     "The lab's run of that number (1: as the settings are now) parts from the recorded", 4, expect_parts},
+    {"repeats", "yes|no", "The lab's tape ends as it says", 3, expect_repeats},
+    {"story", "\"pattern\"", "The story of the lab's tick matches", 3, expect_story},
     {"surface", "FACE NAME", "The face has this type", 4, expect_surface},
     {"count", "NAME n", "So many faces have this type", 4, expect_count},
     {"selected", "n", "So many faces are selected", 3, expect_selected},
+    {"hidden", "n", "So many faces are hidden", 3, expect_hidden},
+    {"saved", "n", "So many selections are kept", 3, expect_saved},
+    {"cameras", "n", "The level has so many cameras", 3, expect_cameras},
+    {"panes", "n", "So many views are shown", 3, expect_panes},
+    {"view", "NAME", "The view is Perspective, Orthographic, Top, Bottom, Front, Back, Right or Left", 3,
+     expect_view},
     {"history", "n", "So many steps can be undone", 3, expect_history},
     {"brush", "NAME", "The brush has this type, or is `unset`", 3, expect_brush},
     {"tool", "NAME", "select, paint, fill or probe", 3, expect_tool},

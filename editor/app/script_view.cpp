@@ -114,23 +114,6 @@ std::filesystem::path script_path(const ScriptContext& context, const std::strin
     return path.is_absolute() ? path : context.folder / path;
 }
 
-Shortcut parse_shortcut(std::string_view text) {
-    Shortcut key;
-    while (true) {
-        if (text.starts_with("Ctrl+"))
-            key.ctrl = true;
-        else if (text.starts_with("Shift+"))
-            key.shift = true;
-        else if (text.starts_with("Alt+"))
-            key.alt = true;
-        else
-            break;
-        text.remove_prefix(text.find('+') + 1);
-    }
-    key.key = text;
-    return key;
-}
-
 std::optional<ImVec2> view_point(ScriptContext& context, const Words& words, std::size_t& next) {
     const ViewportState& view = viewport_state();
     if (next >= words.size()) {
@@ -233,25 +216,15 @@ void verb_camera(ScriptContext& context, const Words& words) {
         const std::optional<Vec3> eye = vec3(context, words[2]), target = vec3(context, words[4]);
         if (!eye || !target) return;
         editor.view.look_at(*eye, *target);
-    } else if (words[1] == "bookmark" && words.size() == 3) {
-        if (!editor.document) return context.fail("nothing is open");
-        const auto& cameras = editor.document->level().cameras;
-        const auto camera =
-            std::find_if(cameras.begin(), cameras.end(), [&](const auto& c) { return c.name == words[2]; });
-        if (camera == cameras.end()) {
-            std::string names;
-            for (const CameraBookmark& other : cameras)
-                names += (names.empty() ? "" : ", ") + other.name;
-            return context.fail("no camera \"" + words[2] +
-                                "\"; there are: " + (names.empty() ? "none" : names));
-        }
-        editor.view.look_at(camera->eye, camera->target);
-        editor.view.fov_y = camera->fov_y;
+    } else if (camera_bookmark(context, words)) {
+        if (context.failure != ScriptFailure::none) return;
     } else if (words[1] == "frame" && words.size() == 2) {
         const ViewportState& view = viewport_state();
         frame_selected(editor, static_cast<double>(view.size.x / view.size.y));
     } else {
-        return context.fail("expected: camera eye x,y,z target x,y,z | camera bookmark NAME | camera frame");
+        return context.fail(
+            "expected: camera eye x,y,z target x,y,z | camera bookmark|save|delete NAME | "
+            "camera rename NAME NEW | camera frame");
     }
     context.host.frame();
 }

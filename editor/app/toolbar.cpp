@@ -26,13 +26,15 @@ constexpr const char* shown_commands[] = {
     "",
     "view.textured",
     "view.overlay",
+    "view.walkable",
     "view.wireframe",
     "view.frame_selected",
+    "help.command_palette",
 };
 
-std::string tooltip_text(const Command& command) {
+std::string tooltip_text(const Editor& editor, const Command& command) {
     std::string text = command.label;
-    if (const std::string shortcut = command.shortcut.text(); !shortcut.empty())
+    if (const std::string shortcut = shortcut_text(editor, command); !shortcut.empty())
         text += "  (" + shortcut + ")";
     return text + "\n" + command.description;
 }
@@ -51,7 +53,7 @@ void group_line() {
 
 void command_button(Editor& editor, const Command& command) {
     const bool active = command.checked && command.checked(editor);
-    if (ui::icon_button(command.icon, command.label, tooltip_text(command).c_str(), active,
+    if (ui::icon_button(command.icon, command.label, tooltip_text(editor, command).c_str(), active,
                         command.enabled(editor)))
         run_command(editor, command.id);
 }
@@ -61,7 +63,7 @@ void tool_options(Editor& editor) {
     const float scale = ui::scale();
     const float room = ImGui::GetContentRegionAvail().x - 120 * scale;
     if (room < 260 * scale || !editor.document || editor.playtest) return;
-    if (editor.tool != Tool::paint && editor.tool != Tool::fill) return;
+    if (editor.tool == Tool::probe) return;
     group_line();
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 2 * scale);
     const ui::Scope scope("Options");
@@ -93,7 +95,18 @@ void tool_options(Editor& editor) {
         ui::record_last_item(label);
         ui::tooltip(tip);
     };
-    if (editor.tool == Tool::paint) {
+    if (editor.tool == Tool::select) {
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() - 2 * scale);
+        for (const char* id : {"select.box", "select.lasso", "select.brush", "select.through"}) {
+            command_button(editor, *find_command(id));
+            ImGui::SameLine();
+        }
+        if (editor.select_shape != SelectShape::brush) return;
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 2 * scale);
+        ImGui::SameLine(0, 12 * scale);
+        number("Brush", &editor.select_radius, 10.0, editor.select_radius > 0.0 ? "%.2f m" : "one face",
+               "How far around the mouse connected faces are selected");
+    } else if (editor.tool == Tool::paint) {
         brush();
         number("Brush", &editor.brush_radius, 10.0, editor.brush_radius > 0.0 ? "%.2f m" : "one face",
                "How far around the mouse connected faces are painted; at the left end only the face under "
@@ -121,7 +134,7 @@ void play_button(Editor& editor) {
     const bool pressed =
         walking ? ui::button(label, nullptr, enabled, size) : ui::primary_button(label, enabled, size);
     ImGui::PopFont();
-    ui::tooltip(tooltip_text(*command).c_str());
+    ui::tooltip(tooltip_text(editor, *command).c_str());
     if (pressed) run_command(editor, command->id);
 }
 

@@ -6,6 +6,8 @@
 #include "cli/verbs.h"
 #include "slipface/base/text.h"
 #include "slipface/level/level_file.h"
+#include "slipface/level/preset.h"
+#include "slipface/sim/channels.h"
 
 namespace slipface::cli {
 namespace {
@@ -14,7 +16,9 @@ struct Run {
     LoadedLevel loaded;
     Tape tape;
     SimulationReport report;
+    std::string csv;  // if it was asked for
     Warnings warnings;
+    bool as_recorded = true;  // nothing was changed on the command line
 };
 
 Result<Run> run_tape(const SimulateOptions& options) {
@@ -35,6 +39,11 @@ Result<Run> run_tape(const SimulateOptions& options) {
                                                 hash_text(*recorded), hash_text(level.mesh->fingerprint))});
     }
     MovementSettings settings = level.movement;
+    if (!options.preset.empty()) {
+        const Result<Preset> preset = find_preset(options.preset);
+        if (!preset) return Error{"--preset", preset.error().text()};
+        settings = preset->settings;
+    }
     if (Status status = apply_tape_settings(settings, run.tape, options.tape.string()); !status.ok()) {
         return status.error();
     }
@@ -43,9 +52,27 @@ Result<Run> run_tape(const SimulateOptions& options) {
             return Error{"--set " + assignment, status.error().message};
         }
     }
-    const Result<CollisionWorld> world = build_collision_world(level);
-    if (!world) return world.error();
-    run.report = simulate({*world, level.surfaces}, settings, run.tape.start.value_or(level.spawn), run.tape);
+    Result<LevelScene> built = LevelScene::build(level, settings);
+    if (!built) return built.error();
+    const TickScene scene(*built);
+    const auto& surfaces = run.tape.surfaces_fingerprint;
+    if (surfaces && *surfaces != scene_fingerprint(built->at(0.0))) {
+        run.warnings.push_back(
+            {options.tape.string(),
+             "was recorded with other surface types, or with other faces painted; the run may differ"});
+    }
+    run.as_recorded = options.settings.empty() && options.preset.empty();
+    const Vec3 start = run.tape.start.value_or(level.spawn);
+    run.report = simulate(scene, settings, start, run.tape);
+    if (options.csv) {
+        TapeRun samples(std::make_shared<const Tape>(run.tape), settings, start);
+        if (run.tape.tick_count() > TapeRun::max_ticks) {
+            return Error{options.tape.string(), fmt::format("found {} ticks, expected at most {} for CSV",
+                                                            run.tape.tick_count(), TapeRun::max_ticks)};
+        }
+        samples.advance(scene, TapeRun::max_ticks);
+        run.csv = run_csv(samples, level.surfaces);
+    }
     return run;
 }
 
@@ -62,6 +89,7 @@ void print_report_json(const Run& run, std::ostream& out) {
     json["ticks"] = report.ticks;
     json["duration_s"] = static_cast<double>(report.ticks) * run.tape.dt;
     json["distance"] = report.distance;
+    json["end_hash"] = hash_text(report.end_hash);
     json["final_state"] = {{"position", vector_json(state.position)},
                            {"velocity", vector_json(state.velocity)},
                            {"grounded", state.grounded},
@@ -114,7 +142,17 @@ int run_simulate(const SimulateOptions& options, std::ostream& out, std::ostream
         return exit_bad_input;
     }
     print_warnings(err, run->warnings);
-    options.json ? print_report_json(*run, out) : print_report_text(*run, out);
+    if (options.csv)
+        out << run->csv;
+    else
+        options.json ? print_report_json(*run, out) : print_report_text(*run, out);
+    if (run->tape.end_hash && run->as_recorded && *run->tape.end_hash != run->report.end_hash) {
+        print_error(err, {options.tape.string(),
+                          fmt::format("the run ends with hash {}, expected {}: it does not repeat what was "
+                                      "recorded",
+                                      hash_text(run->report.end_hash), hash_text(*run->tape.end_hash))});
+        return exit_check_failed;
+    }
     return exit_fine;
 }
 

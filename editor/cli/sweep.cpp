@@ -3,9 +3,10 @@
 #include "cli/format.h"
 #include "cli/sweep_queries.h"
 #include "cli/verbs.h"
-#include "slipface/base/parallel.h"
+#include "slipface/base/files.h"
 #include "slipface/base/text.h"
 #include "slipface/level/level_file.h"
+#include "slipface/sim/probe_test.h"
 
 namespace slipface::cli {
 namespace {
@@ -124,12 +125,12 @@ int run_sweep(const SweepOptions& options, std::ostream& out, std::ostream& err)
         return exit_bad_input;
     }
 
-    std::vector<Answer> answers(queries->size());
-    parallel_for(answers.size(), 256, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            answers[i] = sweep_ellipsoid(*world, options.radii, (*queries)[i].from, (*queries)[i].move);
-        }
-    });
+    std::vector<Sweep> sweeps;
+    sweeps.reserve(queries->size());
+    for (const SweepQuery& query : *queries)
+        sweeps.push_back({options.radii, query.from, query.move});
+    std::vector<Answer> answers(sweeps.size());
+    sweep_ellipsoids(*world, sweeps, answers);
     const bool single = !options.queries;
     switch (options.format) {
         case SweepFormat::json:
@@ -143,6 +144,40 @@ int run_sweep(const SweepOptions& options, std::ostream& out, std::ostream& err)
                    : print_table(answers, loaded->level, out);
             break;
     }
+    return exit_fine;
+}
+
+int run_sweep_test(const std::filesystem::path& level, const std::filesystem::path& file, std::ostream& out,
+                   std::ostream& err) {
+    constexpr std::uint64_t most_bytes = 1 << 20;
+    const Result<std::string> text = read_file(file, most_bytes);
+    if (!text) {
+        print_error(err, text.error());
+        return exit_bad_input;
+    }
+    const Result<ProbeTest> test = parse_probe_test(*text, file.string());
+    if (!test) {
+        print_error(err, test.error());
+        return exit_bad_input;
+    }
+    const Result<LoadedLevel> loaded = load_level(level);
+    if (!loaded) {
+        print_error(err, loaded.error());
+        return exit_bad_input;
+    }
+    print_warnings(err, loaded->warnings);
+    if (test->level_fingerprint && *test->level_fingerprint != loaded->level.mesh->fingerprint)
+        print_warnings(err, {{file.string(), "was written for other geometry"}});
+    const Result<CollisionWorld> world = build_collision_world(loaded->level);
+    if (!world) {
+        print_error(err, world.error());
+        return exit_bad_input;
+    }
+    const std::vector<std::string> differences = run_probe_test(*test, {*world, loaded->level.surfaces});
+    for (const std::string& difference : differences)
+        print_error(err, {file.string(), difference});
+    if (!differences.empty()) return exit_check_failed;
+    out << "passed: " << test->sweeps.size() << " sweeps as expected\n";
     return exit_fine;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 // What the options' texts hold until the command line is complete.
 struct SweepWords {
-    std::string level, radii, from, move, queries;
+    std::string level, radii, from, move, queries, test;
     bool json = false, csv = false;
 };
 
@@ -61,8 +61,11 @@ void add_sweep(CLI::App& app, int& exit_code) {
         app.add_subcommand("sweep", "Move an ellipsoid through a level and say what it touches first");
     auto words = std::make_shared<SweepWords>();
     verb->add_option("LEVEL", words->level, "OBJ or level file")->required();
+    CLI::Option* test =
+        verb->add_option("--test", words->test, "Run what the editor's probe copied as a test")
+            ->type_name("FILE");
     verb->add_option("--radii", words->radii, "Half-axes of the ellipsoid, metres")
-        ->required()
+        ->excludes(test)
         ->type_name("rx,ry,rz")
         ->check(radii_check);
     CLI::Option* from = verb->add_option("--from", words->from, "Centre at the start, metres")
@@ -80,6 +83,12 @@ void add_sweep(CLI::App& app, int& exit_code) {
     CLI::Option* json = verb->add_flag("--json", words->json, "Print JSON");
     verb->add_flag("--csv", words->csv, "Print CSV")->excludes(json);
     verb->callback([words, &exit_code] {
+        if (!words->test.empty()) {
+            exit_code =
+                guarded([&] { return run_sweep_test(words->level, words->test, std::cout, std::cerr); });
+            return;
+        }
+        if (words->radii.empty()) throw CLI::RequiredError("--radii");
         exit_code = guarded([&] { return run_sweep(sweep_options(*words), std::cout, std::cerr); });
     });
 }
@@ -89,12 +98,25 @@ void add_simulate(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<SimulateOptions>();
     verb->add_option("LEVEL", options->level, "OBJ or level file")->required();
     verb->add_option("--tape", options->tape, "Inputs, tick by tick")->required()->type_name("FILE");
+    verb->add_option("--preset", options->preset, "Settings instead of the level's own; a name or a file")
+        ->type_name("PRESET");
     verb->add_option("--set", options->settings, "Change a movement setting; may be repeated")
         ->type_name("name=value")
         ->allow_extra_args(false);
-    verb->add_flag("--json", options->json, "Print JSON");
+    CLI::Option* json = verb->add_flag("--json", options->json, "Print JSON");
+    verb->add_flag("--csv", options->csv, "Print the run's numbers, a row a tick")->excludes(json);
     verb->callback([options, &exit_code] {
         exit_code = guarded([&] { return run_simulate(*options, std::cout, std::cerr); });
+    });
+}
+
+void add_doctor(CLI::App& app, int& exit_code) {
+    CLI::App* verb = app.add_subcommand("doctor", "Find what in a level makes movement go wrong");
+    auto options = std::make_shared<DoctorOptions>();
+    verb->add_option("LEVEL", options->level, "OBJ or level file")->required();
+    verb->add_flag("--json", options->json, "Print JSON");
+    verb->callback([options, &exit_code] {
+        exit_code = guarded([&] { return run_doctor(*options, std::cout, std::cerr); });
     });
 }
 
@@ -113,6 +135,11 @@ void add_data_verbs(CLI::App& app, int& exit_code) {
     add_info(app, exit_code);
     add_sweep(app, exit_code);
     add_simulate(app, exit_code);
+    add_audit_verb(app, exit_code);
+    add_demo_verbs(app, exit_code);
+    add_doctor(app, exit_code);
+    add_exchange_verbs(app, exit_code);
+    add_bake_light_verb(app, exit_code);
 }
 
 }  // namespace slipface::cli

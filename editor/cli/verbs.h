@@ -1,5 +1,6 @@
-// The verbs that answer with data: info, sweep, simulate. Results go to `out`; errors and warnings go to
-// `err`, one a line, as "slipface: PLACE: message". Each returns an exit code.
+// The verbs that answer with data (info, sweep, simulate, doctor) and those that exchange files with other
+// programs (import, bake, export). Results go to `out`; errors and warnings go to `err`, one a line, as
+// "slipface: PLACE: message". Each returns an exit code.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -12,6 +13,7 @@
 #include "cli/exit_codes.h"
 #include "slipface/base/result.h"
 #include "slipface/base/types.h"
+#include "slipface/mesh/import.h"
 
 namespace slipface::cli {
 
@@ -36,6 +38,11 @@ struct SweepOptions {
     SweepFormat format = SweepFormat::text;
 };
 
+// Runs a probe's test (slipface/sim/probe_test.h): exit_fine if it holds, else a line a difference and
+// exit_check_failed.
+int run_sweep_test(const std::filesystem::path& level, const std::filesystem::path& test, std::ostream& out,
+                   std::ostream& err);
+
 // The first contact of each query. One row of output a row of `queries`; if any row is bad, none and the
 // row's line as error.
 int run_sweep(const SweepOptions& options, std::ostream& out, std::ostream& err);
@@ -45,12 +52,53 @@ struct SimulateOptions {
     std::filesystem::path tape;
     std::vector<std::string> settings;  // "name=value"; after the level's and the tape's, so they win
     bool json = false;
+    std::string preset = {};  // name or file; before the tape's settings; empty: the level's own
+    bool csv = false;         // the run's numbers, a row a tick, instead of the report
 };
 
-// Runs the tape: final state, a hash a second, distance, events.
+// Runs the tape: final state, a hash a second, distance, events. Fails if the tape names the hash that its
+// end has (`end HASH`), no setting is changed here, and another comes out.
 int run_simulate(const SimulateOptions& options, std::ostream& out, std::ostream& err);
 
-// Adds the three subcommands to `app`. The one that is parsed runs on standard output and error and sets
+// slipface demo [NAME], slipface preset [NAME].
+void add_demo_verbs(CLI::App& app, int& exit_code);
+
+// slipface audit LEVEL, slipface audit merge REPORTS.
+void add_audit_verb(CLI::App& app, int& exit_code);
+
+struct DoctorOptions {
+    std::filesystem::path level;
+    bool json = false;
+};
+
+// What in the geometry makes movement go wrong. exit_check_failed if anything does.
+int run_doctor(const DoctorOptions& options, std::ostream& out, std::ostream& err);
+
+// Moves painted types into the material names of the level's OBJ file and saves the level file.
+int run_bake(const std::filesystem::path& level, std::ostream& out, std::ostream& err);
+
+struct ExportOptions {
+    std::filesystem::path level;
+    std::optional<std::filesystem::path> obj, gltf, flat;  // at least one
+};
+int run_export(const ExportOptions& options, std::ostream& out, std::ostream& err);
+
+// Takes rules from other programs' files, and how to take the geometry's coordinates; saves the level file.
+struct ImportVerbOptions {
+    std::filesystem::path level;
+    std::vector<std::filesystem::path> rules;
+    std::optional<double> scale;
+    std::optional<UpAxis> up;
+};
+int run_import(const ImportVerbOptions& options, std::ostream& out, std::ostream& err);
+
+// slipface import, bake and export.
+void add_exchange_verbs(CLI::App& app, int& exit_code);
+
+// slipface bake-light LEVEL: bakes the level's light into a picture beside its level file.
+void add_bake_light_verb(CLI::App& app, int& exit_code);
+
+// Adds the subcommands to `app`. The one that is parsed runs on standard output and error and sets
 // `exit_code`.
 void add_data_verbs(CLI::App& app, int& exit_code);
 

@@ -6,12 +6,21 @@
 #include <cmath>
 #include <utility>
 
+#include "document/faces.h"
+
 namespace slipface {
 namespace {
 
 bool same_names(const std::vector<SurfaceType>& a, const std::vector<SurfaceType>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](const SurfaceType& x, const SurfaceType& y) { return x.name == y.name; });
+}
+
+// Ascending, each once, none beyond the level.
+void tidy(std::vector<FaceId>& faces, std::size_t face_count) {
+    if (!std::is_sorted(faces.begin(), faces.end())) std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    faces.erase(std::lower_bound(faces.begin(), faces.end(), face_count), faces.end());
 }
 
 std::string paint_step_name(const Level& level, std::optional<SurfaceId> surface) {
@@ -26,20 +35,19 @@ Document::Document() {
     revision_ = face_revision_ = ++documents << changes_bits;
 }
 
-Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& path) {
+Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& path, Progress* progress) {
     try {
-        Result<LoadedLevel> loaded = load_level(path);
+        Result<LoadedLevel> loaded = load_level(path, progress);
         if (!loaded) return loaded.error();
         std::unique_ptr<Document> document(new Document);
         document->level_ = std::move(loaded->level);
         document->warnings_ = std::move(loaded->warnings);
         document->match_ = loaded->match;
         document->level_.overrides.resize(document->mesh().face_count());
-        Result<CollisionWorld> collision = build_collision_world(document->level_);
-        if (!collision) return collision.error();
-        document->collision_ = std::move(collision).value();
-        document->neighbours_ = face_neighbours(document->mesh());
+        begin_stage(progress, "Building the collision world", 1.0, 1.0);
+        if (const Status status = document->rebuild_geometry(); !status) return status.error();
         document->resolve_again();
+        if (cancelled(progress)) return cancelled_error(path);
         return document;
     } catch (const std::exception& exception) {
         return Error{path.string(), std::string("cannot be opened: ") + exception.what()};
@@ -78,8 +86,9 @@ void Document::paint(std::span<const FaceId> faces, std::optional<SurfaceId> sur
     for (const FaceId face : faces)
         if (face < level_.overrides.size() && level_.overrides[face] != surface)
             edit.faces.push_back({face, level_.overrides[face], surface});
-    std::sort(edit.faces.begin(), edit.faces.end(),
-              [](const FaceEdit::Face& a, const FaceEdit::Face& b) { return a.face < b.face; });
+    const auto earlier = [](const FaceEdit::Face& a, const FaceEdit::Face& b) { return a.face < b.face; };
+    if (!std::is_sorted(edit.faces.begin(), edit.faces.end(), earlier))
+        std::sort(edit.faces.begin(), edit.faces.end(), earlier);
     edit.faces.erase(
         std::unique(edit.faces.begin(), edit.faces.end(),
                     [](const FaceEdit::Face& a, const FaceEdit::Face& b) { return a.face == b.face; }),
@@ -87,18 +96,32 @@ void Document::paint(std::span<const FaceId> faces, std::optional<SurfaceId> sur
     if (!edit.faces.empty()) perform(paint_step_name(level_, surface), std::move(edit));
 }
 
-void Document::select(std::vector<FaceId> faces) {
-    std::erase_if(faces, [this](FaceId face) { return face >= mesh().face_count(); });
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    if (faces == selection_) return;
-    const std::string name = faces.empty() ? "Select nothing" : "Select faces";
-    perform(name, SelectionEdit{selection_, std::move(faces)});
-}
-
 template <class ValueOf>
 void Document::change(ValueEdit<ValueOf> edit, std::string step_name) {
     if (!(edit.before == edit.after)) perform(std::move(step_name), std::move(edit));
+}
+
+void Document::select(std::vector<FaceId> faces, std::string step_name) {
+    tidy(faces, mesh().face_count());
+    if (!hidden_.empty()) std::erase_if(faces, [this](FaceId face) { return is_hidden(face); });
+    if (faces == selection_) return;
+    if (step_name.empty()) step_name = faces.empty() ? "Select nothing" : "Select faces";
+    perform(std::move(step_name), SelectionEdit{selection_, std::move(faces)});
+}
+
+void Document::hide(std::vector<FaceId> faces, std::string step_name) {
+    tidy(faces, mesh().face_count());
+    if (faces == hidden_) return;
+    Transaction transaction(*this, std::move(step_name));
+    perform({}, HiddenEdit{hidden_, std::move(faces)});
+    select({selection_.begin(), selection_.end()});
+    transaction.commit();
+}
+
+void Document::set_saved_selections(std::vector<SavedSelection> selections, std::string step_name) {
+    for (SavedSelection& saved : selections)
+        tidy(saved.faces, mesh().face_count());
+    change(SavedSelectionsEdit{saved_selections_, std::move(selections)}, std::move(step_name));
 }
 
 void Document::set_movement(const MovementSettings& movement, std::string step_name) {
@@ -180,8 +203,15 @@ void Document::set_spawn(Spawn to) {
     if (to.position.allFinite() && std::isfinite(to.yaw)) change(SpawnEdit{spawn(), to}, "Set spawn point");
 }
 
-void Document::set_cameras(std::vector<CameraBookmark> cameras) {
-    change(CamerasEdit{level_.cameras, std::move(cameras)}, "Change cameras");
+void Document::set_cameras(std::vector<CameraBookmark> cameras, std::string step_name) {
+    change(CamerasEdit{level_.cameras, std::move(cameras)}, std::move(step_name));
+}
+
+void Document::restore(Level level, std::string step_name) {
+    if (in_transaction() || level.mesh != level_.mesh) return;
+    level.overrides.resize(mesh().face_count());
+    perform(std::move(step_name), LevelEdit{std::make_shared<const Level>(level_),
+                                            std::make_shared<const Level>(std::move(level))});
 }
 
 namespace {
@@ -214,6 +244,11 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
         void operator()(const SelectionEdit& one) const {
             self.selection_ = forward ? one.after : one.before;
         }
+        void operator()(const HiddenEdit& one) const {
+            self.hidden_ = forward ? one.after : one.before;
+            touched.hidden = true;
+        }
+        void operator()(const SavedSelectionsEdit& one) const { self.saved_selections_ = side(one, forward); }
         void operator()(const MovementEdit& one) const { self.level_.movement = side(one, forward); }
         void operator()(const SurfacesEdit& one) const {
             touched.types = touched.types || !same_names(one.before, one.after);
@@ -230,6 +265,29 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
         }
         void operator()(const CamerasEdit& one) const { self.level_.cameras = side(one, forward); }
         void operator()(const OrphansEdit& one) const { self.level_.orphans = side(one, forward); }
+        void operator()(const GeometryEdit& one) const {
+            const Geometry& geometry = side(one, forward);
+            self.level_.mesh = geometry.mesh;
+            self.level_.import_transform = geometry.import_transform;
+            self.level_.mesh_stamp = geometry.stamp;
+            self.level_.overrides = geometry.overrides;
+            self.level_.orphans = geometry.orphans;
+            self.selection_ = geometry.selection;
+            self.hidden_ = geometry.hidden;
+            self.saved_selections_ = geometry.saved_selections;
+            self.warnings_ = geometry.warnings;
+            self.match_ = geometry.match;
+            touched.geometry = touched.types = true;
+        }
+        void operator()(const LevelEdit& one) const {
+            Level level = *side(one, forward);
+            level.file_path = self.level_.file_path;
+            level.mesh_path = self.level_.mesh_path;
+            level.mesh_stamp = self.level_.mesh_stamp;
+            level.import_transform = self.level_.import_transform;
+            self.level_ = std::move(level);
+            touched.types = true;
+        }
     };
     std::visit(Apply{*this, forward, touched}, edit);
 }

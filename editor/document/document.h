@@ -1,6 +1,7 @@
 // An open level and its history. Every change goes through here, so that every change can be undone.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -27,6 +28,15 @@ struct FaceEdit {
 struct SelectionEdit {
     std::vector<FaceId> before, after;  // ascending
 };
+struct HiddenEdit {
+    std::vector<FaceId> before, after;  // ascending
+};
+// A selection kept under a name.
+struct SavedSelection {
+    std::string name;
+    std::vector<FaceId> faces;  // ascending
+    friend bool operator==(const SavedSelection&, const SavedSelection&) = default;
+};
 template <class T>
 struct ValueEdit {
     T before, after;
@@ -42,21 +52,51 @@ using RulesEdit = ValueEdit<std::vector<MaterialRule>>;
 using SpawnEdit = ValueEdit<Spawn>;
 using CamerasEdit = ValueEdit<std::vector<CameraBookmark>>;
 using OrphansEdit = ValueEdit<std::vector<Orphan>>;
-using Edit = std::variant<FaceEdit, SelectionEdit, MovementEdit, SurfacesEdit, RulesEdit, SpawnEdit,
-                          CamerasEdit, OrphansEdit>;
+// What a new look at the geometry's file replaces at once.
+struct Geometry {
+    MeshPtr mesh;
+    ImportTransform import_transform;
+    FileStamp stamp;
+    std::vector<std::optional<SurfaceId>> overrides;
+    std::vector<Orphan> orphans;
+    std::vector<FaceId> selection, hidden;
+    std::vector<SavedSelection> saved_selections;
+    Warnings warnings;
+    MatchSummary match;
+    friend bool operator==(const Geometry& a, const Geometry& b) { return a.mesh == b.mesh; }
+};
+using GeometryEdit = ValueEdit<Geometry>;
+using SavedSelectionsEdit = ValueEdit<std::vector<SavedSelection>>;
+using LevelEdit = ValueEdit<std::shared_ptr<const Level>>;  // everything on the same mesh: a recovery
+using Edit =
+    std::variant<FaceEdit, SelectionEdit, HiddenEdit, SavedSelectionsEdit, MovementEdit, SurfacesEdit,
+                 RulesEdit, SpawnEdit, CamerasEdit, OrphansEdit, GeometryEdit, LevelEdit>;
+
+// What is asked of faces again and again, worked out once.
+struct FaceFacts {
+    std::vector<Vec3f> normal;  // [face] unit, or zero without area
+    std::vector<float> area;    // [face] square metres
+};
+
+// A ray for Document::pick_faces.
+struct PickRay {
+    Vec3 origin, direction;
+};
 
 // What undo takes back at once: a stroke, a slider drag, a command.
 struct HistoryStep {
     std::string name;         // "Paint ice", as menus show it
     std::vector<Edit> edits;  // at most one of each kind, so their order does not matter
 
-    bool changes_file() const;  // false: it only selects
+    bool changes_file() const;  // false: it only selects, hides or keeps selections
 };
 
 class Document {
   public:
     // Opens an OBJ or a level file. `warnings()` tells what was repaired or dropped.
-    static Result<std::unique_ptr<Document>> open(const std::filesystem::path& path);
+    // May run on a thread of its own; another watches and cancels through `progress`.
+    static Result<std::unique_ptr<Document>> open(const std::filesystem::path& path,
+                                                  Progress* progress = nullptr);
 
     const Level& level() const { return level_; }
     const Mesh& mesh() const { return *level_.mesh; }
@@ -66,13 +106,28 @@ class Document {
     const Warnings& warnings() const { return warnings_; }
     const MatchSummary& match() const { return match_; }
     MovementScene scene() const { return {collision_, level_.surfaces}; }
+    const FaceFacts& facts() const { return facts_; }
     std::span<const FaceId> selection() const { return selection_; }  // ascending
+    std::span<const FaceId> hidden() const { return hidden_; }        // ascending; neither drawn nor picked
+    bool is_hidden(FaceId face) const { return !hidden_.empty() && hidden_flags_[face] != 0; }
+    std::span<const SavedSelection> saved_selections() const { return saved_selections_; }
+    SurfaceId unpainted(FaceId face) const {
+        return unpainted_.surface[face];
+    }  // what unsetting it would give
+    SurfaceSource unpainted_source(FaceId face) const { return unpainted_.source[face]; }
 
     std::size_t face_count_of(SurfaceId surface) const { return surface_counts_[surface]; }
+    double area_of(SurfaceId surface) const {
+        return std::max(0.0, surface_areas_[surface]);
+    }  // square metres
 
-    // The nearest face that the ray meets, non-solid ones too; with `front_only`, seen from the front.
-    // Nothing changes for an observer, but no other query may run meanwhile.
+    // The nearest face that the ray meets, non-solid ones too, hidden ones never; with `front_only`, seen
+    // from the front. Nothing changes for an observer, but no other query may run meanwhile. The same holds
+    // for the others: every face along the ray, nearest first, each once; and the faces that any of the rays
+    // meets first, ascending.
     std::optional<RayHit> pick(const Vec3& origin, const Vec3& direction, bool front_only);
+    std::vector<FaceId> pick_through(const Vec3& origin, const Vec3& direction, bool front_only);
+    std::vector<FaceId> pick_faces(std::span<const PickRay> rays, bool front_only);
 
     // Never the same for two documents. Counts up at every change of what is shown; face_revision only when a
     // face's type or a type changed.
@@ -85,10 +140,37 @@ class Document {
     Status save_as(
         const std::filesystem::path& level_file);  // the level file's name; the OBJ stays where it is
 
+    // The geometry's file is not what was read: another program has written it.
+    bool changed_on_disk() const { return mesh_changed_on_disk(level_); }
+    // Reads the geometry again and finds the painted faces again, as one step of history; match() then says
+    // how many were found and how, and what found no face is an orphan. Nothing changes on an error. Not
+    // during a transaction. In two halves, so that the slow one can run on a thread of its own while the
+    // document stays on the screen: read_again() only reads the document.
+    Status reload(Progress* progress = nullptr);
+    Result<LoadedLevel> read_again(Progress* progress = nullptr) const {
+        return reload_mesh(level_, progress);
+    }
+    Status take_geometry(LoadedLevel loaded, std::string step_name);
+    // Takes the file's coordinates otherwise; painted faces keep their types.
+    Status set_import_transform(const ImportTransform& transform, Progress* progress = nullptr);
+
+    // Moves the painted types into the material names of the OBJ file (bake_level), saves the level file and
+    // takes the geometry anew, as one step. Undo brings the paint back, not the file: the backup does. Says
+    // what was done.
+    Result<std::string> bake();
+
+    // Paints `faces` with the type of an orphan, which is one no more: one step. Refuses an orphan that is
+    // not there, one whose type is not there, and no faces.
+    Status attach_orphan(std::size_t orphan, std::span<const FaceId> faces);
+    void drop_orphan(std::size_t orphan);  // gives it up: one step
+    void mark_saved();  // the file is known to hold this state, because it was read from there
+
     // Changes. Each is one step of history, unless a transaction is open; one that changes nothing leaves no
     // step.
     void paint(std::span<const FaceId> faces, std::optional<SurfaceId> surface);  // nothing: unset
-    void select(std::vector<FaceId> faces);
+    void select(std::vector<FaceId> faces, std::string step_name = {});  // the hidden ones are left out
+    void hide(std::vector<FaceId> faces, std::string step_name);         // exactly these are hidden then
+    void set_saved_selections(std::vector<SavedSelection> selections, std::string step_name);
     void set_movement(const MovementSettings& movement, std::string step_name);
     // Ids of kept types must not move. A table that is empty, too long, or too short for the painted faces is
     // ignored.
@@ -102,7 +184,12 @@ class Document {
     std::string removal_problem(SurfaceId surface) const;
     void set_rules(std::vector<MaterialRule> rules);
     void set_spawn(Spawn spawn);
-    void set_cameras(std::vector<CameraBookmark> cameras);
+    void set_cameras(std::vector<CameraBookmark> cameras, std::string step_name = "Change cameras");
+    // Takes over all that `level` adds to the mesh, which must be this document's. The files' names stay.
+    // Ignored during a transaction.
+    void restore(Level level, std::string step_name);
+    // As it is now, for a thread that saves or examines it; it shares the mesh.
+    Level snapshot() const { return level_; }
 
     // Gathers what follows into one step until commit(). Nested begins join the outer one, whose name counts.
     // cancel() takes back everything since the outermost begin; like commit() it ends one begin. Both do
@@ -128,8 +215,10 @@ class Document {
     // What applying edits touched, so that only that is worked out again.
     struct Touched {
         std::vector<FaceId> faces;
+        bool hidden = false;
         bool types = false;  // a name, the number of types, or a rule
         bool parameters = false;
+        bool geometry = false;
     };
 
     Document();
@@ -137,8 +226,10 @@ class Document {
     void apply(const Edit& edit, bool forward, Touched& touched);
     void apply(const HistoryStep& step, bool forward);
     void refresh(const Touched& touched);
+    Status rebuild_geometry();  // the collision world and the neighbours of the mesh
     void resolve_again();
     void resolve_face(FaceId face);
+    void count_face(FaceId face, bool in);
     template <class ValueOf>
     void change(ValueEdit<ValueOf> edit, std::string step_name);
     void perform(std::string step_name, Edit edit);
@@ -148,11 +239,15 @@ class Document {
     ResolvedSurfaces unpainted_;  // as if there were no overrides
     ResolvedSurfaces resolved_;
     std::array<std::size_t, max_surface_types + 1> surface_counts_{};
+    std::array<double, max_surface_types + 1> surface_areas_{};
     CollisionWorld collision_;
     FaceNeighbours neighbours_;
     Warnings warnings_;
     MatchSummary match_;
-    std::vector<FaceId> selection_;
+    FaceFacts facts_;
+    std::vector<FaceId> selection_, hidden_;
+    std::vector<std::uint8_t> hidden_flags_;  // [face]; of hidden_
+    std::vector<SavedSelection> saved_selections_;
     std::vector<HistoryStep> history_;
     std::size_t cursor_ = 0;
     std::optional<std::size_t> saved_cursor_ = 0;  // nothing: the saved state left the history

@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
+#include <numbers>
 #include <unordered_set>
+
+#include "slipface/base/parallel.h"
 
 namespace slipface {
 namespace {
 
 // Float coordinates bend what was authored flat by up to about this much, radians.
 constexpr double flat_tolerance = 1e-4;
-
-double angle_between(const Vec3& a, const Vec3& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 double squared_distance_to_segment(const Vec3& point, const Vec3& a, const Vec3& b) {
     const Vec3 along = b - a;
@@ -50,35 +48,59 @@ bool face_within(const Mesh& mesh, FaceId face, const Vec3& centre, double radiu
 
 }  // namespace
 
-std::vector<FaceId> flood_by_angle(const Mesh& mesh, const FaceNeighbours& neighbours, FaceId start,
-                                   double max_angle) {
-    if (start >= mesh.face_count()) return {};
+AngleLimit::AngleLimit(double max_angle)
+    : acute_(max_angle < 0.5 * std::numbers::pi),
+      none_(!(max_angle >= 0.0)),
+      sine2_(std::sin(std::min(max_angle, std::numbers::pi)) *
+             std::sin(std::min(max_angle, std::numbers::pi))) {}
+
+FaceFacts face_facts(const Mesh& mesh) {
+    FaceFacts facts;
+    facts.normal.resize(mesh.face_count());
+    facts.area.resize(mesh.face_count());
+    constexpr std::size_t grain = 4096;
+    parallel_for(mesh.face_count(), grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto face = static_cast<FaceId>(i);
+            facts.normal[i] = face_normal(mesh, face).cast<float>();
+            facts.area[i] = static_cast<float>(face_area(mesh, face));
+        }
+    });
+    return facts;
+}
+
+std::vector<FaceId> flood_by_angle(const FaceFacts& facts, const FaceNeighbours& neighbours,
+                                   std::span<const FaceId> start, double max_angle) {
+    const std::size_t count = facts.normal.size();
+    const AngleLimit within(max_angle + flat_tolerance);
     struct Reached {
         FaceId face;
-        Vec3 normal;  // a face without area carries on the normal it was reached with
+        Vec3f normal;  // a face without area carries on the normal it was reached with
     };
-    std::vector<bool> seen(mesh.face_count(), false);
-    std::vector<FaceId> result;
-    std::deque<Reached> open{{start, face_normal(mesh, start)}};
-    seen[start] = true;
-    while (!open.empty()) {
-        const Reached current = open.front();
-        open.pop_front();
-        result.push_back(current.face);
+    std::vector<std::uint8_t> seen(count, 0);
+    std::vector<Reached> open;
+    for (const FaceId face : start) {
+        if (face >= count || seen[face] != 0) continue;
+        seen[face] = 1;
+        open.push_back({face, facts.normal[face]});
+    }
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        const Reached current = open[i];
         for (const FaceId next : neighbours.of(current.face)) {
-            if (seen[next]) continue;
-            Vec3 normal = face_normal(mesh, next);
-            if (normal.isZero(0.0)) {
+            if (seen[next] != 0) continue;
+            Vec3f normal = facts.normal[next];
+            if (normal.isZero(0.0f))
                 normal = current.normal;
-            } else if (!current.normal.isZero(0.0) &&
-                       !(angle_between(current.normal, normal) <= max_angle + flat_tolerance)) {
+            else if (!current.normal.isZero(0.0f) && !within(current.normal, normal))
                 continue;
-            }
-            seen[next] = true;
+            seen[next] = 1;
             open.push_back({next, normal});
         }
     }
-    std::sort(result.begin(), result.end());
+    std::vector<FaceId> result;
+    result.reserve(open.size());
+    for (FaceId face = 0; face < count; ++face)
+        if (seen[face] != 0) result.push_back(face);
     return result;
 }
 

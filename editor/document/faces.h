@@ -1,14 +1,36 @@
 // Choosing faces: connected regions and neighbourhoods.
 #pragma once
 
+#include "document/document.h"
 #include "slipface/mesh/mesh.h"
 
 namespace slipface {
 
+FaceFacts face_facts(const Mesh& mesh);
+
+// Whether two directions differ by at most an angle (radians), without a trigonometric function for each
+// pair.
+class AngleLimit {
+  public:
+    explicit AngleLimit(double max_angle);
+    bool operator()(const Vec3f& a, const Vec3f& b) const {
+        const Vec3 u = a.cast<double>(), v = b.cast<double>();
+        // |u x v|^2 against sin^2 |u|^2 |v|^2 keeps its precision where the cosine is flat.
+        const double along = u.dot(v), across2 = u.cross(v).squaredNorm();
+        const double limit2 = sine2_ * (across2 + along * along);
+        if (none_) return false;
+        return acute_ ? along > 0.0 && across2 <= limit2 : along >= 0.0 || across2 >= limit2;
+    }
+
+  private:
+    bool acute_, none_;
+    double sine2_;
+};
+
 // The faces reached from `start` over shared edges where the angle between neighbouring normals is at most
-// `max_angle` (radians), ascending; contains `start`. Walls of zero area are crossed freely.
-std::vector<FaceId> flood_by_angle(const Mesh& mesh, const FaceNeighbours& neighbours, FaceId start,
-                                   double max_angle);
+// `max_angle` (radians), ascending; contains `start`. Faces without area are crossed freely.
+std::vector<FaceId> flood_by_angle(const FaceFacts& facts, const FaceNeighbours& neighbours,
+                                   std::span<const FaceId> start, double max_angle);
 
 // Faces with a corner or an inner point within `radius` of `centre` that are connected with `start` by such
 // faces; what a brush of that size paints. A radius of 0 gives `start` alone.

@@ -48,8 +48,10 @@ void merge_into(Edit& earlier, Edit&& later) {
 }  // namespace
 
 bool HistoryStep::changes_file() const {
-    return std::any_of(edits.begin(), edits.end(),
-                       [](const Edit& edit) { return !std::holds_alternative<SelectionEdit>(edit); });
+    return std::any_of(edits.begin(), edits.end(), [](const Edit& edit) {
+        return !std::holds_alternative<SelectionEdit>(edit) && !std::holds_alternative<HiddenEdit>(edit) &&
+               !std::holds_alternative<SavedSelectionsEdit>(edit);
+    });
 }
 
 void Document::perform(std::string step_name, Edit edit) {
@@ -120,6 +122,12 @@ void Document::go_to(std::size_t cursor) {
         undo();
     while (cursor_ < cursor && can_redo())
         redo();
+}
+
+void Document::mark_saved() {
+    if (depth_ > 0) return;
+    saved_cursor_ = cursor_;
+    ++revision_;
 }
 
 bool Document::dirty() const {

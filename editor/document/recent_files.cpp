@@ -1,7 +1,6 @@
 #include "document/recent_files.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
@@ -17,15 +16,6 @@ bool storable(std::string_view line) {
 }
 
 }  // namespace
-
-std::filesystem::path config_folder() {
-    // The XDG specification: relative paths in the variable are ignored.
-    if (const char* config = std::getenv("XDG_CONFIG_HOME"); config && *config == '/')
-        return std::filesystem::path(config) / "slipface";
-    if (const char* home = std::getenv("HOME"); home && *home == '/')
-        return std::filesystem::path(home) / ".config" / "slipface";
-    return {};
-}
 
 RecentFiles::RecentFiles(std::filesystem::path file) : file_(std::move(file)) {
     const Result<std::string> text = read_file(file_, max_bytes);

@@ -4,12 +4,9 @@
 #include <filesystem>
 #include <vector>
 
-#include "slipface/base/result.h"
+#include "document/folders.h"
 
 namespace slipface {
-
-// $XDG_CONFIG_HOME/slipface, ~/.config/slipface, or empty when neither is known.
-std::filesystem::path config_folder();
 
 class RecentFiles {
   public:

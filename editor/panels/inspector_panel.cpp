@@ -71,9 +71,18 @@ void type_fact(const Document& document, const FaceSummary& summary) {
     ImGui::TextUnformatted(type.name.c_str());
 }
 
+// What unsetting the painted faces would make of them.
+std::string unpainted_text(const Document& document, const FaceSummary& summary) {
+    if (!summary.unpainted || !summary.unpainted_source) return "Mixed";
+    const std::string& name = document.level().surfaces[*summary.unpainted].name;
+    if (*summary.unpainted_source == SurfaceSource::none) return name;
+    return fmt::format("{}, by {}", name, source_text(*summary.unpainted_source));
+}
+
 void facts(const Document& document, const FaceSummary& summary) {
     type_fact(document, summary);
     fact("From", summary.source ? source_text(*summary.source) : "Mixed");
+    if (summary.painted > 0) fact("Unpainted", unpainted_text(document, summary));
     fact("Material", shown_name(summary.material));
     fact("Group", shown_name(summary.group));
     fact("Slope", slope_text(summary));
@@ -91,7 +100,8 @@ void selection_buttons(Editor& editor, const FaceSummary& summary, float top) {
     if (ui::icon_button(icons::brush, "Paint", "Give these faces the brush's surface type", false))
         run_command(editor, "edit.fill_selection");
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    if (ui::icon_button(icons::eraser, "Unset", "Take the painted types off these faces", false,
+    if (ui::icon_button(icons::eraser, "Unset",
+                        "Take the painted types off these faces: rules and suffixes decide again", false,
                         summary.painted > 0))
         run_command(editor, "edit.unset_selection");
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);

@@ -1,6 +1,9 @@
 #include "panels/legend.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -60,15 +63,6 @@ void draw_hatch(ImDrawList& list, ImVec2 min, ImVec2 max, Hatch hatch, ImU32 ink
     }
 }
 
-void count_faces(const Document& document, ViewportState& state) {
-    if (state.counted == &document && state.counted_revision == document.face_revision()) return;
-    state.counted = &document;
-    state.counted_revision = document.face_revision();
-    state.face_counts.assign(document.level().surfaces.size(), 0);
-    for (const SurfaceId surface : document.resolved().surface)
-        if (surface < state.face_counts.size()) ++state.face_counts[surface];
-}
-
 }  // namespace
 
 void draw_swatch(ImDrawList& list, ImVec2 min, ImVec2 max, const SurfaceType& type, float rounding) {
@@ -79,45 +73,129 @@ void draw_swatch(ImDrawList& list, ImVec2 min, ImVec2 max, const SurfaceType& ty
     list.PopClipRect();
 }
 
-void legend(const Editor& editor, ViewportState& state) {
-    const Document& document = *editor.document;
-    if (editor.style.overlay <= 0.0f || editor.playtest) return;
-    count_faces(document, state);
-    const auto& surfaces = document.level().surfaces;
-    std::vector<SurfaceId> shown;
-    for (std::size_t i = 1; i < surfaces.size() && shown.size() < most_rows; ++i)
-        if (state.face_counts[i] > 0) shown.push_back(static_cast<SurfaceId>(i));
-    const float scale = ui::scale(), row = 23 * scale, side = 15 * scale;
-    if (shown.empty() || state.size.x < 300 * scale ||
-        state.size.y < 160 * scale + static_cast<float>(shown.size()) * row)
-        return;
+namespace {
 
-    float name_width = 0.0f, count_width = 0.0f;
-    for (const SurfaceId id : shown) {
-        name_width = std::max(name_width, ImGui::CalcTextSize(surfaces[id].name.c_str()).x);
-        count_width =
-            std::max(count_width, ImGui::CalcTextSize(std::to_string(state.face_counts[id]).c_str()).x);
+std::string area_text(double area) {
+    if (area >= 10000.0) return fmt::format("{:.1f}k m\u00b2", area * 1e-3);
+    return area >= 100.0 ? fmt::format("{:.0f} m\u00b2", area) : fmt::format("{:.1f} m\u00b2", area);
+}
+
+struct SlopeRow {
+    const char* text;
+    ImU32 color;
+    SlopeClass slope;
+};
+// The colours that the shader gives them.
+constexpr std::array<SlopeRow, 3> walk_rows{{{"Walkable", IM_COL32(51, 143, 199, 255), SlopeClass::walkable},
+                                             {"Too steep", IM_COL32(224, 115, 41, 255), SlopeClass::steep},
+                                             {"Overhang", IM_COL32(92, 69, 128, 255), SlopeClass::overhang}}};
+
+std::vector<SurfaceId> types_in_use(const Document& document) {
+    std::vector<SurfaceId> shown;
+    for (std::size_t i = 1; i < document.level().surfaces.size() && shown.size() < most_rows; ++i)
+        if (document.face_count_of(static_cast<SurfaceId>(i)) > 0) shown.push_back(static_cast<SurfaceId>(i));
+    return shown;
+}
+
+float row_height() {
+    return 23 * ui::scale();
+}
+
+}  // namespace
+
+LegendPlace legend_place(const Editor& editor, ImVec2 min, ImVec2 max) {
+    const Document& document = *editor.document;
+    LegendPlace place;
+    const bool by_slope = editor.style.colors != FaceColors::types;
+    if (editor.playtest || (editor.style.overlay <= 0.0f && !by_slope)) return place;
+    const float scale = ui::scale();
+    const auto add = [&](std::string name, std::size_t faces, std::string area) {
+        place.name_width = std::max(place.name_width, ImGui::CalcTextSize(name.c_str()).x);
+        place.count_width = std::max(place.count_width, ImGui::CalcTextSize(std::to_string(faces).c_str()).x);
+        place.area_width = std::max(place.area_width, ImGui::CalcTextSize(area.c_str()).x);
+        place.rows.push_back({std::move(name), std::move(area), faces, std::nullopt});
+    };
+    if (by_slope) {
+        const SlopeCounts counts = slope_counts(document);
+        for (const SlopeRow& row : walk_rows) {
+            const auto i = static_cast<std::size_t>(row.slope);
+            add(row.text, counts.faces[i], area_text(counts.area[i]));
+        }
+    } else {
+        for (const SurfaceId id : types_in_use(document)) {
+            add(document.level().surfaces[id].name, document.face_count_of(id),
+                area_text(document.area_of(id)));
+            place.rows.back().surface = id;
+        }
     }
-    name_width = std::min(name_width, 160 * scale);
+    place.name_width = std::min(place.name_width, 160 * scale);
+    const float side = 15 * scale;
     const ImVec2 padding{12 * scale, 9 * scale};
-    const float width = 2 * padding.x + side + 9 * scale + name_width + 18 * scale + count_width;
-    const float height = 2 * padding.y + static_cast<float>(shown.size()) * row - (row - side);
-    const ImVec2 min{state.min.x + 14 * scale, state.min.y + state.size.y - 14 * scale - height};
+    const float width = 2 * padding.x + side + 9 * scale + place.name_width + 18 * scale + place.count_width +
+                        16 * scale + place.area_width;
+    const float height =
+        2 * padding.y + static_cast<float>(place.rows.size()) * row_height() - (row_height() - side);
+    if (max.x - min.x < width + 28 * scale || max.y - min.y < height + 160 * scale) place.rows.clear();
+    place.min = {min.x + 14 * scale, max.y - 14 * scale - height};
+    place.max = {place.min.x + width, place.min.y + height};
+    return place;
+}
+
+void legend_buttons(Editor& editor, const LegendPlace& place) {
+    const ui::Scope scope("Legend");
+    const float scale = ui::scale();
+    for (std::size_t i = 0; i < place.rows.size(); ++i) {
+        const LegendPlace::Row& row = place.rows[i];
+        ImGui::SetCursorScreenPos(
+            {place.min.x + 4 * scale, place.min.y + 5 * scale + static_cast<float>(i) * row_height()});
+        ImGui::PushID(static_cast<int>(i));
+        const bool pressed =
+            ImGui::InvisibleButton("row", {place.max.x - place.min.x - 8 * scale, row_height()});
+        ImGui::PopID();
+        ui::record_last_item(row.name);
+        place.lit = ImGui::IsItemHovered() ? std::optional(i) : place.lit;
+        ui::tooltip(("Select " + std::to_string(row.faces) + (row.faces == 1 ? " face" : " faces") +
+                     "; with Ctrl to add them")
+                        .c_str());
+        if (!pressed) continue;
+        const SelectBy by = ImGui::GetIO().KeyCtrl ? SelectBy::add : SelectBy::replace;
+        std::vector<FaceId> faces = row.surface ? faces_of_type(*editor.document, *row.surface)
+                                                : faces_with_slope(*editor.document, walk_rows[i].slope);
+        apply_selection(editor, std::move(faces), by, "Select " + row.name);
+    }
+}
+
+void draw_legend(const Editor& editor, const LegendPlace& place) {
+    if (place.rows.empty()) return;
+    const float scale = ui::scale(), side = 15 * scale;
+    const ImVec2 padding{12 * scale, 9 * scale};
+    const ui::Palette& p = ui::palette();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(min, {min.x + width, min.y + height},
-                       ui::packed(ui::with_alpha(ui::palette().window, 0.82f)), 6 * scale);
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-        const SurfaceType& type = surfaces[shown[i]];
-        const ImVec2 at{min.x + padding.x, min.y + padding.y + static_cast<float>(i) * row};
+    list.AddRectFilled(place.min, place.max, ui::packed(ui::with_alpha(p.window, 0.86f)), 6 * scale);
+    for (std::size_t i = 0; i < place.rows.size(); ++i) {
+        const LegendPlace::Row& row = place.rows[i];
+        const ImVec2 at{place.min.x + padding.x,
+                        place.min.y + padding.y + static_cast<float>(i) * row_height()};
+        if (place.lit == i)
+            list.AddRectFilled({place.min.x + 4 * scale, at.y - 4 * scale},
+                               {place.max.x - 4 * scale, at.y + side + 4 * scale}, ui::packed(p.hovered),
+                               4 * scale);
         const float text_y = at.y + (side - ImGui::GetTextLineHeight()) * 0.5f;
-        draw_swatch(list, at, {at.x + side, at.y + side}, type, 3 * scale);
+        if (row.surface)
+            draw_swatch(list, at, {at.x + side, at.y + side}, editor.document->level().surfaces[*row.surface],
+                        3 * scale);
+        else
+            list.AddRectFilled(at, {at.x + side, at.y + side}, walk_rows[i].color, 3 * scale);
         const float name_x = at.x + side + 9 * scale;
-        const ImVec4 clip{name_x, at.y - row, name_x + name_width, at.y + row};
-        list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {name_x, text_y}, ui::packed(ui::palette().text),
-                     type.name.c_str(), nullptr, 0.0f, &clip);
-        const std::string count = std::to_string(state.face_counts[shown[i]]);
-        list.AddText({min.x + width - padding.x - ImGui::CalcTextSize(count.c_str()).x, text_y},
-                     ui::packed(ui::palette().muted), count.c_str());
+        const ImVec4 clip{name_x, at.y - row_height(), name_x + place.name_width, at.y + row_height()};
+        list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {name_x, text_y}, ui::packed(p.text),
+                     row.name.c_str(), nullptr, 0.0f, &clip);
+        const auto right = [&](float x, const std::string& text) {
+            list.AddText({x - ImGui::CalcTextSize(text.c_str()).x, text_y}, ui::packed(p.muted),
+                         text.c_str());
+        };
+        right(place.max.x - padding.x, row.area);
+        right(place.max.x - padding.x - place.area_width - 16 * scale, std::to_string(row.faces));
     }
 }
 

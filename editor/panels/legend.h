@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include "document/selection.h"
 #include "panels/viewport_panel.h"
 #include "slipface/movement/surface_type.h"
 
@@ -11,7 +12,21 @@ namespace slipface {
 // A type's colour with its hatch, as the overlay shows it on faces.
 void draw_swatch(ImDrawList& list, ImVec2 min, ImVec2 max, const SurfaceType& type, float rounding);
 
-// In the lower left corner of the view: swatch, name and number of faces of each type that is used.
-void legend(const Editor& editor, ViewportState& state);
+// In the lower left corner of the view: swatch, name, number of faces and area of each type that is used, or
+// of each slope class while slopes are shown. A click selects the row's faces.
+struct LegendPlace {
+    struct Row {
+        std::string name, area;
+        std::size_t faces = 0;
+        std::optional<SurfaceId> surface;  // nothing: a slope class
+    };
+    std::vector<Row> rows;  // empty: nothing is shown
+    ImVec2 min{0, 0}, max{0, 0};
+    float name_width = 0, count_width = 0, area_width = 0;
+    mutable std::optional<std::size_t> lit;  // the row under the mouse
+};
+LegendPlace legend_place(const Editor& editor, ImVec2 view_min, ImVec2 view_max);
+void legend_buttons(Editor& editor, const LegendPlace& place);     // before the view's item
+void draw_legend(const Editor& editor, const LegendPlace& place);  // over the picture
 
 }  // namespace slipface

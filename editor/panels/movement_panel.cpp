@@ -3,10 +3,13 @@
 #include <string>
 #include <string_view>
 
+#include "panels/hack_card.h"
 #include "panels/panels.h"
 #include "panels/property_rows.h"
 #include "slipface/base/text.h"
+#include "slipface/level/preset.h"
 #include "tools/icons.h"
+#include "tools/lab_actions.h"
 #include "widgets/ui.h"
 
 namespace slipface {
@@ -77,7 +80,7 @@ void setting_row(Editor& editor, const SettingInfo& info) {
 }
 
 // A switch takes the whole width, so that its name is never cut.
-void switch_row(Editor& editor, const SettingInfo& info) {
+void switch_row(Editor& editor, FrameContext& frame, const SettingInfo& info) {
     const MovementSettings& movement = editor.document->level().movement;
     const double standard = get_setting(defaults, info);
     bool on = get_setting(movement, info) != 0.0;
@@ -86,15 +89,36 @@ void switch_row(Editor& editor, const SettingInfo& info) {
     ImGui::PushID(info.name);
     if (begin_property_rows("switch", ImGui::GetContentRegionAvail().x)) {
         property_row("", nullptr, modified);
-        // The check box starts in the label's cell and may run over the empty control cell.
         ImGui::TableSetColumnIndex(1);
         if (ui::checkbox(info.label, &on, tooltip.c_str()))
             run_command(editor, std::string("movement.") + info.name);
         ImGui::TableSetColumnIndex(2);
+        hack_cell(editor, frame, info);
         if (reset_cell(info.label, modified)) put(editor, info, standard);
         end_property_rows();
     }
     ImGui::PopID();
+}
+
+// The shipped sets of settings, and which of them is in force.
+void preset_row(Editor& editor) {
+    const std::vector<ShippedPreset>& presets = shipped_presets();
+    const MovementSettings& movement = editor.document->level().movement;
+    std::vector<const char*> names;
+    int current = static_cast<int>(presets.size());
+    for (std::size_t i = 0; i < presets.size(); ++i) {
+        names.push_back(presets[i].preset.name.c_str());
+        if (presets[i].preset.settings == movement) current = static_cast<int>(i);
+    }
+    names.push_back("Own settings");
+    const char* const about = current < static_cast<int>(presets.size())
+                                  ? presets[static_cast<std::size_t>(current)].preset.about.c_str()
+                                  : "A whole set of settings at once, as one step of history";
+    int chosen = current;
+    ImGui::SetNextItemWidth(-1.0f);
+    if (ui::combo("##Preset", &chosen, names.data(), static_cast<int>(names.size()), about) &&
+        chosen != current && chosen < static_cast<int>(presets.size()))
+        use_preset(editor, presets[static_cast<std::size_t>(chosen)].preset);
 }
 
 void header(Editor& editor) {
@@ -112,7 +136,7 @@ void header(Editor& editor) {
         run_command(editor, "movement.reset");
 }
 
-void group_rows(Editor& editor, std::string_view group, float label_width) {
+void group_rows(Editor& editor, FrameContext& frame, std::string_view group, float label_width) {
     const MovementSettings& movement = editor.document->level().movement;
     bool open = false;
     const auto close = [&] {
@@ -125,7 +149,7 @@ void group_rows(Editor& editor, std::string_view group, float label_width) {
         if (owner && get_setting(movement, *owner) == 0.0) continue;
         if (is_switch(info)) {
             close();
-            switch_row(editor, info);
+            switch_row(editor, frame, info);
             continue;
         }
         if (!open)
@@ -137,10 +161,11 @@ void group_rows(Editor& editor, std::string_view group, float label_width) {
 
 }  // namespace
 
-void movement_panel(Editor& editor) {
+void movement_panel(Editor& editor, FrameContext& frame) {
     settle_live_edit(editor);
     if (!editor.document) return;
     const ui::Scope scope("Movement");
+    preset_row(editor);
     header(editor);
     float label_width = 0.0f;
     for (const SettingInfo& info : settings_table())
@@ -152,7 +177,7 @@ void movement_panel(Editor& editor) {
         if (group == info.group) continue;
         group = info.group;
         ui::heading(info.group);
-        group_rows(editor, group, label_width);
+        group_rows(editor, frame, group, label_width);
     }
 }
 

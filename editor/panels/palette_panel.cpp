@@ -9,6 +9,7 @@
 #include "panels/property_rows.h"
 #include "panels/surface_editor.h"
 #include "tools/icons.h"
+#include "tools/selecting.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 
@@ -67,9 +68,36 @@ bool draw_row(const Row& row) {
     return pressed;
 }
 
+// What a right click on a type offers.
+void row_menu(Editor& editor, std::optional<SurfaceId> surface) {
+    if (!ImGui::BeginPopupContextItem("menu")) return;
+    const ui::Scope scope("Type menu");
+    Document& document = *editor.document;
+    const bool selected = !document.selection().empty();
+    if (ui::menu_item("Select its faces", "", false, true, "Select every face of this type"))
+        apply_selection(editor, surface ? faces_of_type(document, *surface) : unpainted_faces(document),
+                        SelectBy::replace, "Select by type");
+    if (ui::menu_item("Paint the selection with it", "", false, selected,
+                      "Give the selected faces this type"))
+        document.paint(document.selection(), surface);
+    if (surface && ui::begin_menu("Replace by")) {
+        const std::vector<SurfaceType> surfaces = document.level().surfaces;
+        for (std::size_t i = 0; i < surfaces.size(); ++i)
+            if (ui::menu_item(
+                    surfaces[i].name.c_str(), "", false, i != *surface,
+                    "Give every face of the one type the other, within the selection if there is one"))
+                replace_type(editor, *surface, static_cast<SurfaceId>(i));
+        if (ui::menu_item("Unset", "", false, true, "Rules and suffixes decide again"))
+            replace_type(editor, *surface, std::nullopt);
+        ui::end_menu();
+    }
+    ImGui::EndPopup();
+}
+
 std::string row_tooltip(const Row& row) {
     if (!row.type) return "Take painted types off faces; rules and suffixes decide again";
-    std::string text = row.name + ", " + std::to_string(row.faces) + (row.faces == 1 ? " face" : " faces");
+    std::string text = row.name + ", " + std::to_string(row.faces) + (row.faces == 1 ? " face" : " faces") +
+                       "\nRight click: select its faces, replace it";
     if (row.hotkey != 0) text += "\nKey " + std::to_string(row.hotkey);
     return text;
 }
@@ -91,7 +119,6 @@ void palette_panel(Editor& editor) {
     settle_live_edit(editor);
     if (!editor.document) return;
     const ui::Scope scope("Palette");
-    ui::heading("Surface types");
     const Document& document = *editor.document;
     const std::vector<SurfaceType>& surfaces = document.level().surfaces;
     static const std::string unset_name = "Unset";
@@ -103,6 +130,7 @@ void palette_panel(Editor& editor) {
         ImGui::PushID(id);
         if (draw_row(row)) chosen = surface;
         ui::tooltip(row_tooltip(row).c_str());
+        row_menu(editor, surface);
         ImGui::PopID();
     };
     for (std::size_t i = 0; i < surfaces.size(); ++i) {

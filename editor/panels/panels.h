@@ -2,6 +2,8 @@
 // the Editor.
 #pragma once
 
+#include <functional>
+
 #include "slipface/render/overlay.h"
 #include "tools/commands.h"
 
@@ -10,10 +12,26 @@ namespace slipface {
 // The part of the frame that draws the 3D view. The app owns the GL objects; the viewport panel asks for a
 // picture of the level.
 struct ViewportServices {
-    // Draws level and overlay with `camera` into a target of that many pixels and returns the texture (rows
-    // from the bottom).
-    virtual unsigned render(const Camera& camera, const Overlay& overlay, int width, int height) = 0;
+    // Draws level and overlay with `camera` into the pane's target of that many pixels and returns the
+    // texture (rows from the bottom).
+    virtual unsigned render(std::size_t pane, const Camera& camera, const Overlay& overlay, int width,
+                            int height) = 0;
+    // A picture as a texture (rows from the top). One a slot is kept; a new `revision` sends it again.
+    virtual unsigned still(int slot, const Image& image, std::uint64_t revision) = 0;
     virtual ~ViewportServices() = default;
+};
+
+// Small pictures of other levels than the open one, drawn once by the same renderer and kept.
+struct PictureRequest {
+    const Level* level = nullptr;
+    Camera camera;
+    Overlay overlay;
+};
+struct PictureServices {
+    // The texture (rows from the bottom) kept under `key`; `request` is asked for it the first time.
+    virtual unsigned picture(const std::string& key, int width, int height,
+                             const std::function<PictureRequest()>& request) = 0;
+    virtual ~PictureServices() = default;
 };
 
 // Input that ImGui does not carry: keys held by position for movement (true while held), and the gamepad.
@@ -29,17 +47,30 @@ struct FrameContext {
     double seconds = 1.0 / 60.0;  // since the last frame, clamped
     HeldKeys held;
     ViewportServices* viewport = nullptr;
-    bool wants_cursor_capture = false;  // out: the host hides and captures the cursor
-    bool animating = false;             // out: draw another frame soon even without events
+    PictureServices* pictures = nullptr;  // null: there is nothing to draw with
+    bool wants_cursor_capture = false;    // out: the host hides and captures the cursor
+    bool animating = false;               // out: draw another frame soon even without events
 };
 
 void viewport_panel(Editor& editor,
                     FrameContext& frame);  // picture, gestures, overlays, legend, playtest HUD
 void palette_panel(Editor& editor);        // surface types: choose, edit, counts
-void movement_panel(Editor& editor);       // every hack and parameter, from settings_table()
-void probe_panel(Editor& editor);          // numbers of the sweep probe
-void inspector_panel(Editor& editor);      // the hovered or selected faces
+void cameras_panel(Editor& editor);        // bookmarks: go there, add, rename, delete
+void selections_panel(Editor& editor);     // kept selections: recall, add, rename, delete
+void movement_panel(Editor& editor, FrameContext& frame);  // every hack and parameter, from settings_table()
+void probe_panel(Editor& editor);                          // numbers of the sweep probe
+void inspector_panel(Editor& editor);                      // the hovered or selected faces
 void history_panel(Editor& editor);
 void warnings_panel(Editor& editor);
+void review_panel(Editor& editor);
+void problems_panel(Editor& editor);  // what the mesh doctor found
+void why_panel(Editor& editor);       // the story of the lab's tick
+void ghosts_panel(Editor& editor);    // the lab's runs, and the route at other rates
+void timeline_panel(Editor& editor);  // the lab's tape
+void plots_panel(Editor& editor);     // the lab's runs as curves
+void audit_panel(Editor& editor, FrameContext& frame);
+
+// Whichever it is: the function of that name above.
+void draw_panel(PanelId panel, Editor& editor, FrameContext& frame);
 
 }  // namespace slipface

@@ -5,8 +5,11 @@
 #include <cmath>
 #include <string>
 
+#include "panels/lab_track.h"
 #include "panels/panels.h"
 #include "panels/property_rows.h"
+#include "slipface/render/trace_overlay.h"
+#include "slipface/sim/story.h"
 #include "tools/icons.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
@@ -32,63 +35,99 @@ void cell(const std::string& text, bool right = false) {
     ImGui::TextUnformatted(text.c_str());
 }
 
-void table_row(const Document& document, std::size_t index, const ProbeRow& row) {
-    const auto& contact = row.sweep.contact;
+// One sweep as two lines of a table as narrow as the panel: what was met, and what came of it.
+void sweep_rows(Editor& editor, const std::vector<ProbeRow>& rows) {
+    const Document& document = *editor.document;
     const auto& surfaces = document.level().surfaces;
-    ImGui::TableNextRow();
-    cell(std::to_string(index + 1), true);
-    cell(pass_name(row.sweep.pass));
-    cell(contact ? number(contact->t) : "free", true);
-    cell(contact ? std::to_string(contact->face) : "", true);
-    cell(contact && contact->surface < surfaces.size() ? surfaces[contact->surface].name : "");
-    cell(contact ? feature_name(contact->feature) : "");
-    cell(contact ? vector_text(contact->normal) : "", true);
-    cell(contact ? vector_text(contact->point) : "", true);
-    cell(row.response ? number(row.response->leftover_before.norm()) + " → " +
-                            number(row.response->leftover_after.norm())
-                      : "",
-         true);
-    cell(row.response ? rule_name(row.response->rule) : "");
-}
-
-void sweep_table(const Document& document, const std::vector<ProbeRow>& rows) {
+    const std::size_t shown = std::min(editor.probe.shown_sweeps.value_or(rows.size()), rows.size());
     struct Column {
         const char* name;
         const char* meaning;
+        float weight;
     };
     static constexpr Column columns[] = {
-        {"#", "The order of the sweeps"},
-        {"Pass", "Why the sweep was made"},
-        {"t", "Share of the displacement done at the touch"},
-        {"Face", "The face that was touched first"},
-        {"Surface", "That face's surface type"},
-        {"Feature", "The part of the triangle that was touched"},
-        {"Normal", "Of the contact plane, towards the ellipsoid's centre"},
-        {"Point", "Where the triangle was touched, metres"},
-        {"Leftover", "Length of the displacement that was left, before and after the response, metres"},
-        {"Rule", "What turned the leftover"},
+        {"#", "The order of the sweeps, in the colour of their ghosts; click to show the sweeps up to it",
+         0.5f},
+        {"Met", "The feature, the face and its surface type that were touched first", 2.6f},
+        {"t", "Share of the displacement done at the touch", 0.9f},
+        {"Normal", "Of the contact plane, towards the ellipsoid's centre", 2.0f},
     };
-    constexpr int count = static_cast<int>(std::size(columns));
-    const float em = ImGui::GetFontSize();
-    const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
-    const float height = line * static_cast<float>(std::min<std::size_t>(rows.size(), 10) + 1) +
-                         ImGui::GetStyle().ScrollbarSize + 0.3f * em;
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
-                                      ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
-                                      ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
-    if (!ImGui::BeginTable("sweeps", count, flags, {0.0f, height})) return;
-    ImGui::TableSetupScrollFreeze(1, 1);
+    if (!ImGui::BeginTable("sweeps", 4,
+                           ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersInnerH |
+                               ImGuiTableFlags_NoSavedSettings))
+        return;
     for (const Column& column : columns)
-        ImGui::TableSetupColumn(column.name);
+        ImGui::TableSetupColumn(column.name, ImGuiTableColumnFlags_WidthStretch, column.weight);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < 4; ++i) {
         ImGui::TableSetColumnIndex(i);
         ImGui::TableHeader(columns[i].name);
         ui::tooltip(columns[i].meaning);
     }
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        table_row(document, i, rows[i]);
+    const ui::Scope scope("Sweep");
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const ProbeRow& row = rows[i];
+        const auto& contact = row.sweep.contact;
+        const bool quiet = i >= shown;
+        ImGui::TableNextRow();
+        ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * (quiet ? 0.4f : 1.0f));
+        ImGui::TableNextColumn();
+        const Color color = sweep_color(static_cast<int>(i));
+        ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(color.red, color.green, color.blue, 1.0f));
+        const std::string number_text = std::to_string(i + 1);
+        if (ImGui::Selectable(number_text.c_str(), shown == i + 1)) editor.probe.shown_sweeps = i + 1;
+        ui::record_last_item(number_text, true, shown == i + 1);
+        ImGui::PopStyleColor();
+        ImGui::TableNextColumn();
+        ImGui::PushTextWrapPos(0.0f);
+        if (contact) {
+            const std::string& surface =
+                contact->surface < surfaces.size() ? surfaces[contact->surface].name : "unknown";
+            ImGui::TextUnformatted(
+                fmt::format("{}, face {}, {}", feature_name(contact->feature), contact->face, surface)
+                    .c_str());
+        } else {
+            ImGui::TextUnformatted("nothing");
+        }
+        ImGui::PopTextWrapPos();
+        cell(contact ? fmt::format("{:.3f}", contact->t) : "", true);
+        cell(contact ? fmt::format("{:.2f} {:.2f} {:.2f}", contact->normal.x() + 0.0,
+                                   contact->normal.y() + 0.0, contact->normal.z() + 0.0)
+                     : "");
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TableNextColumn();
+        ImGui::PushStyleColor(ImGuiCol_Text, ui::palette().muted);
+        ImGui::TextUnformatted((std::string(pass_name(row.sweep.pass)) + (row.response ? ", " : "") +
+                                (row.response ? rule_name(row.response->rule) : ""))
+                                   .c_str());
+        ImGui::TableNextColumn();
+        ImGui::TableNextColumn();
+        if (row.response)
+            ImGui::TextUnformatted((number(row.response->leftover_before.norm()) + " \u2192 " +
+                                    number(row.response->leftover_after.norm()) + " m")
+                                       .c_str());
+        ui::tooltip("Length of the displacement that was left, before and after the response");
+        ImGui::PopStyleColor();
+        ImGui::PopStyleVar();
+    }
     ImGui::EndTable();
+}
+
+void step_buttons(Editor& editor, std::size_t count) {
+    std::optional<std::size_t>& shown = editor.probe.shown_sweeps;
+    const std::size_t now = std::min(shown.value_or(count), count);
+    if (ui::icon_button(icons::step_back, "Previous sweep", "Show one sweep less", false, now > 0))
+        shown = now - 1;
+    ImGui::SameLine(0, 3 * ui::scale());
+    if (ui::icon_button(icons::step_forward, "Next sweep", "Show one sweep more", false, now < count))
+        shown = now + 1;
+    ImGui::SameLine(0, 3 * ui::scale());
+    if (ui::icon_button(icons::to_end, "All sweeps", "Show every sweep", !shown, shown.has_value()))
+        shown.reset();
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    ui::muted_text(fmt::format("{} of {} sweeps shown", now, count).c_str());
 }
 
 void vector_edit(const char* label, Vec3& vector, const char* tooltip) {
@@ -119,19 +158,19 @@ void outcome(const Probe& probe, const ProbeResult& result) {
     fact("End", vector_text(result.slide.position));
 }
 
-void decisions(const ProbeResult& result) {
-    ui::heading("Decisions");
-    bool any = false;
-    for (const TraceRecord& record : result.records) {
-        if (std::holds_alternative<SweepRecord>(record)) continue;
-        any = true;
-        const std::string text = trace_text(record);
-        ImGui::Bullet();
-        ImGui::PushTextWrapPos(0.0f);
-        ImGui::TextUnformatted(text.data(), text.data() + text.size());
-        ImGui::PopTextWrapPos();
+void story(const Editor& editor, std::span<const TraceRecord> records) {
+    ui::heading("Story");
+    for (const StoryLine& line : tell(records, editor.document->level().surfaces)) {
+        const float indent = 0.9f * ImGui::GetFontSize() * static_cast<float>(line.depth);
+        if (indent > 0.0f) ImGui::Indent(indent);
+        ImGui::PushStyleColor(ImGuiCol_Text, line.tone == StoryTone::trouble   ? ui::palette().bad
+                                             : line.tone == StoryTone::refused ? ui::palette().muted
+                                                                               : ui::palette().text);
+        ImGui::TextUnformatted(
+            wrap_words(line.title + ": " + line.text, ImGui::GetContentRegionAvail().x).c_str());
+        ImGui::PopStyleColor();
+        if (indent > 0.0f) ImGui::Unindent(indent);
     }
-    if (!any) ui::muted_text("Nothing was in the way");
 }
 
 void place_at_spawn(Editor& editor) {
@@ -162,12 +201,14 @@ void probe_panel(Editor& editor) {
 
     vector_edit("From", editor.probe.from, "Centre of the ellipsoid, metres");
     vector_edit("Move", editor.probe.move, "The displacement, metres");
-    if (ui::button("Copy command line", "Put the command that repeats the first sweep on the clipboard")) {
-        ImGui::SetClipboardText(
-            probe_command_line(editor.probe, document.level().movement, document.level().mesh_path.string())
-                .c_str());
-        editor.status = "Command line copied";
-    }
+    if (ui::button("Copy command", "Put the command line that repeats the first sweep on the clipboard"))
+        run_command(editor, "tools.copy_probe_command");
+    ImGui::SameLine();
+    if (ui::button("Copy as a test",
+                   "Put a test on the clipboard that slipface sweep LEVEL --test FILE runs: every sweep, its "
+                   "contact "
+                   "and its rule"))
+        run_command(editor, "tools.copy_probe_test");
     ImGui::SameLine();
     const bool cleared = ui::button("Clear", "Take the probe out of the level");
 
@@ -183,8 +224,10 @@ void probe_panel(Editor& editor) {
     ui::heading("Result");
     outcome(editor.probe, result);
     ui::heading("Sweeps");
-    sweep_table(document, probe_rows(result.records));
-    decisions(result);
+    const std::vector<ProbeRow> rows = probe_rows(result.records);
+    step_buttons(editor, rows.size());
+    sweep_rows(editor, rows);
+    story(editor, first_sweeps(result.records, editor.probe.shown_sweeps.value_or(rows.size())));
 }
 
 }  // namespace slipface

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "panels/property_rows.h"
 #include "slipface/base/text.h"
@@ -48,6 +49,29 @@ void name_row(const Target& target) {
         ui::muted_text(problem.c_str());
 }
 
+// Small squares to choose from.
+std::optional<std::array<float, 3>> safe_color(const std::array<float, 3>& now) {
+    std::optional<std::array<float, 3>> chosen;
+    const float side = 0.95f * ImGui::GetFontSize(), gap = 0.25f * ImGui::GetFontSize();
+    const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    const auto colors = safe_surface_colors();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        if (i > 0 && ImGui::GetItemRectMax().x + gap + side <= end) ImGui::SameLine(0, gap);
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::InvisibleButton("safe", {side, side})) chosen = colors[i];
+        ui::record_last_item("Safe " + std::to_string(i + 1), true, colors[i] == now);
+        const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+        list.AddRectFilled(min, max, ui::packed({colors[i][0], colors[i][1], colors[i][2], 1.0f}),
+                           0.2f * side);
+        if (ImGui::IsItemHovered() || colors[i] == now)
+            list.AddRect({min.x - 1, min.y - 1}, {max.x + 1, max.y + 1}, ui::packed(ui::palette().text),
+                         0.2f * side);
+        ImGui::PopID();
+    }
+    return chosen;
+}
+
 void look_rows(const Target& target) {
     SurfaceType changed = target.type();
     property_row("Colour", "How the overlay draws faces of this type");
@@ -56,6 +80,13 @@ void look_rows(const Target& target) {
                                              ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoOptions);
     ui::record_last_item("Colour");
     if (recolored) target.put(changed, "colour");
+
+    changed = target.type();
+    property_row("Safe", "Colours that colour-blind people tell apart");
+    if (const auto safe = safe_color(changed.color)) {
+        changed.color = *safe;
+        target.put(changed, "colour");
+    }
 
     changed = target.type();
     std::array<std::string, hatch_names.size()> hatches;

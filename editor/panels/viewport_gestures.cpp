@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "panels/viewport_panel.h"
+#include "tools/selecting.h"
 #include "widgets/ui.h"
 
 namespace slipface {
@@ -30,15 +31,16 @@ void hover_nothing(Editor& editor) {
     editor.hovered = no_id;
 }
 
-// Paints along the way from the mouse's last place, so that a fast stroke leaves no gaps.
-void paint_along(Editor& editor, ViewportState& state, ImVec2 mouse) {
+// Uses the tool along the way from the mouse's last place, so that a fast stroke leaves no gaps.
+template <class Use>
+void stroke_along(Editor& editor, const ViewportState& state, ImVec2 mouse, const Use& use) {
     const Vec2 from = to_vec(state.last_mouse), to = to_vec(mouse);
     const int steps =
         std::clamp(static_cast<int>(std::ceil((to - from).norm() / stroke_spacing)), 1, most_stroke_points);
     for (int i = 1; i <= steps; ++i) {
         const Vec2 at = from + (to - from) * (static_cast<double>(i) / steps);
         hover_at(editor, state, {static_cast<float>(at.x()), static_cast<float>(at.y())});
-        if (editor.hovered != no_id) paint_hovered(editor);
+        if (editor.hovered != no_id) use();
     }
 }
 
@@ -55,6 +57,77 @@ void begin(ViewportState& state, const Editor& editor, Gesture gesture, ImVec2 m
     state.probe_before = editor.probe;
 }
 
+// Ctrl adds (and a click toggles), Shift takes away.
+SelectBy select_by(bool click) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.KeyShift) return SelectBy::remove;
+    if (io.KeyCtrl) return click ? SelectBy::toggle : SelectBy::add;
+    return SelectBy::replace;
+}
+
+void press_select(Editor& editor, ViewportState& state, ImVec2 mouse) {
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && select_by(true) == SelectBy::replace) {
+        select_flat_hovered(editor, SelectBy::replace);
+        return;
+    }
+    begin(state, editor, Gesture::click, mouse);
+    state.outline.clear();
+}
+
+// The button is held and the mouse has left the place: the click becomes a box, a lasso or a stroke.
+void begin_select_drag(Editor& editor, ViewportState& state) {
+    state.outline = {view_pixel(state, state.pressed_at)};
+    if (editor.select_shape != SelectShape::brush) {
+        state.gesture = Gesture::outline;
+        return;
+    }
+    state.gesture = Gesture::select_stroke;
+    state.stroke_by = select_by(false);
+    editor.document->begin("Select by stroke");
+    if (state.stroke_by == SelectBy::replace) {
+        editor.document->select({});
+        state.stroke_by = SelectBy::add;
+    }
+    hover_at(editor, state, state.pressed_at);
+    brush_select(editor, state.stroke_by);
+}
+
+void go_on_outline(Editor& editor, ViewportState& state, ImVec2 mouse) {
+    const Vec2 to = view_pixel(state, mouse), from = state.outline.front();
+    if (editor.select_shape == SelectShape::lasso) {
+        if ((state.outline.back() - to).norm() >= 2.0) state.outline.push_back(to);
+    } else {
+        state.outline = {from, {to.x(), from.y()}, to, {from.x(), to.y()}};
+    }
+}
+
+void end_outline(Editor& editor, ViewportState& state) {
+    const bool lasso = editor.select_shape == SelectShape::lasso;
+    apply_selection(editor,
+                    faces_in_outline(editor, shown_camera(editor), to_vec(state.size), state.outline,
+                                     editor.select_through),
+                    select_by(false), lasso ? "Select by lasso" : "Select by box");
+    state.outline.clear();
+}
+
+// A second click at the same place goes on to the face behind.
+void end_click(Editor& editor, ViewportState& state) {
+    const ImVec2 at = state.pressed_at;
+    hover_at(editor, state, at);
+    const SelectBy by = select_by(true);
+    const float slop = click_slop * ui::scale();
+    const auto selected = editor.document->selection();
+    const bool again = state.clicked && std::abs(at.x - state.clicked->x) <= slop &&
+                       std::abs(at.y - state.clicked->y) <= slop && selected.size() == 1 &&
+                       editor.document->revision() == state.clicked_revision;
+    if (again && by == SelectBy::replace && editor.hovered != no_id)
+        drill_select(editor, pixel_ray(shown_camera(editor), view_pixel(state, at), to_vec(state.size)), 1);
+    else
+        click_select(editor, by);
+    state.clicked = at;
+    state.clicked_revision = editor.document->revision();
+}
+
 void press_left(Editor& editor, ViewportState& state, ImVec2 mouse) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.KeyAlt) {
@@ -63,7 +136,7 @@ void press_left(Editor& editor, ViewportState& state, ImVec2 mouse) {
     }
     switch (editor.tool) {
         case Tool::select:
-            begin(state, editor, Gesture::click, mouse);
+            press_select(editor, state, mouse);
             return;
         case Tool::paint:
             begin(state, editor, Gesture::stroke, mouse);
@@ -120,17 +193,12 @@ void fly(Editor& editor, FrameContext& frame) {
     frame.animating = true;
 }
 
-void release(Editor& editor, ViewportState& state, ImVec2 mouse) {
+void release(Editor& editor, ViewportState& state) {
     const Gesture ended = state.gesture;
     state.gesture = Gesture::none;
-    if (ended == Gesture::stroke) editor.document->commit();
-    if (ended != Gesture::click) return;
-    const float slop = click_slop * ui::scale();
-    const ImGuiIO& io = ImGui::GetIO();
-    if (std::abs(mouse.x - state.pressed_at.x) > slop || std::abs(mouse.y - state.pressed_at.y) > slop)
-        return;
-    hover_at(editor, state, state.pressed_at);
-    click_select(editor, io.KeyCtrl || io.KeyShift);
+    if (ended == Gesture::stroke || ended == Gesture::select_stroke) editor.document->commit();
+    if (ended == Gesture::outline) end_outline(editor, state);
+    if (ended == Gesture::click) end_click(editor, state);
 }
 
 // One frame of the gesture under way.
@@ -154,7 +222,7 @@ void go_on(Editor& editor, FrameContext& frame, ViewportState& state, ImVec2 mou
             fly(editor, frame);
             break;
         case Gesture::stroke:
-            if (!still) paint_along(editor, state, mouse);
+            if (!still) stroke_along(editor, state, mouse, [&] { paint_hovered(editor); });
             break;
         case Gesture::place_probe:
         case Gesture::drag_probe_end:
@@ -167,7 +235,24 @@ void go_on(Editor& editor, FrameContext& frame, ViewportState& state, ImVec2 mou
                        state.gesture, io.KeyShift);
             break;
         }
-        case Gesture::click:
+        case Gesture::select_stroke:
+            if (!still) stroke_along(editor, state, mouse, [&] { brush_select(editor, state.stroke_by); });
+            break;
+        case Gesture::outline:
+            if (!still) go_on_outline(editor, state, mouse);
+            break;
+        case Gesture::click: {
+            const float slop = click_slop * ui::scale();
+            if (std::abs(mouse.x - state.pressed_at.x) > slop ||
+                std::abs(mouse.y - state.pressed_at.y) > slop) {
+                begin_select_drag(editor, state);
+                if (state.gesture == Gesture::outline)
+                    go_on_outline(editor, state, mouse);
+                else
+                    stroke_along(editor, state, mouse, [&] { brush_select(editor, state.stroke_by); });
+            }
+            break;
+        }
         case Gesture::none:
             break;
     }
@@ -182,7 +267,8 @@ bool cancel_viewport_gesture(Editor& editor) {
     const Gesture ended = state.gesture;
     state.gesture = Gesture::none;
     if (state.document != editor.document.get()) return false;
-    if (ended == Gesture::stroke) editor.document->cancel();
+    if (ended == Gesture::stroke || ended == Gesture::select_stroke) editor.document->cancel();
+    state.outline.clear();
     if (ended == Gesture::place_probe || ended == Gesture::drag_probe_end ||
         ended == Gesture::drag_probe_start)
         editor.probe = state.probe_before;
@@ -201,11 +287,11 @@ void viewport_gestures(Editor& editor, FrameContext& frame, ViewportState& state
     }
     if (state.gesture != Gesture::none) {
         go_on(editor, frame, state, mouse);
-        if (!io.MouseDown[button_of(state.gesture, io)]) release(editor, state, mouse);
+        if (!io.MouseDown[button_of(state.gesture, io)]) release(editor, state);
         // The face under a painting mouse stays lit; a camera drag or a probe drag has nothing under it.
-        if (state.gesture != Gesture::none && state.gesture != Gesture::stroke &&
-            state.gesture != Gesture::click)
-            hover_nothing(editor);
+        const bool points = state.gesture == Gesture::none || state.gesture == Gesture::stroke ||
+                            state.gesture == Gesture::select_stroke || state.gesture == Gesture::click;
+        if (!points) hover_nothing(editor);
         return;
     }
     if (!state.hovered) {
@@ -216,7 +302,11 @@ void viewport_gestures(Editor& editor, FrameContext& frame, ViewportState& state
     if (ImGui::IsItemActive() || ImGui::IsItemClicked(ImGuiMouseButton_Left)) press(editor, state, mouse);
     if (io.MouseWheel != 0.0f && state.gesture == Gesture::none) {
         const double wheel = static_cast<double>(io.MouseWheel);
-        if (editor.hovered != no_id)
+        if (io.KeyCtrl && editor.tool == Tool::select)
+            drill_select(editor,
+                         pixel_ray(shown_camera(editor), view_pixel(state, mouse), to_vec(state.size)),
+                         wheel < 0.0 ? 1 : -1);
+        else if (editor.hovered != no_id)
             editor.view.zoom_towards(wheel, editor.hovered_point);
         else
             editor.view.zoom(wheel);

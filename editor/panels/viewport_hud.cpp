@@ -1,10 +1,10 @@
-// What lies flat on the view: the playtest's numbers and the axes.
+// What lies flat on the view: the playtest's numbers, the outline being drawn, the numbers of triangles.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
+#include <set>
 
 #include "panels/viewport_panel.h"
 #include "widgets/theme.h"
@@ -29,48 +29,6 @@ void plate(ImDrawList& list, ImVec2 min, const std::array<std::string, 3>& lines
                      ui::packed(i == 0 ? ui::palette().text : ui::palette().muted), lines[i].c_str());
 }
 
-constexpr float axis_dot = 9.0f, axis_reach = 30.0f, axis_margin = 52.0f;  // design pixels
-
-struct Axis {
-    const char* name;
-    Vec3 direction;
-    ImU32 color;
-    double depth;
-    ImVec2 tip;
-};
-
-bool axes_fit(const ViewportState& state) {
-    return state.size.x >= 260 * ui::scale() && state.size.y >= 200 * ui::scale();
-}
-
-ImVec2 axis_centre(const ViewportState& state) {
-    const float margin = axis_margin * ui::scale();
-    return {state.min.x + state.size.x - margin, state.min.y + margin};
-}
-
-std::array<Axis, 6> axes_back_to_front(const Camera& camera, const ViewportState& state) {
-    constexpr ImU32 red = IM_COL32(222, 92, 88, 255), green = IM_COL32(116, 184, 92, 255),
-                    blue = IM_COL32(88, 142, 226, 255);
-    std::array<Axis, 6> axes{{{"X", Vec3::UnitX(), red, 0, {}},
-                              {"Y", Vec3::UnitY(), green, 0, {}},
-                              {"Z", Vec3::UnitZ(), blue, 0, {}},
-                              {"-X", -Vec3::UnitX(), red, 0, {}},
-                              {"-Y", -Vec3::UnitY(), green, 0, {}},
-                              {"-Z", -Vec3::UnitZ(), blue, 0, {}}}};
-    const Mat4 view = view_from_world(camera);
-    const float reach = axis_reach * ui::scale();
-    const ImVec2 centre = axis_centre(state);
-    for (Axis& axis : axes) {
-        const Vec3 seen = view.block<3, 3>(0, 0) * axis.direction;
-        axis.depth = seen.z();
-        axis.tip = {centre.x + reach * static_cast<float>(seen.x()),
-                    centre.y - reach * static_cast<float>(seen.y())};
-    }
-    std::stable_sort(axes.begin(), axes.end(),
-                     [](const Axis& a, const Axis& b) { return a.depth < b.depth; });
-    return axes;
-}
-
 }  // namespace
 
 void playtest_frame(Editor& editor, FrameContext& frame) {
@@ -87,7 +45,8 @@ void playtest_frame(Editor& editor, FrameContext& frame) {
     const float wheel = ImGui::GetIO().MouseWheel;
     if (wheel != 0.0f)
         playtest.boom = std::clamp(playtest.boom * std::pow(0.88, static_cast<double>(wheel)), 1.0, 30.0);
-    playtest.advance(editor.document->scene(), editor.document->level().movement, input, frame.seconds);
+    playtest.advance(editor.lab.scene(*editor.document), editor.document->level().movement, input,
+                     frame.seconds);
     frame.wants_cursor_capture = true;
     frame.animating = true;
 }
@@ -117,40 +76,80 @@ void playtest_hud(const Editor& editor, const ViewportState& state) {
     list.AddText(at, ui::packed(ui::palette().muted), help);
 }
 
-void axis_buttons(Editor& editor, ViewportState& state) {
-    state.lit_axis = nullptr;
-    const float dot = axis_dot * ui::scale();
-    if (!axes_fit(state)) return;
-    const ui::Scope scope("Axis");
-    const std::array<Axis, 6> axes = axes_back_to_front(editor.view.camera(), state);
-    // Items first come first served: the nearest tip gets the click.
-    for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
-        ImGui::SetCursorScreenPos({axis->tip.x - dot, axis->tip.y - dot});
-        const bool pressed = ImGui::InvisibleButton(axis->name, {2 * dot, 2 * dot});
-        ui::record_last_item(axis->name);
-        if (ImGui::IsItemHovered()) state.lit_axis = axis->name;
-        if (pressed)
-            editor.view.look_at(editor.view.pivot + axis->direction * editor.view.distance,
-                                editor.view.pivot);
-    }
+void draw_outline(const ViewportState& state) {
+    if (state.outline.size() < 2) return;
+    std::vector<ImVec2> points;
+    for (const Vec2& point : state.outline)
+        points.push_back(
+            {state.min.x + static_cast<float>(point.x()), state.min.y + static_cast<float>(point.y())});
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const int count = static_cast<int>(points.size());
+    const ImVec4 accent = ui::palette().accent;
+    list.PushClipRect(state.min, {state.min.x + state.size.x, state.min.y + state.size.y}, true);
+    // Filled only where it is sure to be convex.
+    if (count == 4) list.AddConvexPolyFilled(points.data(), count, ui::packed(ui::with_alpha(accent, 0.10f)));
+    points.push_back(points.front());
+    list.AddPolyline(points.data(), count + 1, IM_COL32(0, 0, 0, 140), 0, 3.0f * ui::scale());
+    list.AddPolyline(points.data(), count + 1, ui::packed(accent), 0, 1.5f * ui::scale());
+    list.PopClipRect();
 }
 
-void draw_axes(const Editor& editor, const ViewportState& state) {
-    if (!axes_fit(state)) return;
-    const float scale = ui::scale(), dot = axis_dot * scale;
-    const ImVec2 centre = axis_centre(state);
-    const ImFont* const font = ui::fonts().small;
+namespace {
+
+constexpr float ids_reach = 150.0f;  // design pixels around the mouse
+constexpr std::size_t most_id_faces = 600;
+
+// The faces around the hovered one, nearest first by steps over edges.
+std::vector<FaceId> faces_around(const Document& document, FaceId start) {
+    std::vector<FaceId> faces{start};
+    std::set<FaceId> seen{start};
+    for (std::size_t i = 0; i < faces.size() && faces.size() < most_id_faces; ++i)
+        for (const FaceId next : document.neighbours().of(faces[i]))
+            if (seen.insert(next).second) faces.push_back(next);
+    return faces;
+}
+
+}  // namespace
+
+void draw_triangle_ids(const Editor& editor, const ViewportState& state) {
+    if (!editor.show_triangle_ids || editor.hovered == no_id) return;
+    const Document& document = *editor.document;
+    const Mesh& mesh = document.mesh();
+    const Camera camera = shown_camera(editor);
+    const Vec2 size{static_cast<double>(state.size.x), static_cast<double>(state.size.y)};
+    const Vec2 mouse = project(camera, editor.hovered_point, size).head<2>();
+    const double reach = static_cast<double>(ids_reach * ui::scale());
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    for (const Axis& axis : axes_back_to_front(editor.view.camera(), state)) {
-        const bool positive = axis.name[0] != '-';
-        const bool lit = state.lit_axis && std::string_view(state.lit_axis) == axis.name;
-        const ImU32 color = positive || lit ? axis.color : (axis.color & 0x00ffffffu) | 0x66000000u;
-        if (positive) list.AddLine(centre, axis.tip, color, 2.5f * scale);
-        list.AddCircleFilled(axis.tip, positive || lit ? dot : dot * 0.62f, color, 20);
-        if (!positive) continue;
-        const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, 0.0f, axis.name);
-        list.AddText(font, font->FontSize, {axis.tip.x - size.x * 0.5f, axis.tip.y - size.y * 0.5f},
-                     IM_COL32(20, 22, 26, 255), axis.name);
+    const ImFont* const font = ui::fonts().small;
+    for (const FaceId face : faces_around(document, editor.hovered)) {
+        if (document.is_hidden(face)) continue;
+        for (std::uint32_t t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1]; ++t) {
+            std::array<Vec2, 3> corners;
+            Vec3 centre = Vec3::Zero();
+            for (std::size_t i = 0; i < 3; ++i) {
+                const Vec3 corner = mesh.corner_position(mesh.triangles[t][i]).cast<double>();
+                corners[i] = project(camera, corner, size).head<2>();
+                centre += corner / 3.0;
+            }
+            const Vec3 at = project(camera, centre, size);
+            if (at.z() <= 0.0 && !camera.orthographic) continue;
+            if ((at.head<2>() - mouse).norm() > reach) continue;
+            const std::string text = std::to_string(t);
+            const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0.0f, text.c_str());
+            // A number that does not fit its triangle would only hide the others.
+            const Vec2 a = corners[1] - corners[0], b = corners[2] - corners[0];
+            const double area = 0.5 * std::abs(a.x() * b.y() - a.y() * b.x());
+            if (area < 1.2 * static_cast<double>(extent.x * extent.y)) continue;
+            const ImVec2 middle{state.min.x + static_cast<float>(at.x()),
+                                state.min.y + static_cast<float>(at.y())};
+            const ImVec2 min{middle.x - 0.5f * extent.x, middle.y - 0.5f * extent.y};
+            list.AddRectFilled({min.x - 3, min.y - 1}, {min.x + extent.x + 3, min.y + extent.y + 1},
+                               IM_COL32(14, 16, 20, 190), 3 * ui::scale());
+            list.AddText(
+                font, font->FontSize, min,
+                face == editor.hovered ? ui::packed(ui::palette().accent) : IM_COL32(235, 238, 242, 255),
+                text.c_str());
+        }
     }
 }
 

@@ -18,6 +18,7 @@ Color faded(Color color, float alpha) {
 
 // Metres that one pixel covers at `point`.
 double metres_per_pixel(const Camera& camera, const Vec3& point, double viewport_height) {
+    if (camera.orthographic) return camera.ortho_height / std::max(1.0, viewport_height);
     const double depth = std::max(0.01, (point - camera.eye).dot((camera.target - camera.eye).normalized()));
     return 2.0 * depth * std::tan(0.5 * camera.fov_y) / std::max(1.0, viewport_height);
 }
@@ -34,18 +35,24 @@ void add_spawn(Overlay& overlay, const Document& document) {
 }
 
 void add_brush(Overlay& overlay, const Editor& editor) {
-    if (editor.tool != Tool::paint || editor.hovered == no_id || editor.brush_radius <= 0.0) return;
-    overlay.disc(editor.hovered_point + editor.hovered_normal * 0.01, editor.hovered_normal,
-                 editor.brush_radius, faded(accent, 0.06f), accent);
+    if (editor.hovered == no_id) return;
+    double radius = 0.0;
+    if (editor.tool == Tool::paint) radius = editor.brush_radius;
+    if (editor.tool == Tool::select && editor.select_shape == SelectShape::brush)
+        radius = editor.select_radius;
+    if (radius <= 0.0) return;
+    overlay.disc(editor.hovered_point + editor.hovered_normal * 0.01, editor.hovered_normal, radius,
+                 faded(accent, 0.06f), accent);
 }
 
 void add_probe(Overlay& overlay, const Editor& editor, const Camera& camera, double viewport_height) {
-    if (!editor.probe.placed || (editor.tool != Tool::probe && !editor.show_probe_table)) return;
+    if (!editor.probe.placed || (editor.tool != Tool::probe && !editor.layout.shown(PanelId::probe))) return;
     const Document& document = *editor.document;
     const MovementSettings& settings = document.level().movement;
     const Probe& probe = editor.probe;
     const ProbeResult result = run_probe(probe, document.scene(), settings);
-    draw_trace(overlay, result.records, settings.radii);
+    draw_trace(overlay, first_sweeps(result.records, probe.shown_sweeps.value_or(result.records.size())),
+               settings.radii);
     if (probe.move.isZero()) overlay.ellipsoid(probe.from, settings.radii, faded(accent, 0.14f), accent);
     if (editor.tool != Tool::probe) return;
     const Vec3 end = probe.from + probe.move;
@@ -78,16 +85,18 @@ void add_player(Overlay& overlay, const Editor& editor) {
 
 }  // namespace
 
-Overlay viewport_overlay(const Editor& editor, const ViewportState& state) {
+Overlay viewport_overlay(const Editor& editor, const Camera& camera, double height) {
     Overlay overlay;
     if (editor.playtest) {
         add_player(overlay, editor);
         return overlay;
     }
-    const double height = static_cast<double>(state.size.y);
     add_spawn(overlay, *editor.document);
     add_brush(overlay, editor);
-    add_probe(overlay, editor, editor.view.camera(), height);
+    add_probe(overlay, editor, camera, height);
+    add_heat(overlay, editor);
+    add_reach(overlay, editor);
+    add_lab(overlay, editor);
     return overlay;
 }
 

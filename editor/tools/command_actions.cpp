@@ -1,8 +1,6 @@
 #include "tools/command_actions.h"
 
 #include <algorithm>
-#include <iterator>
-#include <numeric>
 #include <utility>
 
 #include "slipface/base/text.h"
@@ -11,13 +9,6 @@ namespace slipface::command_actions {
 namespace {
 
 constexpr double smallest_brush_m = 0.25, largest_brush_m = 64.0;
-constexpr double usual_aspect = 1.6;  // of the viewport; framing leaves air around, so that others fit too
-
-std::vector<FaceId> every_face(const Document& document) {
-    std::vector<FaceId> faces(document.mesh().face_count());
-    std::iota(faces.begin(), faces.end(), FaceId{0});
-    return faces;
-}
 
 std::string metres_text(double metres) {
     std::string text = std::to_string(metres);
@@ -91,31 +82,6 @@ void redo(Editor& editor) {
     editor.document->redo();
 }
 
-void select_all(Editor& editor) {
-    editor.document->select(every_face(*editor.document));
-}
-void select_none(Editor& editor) {
-    editor.document->select({});
-}
-
-void invert_selection(Editor& editor) {
-    const std::vector<FaceId> all = every_face(*editor.document);
-    const auto selected = editor.document->selection();
-    std::vector<FaceId> others;
-    std::set_difference(all.begin(), all.end(), selected.begin(), selected.end(), std::back_inserter(others));
-    editor.document->select(std::move(others));
-}
-
-void select_brush_type(Editor& editor) {
-    const Document& document = *editor.document;
-    std::vector<FaceId> faces = every_face(document);
-    std::erase_if(faces, [&](FaceId face) {
-        return editor.brush ? document.resolved().surface[face] != *editor.brush
-                            : document.resolved().source[face] == SurfaceSource::override_;
-    });
-    editor.document->select(std::move(faces));
-}
-
 void fill_selection(Editor& editor) {
     editor.document->paint(editor.document->selection(), editor.brush);
 }
@@ -124,10 +90,10 @@ void unset_selection(Editor& editor) {
 }
 
 void frame_selection(Editor& editor) {
-    frame_selected(editor, usual_aspect);
+    frame_selected(editor, editor.view_aspect);
 }
 void frame_all(Editor& editor) {
-    editor.view.frame(editor.document->mesh().bounds, usual_aspect);
+    editor.view.frame(editor.document->mesh().bounds, editor.view_aspect);
 }
 
 void toggle_overlay(Editor& editor) {
@@ -136,6 +102,11 @@ void toggle_overlay(Editor& editor) {
     else
         editor.style.overlay =
             editor.overlay_strength > 0.0f ? editor.overlay_strength : LevelStyle{}.overlay;
+}
+
+void reset_layout(Editor& editor) {
+    editor.layout = {};
+    editor.status = "Layout reset";
 }
 
 void larger_brush(Editor& editor) {

@@ -1,4 +1,4 @@
-// What the rows of the command table do. Only commands.cpp needs these.
+// What the rows of the command table do. Only the commands_<area>.cpp need these.
 #pragma once
 
 #include "tools/editor.h"
@@ -26,15 +26,12 @@ void save(Editor& editor);
 void save_as(Editor& editor);
 void undo(Editor& editor);
 void redo(Editor& editor);
-void select_all(Editor& editor);
-void select_none(Editor& editor);
-void invert_selection(Editor& editor);
-void select_brush_type(Editor& editor);
 void fill_selection(Editor& editor);
 void unset_selection(Editor& editor);
 void frame_selection(Editor& editor);
 void frame_all(Editor& editor);
 void toggle_overlay(Editor& editor);
+void reset_layout(Editor& editor);
 void larger_brush(Editor& editor);
 void smaller_brush(Editor& editor);
 void brush_unset(Editor& editor);
@@ -84,6 +81,14 @@ bool flag_is(const Editor& editor) {
 template <bool LevelStyle::*Flag>
 void toggle_flag(Editor& editor) {
     editor.style.*Flag = !(editor.style.*Flag);
+}
+template <std::size_t Row>
+bool panel_is_shown(const Editor& editor) {
+    return editor.layout.shown(panel_table()[Row].id);
+}
+template <std::size_t Row>
+void toggle_panel_at(Editor& editor) {
+    editor.layout.toggle(panel_table()[Row].id);
 }
 template <bool Editor::*Panel>
 bool shown(const Editor& editor) {

@@ -7,22 +7,15 @@
 #include <string_view>
 
 #include "tools/editor.h"
+#include "tools/shortcut.h"
 
 namespace slipface {
-
-// A shortcut by label, the key that carries the letter on the user's keyboard.
-struct Shortcut {
-    std::string key;  // "S", "1", "F5", "Delete", "Escape"; empty: none
-    bool ctrl = false, shift = false, alt = false;
-    std::string text() const;  // "Ctrl+Shift+S"
-    friend bool operator==(const Shortcut&, const Shortcut&) = default;
-};
 
 struct Command {
     const char* id;           // "file.save", as scripts name it
     const char* icon;         // UTF-8 of a Font Awesome 4.7 glyph, or ""
     const char* label;        // "Save", "Save as…" when it asks for more
-    const char* menu;         // "File", "Edit", "View", "Tools", "Playtest", "Help"
+    const char* menu;         // "File", "View/Panels" for a submenu, "" for no menu
     const char* description;  // the tooltip's sentence
     const char* search;       // more words to find it by
     Shortcut shortcut;
@@ -33,9 +26,11 @@ struct Command {
 
 std::span<const Command> commands();
 const Command* find_command(std::string_view id);
-// The command for a pressed key, or null; first in the table wins, and a test keeps the table free of
-// conflicts.
+// The table's command for a key, or null; a test keeps the table free of conflicts. What the user's own keys
+// are, Editor::session.keymap knows.
 const Command* command_for(const Shortcut& pressed);
+// The key that runs it now, as text for menus and tooltips; empty: none.
+std::string shortcut_text(const Editor& editor, const Command& command);
 // Runs it if it is enabled. False if not.
 bool run_command(Editor& editor, std::string_view id);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -48,8 +49,15 @@ std::string commands_markdown() {
         "name a command "
         "by its id.\n\n"
         "Shortcuts go by the letter on the key. W A S D Q E fly while the right mouse button is down.\n\n";
-    for (const char* menu : {"File", "Edit", "View", "Tools", "Playtest", "Help", ""}) {
-        text += fmt::format("## {}\n\n", *menu ? menu : "Without a menu entry");
+    std::vector<std::string_view> menus;
+    for (const Command& command : commands())
+        if (std::find(menus.begin(), menus.end(), command.menu) == menus.end()) menus.push_back(command.menu);
+    std::stable_partition(menus.begin(), menus.end(), [](std::string_view menu) { return !menu.empty(); });
+    for (const std::string_view menu : menus) {
+        std::string title(menu.empty() ? "Without a menu entry" : menu);
+        if (const std::size_t slash = title.find('/'); slash != std::string::npos)
+            title.replace(slash, 1, ", ");
+        text += fmt::format("## {}\n\n", title);
         text += row({"Command", "Shortcut", "Id", "What it does"}) + row({"---", "---", "---", "---"});
         for (const Command& command : commands())
             if (std::string_view(command.menu) == menu)

@@ -2,8 +2,10 @@
 #include "tools/editor.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "document/faces.h"
+#include "tools/lab_actions.h"
 
 namespace slipface {
 namespace {
@@ -50,21 +52,42 @@ void open_level(Editor& editor, const std::filesystem::path& path) {
         editor.message = MessageDialog{"Cannot open " + name, opened.error().text(), {}};
         return;
     }
+    adopt_document(editor, std::move(opened).value(), path);
+}
+
+void geometry_changed(Editor& editor) {
     editor.playtest.reset();
-    editor.live_edit = false;
-    editor.document = std::move(opened).value();
-    editor.recent.add(path);
     forget_hover(editor);
     editor.tool_faces = {};
     editor.probe = {};
-    const Document& document = *editor.document;
+    editor.session.report.reset();
+    editor.session.problem.reset();
     keep_brush_valid(editor);
+    const Document& document = *editor.document;
+    if (!document.warnings().empty() || !document.level().orphans.empty())
+        editor.layout.show(PanelId::warnings);
+}
+
+void adopt_document(Editor& editor, std::unique_ptr<Document> opened, const std::filesystem::path& path) {
+    document_is_safe(editor);
+    editor.live_edit = false;
+    editor.lab.close();
+    editor.audit.reset();
+    editor.document = std::move(opened);
+    editor.recent.add(path);
+    geometry_changed(editor);
+    const Document& document = *editor.document;
+    editor.session.watch.start(document.level().mesh_path, document.level().file_path);
+    editor.camera_shown.reset();
+    editor.view.orthographic = false;
+    const std::size_t panes = std::exchange(editor.panes, {}).count;
+    set_pane_count(editor, panes);  // the others look at the new level
     if (const std::vector<CameraBookmark>& cameras = document.level().cameras; !cameras.empty())
         editor.view.look_at(cameras.front().eye, cameras.front().target);
     else
         editor.view.frame(document.mesh().bounds, opening_aspect);
-    editor.show_warnings = !document.warnings().empty() || !document.level().orphans.empty();
-    editor.status = "Opened " + name + ", " + count_text(document.mesh().face_count(), "face", "faces");
+    editor.status = "Opened " + path.filename().string() + ", " +
+                    count_text(document.mesh().face_count(), "face", "faces");
 }
 
 void request_open(Editor& editor, const std::filesystem::path& path) {
@@ -72,7 +95,7 @@ void request_open(Editor& editor, const std::filesystem::path& path) {
     if (editor.document && editor.document->dirty())
         editor.unsaved = UnsavedDialog{UnsavedDialog::Then::open, path};
     else
-        open_level(editor, path);
+        start_loading(editor, path);
 }
 
 void save_level(Editor& editor) {
@@ -88,6 +111,8 @@ void save_level_as(Editor& editor, const std::filesystem::path& level_file) {
         editor.message = MessageDialog{"Cannot save " + file.filename().string(), status.error().text(), {}};
         return;
     }
+    document_is_safe(editor);
+    editor.session.watch.start(editor.document->level().mesh_path, editor.document->level().file_path);
     editor.status = "Saved " + file.filename().string();
 }
 
@@ -109,7 +134,7 @@ void answer_unsaved(Editor& editor, UnsavedChoice choice) {
         if (editor.document && editor.document->dirty()) return;  // saving failed and said why
     }
     if (asked.then == UnsavedDialog::Then::open)
-        open_level(editor, asked.open_path);
+        start_loading(editor, asked.open_path);
     else
         editor.quit = true;
 }
@@ -132,26 +157,40 @@ const std::vector<FaceId>& tool_faces(const Editor& editor) {
         found = {};
         return found.faces;
     }
-    const double size = editor.tool == Tool::fill ? editor.fill_angle : editor.brush_radius;
-    const bool by_point = editor.tool == Tool::paint && editor.brush_radius > 0.0;
+    const bool selects_by_brush = editor.tool == Tool::select && editor.select_shape == SelectShape::brush;
+    const double size = editor.tool == Tool::fill ? editor.fill_angle
+                        : selects_by_brush        ? editor.select_radius
+                                                  : editor.brush_radius;
+    const bool by_point = (editor.tool == Tool::paint || selects_by_brush) && size > 0.0;
     if (found.document == document && found.mesh == &document->mesh() && found.tool == editor.tool &&
         found.hovered == editor.hovered && found.size == size &&
         (!by_point || found.point == editor.hovered_point))
         return found.faces;
 
+    // Within a flood every face has the same flood.
+    if (editor.tool == Tool::fill && found.document == document && found.mesh == &document->mesh() &&
+        found.tool == editor.tool && found.size == size &&
+        std::binary_search(found.faces.begin(), found.faces.end(), editor.hovered)) {
+        found.hovered = editor.hovered;
+        return found.faces;
+    }
     found = {document, &document->mesh(), editor.tool, editor.hovered, editor.hovered_point, size, {}};
     switch (editor.tool) {
         case Tool::probe:
             break;
         case Tool::select:
             found.faces = {editor.hovered};
+            if (selects_by_brush)
+                found.faces = brush_faces(document->mesh(), document->neighbours(), editor.hovered,
+                                          editor.hovered_point, size);
             break;
         case Tool::paint:
             found.faces = brush_faces(document->mesh(), document->neighbours(), editor.hovered,
                                       editor.hovered_point, size);
             break;
         case Tool::fill:
-            found.faces = flood_by_angle(document->mesh(), document->neighbours(), editor.hovered, size);
+            found.faces = flood_by_angle(document->facts(), document->neighbours(),
+                                         std::span(&editor.hovered, 1), size);
             break;
     }
     return found.faces;
@@ -165,28 +204,8 @@ void paint_hovered(Editor& editor) {
 
 void fill_hovered(Editor& editor) {
     if (!editor.document || editor.hovered >= editor.document->mesh().face_count()) return;
-    paint_faces(editor, flood_by_angle(editor.document->mesh(), editor.document->neighbours(), editor.hovered,
-                                       editor.fill_angle));
-}
-
-void click_select(Editor& editor, bool add) {
-    if (!editor.document) return;
-    Document& document = *editor.document;
-    if (editor.hovered >= document.mesh().face_count()) {
-        if (!add) document.select({});
-        return;
-    }
-    if (!add) {
-        document.select({editor.hovered});
-        return;
-    }
-    std::vector<FaceId> faces(document.selection().begin(), document.selection().end());
-    const auto found = std::lower_bound(faces.begin(), faces.end(), editor.hovered);
-    if (found != faces.end() && *found == editor.hovered)
-        faces.erase(found);
-    else
-        faces.insert(found, editor.hovered);
-    document.select(std::move(faces));
+    paint_faces(editor, flood_by_angle(editor.document->facts(), editor.document->neighbours(),
+                                       std::span(&editor.hovered, 1), editor.fill_angle));
 }
 
 void pick_surface(Editor& editor) {
@@ -229,10 +248,12 @@ void start_playtest(Editor& editor) {
     finish_edits(editor);
     const Document& document = *editor.document;
     const bool first_person = editor.playtest && editor.playtest->first_person;
+    take_playtest_tape(editor);  // of the attempt that ends here
     editor.playtest.emplace();
     editor.playtest->first_person = first_person;
     editor.playtest->start(document.level().spawn, document.level().spawn_yaw);
-    editor.playtest->name_level(document.level().mesh_path.filename().string(), document.mesh().fingerprint);
+    editor.playtest->name_level(document.level().mesh_path.filename().string(), document.mesh().fingerprint,
+                                scene_fingerprint(editor.lab.scene(document).at(0, 0.0)));
     editor.status =
         overlaps_any(document.collision(), document.level().movement.radii, document.level().spawn)
             ? "The spawn point overlaps the level"
@@ -240,6 +261,7 @@ void start_playtest(Editor& editor) {
 }
 
 void stop_playtest(Editor& editor) {
+    take_playtest_tape(editor);
     editor.playtest.reset();
 }
 
@@ -250,6 +272,8 @@ std::vector<std::uint8_t> face_highlights(const Editor& editor) {
         highlights[face] = 1;
     for (const FaceId face : editor.document->selection())
         highlights[face] = static_cast<std::uint8_t>(highlights[face] | 2);
+    for (const FaceId face : editor.document->hidden())
+        highlights[face] = 4;
     return highlights;
 }
 

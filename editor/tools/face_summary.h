@@ -17,9 +17,11 @@ struct FaceSummary {
     double slope_min = 0.0,
            slope_max = 0.0;  // radians: 0 floor, pi/2 wall, pi ceiling; of the faces with area
     bool has_slope = false;
-    std::optional<std::string> material, group;
+    std::optional<std::string> material, group;  // names
     std::optional<SurfaceId> surface;
     std::optional<SurfaceSource> source;
+    std::optional<SurfaceId> unpainted;  // what the painted ones would be without their paint
+    std::optional<SurfaceSource> unpainted_source;
 };
 
 // Faces outside the level are left out.

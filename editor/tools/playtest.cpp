@@ -4,13 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "slipface/base/text.h"
-
 namespace slipface {
 namespace {
 
 constexpr double steepest_look = 1.5;   // radians
-constexpr double fall_limit_m = 60.0;   // below the level
 constexpr double camera_radius = 0.15;  // metres kept between the third-person camera and walls
 constexpr double eye_height = 0.7;      // shares of the vertical radius above the centre
 constexpr double shoulder_height = 0.5;
@@ -28,42 +25,49 @@ Vec2 world_wish(const Vec2& stick, double yaw) {
     return length > 1.0 ? Vec2(wish / length) : wish;
 }
 
-std::vector<std::string> changed_settings(const MovementSettings& settings) {
-    std::vector<std::string> changed;
-    const MovementSettings defaults;
-    for (const SettingInfo& info : settings_table()) {
-        const double value = get_setting(settings, info);
-        if (value != get_setting(defaults, info))
-            changed.push_back(std::string(info.name) + "=" + to_text(value));
-    }
-    return changed;
-}
-
 }  // namespace
 
 void Playtest::start(const Vec3& spawn, double spawn_yaw) {
     spawn_ = spawn;
     state_ = PlayerState{};
     state_.position = spawn;
-    previous_ = state_;
+    shown_from_ = shown_to_ = spawn;
     yaw = spawn_yaw;
     pitch = -0.2;
     unspent_s_ = 0.0;
     jump_pressed_ = false;
     trace_.clear();
     tape_.start = spawn;
+    tape_.from_defaults = true;
     tape_.settings.clear();
     tape_.segments.clear();
-    tape_repeats_ = true;
+    tape_.changes.clear();
+    tape_.end_hash.reset();
+    tape_ticks_ = 0;
+    hash_ = 0;
 }
 
-void Playtest::name_level(std::string name, std::uint64_t fingerprint) {
+void Playtest::resume(const Tape& tape, const MovementSettings& settings, const PlayerState& state,
+                      const Vec3& place, std::uint64_t hash, double state_yaw) {
+    start(tape.start.value_or(place), state_yaw);
+    shown_from_ = shown_to_ = place;
+    tape_ = tape;
+    tape_.end_hash.reset();
+    tape_settings_ = settings;
+    tape_ticks_ = tape.tick_count();
+    state_ = state;
+    hash_ = hash;
+}
+
+void Playtest::name_level(std::string name, std::uint64_t mesh_fingerprint,
+                          std::uint64_t surfaces_fingerprint) {
     tape_.level_name = std::move(name);
-    tape_.level_fingerprint = fingerprint;
+    tape_.level_fingerprint = mesh_fingerprint;
+    tape_.surfaces_fingerprint = surfaces_fingerprint;
 }
 
-int Playtest::advance(const MovementScene& scene, const MovementSettings& settings,
-                      const PlaytestInput& input, double seconds) {
+int Playtest::advance(const TickScene& scene, const MovementSettings& settings, const PlaytestInput& input,
+                      double seconds) {
     if (input.look.allFinite()) {
         yaw = std::remainder(yaw - input.look.x(), 2.0 * std::numbers::pi);
         pitch = std::clamp(pitch + input.look.y(), -steepest_look, steepest_look);
@@ -80,40 +84,34 @@ int Playtest::advance(const MovementScene& scene, const MovementSettings& settin
         }
         unspent_s_ -= tick_s;
 
-        if (tape_.segments.empty()) {
-            tape_settings_ = settings;
-            tape_.settings = changed_settings(settings);
+        if (tape_ticks_ == 0) {
+            tape_.settings = setting_changes(MovementSettings{}, settings);
         } else if (!(tape_settings_ == settings)) {
-            tape_repeats_ = false;
+            for (std::string& change : setting_changes(tape_settings_, settings))
+                tape_.changes.push_back({tape_ticks_, std::move(change)});
         }
+        tape_settings_ = settings;
         const PlayerInput tick_input{world_wish(input.stick, yaw), jump_pressed_ || input.jump};
         jump_pressed_ = false;
         append_tick(tape_, tick_input);
 
         TraceRecorder recorder;
-        previous_ = state_;
-        state_ = step(scene, settings, state_, tick_input, tick_s, &recorder).state;
+        if (tape_ticks_ == 0) state_ = scene.player_at(spawn_);
+        const TickResult result = play_tick(scene.at(tape_ticks_, tick_s), settings, state_, tick_input,
+                                            tick_s, scene.player_at(spawn_), &recorder);
+        state_ = result.state;
+        hash_ = state_hash(state_, hash_);
+        ++tape_ticks_;
         trace_ = std::move(recorder.records);
-        if (state_.hazard) {
-            state_ = PlayerState{};
-            state_.position = spawn_;
-            state_.jump_held = tick_input.jump;
-            previous_ = state_;
-        }
-        const Aabb bounds = scene.collision.bounds();
-        if (!bounds.empty() && state_.position.y() < std::min(bounds.min.y(), spawn_.y()) - fall_limit_m) {
-            const double looked = pitch;
-            start(spawn_, yaw);
-            pitch = looked;
-            return ticks + 1;
-        }
+        shown_from_ = result.respawn == Respawn::none ? shown_to_ : scene.to_level(state_);
+        shown_to_ = scene.to_level(state_);
     }
     return ticks;
 }
 
 Vec3 Playtest::shown_position() const {
     const double share = std::clamp(unspent_s_ / tick_s, 0.0, 1.0);
-    return previous_.position + share * (state_.position - previous_.position);
+    return shown_from_ + share * (shown_to_ - shown_from_);
 }
 
 Camera Playtest::camera(const MovementScene& scene, const MovementSettings& settings) const {

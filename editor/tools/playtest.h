@@ -3,7 +3,7 @@
 
 #include "slipface/movement/step.h"
 #include "slipface/render/camera.h"
-#include "slipface/sim/tape.h"
+#include "slipface/sim/simulate.h"
 
 namespace slipface {
 
@@ -23,34 +23,42 @@ class Playtest {
     double boom = 5.0;               // third person: metres behind the player
 
     void start(const Vec3& spawn, double spawn_yaw);
-    // The same for a level that is known: its name and fingerprint are written onto the tape.
-    void name_level(std::string name, std::uint64_t fingerprint);
+    // The level's name and fingerprints are written onto the tape.
+    void name_level(std::string name, std::uint64_t mesh_fingerprint, std::uint64_t surfaces_fingerprint);
 
-    // Advances by `seconds` of real time in whole ticks. Returns how many were made. A hazard puts the player
-    // back to the spawn. Who falls far below the level starts anew, tape included.
-    int advance(const MovementScene& scene, const MovementSettings& settings, const PlaytestInput& input,
+    // Goes on from the end of `tape`, in the state and at the place that its run has there.
+    void resume(const Tape& tape, const MovementSettings& settings, const PlayerState& state,
+                const Vec3& place, std::uint64_t hash, double state_yaw);
+
+    // Advances by `seconds` of real time in whole ticks. Returns how many were made. A hazard, or a fall far
+    // below the level, puts the player back to the spawn.
+    int advance(const TickScene& scene, const MovementSettings& settings, const PlaytestInput& input,
                 double seconds);
 
     const PlayerState& state() const { return state_; }
     Vec3 shown_position() const;  // interpolated between the last two ticks
     // Third person is pulled in front of walls so that the player is always seen.
     Camera camera(const MovementScene& scene, const MovementSettings& settings) const;
-    const Tape& tape() const {
-        return tape_;
-    }  // everything since start(), with the settings that differ from the defaults
-    // False once the settings were changed on the way: then no tape repeats this run.
-    bool tape_repeats() const { return tape_repeats_; }
+    // Everything since start(), with all settings, those changed on the way too: it repeats the run bit by
+    // bit.
+    const Tape& tape() const { return tape_; }
+    std::uint64_t hash() const {
+        return hash_;
+    }  // state_hash() of the last tick, as `end` of a tape names it
     std::span<const TraceRecord> last_trace() const { return trace_; }  // of the last tick
     double speed() const { return state_.velocity.norm(); }
 
   private:
-    PlayerState state_, previous_;
+    PlayerState state_;
+    Vec3 shown_from_ = Vec3::Zero(),
+         shown_to_ = Vec3::Zero();  // the last two ticks, in the level's coordinates
     Vec3 spawn_ = Vec3::Zero();
     double unspent_s_ = 0.0;
     bool jump_pressed_ = false;  // since the last tick, even if released again
     Tape tape_;
-    MovementSettings tape_settings_;
-    bool tape_repeats_ = true;
+    std::size_t tape_ticks_ = 0;
+    std::uint64_t hash_ = 0;
+    MovementSettings tape_settings_;  // of the last tick on the tape
     std::vector<TraceRecord> trace_;
 };
 

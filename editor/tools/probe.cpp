@@ -4,6 +4,7 @@
 
 #include "slipface/base/text.h"
 #include "slipface/collision/collision_world.h"
+#include "slipface/sim/probe_test.h"
 
 namespace slipface {
 namespace {
@@ -60,6 +61,23 @@ std::vector<ProbeRow> probe_rows(std::span<const TraceRecord> records) {
         }
     }
     return rows;
+}
+
+std::span<const TraceRecord> first_sweeps(std::span<const TraceRecord> records, std::size_t sweeps) {
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        if (!std::holds_alternative<SweepRecord>(records[i])) continue;
+        if (sweeps == 0) return records.first(i);
+        --sweeps;
+    }
+    return records;
+}
+
+std::string probe_test_text(const Probe& probe, const Document& document) {
+    const Level& level = document.level();
+    ProbeTest test = make_probe_test(document.scene(), level.movement, probe.from, probe.move);
+    test.level_name = level.mesh_path.filename().string();
+    test.level_fingerprint = document.mesh().fingerprint;
+    return probe_test_to_text(test);
 }
 
 std::string probe_command_line(const Probe& probe, const MovementSettings& settings,

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "slipface/movement/step.h"
+#include "document/document.h"
 
 namespace slipface {
 
@@ -15,6 +15,8 @@ struct Probe {
     bool placed = false;
     Vec3 from = Vec3::Zero();  // centre
     Vec3 move = Vec3::Zero();  // metres
+    // How many of the sweeps are shown, from the first on; nothing: all.
+    std::optional<std::size_t> shown_sweeps = std::nullopt;
 
     // Puts the ellipsoid onto a surface hit at `point` with `normal`, just clear of it.
     void place_on(const Vec3& point, const Vec3& normal, const MovementSettings& settings);
@@ -33,6 +35,12 @@ struct ProbeRow {
     std::optional<ResponseRecord> response;
 };
 std::vector<ProbeRow> probe_rows(std::span<const TraceRecord> records);
+
+// The records up to and with the sweep of that number and what it led to.
+std::span<const TraceRecord> first_sweeps(std::span<const TraceRecord> records, std::size_t sweeps);
+
+// The probe as the text of a test, which `slipface sweep LEVEL --test FILE` runs.
+std::string probe_test_text(const Probe& probe, const Document& document);
 
 // The command line that repeats the probe's first sweep.
 std::string probe_command_line(const Probe& probe, const MovementSettings& settings,

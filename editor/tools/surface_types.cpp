@@ -9,8 +9,6 @@ namespace {
 
 using Rgb = std::array<float, 3>;
 
-// Colours that colour-blind users tell apart: Okabe and Ito (2008), then lighter and darker ones of the same
-// hues.
 constexpr std::array<Rgb, 14> safe_colors{{{0.34f, 0.71f, 0.91f},
                                            {0.90f, 0.62f, 0.00f},
                                            {0.80f, 0.47f, 0.65f},
@@ -53,6 +51,10 @@ int free_hotkey(const std::vector<SurfaceType>& surfaces) {
 }
 
 }  // namespace
+
+std::span<const std::array<float, 3>> safe_surface_colors() {
+    return safe_colors;
+}
 
 std::optional<SurfaceId> add_surface_type(Editor& editor) {
     if (!editor.document) return std::nullopt;

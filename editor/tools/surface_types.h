@@ -1,9 +1,16 @@
 // Adding and changing surface types, as the palette does it.
 #pragma once
 
+#include <array>
+#include <span>
+
 #include "tools/editor.h"
 
 namespace slipface {
+
+// Colours that colour-blind users tell apart: Okabe and Ito (2008), then lighter and darker ones of the same
+// hues.
+std::span<const std::array<float, 3>> safe_surface_colors();
 
 // A new type with a free name, the next free hotkey and a colour unlike the others; it becomes the brush.
 // Nothing when the table is full.

@@ -36,6 +36,11 @@ Camera ViewCamera::camera() const {
     camera.fov_y = fov_y;
     camera.near_plane = std::clamp(distance * 0.004, 0.02, 2.0);
     camera.far_plane = std::max(2000.0, distance * 50.0);
+    if (orthographic) {
+        camera.orthographic = true;
+        camera.ortho_height = 2.0 * distance * std::tan(0.5 * fov_y);
+        camera.near_plane = -camera.far_plane;  // nothing is cut away, however far one zooms in
+    }
     return camera;
 }
 
@@ -81,6 +86,27 @@ void ViewCamera::frame(const Aabb& bounds, double aspect) {
     const Camera framed = frame_bounds(bounds, yaw, pitch, fov_y, aspect);
     pivot = framed.target;
     distance = std::clamp((framed.eye - framed.target).norm(), nearest_m, farthest_m);
+}
+
+void ViewCamera::look_from(const Vec3& direction) {
+    const double length = direction.norm();
+    if (!(length > 0.0) || !std::isfinite(length)) return;
+    const double up = direction.y() / length, across = std::hypot(direction.x(), direction.z()) / length;
+    pitch = std::atan2(up, across);
+    yaw = across > 1e-9 ? std::atan2(direction.x(), direction.z()) : 0.0;  // as on a map, -Z upwards
+}
+
+const char* ViewCamera::name() const {
+    struct Named {
+        Vec3 direction;
+        const char* name;
+    };
+    const Named views[] = {{Vec3::UnitY(), "Top"},   {-Vec3::UnitY(), "Bottom"}, {Vec3::UnitZ(), "Front"},
+                           {-Vec3::UnitZ(), "Back"}, {Vec3::UnitX(), "Right"},   {-Vec3::UnitX(), "Left"}};
+    if (!orthographic) return "Perspective";
+    for (const Named& view : views)
+        if (eye_direction(*this).dot(view.direction) > 1.0 - 1e-9) return view.name;
+    return "Orthographic";
 }
 
 void ViewCamera::look_at(const Vec3& eye, const Vec3& target) {

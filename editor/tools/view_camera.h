@@ -14,6 +14,8 @@ class ViewCamera {
     Vec3 pivot = Vec3::Zero();
     double fov_y = 1.0471975511965976;
     double fly_speed = 8.0;  // m/s
+    bool orthographic =
+        false;  // then `distance` only says how much is seen: what perspective shows at the pivot
 
     Camera camera() const;
 
@@ -26,6 +28,10 @@ class ViewCamera {
     void fly(const Vec3& right_up_forward, double seconds);  // each -1..1
     void frame(const Aabb& bounds, double aspect);           // keeps the direction; an empty box is ignored
     void look_at(const Vec3& eye, const Vec3& target);
+    // Sees the pivot from this direction (any length, not zero), straight up and down too.
+    void look_from(const Vec3& direction);
+    // "Top", "Front", ... where it looks along an axis, else "Orthographic" or "Perspective".
+    const char* name() const;
 };
 
 }  // namespace slipface

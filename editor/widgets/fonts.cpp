@@ -27,7 +27,8 @@ void add(const unsigned char* begin, const unsigned char* end, float pixels, con
     config.FontDataOwnedByAtlas = false;
     config.OversampleH = 2;
     config.OversampleV = 1;
-    config.RasterizerMultiply = 1.12f;  // light text on dark ground looks thinner than it is
+    config.RasterizerMultiply =
+        light_palette() ? 1.0f : 1.12f;  // light text on dark ground looks thinner than it is
     config.MergeMode = merge;
     if (merge) {
         config.GlyphMinAdvanceX = std::round(pixels * 1.15f);  // icons of one width line up in menus
@@ -44,6 +45,7 @@ void add(const unsigned char* begin, const unsigned char* end, float pixels, con
 void load_fonts(float scale) {
     const auto pixels = [scale](float design) { return std::max(6.0f, std::round(design * scale)); };
     loaded = {};
+    ImGui::GetIO().Fonts->Clear();
     add(slipface_font_regular, slipface_font_regular_end, pixels(16), text_ranges, false, &loaded.regular);
     add(slipface_font_icons, slipface_font_icons_end, pixels(14), icon_ranges, true, nullptr);
     add(slipface_font_semibold, slipface_font_semibold_end, pixels(16), text_ranges, false, &loaded.semibold);

@@ -4,9 +4,41 @@
 
 namespace slipface::ui {
 
+namespace {
+
+// Warm paper instead of night; every text keeps at least 4.5:1 against the grounds it stands on.
+const Palette light_colors{
+    .window{0.875f, 0.867f, 0.847f, 1.0f},
+    .panel{0.957f, 0.953f, 0.941f, 1.0f},
+    .popup{0.988f, 0.984f, 0.976f, 1.0f},
+    .raised{0.894f, 0.886f, 0.867f, 1.0f},
+    .hovered{0.847f, 0.835f, 0.808f, 1.0f},
+    .pressed{0.788f, 0.773f, 0.741f, 1.0f},
+    .border{0.745f, 0.733f, 0.706f, 1.0f},
+    .hairline{0.812f, 0.800f, 0.773f, 1.0f},
+    .text{0.129f, 0.137f, 0.157f, 1.0f},
+    .muted{0.349f, 0.369f, 0.408f, 1.0f},
+    .accent{0.588f, 0.318f, 0.016f, 1.0f},
+    .on_accent{1.0f, 0.984f, 0.957f, 1.0f},
+    .bad{0.722f, 0.133f, 0.110f, 1.0f},
+    .good{0.086f, 0.420f, 0.196f, 1.0f},
+    .view_top{0.804f, 0.835f, 0.867f, 1.0f},
+    .view_bottom{0.655f, 0.682f, 0.714f, 1.0f},
+    .shade{0.20f, 0.19f, 0.17f, 0.40f},
+};
+const Palette dark_colors{};
+const Palette* colors_in_use = &dark_colors;
+
+}  // namespace
+
 const Palette& palette() {
-    static const Palette colors;
-    return colors;
+    return *colors_in_use;
+}
+void use_light_palette(bool light) {
+    colors_in_use = light ? &light_colors : &dark_colors;
+}
+bool light_palette() {
+    return colors_in_use == &light_colors;
 }
 
 void apply_theme(float scale) {
@@ -48,7 +80,7 @@ void apply_theme(float scale) {
     color[ImGuiCol_TextDisabled] = p.muted;
     color[ImGuiCol_WindowBg] = p.panel;
     color[ImGuiCol_ChildBg] = clear;
-    color[ImGuiCol_PopupBg] = {0.137f, 0.149f, 0.173f, 1.0f};
+    color[ImGuiCol_PopupBg] = p.popup;
     color[ImGuiCol_Border] = p.hairline;
     color[ImGuiCol_BorderShadow] = clear;
     color[ImGuiCol_FrameBg] = p.raised;
@@ -85,13 +117,14 @@ void apply_theme(float scale) {
     color[ImGuiCol_TableHeaderBg] = p.panel;
     color[ImGuiCol_TableBorderStrong] = p.hairline;
     color[ImGuiCol_TableBorderLight] = with_alpha(p.hairline, 0.6f);
-    color[ImGuiCol_TableRowBgAlt] = {1, 1, 1, 0.025f};
+    color[ImGuiCol_TableRowBgAlt] = with_alpha(p.text, 0.025f);
     color[ImGuiCol_TextSelectedBg] = with_alpha(p.accent, 0.30f);
     color[ImGuiCol_DragDropTarget] = p.accent;
     color[ImGuiCol_NavHighlight] = with_alpha(p.accent, 0.8f);
     color[ImGuiCol_NavWindowingHighlight] = p.accent;
     color[ImGuiCol_NavWindowingDimBg] = {0, 0, 0, 0.35f};
-    color[ImGuiCol_ModalWindowDimBg] = {0.02f, 0.02f, 0.03f, 0.55f};
+    color[ImGuiCol_ModalWindowDimBg] = p.shade;
+    color[ImGuiCol_PlotHistogram] = with_alpha(p.accent, 0.75f);
     ImGui::GetStyle() = style;
 }
 

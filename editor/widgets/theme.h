@@ -5,10 +5,11 @@
 
 namespace slipface::ui {
 
-// Colours that panels draw with themselves.
+// Colours that panels draw with themselves. The dark theme's are the defaults.
 struct Palette {
     ImVec4 window{0.094f, 0.102f, 0.118f, 1.0f};  // behind everything
     ImVec4 panel{0.122f, 0.133f, 0.153f, 1.0f};
+    ImVec4 popup{0.137f, 0.149f, 0.173f, 1.0f};
     ImVec4 raised{0.165f, 0.180f, 0.208f, 1.0f};  // frames, buttons
     ImVec4 hovered{0.208f, 0.227f, 0.263f, 1.0f};
     ImVec4 pressed{0.247f, 0.271f, 0.314f, 1.0f};
@@ -16,12 +17,17 @@ struct Palette {
     ImVec4 hairline{0.196f, 0.212f, 0.243f, 1.0f};
     ImVec4 text{0.875f, 0.890f, 0.914f, 1.0f};
     ImVec4 muted{0.545f, 0.580f, 0.635f, 1.0f};
-    ImVec4 accent{0.945f, 0.690f, 0.330f, 1.0f};  // sand in the sun
+    ImVec4 accent{0.945f, 0.690f, 0.330f, 1.0f};  // sand in the sun; as text and as ground
     ImVec4 on_accent{0.110f, 0.086f, 0.047f, 1.0f};
     ImVec4 bad{0.937f, 0.400f, 0.361f, 1.0f};
     ImVec4 good{0.451f, 0.780f, 0.545f, 1.0f};
+    ImVec4 view_top{0.16f, 0.18f, 0.21f, 1.0f};  // behind the level
+    ImVec4 view_bottom{0.09f, 0.10f, 0.12f, 1.0f};
+    ImVec4 shade{0.02f, 0.02f, 0.03f, 0.55f};  // over the window while a dialog is open
 };
-const Palette& palette();
+const Palette& palette();  // of the theme in use
+void use_light_palette(bool light);
+bool light_palette();
 
 inline ImVec4 with_alpha(ImVec4 color, float alpha) {
     return {color.x, color.y, color.z, color.w * alpha};
@@ -39,8 +45,8 @@ struct Fonts {
     ImFont* small = nullptr;
     ImFont* title = nullptr;  // welcome screen
 };
-// Puts the embedded fonts into the current context's atlas at `scale`; the first call's fonts stay until the
-// context ends.
+// Puts the embedded fonts into the current context's atlas at `scale`, in place of those that are there.
+// Between frames only; the renderer has to upload the atlas again.
 void load_fonts(float scale);
 const Fonts& fonts();
 

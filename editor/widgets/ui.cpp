@@ -26,6 +26,12 @@ TooltipTimer& tooltip_timer() {
     return timer;
 }
 
+// The frame in which Enter counts as the dialog's primary button.
+int& accepting_frame() {
+    static int frame = -1;
+    return frame;
+}
+
 std::vector<std::unique_ptr<Scope>>& menu_scopes() {
     static std::vector<std::unique_ptr<Scope>> scopes;
     return scopes;
@@ -96,6 +102,10 @@ bool button(const char* label, const char* tip, bool enabled, ImVec2 size) {
     return pressed;
 }
 
+void request_accept() {
+    accepting_frame() = ImGui::GetFrameCount() + 1;
+}
+
 bool primary_button(const char* label, bool enabled, ImVec2 size) {
     const Palette& p = palette();
     ImGui::PushStyleColor(ImGuiCol_Button, p.accent);
@@ -104,7 +114,10 @@ bool primary_button(const char* label, bool enabled, ImVec2 size) {
     ImGui::PushStyleColor(ImGuiCol_Text, p.on_accent);
     const bool pressed = button(label, nullptr, enabled, size);
     ImGui::PopStyleColor(4);
-    return pressed;
+    const bool in_dialog = (ImGui::GetCurrentWindow()->RootWindow->Flags & ImGuiWindowFlags_Modal) != 0;
+    const bool by_key = enabled && in_dialog && accepting_frame() == ImGui::GetFrameCount();
+    if (by_key) accepting_frame() = -1;
+    return pressed || by_key;
 }
 
 bool icon_button(const char* icon, const char* name, const char* tip, bool active, bool enabled) {

@@ -64,7 +64,8 @@ bool begin_tab(const char* label);  // inside a tab bar; end_tab() only if it is
 void end_tab();
 bool primary_button(const char* label, bool enabled = true,
                     ImVec2 size = {0, 0});  // the dialog's expected answer
-void tooltip(const char* text);             // for the last item, wrapped
+void request_accept();           // Enter in a dialog: its primary button counts as pressed in the next frame
+void tooltip(const char* text);  // for the last item, wrapped
 void heading(const char* text);
 void muted_text(const char* text);  // wrapped, of less weight
 

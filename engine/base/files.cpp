@@ -180,4 +180,13 @@ Status write_file_atomic(const fs::path& path, std::string_view bytes) {
     return {};
 }
 
+bool lies_within(const fs::path& file, const fs::path& folder) {
+    std::error_code error;
+    const fs::path inner = fs::weakly_canonical(file, error);
+    if (error) return false;
+    const fs::path outer = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
+    if (error || outer.empty()) return false;
+    return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+}
+
 }  // namespace slipface

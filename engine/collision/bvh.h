@@ -3,16 +3,16 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "bvh_layout.h"
 #include "slipface/base/types.h"
 #include "vec.h"
 
 namespace slipface::detail {
 
-// A triangle as the leaves hold it: nine floats in a row, so that a leaf is one run of memory.
+// One triangle taken out of a leaf.
 struct LeafTriangle {
     std::array<float, 9> v;  // x, y, z of the three corners
     TriangleId id;
@@ -23,39 +23,55 @@ struct LeafTriangle {
     }
 };
 
-// Eight children side by side. A child is a leaf (top bit set, then the number of its triangles less one in
-// three bits, then its first triangle), a node, or missing (its box is empty and no query meets it).
-struct alignas(32) BvhNode {
-    float bound[6][8];  // min x, y, z, then max x, y, z
-    std::uint32_t child[8];
-};
-
-inline constexpr std::uint32_t leaf_bit = 0x80000000U;
-inline constexpr std::uint32_t leaf_first_mask = 0x0fffffffU;
-inline constexpr std::size_t leaf_capacity = 8;
-inline constexpr std::size_t max_triangles = std::size_t{leaf_first_mask} + 1;
-inline constexpr std::uint32_t leaf_first(std::uint32_t child) {
-    return child & leaf_first_mask;
+inline const float* leaf_coordinates(const Leaf& leaf) {
+    return reinterpret_cast<const float*>(&leaf + 1);
 }
-inline constexpr std::uint32_t leaf_count(std::uint32_t child) {
-    return ((child >> 28) & 7U) + 1;
+inline const std::uint32_t* leaf_ids(const Leaf& leaf) {
+    return reinterpret_cast<const std::uint32_t*>(leaf_coordinates(leaf) + std::size_t{3} * leaf.vertices);
 }
-
-// Splits by cost stop at this depth of the binary tree; from there on ranges are halved, so no input makes it
-// deeper than this plus the 28 halvings of the largest number of triangles.
-inline constexpr int cost_split_depth = 36;
-inline constexpr int max_depth = cost_split_depth + 28;
-// A traversal pops one entry and pushes at most eight on each level.
-inline constexpr std::size_t traversal_stack = std::size_t{max_depth} * 7 + 8;
+inline std::size_t leaf_bytes(std::size_t count, std::size_t vertices) {
+    const std::size_t bytes = sizeof(Leaf) + 12 * vertices + 4 * count;
+    return (bytes + leaf_alignment - 1) / leaf_alignment * leaf_alignment;
+}
+inline LeafTriangle leaf_triangle(const Leaf& leaf, std::size_t lane) {
+    LeafTriangle triangle;
+    const float* coordinates = leaf_coordinates(leaf);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t vertex = leaf.corner[k][lane];
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            triangle.v[3 * k + axis] = coordinates[axis * leaf.vertices + vertex];
+    }
+    triangle.id = leaf_ids(leaf)[lane];
+    return triangle;
+}
 
 struct Bvh {
-    std::vector<BvhNode> nodes;           // the root first; empty for no triangles
-    std::vector<LeafTriangle> triangles;  // in leaf order
-    int depth = 0;                        // levels of nodes
+    std::vector<BvhNode> nodes;          // the root first, parents before children; empty for no triangles
+    std::vector<std::uint32_t> parents;  // [node], the root its own
+    std::vector<std::byte> leaves;
+    // [triangle] place of its leaf times leaf_capacity, plus its lane.
+    std::vector<std::uint32_t> slots;
+    int depth = 0;  // levels of nodes
+    std::array<float, 3> low{};
+    std::array<float, 3> high{};
+
+    const Leaf& leaf_at(std::uint32_t place) const {
+        return *reinterpret_cast<const Leaf*>(&leaves[place * leaf_alignment]);
+    }
+    Leaf& leaf_at(std::uint32_t place) { return *reinterpret_cast<Leaf*>(&leaves[place * leaf_alignment]); }
+    LeafTriangle triangle(TriangleId id) const {
+        return leaf_triangle(leaf_at(slots[id] / leaf_capacity), slots[id] % leaf_capacity);
+    }
+    TreeView view() const { return {nodes.data(), leaves.data()}; }
 };
 
-// `triangles` in order of id, with finite coordinates, at most max_triangles. The result depends on nothing
-// else.
-Bvh build_bvh(std::vector<LeafTriangle> triangles);
+// At most max_triangles, with finite coordinates. `bodies`: TriangleSoup::bodies. The result depends on
+// nothing else, and on no number of threads.
+Bvh build_bvh(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> triangles,
+              std::span<const std::uint32_t> bodies);
+
+// Puts triangles[i], all below slots.size(), at corners[i], finite, and fits the boxes above them.
+void move_bvh_triangles(Bvh& bvh, std::span<const TriangleId> triangles,
+                        std::span<const std::array<Vec3f, 3>> corners);
 
 }  // namespace slipface::detail

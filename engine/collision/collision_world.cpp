@@ -18,6 +18,11 @@ Status check(const TriangleSoup& soup) {
                                            " triangles; expected at most " +
                                            std::to_string(detail::max_triangles)};
     }
+    if (!soup.bodies.empty() && soup.bodies.size() != soup.triangles.size()) {
+        return Error{"collision soup", std::to_string(soup.bodies.size()) + " body numbers for " +
+                                           std::to_string(soup.triangles.size()) +
+                                           " triangles; expected none or one a triangle"};
+    }
     for (std::size_t i = 0; i < soup.positions.size(); ++i) {
         if (!soup.positions[i].allFinite()) {
             return Error{"position " + std::to_string(i),
@@ -39,18 +44,42 @@ Status check(const TriangleSoup& soup) {
 // Faces numbered densely, so that hostile face ids cost no memory.
 void index_faces(const TriangleSoup& soup, CollisionWorld::Impl& impl) {
     impl.faces.assign(soup.faces.begin(), soup.faces.end());
-    std::sort(impl.faces.begin(), impl.faces.end());
+    // As meshes have them, already.
+    const bool ascending = std::is_sorted(impl.faces.begin(), impl.faces.end());
+    if (!ascending) std::sort(impl.faces.begin(), impl.faces.end());
     impl.faces.erase(std::unique(impl.faces.begin(), impl.faces.end()), impl.faces.end());
     impl.faces.shrink_to_fit();
     impl.surfaces.assign(impl.faces.size(), default_surface);
     impl.face_index.reserve(soup.faces.size());
+    std::size_t index = 0;
     for (const FaceId face : soup.faces) {
-        const auto place = std::lower_bound(impl.faces.begin(), impl.faces.end(), face);
-        impl.face_index.push_back(static_cast<std::uint32_t>(place - impl.faces.begin()));
+        if (ascending) {
+            while (impl.faces[index] != face)
+                ++index;
+        } else {
+            index = static_cast<std::size_t>(std::lower_bound(impl.faces.begin(), impl.faces.end(), face) -
+                                             impl.faces.begin());
+        }
+        impl.face_index.push_back(static_cast<std::uint32_t>(index));
+    }
+    if (!impl.faces.empty() && impl.faces.back() == impl.faces.size() - 1) {
+        impl.faces = std::vector<FaceId>();
+    }
+}
+
+// Takes in the box of the tree.
+void grow_bounds(CollisionWorld::Impl& impl) {
+    if (impl.triangle_count() == 0) return;
+    for (const auto& corner : {impl.bvh.low, impl.bvh.high}) {
+        impl.bounds.add(Vec3(double{corner[0]}, double{corner[1]}, double{corner[2]}));
+        for (const float coordinate : corner)
+            impl.reach = std::max(impl.reach, std::fabs(double{coordinate}));
     }
 }
 
 std::optional<std::size_t> find_face(const CollisionWorld::Impl& impl, FaceId face) {
+    if (impl.faces.empty())
+        return face < impl.surfaces.size() ? std::optional<std::size_t>(face) : std::nullopt;
     const auto place = std::lower_bound(impl.faces.begin(), impl.faces.end(), face);
     if (place == impl.faces.end() || *place != face) return std::nullopt;
     return static_cast<std::size_t>(place - impl.faces.begin());
@@ -68,30 +97,39 @@ Result<CollisionWorld> CollisionWorld::build(const TriangleSoup& soup) {
         if (const Status status = check(soup); !status) return status.error();
         CollisionWorld world;
         Impl& impl = *world.impl_;
-        std::vector<detail::LeafTriangle> triangles;
-        triangles.reserve(soup.triangles.size());
-        for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
-            detail::LeafTriangle triangle{};
-            triangle.id = static_cast<TriangleId>(i);
-            for (std::size_t k = 0; k < 9; ++k) {
-                triangle.v[k] = soup.positions[soup.triangles[i][k / 3]][static_cast<Eigen::Index>(k % 3)];
-                impl.reach = std::max(impl.reach, std::fabs(double{triangle.v[k]}));
-            }
-            for (int k = 0; k < 3; ++k)
-                impl.bounds.add(vec(triangle.corner(k)));
-            triangles.push_back(triangle);
-        }
-        impl.bvh = detail::build_bvh(std::move(triangles));
-        impl.slot.resize(impl.bvh.triangles.size());
-        for (std::size_t i = 0; i < impl.slot.size(); ++i) {
-            impl.slot[impl.bvh.triangles[i].id] = static_cast<std::uint32_t>(i);
-        }
+        impl.bvh = detail::build_bvh(soup.positions, soup.triangles, soup.bodies);
         index_faces(soup, impl);
+        grow_bounds(impl);
         return world;
     } catch (const std::bad_alloc&) {
         return Error{"collision soup", "not enough memory for " + std::to_string(soup.triangles.size()) +
                                            " triangles; expected a smaller mesh"};
     }
+}
+
+Status CollisionWorld::move_triangles(std::span<const TriangleId> triangles,
+                                      std::span<const std::array<Vec3f, 3>> corners) {
+    if (triangles.size() != corners.size()) {
+        return Error{"moved triangles", std::to_string(corners.size()) + " triples of corners for " +
+                                            std::to_string(triangles.size()) +
+                                            " triangles; expected one a triangle"};
+    }
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (triangles[i] >= triangle_count()) {
+            return Error{"moved triangle " + std::to_string(i),
+                         "number " + std::to_string(triangles[i]) + "; expected less than the " +
+                             std::to_string(triangle_count()) + " triangles"};
+        }
+        for (const Vec3f& corner : corners[i]) {
+            if (!corner.allFinite()) {
+                return Error{"moved triangle " + std::to_string(i),
+                             "a coordinate is not finite; expected finite numbers"};
+            }
+        }
+    }
+    detail::move_bvh_triangles(impl_->bvh, triangles, corners);
+    grow_bounds(*impl_);
+    return {};
 }
 
 void CollisionWorld::set_face_surface(FaceId face, SurfaceId surface) {
@@ -111,20 +149,20 @@ SurfaceRule CollisionWorld::surface_rule(SurfaceId surface) const {
 }
 
 std::size_t CollisionWorld::triangle_count() const {
-    return impl_->slot.size();
+    return impl_->triangle_count();
 }
 
 std::array<Vec3, 3> CollisionWorld::triangle(TriangleId triangle) const {
-    const detail::LeafTriangle& leaf = impl_->bvh.triangles[impl_->slot[triangle]];
+    const detail::LeafTriangle leaf = impl_->bvh.triangle(triangle);
     return {vec(leaf.corner(0)), vec(leaf.corner(1)), vec(leaf.corner(2))};
 }
 
 FaceId CollisionWorld::triangle_face(TriangleId triangle) const {
-    return impl_->faces[impl_->face_index[triangle]];
+    return impl_->face_of(triangle);
 }
 
 Vec3 CollisionWorld::triangle_normal(TriangleId triangle) const {
-    return vec(detail::winding_normal(impl_->bvh.triangles[impl_->slot[triangle]]));
+    return vec(detail::winding_normal(impl_->bvh.triangle(triangle)));
 }
 
 Aabb CollisionWorld::bounds() const {
@@ -132,11 +170,12 @@ Aabb CollisionWorld::bounds() const {
 }
 
 BvhStatistics CollisionWorld::statistics() const {
-    const auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
-    return {impl_->slot.size(), impl_->bvh.nodes.size(),
-            bytes(impl_->bvh.nodes) + bytes(impl_->bvh.triangles) + bytes(impl_->slot) + bytes(impl_->faces) +
-                bytes(impl_->face_index) + bytes(impl_->surfaces),
-            impl_->bvh.depth};
+    const auto bytes = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
+    const detail::Bvh& bvh = impl_->bvh;
+    return {triangle_count(), bvh.nodes.size(),
+            bytes(bvh.nodes) + bytes(bvh.parents) + bytes(bvh.leaves) + bytes(bvh.slots) +
+                bytes(impl_->faces) + bytes(impl_->face_index) + bytes(impl_->surfaces),
+            bvh.depth};
 }
 
 }  // namespace slipface

@@ -12,14 +12,17 @@ namespace slipface {
 
 struct CollisionWorld::Impl {
     detail::Bvh bvh;
-    std::vector<std::uint32_t> slot;        // [triangle] its place in bvh.triangles
-    std::vector<FaceId> faces;              // the faces of the soup, ascending, each once
+    std::vector<FaceId> faces;              // the soup's, ascending, each once; empty if they are 0, 1, 2...
     std::vector<std::uint32_t> face_index;  // [triangle] index into faces
     std::vector<SurfaceId> surfaces;        // [index into faces]
     std::array<SurfaceRule, 256> rules;     // [SurfaceId]
-    Aabb bounds;
-    double reach = 0.0;  // largest coordinate
+    Aabb bounds;                            // of all places the triangles have been
+    double reach = 0.0;                     // largest coordinate
 
+    std::size_t triangle_count() const { return face_index.size(); }
+    FaceId face_of(TriangleId triangle) const {
+        return faces.empty() ? face_index[triangle] : faces[face_index[triangle]];
+    }
     SurfaceId surface_of(TriangleId triangle) const { return surfaces[face_index[triangle]]; }
     const SurfaceRule& rule_of(TriangleId triangle) const { return rules[surface_of(triangle)]; }
 };

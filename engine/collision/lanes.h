@@ -1,17 +1,115 @@
 // Eight floats side by side, for tests whose outcome only ever decides what is looked at more closely:
 // nothing that a query answers is computed here.
+//
+// Each file that includes this may be compiled for another instruction set, so all of it has internal linkage
+// and uses no function that another file could share.
 #pragma once
 
-#include <cstdint>
+#include "bvh_layout.h"
 
-#if defined(__SSE2__)
+#if defined(__AVX2__)
+#include <immintrin.h>
+#elif defined(__SSE2__)
 #include <emmintrin.h>
-#else
-#include <algorithm>
-#include <cmath>
 #endif
 
 namespace slipface::detail {
+namespace {
+
+#if defined(__AVX2__)
+
+struct Lanes {
+    __m256 v;
+
+    static Lanes all(float value) { return {_mm256_set1_ps(value)}; }
+    static Lanes load(const float* from) { return {_mm256_loadu_ps(from)}; }
+    void store(float* to) const { _mm256_storeu_ps(to, v); }
+};
+using LaneMask = Lanes;
+inline Lanes operator+(Lanes a, Lanes b) {
+    return {_mm256_add_ps(a.v, b.v)};
+}
+inline Lanes operator-(Lanes a, Lanes b) {
+    return {_mm256_sub_ps(a.v, b.v)};
+}
+inline Lanes operator*(Lanes a, Lanes b) {
+    return {_mm256_mul_ps(a.v, b.v)};
+}
+inline Lanes operator/(Lanes a, Lanes b) {
+    return {_mm256_div_ps(a.v, b.v)};
+}
+// Where one of the two is not a number: the second.
+inline Lanes lanes_min(Lanes a, Lanes b) {
+    return {_mm256_min_ps(a.v, b.v)};
+}
+inline Lanes lanes_max(Lanes a, Lanes b) {
+    return {_mm256_max_ps(a.v, b.v)};
+}
+inline Lanes lanes_abs(Lanes a) {
+    return {_mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.v)};
+}
+inline Lanes lanes_sqrt(Lanes a) {
+    return {_mm256_sqrt_ps(a.v)};
+}
+inline LaneMask lanes_less(Lanes a, Lanes b) {
+    return {_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)};
+}
+inline Lanes lanes_pick(LaneMask where, Lanes yes, Lanes no) {
+    return {_mm256_blendv_ps(no.v, yes.v, where.v)};
+}
+// Bit k is set where a[k] <= b[k].
+inline std::uint32_t lanes_not_above(Lanes a, Lanes b) {
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
+}
+// Bit k is set where a[k] > b[k]; not where one of them is no number.
+inline std::uint32_t lanes_above(Lanes a, Lanes b) {
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)));
+}
+
+inline __m256i lane_vertices(const std::uint8_t* corner) {
+    return _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(corner)));
+}
+
+// table[index] for a table of 8, 16 or 24 numbers, told apart by bits 3 and 4 of the index.
+template <int Parts>
+inline Lanes look_up(const float* table, __m256i index) {
+    const __m256 first = _mm256_loadu_ps(table);
+    if constexpr (Parts == 1) return {_mm256_permutevar8x32_ps(first, index)};
+#if defined(__AVX512VL__)
+    const __m256 two = _mm256_permutex2var_ps(first, index, _mm256_loadu_ps(table + 8));
+    if constexpr (Parts == 2) return {two};
+    const __mmask8 beyond = _mm256_test_epi32_mask(index, _mm256_set1_epi32(16));
+    return {_mm256_mask_permutexvar_ps(two, beyond, index, _mm256_loadu_ps(table + 16))};
+#else
+    const __m256 bit3 = _mm256_castsi256_ps(_mm256_slli_epi32(index, 28));
+    const __m256 two = _mm256_blendv_ps(_mm256_permutevar8x32_ps(first, index),
+                                        _mm256_permutevar8x32_ps(_mm256_loadu_ps(table + 8), index), bit3);
+    if constexpr (Parts == 2) return {two};
+    const __m256 bit4 = _mm256_castsi256_ps(_mm256_slli_epi32(index, 27));
+    return {_mm256_blendv_ps(two, _mm256_permutevar8x32_ps(_mm256_loadu_ps(table + 16), index), bit4)};
+#endif
+}
+
+template <int Parts>
+inline void look_up_leaf(const Leaf& leaf, Lanes (&to)[9]) {
+    const auto* coordinates = reinterpret_cast<const float*>(&leaf + 1);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const __m256i index = lane_vertices(leaf.corner[k]);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            to[3 * k + axis] = look_up<Parts>(coordinates + axis * leaf.vertices, index);
+    }
+}
+
+// x, y, z of the three corners of a leaf's triangles.
+inline void lanes_of_leaf(const Leaf& leaf, Lanes (&to)[9]) {
+#if !defined(__AVX512VL__)  // where two parts cost no more than one
+    if (leaf.vertices <= 8) return look_up_leaf<1>(leaf, to);
+#endif
+    if (leaf.vertices <= 16) return look_up_leaf<2>(leaf, to);
+    look_up_leaf<3>(leaf, to);
+}
+
+#else
 
 #if defined(__SSE2__)
 
@@ -19,12 +117,13 @@ struct Lanes {
     __m128 low, high;
 
     static Lanes all(float value) { return {_mm_set1_ps(value), _mm_set1_ps(value)}; }
-    static Lanes load(const float* from) { return {_mm_load_ps(from), _mm_load_ps(from + 4)}; }
+    static Lanes load(const float* from) { return {_mm_loadu_ps(from), _mm_loadu_ps(from + 4)}; }
     void store(float* to) const {
-        _mm_store_ps(to, low);
-        _mm_store_ps(to + 4, high);
+        _mm_storeu_ps(to, low);
+        _mm_storeu_ps(to + 4, high);
     }
 };
+using LaneMask = Lanes;
 inline Lanes operator+(Lanes a, Lanes b) {
     return {_mm_add_ps(a.low, b.low), _mm_add_ps(a.high, b.high)};
 }
@@ -34,28 +133,8 @@ inline Lanes operator-(Lanes a, Lanes b) {
 inline Lanes operator*(Lanes a, Lanes b) {
     return {_mm_mul_ps(a.low, b.low), _mm_mul_ps(a.high, b.high)};
 }
-// Nine floats from each of eight places, turned into nine times eight.
-inline void lanes_gather9(const float* const (&from)[8], Lanes (&to)[9]) {
-    const auto four = [&from](int k, __m128(&out)[9]) {
-        for (int part = 0; part < 2; ++part) {
-            __m128 a = _mm_loadu_ps(from[k] + 4 * part);
-            __m128 b = _mm_loadu_ps(from[k + 1] + 4 * part);
-            __m128 c = _mm_loadu_ps(from[k + 2] + 4 * part);
-            __m128 d = _mm_loadu_ps(from[k + 3] + 4 * part);
-            _MM_TRANSPOSE4_PS(a, b, c, d);
-            out[4 * part] = a;
-            out[4 * part + 1] = b;
-            out[4 * part + 2] = c;
-            out[4 * part + 3] = d;
-        }
-        out[8] = _mm_setr_ps(from[k][8], from[k + 1][8], from[k + 2][8], from[k + 3][8]);
-    };
-    __m128 low[9];
-    __m128 high[9];
-    four(0, low);
-    four(4, high);
-    for (int i = 0; i < 9; ++i)
-        to[i] = {low[i], high[i]};
+inline Lanes operator/(Lanes a, Lanes b) {
+    return {_mm_div_ps(a.low, b.low), _mm_div_ps(a.high, b.high)};
 }
 // Where one of the two is not a number: the second.
 inline Lanes lanes_min(Lanes a, Lanes b) {
@@ -71,12 +150,20 @@ inline Lanes lanes_abs(Lanes a) {
 inline Lanes lanes_sqrt(Lanes a) {
     return {_mm_sqrt_ps(a.low), _mm_sqrt_ps(a.high)};
 }
+inline LaneMask lanes_less(Lanes a, Lanes b) {
+    return {_mm_cmplt_ps(a.low, b.low), _mm_cmplt_ps(a.high, b.high)};
+}
+inline Lanes lanes_pick(LaneMask where, Lanes yes, Lanes no) {
+    const auto pick = [](__m128 m, __m128 y, __m128 n) {
+        return _mm_or_ps(_mm_and_ps(m, y), _mm_andnot_ps(m, n));
+    };
+    return {pick(where.low, yes.low, no.low), pick(where.high, yes.high, no.high)};
+}
 // Bit k is set where a[k] <= b[k].
 inline std::uint32_t lanes_not_above(Lanes a, Lanes b) {
     return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a.low, b.low)) |
                                       (_mm_movemask_ps(_mm_cmple_ps(a.high, b.high)) << 4));
 }
-
 // Bit k is set where a[k] > b[k]; not where one of them is no number.
 inline std::uint32_t lanes_above(Lanes a, Lanes b) {
     return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmpgt_ps(a.low, b.low)) |
@@ -90,11 +177,12 @@ struct Lanes {
 
     static Lanes all(float v) { return {{v, v, v, v, v, v, v, v}}; }
     static Lanes load(const float* from) {
-        Lanes out;
-        std::copy(from, from + 8, out.value);
-        return out;
+        return each([&](int k) { return from[k]; });
     }
-    void store(float* to) const { std::copy(value, value + 8, to); }
+    void store(float* to) const {
+        for (int k = 0; k < 8; ++k)
+            to[k] = value[k];
+    }
     template <class Function>
     static Lanes each(Function&& function) {
         Lanes out;
@@ -102,6 +190,9 @@ struct Lanes {
             out.value[k] = function(k);
         return out;
     }
+};
+struct LaneMask {
+    bool value[8];
 };
 inline Lanes operator+(Lanes a, Lanes b) {
     return Lanes::each([&](int k) { return a.value[k] + b.value[k]; });
@@ -112,6 +203,9 @@ inline Lanes operator-(Lanes a, Lanes b) {
 inline Lanes operator*(Lanes a, Lanes b) {
     return Lanes::each([&](int k) { return a.value[k] * b.value[k]; });
 }
+inline Lanes operator/(Lanes a, Lanes b) {
+    return Lanes::each([&](int k) { return a.value[k] / b.value[k]; });
+}
 inline Lanes lanes_min(Lanes a, Lanes b) {
     return Lanes::each([&](int k) { return a.value[k] < b.value[k] ? a.value[k] : b.value[k]; });
 }
@@ -119,14 +213,19 @@ inline Lanes lanes_max(Lanes a, Lanes b) {
     return Lanes::each([&](int k) { return a.value[k] > b.value[k] ? a.value[k] : b.value[k]; });
 }
 inline Lanes lanes_abs(Lanes a) {
-    return Lanes::each([&](int k) { return std::fabs(a.value[k]); });
+    return Lanes::each([&](int k) { return __builtin_fabsf(a.value[k]); });
 }
 inline Lanes lanes_sqrt(Lanes a) {
-    return Lanes::each([&](int k) { return std::sqrt(a.value[k]); });
+    return Lanes::each([&](int k) { return __builtin_sqrtf(a.value[k]); });
 }
-inline void lanes_gather9(const float* const (&from)[8], Lanes (&to)[9]) {
-    for (int i = 0; i < 9; ++i)
-        to[i] = Lanes::each([&](int k) { return from[k][i]; });
+inline LaneMask lanes_less(Lanes a, Lanes b) {
+    LaneMask mask;
+    for (int k = 0; k < 8; ++k)
+        mask.value[k] = a.value[k] < b.value[k];
+    return mask;
+}
+inline Lanes lanes_pick(LaneMask where, Lanes yes, Lanes no) {
+    return Lanes::each([&](int k) { return where.value[k] ? yes.value[k] : no.value[k]; });
 }
 inline std::uint32_t lanes_not_above(Lanes a, Lanes b) {
     std::uint32_t mask = 0;
@@ -134,7 +233,27 @@ inline std::uint32_t lanes_not_above(Lanes a, Lanes b) {
         mask |= static_cast<std::uint32_t>(a.value[k] <= b.value[k]) << k;
     return mask;
 }
+inline std::uint32_t lanes_above(Lanes a, Lanes b) {
+    return lanes_not_above(a, a) & lanes_not_above(b, b) & ~lanes_not_above(a, b);
+}
 
 #endif
 
+// x, y, z of the three corners of a leaf's triangles.
+inline void lanes_of_leaf(const Leaf& leaf, Lanes (&to)[9]) {
+    const auto* coordinates = reinterpret_cast<const float*>(&leaf + 1);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float* table = coordinates + axis * leaf.vertices;
+        for (std::size_t k = 0; k < 3; ++k) {
+            float lanes[8];
+            for (std::size_t lane = 0; lane < 8; ++lane)
+                lanes[lane] = table[leaf.corner[k][lane]];
+            to[3 * k + axis] = Lanes::load(lanes);
+        }
+    }
+}
+
+#endif
+
+}  // namespace
 }  // namespace slipface::detail

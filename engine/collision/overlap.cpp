@@ -1,36 +1,26 @@
 #include "impl.h"
-#include "leaf_filter.h"
+#include "paths.h"
 #include "sphere_triangle.h"
-#include "traverse.h"
 
 namespace slipface {
 namespace {
 
 using namespace detail;
 
-// Calls visit(slot) for the triangles that the ellipsoid at rest may overlap, until it returns false.
+// Calls visit(triangle) for the triangles that the ellipsoid at rest may overlap, until it returns false.
 template <class Visit>
-void visit_near(const CollisionWorld::Impl& world, const EllipsoidQuery& query, Visit&& visit) {
-    const double reach = std::fmax(largest(query.centre), world.reach);
-    const double least = std::fmin(std::fmin(query.radii.x, query.radii.y), query.radii.z);
-    if (!in_float_range(least) || !in_float_range(largest(query.radii)) || reach > float_range) {
-        for (std::uint32_t slot = 0; slot < world.bvh.triangles.size(); ++slot) {
-            if (!visit(slot)) return;
-        }
+void visit_near(const CollisionWorld::Impl& world, const EllipsoidQuery& query, Visit visit) {
+    SweepPath path;
+    if (make_sweep_path(query, larger(largest(query.centre), world.reach), path)) {
+        const auto consider = [](void* context, const Leaf& leaf, std::uint32_t lane) {
+            return (*static_cast<Visit*>(context))(leaf_triangle(leaf, lane)) ? 1.0F : -1.0F;
+        };
+        kernels().sweep(world.bvh.view(), path, 1.0F, consider, &visit);
         return;
     }
-    const BoxPath path(query.centre, query.move, box_half_extents(query.radii, query.move, reach));
-    const LeafFilter filter(query, path, reach);
-    walk_ordered(
-        world.bvh, [&](const BvhNode& node, float* keys) { return path.meet(node, 1.0F, keys); },
-        [] { return 1.0F; },
-        [&](std::uint32_t first, std::uint32_t count) {
-            std::uint32_t mask = filter.candidates(&world.bvh.triangles[first], count, 1.0F);
-            for (; mask != 0; mask &= mask - 1) {
-                if (!visit(first + static_cast<std::uint32_t>(std::countr_zero(mask)))) return false;
-            }
-            return true;
-        });
+    for (TriangleId id = 0; id < world.triangle_count(); ++id) {
+        if (!visit(world.bvh.triangle(id))) return;
+    }
 }
 
 bool refused(const CollisionWorld::Impl& world, const Vec3& radii, const Vec3& centre) {
@@ -53,8 +43,7 @@ std::size_t find_overlaps(const CollisionWorld& world, const Vec3& radii, const 
     const auto by_triangle = [](const Overlap& a, const Overlap& b) { return a.triangle < b.triangle; };
     std::size_t found = 0;
     std::size_t kept = 0;
-    visit_near(impl, query, [&](std::uint32_t slot) {
-        const LeafTriangle& leaf = impl.bvh.triangles[slot];
+    visit_near(impl, query, [&](const LeafTriangle& leaf) {
         const SphereTriangle triangle(leaf, query);
         const Nearest nearest = nearest_part(triangle);
         if (!(nearest.distance2 < 1.0) || !stands(impl, triangle, leaf.id)) return true;
@@ -68,13 +57,9 @@ std::size_t find_overlaps(const CollisionWorld& world, const Vec3& radii, const 
             --kept;
         }
         const Touch touch = touch_of(triangle, leaf, query, nearest);
-        out[kept++] = {leaf.id,
-                       world.triangle_face(leaf.id),
-                       impl.surface_of(leaf.id),
-                       nearest.feature,
-                       vec(touch.point),
-                       vec(touch.normal),
-                       1.0 - std::sqrt(nearest.distance2)};
+        out[kept++] = {
+            leaf.id,          impl.face_of(leaf.id), impl.surface_of(leaf.id),          nearest.feature,
+            vec(touch.point), vec(touch.normal),     1.0 - std::sqrt(nearest.distance2)};
         std::push_heap(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(kept), by_triangle);
         return true;
     });
@@ -87,8 +72,7 @@ bool overlaps_any(const CollisionWorld& world, const Vec3& radii, const Vec3& ce
     if (refused(impl, radii, centre)) return false;
     const EllipsoidQuery query(v3(centre), v3(radii), V3{0.0, 0.0, 0.0});
     bool found = false;
-    visit_near(impl, query, [&](std::uint32_t slot) {
-        const LeafTriangle& leaf = impl.bvh.triangles[slot];
+    visit_near(impl, query, [&](const LeafTriangle& leaf) {
         const SphereTriangle triangle(leaf, query);
         found = nearest_part(triangle).distance2 < 1.0 && stands(impl, triangle, leaf.id);
         return !found;
@@ -99,35 +83,37 @@ bool overlaps_any(const CollisionWorld& world, const Vec3& radii, const Vec3& ce
 std::vector<TriangleId> CollisionWorld::triangles_in(const Aabb& box) const {
     std::vector<TriangleId> found;
     if (impl_->bvh.nodes.empty()) return found;
-    const auto meets = [&box](int axis, double low, double high) {
-        return low <= box.max[axis] && high >= box.min[axis];
+    const auto meets = [&box](int axis, float low, float high) {
+        return double{low} <= box.max[axis] && double{high} >= box.min[axis];
     };
-    walk_ordered(
-        impl_->bvh,
-        [&](const BvhNode& node, float* keys) {
-            std::uint32_t mask = 0;
-            for (int k = 0; k < 8; ++k) {
-                keys[k] = 0.0F;
-                bool met = node.bound[0][k] <= node.bound[3][k];
-                for (int axis = 0; axis < 3; ++axis)
-                    met = met && meets(axis, node.bound[axis][k], node.bound[axis + 3][k]);
-                mask |= static_cast<std::uint32_t>(met) << k;
+    const auto search_leaf = [&](const Leaf& leaf) {
+        for (std::size_t lane = 0; lane < leaf.count; ++lane) {
+            const LeafTriangle triangle = leaf_triangle(leaf, lane);
+            bool met = true;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const auto [low, high] =
+                    std::minmax({triangle.v[axis], triangle.v[axis + 3], triangle.v[axis + 6]});
+                met = met && meets(static_cast<int>(axis), low, high);
             }
-            return mask;
-        },
-        [] { return 0.0F; },
-        [&](std::uint32_t first, std::uint32_t count) {
-            for (std::uint32_t slot = first; slot < first + count; ++slot) {
-                const LeafTriangle& leaf = impl_->bvh.triangles[slot];
-                bool met = true;
-                for (std::size_t axis = 0; axis < 3; ++axis) {
-                    const auto [low, high] = std::minmax({leaf.v[axis], leaf.v[axis + 3], leaf.v[axis + 6]});
-                    met = met && meets(static_cast<int>(axis), double{low}, double{high});
-                }
-                if (met) found.push_back(leaf.id);
+            if (met) found.push_back(triangle.id);
+        }
+    };
+    std::vector<std::uint32_t> open{0};
+    while (!open.empty()) {
+        const BvhNode& node = impl_->bvh.nodes[open.back()];
+        open.pop_back();
+        for (int k = 0; k < 8; ++k) {
+            bool met = node.bound[0][k] <= node.bound[3][k];
+            for (int axis = 0; axis < 3; ++axis)
+                met = met && meets(axis, node.bound[axis][k], node.bound[axis + 3][k]);
+            if (!met) continue;
+            if ((node.child[k] & leaf_bit) != 0) {
+                search_leaf(impl_->bvh.leaf_at(node.child[k] & leaf_place_mask));
+            } else {
+                open.push_back(node.child[k]);
             }
-            return true;
-        });
+        }
+    }
     std::sort(found.begin(), found.end());
     return found;
 }

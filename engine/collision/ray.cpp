@@ -1,6 +1,6 @@
 #include "impl.h"
+#include "paths.h"
 #include "sphere_triangle.h"
-#include "traverse.h"
 
 namespace slipface {
 namespace {
@@ -57,6 +57,42 @@ bool meet(const ShearedRay& ray, const LeafTriangle& triangle, RayTouch& touch) 
     return touch.t >= 0.0;
 }
 
+struct Search {
+    const CollisionWorld::Impl& world;
+    const ShearedRay& ray;
+    RayTouch touch;
+    LeafTriangle triangle{{}, no_id};
+
+    void consider(const LeafTriangle& leaf) {
+        RayTouch other{};
+        if (!meet(ray, leaf, other)) return;
+        if (!(other.t < touch.t || (other.t == touch.t && leaf.id < triangle.id))) return;
+        if (!world.rule_of(leaf.id).solid) return;
+        touch = other;
+        triangle = leaf;
+    }
+};
+
+float consider_lane(void* context, const Leaf& leaf, std::uint32_t lane) {
+    Search& search = *static_cast<Search*>(context);
+    search.consider(leaf_triangle(leaf, lane));
+    return time_limit(search.touch.t);
+}
+
+RayPath ray_path(const ShearedRay& ray, const V3& direction, double reach) {
+    RayPath path;
+    const double half = 1e-14 * reach;
+    path.box = box_path(ray.origin, direction, {half, half, half});
+    split(ray.origin, path.centre, path.rest, {1.0, 1.0, 1.0});
+    path.kx = ray.kx;
+    path.ky = ray.ky;
+    path.kz = ray.kz;
+    path.sx = static_cast<float>(ray.sx);
+    path.sy = static_cast<float>(ray.sy);
+    path.usable = true;
+    return path;
+}
+
 }  // namespace
 
 std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
@@ -74,51 +110,26 @@ std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, 
     const V3 start = v3(origin);
     const ShearedRay ray(start, d);
 
-    RayTouch best{std::ldexp(max_t, exponent), {0.0, 0.0, 0.0}};
-    std::uint32_t best_slot = no_id;
-    TriangleId best_triangle = no_id;
-    const auto consider = [&](std::uint32_t slot) {
-        const LeafTriangle& leaf = impl.bvh.triangles[slot];
-        RayTouch touch{};
-        if (!meet(ray, leaf, touch)) return;
-        if (!(touch.t < best.t || (touch.t == best.t && leaf.id < best_triangle))) return;
-        if (!impl.rule_of(leaf.id).solid) return;
-        best = touch;
-        best_slot = slot;
-        best_triangle = leaf.id;
-    };
-    const double reach = std::fmax(largest(start), impl.reach);
+    Search search{impl, ray, {std::ldexp(max_t, exponent), {0.0, 0.0, 0.0}}};
+    const double reach = larger(largest(start), impl.reach);
     if (reach <= float_range) {
-        const double half = 1e-14 * reach;
-        const BoxPath path(start, d, {half, half, half});
-        float limit = time_limit(best.t);
-        walk_ordered(
-            impl.bvh, [&](const BvhNode& node, float* keys) { return path.meet(node, limit, keys); },
-            [&] { return limit; },
-            [&](std::uint32_t first, std::uint32_t count) {
-                const LeafLanes leaf(&impl.bvh.triangles[first], count);
-                Lanes enter;
-                std::uint32_t mask = path.meet(leaf, limit, enter) & leaf.present;
-                for (; mask != 0; mask &= mask - 1)
-                    consider(first + static_cast<std::uint32_t>(std::countr_zero(mask)));
-                limit = time_limit(best.t);
-                return true;
-            });
+        kernels().ray(impl.bvh.view(), ray_path(ray, d, reach), time_limit(search.touch.t), consider_lane,
+                      &search);
     } else {
-        for (std::uint32_t slot = 0; slot < impl.bvh.triangles.size(); ++slot)
-            consider(slot);
+        for (TriangleId id = 0; id < impl.triangle_count(); ++id)
+            search.consider(impl.bvh.triangle(id));
     }
-    const double t = std::ldexp(best.t, -exponent);
-    if (best_triangle == no_id || !std::isfinite(t)) return std::nullopt;
+    const double t = std::ldexp(search.touch.t, -exponent);
+    if (search.triangle.id == no_id || !std::isfinite(t)) return std::nullopt;
 
-    const LeafTriangle& leaf = impl.bvh.triangles[best_slot];
+    const LeafTriangle& leaf = search.triangle;
+    const V3& weights = search.touch.weights;
     const V3 winding = winding_normal(leaf);
     const bool back_face = dot(winding, d) > 0.0;
     V3 normal = back_face ? -winding : winding;
     if (!(dot(normal, normal) > 0.0)) normal = unit(-d);
-    const V3 point =
-        best.weights.x * leaf.corner(0) + best.weights.y * leaf.corner(1) + best.weights.z * leaf.corner(2);
-    return RayHit{t, vec(point), vec(normal), best_triangle, world.triangle_face(best_triangle), back_face};
+    const V3 point = weights.x * leaf.corner(0) + weights.y * leaf.corner(1) + weights.z * leaf.corner(2);
+    return RayHit{t, vec(point), vec(normal), leaf.id, impl.face_of(leaf.id), back_face};
 }
 
 }  // namespace slipface

@@ -18,14 +18,19 @@ V3 exact_cross(const V3& a, const V3& b) {
             difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
+// Squared sines between two edges, free of scale: below the first the plain cross product loses too much,
+// below the second the corners' own precision does not say where the plane is.
+constexpr double plane_sine2 = 1e-8;
+constexpr double flat_sine2 = 1e-18;
+
 // e1 x e2 of a triangle's edges in world space, zero if the edges are parallel to within what the corners'
-// own precision resolves. Both limits are squared sines, so they are free of scale.
+// own precision resolves.
 V3 face_vector(const V3& e1, const V3& e2) {
     const V3 plain = cross(e1, e2);
     const double product = dot(e1, e1) * dot(e2, e2);
-    if (dot(plain, plain) > 1e-8 * product) return plain;
+    if (dot(plain, plain) > plane_sine2 * product) return plain;
     const V3 careful = exact_cross(e1, e2);
-    if (dot(careful, careful) > 1e-18 * product) return careful;
+    if (dot(careful, careful) > flat_sine2 * product) return careful;
     return {0.0, 0.0, 0.0};
 }
 

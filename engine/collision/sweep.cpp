@@ -1,34 +1,45 @@
 #include "impl.h"
-#include "leaf_filter.h"
+#include "paths.h"
+#include "slipface/base/parallel.h"
 #include "sphere_triangle.h"
-#include "traverse.h"
 
 namespace slipface {
 namespace {
 
 using namespace detail;
 
-struct Best {
+// A sweep under way: the first touch so far.
+struct Search {
+    const CollisionWorld::Impl& world;
+    const EllipsoidQuery& query;
     TriangleHit hit{1.0, Feature::vertex, 0, false};
-    std::uint32_t slot = no_id;
-    TriangleId triangle = no_id;
+    LeafTriangle triangle{{}, no_id};
 
     bool beaten_by(const TriangleHit& other, TriangleId id) const {
-        if (triangle == no_id || other.t != hit.t) return triangle == no_id || other.t < hit.t;
+        if (triangle.id == no_id || other.t != hit.t) return triangle.id == no_id || other.t < hit.t;
         if (other.feature != hit.feature) return other.feature < hit.feature;
-        return id < triangle;
+        return id < triangle.id;
+    }
+    void consider(const LeafTriangle& leaf) {
+        const SphereTriangle sphere(leaf, query);
+        TriangleHit other{};
+        if (!sweep_triangle(sphere, query, hit.t, other) || !beaten_by(other, leaf.id)) return;
+        const SurfaceRule& rule = world.rule_of(leaf.id);
+        if (!rule.solid || (rule.one_sided && passes_one_sided(sphere, query))) return;
+        hit = other;
+        triangle = leaf;
     }
 };
 
-void consider(const CollisionWorld::Impl& world, const EllipsoidQuery& query, std::uint32_t slot,
-              Best& best) {
-    const LeafTriangle& leaf = world.bvh.triangles[slot];
-    const SphereTriangle triangle(leaf, query);
-    TriangleHit hit{};
-    if (!sweep_triangle(triangle, query, best.hit.t, hit) || !best.beaten_by(hit, leaf.id)) return;
-    const SurfaceRule& rule = world.rule_of(leaf.id);
-    if (!rule.solid || (rule.one_sided && passes_one_sided(triangle, query))) return;
-    best = {hit, slot, leaf.id};
+float consider_lane(void* context, const Leaf& leaf, std::uint32_t lane) {
+    Search& search = *static_cast<Search*>(context);
+    search.consider(leaf_triangle(leaf, lane));
+    return time_limit(search.hit.t);
+}
+
+bool refused(const CollisionWorld::Impl& world, const V3& radii, const V3& from, const V3& move) {
+    return world.bvh.nodes.empty() || !(radii.x > 0.0 && radii.y > 0.0 && radii.z > 0.0) || !finite(radii) ||
+           !finite(from) || !finite(move) || (move.x == 0.0 && move.y == 0.0 && move.z == 0.0);
 }
 
 }  // namespace
@@ -36,45 +47,33 @@ void consider(const CollisionWorld::Impl& world, const EllipsoidQuery& query, st
 std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& radii, const Vec3& from,
                                        const Vec3& move) {
     const CollisionWorld::Impl& impl = world.impl();
-    if (impl.bvh.nodes.empty() || !radii.allFinite() || !(radii.minCoeff() > 0.0) || !from.allFinite() ||
-        !move.allFinite() || move.isZero(0.0)) {
-        return std::nullopt;
-    }
+    if (refused(impl, v3(radii), v3(from), v3(move))) return std::nullopt;
     const EllipsoidQuery query(v3(from), v3(radii), v3(move));
-    Best best;
-    const double reach = std::fmax(std::fmax(largest(query.centre), largest(query.move)), impl.reach);
-    if (in_float_range(radii.minCoeff()) && in_float_range(radii.maxCoeff()) && reach <= float_range) {
-        const BoxPath path(query.centre, query.move, box_half_extents(query.radii, query.move, reach));
-        const LeafFilter filter(query, path, reach);
-        float limit = time_limit(best.hit.t);
-        walk_ordered(
-            impl.bvh, [&](const BvhNode& node, float* keys) { return path.meet(node, limit, keys); },
-            [&] { return limit; },
-            [&](std::uint32_t first, std::uint32_t count) {
-                std::uint32_t mask = filter.candidates(&impl.bvh.triangles[first], count, limit);
-                for (; mask != 0; mask &= mask - 1) {
-                    consider(impl, query, first + static_cast<std::uint32_t>(std::countr_zero(mask)), best);
-                }
-                limit = time_limit(best.hit.t);
-                return true;
-            });
+    Search search{impl, query};
+    SweepPath path;
+    if (make_sweep_path(query, larger(larger(largest(query.centre), largest(query.move)), impl.reach),
+                        path)) {
+        kernels().sweep(impl.bvh.view(), path, time_limit(1.0), consider_lane, &search);
     } else {
-        for (std::uint32_t slot = 0; slot < impl.bvh.triangles.size(); ++slot)
-            consider(impl, query, slot, best);
+        for (TriangleId id = 0; id < impl.triangle_count(); ++id)
+            search.consider(impl.bvh.triangle(id));
     }
-    if (best.triangle == no_id) return std::nullopt;
+    if (search.triangle.id == no_id) return std::nullopt;
 
-    const LeafTriangle& leaf = impl.bvh.triangles[best.slot];
-    const Touch touch = touch_of(SphereTriangle(leaf, query), leaf, query, best.hit);
+    const LeafTriangle& leaf = search.triangle;
+    const Touch touch = touch_of(SphereTriangle(leaf, query), leaf, query, search.hit);
     // Sphere space can overflow for radii and coordinates at the ends of double's range.
     if (!finite(touch.point) || !(dot(touch.normal, touch.normal) > 0.0)) return std::nullopt;
-    return Contact{best.hit.t,
-                   vec(touch.normal),
-                   vec(touch.point),
-                   leaf.id,
-                   world.triangle_face(leaf.id),
-                   impl.surface_of(leaf.id),
-                   best.hit.feature};
+    return Contact{search.hit.t,          vec(touch.normal),        vec(touch.point),  leaf.id,
+                   impl.face_of(leaf.id), impl.surface_of(leaf.id), search.hit.feature};
+}
+
+void sweep_ellipsoids(const CollisionWorld& world, std::span<const Sweep> sweeps,
+                      std::span<std::optional<Contact>> out) {
+    parallel_for(std::min(sweeps.size(), out.size()), 128, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            out[i] = sweep_ellipsoid(world, sweeps[i].radii, sweeps[i].from, sweeps[i].move);
+    });
 }
 
 }  // namespace slipface

@@ -40,11 +40,16 @@ inline double dot(const V3& a, const V3& b) {
 inline V3 cross(const V3& a, const V3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+// Unlike std::fmax this needs no call. Where one of the two is not a number: the second.
+inline double larger(double a, double b) {
+    return a > b ? a : b;
+}
 inline double largest(const V3& a) {
-    return std::fmax(std::fmax(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z));
+    return larger(larger(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z));
 }
 inline bool finite(const V3& a) {
-    return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+    // inf - inf is no number.
+    return (a.x - a.x) + (a.y - a.y) + (a.z - a.z) == 0.0;
 }
 
 // Unit length without overflow or underflow on the way; zero for zero and for what is not finite.

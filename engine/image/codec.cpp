@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 #include <stb/stb_image.h>
-#include <stb/stb_image_write.h>
 
 #include <algorithm>
 #include <exception>
 #include <memory>
 
 #include "png_limit.h"
+#include "png_plain.h"
 #include "slipface/base/files.h"
 #include "slipface/image/image.h"
 
@@ -14,8 +14,6 @@ namespace slipface {
 namespace {
 
 constexpr std::size_t largest_file = std::size_t{512} << 20;
-constexpr std::size_t largest_written = std::size_t{512}
-                                        << 20;  // stb counts the bytes of a picture in an int
 
 // stb would also try formats that nobody promised here and that are seldom tested: GIF, PSD, PIC, PNM,
 // Radiance.
@@ -48,6 +46,7 @@ Result<Image> decode(std::string_view bytes, const std::string& place, int max_s
     if (const auto header = png_size(bytes); header && (header->width > limit || header->height > limit)) {
         return too_large(header->width, header->height);
     }
+    if (std::optional<Image> image = decode_plain_png(bytes)) return *std::move(image);
     int width = 0;
     int height = 0;
     int channels = 0;
@@ -79,24 +78,6 @@ Result<Image> load_image(const std::filesystem::path& path, int max_side) {
     const auto bytes = read_file(path, largest_file);
     if (!bytes) return bytes.error();
     return decode_image(*bytes, path.string(), max_side);
-}
-
-Status save_png(const std::filesystem::path& path, const Image& image) {
-    if (image.width < 1 || image.height < 1 || image.rgba.size() != 4 * image.pixel_count() ||
-        image.rgba.size() > largest_written) {
-        return Error{path.string(), fmt::format("cannot hold a picture of {} x {} pixels and {} bytes",
-                                                image.width, image.height, image.rgba.size())};
-    }
-    std::string bytes;
-    const auto append = [](void* context, void* data, int size) {
-        static_cast<std::string*>(context)->append(static_cast<const char*>(data),
-                                                   static_cast<std::size_t>(size));
-    };
-    if (stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.rgba.data(),
-                               4 * image.width) == 0) {
-        return Error{path.string(), "the picture needs more memory than there is"};
-    }
-    return write_file_atomic(path, bytes);
 }
 
 }  // namespace slipface

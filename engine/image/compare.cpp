@@ -84,6 +84,11 @@ Comparison compare_images(const Image& expected, const Image& actual, const Comp
         std::max(static_cast<std::size_t>(std::min(share, static_cast<double>(expected.pixel_count()))),
                  static_cast<std::size_t>(std::max(tolerance.minimum_pixels, 0)));
 
+    if (expected.rgba == actual.rgba) {
+        result.same = true;
+        result.verdict = "identical";
+        return result;
+    }
     DensestWindow densest(expected.width, expected.height, tolerance.window);
     const auto strong = [&](int x, int y) {
         return channel_delta(expected.pixel(x, y), actual.pixel(x, y)) > tolerance.strong_delta;
@@ -105,6 +110,36 @@ Comparison compare_images(const Image& expected, const Image& actual, const Comp
     result.same = !too_many && !too_dense;
     result.verdict = verdict_of(result, tolerance, too_many, too_dense);
     return result;
+}
+
+Image masked(const Image& expected, Image actual, std::span<const MaskRect> masks) {
+    if (!well_formed(expected) || !well_formed(actual) || expected.width != actual.width ||
+        expected.height != actual.height)
+        return actual;
+    for (const MaskRect& mask : masks) {
+        const int left = std::clamp(mask.x, 0, actual.width), top = std::clamp(mask.y, 0, actual.height);
+        const auto end = [](int from, int length, int limit) {
+            return static_cast<int>(std::clamp<std::int64_t>(std::int64_t{from} + length, 0, limit));
+        };
+        const int right = end(mask.x, mask.width, actual.width);
+        const int bottom = end(mask.y, mask.height, actual.height);
+        for (int y = top; y < bottom && left < right; ++y)
+            std::copy_n(expected.pixel(left, y), 4 * (right - left), actual.pixel(left, y));
+    }
+    return actual;
+}
+
+std::array<SweepRow, 8> threshold_sweep(const Image& expected, const Image& actual) {
+    std::array<SweepRow, 8> rows{{{0}, {1}, {2}, {4}, {8}, {16}, {32}, {64}}};
+    if (!well_formed(expected) || !well_formed(actual) || expected.width != actual.width ||
+        expected.height != actual.height)
+        return rows;
+    for (std::size_t i = 0; i < expected.rgba.size(); i += 4) {
+        const int delta = channel_delta(expected.rgba.data() + i, actual.rgba.data() + i);
+        for (SweepRow& row : rows)
+            row.differing += delta > row.pixel_delta ? 1U : 0U;
+    }
+    return rows;
 }
 
 Image difference_image(const Image& expected, const Image& actual) {

@@ -41,6 +41,19 @@ std::size_t unpacked_size(const PngSize& size) {
     return size.height * (size.width * largest_pixel + interlace_rows) + 1024;
 }
 
+// Whether every chunk up to the last lies within the file: a decoder makes room for what a chunk says that it
+// holds before it looks for it.
+bool chunks_fit(std::string_view bytes) {
+    std::size_t at = signature_size;
+    while (bytes.size() - at >= chunk_overhead) {
+        const std::size_t length = big_endian(bytes, at);
+        if (length > bytes.size() - at - chunk_overhead) return false;
+        if (bytes.substr(at + 4, 4) == "IEND") return true;
+        at += chunk_overhead + length;
+    }
+    return at == bytes.size();
+}
+
 }  // namespace
 
 std::optional<PngSize> png_size(std::string_view bytes) {
@@ -54,7 +67,9 @@ bool png_data_fits_header(std::string_view bytes) {
     // Deflate packs at most 1032 bytes into one, so what is smaller than this cannot grow beyond 256 MiB.
     constexpr std::size_t harmless = std::size_t{256} * 1024;
     const auto size = png_size(bytes);
-    if (!size || bytes.size() <= harmless) return true;
+    if (!size) return true;
+    if (!chunks_fit(bytes)) return false;
+    if (bytes.size() <= harmless) return true;
 
     const std::string packed = pixel_data(bytes);
     if (packed.size() <= harmless) return true;

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "material_name.h"
+#include "packed_faces.h"
 #include "slipface/base/hash.h"
+#include "slipface/level/material_name.h"
 
 namespace slipface {
 
@@ -24,7 +25,7 @@ FaceIndex::FaceIndex(const Mesh& mesh, SurfaceTable surfaces) : mesh_(mesh) {
     by_hash_.reserve(keys_.size());
     by_cell_.reserve(keys_.size());
     for (const FaceId face : faces) {
-        by_hash_.push_back({keys_[face].loop_hash, face});
+        by_hash_.push_back({packed_hash(keys_[face].loop_hash), face});
         by_cell_.push_back({cell_code((keys_[face].centroid / cell_size_).array().floor()), face});
     }
     sort(by_hash_);
@@ -53,7 +54,7 @@ void FaceIndex::append(const std::vector<Entry>& entries, std::uint64_t code, st
 
 std::vector<FaceId> FaceIndex::with_hash(std::uint64_t loop_hash) const {
     std::vector<FaceId> faces;
-    append(by_hash_, loop_hash, faces);
+    append(by_hash_, packed_hash(loop_hash), faces);
     return faces;
 }
 

@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "face_index.h"
-#include "material_name.h"
 #include "mesh_collision.h"
+#include "slipface/level/material_name.h"
 
 namespace slipface {
 namespace {
@@ -57,6 +57,7 @@ class Matcher {
         run_stage(Stage::exact, [this](std::size_t i) { return match_place(i); });
         if (has_unmatched() && build_tree()) {
             run_stage(Stage::plane, [this](std::size_t i) { return match_plane(i); });
+            run_stage(Stage::plane, [this](std::size_t i) { return match_union(i); });
             run_stage(Stage::nearest, [this](std::size_t i) { return match_nearest(i); });
         }
         collect();
@@ -213,6 +214,75 @@ class Matcher {
         return !parts.empty();
     }
 
+    // A long face cut into parts, whose centres lie too far off to tell whose they are: connected faces in
+    // its plane that together have its area and the mean of its corners. Tried from the faces at its centre
+    // on, for a limited while.
+    bool match_union(std::size_t i) {
+        const FaceKey& key = stored_[i].key;
+        const Vec3 normal = unit_or_zero(key.normal);
+        if (normal.isZero() || !(key.area > 0.0)) return false;
+        if (neighbours_.first.empty()) neighbours_ = face_neighbours(mesh_);
+        const double reach = 1e-3 * std::sqrt(key.area) + position_tolerance(key.centroid);
+        union_visits_ = 0;
+        for (const FaceId face : faces_around(i, reach)) {
+            std::vector<FaceId> parts;
+            if (!grow_union(key, normal, face, parts)) continue;
+            for (const FaceId part : parts)
+                claim(part, i, Stage::plane);
+            return true;
+        }
+        return false;
+    }
+
+    // Adds `face` to the parts, and then whatever is still missing; takes it back where that fails.
+    bool grow_union(const FaceKey& key, const Vec3& normal, FaceId face, std::vector<FaceId>& parts) {
+        constexpr std::size_t most_parts = 12;
+        constexpr std::size_t most_visits = 2000;
+        if (parts.size() == most_parts || ++union_visits_ > most_visits || !is_part(key, normal, face))
+            return false;
+        ++visits_;
+        parts.push_back(face);
+        double area = 0.0;
+        for (const FaceId part : parts)
+            area += index_.key(part).area;
+        if (area >= part_share * key.area) {
+            if (area <= whole_share * key.area && has_corner_mean(key, parts)) return true;
+        } else {
+            for (std::size_t k = 0; k < parts.size(); ++k) {
+                for (const FaceId next : neighbours_.of(parts[k])) {
+                    if (std::find(parts.begin(), parts.end(), next) == parts.end() &&
+                        grow_union(key, normal, next, parts))
+                        return true;
+                }
+            }
+        }
+        parts.pop_back();
+        return false;
+    }
+
+    bool is_part(const FaceKey& key, const Vec3& normal, FaceId face) const {
+        const FaceKey& candidate = index_.key(face);
+        return is_free(face) && index_.base(face) == base_material(key.material, surfaces_) &&
+               candidate.normal.dot(normal) > 0.999 &&
+               std::abs(normal.dot(candidate.centroid - key.centroid)) <=
+                   1e-3 * std::sqrt(key.area) + position_tolerance(key.centroid);
+    }
+
+    // Cutting a face at its corners or halving its edges leaves the mean of the corners where it was.
+    bool has_corner_mean(const FaceKey& key, const std::vector<FaceId>& parts) const {
+        std::vector<std::uint32_t> vertices;
+        for (const FaceId part : parts)
+            for (std::uint32_t c = mesh_.face_first_corner[part]; c < mesh_.face_first_corner[part + 1]; ++c)
+                vertices.push_back(mesh_.corner_vertex[c]);
+        std::sort(vertices.begin(), vertices.end());
+        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+        Vec3 sum = Vec3::Zero();
+        for (const std::uint32_t vertex : vertices)
+            sum += mesh_.positions[vertex].cast<double>();
+        const Vec3 mean = sum / static_cast<double>(vertices.size());
+        return (mean - key.centroid).norm() <= 1e-3 * std::sqrt(key.area) + position_tolerance(key.centroid);
+    }
+
     bool match_nearest(std::size_t i) {
         const FaceKey& key = stored_[i].key;
         const Vec3 normal = unit_or_zero(key.normal);
@@ -226,7 +296,11 @@ class Matcher {
             const bool similar = candidate.area > 0.25 * key.area && candidate.area < 4.0 * key.area &&
                                  candidate.normal.dot(normal) > 0.9 && distance <= size;
             if (!is_free(face) || !similar || (best != no_id && distance >= best_distance)) continue;
-            if (distance > 0.25 * size && !index_.covers(face, key.centroid, normal)) continue;
+            // A concave face need not cover its own centre: one that went straight along its normal is known
+            // by that.
+            const Vec3 offset = candidate.centroid - key.centroid;
+            const double sideways = (offset - normal.dot(offset) * normal).norm();
+            if (sideways > 0.02 * size && !index_.covers(face, key.centroid, normal)) continue;
             best = face;
             best_distance = distance;
         }
@@ -283,11 +357,29 @@ class Matcher {
     std::vector<Stage> found_;                     // [stored]
     std::vector<std::optional<SurfaceId>> types_;  // [stored]
     std::vector<std::string> bases_;               // [stored]
+    FaceNeighbours neighbours_;                    // where match_union() needed them
     std::size_t visits_ = 0;
+    std::size_t union_visits_ = 0;
     MatchedOverrides result_;
 };
 
 }  // namespace
+
+std::vector<StoredOverride> stored_overrides(const Level& level) {
+    std::vector<FaceId> faces;
+    for (std::size_t face = 0; face < level.overrides.size(); ++face) {
+        const std::optional<SurfaceId>& surface = level.overrides[face];
+        if (surface && *surface < level.surfaces.size()) faces.push_back(static_cast<FaceId>(face));
+    }
+    std::vector<StoredOverride> stored;
+    stored.reserve(faces.size() + level.orphans.size());
+    std::vector<FaceKey> keys = face_keys(*level.mesh, faces);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        stored.push_back({std::move(keys[i]), level.surfaces[*level.overrides[faces[i]]].name, {}});
+    for (const Orphan& orphan : level.orphans)
+        stored.push_back({orphan.key, orphan.type, {}});
+    return stored;
+}
 
 MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
                                  const std::vector<StoredOverride>& stored) {

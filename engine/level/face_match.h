@@ -23,6 +23,9 @@ double position_tolerance(const Vec3& position);
 // For each face its key with `copy` filled in; the faces need not be all of the mesh's.
 std::vector<FaceKey> face_keys(const Mesh& mesh, const std::vector<FaceId>& faces);
 
+// The painted faces of `level` and its orphans, as a level file would hold them, without places.
+std::vector<StoredOverride> stored_overrides(const Level& level);
+
 struct MatchedOverrides {
     std::vector<std::optional<SurfaceId>> overrides;  // [face]
     std::vector<Orphan> orphans;
@@ -39,6 +42,8 @@ struct MatchedOverrides {
 // 2. by plane: faces of the same material in the same plane that are a part of the old face (smaller, centre
 // near, together not
 //    larger) or that contain its centre (the old face was merged, or its outline moved).
+//    Long faces whose parts lie far from their centre: connected faces that together have the old area and
+//    the old mean of corners.
 // 3. nearest: the face of the same material, turned by less than 25 degrees, that the old centre meets along
 // its normal first,
 //    at most the old face's size away.

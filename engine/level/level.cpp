@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "material_name.h"
 #include "mesh_collision.h"
 #include "slipface/base/text.h"
+#include "slipface/level/material_name.h"
 
 namespace slipface {
 namespace {
@@ -39,6 +39,10 @@ const char* surface_source_name(SurfaceSource source) {
             return "override";
     }
     return "none";
+}
+
+bool material_matches(std::string_view pattern, std::string_view material) {
+    return glob_match(normal_pattern(pattern), normal_name(material));
 }
 
 std::optional<SurfaceId> find_surface(const Level& level, std::string_view name) {

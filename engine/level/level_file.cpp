@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
+#include "face_match.h"
 #include "level_json.h"
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
@@ -24,11 +26,9 @@ bool is_level_file(const fs::path& path) {
 
 // A relative path may not lead out of the folder: a level from elsewhere must not make the editor open any
 // file it names.
-Result<fs::path> mesh_of_level_file(const fs::path& file_path, std::string_view text) {
+Result<fs::path> mesh_of_level_file(const fs::path& file_path, const Json& root) {
     const std::string place = file_path.string();
-    const Result<Json> root = parse_json(text, place);
-    if (!root) return root.error();
-    const Json* mesh = root->find("mesh");
+    const Json* mesh = root.find("mesh");
     if (mesh == nullptr || mesh->kind != Json::Kind::string || mesh->text.empty()) {
         return Error{place + ":/mesh", fmt::format("found {}, expected the name of the level's OBJ file",
                                                    mesh == nullptr ? "nothing" : json_kind_text(*mesh))};
@@ -43,41 +43,62 @@ Result<fs::path> mesh_of_level_file(const fs::path& file_path, std::string_view 
     return file_path.parent_path() / normal;
 }
 
-Result<LoadedLevel> load_mesh(const fs::path& mesh_path) {
+Result<LoadedLevel> load_mesh(const fs::path& mesh_path, const ImportTransform& transform,
+                              Progress* progress) {
     const auto start = std::chrono::steady_clock::now();
-    Result<ImportedMesh> imported = import_mesh(mesh_path);
+    ImportOptions options;
+    options.transform = transform;
+    options.progress = progress;
+    Result<ImportedMesh> imported = import_mesh(mesh_path, options);
     if (!imported) return imported.error();
     LoadedLevel loaded;
     loaded.mesh_load_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     loaded.warnings = std::move(imported->warnings);
     loaded.level.mesh = std::move(imported->mesh);
     loaded.level.mesh_path = mesh_path;
+    loaded.level.mesh_stamp = imported->stamp;
+    loaded.level.import_transform = transform;
     loaded.level.file_path = level_file_for(mesh_path);
     loaded.level.overrides.resize(loaded.level.mesh->face_count());
     return loaded;
 }
 
-Result<LoadedLevel> with_annotations(LoadedLevel geometry, const fs::path& file_path, std::string_view text) {
-    Result<LoadedLevel> loaded = level_from_json(text, file_path.string(), geometry.level.mesh);
+// The geometry as the level file wants it, and the file's annotations on it.
+Result<LoadedLevel> load_annotated(const fs::path& mesh_path, const fs::path& file_path, const Json& root,
+                                   Progress* progress) {
+    const Result<ImportTransform> transform = read_import_transform(root, file_path.string());
+    if (!transform) return transform.error();
+    Result<LoadedLevel> geometry = load_mesh(mesh_path, *transform, progress);
+    if (!geometry) return geometry;
+    begin_stage(progress, "Finding painted faces", 1.0, 1.0);
+    Result<LoadedLevel> loaded = read_level(root, file_path.string(), geometry->level.mesh);
     if (!loaded) return loaded;
     const fs::path named = loaded->level.mesh_path;
-    loaded->level.mesh_path = geometry.level.mesh_path;
+    loaded->level.mesh_path = mesh_path;
+    loaded->level.mesh_stamp = geometry->level.mesh_stamp;
     loaded->level.file_path = file_path;
-    loaded->mesh_load_s = geometry.mesh_load_s;
-    if (!named.empty() && named.lexically_normal() != geometry.level.mesh_path.lexically_normal()) {
+    loaded->mesh_load_s = geometry->mesh_load_s;
+    if (!named.empty() && named.lexically_normal() != mesh_path.lexically_normal()) {
         loaded->warnings.insert(loaded->warnings.begin(),
                                 {file_path.string() + ":/mesh",
                                  fmt::format("names \"{}\", but lies beside \"{}\", which was opened",
-                                             named.string(), geometry.level.mesh_path.string())});
+                                             named.string(), mesh_path.string())});
     }
-    loaded->warnings.insert(loaded->warnings.begin(), geometry.warnings.begin(), geometry.warnings.end());
+    loaded->warnings.insert(loaded->warnings.begin(), geometry->warnings.begin(), geometry->warnings.end());
+    if (cancelled(progress)) return cancelled_error(file_path);
     return loaded;
 }
 
-Result<LoadedLevel> load_from_level_file(const fs::path& file_path) {
+Result<Json> read_json(const fs::path& file_path) {
     const Result<std::string> text = read_file(file_path, max_level_file_bytes);
     if (!text) return text.error();
-    const Result<fs::path> mesh_path = mesh_of_level_file(file_path, *text);
+    return parse_json(*text, file_path.string());
+}
+
+Result<LoadedLevel> load_from_level_file(const fs::path& file_path, Progress* progress) {
+    const Result<Json> root = read_json(file_path);
+    if (!root) return root.error();
+    const Result<fs::path> mesh_path = mesh_of_level_file(file_path, *root);
     if (!mesh_path) return mesh_path.error();
     std::error_code error;
     if (!fs::exists(*mesh_path, error)) {
@@ -85,23 +106,80 @@ Result<LoadedLevel> load_from_level_file(const fs::path& file_path) {
             file_path.string() + ":/mesh",
             fmt::format("found no file \"{}\", expected the level's OBJ file there", mesh_path->string())};
     }
-    Result<LoadedLevel> geometry = load_mesh(*mesh_path);
-    if (!geometry) return geometry;
-    return with_annotations(std::move(*geometry), file_path, *text);
+    return load_annotated(*mesh_path, file_path, *root, progress);
 }
 
-Result<LoadedLevel> load_from_mesh(const fs::path& mesh_path) {
-    Result<LoadedLevel> geometry = load_mesh(mesh_path);
-    if (!geometry) return geometry;
-    const fs::path file_path = geometry->level.file_path;
+Result<LoadedLevel> load_from_mesh(const fs::path& mesh_path, Progress* progress) {
+    const fs::path file_path = level_file_for(mesh_path);
     std::error_code error;
-    if (fs::status(file_path, error).type() == fs::file_type::not_found) return geometry;
-    const Result<std::string> text = read_file(file_path, max_level_file_bytes);
-    if (!text) return text.error();
-    return with_annotations(std::move(*geometry), file_path, *text);
+    if (fs::status(file_path, error).type() == fs::file_type::not_found)
+        return load_mesh(mesh_path, {}, progress);
+    // What is wrong with the geometry is said first.
+    if (!fs::exists(mesh_path, error)) return load_mesh(mesh_path, {}, progress);
+    const Result<Json> root = read_json(file_path);
+    if (!root) return root.error();
+    return load_annotated(mesh_path, file_path, *root, progress);
+}
+
+// Everything of `level` but what its geometry decides.
+LoadedLevel with_geometry(const Level& level, LoadedLevel geometry) {
+    Level copy = level;
+    copy.mesh = std::move(geometry.level.mesh);
+    copy.mesh_stamp = geometry.level.mesh_stamp;
+    copy.import_transform = geometry.level.import_transform;
+    geometry.level = std::move(copy);
+    return geometry;
 }
 
 }  // namespace
+
+Result<LoadedLevel> reload_mesh(const Level& level, Progress* progress) {
+    try {
+        Result<LoadedLevel> geometry = load_mesh(level.mesh_path, level.import_transform, progress);
+        if (!geometry) return geometry;
+        begin_stage(progress, "Finding painted faces", 1.0, 1.0);
+        LoadedLevel loaded = with_geometry(level, std::move(*geometry));
+        MatchedOverrides matched =
+            match_overrides(*loaded.level.mesh, level.surfaces, stored_overrides(level));
+        loaded.level.overrides = std::move(matched.overrides);
+        loaded.level.orphans = std::move(matched.orphans);
+        loaded.match = matched.summary;
+        for (Diagnostic& warning : matched.warnings) {
+            if (warning.place.empty()) warning.place = level.mesh_path.string();
+            loaded.warnings.push_back(std::move(warning));
+        }
+        if (cancelled(progress)) return cancelled_error(level.mesh_path);
+        return loaded;
+    } catch (const std::exception& error) {
+        return Error{level.mesh_path.string(), std::string("could not be read again: ") + error.what()};
+    }
+}
+
+Result<LoadedLevel> reload_mesh(const Level& level, const ImportTransform& transform, Progress* progress) {
+    if (!(transform.scale >= smallest_import_scale && transform.scale <= largest_import_scale))
+        return Error{level.mesh_path.string(),
+                     fmt::format("a scale of {} is out of range; expected {} to {}", transform.scale,
+                                 smallest_import_scale, largest_import_scale)};
+    try {
+        Result<LoadedLevel> geometry = load_mesh(level.mesh_path, transform, progress);
+        if (!geometry) return geometry;
+        if (geometry->level.mesh_stamp != level.mesh_stamp)
+            return Error{level.mesh_path.string(), "was changed on disk; reload it first"};
+        LoadedLevel loaded = with_geometry(level, std::move(*geometry));
+        loaded.match.exact =
+            static_cast<std::size_t>(std::count_if(level.overrides.begin(), level.overrides.end(),
+                                                   [](const auto& type) { return type.has_value(); }));
+        loaded.match.orphaned = level.orphans.size();
+        return loaded;
+    } catch (const std::exception& error) {
+        return Error{level.mesh_path.string(), std::string("could not be read again: ") + error.what()};
+    }
+}
+
+bool mesh_changed_on_disk(const Level& level) {
+    const Result<std::string> bytes = read_file(level.mesh_path);
+    return !bytes || file_stamp(*bytes) != level.mesh_stamp;
+}
 
 std::string MatchSummary::text() const {
     std::string text = fmt::format("{} exact, {} by plane", exact, by_plane);
@@ -114,9 +192,16 @@ std::filesystem::path level_file_for(const std::filesystem::path& mesh_path) {
     return path.replace_extension(".slipface.json");
 }
 
-Result<LoadedLevel> load_level(const std::filesystem::path& path) {
+Result<LoadedLevel> load_level(const std::filesystem::path& path, Progress* progress) {
     try {
-        return is_level_file(path) ? load_from_level_file(path) : load_from_mesh(path);
+        Result<LoadedLevel> loaded =
+            is_level_file(path) ? load_from_level_file(path, progress) : load_from_mesh(path, progress);
+        if (!loaded) return loaded;
+        if (const Status status = load_terrain(loaded->level); !status) {
+            loaded->warnings.push_back({loaded->level.file_path.string() + ":/heightfield",
+                                        "there is no terrain: " + status.error().text()});
+        }
+        return loaded;
     } catch (const std::exception& error) {
         return Error{path.string(), std::string("could not be opened: ") + error.what()};
     }

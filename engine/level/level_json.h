@@ -3,19 +3,26 @@
 // {
 //   "slipface": 1,
 //   "mesh": "easy.obj",
+//   "scale": 0.01, "up": "z",                   (metres a unit of the file, its upward axis; if not 1 and y)
 //   "spawn": {"position": [0, 1, 0], "yaw": 0},
 //   "surfaces": [{"name": "ice", "color": [...], "hatch": "diagonal", "hotkey": 2, ...one key a
 //   surface_fields() row}], "rules": [{"pattern": "*ice*", "type": "ice"}], "overrides": [{"type": "ice",
-//   "material": "stone", "faces": ["HASH CENTROID NORMAL AREA [COPY]", ...]}], "orphans": [...as overrides],
+//   "material": "stone", "faces": ["HASH CENTROID NORMAL AREA [COPY]", ...],
+//                                       "packed": [...base64, where many faces are painted...]}],
+//   "orphans": [...as overrides],
 //   "cameras": [{"name": "door", "eye": [...], "target": [...], "fov_y": 1.0472}],
-//   "movement": {...one key a settings_table() row}
+//   "movement": {...one key a settings_table() row},
+//   "light": {"image": "easy.light.png", "geometry": "HASH", "texel": 0.25, "sun_direction": [...], ...,
+//             "emitters": [{"pattern": "lava*", "color": [...]}]}
 // }
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 
 #include "face_match.h"
+#include "json_reader.h"
 #include "json_text.h"
 
 namespace slipface {
@@ -24,6 +31,15 @@ inline constexpr int level_file_version = 1;
 
 // The text of the file as it is written at `file_path`, which decides how it names the mesh.
 std::string level_text(const Level& level, const std::filesystem::path& file_path);
+
+Result<LoadedLevel> read_level(const Json& root, const std::string& place, MeshPtr mesh);
+Result<ImportTransform> read_import_transform(const Json& root, const std::string& place);
+
+Json light_json(const LevelLight& light);
+// Takes the known members out of `json`; errors go to `reader`.
+void read_light(const Json& json, const std::string& path, JsonReader& reader, LevelLight& light);
+// The members that light_json writes.
+std::set<std::string_view> light_keys();
 
 // A painted face as one short text: loop hash, centroid, normal, area, and the copy if it is not 0.
 std::string face_row_text(const FaceKey& key);

@@ -1,4 +1,4 @@
-#include "material_name.h"
+#include "slipface/level/material_name.h"
 
 #include <algorithm>
 
@@ -43,6 +43,19 @@ std::optional<SurfaceId> suffix_surface(std::string_view name, SurfaceTable surf
         if (lower_without_spaces(surfaces[i].name) == wanted) return static_cast<SurfaceId>(i);
     }
     return std::nullopt;
+}
+
+std::optional<std::string> typed_material(std::string_view material, SurfaceId surface,
+                                          SurfaceTable surfaces) {
+    if (suffix_surface(material, surfaces)) material = material.substr(0, material.rfind("__"));
+    std::string type = surfaces[surface].name;
+    std::replace(type.begin(), type.end(), ' ', '_');
+    const bool one_word = std::none_of(type.begin(), type.end(), [](char c) {
+        return static_cast<unsigned char>(c) <= ' ' || c == '#' || c == '\\';
+    });
+    std::string name = std::string(material) + "__" + type;
+    if (!one_word || suffix_surface(name, surfaces) != surface) return std::nullopt;
+    return name;
 }
 
 std::string base_material(std::string_view name, SurfaceTable surfaces) {

@@ -5,16 +5,34 @@
 #include <algorithm>
 #include <set>
 
+#include "json_movement.h"
+#include "json_parts.h"
 #include "json_reader.h"
 #include "level_json.h"
+#include "packed_faces.h"
 
 namespace slipface {
 namespace {
 
 constexpr std::size_t max_rules = 100'000;
 constexpr std::size_t max_cameras = 100'000;
+constexpr std::size_t max_platforms = 10'000;
 constexpr double max_position = 1e9;
 constexpr double pi = 3.141592653589793;
+
+void read_transform(JsonReader& reader, const Json& root, ImportTransform& transform) {
+    if (const Json* scale = root.find("scale"))
+        reader.number(*scale, "/scale", smallest_import_scale, largest_import_scale, transform.scale);
+    std::string up;
+    const Json* axis = root.find("up");
+    if (axis == nullptr || !reader.text(*axis, "/up", up)) return;
+    const auto* const found = std::find(std::begin(up_axis_names), std::end(up_axis_names), up);
+    if (found == std::end(up_axis_names)) {
+        reader.fail("/up", json_kind_text(*axis), "\"y\" or \"z\", the file's upward axis");
+        return;
+    }
+    transform.up = static_cast<UpAxis>(found - std::begin(up_axis_names));
+}
 
 class LevelReader {
   public:
@@ -27,6 +45,7 @@ class LevelReader {
         if (reader_.object(root, "/")) {
             read_version(root);
             read_mesh_name(root);
+            read_transform(reader_, root, loaded_.level.import_transform);
             read_member(root, "spawn",
                         [this](const Json& json, const std::string& path) { read_spawn(json, path); });
             read_member(root, "surfaces",
@@ -41,9 +60,21 @@ class LevelReader {
                         [this](const Json& json, const std::string& path) { read_cameras(json, path); });
             read_member(root, "movement",
                         [this](const Json& json, const std::string& path) { read_movement(json, path); });
+            read_member(root, "platforms",
+                        [this](const Json& json, const std::string& path) { read_platforms(json, path); });
+            read_member(root, "heightfield", [this](const Json& json, const std::string& path) {
+                loaded_.level.heightfield = read_heightfield(reader_, json, path);
+                keep_unknown(json, path, path, heightfield_keys);
+            });
+            read_member(root, "sectors", [this](const Json& json, const std::string& path) {
+                loaded_.level.sectors = slipface::read_sectors(reader_, json, path);
+                keep_unknown(json, path, path, sectors_keys);
+            });
+            read_member(root, "light",
+                        [this](const Json& json, const std::string& path) { read_light_of(json, path); });
             keep_unknown(root, "/", "/",
-                         {"slipface", "mesh", "spawn", "surfaces", "rules", "overrides", "orphans", "cameras",
-                          "movement"});
+                         {"slipface", "mesh", "scale", "up", "spawn", "surfaces", "rules", "overrides",
+                          "orphans", "cameras", "movement", "platforms", "heightfield", "sectors", "light"});
         }
         if (!reader_.ok()) return reader_.error();
         loaded_.level.unknown = unknown_.text();
@@ -231,8 +262,27 @@ class LevelReader {
             stored.place = reader_.place(here);
             stored_.push_back(stored);
         }
+        if (const Json* packed = json.find("packed")) read_packed(*packed, path + "/packed", stored);
         keep_unknown(json, path, unknown_.place("faces", stored.type + "/" + stored.key.material),
-                     {"type", "material", "faces"});
+                     {"type", "material", "faces", "packed"});
+    }
+
+    void read_packed(const Json& json, const std::string& path, const StoredOverride& group) {
+        if (!reader_.array(json, path, max_json_values)) return;
+        std::vector<FaceKey> keys;
+        for (std::size_t i = 0; i < json.items.size(); ++i) {
+            const Json& row = json.items[i];
+            const std::string here = fmt::format("{}/{}", path, i);
+            keys.clear();
+            if (row.kind != Json::Kind::string || !unpack_faces(row.text, keys)) {
+                reader_.fail(here, json_kind_text(row), "painted faces, 23 bytes each, as base64");
+                return;
+            }
+            for (FaceKey& key : keys) {
+                key.material = group.key.material;
+                stored_.push_back({std::move(key), group.type, reader_.place(here)});
+            }
+        }
     }
 
     void read_cameras(const Json& json, const std::string& path) {
@@ -257,42 +307,39 @@ class LevelReader {
         }
     }
 
-    void read_movement(const Json& json, const std::string& path) {
-        if (!reader_.object(json, path)) return;
-        std::set<std::string_view> known;
-        for (const SettingInfo& info : settings_table()) {
-            known.insert(info.name);
-            const Json* value = json.find(info.name);
-            if (value != nullptr && reader_.ok()) read_setting(*value, path + "/" + info.name, info);
+    void read_platforms(const Json& json, const std::string& path) {
+        if (!reader_.array(json, path, max_platforms)) return;
+        const std::vector<std::string>& groups = loaded_.level.mesh->groups;
+        for (std::size_t i = 0; i < json.items.size() && reader_.ok(); ++i) {
+            const std::string here = fmt::format("{}/{}", path, i);
+            const Json& item = json.items[i];
+            Platform platform = read_platform(reader_, item, here);
+            if (!reader_.ok()) return;
+            const std::string place = unknown_.place("platforms", platform.name);
+            keep_unknown(item, here, place, platform_keys);
+            if (const Json* spin = item.find("spin"))
+                keep_unknown(*spin, here + "/spin", place + "/spin", spin_keys);
+            for (std::size_t k = 0; k < platform.path.size(); ++k) {
+                const std::string point = fmt::format("/path/{}", k);
+                keep_unknown(item.find("path")->items[k], here + point, place + point, path_keys);
+            }
+            if (std::find(groups.begin(), groups.end(), platform.group) == groups.end()) {
+                warn(here + "/group",
+                     fmt::format("found no group or object \"{}\" in the mesh; nothing moves",
+                                 platform.group));
+            }
+            loaded_.level.platforms.push_back(std::move(platform));
         }
-        keep_unknown(json, path, path, known);
     }
 
-    void read_setting(const Json& json, const std::string& path, const SettingInfo& info) {
-        MovementSettings& settings = loaded_.level.movement;
-        double value = 0.0;
-        Status status;
-        if (std::holds_alternative<bool MovementSettings::*>(info.member)) {
-            bool flag = false;
-            if (!reader_.boolean(json, path, flag)) return;
-            value = flag ? 1.0 : 0.0;
-        } else if (std::holds_alternative<int MovementSettings::*>(info.member)) {
-            int whole = 0;
-            if (!reader_.integer(json, path, static_cast<int>(info.minimum), static_cast<int>(info.maximum),
-                                 whole))
-                return;
-            value = whole;
-        } else if (std::holds_alternative<PushOut MovementSettings::*>(info.member)) {
-            std::string choice;
-            if (!reader_.text(json, path, choice)) return;
-            status = set_setting(settings, std::string(info.name) + "=" + choice);
-            if (!status.ok()) reader_.fail(Error{reader_.place(path), status.error().message});
-            return;
-        } else if (!reader_.number(json, path, info.minimum, info.maximum, value)) {
-            return;
-        }
-        status = set_setting(settings, info, value);
-        if (!status.ok()) reader_.fail(Error{reader_.place(path), status.error().message});
+    void read_movement(const Json& json, const std::string& path) {
+        read_settings(reader_, json, path, loaded_.level.movement);
+        if (reader_.ok()) keep_unknown(json, path, path, setting_names());
+    }
+
+    void read_light_of(const Json& json, const std::string& path) {
+        read_light(json, path, reader_, loaded_.level.light.emplace());
+        keep_unknown(json, path, path, light_keys());
     }
 
     void match() {
@@ -314,11 +361,23 @@ class LevelReader {
 
 }  // namespace
 
-Result<LoadedLevel> level_from_json(std::string_view json, const std::string& place, MeshPtr mesh) {
+Result<LoadedLevel> read_level(const Json& root, const std::string& place, MeshPtr mesh) {
     if (!mesh) return Error{place, "there is no geometry to put the level file on"};
+    return LevelReader(place, std::move(mesh)).read(root);
+}
+
+Result<ImportTransform> read_import_transform(const Json& root, const std::string& place) {
+    JsonReader reader(place);
+    ImportTransform transform;
+    if (reader.object(root, "/")) read_transform(reader, root, transform);
+    if (!reader.ok()) return reader.error();
+    return transform;
+}
+
+Result<LoadedLevel> level_from_json(std::string_view json, const std::string& place, MeshPtr mesh) {
     const Result<Json> root = parse_json(json, place);
     if (!root) return root.error();
-    return LevelReader(place, std::move(mesh)).read(*root);
+    return read_level(*root, place, std::move(mesh));
 }
 
 }  // namespace slipface

@@ -3,18 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
+#include "json_movement.h"
+#include "json_parts.h"
 #include "level_json.h"
+#include "packed_faces.h"
 
 namespace slipface {
 namespace {
-
-Json vector_json(const Vec3& vector) {
-    Json json = json_array();
-    for (const double part : {vector.x(), vector.y(), vector.z()})
-        json.items.push_back(json_number(part));
-    return json;
-}
 
 Json surface_json(const SurfaceType& surface) {
     Json json = json_object();
@@ -40,58 +37,94 @@ Json surface_json(const SurfaceType& surface) {
     return json;
 }
 
-Json movement_json(const MovementSettings& settings) {
-    Json json = json_object();
-    for (const SettingInfo& info : settings_table()) {
-        const double value = get_setting(settings, info);
-        if (std::holds_alternative<bool MovementSettings::*>(info.member)) {
-            json_add(json, info.name, json_bool(value != 0.0));
-        } else if (std::holds_alternative<int MovementSettings::*>(info.member)) {
-            json_add(json, info.name, json_number(static_cast<std::int64_t>(value)));
-        } else if (std::holds_alternative<PushOut MovementSettings::*>(info.member)) {
-            json_add(json, info.name, json_string(setting_text(settings, info)));
-        } else {
-            json_add(json, info.name, json_number(value));
-        }
-    }
-    return json;
-}
+// More painted faces than these are packed: people no longer read them one by one.
+constexpr std::size_t most_readable_faces = 10'000;
 
-struct PaintedFace {
-    FaceKey key;
-    std::string type;
-    std::size_t type_rank;  // types of the level in their order, others behind them
+struct PaintedFaces {
+    std::vector<FaceKey> keys;
+    std::vector<const std::string*> types;  // [key]
+    std::vector<std::size_t> type_ranks;    // [key] types of the level in their order, others behind them
 };
 
-// One object for each type and material; its faces sorted by what they are and not by where the mesh holds
-// them, so that a mesh whose faces were reordered gives the same text.
-Json groups_json(std::vector<PaintedFace> faces, UnknownMembers& unknown) {
-    std::sort(faces.begin(), faces.end(), [](const PaintedFace& a, const PaintedFace& b) {
-        if (a.type_rank != b.type_rank) return a.type_rank < b.type_rank;
-        if (const int order = a.type.compare(b.type); order != 0) return order < 0;
-        if (const int order = a.key.material.compare(b.key.material); order != 0) return order < 0;
-        if (a.key.loop_hash != b.key.loop_hash) return a.key.loop_hash < b.key.loop_hash;
-        return a.key.copy < b.key.copy;
-    });
+// The distinct names in the order of the text; the rank of each.
+template <class NameOf>
+std::vector<std::uint32_t> ranks(std::size_t count, const NameOf& name_of) {
+    std::map<std::string_view, std::uint32_t> names;
+    for (std::size_t i = 0; i < count; ++i)
+        names.try_emplace(name_of(i), 0);
+    std::uint32_t next = 0;
+    for (auto& [name, rank] : names)
+        rank = next++;
+    std::vector<std::uint32_t> result(count);
+    for (std::size_t i = 0; i < count; ++i)
+        result[i] = names.find(name_of(i))->second;
+    return result;
+}
+
+struct SortedFace {
+    std::size_t type_rank;
+    std::uint32_t type, material;
+    bool is_row;  // in a packed group: one that cannot be packed
+    std::uint64_t hash;
+    std::uint32_t copy;
+    std::size_t face;
+    friend auto operator<=>(const SortedFace&, const SortedFace&) = default;
+};
+
+// By what faces are and not by where the mesh holds them, so that a mesh whose faces were reordered gives the
+// same text.
+std::vector<SortedFace> sorted(const PaintedFaces& faces, bool packed) {
+    const std::size_t count = faces.keys.size();
+    const auto types = ranks(count, [&](std::size_t i) { return std::string_view(*faces.types[i]); });
+    const auto materials =
+        ranks(count, [&](std::size_t i) { return std::string_view(faces.keys[i].material); });
+    std::vector<SortedFace> order(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const FaceKey& key = faces.keys[i];
+        const std::uint64_t hash = packed ? packed_hash(key.loop_hash) : key.loop_hash;
+        order[i] = {faces.type_ranks[i], types[i], materials[i], packed && key.copy > 0, hash, key.copy, i};
+    }
+    std::sort(order.begin(), order.end());
+    return order;
+}
+
+// One object for each type and material.
+Json groups_json(const PaintedFaces& faces, bool packed, UnknownMembers& unknown) {
+    const std::vector<SortedFace> order = sorted(faces, packed);
     Json groups = json_array();
-    for (std::size_t i = 0; i < faces.size();) {
-        const PaintedFace& first = faces[i];
-        Json group = json_object();
-        json_add(group, "type", json_string(first.type));
-        json_add(group, "material", json_string(first.key.material));
+    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+        const auto same = [&](const SortedFace& one) {
+            return one.type == order[begin].type && one.material == order[begin].material;
+        };
         Json rows = json_array();
-        for (; i < faces.size() && faces[i].type == first.type && faces[i].key.material == first.key.material;
-             ++i) {
-            rows.items.push_back(json_string(face_row_text(faces[i].key)));
+        std::vector<const FaceKey*> packable;
+        for (end = begin; end < order.size() && same(order[end]); ++end) {
+            const FaceKey& key = faces.keys[order[end].face];
+            if (packed && !order[end].is_row)
+                packable.push_back(&key);
+            else
+                rows.items.push_back(json_string(face_row_text(key)));
         }
+        const std::size_t first = order[begin].face;
+        const std::string& type = *faces.types[first];
+        const std::string& material = faces.keys[first].material;
+        Json group = json_object();
+        json_add(group, "type", json_string(type));
+        json_add(group, "material", json_string(material));
         json_add(group, "faces", std::move(rows));
-        unknown.append_to(group, unknown.place("faces", first.type + "/" + first.key.material));
+        if (!packable.empty()) {
+            Json packed_rows = json_array();
+            for (const std::string& row : pack_faces(packable))
+                packed_rows.items.push_back(json_string(row));
+            json_add(group, "packed", std::move(packed_rows));
+        }
+        unknown.append_to(group, unknown.place("faces", type + "/" + material));
         groups.items.push_back(std::move(group));
     }
     return groups;
 }
 
-std::vector<PaintedFace> painted_faces(const Level& level) {
+PaintedFaces painted_faces(const Level& level) {
     std::vector<FaceId> faces;
     if (level.mesh) {
         const std::size_t count = std::min(level.overrides.size(), level.mesh->face_count());
@@ -100,23 +133,24 @@ std::vector<PaintedFace> painted_faces(const Level& level) {
             if (surface && *surface < level.surfaces.size()) faces.push_back(static_cast<FaceId>(face));
         }
     }
-    std::vector<PaintedFace> painted;
+    PaintedFaces painted;
     if (faces.empty()) return painted;
-    std::vector<FaceKey> keys = face_keys(*level.mesh, faces);
-    painted.reserve(faces.size());
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-        const SurfaceId surface = *level.overrides[faces[i]];
-        painted.push_back({std::move(keys[i]), level.surfaces[surface].name, surface});
+    painted.keys = face_keys(*level.mesh, faces);
+    for (const FaceId face : faces) {
+        const SurfaceId surface = *level.overrides[face];
+        painted.types.push_back(&level.surfaces[surface].name);
+        painted.type_ranks.push_back(surface);
     }
     return painted;
 }
 
-std::vector<PaintedFace> orphaned_faces(const Level& level) {
-    std::vector<PaintedFace> painted;
-    painted.reserve(level.orphans.size());
+PaintedFaces orphaned_faces(const Level& level) {
+    PaintedFaces painted;
     for (const Orphan& orphan : level.orphans) {
         const std::optional<SurfaceId> surface = find_surface(level, orphan.type);
-        painted.push_back({orphan.key, orphan.type, surface ? *surface : max_surface_types});
+        painted.keys.push_back(orphan.key);
+        painted.types.push_back(&orphan.type);
+        painted.type_ranks.push_back(surface ? *surface : max_surface_types);
     }
     return painted;
 }
@@ -133,6 +167,41 @@ std::string mesh_name(const Level& level, const std::filesystem::path& file_path
     return inside ? relative.generic_string() : mesh.generic_string();
 }
 
+Json platforms_json(const Level& level, UnknownMembers& unknown) {
+    Json platforms = json_array();
+    for (const Platform& platform : level.platforms) {
+        const std::string place = unknown.place("platforms", platform.name);
+        Json json = platform_json(platform);
+        Json path = json_array();
+        for (const PathPoint& point : platform.path) {
+            path.items.push_back(path_point_json(point));
+            unknown.append_to(path.items.back(), fmt::format("{}/path/{}", place, path.items.size() - 1));
+        }
+        json_add(json, "path", std::move(path));
+        Json spin = spin_json(platform);
+        unknown.append_to(spin, place + "/spin");
+        json_add(json, "spin", std::move(spin));
+        unknown.append_to(json, place);
+        platforms.items.push_back(std::move(json));
+    }
+    return platforms;
+}
+
+// What few levels have is written only where it is.
+void append_parts(Json& root, const Level& level, UnknownMembers& unknown) {
+    if (!level.platforms.empty()) json_add(root, "platforms", platforms_json(level, unknown));
+    if (level.heightfield) {
+        Json json = heightfield_json(*level.heightfield);
+        unknown.append_to(json, "/heightfield");
+        json_add(root, "heightfield", std::move(json));
+    }
+    if (!(level.sectors == SectorLayout{})) {
+        Json json = sectors_json(level.sectors);
+        unknown.append_to(json, "/sectors");
+        json_add(root, "sectors", std::move(json));
+    }
+}
+
 }  // namespace
 
 std::string level_text(const Level& level, const std::filesystem::path& file_path) {
@@ -140,6 +209,10 @@ std::string level_text(const Level& level, const std::filesystem::path& file_pat
     Json root = json_object();
     json_add(root, "slipface", json_number(std::int64_t{level_file_version}));
     if (!level.mesh_path.empty()) json_add(root, "mesh", json_string(mesh_name(level, file_path)));
+    if (level.import_transform.scale != 1.0)
+        json_add(root, "scale", json_number(level.import_transform.scale));
+    if (level.import_transform.up != UpAxis::y)
+        json_add(root, "up", json_string(up_axis_names[static_cast<std::size_t>(level.import_transform.up)]));
 
     Json spawn = json_object();
     json_add(spawn, "position", vector_json(level.spawn));
@@ -164,8 +237,9 @@ std::string level_text(const Level& level, const std::filesystem::path& file_pat
         rules.items.push_back(std::move(json));
     }
     json_add(root, "rules", std::move(rules));
-    json_add(root, "overrides", groups_json(painted_faces(level), unknown));
-    json_add(root, "orphans", groups_json(orphaned_faces(level), unknown));
+    const PaintedFaces painted = painted_faces(level);
+    json_add(root, "overrides", groups_json(painted, painted.keys.size() > most_readable_faces, unknown));
+    json_add(root, "orphans", groups_json(orphaned_faces(level), false, unknown));
 
     Json cameras = json_array();
     for (const CameraBookmark& camera : level.cameras) {
@@ -179,9 +253,15 @@ std::string level_text(const Level& level, const std::filesystem::path& file_pat
     }
     json_add(root, "cameras", std::move(cameras));
 
-    Json movement = movement_json(level.movement);
+    Json movement = settings_json(level.movement);
     unknown.append_to(movement, "/movement");
     json_add(root, "movement", std::move(movement));
+    append_parts(root, level, unknown);
+    if (level.light) {
+        Json light = light_json(*level.light);
+        unknown.append_to(light, "/light");
+        json_add(root, "light", std::move(light));
+    }
     unknown.append_to(root, "/");
     return json_pretty(root, 0) + "\n";
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "slipface/base/hash.h"
+#include "slipface/base/parallel.h"
 #include "slipface/mesh/triangulate.h"
 #include "weld.h"
 
@@ -17,10 +18,14 @@ Error unfit(std::string message) {
     return Error{"", std::move(message)};
 }
 
+std::size_t corner_count(const PolygonSoup& soup) {
+    return soup.corner_vertex.empty() ? soup.corner_position.size() : soup.corner_vertex.size();
+}
+
 Status check_faces(const PolygonSoup& soup) {
     const auto& first = soup.face_first_corner;
     if (first.size() < 2) return unfit("has no faces");
-    if (first.front() != 0 || first.back() != soup.corner_position.size()) {
+    if (first.front() != 0 || first.back() != corner_count(soup)) {
         return unfit("faces and corners do not fit together");
     }
     for (std::size_t face = 0; face + 1 < first.size(); ++face) {
@@ -38,64 +43,114 @@ Status check_indices(const std::vector<std::uint32_t>& indices, std::size_t coun
     return unfit(fmt::format("face {} has {} {} of {}", bad - indices.begin(), what, *bad, count));
 }
 
+Status check_corners(const PolygonSoup& soup) {
+    const std::size_t count = soup.vertex_position.size();
+    const auto bad = std::find_if(soup.corner_vertex.begin(), soup.corner_vertex.end(),
+                                  [&](std::uint32_t index) { return index >= count; });
+    if (bad == soup.corner_vertex.end()) return {};
+    return unfit(fmt::format("corner {} has vertex {} of {}", bad - soup.corner_vertex.begin(), *bad, count));
+}
+
+Status check_positions(const std::vector<Vec3f>& positions, const char* what) {
+    const auto bad =
+        std::find_if(positions.begin(), positions.end(), [](const Vec3f& p) { return !p.allFinite(); });
+    if (bad == positions.end()) return {};
+    return unfit(fmt::format("{} {} is not finite", what, bad - positions.begin()));
+}
+
 Status check(const PolygonSoup& soup) {
-    if (soup.corner_position.size() >= no_id) return unfit("has too many corners");
+    if (corner_count(soup) >= no_id) return unfit("has too many corners");
+    const bool indexed = !soup.corner_vertex.empty() || !soup.vertex_position.empty();
+    if (indexed && !soup.corner_position.empty()) return unfit("has corners with two positions");
+    if (auto status = check_corners(soup); !status) return status;
     if (auto status = check_faces(soup); !status) return status;
     const std::size_t faces = soup.face_first_corner.size() - 1;
-    if (soup.corner_uv.size() != soup.corner_position.size() || soup.face_material.size() != faces ||
+    if (soup.corner_uv.size() != corner_count(soup) || soup.face_material.size() != faces ||
         soup.face_group.size() != faces) {
         return unfit("arrays of corners or faces differ in length");
     }
     if (auto status = check_indices(soup.face_material, soup.materials.size(), "material"); !status)
         return status;
     if (auto status = check_indices(soup.face_group, soup.groups.size(), "group"); !status) return status;
-    const auto& positions = soup.corner_position;
-    const auto bad =
-        std::find_if(positions.begin(), positions.end(), [](const Vec3f& p) { return !p.allFinite(); });
-    if (bad != positions.end()) return unfit(fmt::format("corner {} is not finite", bad - positions.begin()));
-    return {};
+    if (const auto status = check_positions(soup.corner_position, "corner"); !status) return status;
+    return check_positions(soup.vertex_position, "vertex");
 }
 
 void fill_defaults(PolygonSoup& soup) {
     const std::size_t faces = std::max<std::size_t>(soup.face_first_corner.size(), 1) - 1;
-    if (soup.corner_uv.empty()) soup.corner_uv.assign(soup.corner_position.size(), Vec2f::Zero());
+    if (soup.corner_uv.empty()) soup.corner_uv.assign(corner_count(soup), Vec2f::Zero());
     if (soup.face_material.empty()) soup.face_material.assign(faces, 0);
     if (soup.face_group.empty()) soup.face_group.assign(faces, 0);
     if (soup.materials.empty()) soup.materials.emplace_back();
     if (soup.groups.empty()) soup.groups.emplace_back();
 }
 
-void cut_faces(Mesh& mesh, const std::vector<Vec3f>& corner_position) {
-    const std::size_t corners = corner_position.size();
-    mesh.triangles.reserve(corners - 2 * mesh.face_count());
-    mesh.triangle_face.reserve(mesh.triangles.capacity());
-    mesh.face_first_triangle.reserve(mesh.face_count() + 1);
-    for (FaceId face = 0; face < mesh.face_count(); ++face) {
-        const std::uint32_t first = mesh.face_first_corner[face];
-        const auto begin = static_cast<std::uint32_t>(mesh.triangles.size());
-        mesh.face_first_triangle.push_back(begin);
-        triangulate_polygon(std::span(corner_position).subspan(first, mesh.face_corner_count(face)),
-                            mesh.triangles);
-        for (std::size_t i = begin; i < mesh.triangles.size(); ++i) {
-            for (std::uint32_t& corner : mesh.triangles[i])
-                corner += first;
-            mesh.triangle_face.push_back(face);
+// Numbers the vertices in the order in which corners first use them and leaves out the others.
+void number_by_first_use(const std::vector<Vec3f>& positions, Mesh& mesh) {
+    std::vector<std::uint32_t> number(positions.size(), no_id);
+    mesh.positions.reserve(positions.size());
+    for (std::uint32_t& vertex : mesh.corner_vertex) {
+        if (number[vertex] == no_id) {
+            number[vertex] = static_cast<std::uint32_t>(mesh.positions.size());
+            mesh.positions.push_back(positions[vertex]);
         }
+        vertex = number[vertex];
     }
-    mesh.face_first_triangle.push_back(static_cast<std::uint32_t>(mesh.triangles.size()));
+}
+
+void place_corners(PolygonSoup& soup, Mesh& mesh) {
+    const bool indexed = !soup.corner_vertex.empty();
+    Welded welded = weld_positions(indexed ? soup.vertex_position : soup.corner_position);
+    std::vector<Vec3f>().swap(soup.corner_position);
+    std::vector<Vec3f>().swap(soup.vertex_position);
+    if (!indexed) {
+        mesh.positions = std::move(welded.positions);
+        mesh.corner_vertex = std::move(welded.index);
+        return;
+    }
+    mesh.corner_vertex = std::move(soup.corner_vertex);
+    for (std::uint32_t& vertex : mesh.corner_vertex)
+        vertex = welded.index[vertex];
+    number_by_first_use(welded.positions, mesh);
+}
+
+constexpr std::size_t faces_per_task = 4096;
+
+// A face of n corners has n - 2 triangles, so each face knows where its own go.
+void cut_faces(Mesh& mesh) {
+    mesh.face_first_triangle.resize(mesh.face_count() + 1);
+    for (std::size_t face = 0; face <= mesh.face_count(); ++face)
+        mesh.face_first_triangle[face] = mesh.face_first_corner[face] - static_cast<std::uint32_t>(2 * face);
+    mesh.triangles.resize(mesh.face_first_triangle.back());
+    mesh.triangle_face.resize(mesh.triangles.size());
+    parallel_for(mesh.face_count(), faces_per_task, [&](std::size_t begin, std::size_t end) {
+        std::vector<Vec3f> corners;
+        std::vector<std::array<std::uint32_t, 3>> triangles;
+        for (auto face = static_cast<FaceId>(begin); face < end; ++face) {
+            const std::uint32_t first = mesh.face_first_corner[face];
+            const std::uint32_t count = mesh.face_corner_count(face);
+            corners.clear();
+            for (std::uint32_t i = 0; i < count; ++i)
+                corners.push_back(mesh.corner_position(first + i));
+            triangles.clear();
+            triangulate_polygon(corners, triangles);
+            std::uint32_t at = mesh.face_first_triangle[face];
+            for (const auto& triangle : triangles) {
+                mesh.triangles[at] = {triangle[0] + first, triangle[1] + first, triangle[2] + first};
+                mesh.triangle_face[at++] = face;
+            }
+        }
+    });
 }
 
 std::uint64_t fingerprint(const Mesh& mesh) {
+    static_assert(sizeof(Vec3f) == 3 * sizeof(float));
     Hasher hasher;
-    hasher.u64(mesh.positions.size());
-    for (const Vec3f& position : mesh.positions) {
-        for (const float coordinate : position)
-            hasher.bytes(&coordinate, sizeof coordinate);
-    }
-    const auto add = [&](const std::vector<std::uint32_t>& values) {
+    const auto add = [&](const auto& values) {
         hasher.u64(values.size());
-        hasher.bytes(values.data(), values.size() * sizeof values[0]);
+        hasher.u64(hash_blocks(values.data(), values.size() * sizeof values[0]));
     };
+    add(mesh.positions);
     add(mesh.corner_vertex);
     add(mesh.face_first_corner);
     add(mesh.face_material);
@@ -114,11 +169,8 @@ MeshPtr make(PolygonSoup soup) {
     mesh->corner_uv = std::move(soup.corner_uv);
     mesh->materials = std::move(soup.materials);
     mesh->groups = std::move(soup.groups);
-
-    Welded welded = weld_positions(soup.corner_position);
-    mesh->positions = std::move(welded.positions);
-    mesh->corner_vertex = std::move(welded.index);
-    cut_faces(*mesh, soup.corner_position);
+    place_corners(soup, *mesh);
+    cut_faces(*mesh);
     for (const Vec3f& position : mesh->positions)
         mesh->bounds.add(position.cast<double>());
     mesh->fingerprint = fingerprint(*mesh);

@@ -49,18 +49,11 @@ class GuardedStream final : public Assimp::IOStream {
 
 }  // namespace
 
-FolderIo::FolderIo(const fs::path& folder) {
-    std::error_code error;
-    folder_ = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
-}
+FolderIo::FolderIo(const fs::path& folder) : folder_(folder) {}
 
 bool FolderIo::readable(const fs::path& file) const {
     std::error_code error;
-    const fs::path inner = fs::weakly_canonical(file, error);
-    if (error || folder_.empty()) return false;
-    const bool inside =
-        std::mismatch(folder_.begin(), folder_.end(), inner.begin(), inner.end()).first == folder_.end();
-    return inside && fs::is_regular_file(inner, error);
+    return lies_within(file, folder_) && fs::is_regular_file(file, error);
 }
 
 bool FolderIo::Exists(const char* file) const {

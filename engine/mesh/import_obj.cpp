@@ -5,6 +5,7 @@
 #include <assimp/Importer.hpp>
 
 #include "material_library.h"
+#include "obj_parallel.h"
 #include "obj_scan.h"
 #include "obj_text.h"
 
@@ -55,13 +56,13 @@ Status read_polygons(const ObjScan& scan, const std::string& place, PolygonSoup&
         place, fmt::format("assimp reads other polygons than the {} in the file", scan.face_material.size())};
 }
 
-std::vector<Material> materials_of(const std::filesystem::path& path, const ObjScan& scan,
-                                   WarningList& warnings) {
+std::vector<Material> materials_of(const std::filesystem::path& path, const std::vector<NameOnLine>& names,
+                                   const std::vector<NameOnLine>& libraries, WarningList& warnings) {
     MaterialsByName known;
-    const bool any_library = load_libraries(path, scan.libraries, known, warnings);
+    const bool any_library = load_libraries(path, libraries, known, warnings);
     std::vector<Material> materials;
-    materials.reserve(scan.materials.size());
-    for (const NameOnLine& used : scan.materials) {
+    materials.reserve(names.size());
+    for (const NameOnLine& used : names) {
         const auto found = known.find(used.name);
         materials.push_back(found != known.end() ? found->second : named_material(used.name));
         if (found == known.end() && any_library && !used.name.empty()) {
@@ -73,9 +74,9 @@ std::vector<Material> materials_of(const std::filesystem::path& path, const ObjS
     return materials;
 }
 
-}  // namespace
-
-Result<PolygonSoup> import_obj(const std::filesystem::path& path, std::string text, WarningList& warnings) {
+// Any OBJ, line by line and through assimp.
+Result<PolygonSoup> read_carefully(const std::filesystem::path& path, std::string text,
+                                   WarningList& warnings) {
     const std::string place = path.string();
     auto scan = scan_obj(std::move(text), place, warnings);
     if (!scan) return scan.error();
@@ -83,13 +84,28 @@ Result<PolygonSoup> import_obj(const std::filesystem::path& path, std::string te
     PolygonSoup soup;
     if (const auto status = read_polygons(*scan, place, soup); !status) return status.error();
     std::string().swap(scan->clean);
-    soup.materials = materials_of(path, *scan, warnings);
+    soup.materials = materials_of(path, scan->materials, scan->libraries, warnings);
     soup.face_first_corner = std::move(scan->face_first_corner);
     soup.face_material = std::move(scan->face_material);
     soup.face_group = std::move(scan->face_group);
     for (NameOnLine& group : scan->groups)
         soup.groups.push_back(std::move(group.name));
     return soup;
+}
+
+}  // namespace
+
+Result<ImportedObj> import_obj(const std::filesystem::path& path, std::string text, WarningList& warnings,
+                               Progress* progress) {
+    if (auto polygons = read_ordinary_obj(text, progress)) {
+        std::string().swap(text);
+        polygons->soup.materials = materials_of(path, polygons->materials, polygons->libraries, warnings);
+        return ImportedObj{std::move(polygons->soup), false};
+    }
+    if (cancelled(progress)) return cancelled_error(path);
+    auto soup = read_carefully(path, std::move(text), warnings);
+    if (!soup) return soup.error();
+    return ImportedObj{std::move(*soup), true};
 }
 
 }  // namespace slipface

@@ -6,18 +6,21 @@
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
+#include <assimp/ProgressHandler.hpp>
 #include <cmath>
 #include <utility>
 
 #include "folder_io.h"
 #include "obj_text.h"
+#include "slipface/mesh/import.h"
 
 namespace slipface {
 namespace {
 
 constexpr std::size_t most_faces = std::size_t{1} << 26;
 constexpr float largest_coordinate = 1e7F;  // metres
-constexpr std::array<std::string_view, 6> extensions{"gltf", "glb", "ply", "stl", "off", "dae"};
+constexpr std::array<std::string_view, 13> extensions{"obj", "bsp", "gltf", "glb", "fbx", "ply", "3ds",
+                                                      "dae", "lwo", "x",    "ac",  "stl", "off"};
 
 std::string text_of(const aiString& text) {
     bool converted = false;
@@ -134,17 +137,32 @@ class SceneReader {
     PolygonSoup soup_;
 };
 
+class CancelledByProgress final : public Assimp::ProgressHandler {
+  public:
+    explicit CancelledByProgress(Progress* progress) : progress_(progress) {}
+    bool Update(float share) override {
+        if (share >= 0.0F) advance(progress_, std::min(share, 1.0F));
+        return !cancelled(progress_);
+    }
+
+  private:
+    Progress* progress_;
+};
+
 }  // namespace
 
-bool scene_extension(std::string_view extension) {
-    return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+std::span<const std::string_view> mesh_extensions() {
+    return extensions;
 }
 
-Result<PolygonSoup> import_scene(const std::filesystem::path& path, WarningList& warnings) {
+Result<PolygonSoup> import_scene(const std::filesystem::path& path, WarningList& warnings,
+                                 Progress* progress) {
     const std::string place = path.string();
     Assimp::Importer importer;
-    importer.SetIOHandler(new FolderIo(path.parent_path()));  // the importer deletes it
+    importer.SetIOHandler(new FolderIo(path.parent_path()));         // the importer deletes it
+    importer.SetProgressHandler(new CancelledByProgress(progress));  // and this
     const aiScene* scene = importer.ReadFile(place, 0);
+    if (cancelled(progress)) return cancelled_error(path);
     if (scene == nullptr)
         return Error{place, fmt::format("assimp cannot read it: {}", importer.GetErrorString())};
     return SceneReader(*scene, place, warnings).run();

@@ -70,14 +70,6 @@ bool has_parent_step(const fs::path& path) {
     return std::find(path.begin(), path.end(), fs::path("..")) != path.end();
 }
 
-bool lies_in(const fs::path& file, const fs::path& folder) {
-    std::error_code error;
-    const fs::path inner = fs::weakly_canonical(file, error);
-    const fs::path outer = error ? fs::path() : fs::weakly_canonical(folder, error);
-    if (error) return false;
-    return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
-}
-
 // Loads each library once, however often and however spelled it is named.
 class LibraryLoader {
   public:
@@ -123,7 +115,7 @@ class LibraryLoader {
                                    in_quotes(name), in_quotes(relative.string())));
         }
         const fs::path file = folder_ / relative;
-        if (!lies_in(file, folder_)) {
+        if (!lies_within(file, folder_)) {
             return warnings_.add(place,
                                  fmt::format("material library {} leads out of the level's folder: not read",
                                              in_quotes(relative.string())));

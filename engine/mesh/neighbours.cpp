@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "slipface/base/parallel.h"
 #include "slipface/mesh/mesh.h"
 #include "weld.h"
 
@@ -13,20 +14,34 @@ struct EdgeOfFace {
     friend auto operator<=>(const EdgeOfFace&, const EdgeOfFace&) = default;
 };
 
+// All edges, sorted: counted into the buckets of their lower vertices, then each bucket by itself.
 std::vector<EdgeOfFace> edges_of(const Mesh& mesh) {
     const Welded welded = weld_positions(mesh.positions);
-    std::vector<EdgeOfFace> edges;
-    edges.reserve(mesh.corner_vertex.size());
-    for (FaceId face = 0; face < mesh.face_count(); ++face) {
-        const std::uint32_t end = mesh.face_first_corner[face + 1];
-        std::uint32_t before = welded.index[mesh.corner_vertex[end - 1]];
-        for (std::uint32_t corner = mesh.face_first_corner[face]; corner < end; ++corner) {
-            const std::uint32_t here = welded.index[mesh.corner_vertex[corner]];
-            if (before != here) edges.push_back({std::min(before, here), std::max(before, here), face});
-            before = here;
+    const auto for_each_edge = [&](const auto& visit) {
+        for (FaceId face = 0; face < mesh.face_count(); ++face) {
+            const std::uint32_t end = mesh.face_first_corner[face + 1];
+            std::uint32_t before = welded.index[mesh.corner_vertex[end - 1]];
+            for (std::uint32_t corner = mesh.face_first_corner[face]; corner < end; ++corner) {
+                const std::uint32_t here = welded.index[mesh.corner_vertex[corner]];
+                if (before != here) visit(EdgeOfFace{std::min(before, here), std::max(before, here), face});
+                before = here;
+            }
         }
-    }
-    std::sort(edges.begin(), edges.end());
+    };
+    std::vector<std::uint32_t> next(welded.positions.size() + 1, 0);
+    for_each_edge([&](const EdgeOfFace& edge) { ++next[edge.low + 1]; });
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<EdgeOfFace> edges(next.back());
+    for_each_edge([&](const EdgeOfFace& edge) { edges[next[edge.low]++] = edge; });
+    // Filling has moved each bucket's begin to its end.
+    constexpr std::size_t buckets_per_task = 4096;
+    parallel_for(welded.positions.size(), buckets_per_task, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t low = begin; low < end; ++low) {
+            const std::uint32_t from = low == 0 ? 0 : next[low - 1];
+            std::sort(edges.begin() + static_cast<std::ptrdiff_t>(from),
+                      edges.begin() + static_cast<std::ptrdiff_t>(next[low]));
+        }
+    });
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     return edges;
 }

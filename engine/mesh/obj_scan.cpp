@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <unordered_map>
 
 #include "obj_text.h"
 #include "slipface/base/text.h"
@@ -11,38 +10,8 @@
 namespace slipface {
 namespace {
 
-constexpr std::size_t longest_line = std::size_t{1} << 20;
-constexpr std::size_t most_faces = std::size_t{1} << 26;
-constexpr double largest_coordinate = 1e7;  // metres
 constexpr std::size_t corners_per_part = std::size_t{1} << 22;
 constexpr std::size_t longest_copied_number = 32;
-
-// Names numbered in the order in which faces first use them. A name without a face is never numbered.
-class NameTable {
-  public:
-    void set(std::string name, std::size_t line) {
-        if (name == current_.name) return;
-        current_ = {std::move(name), line};
-        index_ = no_index;
-    }
-
-    std::uint32_t index() {
-        if (index_ != no_index) return index_;
-        const auto [place, added] =
-            known_.try_emplace(current_.name, static_cast<std::uint32_t>(list_.size()));
-        if (added) list_.push_back(current_);
-        return index_ = place->second;
-    }
-
-    std::vector<NameOnLine> take() { return std::move(list_); }
-
-  private:
-    static constexpr std::uint32_t no_index = 0xFFFFFFFF;
-    NameOnLine current_;
-    std::uint32_t index_ = no_index;
-    std::unordered_map<std::string, std::uint32_t> known_;
-    std::vector<NameOnLine> list_;
-};
 
 // How many `v`, `vt` or `vn` lines there were so far, and the largest index that points beyond them.
 struct Counter {
@@ -82,9 +51,9 @@ class Scanner {
 
   private:
     bool read_line(std::string_view line) {
-        if (line.size() > longest_line) {
-            return refuse(
-                fmt::format("the line has {} characters; at most {} are read", line.size(), longest_line));
+        if (line.size() > longest_obj_line) {
+            return refuse(fmt::format("the line has {} characters; at most {} are read", line.size(),
+                                      longest_obj_line));
         }
         std::string_view rest = line;
         const std::string_view keyword = take_word(rest);
@@ -130,9 +99,9 @@ class Scanner {
             if (word.empty()) return refuse(fmt::format("found {} coordinates, expected 3", axis));
             const auto value = read_number(word);
             if (!value) return refuse(fmt::format("{} is no number", in_quotes(word)));
-            if (!(std::abs(*value) <= largest_coordinate)) {
+            if (!(std::abs(*value) <= largest_obj_coordinate)) {
                 return refuse(fmt::format("coordinate {} is out of range; expected at most {} m either way",
-                                          in_quotes(word), to_text(largest_coordinate)));
+                                          in_quotes(word), to_text(largest_obj_coordinate)));
             }
             out += ' ';
             add_number(word, *value);
@@ -143,22 +112,19 @@ class Scanner {
 
     bool read_uv(std::string_view rest) {
         ++vt_.count;
-        double uv[2] = {0.0, 0.0};
-        for (double& coordinate : uv) {
+        scan_.clean += "vt";
+        for (int axis = 0; axis < 2; ++axis) {
             const std::string_view word = take_word(rest);
             const auto value = word.empty() ? 0.0 : read_number(word);
-            if (value && std::abs(*value) <= largest_coordinate) {
-                coordinate = *value;
-            } else {
+            const bool fine = value && std::abs(*value) <= largest_obj_coordinate;
+            scan_.clean += ' ';
+            fine ? add_number(word, *value) : add_number({}, 0.0);
+            if (!fine) {
                 warn([&] {
                     return fmt::format("texture coordinate {} is out of range: 0 is used", in_quotes(word));
                 });
             }
         }
-        scan_.clean += "vt ";
-        add_number({}, uv[0]);
-        scan_.clean += ' ';
-        add_number({}, uv[1]);
         scan_.clean += '\n';
         return true;
     }
@@ -174,8 +140,8 @@ class Scanner {
             warn([&] { return "the face has fewer than three different corners: dropped"; });
             return true;
         }
-        if (scan_.face_material.size() == most_faces) {
-            return refuse(fmt::format("more than {} faces", most_faces));
+        if (scan_.face_material.size() == most_obj_faces) {
+            return refuse(fmt::format("more than {} faces", most_obj_faces));
         }
         begin_part_if_full();
         std::string& out = scan_.clean;
@@ -267,13 +233,8 @@ class Scanner {
         scan_.clean += '\n';
     }
 
-    // The word as it stands where that is short and plain; assimp overlooks numbers that begin with a point
-    // and cuts off long ones.
     void add_number(std::string_view word, double value) {
-        const std::size_t first_digit = word.starts_with('-') ? 1 : 0;
-        const bool plain = word.size() > first_digit && word.size() <= longest_copied_number &&
-                           word[first_digit] >= '0' && word[first_digit] <= '9';
-        if (plain) {
+        if (copies_obj_number(word)) {
             scan_.clean += word;
         } else {
             scan_.clean += to_text(value);
@@ -325,6 +286,12 @@ class Scanner {
 };
 
 }  // namespace
+
+bool copies_obj_number(std::string_view word) {
+    const std::size_t first_digit = word.starts_with('-') ? 1 : 0;
+    return word.size() > first_digit && word.size() <= longest_copied_number && word[first_digit] >= '0' &&
+           word[first_digit] <= '9';
+}
 
 Result<ObjScan> scan_obj(std::string text, const std::string& place, WarningList& warnings) {
     return Scanner(std::move(text), place, warnings).run();

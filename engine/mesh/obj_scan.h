@@ -2,6 +2,9 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "slipface/base/result.h"
@@ -14,6 +17,41 @@ struct NameOnLine {
     std::string name;
     std::size_t line = 0;
 };
+
+inline constexpr std::size_t longest_obj_line = std::size_t{1} << 20;
+inline constexpr std::size_t most_obj_faces = std::size_t{1} << 26;
+inline constexpr double largest_obj_coordinate = 1e7;  // of the file's units
+
+// Names numbered in the order in which faces first use them. A name without a face is never numbered.
+class NameTable {
+  public:
+    void set(std::string name, std::size_t line) {
+        if (name == current_.name) return;
+        current_ = {std::move(name), line};
+        index_ = no_index;
+    }
+
+    std::uint32_t index() {
+        if (index_ != no_index) return index_;
+        const auto [place, added] =
+            known_.try_emplace(current_.name, static_cast<std::uint32_t>(list_.size()));
+        if (added) list_.push_back(current_);
+        return index_ = place->second;
+    }
+
+    std::vector<NameOnLine> take() { return std::move(list_); }
+
+  private:
+    static constexpr std::uint32_t no_index = 0xFFFFFFFF;
+    NameOnLine current_;
+    std::uint32_t index_ = no_index;
+    std::unordered_map<std::string, std::uint32_t> known_;
+    std::vector<NameOnLine> list_;
+};
+
+// Whether a number goes to assimp as it is spelled: assimp overlooks numbers that begin with a point and cuts
+// off long ones, so those are written anew.
+bool copies_obj_number(std::string_view word);
 
 // An OBJ file checked, and its polygons written out anew for a reader that need not be careful.
 struct ObjScan {

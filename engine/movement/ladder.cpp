@@ -25,10 +25,11 @@ void leave(Mover& mover, const Vec3& velocity, const char* why) {
     if (!mover.grounded) mover.support_face = no_id;
 }
 
-void support(Mover& mover, const Vec3& normal, FaceId face, SurfaceId surface) {
+void support(Mover& mover, const Vec3& normal, FaceId face, SurfaceId surface, std::uint32_t platform) {
     mover.support_normal = normal;
     mover.support_face = face;
     mover.support_surface = surface;
+    mover.support_platform = platform;
 }
 
 // After the move the ladder is looked for where it was; its face may have bent or ended.
@@ -47,18 +48,18 @@ void follow(Mover& mover, const PlayerState& state, const Vec3& from, double ris
     mover.hazard = mover.hazard || surface.hazardous;
     if (is_walkable(mover, contact.normal, surface)) {
         mover.grounded = true;
-        support(mover, contact.normal, contact.face, contact.surface);
+        support(mover, contact.normal, contact.face, contact.surface, swept.platform);
         leave(mover, Vec3::Zero(), "leaves the ladder: on top");
     } else if (surface.climbable) {
-        support(mover, contact.normal, contact.face, contact.surface);
+        support(mover, contact.normal, contact.face, contact.surface, swept.platform);
     } else if (contact.feature != Feature::interior && rising > 0.0) {
         // The rim belongs to the faces of the top as well; whichever of them was touched, the way up goes on.
-        support(mover, contact.normal, state.ground_face, state.ground_surface);
+        support(mover, contact.normal, state.ground_face, state.ground_surface, state.ground_platform);
     } else if (rising >= std::abs(sideways)) {
         // A plain wall goes on above the ladder: stepping onto it would drop the player back at every tick.
         mover.position = from;
         mover.velocity = Vec3::Zero();
-        support(mover, state.ground_normal, state.ground_face, state.ground_surface);
+        support(mover, state.ground_normal, state.ground_face, state.ground_surface, state.ground_platform);
         decide(mover, "surface_types", false, "climbable", 0.0, 1.0, "refused: the wall above is no ladder",
                contact.face);
     } else {
@@ -83,14 +84,14 @@ std::optional<Turn> grab_ladder(Mover& mover, const Hit& hit) {
         return refuse("stick into the ladder", into, meant, "passes the ladder");
     mover.climbing = true;
     mover.grounded = false;
-    support(mover, contact.normal, contact.face, contact.surface);
+    support(mover, contact.normal, contact.face, contact.surface, hit.platform);
     decide(mover, "surface_types", true, "climbable", 1.0, 1.0, "takes hold of the ladder", contact.face);
     return Turn{.rule = Rule::stop, .plane = contact.normal};
 }
 
 void climb(Mover& mover, const PlayerState& state) {
     const Vec3& normal = state.ground_normal;
-    const SurfaceType& ladder = surface_of_face(mover, state.ground_face);
+    const SurfaceType& ladder = support_of(mover, state);
     const Vec3 out = direction_of(horizontal(normal));
     const Vec3 up = direction_of(Vec3::UnitY() - normal * normal.y());
     const Vec3 side = Vec3::UnitY().cross(out);
@@ -102,7 +103,7 @@ void climb(Mover& mover, const PlayerState& state) {
     mover.on_ladder = true;
     mover.climbing = true;
     mover.hazard = mover.hazard || ladder.hazardous;
-    support(mover, normal, state.ground_face, state.ground_surface);
+    support(mover, normal, state.ground_face, state.ground_surface, state.ground_platform);
     mover.velocity = ladder.climb_speed * (up * rising + side * sideways);
     mover.velocity_before = mover.velocity;
     decide(mover, "surface_types", true, "up, m/s", mover.velocity.y(), ladder.climb_speed, "climbs",

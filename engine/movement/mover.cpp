@@ -21,8 +21,11 @@ double slope_cosine(double angle) {
     // Taylor series to x^22: the first term left out is below 2e-18 at pi/2.
     const double square = angle * angle;
     double sum = 1.0;
-    for (int n = 22; n >= 2; n -= 2)
-        sum = 1.0 - sum * square / static_cast<double>(n * (n - 1));
+    constexpr std::array<double, 11> factors{
+        1.0 / (22 * 21), 1.0 / (20 * 19), 1.0 / (18 * 17), 1.0 / (16 * 15), 1.0 / (14 * 13), 1.0 / (12 * 11),
+        1.0 / (10 * 9),  1.0 / (8 * 7),   1.0 / (6 * 5),   1.0 / (4 * 3),   1.0 / (2 * 1)};
+    for (const double factor : factors)
+        sum = 1.0 - sum * square * factor;
     return sum;
 }
 
@@ -32,8 +35,10 @@ const SurfaceType& surface_of(const Mover& mover, SurfaceId surface) {
     return mover.scene.surfaces[surface];
 }
 
-const SurfaceType& surface_of_face(const Mover& mover, FaceId face) {
-    return surface_of(mover, face == no_id ? default_surface : mover.scene.collision.face_surface(face));
+const SurfaceType& support_of(const Mover& mover, const PlayerState& state) {
+    const CollisionWorld& world = world_of(mover, state.ground_platform);
+    return surface_of(mover,
+                      state.ground_face == no_id ? default_surface : world.face_surface(state.ground_face));
 }
 
 double walkable_limit(const Mover& mover, const SurfaceType& surface) {

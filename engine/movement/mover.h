@@ -2,25 +2,16 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "slipface/movement/step.h"
 
 namespace slipface {
 
-struct Mover {
-    const MovementScene& scene;
-    const MovementSettings& settings;
-    TraceSink* trace = nullptr;
-    double dt = 1.0;
-    double walkable_cosine = 1.0;  // of settings.max_slope
-    Vec2 wish = Vec2::Zero();      // at most 1 long
-
-    Vec3 position = Vec3::Zero();  // centre of the ellipsoid now
+// What a part of a step changes; kept and put back by hacks that try a move and compare.
+struct Motion {
+    Vec3 position = Vec3::Zero();  // centre of the ellipsoid now, in the scene's coordinates
     Vec3 velocity = Vec3::Zero();  // at the end of the step, as far as contacts have turned it
-    Vec3 velocity_before =
-        Vec3::Zero();  // at the start of the step: what a bounce gives back lies between the two
-    bool was_grounded = false;
-    bool on_ladder = false;  // the move climbs: ladders are slid along instead of grabbed
 
     // Found out on the way.
     bool grounded = false;
@@ -29,9 +20,34 @@ struct Mover {
     bool hazard = false;
     bool bounced = false;
     bool kept_energy = false;
+    bool trapped = false;
+    bool walled = false;                  // a wall turned a horizontal pass
     Vec3 support_normal = Vec3::UnitY();  // of the surface stood on, climbed, stuck to or slid along
     FaceId support_face = no_id;
     SurfaceId support_surface = default_surface;
+    std::uint32_t support_platform = no_id;
+};
+
+struct Mover : Motion {
+    Mover(const MovementScene& in_scene, const MovementSettings& by_settings, TraceSink* sink, double seconds)
+        : scene(in_scene), settings(by_settings), trace(sink), dt(seconds) {}
+    Motion& motion() { return *this; }
+
+    const MovementScene& scene;
+    const MovementSettings& settings;
+    TraceSink* trace = nullptr;
+    double dt = 1.0;
+    double walkable_cosine = 1.0;  // of settings.max_slope
+    Vec2 wish = Vec2::Zero();      // at most 1 long
+    bool jump_held = false;        // the button, this step
+    bool jumping = false;          // rising by a jump whose button is still held
+
+    Vec3 velocity_before =
+        Vec3::Zero();  // at the start of the step: what a bounce gives back lies between the two
+    bool was_grounded = false;
+    bool jumped = false;
+    bool on_ladder = false;                  // the move climbs: ladders are slid along instead of grabbed
+    std::uint32_t ignored_platform = no_id;  // the one that carries the player now, or pushes
 
     int sweeps = 0;
     int contacts = 0;
@@ -42,9 +58,10 @@ struct Hit {
     Pass pass;
     const Contact& contact;
     const SurfaceType& surface;
-    bool walkable;  // flat enough to stand on
-    Vec3 leftover;  // of the displacement
-    double done;    // share of the pass's displacement that lies before the contact, 0..1
+    std::uint32_t platform;  // that the face belongs to, or no_id
+    bool walkable;           // flat enough to stand on
+    Vec3 leftover;           // of the displacement
+    double done;             // share of the pass's displacement that lies before the contact, 0..1
 };
 
 // What a contact makes of the displacement and the velocity.
@@ -72,7 +89,8 @@ double slope_cosine(double angle);
 
 const SurfaceType& surface_of(const Mover& mover,
                               SurfaceId surface);  // `default` for unknown ids and when switched off
-const SurfaceType& surface_of_face(const Mover& mover, FaceId face);
+const SurfaceType& support_of(const Mover& mover,
+                              const PlayerState& state);                // what the state stands on or holds
 double walkable_limit(const Mover& mover, const SurfaceType& surface);  // least N.y that can be stood on
 inline bool is_walkable(const Mover& mover, const Vec3& normal, const SurfaceType& surface) {
     return normal.y() >= walkable_limit(mover, surface);
@@ -81,11 +99,25 @@ inline bool is_walkable(const Mover& mover, const Vec3& normal, const SurfaceTyp
 void decide(const Mover& mover, const char* hack, bool acted, const char* quantity, double value,
             double limit, const char* outcome, FaceId face = no_id);
 
+// Queries of the whole scene: what stands still, and every platform but the ignored one.
+struct SceneContact {
+    Contact contact;
+    std::uint32_t platform = no_id;
+    double depth = 0.0;  // metres behind the contact plane already, where the seam filter turned it
+};
+std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Vec3& move);
+// At most out.size() are kept; returns how many are in `out`.
+std::size_t overlaps_in_scene(const Mover& mover, const Vec3& centre, std::span<Overlap> out);
+bool overlaps_scene(const Mover& mover, const Vec3& centre);
+std::optional<RayHit> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& way);
+const CollisionWorld& world_of(const Mover& mover, std::uint32_t platform);
+
 // A sweep whose end keeps the skin.
 struct Swept {
     Vec3 reached = Vec3::Zero();
     double used = 1.0;                              // share of the move that was made
     std::optional<Contact> contact = std::nullopt;  // t is a share of the move
+    std::uint32_t platform = no_id;                 // that the contact's face belongs to
 };
 Swept sweep_with_skin(Mover& mover, Pass pass, int iteration, const Vec3& move);
 
@@ -116,20 +148,44 @@ struct Corner {
 };
 void respect_corner(const Corner& corner, const Vec3& leftover, const Vec3& velocity, Turn& turn);
 
-// Parts of a step.
+// Parts of a step, in the order in which it asks for them.
+void push_out(Mover& mover);
+bool nudge(Mover& mover);  // true if the player is free afterwards
+void move_with_platforms(Mover& mover, const PlayerState& state);
+Vec3 velocity_of(const MovingPart& part, const Vec3& point);  // m/s, of the platform at that point
+void carry(Mover& mover, const SurfaceType& support);
+void hold(Mover& mover, const PlayerState& state);
+void climb(Mover& mover, const PlayerState& state);
 void walk(Mover& mover, const PlayerState& state, bool jump_pressed);
+bool clamp_to_terrain(Mover& mover, const Vec3& from);  // false if there is no room above the terrain
+bool ends_inside(const Mover& mover, const Vec3& from);
+
+// Parts of a walk.
 void accelerate(Mover& mover, bool slippery);
 void coast(Mover& mover, const Vec3& from, const Vec3& driven_velocity);
 // How far `along`, a displacement or a velocity, leads down on ground of that normal; 0 going up.
 double descent(const Vec3& ground_normal, const Vec3& along);
 double press_down(const Mover& mover, const Vec3& ground_normal, const Vec3& move);  // metres this step, >= 0
 void set_ground_velocity(Mover& mover);
-void hold(Mover& mover, const PlayerState& state);
-void climb(Mover& mover, const PlayerState& state);
-void carry(Mover& mover, const SurfaceType& support);
-Vec3 carry_velocity(const Mover& mover, const SurfaceType& support);  // m/s at the mover's position
+// What the plain move made of `level` is in the mover; `before` is where it began. True if a step was climbed
+// instead, which includes the way down onto it.
+bool step_up(Mover& mover, const Motion& before, const Vec3& level);
+void snap_down(Mover& mover);
+// A steep edge that the player rests on while walkable ground lies at most a step below its centre.
+bool on_rim(Mover& mover, const Contact& contact);
 void cap_energy(Mover& mover, const Vec3& from, const Vec3& driven_velocity);
-void push_out(Mover& mover);
-bool ends_inside(const Mover& mover, const Vec3& from);
+Vec3 carry_velocity(const Mover& mover, const PlayerState& state);  // m/s at the mover's position
+
+// Jumping.
+bool wants_jump(const Mover& mover, const PlayerState& state, bool pressed);  // pressed now, or remembered
+bool may_jump(const Mover& mover, const PlayerState& state);  // held by something, or just left it
+void cut_jump(Mover& mover);
+// What the timers are after the step.
+double coyote_after(const Mover& mover, const PlayerState& state);
+double jump_buffer_after(const Mover& mover, const PlayerState& state, bool pressed);
+
+// Replaces the normal of a touch of an edge that is inside a flat or hollow surface by the face's. Returns
+// how deep the ellipsoid at `centre` is behind that face's plane, metres; 0 where nothing was replaced.
+double filter_seam(const Mover& mover, const Vec3& centre, std::uint32_t platform, Contact& contact);
 
 }  // namespace slipface

@@ -2,9 +2,8 @@
 //
 // Analytic (lecture, "Analytic solution for acute angles"): the planes of the triangles whose interior is
 // overlapped, each moved out by the ellipsoid's extent along its normal plus the skin; the player goes to the
-// nearest point of their common plane, line or point. Iterative: out of the deepest triangle, again and
-// again; slow in acute corners, but knows edges and vertices, which is why what the analytic answer leaves is
-// given to it.
+// nearest point outside all of them. Iterative: out of the deepest plane, again and again. Edges and vertices
+// are no planes; both leave them one by one at the end.
 //
 // With the centre as origin the line of two planes, C + t D, has C = (nA (dA - dB k) + nB (dB - dA k)) / (1 -
 // k k), and C is its point nearest to the centre already, because C is a combination of nA and nB and D is
@@ -28,55 +27,120 @@ struct Plane {
 constexpr double parallel = 1e-8;  // square of the sine between two planes that count as one
 
 std::size_t overlaps_at(const Mover& mover, const Vec3& centre, Overlaps& found) {
-    return std::min(find_overlaps(mover.scene.collision, mover.settings.radii, centre, found), found.size());
+    return overlaps_in_scene(mover, centre, found);
 }
 
-Plane plane_of(const Mover& mover, const Vec3& centre, const Overlap& overlap) {
-    const double extent = mover.settings.radii.cwiseProduct(overlap.normal).norm();
-    return {.normal = overlap.normal,
-            .distance = extent + mover.settings.skin - overlap.normal.dot(centre - overlap.point)};
+// How far the player has to go from `start` out of the overlapped face, on the side on which it began.
+Plane plane_of(const Mover& mover, const Vec3& start, const Overlap& overlap) {
+    const Vec3 normal =
+        overlap.normal.dot(start - overlap.point) < 0.0 ? Vec3(-overlap.normal) : overlap.normal;
+    const double extent = mover.settings.radii.cwiseProduct(normal).norm();
+    return {.normal = normal, .distance = extent + mover.settings.skin - normal.dot(start - overlap.point)};
 }
 
-// The planes of the overlapped interiors, deepest first, coplanar and nearly parallel ones once, three at
-// most.
-int planes_at(const Mover& mover, const Vec3& centre, const Overlaps& found, std::size_t count,
-              std::array<Plane, 3>& planes) {
+// The planes of the overlapped interiors, coplanar ones once, as seen from where the player began.
+struct Planes {
+    static constexpr std::size_t capacity = 8;
+    std::array<Plane, capacity> plane;
+    std::size_t count = 0;
+};
+
+void add_planes(const Mover& mover, const Vec3& start, const Overlaps& found, std::size_t count,
+                Planes& planes) {
     std::array<Plane, 64> candidates;
     std::size_t interior = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        if (found[i].feature == Feature::interior) candidates[interior++] = plane_of(mover, centre, found[i]);
+        if (found[i].feature == Feature::interior) candidates[interior++] = plane_of(mover, start, found[i]);
     }
+    // Deepest first, for where there are more than are kept.
     std::stable_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(interior),
                      [](const Plane& a, const Plane& b) { return a.distance > b.distance; });
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < interior && kept < planes.size(); ++i) {
-        const bool fresh = std::none_of(
-            planes.begin(), planes.begin() + static_cast<std::ptrdiff_t>(kept),
-            [&](const Plane& p) { return p.normal.cross(candidates[i].normal).squaredNorm() < parallel; });
-        if (fresh) planes[kept++] = candidates[i];
+    for (std::size_t i = 0; i < interior && planes.count < Planes::capacity; ++i) {
+        const Vec3& normal = candidates[i].normal;
+        const auto end = planes.plane.begin() + static_cast<std::ptrdiff_t>(planes.count);
+        const bool known = std::any_of(planes.plane.begin(), end, [&](const Plane& p) {
+            return p.normal.dot(normal) > 0.0 && p.normal.cross(normal).squaredNorm() < parallel &&
+                   p.distance >= candidates[i].distance - mover.settings.skin;
+        });
+        if (!known) planes.plane[planes.count++] = candidates[i];
     }
-    return static_cast<int>(kept);
 }
 
-Vec3 shift_out_of(const std::array<Plane, 3>& planes, int count) {
-    const auto& [a, b, c] = planes;
-    if (count == 3) {
-        const Vec3 bc = b.normal.cross(c.normal);
-        const double volume = a.normal.dot(bc);
-        if (volume * volume > parallel) {
-            return (a.distance * bc + b.distance * c.normal.cross(a.normal) +
-                    c.distance * a.normal.cross(b.normal)) /
-                   volume;
+// The point of both planes, or of all three, nearest to the centre; nothing for parallel ones.
+std::optional<Vec3> crease(const Plane& a, const Plane& b) {
+    const double k = a.normal.dot(b.normal);
+    const double square = 1.0 - k * k;
+    if (!(square > parallel)) return std::nullopt;
+    return Vec3((a.normal * (a.distance - b.distance * k) + b.normal * (b.distance - a.distance * k)) /
+                square);
+}
+std::optional<Vec3> corner(const Plane& a, const Plane& b, const Plane& c) {
+    const Vec3 bc = b.normal.cross(c.normal);
+    const double volume = a.normal.dot(bc);
+    if (!(volume * volume > parallel)) return std::nullopt;
+    return Vec3(
+        (a.distance * bc + b.distance * c.normal.cross(a.normal) + c.distance * a.normal.cross(b.normal)) /
+        volume);
+}
+
+// The shortest way out of all planes: it ends on one of them, on the line of two, or in the point of three,
+// so the shortest of those that satisfy the rest is it. Where none does (the two sides of a slab), the
+// deepest plane alone.
+Vec3 shift_out_of(const Planes& planes) {
+    std::optional<Vec3> best;
+    const auto consider = [&](const std::optional<Vec3>& shift) {
+        if (!shift || (best && !(shift->squaredNorm() < best->squaredNorm()))) return;
+        for (std::size_t i = 0; i < planes.count; ++i) {
+            const Plane& p = planes.plane[i];
+            if (p.normal.dot(*shift) < p.distance - 1e-9 * (1.0 + p.distance)) return;
+        }
+        best = shift;
+    };
+    const auto& p = planes.plane;
+    for (std::size_t i = 0; i < planes.count; ++i) {
+        consider(Vec3(p[i].normal * p[i].distance));
+        for (std::size_t j = i + 1; j < planes.count; ++j) {
+            consider(crease(p[i], p[j]));
+            for (std::size_t k = j + 1; k < planes.count; ++k)
+                consider(corner(p[i], p[j], p[k]));
         }
     }
-    if (count >= 2) {
-        const double k = a.normal.dot(b.normal);
-        return (a.normal * (a.distance - b.distance * k) + b.normal * (b.distance - a.distance * k)) /
-               (1.0 - k * k);
-    }
-    return a.normal * a.distance;
+    return best ? *best : Vec3(p[0].normal * p[0].distance);
 }
 
+// Out of the plane that is overlapped deepest, again and again, each from the side on which the player began.
+// Between two faces of an acute wedge the steps shrink by the square of the cosine between them, which takes
+// thousands of rounds at 5 degrees; so every fifth round the rest of such a row is added at once (Aitken's
+// extrapolation).
+Vec3 iterate_out_of(const Planes& planes) {
+    constexpr int rounds = 200;
+    constexpr int leap = 5;
+    Vec3 shift = Vec3::Zero();
+    std::array<Vec3, leap> last;
+    for (int round = 0; round < rounds; ++round) {
+        const Plane* worst = nullptr;
+        double missing = 1e-9;
+        for (std::size_t i = 0; i < planes.count; ++i) {
+            const double left = planes.plane[i].distance - planes.plane[i].normal.dot(shift);
+            if (left > missing) {
+                missing = left;
+                worst = &planes.plane[i];
+            }
+        }
+        if (worst == nullptr) return shift;
+        shift += worst->normal * missing;
+        last[static_cast<std::size_t>(round % leap)] = shift;
+        if (round % leap != leap - 1) continue;
+        // The first, the third and the last since a leap lie on the same face of a wedge.
+        const Vec3 older = last[2] - last[0];
+        const Vec3 newer = last[4] - last[2];
+        const double share = older.squaredNorm() > 0.0 ? newer.dot(older) / older.squaredNorm() : 0.0;
+        if (share > 0.25 && share < 0.99999) shift += newer * (share / (1.0 - share));
+    }
+    return shift;
+}
+
+// What planes leave: edges, corners, and faces that were not overlapped at first.
 Vec3 iterate_out(const Mover& mover, Vec3 centre, Overlaps& found, std::size_t& count) {
     constexpr int rounds = 32;
     for (int round = 0; round < rounds && count > 0; ++round) {
@@ -95,7 +159,7 @@ Vec3 iterate_out(const Mover& mover, Vec3 centre, Overlaps& found, std::size_t& 
 // The centre itself may not change sides of anything solid.
 bool crosses_nothing(const Mover& mover, const Vec3& from, const Vec3& to) {
     const Vec3 way = to - from;
-    return way.isZero(0.0) || !cast_ray(mover.scene.collision, from, way, 1.0);
+    return way.isZero(0.0) || !ray_in_scene(mover, from, way);
 }
 
 }  // namespace
@@ -107,15 +171,18 @@ void push_out(Mover& mover) {
     if (count == 0) return;
 
     Vec3 centre = mover.position;
-    int planes = static_cast<int>(count);
-    if (mover.settings.push_out == PushOut::analytic) {
-        std::array<Plane, 3> chosen;
-        planes = planes_at(mover, centre, found, count, chosen);
-        if (planes > 0) {
-            centre += shift_out_of(chosen, planes);
-            count = overlaps_at(mover, centre, found);
-        }
+    const bool analytic = mover.settings.push_out == PushOut::analytic;
+    // On the way out of some planes others may be met, which then count as well.
+    constexpr int rounds = 4;
+    Planes overlapped;
+    for (int round = 0; round < rounds && count > 0; ++round) {
+        const std::size_t known = overlapped.count;
+        add_planes(mover, mover.position, found, count, overlapped);
+        if (overlapped.count == known) break;
+        centre = mover.position + (analytic ? shift_out_of(overlapped) : iterate_out_of(overlapped));
+        count = overlaps_at(mover, centre, found);
     }
+    const int planes = static_cast<int>(overlapped.count);
     centre = iterate_out(mover, centre, found, count);
     const bool free = count == 0 && crosses_nothing(mover, mover.position, centre);
     if (mover.trace != nullptr) {

@@ -20,9 +20,12 @@ void touch(Mover& mover, const Hit& hit) {
     const bool ground = hit.walkable && hit.pass != Pass::horizontal;
     if (mover.grounded && !ground) return;
     mover.grounded = mover.grounded || ground;
-    mover.support_normal = hit.contact.normal;
+    // A rim is stood on as if it were level.
+    const bool rim = ground && !is_walkable(mover, hit.contact.normal, hit.surface);
+    mover.support_normal = rim ? Vec3(Vec3::UnitY()) : hit.contact.normal;
     mover.support_face = hit.contact.face;
     mover.support_surface = hit.contact.surface;
+    mover.support_platform = hit.platform;
 }
 
 Turn respond(Mover& mover, const Hit& hit) {

@@ -11,7 +11,7 @@ using S = MovementSettings;
 
 constexpr double degree = 0.017453292519943295;
 
-const std::array<SettingInfo, 21> table{{
+const auto table = std::to_array<SettingInfo>({
     {"radius_x", "Radius X", "Body", "m", 0.05, 5.0,
      "Half the width of the player's ellipsoid along X. Keep it equal to radius Z, or turning the world "
      "turns the player "
@@ -34,7 +34,7 @@ const std::array<SettingInfo, 21> table{{
      "lasts 2v/g.",
      "Jumps float and the player has no weight.", "Jumps snap back before they can be steered.", "",
      &S::gravity},
-    {"walk_speed", "Walking speed", "Speed", "m/s", 0.0, 50.0,
+    {"walk_speed", "Walking speed", "Speed", "m/s", 0.0, 100.0,
      "Horizontal speed with the stick fully pushed.", "Levels feel long and dull.",
      "Corners are overshot, and gaps meant to need a run are jumped by accident.", "", &S::walk_speed},
     {"ground_acceleration", "Ground acceleration", "Speed", "m/s2", 0.0, 1000.0,
@@ -76,6 +76,11 @@ const std::array<SettingInfo, 21> table{{
      "slides down "
      "them.",
      "Slides off ramps that look walkable.", "Walks up cliffs.", "", &S::max_slope},
+    {"sub_step", "Sub-step", "Collision", "s", 0.0, 0.25,
+     "Longest part of a tick that is moved at once; a longer tick is cut into equal parts. 0 moves the whole "
+     "tick. 1/720 s makes 30, 60, 120, 240 and 360 Hz run through the same parts.",
+     "Costs a whole move for each part.", "Routes differ by centimetres between frame rates.", "",
+     &S::sub_step},
 
     {"static_friction", "Static friction", "Hacks", "", 0.0, 1.0,
      "Splits the move into a horizontal part, which slides, and a vertical part, which gets one sweep and "
@@ -119,7 +124,75 @@ const std::array<SettingInfo, 21> table{{
      "Analytic: to the "
      "common point of up to three planes at once, which acute corners need.",
      "", "", "", &S::push_out},
-}};
+    {"nudge", "Nudge", "Hacks", "", 0.0, 1.0,
+     "A player who is still inside geometry tries small offsets along the axes; the nearest free one wins. "
+     "Off: "
+     "who spawns inside a wall stays there.",
+     "", "", "", &S::nudge},
+    {"nudge_distance", "Nudge distance", "Hacks", "m", 0.0, 2.0, "The farthest offset that is tried.",
+     "Real overlaps are deeper than that, and the player is reported as trapped.",
+     "The player jumps visibly to the other side of things.", "nudge", &S::nudge_distance},
+    {"step_up", "Step up", "Hacks", "", 0.0, 1.0,
+     "A move that is stopped by something low is tried again from higher up, then dropped by the same "
+     "amount. "
+     "Off: stairs are walls.",
+     "", "", "", &S::step_up},
+    {"step_height", "Step height", "Hacks", "m", 0.0, 2.0, "The highest step that is climbed.",
+     "Stops at kerbs and door sills.", "Walks up onto tables and over railings.", "step_up", &S::step_height},
+    {"snap_down", "Snap to floor", "Hacks", "", 0.0, 1.0,
+     "Puts a player who walked off a step or over a crest back onto the ground below. Off: flies off every "
+     "stair "
+     "on the way down and cannot jump there.",
+     "", "", "", &S::snap_down},
+    {"snap_distance", "Snap distance", "Hacks", "m", 0.0, 2.0,
+     "How far below the feet the floor is looked for.",
+     "Leaves the ground at steps that are higher than this.",
+     "Ledges pull the player down instead of letting go.", "snap_down", &S::snap_distance},
+    {"seam_filter", "Seam filter", "Hacks", "", 0.0, 1.0,
+     "A touch of an edge inside a flat or hollow surface counts as a touch of the face. Off: who stands a "
+     "hair "
+     "inside a floor is stopped by its triangle edges, which nobody sees.",
+     "", "", "", &S::seam_filter},
+    {"heightfield", "Heightfield", "Hacks", "", 0.0, 1.0,
+     "Keeps the feet at or above the level's terrain: y = max(y, terrain(x, z)). Off: terrain without "
+     "triangles "
+     "is fallen through.",
+     "", "", "", &S::heightfield},
+    {"platforms", "Moving platforms", "Hacks", "", 0.0, 1.0,
+     "Platforms carry who stands on them, push who is in their way, and give their velocity to who leaves. "
+     "Off: "
+     "they slide away under the feet and run into the player.",
+     "", "", "", &S::platforms},
+    {"sectors", "Sectors", "Hacks", "", 0.0, 1.0,
+     "Calculates in the coordinates of the sector that the player is in. Off: far from the origin positions "
+     "are "
+     "coarse, and the player jitters and sticks. Acts in levels that have sectors.",
+     "", "", "", &S::sectors},
+
+    {"coyote", "Coyote time", "Jump", "", 0.0, 1.0,
+     "A jump pressed just after running off a ledge still counts. Off: a press one tick late falls.", "", "",
+     "", &S::coyote},
+    {"coyote_time", "Coyote window", "Jump", "s", 0.0, 0.5,
+     "How long after leaving the ground a jump still starts.", "Players swear that they pressed in time.",
+     "Jumps start in mid-air, visibly off the ledge.", "coyote", &S::coyote_time},
+    {"jump_buffer", "Jump buffer", "Jump", "", 0.0, 1.0,
+     "A jump pressed just before landing starts on landing. Off: a press one tick early is lost.", "", "", "",
+     &S::jump_buffer},
+    {"jump_buffer_time", "Jump buffer window", "Jump", "s", 0.0, 0.5,
+     "How long a press of jump is remembered.", "Quick successive jumps fail at random.",
+     "A press long forgotten makes the player jump.", "jump_buffer", &S::jump_buffer_time},
+    {"variable_jump", "Variable jump height", "Jump", "", 0.0, 1.0,
+     "Letting the button go while rising cuts the jump short. Off: every jump is as high as the highest.", "",
+     "", "", &S::variable_jump},
+    {"jump_cut", "Jump cut", "Jump", "", 0.0, 1.0,
+     "Share of the upward speed that is kept when the button is let go; the height left is its square.",
+     "A short press stops the jump dead in the air.", "Short and long presses jump alike.", "variable_jump",
+     &S::jump_cut},
+    {"air_control", "Air control", "Jump", "", 0.0, 1.0,
+     "The stick steers in the air, as fast as the air acceleration allows. Off: a jump goes where it was "
+     "headed.",
+     "", "", "", &S::air_control},
+});
 
 }  // namespace
 

@@ -20,9 +20,8 @@ constexpr double look_ahead = 4.0;
 constexpr double tolerated = 1e-3;
 
 Vec3 push_off(Mover& mover, const Vec3& from, const Vec3& push, FaceId face) {
-    const std::optional<Contact> blocked =
-        sweep_ellipsoid(mover.scene.collision, mover.settings.radii, from, push);
-    ++mover.sweeps;
+    const std::optional<SceneContact> found = sweep_scene(mover, from, push);
+    const std::optional<Contact> blocked = found ? std::optional(found->contact) : std::nullopt;
     // Between two faces closer than two skins the middle is the best place there is.
     Vec3 reached = from + push * (blocked ? 0.5 * blocked->t : 1.0);
     if (mover.trace != nullptr) {
@@ -43,9 +42,12 @@ Swept sweep_with_skin(Mover& mover, Pass pass, int iteration, const Vec3& move) 
     const double reach = length + look_ahead * skin;
 
     Swept swept{.reached = mover.position + move};
-    swept.contact =
-        sweep_ellipsoid(mover.scene.collision, mover.settings.radii, mover.position, direction * reach);
-    ++mover.sweeps;
+    double depth = 0.0;
+    if (const std::optional<SceneContact> found = sweep_scene(mover, mover.position, direction * reach)) {
+        swept.contact = found->contact;
+        depth = found->depth;
+        swept.platform = found->platform;
+    }
 
     double missing = 0.0;
     if (swept.contact) {
@@ -56,7 +58,7 @@ Swept sweep_with_skin(Mover& mover, Pass pass, int iteration, const Vec3& move) 
             swept.contact.reset();
         } else {
             const double made = std::max(stop, 0.0);
-            missing = skin - (distance - made) * std::max(into, 0.0);
+            missing = depth + skin - (distance - made) * std::max(into, 0.0);
             swept.used = made / length;
             swept.reached = mover.position + direction * made;
             swept.contact->t = std::min(distance / length, 1.0);

@@ -25,7 +25,9 @@ Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move) {
         const Hit hit{.pass = pass,
                       .contact = *swept.contact,
                       .surface = surface,
-                      .walkable = is_walkable(mover, swept.contact->normal, surface),
+                      .platform = swept.platform,
+                      .walkable = is_walkable(mover, swept.contact->normal, surface) ||
+                                  (pass == Pass::vertical && on_rim(mover, *swept.contact)),
                       .leftover = leftover,
                       .done = done};
         touch(mover, hit);
@@ -36,6 +38,8 @@ Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move) {
             mover.trace->add(ResponseRecord{.rule = turn.rule,
                                             .leftover_before = leftover,
                                             .leftover_after = turn.leftover,
+                                            .velocity_before = velocity,
+                                            .velocity_after = turn.velocity,
                                             .normal = swept.contact->normal,
                                             .surface = swept.contact->surface,
                                             .face = swept.contact->face});
@@ -52,7 +56,7 @@ Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move) {
 SlideResult slide_move(const MovementScene& scene, const MovementSettings& settings, const Vec3& from,
                        const Vec3& move, TraceSink* trace) {
     if (!from.allFinite() || !move.allFinite()) return {.position = from, .leftover = Vec3::Zero()};
-    Mover mover{.scene = scene, .settings = settings, .trace = trace};
+    Mover mover(scene, settings, trace, 1.0);
     mover.walkable_cosine = slope_cosine(settings.max_slope);
     mover.position = from;
     mover.velocity = move;

@@ -1,5 +1,6 @@
 #include "slipface/movement/step.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mover.h"
@@ -11,13 +12,15 @@ namespace {
 bool usable(const MovementSettings& s) {
     const double sum = s.gravity + s.walk_speed + s.ground_acceleration + s.slippery_acceleration +
                        s.air_acceleration + s.terminal_speed + s.jump_speed + s.max_slope + s.ground_speed +
-                       s.keep_energy_limit;
+                       s.keep_energy_limit + s.nudge_distance + s.step_height + s.snap_distance +
+                       s.coyote_time + s.jump_buffer_time + s.jump_cut + s.sub_step;
     return s.radii.allFinite() && s.radii.minCoeff() > 0.0 && s.skin > 0.0 && std::isfinite(s.skin + sum);
 }
 
 bool usable(const PlayerState& state, const PlayerInput& input, double dt) {
     return dt >= 1e-4 && dt <= 0.25 && state.position.allFinite() && state.velocity.allFinite() &&
-           state.ground_normal.allFinite() && input.wish.allFinite();
+           state.ground_normal.allFinite() && input.wish.allFinite() &&
+           std::isfinite(state.coyote_s + state.jump_buffer_s);
 }
 
 Vec2 at_most_one(const Vec2& wish) {
@@ -27,7 +30,8 @@ Vec2 at_most_one(const Vec2& wish) {
     return {unit.x(), unit.y()};
 }
 
-PlayerState state_after(const Mover& mover, const PlayerInput& input) {
+PlayerState state_after(const Mover& mover, const PlayerState& before, const PlayerInput& input) {
+    const bool pressed = input.jump && !before.jump_held;
     PlayerState after;
     after.position = mover.position;
     after.velocity = mover.velocity;
@@ -36,11 +40,78 @@ PlayerState state_after(const Mover& mover, const PlayerInput& input) {
     after.stuck = mover.stuck;
     after.jump_held = input.jump;
     after.hazard = mover.hazard;
-    if (mover.support_face != no_id && !mover.bounced) {
+    after.jumping = mover.jumping && !mover.grounded && !mover.climbing && !mover.stuck;
+    after.trapped = mover.trapped;
+    if ((mover.support_face != no_id && !mover.bounced) || mover.grounded) {
         after.ground_normal = mover.support_normal;
         after.ground_face = mover.support_face;
         after.ground_surface = mover.support_surface;
+        after.ground_platform = mover.support_platform;
     }
+    if (mover.settings.coyote) after.coyote_s = coyote_after(mover, before);
+    if (mover.settings.jump_buffer) after.jump_buffer_s = jump_buffer_after(mover, before, pressed);
+    return after;
+}
+
+// A player inside geometry is put outside before anything else.
+void leave_geometry(Mover& mover) {
+    const MovementSettings& settings = mover.settings;
+    if (settings.push_out == PushOut::off && !settings.nudge) return;
+    if (!overlaps_scene(mover, mover.position)) {
+        decide(mover, settings.nudge ? "nudge" : "push_out", false, "overlaps", 0.0, 0.0,
+               "refused: nothing to be freed from");
+        return;
+    }
+    if (settings.push_out != PushOut::off) push_out(mover);
+    if (settings.nudge) mover.trapped = !nudge(mover);
+}
+
+// What holds the player decides how the rest of the step goes.
+void move(Mover& mover, const PlayerState& state, const PlayerInput& input) {
+    const SurfaceType& support = support_of(mover, state);
+    const bool held = state.stuck && support.sticky;
+    const bool on_ladder = state.climbing && support.climbable;
+    const bool pressed = input.jump && !state.jump_held;
+    const bool stays = (held || on_ladder) && !wants_jump(mover, state, pressed);
+    if (state.grounded || held) carry(mover, support);
+    if (mover.stuck) {
+        mover.velocity = Vec3::Zero();
+    } else if (held && stays) {
+        hold(mover, state);
+    } else if (stays) {
+        climb(mover, state);
+    } else {
+        walk(mover, state, pressed);
+    }
+}
+
+// A part of a step: `state` and the result are in the scene's coordinates. Only the first part moves with the
+// platforms, whose geometry stands where the whole step ends.
+PlayerState part_of_step(Mover& mover, const PlayerState& state, const PlayerInput& input, bool first) {
+    mover.walkable_cosine = slope_cosine(mover.settings.max_slope);
+    mover.wish = at_most_one(input.wish);
+    mover.jump_held = input.jump;
+    mover.jumping = state.jumping;
+    mover.position = state.position;
+    mover.trapped = state.trapped && !first;
+    if (first) {
+        leave_geometry(mover);
+        if (mover.settings.platforms) move_with_platforms(mover, state);
+    }
+    const Motion safe = mover;
+    move(mover, state, input);
+    const bool room = !mover.settings.heightfield || clamp_to_terrain(mover, safe.position);
+
+    const bool finite = mover.position.allFinite() && mover.velocity.allFinite();
+    if (finite && room && !ends_inside(mover, safe.position)) return state_after(mover, state, input);
+    decide(mover, "never_inside", true, "moved, m", finite ? (mover.position - safe.position).norm() : 0.0,
+           0.0, "the step would end inside geometry: stays where it was", mover.support_face);
+    PlayerState after = state;
+    after.position = safe.position;
+    after.velocity = Vec3::Zero();
+    after.jump_held = input.jump;
+    after.hazard = mover.hazard;
+    after.trapped = mover.trapped;
     return after;
 }
 
@@ -49,40 +120,22 @@ PlayerState state_after(const Mover& mover, const PlayerInput& input) {
 StepResult step(const MovementScene& scene, const MovementSettings& settings, const PlayerState& state,
                 const PlayerInput& input, double dt, TraceSink* trace) {
     if (!usable(settings) || !usable(state, input, dt)) return {.state = state};
+    constexpr double most_parts = 1000.0;
+    const double wanted = settings.sub_step > 0.0 ? std::ceil(dt / settings.sub_step - 1e-6) : 1.0;
+    const int parts = static_cast<int>(std::clamp(wanted, 1.0, most_parts));
 
-    Mover mover{.scene = scene, .settings = settings, .trace = trace, .dt = dt};
-    mover.walkable_cosine = slope_cosine(settings.max_slope);
-    mover.wish = at_most_one(input.wish);
-    mover.position = state.position;
-    push_out(mover);
-
-    const SurfaceType& support = surface_of_face(mover, state.ground_face);
-    const bool held = state.stuck && support.sticky;
-    const bool on_ladder = state.climbing && support.climbable;
-    const bool jump_pressed = input.jump && !state.jump_held;
-
-    if (state.grounded || held) carry(mover, support);
-    if (mover.stuck) {
-        mover.velocity = Vec3::Zero();
-    } else if (held && !jump_pressed) {
-        hold(mover, state);
-    } else if (on_ladder && !jump_pressed) {
-        climb(mover, state);
-    } else {
-        walk(mover, state, jump_pressed);
+    StepResult result{.state = state};
+    result.state.position = position_in_scene(scene, state);
+    bool hazard = false;
+    for (int i = 0; i < parts; ++i) {
+        Mover mover(scene, settings, trace, dt / parts);
+        result.state = part_of_step(mover, result.state, input, i == 0);
+        result.sweeps += mover.sweeps;
+        result.contacts += mover.contacts;
+        hazard = hazard || result.state.hazard;
     }
-
-    StepResult result{.state = state_after(mover, input), .sweeps = mover.sweeps, .contacts = mover.contacts};
-    const bool finite = mover.position.allFinite() && mover.velocity.allFinite();
-    if (!finite || ends_inside(mover, state.position)) {
-        decide(mover, "never_inside", true, "moved, m",
-               finite ? (mover.position - state.position).norm() : 0.0, 0.0,
-               "the step would end inside geometry: stays where it was", mover.support_face);
-        result.state = state;
-        result.state.velocity = Vec3::Zero();
-        result.state.jump_held = input.jump;
-        result.state.hazard = mover.hazard;
-    }
+    result.state.hazard = hazard;
+    place_in_scene(scene, result.state.position, result.state);
     return result;
 }
 

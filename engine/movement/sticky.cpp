@@ -11,6 +11,7 @@ std::optional<Turn> stick(Mover& mover, const Hit& hit) {
     mover.support_normal = hit.contact.normal;
     mover.support_face = hit.contact.face;
     mover.support_surface = hit.contact.surface;
+    mover.support_platform = hit.platform;
     decide(mover, "surface_types", true, "sticky", 1.0, 0.0, "sticks until a jump", hit.contact.face);
     return Turn{.rule = Rule::stick, .plane = hit.contact.normal};
 }
@@ -21,7 +22,8 @@ void hold(Mover& mover, const PlayerState& state) {
     mover.support_normal = state.ground_normal;
     mover.support_face = state.ground_face;
     mover.support_surface = state.ground_surface;
-    mover.hazard = mover.hazard || surface_of_face(mover, state.ground_face).hazardous;
+    mover.support_platform = state.ground_platform;
+    mover.hazard = mover.hazard || support_of(mover, state).hazardous;
     decide(mover, "surface_types", true, "sticky", 1.0, 0.0, "held until a jump", state.ground_face);
 }
 

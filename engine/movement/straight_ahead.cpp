@@ -16,6 +16,7 @@ std::optional<Turn> slide_at_wall(Mover& mover, const Hit& hit) {
     const Vec3 plane = direction_of(horizontal(hit.contact.normal));
     // Straight overhead or underfoot: no wall in it.
     if (plane.isZero(0.0)) return std::nullopt;
+    mover.walled = true;
     decide(mover, "max_slope", true, "N.y", hit.contact.normal.y(), walkable_limit(mover, hit.surface),
            "a wall: slides along it", hit.contact.face);
     return Turn{.rule = Rule::slide,

@@ -64,6 +64,10 @@ const char* pass_name(Pass pass) {
             return "vertical";
         case Pass::probe:
             return "probe";
+        case Pass::step:
+            return "step";
+        case Pass::snap:
+            return "snap";
     }
     return "unknown";
 }

@@ -15,13 +15,17 @@ namespace {
 void move_split(Mover& mover, const PlayerState& state, const Vec3& move) {
     const Vec3 level = horizontal(move);
     const double rise = mover.was_grounded ? -press_down(mover, state.ground_normal, move) : move.y();
+    const Motion before = mover;
     if (!level.isZero(0.0)) collide_and_slide(mover, Pass::horizontal, level);
     if (mover.stuck || mover.climbing) return;
+    if (mover.settings.step_up && mover.walled && mover.was_grounded && step_up(mover, before, level)) return;
 
     const double height = mover.position.y();
     const int contacts = mover.contacts;
     collide_and_slide(mover, Pass::vertical, Vec3(0.0, rise, 0.0));
     if (mover.grounded || mover.stuck || mover.climbing || mover.bounced) return;
+    if (mover.was_grounded && mover.settings.snap_down) snap_down(mover);
+    if (mover.grounded) return;
     // Two faces, each too steep to stand on, hold a player who is wedged between them; without this there
     // would be no jumping out of a ditch.
     const double dropped = height - mover.position.y();
@@ -52,6 +56,7 @@ void move_whole(Mover& mover, const PlayerState& state, const Vec3& move, bool t
     const Hit hit{.pass = Pass::slide,
                   .contact = *swept.contact,
                   .surface = surface,
+                  .platform = swept.platform,
                   .walkable = is_walkable(mover, swept.contact->normal, surface),
                   .leftover = mover.velocity * mover.dt,
                   .done = 1.0};
@@ -67,12 +72,14 @@ void fall(Mover& mover, const Vec3& surface_normal) {
     mover.velocity.y() = std::max(mover.velocity.y(), -mover.settings.terminal_speed);
 }
 
-Vec3 jump_velocity(const Mover& mover, const PlayerState& state, const SurfaceType& support) {
+Vec3 jump_velocity(const Mover& mover, const PlayerState& state) {
+    const bool off_wall = state.climbing || state.stuck;
     decide(mover, "jump_speed", true, "jump, m/s", mover.settings.jump_speed, 0.0,
-           state.grounded ? "jumps" : "jumps off along the normal", state.ground_face);
-    if (!state.grounded) return state.ground_normal * mover.settings.jump_speed;
-    return horizontal(state.velocity) + Vec3(0.0, mover.settings.jump_speed, 0.0) +
-           carry_velocity(mover, support);
+           off_wall ? "jumps off along the normal" : "jumps", state.ground_face);
+    if (off_wall && !state.grounded) return state.ground_normal * mover.settings.jump_speed;
+    // Who left the ground just now has its velocity already.
+    const Vec3 carried = state.grounded ? carry_velocity(mover, state) : Vec3(Vec3::Zero());
+    return horizontal(state.velocity) + Vec3(0.0, mover.settings.jump_speed, 0.0) + carried;
 }
 
 }  // namespace
@@ -81,6 +88,12 @@ void accelerate(Mover& mover, bool slippery) {
     const MovementSettings& settings = mover.settings;
     const bool idle = mover.wish.isZero(0.0);
     if (idle && (slippery || !mover.was_grounded)) return;
+    if (!mover.was_grounded && !slippery && !settings.air_control) {
+        if (!idle)
+            decide(mover, "air_control", false, "stick", mover.wish.norm(), 0.0,
+                   "switched off: nothing steers in the air");
+        return;
+    }
     const double acceleration = slippery             ? settings.slippery_acceleration
                                 : mover.was_grounded ? settings.ground_acceleration
                                                      : settings.air_acceleration;
@@ -114,23 +127,26 @@ void coast(Mover& mover, const Vec3& from, const Vec3& driven_velocity) {
 
 void walk(Mover& mover, const PlayerState& state, bool jump_pressed) {
     const MovementSettings& settings = mover.settings;
-    const SurfaceType& support = surface_of_face(mover, state.ground_face);
+    const SurfaceType& support = support_of(mover, state);
     const bool touching = state.ground_face != no_id;
     const bool slippery = touching && support.keeps_energy;
     const bool split = settings.static_friction && !slippery;
-    const bool jumps = jump_pressed && (state.grounded || state.climbing || state.stuck);
+    const bool jumps = wants_jump(mover, state, jump_pressed) && may_jump(mover, state);
     const Vec3 from = mover.position;
 
     Vec3 velocity = state.velocity;
     if (jumps) {
-        velocity = jump_velocity(mover, state, support);
+        velocity = jump_velocity(mover, state);
+        mover.jumped = true;
+        mover.jumping = true;
     } else if (state.grounded && split) {
         // The downward press is not a motion: what the player does have is the descent along the slope.
         velocity.y() = settings.ground_velocity ? -descent(state.ground_normal, velocity) : 0.0;
     }
     mover.was_grounded = state.grounded && !jumps;
-    mover.velocity_before = velocity;
     mover.velocity = velocity;
+    if (!jumps) cut_jump(mover);
+    mover.velocity_before = mover.velocity;
     accelerate(mover, slippery);
     const Vec3 driven = mover.velocity;
     fall(mover, !split && touching && !jumps ? state.ground_normal : Vec3(Vec3::Zero()));
@@ -158,7 +174,7 @@ void walk(Mover& mover, const PlayerState& state, bool jump_pressed) {
     const bool flying = !mover.was_grounded && !mover.grounded && mover.contacts > 0;
     if (!split || flying || mover.kept_energy || mover.bounced) cap_energy(mover, from, driven);
     if (mover.was_grounded && !mover.grounded && !mover.stuck && !mover.climbing) {
-        mover.velocity += carry_velocity(mover, support);
+        mover.velocity += carry_velocity(mover, state);
     }
 }
 

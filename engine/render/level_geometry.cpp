@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
+#include <numeric>
 
 namespace slipface {
 
@@ -107,12 +108,25 @@ void append_vertices(const Mesh& mesh, std::span<const TriangleId> triangles, co
     }
 }
 
-std::vector<LineInstance> face_border_lines(const Mesh& mesh, const Vec3& origin,
-                                            const std::uint8_t (&color)[4], float width) {
+void append_moved_vertices(const Mesh& mesh, std::span<const TriangleId> triangles, const Pose& pose,
+                           const Vec3& origin, std::vector<LevelVertex>& vertices) {
+    const std::size_t first = vertices.size();
+    append_vertices(mesh, triangles, origin, vertices);
+    for (std::size_t i = first; i < vertices.size(); ++i) {
+        LevelVertex& vertex = vertices[i];
+        const Vec3 rest = Vec3(vertex.position[0], vertex.position[1], vertex.position[2]) + origin;
+        const Vec3f at = (pose.apply(rest) - origin).cast<float>();
+        std::copy(at.data(), at.data() + 3, vertex.position);
+        vertex.normal = packed_normal(pose.turn(face_normal(mesh, vertex.face)));
+    }
+}
+
+std::vector<LineInstance> face_border_lines(const Mesh& mesh, std::span<const std::uint8_t> highlights,
+                                            const Vec3& origin, const std::uint8_t (&color)[4], float width) {
     std::vector<Edge> edges;
     edges.reserve(mesh.corner_vertex.size());
     for (FaceId face = 0; face < mesh.face_count(); ++face)
-        append_edges(mesh, face, edges);
+        if (face >= highlights.size() || (highlights[face] & 4) == 0) append_edges(mesh, face, edges);
     std::sort(edges.begin(), edges.end());
     std::vector<LineInstance> lines;
     for (std::size_t i = 0; i < edges.size();) {
@@ -130,20 +144,88 @@ std::vector<LineInstance> face_border_lines(const Mesh& mesh, const Vec3& origin
     return lines;
 }
 
-std::vector<LineInstance> outline_lines(const Mesh& mesh, std::span<const std::uint8_t> highlights,
-                                        std::uint8_t bit, const Vec3& origin, const std::uint8_t (&color)[4],
-                                        float width) {
-    std::vector<Edge> edges;
-    for (FaceId face = 0; face < highlights.size(); ++face) {
-        if ((highlights[face] & bit) != 0) append_edges(mesh, face, edges);
+namespace {
+
+struct CornerEdge {
+    std::uint32_t high;  // the vertex with the larger index
+    std::uint32_t corner;
+    auto operator<=>(const CornerEdge&) const = default;
+};
+
+// Calls visit(corner, a, b) for each side of each face, from vertex a to vertex b.
+template <class Visit>
+void for_each_side(const Mesh& mesh, FaceId face, const Visit& visit) {
+    const std::uint32_t first = mesh.face_first_corner[face], end = mesh.face_first_corner[face + 1];
+    for (std::uint32_t corner = first; corner < end; ++corner)
+        visit(corner, mesh.corner_vertex[corner], mesh.corner_vertex[corner + 1 < end ? corner + 1 : first]);
+}
+
+}  // namespace
+
+OutlineFinder::OutlineFinder(const Mesh& mesh) : edge_(mesh.corner_vertex.size(), no_id) {
+    // Sorted by the lower vertex by counting, and only within one vertex by comparing.
+    std::vector<std::uint32_t> end(mesh.positions.size() + 1, 0);
+    const auto for_all = [&](const auto& visit) {
+        for (FaceId face = 0; face < mesh.face_count(); ++face)
+            for_each_side(mesh, face, [&](std::uint32_t corner, std::uint32_t a, std::uint32_t b) {
+                if (a != b) visit(corner, std::min(a, b), std::max(a, b));
+            });
+    };
+    for_all([&](std::uint32_t, std::uint32_t low, std::uint32_t) { ++end[low + 1]; });
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<CornerEdge> sides(end.back());
+    // Filling moves each vertex's begin to its end.
+    for_all([&](std::uint32_t corner, std::uint32_t low, std::uint32_t high) {
+        sides[end[low]++] = {high, corner};
+    });
+    for (std::uint32_t vertex = 0, begin = 0; vertex < mesh.positions.size(); begin = end[vertex++]) {
+        std::sort(sides.begin() + begin, sides.begin() + end[vertex]);
+        for (std::uint32_t i = begin; i < end[vertex]; ++i) {
+            if (i == begin || sides[i].high != sides[i - 1].high) {
+                vertices_.push_back({vertex, sides[i].high});
+                total_.push_back(0);
+            }
+            edge_[sides[i].corner] = static_cast<std::uint32_t>(vertices_.size() - 1);
+            if (total_.back() < many) ++total_.back();
+        }
     }
-    std::sort(edges.begin(), edges.end());
+    counted_.assign(total_.size(), 0);
+    for (std::uint32_t edge = 0; edge < total_.size(); ++edge)
+        if (total_[edge] == 1) borders_.push_back(edge);
+}
+
+std::vector<LineInstance> OutlineFinder::lines(const Mesh& mesh, std::span<const std::uint8_t> highlights,
+                                               std::uint8_t bit, const Vec3& origin,
+                                               const std::uint8_t (&color)[4], float width) {
+    const auto in_set = [bit](std::uint8_t flags) { return (flags & bit) != 0; };
+    const auto members =
+        static_cast<std::size_t>(std::count_if(highlights.begin(), highlights.end(), in_set));
+    const bool inverse = 2 * members > highlights.size();  // then those left out are looked at
+    const auto for_edges = [&](const auto& visit) {
+        for (FaceId face = 0; face < highlights.size(); ++face) {
+            if (in_set(highlights[face]) == inverse) continue;
+            for (std::uint32_t corner = mesh.face_first_corner[face];
+                 corner < mesh.face_first_corner[face + 1]; ++corner)
+                if (edge_[corner] != no_id) visit(edge_[corner]);
+        }
+    };
+    for_edges([&](std::uint32_t edge) {
+        if (counted_[edge] < many) ++counted_[edge];
+    });
     std::vector<LineInstance> lines;
-    for (std::size_t i = 0; i < edges.size();) {
-        const std::size_t end = end_of_run(edges, i);
-        if (end - i == 1) lines.push_back(line_of(mesh, edges[i], origin, color, width));
-        i = end;
-    }
+    const auto add = [&](std::uint32_t edge) {
+        lines.push_back(line_of(mesh, {vertices_[edge][0], vertices_[edge][1], no_id}, origin, color, width));
+    };
+    if (inverse)
+        for (const std::uint32_t edge : borders_)
+            if (counted_[edge] == 0) add(edge);
+    // An edge is met once for each face that has it; the first meeting draws it and clears its count.
+    for_edges([&](std::uint32_t edge) {
+        if (counted_[edge] == 0) return;
+        const int faces = inverse ? total_[edge] - counted_[edge] : counted_[edge];
+        if (faces == 1) add(edge);
+        counted_[edge] = 0;
+    });
     return lines;
 }
 

@@ -1,12 +1,14 @@
 // A mesh in the order and form in which the level renderer draws it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
 
 #include "gl_util.h"
+#include "slipface/base/pose.h"
 #include "slipface/mesh/mesh.h"
 
 namespace slipface {
@@ -44,13 +46,32 @@ Vec3 drawing_origin(const Mesh& mesh);
 void append_vertices(const Mesh& mesh, std::span<const TriangleId> triangles, const Vec3& origin,
                      std::vector<LevelVertex>& vertices);
 
-// The borders of all faces, each edge once. Ascending by vertex pair.
-std::vector<LineInstance> face_border_lines(const Mesh& mesh, const Vec3& origin,
-                                            const std::uint8_t (&color)[4], float width);
+// The same, of triangles that were moved by `pose` after they were modelled.
+void append_moved_vertices(const Mesh& mesh, std::span<const TriangleId> triangles, const Pose& pose,
+                           const Vec3& origin, std::vector<LevelVertex>& vertices);
 
-// The outline of the faces whose highlight has `bit`: the edges that only one of them has.
-std::vector<LineInstance> outline_lines(const Mesh& mesh, std::span<const std::uint8_t> highlights,
-                                        std::uint8_t bit, const Vec3& origin, const std::uint8_t (&color)[4],
-                                        float width);
+// The borders of all faces but those whose highlight has bit 2 (hidden), each edge once. Ascending by vertex
+// pair.
+std::vector<LineInstance> face_border_lines(const Mesh& mesh, std::span<const std::uint8_t> highlights,
+                                            const Vec3& origin, const std::uint8_t (&color)[4], float width);
+
+// Finds outlines of sets of faces: the edges that only one face of the set has. Made once for a mesh; what is
+// asked costs as much as the set or as what is left out of it, whichever is smaller.
+class OutlineFinder {
+  public:
+    explicit OutlineFinder(const Mesh& mesh);
+    // The set of the faces whose highlight has `bit`.
+    std::vector<LineInstance> lines(const Mesh& mesh, std::span<const std::uint8_t> highlights,
+                                    std::uint8_t bit, const Vec3& origin, const std::uint8_t (&color)[4],
+                                    float width);
+
+  private:
+    static constexpr std::uint8_t many = 255;  // as many, or more
+
+    std::vector<std::uint32_t> edge_;  // [corner] the edge that begins there; no_id without length
+    std::vector<std::array<std::uint32_t, 2>> vertices_;  // [edge]
+    std::vector<std::uint8_t> total_, counted_;           // [edge] faces that have it; zero between calls
+    std::vector<std::uint32_t> borders_;                  // edges of one face only
+};
 
 }  // namespace slipface

@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "face_state.h"
 #include "gl_util.h"
 #include "level_geometry.h"
 #include "level_shaders.h"
 #include "level_textures.h"
+#include "light_map.h"
 #include "line_shaders.h"
 
 namespace slipface {
@@ -30,32 +32,49 @@ struct LineBuffer {
     GLsizei count = 0;
 };
 
+// Triangles of one moving part, side by side in the vertex buffer.
+struct MovingRun {
+    std::uint32_t part = no_id;
+    std::size_t first = 0;
+    std::vector<TriangleId> triangles;
+};
+
 }  // namespace
 
 struct LevelRenderer::Impl {
-    explicit Impl(GlTable table) : gl(std::move(table)), textures(gl), face_state(gl) {}
+    explicit Impl(GlTable table) : gl(std::move(table)), textures(gl), face_state(gl), light_map(gl) {}
 
     GlTable gl;
     LevelTextures textures;
     FaceState face_state;
+    LightMap light_map;
+    std::optional<LevelLight> light;
     Status status;
     MeshPtr mesh;
     Vec3 origin = Vec3::Zero();
     std::vector<DrawBatch> batches;
     std::vector<std::uint8_t> highlights;  // [face]
+    std::vector<std::uint32_t> parts;      // [face] that moves with it, or no_id; empty: none moves
+    std::vector<MovingRun> moving;         // of parts, in drawing order
 
     unsigned background_program = 0, level_program = 0, line_program = 0;
     unsigned empty_array = 0, level_array = 0, level_buffer = 0;
     unsigned table_texture = 0, white_texture = 0;
     LineBuffer borders, selected_outline, hovered_outline;
     bool borders_built = false;
+    std::optional<OutlineFinder> outlines;
 
     void build_programs();
     void build_objects();
     bool upload_geometry(Warnings& warnings);
+    void find_moving(std::span<const std::uint32_t> face_parts);
     void reset_faces();
     void upload_lines(LineBuffer& lines, const std::vector<LineInstance>& instances);
-    void draw_background(const LevelStyle& style);
+    bool lit(const LevelStyle& style) const {
+        return style.textured && style.baked_light && light_map.loaded();
+    }
+    void draw_background(const Camera& camera, double aspect, const LevelStyle& style);
+    void set_sky(const Camera& camera, double aspect);
     void draw_faces(const Camera& camera, int height, const Mat4f& clip, const LevelStyle& style);
     void draw_lines(const LineBuffer& lines, float shortest);
     Eigen::Vector4f eye_uniform(const Camera& camera) const;
@@ -135,6 +154,22 @@ bool LevelRenderer::Impl::upload_geometry(Warnings& warnings) {
     return true;
 }
 
+void LevelRenderer::Impl::find_moving(std::span<const std::uint32_t> face_parts) {
+    parts.assign(face_parts.begin(), face_parts.end());
+    moving.clear();
+    if (!mesh || parts.empty()) return;
+    const DrawOrder order = draw_order(*mesh, textures.material_texture(), textures.count());
+    for (std::size_t i = 0; i < order.triangles.size(); ++i) {
+        const FaceId face = mesh->triangle_face[order.triangles[i]];
+        const std::uint32_t part = face < parts.size() ? parts[face] : no_id;
+        if (part == no_id) continue;
+        const bool goes_on = !moving.empty() && moving.back().part == part &&
+                             moving.back().first + moving.back().triangles.size() == i;
+        if (!goes_on) moving.push_back({.part = part, .first = i, .triangles = {}});
+        moving.back().triangles.push_back(order.triangles[i]);
+    }
+}
+
 void LevelRenderer::Impl::reset_faces() {
     const std::size_t faces = mesh ? mesh->face_count() : 0;
     highlights.assign(faces, 0);
@@ -150,9 +185,29 @@ void LevelRenderer::Impl::upload_lines(LineBuffer& lines, const std::vector<Line
     lines.count = static_cast<GLsizei>(instances.size());
 }
 
-void LevelRenderer::Impl::draw_background(const LevelStyle& style) {
+// The level's sky around `camera`.
+void LevelRenderer::Impl::set_sky(const Camera& camera, double aspect) {
+    const Mat4 view = view_from_world(camera);
+    const double tangent = std::tan(0.5 * camera.fov_y);
+    Mat4f directions = Mat4f::Zero();
+    directions.col(0).head<3>() = (tangent * aspect * view.row(0).head<3>()).transpose().cast<float>();
+    directions.col(1).head<3>() = (tangent * view.row(1).head<3>()).transpose().cast<float>();
+    directions.col(2).head<3>() = -view.row(2).head<3>().transpose().cast<float>();
+    const bool sun = light->sun_color.maxCoeff() > 0.0 && light->sun_direction.norm() > 0.0;
+    set_uniform(*gl, background_program, "direction_from_screen", directions);
+    set_uniform(*gl, background_program, "sky_zenith", Vec3f(light->sky_zenith.cast<float>()));
+    set_uniform(*gl, background_program, "sky_horizon", Vec3f(light->sky_horizon.cast<float>()));
+    set_uniform(*gl, background_program, "sun",
+                sun ? Vec3f(light->sun_direction.normalized().cast<float>()) : Vec3f(Vec3f::Zero()));
+    set_uniform(*gl, background_program, "sun_color", Vec3f(light->sun_color.cast<float>()));
+}
+
+void LevelRenderer::Impl::draw_background(const Camera& camera, double aspect, const LevelStyle& style) {
     gl->Disable(GL_DEPTH_TEST);
     gl->UseProgram(background_program);
+    const bool sky = lit(style) && !camera.orthographic;
+    set_uniform(*gl, background_program, "sky", sky ? 1 : 0);
+    if (sky) set_sky(camera, aspect);
     set_uniform(*gl, background_program, "top", style.background_top);
     set_uniform(*gl, background_program, "bottom", style.background_bottom);
     gl->BindVertexArray(empty_array);
@@ -175,10 +230,17 @@ void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat
     gl->UseProgram(level_program);
     set_uniform(*gl, level_program, "clip_from_local", clip);
     set_uniform(*gl, level_program, "overlay", std::clamp(style.overlay, 0.0f, 1.0f));
+    set_uniform(*gl, level_program, "face_colors", static_cast<int>(style.colors));
+    set_uniform(*gl, level_program, "slope_cosine", static_cast<float>(std::cos(style.max_slope)));
     set_uniform(*gl, level_program, "eye", eye);
     set_uniform(*gl, level_program, "depth_bias", depth_bias(camera, height, 0.1));
+    const Vec3f background = 0.5f * (style.background_top + style.background_bottom);
     set_uniform(*gl, level_program, "fade_color",
-                Vec3f(0.5f * (style.background_top + style.background_bottom)));
+                lit(style) ? Vec3f(light->sky_horizon.cast<float>().cwiseMin(1.0f).cwiseSqrt()) : background);
+    set_uniform(*gl, level_program, "use_light", lit(style) ? 1 : 0);
+    set_uniform(*gl, level_program, "haze", lit(style) ? static_cast<float>(light->haze_m) : 0.0f);
+    set_uniform(*gl, level_program, "light_map", 3);
+    set_uniform(*gl, level_program, "light_charts", 4);
     const double fade_start = 0.8 * extent;
     set_uniform(*gl, level_program, "fade_range",
                 Vec2f(static_cast<float>(fade_start), static_cast<float>(4.0 * fade_start)));
@@ -189,6 +251,10 @@ void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat
     gl->BindTexture(GL_TEXTURE_2D, face_state.texture());
     gl->ActiveTexture(GL_TEXTURE2);
     gl->BindTexture(GL_TEXTURE_2D, table_texture);
+    gl->ActiveTexture(GL_TEXTURE3);
+    gl->BindTexture(GL_TEXTURE_2D, lit(style) ? light_map.picture() : white_texture);
+    gl->ActiveTexture(GL_TEXTURE4);
+    gl->BindTexture(GL_TEXTURE_2D, lit(style) ? light_map.charts() : white_texture);
     gl->ActiveTexture(GL_TEXTURE0);
 
     if (style.back_faces) {
@@ -249,19 +315,55 @@ std::size_t LevelRenderer::face_state_bytes_uploaded() const {
     return impl_->face_state.bytes_uploaded();
 }
 
-Warnings LevelRenderer::set_mesh(MeshPtr mesh, const std::filesystem::path& folder) {
+Warnings LevelRenderer::set_mesh(MeshPtr mesh, const std::filesystem::path& folder, TextureAccess textures) {
     Warnings warnings;
     impl_->mesh = std::move(mesh);
     impl_->batches.clear();
+    impl_->parts.clear();
+    impl_->moving.clear();
     impl_->borders_built = false;
     impl_->textures.clear();
+    impl_->light_map.clear();
     if (impl_->mesh) {
         impl_->origin = drawing_origin(*impl_->mesh);
-        warnings = impl_->textures.load(*impl_->mesh, folder);
+        warnings = impl_->textures.load(*impl_->mesh, folder, textures);
         impl_->upload_geometry(warnings);
+        impl_->outlines.emplace(*impl_->mesh);
     }
     impl_->reset_faces();
     assert_no_gl_error(*impl_->gl, "LevelRenderer::set_mesh");
+    return warnings;
+}
+
+void LevelRenderer::move_faces(std::span<const std::uint32_t> parts, std::span<const Pose> poses) {
+    Impl& impl = *impl_;
+    if (!impl.mesh || impl.batches.empty()) return;
+    const auto send = [&](const MovingRun& run, const Pose& pose) {
+        std::vector<LevelVertex> vertices;
+        append_moved_vertices(*impl.mesh, run.triangles, pose, impl.origin, vertices);
+        impl.gl->BindBuffer(GL_ARRAY_BUFFER, impl.level_buffer);
+        impl.gl->BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(3 * run.first * sizeof(LevelVertex)),
+                               static_cast<GLsizeiptr>(vertices.size() * sizeof(LevelVertex)),
+                               vertices.data());
+    };
+    if (!std::equal(parts.begin(), parts.end(), impl.parts.begin(), impl.parts.end())) {
+        for (const MovingRun& run : impl.moving)
+            send(run, Pose{});
+        impl.find_moving(parts);
+    }
+    for (const MovingRun& run : impl.moving) {
+        if (run.part < poses.size()) send(run, poses[run.part]);
+    }
+    assert_no_gl_error(*impl.gl, "LevelRenderer::move_faces");
+}
+
+Warnings LevelRenderer::set_light(const std::optional<LevelLight>& light, const MeshPtr& lit,
+                                  const std::filesystem::path& folder) {
+    impl_->light = light;
+    impl_->light_map.clear();
+    if (!light || !lit || !impl_->mesh) return {};
+    Warnings warnings = impl_->light_map.load(*lit, impl_->mesh->face_count(), *light, folder, impl_->origin);
+    assert_no_gl_error(*impl_->gl, "LevelRenderer::set_light");
     return warnings;
 }
 
@@ -273,36 +375,43 @@ void LevelRenderer::set_face_surfaces(std::span<const SurfaceId> surfaces) {
 void LevelRenderer::set_face_highlights(std::span<const std::uint8_t> highlights) {
     std::uint8_t changed = 0;
     const std::size_t faces = std::min(highlights.size(), impl_->highlights.size());
-    for (std::size_t face = 0; face < faces; ++face) {
+    for (std::size_t face = 0; face < faces; ++face)
         changed = static_cast<std::uint8_t>(changed | (impl_->highlights[face] ^ highlights[face]));
-        impl_->highlights[face] = highlights[face];
-    }
     if (changed == 0) return;
+    std::copy_n(highlights.begin(), faces, impl_->highlights.begin());
     impl_->face_state.change(impl_->highlights, FaceState::Channel::highlight);
     const auto outline = [&](std::uint8_t bit, const std::uint8_t(&color)[4], LineBuffer& lines) {
         if ((changed & bit) == 0) return;
-        impl_->upload_lines(
-            lines, outline_lines(*impl_->mesh, impl_->highlights, bit, impl_->origin, color, outline_width));
+        impl_->upload_lines(lines, impl_->outlines->lines(*impl_->mesh, impl_->highlights, bit, impl_->origin,
+                                                          color, outline_width));
     };
+    if ((changed & 4) != 0) impl_->borders_built = false;
     outline(2, selected_color, impl_->selected_outline);
     outline(1, hovered_color, impl_->hovered_outline);
     assert_no_gl_error(*impl_->gl, "LevelRenderer::set_face_highlights");
 }
 
 void LevelRenderer::set_surface_types(SurfaceTable surfaces) {
-    std::array<std::uint8_t, 4 * 256> table{};
+    std::array<std::uint8_t, 2 * 4 * 256> table{};
     for (std::size_t i = 0; i < std::min<std::size_t>(surfaces.size(), 256); ++i) {
         for (std::size_t channel = 0; channel < 3; ++channel) {
             const float value = std::clamp(surfaces[i].color[channel], 0.0f, 1.0f);
             table[4 * i + channel] = static_cast<std::uint8_t>(std::lround(value * 255.0f));
         }
         table[4 * i + 3] = static_cast<std::uint8_t>(surfaces[i].hatch);
+        const std::size_t limit = 4 * (256 + i);
+        if (!surfaces[i].max_slope) continue;
+        const auto cosine = static_cast<unsigned>(
+            std::lround(std::clamp(std::cos(*surfaces[i].max_slope), 0.0, 1.0) * 65535.0));
+        table[limit] = static_cast<std::uint8_t>(cosine >> 8U);
+        table[limit + 1] = static_cast<std::uint8_t>(cosine & 0xffU);
+        table[limit + 2] = 255;
     }
     const GladGLContext& gl = *impl_->gl;
     gl.BindTexture(GL_TEXTURE_2D, impl_->table_texture);
     gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 256, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, table.data());
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 256, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, table.data());
     gl.BindTexture(GL_TEXTURE_2D, 0);
 }
 
@@ -323,7 +432,7 @@ void LevelRenderer::draw(const Camera& camera, int width, int height, const Leve
     gl.ClearStencil(0);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     if (!impl_->status) return;
-    impl_->draw_background(style);
+    impl_->draw_background(camera, static_cast<double>(width) / height, style);
 
     if (impl_->mesh) {
         gl.Enable(GL_DEPTH_TEST);
@@ -331,8 +440,8 @@ void LevelRenderer::draw(const Camera& camera, int width, int height, const Leve
         const Mat4f clip = clip_from_local(camera, width, height, impl_->origin);
         impl_->draw_faces(camera, height, clip, style);
         if (style.wireframe && !impl_->borders_built) {
-            impl_->upload_lines(impl_->borders,
-                                face_border_lines(*impl_->mesh, impl_->origin, border_color, border_width));
+            impl_->upload_lines(impl_->borders, face_border_lines(*impl_->mesh, impl_->highlights,
+                                                                  impl_->origin, border_color, border_width));
             impl_->borders_built = true;
         }
         gl.Enable(GL_BLEND);

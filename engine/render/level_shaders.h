@@ -5,24 +5,46 @@ namespace slipface {
 
 inline constexpr const char* background_vertex_shader = R"(#version 330 core
 out float height;
+out vec2 place;
 void main() {
     vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
     height = 0.5 + 0.5 * corner.y;
+    place = corner;
     gl_Position = vec4(corner, 0.0, 1.0);
 }
 )";
 
+// A gradient over the picture, or the level's sky in the direction of each pixel.
 inline constexpr const char* background_fragment_shader = R"(#version 330 core
 in float height;
+in vec2 place;
 uniform vec3 top;
 uniform vec3 bottom;
+uniform int sky;
+uniform mat4 direction_from_screen;  // of a point (x, y, 1) of the picture, both -1..1
+uniform vec3 sky_zenith;             // linear
+uniform vec3 sky_horizon;
+uniform vec3 sun;                    // unit; zero: none
+uniform vec3 sun_color;
 out vec4 out_color;
 void main() {
     out_color = vec4(mix(bottom, top, smoothstep(0.0, 1.0, height)), 1.0);
+    if (sky == 0) return;
+    vec3 d = normalize((direction_from_screen * vec4(place, 1.0, 0.0)).xyz);
+    float up = clamp(d.y, 0.0, 1.0);
+    vec3 color = mix(sky_horizon, sky_zenith, up * (2.0 - up));
+    color *= 1.0 - 0.45 * smoothstep(0.0, 0.35, -d.y);
+    float near_sun = clamp(dot(d, sun), 0.0, 1.0);
+    float glow = near_sun * near_sun;
+    glow *= glow;
+    glow *= glow;
+    color += sun_color * (0.10 * glow + 0.25 * glow * glow * glow * glow + smoothstep(0.9990, 0.9994, near_sun));
+    out_color = vec4(sqrt(clamp(color, 0.0, 1.0)), 1.0);
 }
 )";
 
 // face_state: red = surface type, green = highlight bits, faces in rows of the texture's width.
+// light_charts: see LightMap; three texels a face, in rows of the texture's width.
 inline constexpr const char* level_vertex_shader = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 normal;
@@ -31,6 +53,8 @@ layout(location = 3) in uint face;
 layout(location = 4) in vec4 color;
 uniform mat4 clip_from_local;
 uniform usampler2D face_state;
+uniform sampler2D light_charts;
+uniform int use_light;            // 1: baked light
 uniform vec4 eye;                 // w 1: position; w 0: direction towards an orthographic camera
 uniform float depth_bias;         // clip space, towards the eye if added
 out vec3 place;
@@ -38,9 +62,21 @@ out vec2 texture_place;
 flat out vec3 face_normal;
 flat out vec3 face_color;
 flat out uvec2 state;
+out vec2 light_place;             // texels from the chart's first texel centre
+flat out vec4 light_chart;        // first texel centre, texels to the last one
 
 void main() {
     int row = textureSize(face_state, 0).x;
+    light_place = vec2(0.0);
+    light_chart = vec4(0.0);
+    if (use_light == 1) {
+        int faces = textureSize(light_charts, 0).x / 3;
+        ivec2 at = ivec2(3 * (int(face) % faces), int(face) / faces);
+        vec4 u = texelFetch(light_charts, at, 0);
+        vec4 v = texelFetch(light_charts, at + ivec2(1, 0), 0);
+        light_chart = texelFetch(light_charts, at + ivec2(2, 0), 0);
+        light_place = vec2(dot(u.xyz, position) + u.w, dot(v.xyz, position) + v.w);
+    }
     state = texelFetch(face_state, ivec2(int(face) % row, int(face) / row), 0).rg;
     place = position;
     texture_place = uv;
@@ -49,6 +85,8 @@ void main() {
     gl_Position = clip_from_local * vec4(position, 1.0);
     // Where two faces lie back to back in one place, the front is shown.
     if (dot(normal.xyz, eye.xyz - eye.w * position) < 0.0) gl_Position.z -= depth_bias;
+    // A hidden face has all its corners in one place outside the picture.
+    if ((state.y & 4u) != 0u) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }
 )";
 
@@ -60,14 +98,29 @@ in vec2 texture_place;
 flat in vec3 face_normal;
 flat in vec3 face_color;
 flat in uvec2 state;
-uniform sampler2D surface_table;  // red, green, blue: colour; alpha: hatch, in 255ths
+uniform sampler2D surface_table;  // row 0: colour, and the hatch in 255ths; row 1: cosine of the slope limit in two bytes, whether it has one
+uniform int face_colors;          // 0: types, 1: slope, 2: walkable
+uniform float slope_cosine;       // of types without a limit of their own
 uniform sampler2D material_texture;
 uniform int use_texture;          // 0: plain, 1: material colour, 2: texture
 uniform float overlay;
 uniform vec4 eye;
 uniform vec3 fade_color;
 uniform vec2 fade_range;          // metres
+in vec2 light_place;
+flat in vec4 light_chart;
+uniform int use_light;
+uniform sampler2D light_map;
+uniform float haze;               // metres; 0: none
 out vec4 out_color;
+
+// The baked light of this place. Clamped to the face's own texels: where a pixel is drawn at the border of a face, its place
+// may lie beside it.
+vec3 baked_light() {
+    vec2 texel = light_chart.xy + clamp(light_place, vec2(0.0), light_chart.zw);
+    vec3 encoded = texture(light_map, texel / vec2(textureSize(light_map, 0))).rgb;
+    return 2.0 * encoded * encoded;
+}
 
 // Share of ink of a stripe of `width` (of period 1) at x; `change` is how far x moves from pixel to pixel. Stripes too dense
 // to be seen become their mean.
@@ -129,6 +182,23 @@ float metre_grid(vec2 p) {
     return max(max(one.x, one.y) * near * 0.5, max(eight.x, eight.y) * far);
 }
 
+float slope_limit(int surface) {
+    vec4 own = texelFetch(surface_table, ivec2(surface, 1), 0);
+    return own.b > 0.5 ? (own.r * 65280.0 + own.g * 255.0) / 65535.0 : slope_cosine;
+}
+
+// Blue where it is flat, pale at the limit, then from orange to dark red; violet where one cannot stand at all.
+vec3 slope_color(float up, float limit) {
+    if (up < -1e-4) return vec3(0.36, 0.27, 0.50);
+    if (up + 2e-5 >= limit) return mix(vec3(0.86, 0.88, 0.80), vec3(0.10, 0.36, 0.66), clamp((up - limit) / max(1.0 - limit, 1e-4), 0.0, 1.0));
+    return mix(vec3(0.96, 0.68, 0.28), vec3(0.58, 0.10, 0.10), clamp((limit - up) / max(limit, 1e-4), 0.0, 1.0));
+}
+
+vec3 walk_color(float up, float limit) {
+    if (up < -1e-4) return vec3(0.36, 0.27, 0.50);
+    return up + 2e-5 >= limit ? vec3(0.20, 0.56, 0.78) : vec3(0.88, 0.45, 0.16);
+}
+
 void main() {
     bool back = !gl_FrontFacing;
     vec3 n = back ? -face_normal : face_normal;
@@ -140,12 +210,13 @@ void main() {
 
     vec4 texel = texture(material_texture, texture_place);
     float grid = metre_grid(p);
+    bool lit = use_light == 1 && light_chart.x > 0.0;  // terrain has no chart
     vec3 base;
     if (use_texture == 2) {
-        base = texel.rgb * texel.rgb * mix(vec3(1.0), light, 0.72);
+        base = texel.rgb * texel.rgb * (lit ? baked_light() : mix(vec3(1.0), light, 0.72));
     } else {
         vec3 albedo = use_texture == 1 ? face_color * face_color : vec3(0.46, 0.47, 0.49);
-        base = albedo * light * (1.0 - 0.16 * grid);
+        base = albedo * (lit ? baked_light() : light * (1.0 - 0.16 * grid));
     }
 
     int surface = int(state.x);
@@ -154,7 +225,15 @@ void main() {
     if (use_texture == 2 && texel.a < 0.5 && state == uvec2(0)) discard;
 
     vec4 type = texelFetch(surface_table, ivec2(surface, 0), 0);
-    if (surface != 0) {
+    if (face_colors != 0) {
+        float limit = slope_limit(surface);
+        vec3 paint = face_colors == 1 ? slope_color(face_normal.y, limit) : walk_color(face_normal.y, limit);
+        bool steep = face_normal.y + 2e-5 < limit;
+        float ink = steep ? hatch_at_distance(face_normal.y < -1e-4 ? 2 : 1, p) : 0.0;
+        float strength = max(overlay, 0.6);
+        base = mix(base, paint * paint * mix(vec3(0.95), light, 0.8), strength);
+        if (face_colors == 2) base = mix(base, base * 0.45, ink * strength);
+    } else if (surface != 0) {
         vec3 paint = type.rgb * type.rgb * mix(vec3(0.95), light, 0.8);
         float ink = hatch_at_distance(int(type.a * 255.0 + 0.5), p);
         bool bright = dot(type.rgb * type.rgb, vec3(0.25, 0.6, 0.15)) > 0.22;
@@ -170,7 +249,9 @@ void main() {
     }
 
     vec3 shown = sqrt(clamp(base, 0.0, 1.0));
-    float fade = 0.30 * smoothstep(fade_range.x, fade_range.y, distance(eye.xyz, place) * eye.w);
+    float away = distance(eye.xyz, place) * eye.w;
+    float fade = 0.30 * smoothstep(fade_range.x, fade_range.y, away);
+    if (use_light == 1) fade = haze > 0.0 ? 0.9 * away * away / (away * away + haze * haze) : 0.0;
     out_color = vec4(mix(shown, fade_color, fade), 1.0);
 }
 )";

@@ -6,6 +6,8 @@
 #include <optional>
 #include <set>
 
+#include "slipface/base/files.h"
+
 namespace slipface {
 
 namespace {
@@ -43,24 +45,47 @@ Image halved(const Image& image) {
     return half;
 }
 
+struct FoundTexture {
+    std::optional<std::filesystem::path> path;
+    bool refused = false;  // the picture that was meant lies outside the folder
+};
+
 // Windows tools write backslashes, and many write the path of the machine they ran on: then the file's name
 // alone is tried beside the level.
-std::optional<std::filesystem::path> find_texture(const std::string& authored,
-                                                  const std::filesystem::path& folder) {
-    if (authored.find('\0') != std::string::npos || authored.size() > 4096) return std::nullopt;
+FoundTexture find_texture(const std::string& authored, const std::filesystem::path& folder,
+                          TextureAccess access) {
+    FoundTexture found;
+    if (authored.find('\0') != std::string::npos || authored.size() > 4096) return found;
     std::string portable = authored;
     std::replace(portable.begin(), portable.end(), '\\', '/');
     const std::filesystem::path path(portable);
     for (const auto& candidate : {folder / path, folder / path.filename()}) {
         std::error_code error;
-        if (std::filesystem::is_regular_file(candidate, error)) return candidate;
+        if (!std::filesystem::is_regular_file(candidate, error)) continue;
+        if (access == TextureAccess::anywhere || lies_within(candidate, folder)) {
+            found.path = candidate;
+            break;
+        }
+        found.refused = true;
     }
-    return std::nullopt;
+    return found;
 }
 
 }  // namespace
 
-Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& folder) {
+std::vector<std::string> outside_textures(const Mesh& mesh, const std::filesystem::path& folder) {
+    std::vector<std::string> textures;
+    for (const Material& material : mesh.materials) {
+        if (material.texture.empty() ||
+            !find_texture(material.texture, folder, TextureAccess::folder).refused ||
+            std::find(textures.begin(), textures.end(), material.texture) != textures.end())
+            continue;
+        textures.push_back(material.texture);
+    }
+    return textures;
+}
+
+Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& folder, TextureAccess access) {
     clear();
     Warnings warnings;
     std::size_t unlisted = 0;
@@ -86,7 +111,12 @@ Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& fold
     };
     const auto load_one = [&](const Material& material) -> std::uint32_t {
         const std::string place = "material \"" + material.name + "\"";
-        const auto path = find_texture(material.texture, folder);
+        const auto [path, refused] = find_texture(material.texture, folder, access);
+        if (refused)
+            warn(place,
+                 "the texture \"" + material.texture + "\" lies outside the level's folder: not read" +
+                     (path ? "; the picture of that name in the folder is used" : "; drawn as a checker"));
+        if (!path && refused) return use_checker();
         if (!path) {
             warn(place, "found no texture \"" + material.texture + "\" in " + folder.string() +
                             "; drawn as a checker");

@@ -6,6 +6,7 @@
 
 #include "gl_util.h"
 #include "slipface/mesh/mesh.h"
+#include "slipface/render/level_renderer.h"
 
 namespace slipface {
 
@@ -21,7 +22,7 @@ class LevelTextures {
 
     // Loads each file once, however many materials name it. What cannot be loaded becomes a checker and a
     // warning.
-    Warnings load(const Mesh& mesh, const std::filesystem::path& folder);
+    Warnings load(const Mesh& mesh, const std::filesystem::path& folder, TextureAccess access);
     void clear();
 
     const std::vector<std::uint32_t>& material_texture() const { return material_texture_; }  // [material]

@@ -16,19 +16,19 @@ namespace slipface {
 
 namespace {
 
-// The software rasteriser crashes with 512-bit vectors in every Mesa release looked at (22.3 to 26.2).
-constexpr std::int64_t widest_safe_vector = 256;
+// The software rasteriser crashes with 512-bit vectors in every Mesa release looked at (22.3 to 26.2), and
+// with 128-bit ones on some wide processors. 256 is what it takes by itself.
+constexpr std::int64_t safe_vector_width = 256;
 
 Warnings make_environment_safe() {
     Warnings warnings;
     const char* width = std::getenv("LP_NATIVE_VECTOR_WIDTH");
     if (width == nullptr) return warnings;
     const auto value = parse_int(width);
-    if (value && *value <= widest_safe_vector) return warnings;
-    warnings.push_back(
-        {"LP_NATIVE_VECTOR_WIDTH", std::string("found \"") + width +
-                                       "\", which crashes Mesa's software renderer; expected at most "
-                                       "256; the variable was unset"});
+    if (value == safe_vector_width) return warnings;
+    warnings.push_back({"LP_NATIVE_VECTOR_WIDTH", std::string("found \"") + width +
+                                                      "\", which crashes Mesa's software renderer; expected "
+                                                      "256; the variable was unset"});
     unsetenv("LP_NATIVE_VECTOR_WIDTH");
     return warnings;
 }
@@ -231,8 +231,19 @@ Result<std::unique_ptr<OffscreenContext>> make_egl(const Warnings& warnings) {
 
 }  // namespace
 
+// What SLIPFACE_GL says, for a whole run and all its processes.
+static OffscreenBackend wanted_backend() {
+    const char* name = std::getenv("SLIPFACE_GL");
+    if (name == nullptr) return OffscreenBackend::automatic;
+    const std::string_view wanted = name;
+    return wanted == "osmesa" ? OffscreenBackend::osmesa
+           : wanted == "egl"  ? OffscreenBackend::egl
+                              : OffscreenBackend::automatic;
+}
+
 Result<std::unique_ptr<OffscreenContext>> make_offscreen_context(OffscreenBackend backend) {
     const Warnings warnings = make_environment_safe();
+    if (backend == OffscreenBackend::automatic) backend = wanted_backend();
     if (backend == OffscreenBackend::osmesa) return make_osmesa(warnings);
     if (backend == OffscreenBackend::egl) return make_egl(warnings);
     auto osmesa = make_osmesa(warnings);

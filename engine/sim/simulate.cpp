@@ -7,43 +7,11 @@
 namespace slipface {
 namespace {
 
+constexpr double fall_limit_m = 60.0;  // below the level and the start
+
 bool holds(const PlayerState& state) {
     return state.grounded || state.climbing || state.stuck;
 }
-
-// Tells what changed between two ticks.
-class EventLog {
-  public:
-    EventLog(SurfaceTable surfaces, std::vector<SimulationEvent>& events)
-        : surfaces_(surfaces), events_(events) {}
-
-    void add(std::size_t tick, const PlayerState& before, const PlayerInput& input,
-             const PlayerState& after) {
-        if (after.hazard) log(tick, "hazard", after);
-        if (holds(before) && !holds(after) && input.jump && !before.jump_held) {
-            log(tick, "jump", before);
-        } else if (before.grounded && !after.grounded) {
-            log(tick, "leave ground", before);
-        }
-        if (after.grounded && !before.grounded) log(tick, "land", after);
-        if (after.climbing && !before.climbing) log(tick, "climb", after);
-        if (after.stuck && !before.stuck) log(tick, "stick", after);
-        if (holds(after) && after.ground_surface != surface_) {
-            surface_ = after.ground_surface;
-            log(tick, "surface", after);
-        }
-    }
-
-  private:
-    void log(std::size_t tick, const char* kind, const PlayerState& state) {
-        const bool known = state.ground_surface < surfaces_.size();
-        events_.push_back({tick, kind, known ? surfaces_[state.ground_surface].name : std::string()});
-    }
-
-    SurfaceTable surfaces_;
-    std::vector<SimulationEvent>& events_;
-    SurfaceId surface_ = default_surface;
-};
 
 // Whole seconds in `ticks` steps of `dt`; the share of a tick added keeps 60 steps of 1/60 one second.
 std::size_t whole_seconds(std::size_t ticks, double dt) {
@@ -52,23 +20,76 @@ std::size_t whole_seconds(std::size_t ticks, double dt) {
 
 }  // namespace
 
+TickResult play_tick(const MovementScene& scene, const MovementSettings& settings, const PlayerState& before,
+                     const PlayerInput& input, double dt, const PlayerState& spawn, TraceSink* trace) {
+    const StepResult step_result = step(scene, settings, before, input, dt, trace);
+    TickResult result{.state = step_result.state,
+                      .stepped = step_result.state,
+                      .respawn = Respawn::none,
+                      .contacts = step_result.contacts};
+    const Aabb bounds = scene.collision.bounds();
+    const double lowest = std::min(bounds.min.y(), position_in_scene(scene, spawn).y()) - fall_limit_m;
+    if (result.state.hazard) {
+        result.respawn = Respawn::hazard;
+    } else if (!bounds.empty() && position_in_scene(scene, result.state).y() < lowest) {
+        result.respawn = Respawn::fall;
+    }
+    if (result.respawn != Respawn::none) {
+        result.state = spawn;
+        result.state.jump_held = input.jump;
+    }
+    return result;
+}
+
+void EventLog::add(std::size_t tick, const PlayerState& before, const PlayerInput& input,
+                   const TickResult& result) {
+    const PlayerState& after = result.stepped;
+    if (after.hazard) log(tick, "hazard", after);
+    if (holds(before) && !holds(after) && input.jump && !before.jump_held) {
+        log(tick, "jump", before);
+    } else if (before.grounded && !after.grounded) {
+        log(tick, "leave ground", before);
+    }
+    if (after.grounded && !before.grounded) log(tick, "land", after);
+    if (after.climbing && !before.climbing) log(tick, "climb", after);
+    if (after.stuck && !before.stuck) log(tick, "stick", after);
+    if (holds(after) && after.ground_surface != surface_) {
+        surface_ = after.ground_surface;
+        log(tick, "surface", after);
+    }
+    if (result.respawn == Respawn::fall) events_.push_back({tick, "fall", ""});
+}
+
+void EventLog::log(std::size_t tick, const char* kind, const PlayerState& state) {
+    const bool known = state.ground_surface < surfaces_.size();
+    events_.push_back({tick, kind, known ? surfaces_[state.ground_surface].name : std::string()});
+}
+
 std::uint64_t state_hash(const PlayerState& state, std::uint64_t previous) {
     Hasher hasher;
     hasher.u64(previous);
-    for (const Vec3* vector : {&state.position, &state.velocity}) {
+    for (const Vec3* vector : {&state.position, &state.velocity, &state.ground_normal}) {
         for (int axis = 0; axis < 3; ++axis)
             hasher.f64((*vector)[axis]);
     }
     std::uint64_t flags = 0;
-    for (const bool flag : {state.grounded, state.climbing, state.stuck, state.jump_held, state.hazard}) {
+    for (const bool flag : {state.grounded, state.climbing, state.stuck, state.jump_held, state.hazard,
+                            state.jumping, state.trapped}) {
         flags = flags * 2 + (flag ? 1 : 0);
     }
     hasher.u64(flags);
+    for (const std::int32_t number : state.sector)
+        hasher.u64(static_cast<std::uint32_t>(number));
+    hasher.u64(state.ground_face);
+    hasher.u64(state.ground_surface);
+    hasher.u64(state.ground_platform);
+    hasher.f64(state.coyote_s);
+    hasher.f64(state.jump_buffer_s);
     return hasher.value();
 }
 
 Status apply_tape_settings(MovementSettings& settings, const Tape& tape, const std::string& place) {
-    MovementSettings changed = settings;
+    MovementSettings changed = tape.from_defaults ? MovementSettings{} : settings;
     for (const std::string& assignment : tape.settings) {
         const Status status = set_setting(changed, assignment);
         if (!status.ok()) return Error{place, "set " + assignment + ": " + status.error().text()};
@@ -77,24 +98,25 @@ Status apply_tape_settings(MovementSettings& settings, const Tape& tape, const s
     return {};
 }
 
-SimulationReport simulate(const MovementScene& scene, const MovementSettings& settings, const Vec3& start,
+SimulationReport simulate(const TickScene& scene, const MovementSettings& settings, const Vec3& start,
                           const Tape& tape, const SimulationOptions& options) {
     SimulationReport report;
-    EventLog log(scene.surfaces, report.events);
-    PlayerState state;
-    state.position = start;
+    EventLog log(scene.surfaces(), report.events);
+    MovementSettings now = settings;
+    auto change = tape.changes.begin();
+    const PlayerState spawn = scene.player_at(start);
+    PlayerState state = spawn;
     std::uint64_t hash = 0;
     for (const TapeSegment& segment : tape.segments) {
         for (int i = 0; i < segment.ticks; ++i) {
+            for (; change != tape.changes.end() && change->tick <= report.ticks; ++change)
+                (void)set_setting(now, change->setting);
             const PlayerState before = state;
-            state = step(scene, settings, before, segment.input, tape.dt, options.trace).state;
-            report.distance += (state.position - before.position).norm();
-            log.add(report.ticks, before, segment.input, state);
-            if (state.hazard) {
-                state = PlayerState{};
-                state.position = start;
-                state.jump_held = segment.input.jump;
-            }
+            const TickResult result = play_tick(scene.at(report.ticks, tape.dt), now, before, segment.input,
+                                                tape.dt, spawn, options.trace);
+            state = result.state;
+            report.distance += (scene.to_level(result.stepped) - scene.to_level(before)).norm();
+            log.add(report.ticks, before, segment.input, result);
             hash = state_hash(state, hash);
             ++report.ticks;
             if (options.keep_states) report.states.push_back(state);
@@ -107,7 +129,46 @@ SimulationReport simulate(const MovementScene& scene, const MovementSettings& se
                         whole_seconds(std::max<std::size_t>(report.ticks, 1) - 1, tape.dt);
     if (report.ticks > 0 && !hashed) report.second_hashes.push_back(hash);
     report.final_state = state;
+    report.end_hash = hash;
     return report;
+}
+
+std::uint64_t scene_fingerprint(const MovementScene& scene) {
+    Hasher hasher;
+    for (const SurfaceType& surface : scene.surfaces) {
+        for (const SurfaceField& field : surface_fields()) {
+            std::visit(
+                [&](auto member) {
+                    const auto& value = surface.*member;
+                    using Value = std::decay_t<decltype(value)>;
+                    if constexpr (std::is_same_v<Value, Vec3>) {
+                        for (int axis = 0; axis < 3; ++axis)
+                            hasher.f64(value[axis]);
+                    } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
+                        hasher.f64(value.value_or(-1.0));
+                    } else {
+                        hasher.f64(static_cast<double>(value));
+                    }
+                },
+                field.member);
+        }
+    }
+    FaceId last = no_id;
+    for (std::size_t i = 0; i < scene.collision.triangle_count(); ++i) {
+        const FaceId face = scene.collision.triangle_face(static_cast<TriangleId>(i));
+        if (face != last) hasher.u64(scene.collision.face_surface(face));
+        last = face;
+    }
+    for (const MovingPart& part : scene.platforms) {
+        const Pose& pose = part.end;
+        hasher.u64(part.triangles.size());
+        for (int axis = 0; axis < 3; ++axis) {
+            hasher.f64(pose.apply(Vec3::Zero())[axis]);
+            hasher.f64(part.velocity[axis]);
+            hasher.f64(part.angular_velocity[axis]);
+        }
+    }
+    return hasher.value();
 }
 
 }  // namespace slipface

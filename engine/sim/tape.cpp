@@ -92,17 +92,27 @@ class TapeParser {
     void read_line(std::string_view line) {
         if (line.empty() || line.front() == '#') return;
         const std::vector<std::string_view> words = words_of(line);
+        if (tape_.end_hash) return fail(quoted(line), "nothing after \"end\"");
         if (!has_header_) {
             has_header_ = words.size() == 2 && words[0] == magic && words[1] == version;
             if (!has_header_) fail(quoted(line), "\"slipface-tape 1\" first; no other version is understood");
         } else if (words[0] == "level") {
             read_level(words);
+        } else if (words[0] == "surfaces") {
+            read_hash(words, has_surfaces_, tape_.surfaces_fingerprint);
         } else if (words[0] == "dt") {
             read_dt(words);
+        } else if (words[0] == "settings") {
+            read_base(words);
         } else if (words[0] == "set") {
             read_setting(trim(line.substr(3)));
         } else if (words[0] == "start") {
             read_start(words);
+        } else if (words[0] == "end") {
+            const auto hash = words.size() == 2 ? parse_fingerprint(words[1]) : std::nullopt;
+            if (!hash || tape_.segments.empty())
+                return fail(quoted(line), "\"end\" with 16 hexadecimal digits, after the last tick");
+            tape_.end_hash = hash;
         } else {
             read_segment(line, words);
         }
@@ -140,16 +150,31 @@ class TapeParser {
         tape_.dt_text = words[1];
     }
 
+    void read_hash(const std::vector<std::string_view>& words, bool& seen,
+                   std::optional<std::uint64_t>& hash) {
+        if (!may_set(seen, words[0])) return;
+        hash = words.size() == 2 ? parse_fingerprint(words[1]) : std::nullopt;
+        if (!hash) fail(quoted(words.back()), "16 hexadecimal digits");
+    }
+
+    void read_base(const std::vector<std::string_view>& words) {
+        if (!may_set(tape_.from_defaults, "settings")) return;
+        const bool known = words.size() == 2 && words[1] == "defaults";
+        if (!known) return fail(quoted(words.back()), "\"settings defaults\"");
+        if (!tape_.settings.empty()) fail("\"settings defaults\" after a setting", "it before all settings");
+    }
+
     void read_setting(std::string_view assignment) {
-        bool seen = false;
-        if (!may_set(seen, "set")) return;
         MovementSettings scratch;
         const Status status = set_setting(scratch, assignment);
         if (!status.ok()) {
             error_ = Error{fmt::format("{}:{}", place_, line_), status.error().text()};
             return;
         }
-        tape_.settings.emplace_back(assignment);
+        if (tape_.segments.empty())
+            tape_.settings.emplace_back(assignment);
+        else
+            tape_.changes.push_back({ticks_, std::string(assignment)});
     }
 
     void read_start(const std::vector<std::string_view>& words) {
@@ -191,7 +216,7 @@ class TapeParser {
     const std::string& place_;
     std::size_t line_ = 0;
     std::size_t ticks_ = 0;
-    bool has_header_ = false, has_level_ = false, has_dt_ = false, has_start_ = false;
+    bool has_header_ = false, has_level_ = false, has_surfaces_ = false, has_dt_ = false, has_start_ = false;
     std::optional<Error> error_;
     Tape tape_;
 };
@@ -226,19 +251,35 @@ std::string tape_to_text(const Tape& tape) {
         if (tape.level_fingerprint) text += fmt::format(" {:016x}", *tape.level_fingerprint);
         text += '\n';
     }
+    if (tape.surfaces_fingerprint) text += fmt::format("surfaces {:016x}\n", *tape.surfaces_fingerprint);
     text += fmt::format("dt {}\n", tape.dt_text);
+    if (tape.from_defaults) text += "settings defaults\n";
     for (const std::string& setting : tape.settings)
         text += fmt::format("set {}\n", setting);
     if (tape.start) {
         text += fmt::format("start {},{},{}\n", to_text(tape.start->x()), to_text(tape.start->y()),
                             to_text(tape.start->z()));
     }
+    const auto write_ticks = [&](std::size_t ticks, const PlayerInput& input) {
+        text += std::to_string(ticks);
+        if (!input.wish.isZero(0.0))
+            text += fmt::format(" wish {},{}", to_text(input.wish.x()), to_text(input.wish.y()));
+        text += input.jump ? " jump\n" : "\n";
+    };
+    std::size_t tick = 0;
+    auto change = tape.changes.begin();
     for (const TapeSegment& segment : tape.segments) {
-        const Vec2& wish = segment.input.wish;
-        text += std::to_string(segment.ticks);
-        if (!wish.isZero(0.0)) text += fmt::format(" wish {},{}", to_text(wish.x()), to_text(wish.y()));
-        text += segment.input.jump ? " jump\n" : "\n";
+        // A change inside a segment cuts it in two.
+        for (const std::size_t end = tick + static_cast<std::size_t>(std::max(segment.ticks, 0));
+             tick < end;) {
+            for (; change != tape.changes.end() && change->tick <= tick; ++change)
+                text += fmt::format("set {}\n", change->setting);
+            const std::size_t stop = change != tape.changes.end() ? std::min(end, change->tick) : end;
+            write_ticks(stop - tick, segment.input);
+            tick = stop;
+        }
     }
+    if (tape.end_hash && tick > 0) text += fmt::format("end {:016x}\n", *tape.end_hash);
     return text;
 }
 
@@ -250,6 +291,30 @@ void append_tick(Tape& tape, const PlayerInput& input) {
     } else {
         tape.segments.push_back({1, input});
     }
+}
+
+Tape cut_tape(const Tape& tape, std::size_t ticks) {
+    Tape cut = tape;
+    cut.end_hash.reset();
+    cut.segments.clear();
+    for (const TapeSegment& segment : tape.segments) {
+        if (ticks == 0) break;
+        const std::size_t kept = std::min(ticks, static_cast<std::size_t>(std::max(segment.ticks, 0)));
+        if (kept > 0) cut.segments.push_back({static_cast<int>(kept), segment.input});
+        ticks -= kept;
+    }
+    const std::size_t length = cut.tick_count();
+    std::erase_if(cut.changes, [&](const TapeChange& change) { return change.tick >= length; });
+    return cut;
+}
+
+std::vector<std::string> setting_changes(const MovementSettings& from, const MovementSettings& to) {
+    std::vector<std::string> changes;
+    for (const SettingInfo& info : settings_table()) {
+        if (get_setting(from, info) != get_setting(to, info))
+            changes.push_back(std::string(info.name) + "=" + setting_text(to, info));
+    }
+    return changes;
 }
 
 }  // namespace slipface

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "camera_names.h"
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
 #include "slipface/snapshot/suite.h"
@@ -85,19 +86,14 @@ std::filesystem::path path_of(const Json& value, const std::string& place,
                               const std::filesystem::path& folder) {
     const std::string text = text_of(value, place);
     if (text.empty() || text.find('\0') != std::string::npos) refuse(place, "found no usable path");
+    if (text.starts_with("demo:")) return text;
     return (folder / text).lexically_normal();
 }
 
 std::variant<std::string, Camera> camera_of(const Json& value, const std::string& place) {
     if (value.is_string()) {
         std::string name = value.get<std::string>();
-        if (name.starts_with("auto:") && !named_view(name.substr(5), {}, 1.0)) {
-            refuse(
-                place,
-                fmt::format("found \"{}\", expected auto: and iso, iso-back, top, bottom, front, back, right "
-                            "or left",
-                            name));
-        }
+        if (const auto wrong = wrong_camera_name(name)) refuse(place, *wrong);
         return name;
     }
     if (!value.is_object()) refuse_type(place, value, "a name or {\"eye\": ..., \"target\": ...}");
@@ -112,8 +108,10 @@ std::variant<std::string, Camera> camera_of(const Json& value, const std::string
     return camera;
 }
 
-LevelStyle style_of(const Json& value, const std::string& place) {
-    LevelStyle style;
+void set_style(Scene& scene, const Json& value, const std::string& place) {
+    LevelStyle& style = scene.style;
+    style = {};
+    scene.grid = false;
     style.textured = false;
     style.overlay = 0.0f;
     const std::string text = text_of(value, place);
@@ -121,18 +119,52 @@ LevelStyle style_of(const Json& value, const std::string& place) {
         if (word.empty() || word == "plain") continue;
         if (word == "textured") {
             style.textured = true;
+        } else if (word == "unlit") {
+            style.baked_light = false;
         } else if (word == "overlay") {
             style.overlay = LevelStyle{}.overlay;
         } else if (word == "wireframe") {
             style.wireframe = true;
         } else if (word == "cutaway") {
             style.back_faces = false;
+        } else if (word == "grid") {
+            scene.grid = true;
         } else {
-            refuse(place, fmt::format("found \"{}\", expected plain, textured, overlay, wireframe or cutaway",
-                                      word));
+            refuse(place,
+                   fmt::format(
+                       "found \"{}\", expected plain, textured, unlit, overlay, wireframe, cutaway or grid",
+                       word));
         }
     }
-    return style;
+}
+
+std::vector<std::string> settings_of(const Json& value, const std::string& place) {
+    if (!value.is_array()) refuse_type(place, value, "an array of \"name=value\"");
+    std::vector<std::string> settings;
+    MovementSettings scratch;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const std::string here = fmt::format("{}/{}", place, i);
+        settings.push_back(text_of(value[i], here));
+        const Status status = set_setting(scratch, settings.back());
+        if (!status) refuse(here, status.error().text());
+    }
+    return settings;
+}
+
+std::vector<MaskRect> masks_of(const Json& value, const std::string& place) {
+    if (!value.is_array()) refuse_type(place, value, "an array of [x, y, width, height]");
+    std::vector<MaskRect> masks;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const std::string here = fmt::format("{}/{}", place, i);
+        if (!value[i].is_array() || value[i].size() != 4)
+            refuse_type(here, value[i], "four numbers [x, y, width, height]");
+        std::array<int, 4> numbers{};
+        for (std::size_t k = 0; k < 4; ++k)
+            numbers[k] =
+                static_cast<int>(number_of(value[i][k], fmt::format("{}/{}", here, k), 0, largest_side));
+        masks.push_back({numbers[0], numbers[1], numbers[2], numbers[3]});
+    }
+    return masks;
 }
 
 SceneProbe probe_of(const Json& value, const std::string& place) {
@@ -145,31 +177,12 @@ SceneProbe probe_of(const Json& value, const std::string& place) {
         probe.radii = vec3_of(value["radii"], place + "/radii");
         if (!(probe.radii->minCoeff() > 0.0)) refuse(place + "/radii", "expected three numbers above 0");
     }
-    if (value.contains("settings")) {
-        const Json& settings = value["settings"];
-        if (!settings.is_array()) refuse_type(place + "/settings", settings, "an array of \"name=value\"");
-        MovementSettings scratch;
-        for (std::size_t i = 0; i < settings.size(); ++i) {
-            const std::string here = fmt::format("{}/settings/{}", place, i);
-            probe.settings.push_back(text_of(settings[i], here));
-            const Status status = set_setting(scratch, probe.settings.back());
-            if (!status) refuse(here, status.error().text());
-        }
-    }
+    if (value.contains("settings")) probe.settings = settings_of(value["settings"], place + "/settings");
     return probe;
 }
 
-Scene scene_of(const Json& value, const std::string& place, const std::filesystem::path& folder) {
-    only_keys(value, place, {"name", "level", "camera", "size", "style", "probe", "tape"});
-    Scene scene;
-    scene.place = place;
-    scene.name = text_of(member(value, place, "name"), place + "/name");
-    if (!valid_snapshot_name(scene.name)) {
-        refuse(place + "/name",
-               fmt::format("found {}, expected letters, digits, '-', '_' and '/'", shown(value["name"])));
-    }
-    scene.level = path_of(member(value, place, "level"), place + "/level", folder);
-    if (value.contains("camera")) scene.camera = camera_of(value["camera"], place + "/camera");
+// What a scene, or the suite's defaults, may say about the picture.
+void read_picture(Scene& scene, const Json& value, const std::string& place) {
     if (value.contains("size")) {
         const Json& size = value["size"];
         if (!size.is_array() || size.size() != 2)
@@ -181,9 +194,47 @@ Scene scene_of(const Json& value, const std::string& place, const std::filesyste
             (i == 0 ? scene.width : scene.height) = side;
         }
     }
-    if (value.contains("style")) scene.style = style_of(value["style"], place + "/style");
+    if (value.contains("style")) set_style(scene, value["style"], place + "/style");
+    if (value.contains("profile")) {
+        const std::string profile = text_of(value["profile"], place + "/profile");
+        if (profile != "scene" && profile != "ui")
+            refuse_type(place + "/profile", value["profile"], "\"scene\" or \"ui\"");
+        scene.tolerance = profile == "ui" ? ui_tolerance : scene_tolerance;
+    }
+}
+
+void read_cameras(Scene& scene, const Json& value, const std::string& place) {
+    if (value.contains("camera")) refuse(place, "has both \"camera\" and \"cameras\"");
+    const Json& list = value["cameras"];
+    if (!list.is_array() || list.empty()) refuse_type(place + "/cameras", list, "an array of camera names");
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const std::string here = fmt::format("{}/cameras/{}", place, i);
+        scene.cameras.push_back(text_of(list[i], here));
+        if (several_cameras(scene.cameras.back())) continue;
+        if (const auto wrong = wrong_camera_name(scene.cameras.back())) refuse(here, *wrong);
+    }
+}
+
+Scene scene_of(const Json& value, const std::string& place, const std::filesystem::path& folder,
+               const Scene& defaults) {
+    only_keys(value, place,
+              {"name", "level", "camera", "cameras", "size", "style", "probe", "tape", "settings", "profile",
+               "masks"});
+    Scene scene = defaults;
+    scene.place = place;
+    scene.name = text_of(member(value, place, "name"), place + "/name");
+    if (!valid_snapshot_name(scene.name)) {
+        refuse(place + "/name", fmt::format("found {}, expected letters, digits, '-', '_', '@' and '/'",
+                                            shown(value["name"])));
+    }
+    scene.level = path_of(member(value, place, "level"), place + "/level", folder);
+    if (value.contains("cameras")) read_cameras(scene, value, place);
+    if (value.contains("camera")) scene.camera = camera_of(value["camera"], place + "/camera");
+    read_picture(scene, value, place);
     if (value.contains("probe")) scene.probe = probe_of(value["probe"], place + "/probe");
     if (value.contains("tape")) scene.tape = path_of(value["tape"], place + "/tape", folder);
+    if (value.contains("settings")) scene.settings = settings_of(value["settings"], place + "/settings");
+    if (value.contains("masks")) scene.masks = masks_of(value["masks"], place + "/masks");
     return scene;
 }
 
@@ -220,7 +271,7 @@ Json parse_json(std::string_view text, const std::string& place) {
 Result<std::vector<Scene>> parse_scene_suite(std::string_view text, const std::filesystem::path& file) try {
     const std::string place = file.filename().string();
     const Json json = parse_json(text, place);
-    only_keys(json, place + ":", {"version", "scenes"});
+    only_keys(json, place + ":", {"version", "defaults", "scenes"});
     const Json& version = member(json, place + ":", "version");
     if (version != 1) refuse(place + ":/version", fmt::format("found {}, expected 1", shown(version)));
     const Json& list = member(json, place + ":", "scenes");
@@ -228,11 +279,16 @@ Result<std::vector<Scene>> parse_scene_suite(std::string_view text, const std::f
     if (list.size() > max_scenes)
         refuse(place + ":/scenes", fmt::format("has more than {} scenes", max_scenes));
 
+    Scene defaults;
+    if (json.contains("defaults")) {
+        only_keys(json["defaults"], place + ":/defaults", {"size", "style", "profile"});
+        read_picture(defaults, json["defaults"], place + ":/defaults");
+    }
     std::vector<Scene> scenes;
     std::set<std::string> names;
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string here = fmt::format("{}:/scenes/{}", place, i);
-        scenes.push_back(scene_of(list[i], here, file.parent_path()));
+        scenes.push_back(scene_of(list[i], here, file.parent_path(), defaults));
         if (!names.insert(scenes.back().name).second) {
             refuse(here + "/name", fmt::format("\"{}\" comes twice", scenes.back().name));
         }

@@ -9,16 +9,16 @@ void Character::on_draw(Graphics& graphics) const {
 }
 
 Result<std::unique_ptr<GeometricManager>> GeometricManager::make(Level level) {
-    Result<CollisionWorld> collision = build_collision_world(level);
-    if (!collision) return collision.error();
-    return std::unique_ptr<GeometricManager>(new GeometricManager(std::move(level), std::move(*collision)));
+    std::unique_ptr<GeometricManager> manager(new GeometricManager(std::move(level)));
+    Result<LevelScene> scene = LevelScene::build(manager->level_);
+    if (!scene) return scene.error();
+    manager->scene_ = std::move(*scene);
+    return manager;
 }
 
-GeometricManager::GeometricManager(Level level, CollisionWorld collision)
-    : level_(std::move(level)), collision_(std::move(collision)) {}
-
 void GeometricManager::on_tick(double seconds) {
-    const MovementScene scene{collision_, level_.surfaces};
+    const MovementScene scene = scene_->at(time_s_, seconds);
+    time_s_ += seconds;
     for (Character* character : characters_) {
         character->state =
             step(scene, character->settings, character->state, character->input, seconds).state;
@@ -26,7 +26,10 @@ void GeometricManager::on_tick(double seconds) {
 }
 
 void GeometricManager::on_draw(Graphics& graphics) {
-    graphics.draw_triangles(collision_);
+    const MovementScene now = scene();
+    graphics.draw_triangles(now.collision);
+    for (const MovingPart& platform : now.platforms)
+        graphics.draw_triangles(*platform.collision);
 }
 
 void GeometricManager::on_entity_added(Entity& entity) {

@@ -52,6 +52,44 @@ TEST_F(Simulate, TheSameTapeGivesTheSameText) {
     EXPECT_NE(out.str(), first);
 }
 
+TEST_F(Simulate, ATapeThatNamesItsEndIsATest) {
+    const std::string tape = "settings defaults\n60 wish 1,0\n";
+    ASSERT_EQ(run(tape), cli::exit_fine) << err.str();
+    const std::string hash = result()["end_hash"];
+    EXPECT_EQ(run(tape + "end " + hash + "\n"), cli::exit_fine) << err.str();
+    EXPECT_EQ(run(tape + "end 0123456789abcdef\n"), cli::exit_check_failed);
+    EXPECT_THAT(err.str(), HasSubstr("expected 0123456789abcdef"));
+    EXPECT_THAT(err.str(), HasSubstr(hash));
+    // Other settings give another run, and no check.
+    EXPECT_EQ(run(tape + "end " + hash + "\n", {"walk_speed=3"}), cli::exit_fine) << err.str();
+}
+
+TEST_F(Simulate, OtherSurfacesThanRecordedAreAWarning) {
+    EXPECT_EQ(run("surfaces 0123456789abcdef\n1\n"), cli::exit_fine);
+    EXPECT_THAT(err.str(), HasSubstr("other surface types"));
+}
+
+TEST_F(Simulate, CsvHasARowATickWithTheRunsNumbers) {
+    const std::string text = write("run.tape", "slipface-tape 1\n30\n30 wish 1,0\n").string();
+    ASSERT_EQ(cli::run_simulate({.level = level, .tape = text, .settings = {}, .json = false, .csv = true},
+                                out, err),
+              cli::exit_fine)
+        << err.str();
+    std::istringstream lines(out.str());
+    std::string line, last;
+    std::getline(lines, line);
+    EXPECT_THAT(line, testing::StartsWith("tick,time_s,x,y,z,vx,vy,vz,speed,"));
+    EXPECT_THAT(line, HasSubstr(",surface,"));
+    EXPECT_THAT(line, HasSubstr(",static_friction"));
+    const auto commas = std::count(line.begin(), line.end(), ',');
+    int rows = 0;
+    for (; std::getline(lines, line); last = line, ++rows)
+        ASSERT_EQ(std::count(line.begin(), line.end(), ','), commas) << line;
+    EXPECT_EQ(rows, 60);
+    EXPECT_THAT(last, testing::StartsWith("59,1,"));
+    EXPECT_THAT(last, HasSubstr(",6,"));  // walking speed
+}
+
 TEST_F(Simulate, TheTapesSettingsAndThenTheCommandLinesCount) {
     // On flat ground for 2 s; the first quarter is enough to reach full speed, so the last second is that
     // speed.

@@ -5,6 +5,8 @@
 
 #include "cli/verbs.h"
 #include "scratch.h"
+#include "slipface/level/level_file.h"
+#include "slipface/sim/probe_test.h"
 
 namespace slipface::test {
 namespace {
@@ -174,6 +176,27 @@ TEST_F(Sweep, BadUsageAndMissingFilesHaveTheirCodes) {
     EXPECT_THAT(err.str(), HasSubstr("missing.csv"));
     level = folder / "missing.obj";
     EXPECT_EQ(run_one(Vec3(0, 0, 0), Vec3(0, 1, 0), SweepFormat::json), cli::exit_bad_input);
+}
+
+TEST_F(Sweep, ATestOfTheProbeHoldsOrSaysWhatDiffers) {
+    const Result<LoadedLevel> loaded = load_level(level);
+    ASSERT_TRUE(loaded.ok());
+    const Result<CollisionWorld> world = build_collision_world(loaded->level);
+    ASSERT_TRUE(world.ok());
+    ProbeTest made = make_probe_test({*world, loaded->level.surfaces}, {}, Vec3(-5, 2, 1), Vec3(1, -3, 0));
+    const auto test = [&](const std::string& text) {
+        out.str("");
+        err.str("");
+        return cli::run_sweep_test(level, write("a.probe", text), out, err);
+    };
+    EXPECT_EQ(test(probe_test_to_text(made)), cli::exit_fine) << err.str();
+    EXPECT_THAT(out.str(), HasSubstr("passed"));
+    made.end.y() += 0.1;
+    EXPECT_EQ(test(probe_test_to_text(made)), cli::exit_check_failed);
+    EXPECT_THAT(err.str(), HasSubstr("a.probe: end: found"));
+    EXPECT_EQ(test("slipface-probe 1\nhop\n"), cli::exit_bad_input);
+    EXPECT_THAT(err.str(), HasSubstr("a.probe:2"));
+    EXPECT_EQ(cli::run_sweep_test(level, folder / "none.probe", out, err), cli::exit_bad_input);
 }
 
 }  // namespace

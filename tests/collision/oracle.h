@@ -1,7 +1,7 @@
 // The exact sweep of one triangle, found another way than the engine finds it: the distance of a moving point
-// to a convex set is convex in time, so bisection on its slope finds the minimum and bisection on its value
-// the first touch. Needs nothing but the closest point of a triangle (C. Ericson, "Real-Time Collision
-// Detection", 5.1.5), in 113-bit arithmetic.
+// to a convex set is convex in time, so bracketing the zero of its slope finds the minimum and bracketing the
+// fall of its value the first touch. Needs nothing but the closest point of a triangle (C. Ericson,
+// "Real-Time Collision Detection", 5.1.5), in 113-bit arithmetic.
 #pragma once
 
 #include <array>
@@ -103,14 +103,14 @@ class Sweep {
     Quad nearest_time() const {
         if (slope(0) >= 0) return 0;
         if (slope(1) <= 0) return 1;
-        return bisect([this](Quad t) { return slope(t) < 0; }, 1);
+        return root([this](Quad t) { return -slope(t); }, 1);
     }
     // Time in [0, end] at which the distance falls to 1, given that it is more at 0 and less at `end`.
     Quad first_touch(Quad end) const {
-        return bisect(
+        return root(
             [this](Quad t) {
                 const QuadVec g = gap(t);
-                return dot(g, g) > 1;
+                return dot(g, g) - 1;
             },
             end);
     }
@@ -118,12 +118,31 @@ class Sweep {
     Vec3 normal(Quad t) const { return vec(gap(t) / radii_).normalized(); }
 
   private:
-    template <class Before>
-    static Quad bisect(Before&& before, Quad end) {
+    // The end of the last bracket around the place where `value`, positive at 0, stops being positive:
+    // secants of the bracket (Illinois), and its middle every third time, so that it shrinks whatever the
+    // function.
+    template <class Value>
+    static Quad root(Value&& value, Quad end) {
         Quad low = 0;
-        for (int i = 0; i < 100; ++i) {
-            const Quad middle = (low + end) / 2;
-            (before(middle) ? low : end) = middle;
+        Quad at_low = value(low);
+        Quad at_end = value(end);
+        int kept = 0;  // which end stayed last: -1 low, 1 end
+        for (int i = 0; i < 150 && end - low > Quad(0x1p-75); ++i) {
+            const bool halve = i % 3 == 2 || !(at_low > at_end);
+            Quad middle = halve ? (low + end) / 2 : low + (end - low) * (at_low / (at_low - at_end));
+            if (!(middle > low && middle < end)) middle = (low + end) / 2;
+            const Quad here = value(middle);
+            if (here > 0) {
+                low = middle;
+                at_low = here;
+                if (kept == 1) at_end /= 2;
+                kept = 1;
+            } else {
+                end = middle;
+                at_end = here;
+                if (kept == -1) at_low /= 2;
+                kept = -1;
+            }
         }
         return end;
     }

@@ -125,6 +125,98 @@ inline Soup terrain(Random& random, std::size_t cells, double cell) {
     return soup;
 }
 
+// A building of `count` x `count` rooms on each of `floors` storeys, 6 m a side and 4 m high: walls with
+// doorways, a flight of stairs, a round column of slivers, and boxes for furniture in each; shared corners.
+class Rooms {
+  public:
+    Rooms(Random& random, std::size_t count, std::size_t floors) : random_(random) {
+        for (std::size_t f = 0; f < floors; ++f) {
+            for (std::size_t j = 0; j < count; ++j) {
+                for (std::size_t i = 0; i < count; ++i)
+                    add_room(Vec3(6.0 * static_cast<double>(i), 4.0 * static_cast<double>(f),
+                                  6.0 * static_cast<double>(j)));
+            }
+        }
+    }
+    Soup soup;
+
+  private:
+    using Corner = std::uint32_t;
+
+    Corner corner(const Vec3& p) {
+        soup.positions.push_back(p.cast<float>());
+        return static_cast<Corner>(soup.positions.size() - 1);
+    }
+    void quad(Corner a, Corner b, Corner c, Corner d) {
+        const auto face = static_cast<FaceId>(soup.faces.empty() ? 0 : soup.faces.back() + 1);
+        soup.triangles.push_back({a, b, c});
+        soup.triangles.push_back({a, c, d});
+        soup.faces.insert(soup.faces.end(), {face, face});
+    }
+    // u along, v up, n x n cells.
+    void wall(const Vec3& at, const Vec3& u, const Vec3& v, int columns, int rows) {
+        std::vector<Corner> grid;
+        for (int r = 0; r <= rows; ++r) {
+            for (int c = 0; c <= columns; ++c)
+                grid.push_back(corner(at + (double(c) / columns) * u + (double(r) / rows) * v));
+        }
+        for (int r = 0; r < rows; ++r) {
+            for (int c = 0; c < columns; ++c) {
+                const auto k = static_cast<std::size_t>(r * (columns + 1) + c);
+                const auto up = k + static_cast<std::size_t>(columns) + 1;
+                quad(grid[k], grid[k + 1], grid[up + 1], grid[up]);
+            }
+        }
+    }
+    void box(const Vec3& at, const Vec3& size) {
+        std::array<Corner, 8> c{};
+        for (std::size_t k = 0; k < 8; ++k) {
+            const Vec3 side((k & 1U) != 0, (k & 2U) != 0, (k & 4U) != 0);
+            c[k] = corner(at + side.cwiseProduct(size));
+        }
+        quad(c[0], c[2], c[3], c[1]);
+        quad(c[4], c[5], c[7], c[6]);
+        quad(c[0], c[4], c[6], c[2]);
+        quad(c[1], c[3], c[7], c[5]);
+        quad(c[2], c[6], c[7], c[3]);
+        quad(c[0], c[1], c[5], c[4]);
+    }
+    void column(const Vec3& at, double radius, double height, int sides) {
+        std::vector<Corner> ring;
+        for (int k = 0; k < sides; ++k) {
+            const double angle = 6.283185307179586 * k / sides;
+            const Vec3 out(radius * std::cos(angle), 0, radius * std::sin(angle));
+            ring.push_back(corner(at + out));
+            ring.push_back(corner(at + out + Vec3(0, height, 0)));
+        }
+        for (std::size_t k = 0; k < ring.size(); k += 2) {
+            const std::size_t next = (k + 2) % ring.size();
+            quad(ring[k], ring[k + 1], ring[next + 1], ring[next]);
+        }
+    }
+    // A wall of 6 m by 4 m with a doorway of 1.6 m by 2.5 m.
+    void doorway(const Vec3& at, const Vec3& along) {
+        wall(at, 2.2 * along, Vec3(0, 4, 0), 2, 2);
+        wall(at + 3.8 * along, 2.2 * along, Vec3(0, 4, 0), 2, 2);
+        wall(at + 2.2 * along + Vec3(0, 2.5, 0), 1.6 * along, Vec3(0, 1.5, 0), 1, 1);
+    }
+    void add_room(const Vec3& at) {
+        wall(at, Vec3(0, 0, 6), Vec3(6, 0, 0), 3, 3);
+        doorway(at, Vec3::UnitX());
+        doorway(at, Vec3::UnitZ());
+        column(at + Vec3(random_.uniform(1, 5), 0, random_.uniform(1, 5)), random_.uniform(0.2, 0.4), 4, 16);
+        const Vec3 stairs = at + Vec3(4.5, 0, 0.5);
+        for (int k = 0; k < 8; ++k)
+            box(stairs + Vec3(0, 0, 0.4 * k), Vec3(1.2, 0.25 * (k + 1), 0.4));
+        for (int k = 0; k < 5; ++k) {
+            box(at + Vec3(random_.uniform(0.2, 5), 0, random_.uniform(0.2, 5)),
+                Vec3(random_.uniform(0.2, 1), random_.uniform(0.2, 1.5), random_.uniform(0.2, 1)));
+        }
+    }
+
+    Random& random_;
+};
+
 // A closed ball of 8 * 4^levels triangles with shared corners.
 inline Soup ball(double radius, int levels) {
     Soup soup;

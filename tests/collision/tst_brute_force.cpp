@@ -1,7 +1,9 @@
 // The tree must not change any answer: worlds of many triangles against worlds of one, bit for bit.
 #include <gtest/gtest.h>
+#include <tbb/task_arena.h>
 
 #include "brute_force.h"
+#include "slipface/collision/simd.h"
 
 namespace slipface {
 namespace {
@@ -48,10 +50,29 @@ std::vector<Scene> scenes_to_try() {
     for (Vec3f& p : very_far_out.positions)
         p += Vec3f(1e7F, 0, -1e7F);
     list.push_back({"very far out", very_far_out, Vec3(1e7 + 0.3, 0.3, -1e7 - 0.4), 60});
+    // Fans of slivers, whose normals and short edges are all but lost in float.
+    Soup needles;
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 tip = random.in_box(4);
+        const Vec3 far = tip + random.uniform(1, 60) * random.direction();
+        needles.add(tip, far, far + random.uniform(1e-4, 2e-2) * random.direction());
+    }
+    list.push_back({"needles", needles, Vec3::Zero(), 6});
     return list;
 }
 
-TEST(BruteForceAgreement, SweepsRaysPointsAndOverlaps) {
+// Every instruction set that this processor has, one after the other, and then the one that was chosen.
+class EverySimdPath : public testing::Test {
+  protected:
+    void TearDown() override { set_simd_path(before_); }
+
+  private:
+    std::string before_{simd_path()};
+};
+
+using BruteForceAgreement = EverySimdPath;
+
+TEST_F(BruteForceAgreement, SweepsRaysPointsAndOverlaps) {
     for (const Scene& scene : scenes_to_try()) {
         SCOPED_TRACE(scene.name);
         const CollisionWorld world = scene.soup.world();
@@ -67,35 +88,56 @@ TEST(BruteForceAgreement, SweepsRaysPointsAndOverlaps) {
             const Vec3 radii = random.below(3) == 0 ? Vec3(0.5, 0.5, 0.5)
                                                     : Vec3(random.uniform(0.05, 1), random.uniform(0.05, 1),
                                                            random.uniform(0.05, 1));
-            const auto contact = sweep_ellipsoid(world, radii, from, move);
-            hits += contact.has_value();
-            ASSERT_TRUE(same(contact, brute.sweep(radii, from, move))) << i;
-            if (!move.isZero(0)) {
-                const double max_t = random.below(2) == 0 ? 1.0 : std::numeric_limits<double>::infinity();
-                ASSERT_TRUE(same(cast_ray(world, from, move, max_t), brute.ray(from, move, max_t))) << i;
-            }
+            const double max_t = random.below(2) == 0 ? 1.0 : std::numeric_limits<double>::infinity();
             const double limit = random.below(2) == 0 ? 0.5 : std::numeric_limits<double>::infinity();
-            ASSERT_TRUE(same(closest_point(world, from, limit), brute.closest(from, limit))) << i;
+            const auto contact = brute.sweep(radii, from, move);
+            const auto ray = brute.ray(from, move, max_t);
+            const auto closest = brute.closest(from, limit);
+            const auto overlaps = brute.overlaps(radii, from);
+            hits += contact.has_value();
+            for (const std::string_view path : simd_paths()) {
+                SCOPED_TRACE(path);
+                ASSERT_TRUE(set_simd_path(path));
+                ASSERT_TRUE(same(sweep_ellipsoid(world, radii, from, move), contact)) << i;
+                ASSERT_TRUE(same(cast_ray(world, from, move, max_t), ray)) << i;
+                ASSERT_TRUE(same(closest_point(world, from, limit), closest)) << i;
 
-            const auto expected = brute.overlaps(radii, from);
-            std::vector<Overlap> found(scene.soup.triangles.size());
-            const std::size_t count = find_overlaps(world, radii, from, found);
-            ASSERT_EQ(count, expected.size()) << i;
-            for (std::size_t k = 0; k < count; ++k)
-                ASSERT_TRUE(same(found[k], expected[k])) << i;
-            ASSERT_EQ(overlaps_any(world, radii, from), count > 0) << i;
-            // A short list holds the lowest triangles.
-            std::array<Overlap, 3> few;
-            ASSERT_EQ(find_overlaps(world, radii, from, few), count);
-            for (std::size_t k = 0; k < std::min(count, few.size()); ++k)
-                ASSERT_TRUE(same(few[k], expected[k])) << i;
+                std::vector<Overlap> found(scene.soup.triangles.size());
+                const std::size_t count = find_overlaps(world, radii, from, found);
+                ASSERT_EQ(count, overlaps.size()) << i;
+                for (std::size_t k = 0; k < count; ++k)
+                    ASSERT_TRUE(same(found[k], overlaps[k])) << i;
+                ASSERT_EQ(overlaps_any(world, radii, from), count > 0) << i;
+                // A short list holds the lowest triangles.
+                std::array<Overlap, 3> few;
+                ASSERT_EQ(find_overlaps(world, radii, from, few), count);
+                for (std::size_t k = 0; k < std::min(count, few.size()); ++k)
+                    ASSERT_TRUE(same(few[k], overlaps[k])) << i;
+            }
         }
         EXPECT_GT(hits, 20);
         EXPECT_LT(hits, 400);
     }
 }
 
-TEST(BruteForceAgreement, TrianglesInBoxes) {
+TEST_F(BruteForceAgreement, RefusesAnUnknownPath) {
+    EXPECT_FALSE(set_simd_path("mmx"));
+    EXPECT_EQ(simd_paths().front(), "baseline");
+}
+
+// The tree's shape is not to be seen from outside but by its statistics and the order of equal work.
+TEST(BuildAgreement, AnyNumberOfThreadsBuildsTheSameTree) {
+    Random random(16);
+    const Soup soup = scenes::terrain(random, 90, 1);
+    const BvhStatistics all = soup.world().statistics();
+    const BvhStatistics one = tbb::task_arena(1).execute([&] { return soup.world().statistics(); });
+    EXPECT_EQ(all.nodes, one.nodes);
+    EXPECT_EQ(all.depth, one.depth);
+    EXPECT_EQ(all.bytes, one.bytes);
+    EXPECT_LE(static_cast<double>(all.bytes) / static_cast<double>(all.triangles), 48.0);
+}
+
+TEST_F(BruteForceAgreement, TrianglesInBoxes) {
     Random random(13);
     const Soup soup = scenes::random_soup(random, 500, 5, 1);
     const CollisionWorld world = soup.world();

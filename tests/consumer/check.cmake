@@ -1,4 +1,5 @@
 # Installs the engine into a scratch folder, builds the README's game against it with find_package, and runs it.
+# With -DPROGRAM= also the README's reader of flat files, on one that the program exports.
 foreach(name SOURCE BUILD SCRATCH LEVEL)
     if(NOT DEFINED ${name})
         message(FATAL_ERROR "check.cmake needs -D${name}=")
@@ -6,11 +7,13 @@ foreach(name SOURCE BUILD SCRATCH LEVEL)
 endforeach()
 
 file(READ "${SOURCE}/README.md" readme)
-file(READ "${SOURCE}/tests/consumer/game.cpp" game)
-string(FIND "${readme}" "${game}" found)
-if(found EQUAL -1)
-    message(FATAL_ERROR "README.md does not show tests/consumer/game.cpp word for word")
-endif()
+foreach(example game flat)
+    file(READ "${SOURCE}/tests/consumer/${example}.cpp" text)
+    string(FIND "${readme}" "${text}" found)
+    if(found EQUAL -1)
+        message(FATAL_ERROR "README.md does not show tests/consumer/${example}.cpp word for word")
+    endif()
+endforeach()
 
 function(run)
     execute_process(COMMAND ${ARGV} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -26,3 +29,7 @@ run(${CMAKE_COMMAND} -S "${SOURCE}/tests/consumer" -B "${SCRATCH}/build" -G Ninj
     "-DCMAKE_PREFIX_PATH=${SCRATCH}/prefix" "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build "${SCRATCH}/build")
 run("${SCRATCH}/build/game" "${LEVEL}")
+if(PROGRAM)
+    run("${PROGRAM}" export "${LEVEL}" --flat "${SCRATCH}/level.flat")
+    run("${SCRATCH}/build/flat" "${SCRATCH}/level.flat")
+endif()

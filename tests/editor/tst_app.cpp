@@ -259,7 +259,8 @@ TEST_F(AppTest, TheTitleTellsTheFileAndWhetherItIsSaved) {
 
 TEST_F(AppTest, EveryMenuOfTheTableOpensAndShowsItsCommands) {
     for (const Command& command : commands()) {
-        if (!*command.menu) continue;
+        // Submenus are opened by the test that runs every command.
+        if (!*command.menu || std::string_view(command.menu).find('/') != std::string_view::npos) continue;
         const std::string menu = std::string("Menu/") + command.menu;
         ASSERT_EQ(run("click \"" + menu + "\""), "") << menu;
         EXPECT_TRUE(ui::widgets().contains(menu + "/" + command.label)) << command.id;
@@ -280,7 +281,9 @@ TEST_F(AppTest, SmallAndLargeWindowsWork) {
         options.height = c.height;
         options.scale = c.scale;
         start(options);
-        editor().show_history = editor().show_warnings = editor().show_shortcuts = true;
+        for (const PanelInfo& panel : panel_table())
+            editor().layout.show(panel.id);
+        editor().show_shortcuts = true;
         host->settle();
         const ViewportState& view = viewport_state();
         EXPECT_GE(view.size.x, 1.0f);

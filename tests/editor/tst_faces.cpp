@@ -22,7 +22,8 @@ class FacesTest : public LevelFixture {
         document = open();
     }
     std::vector<FaceId> flood(FaceId start, double degrees) const {
-        return flood_by_angle(document->mesh(), document->neighbours(), start, degrees * degree);
+        return flood_by_angle(document->facts(), document->neighbours(), std::span(&start, 1),
+                              degrees * degree);
     }
     std::vector<FaceId> brush(FaceId start, const Vec3& centre, double radius) const {
         return brush_faces(document->mesh(), document->neighbours(), start, centre, radius);

@@ -15,6 +15,15 @@ std::uint64_t state_of(const Document& document) {
     hasher.text(level_to_json(document.level()));
     for (const FaceId face : document.selection())
         hasher.u64(face);
+    for (const FaceId face : document.hidden()) {
+        hasher.u64(1);
+        hasher.u64(face);
+    }
+    for (const SavedSelection& saved : document.saved_selections()) {
+        hasher.text(saved.name);
+        for (const FaceId face : saved.faces)
+            hasher.u64(face);
+    }
     return hasher.value();
 }
 
@@ -56,7 +65,7 @@ class Monkey {
     }
 
     void change() {
-        switch (below(8)) {
+        switch (below(11)) {
             case 0:
             case 1:
             case 2:
@@ -78,6 +87,20 @@ class Monkey {
                 return document_.set_rules(
                     below(2) == 0 ? std::vector<MaterialRule>{}
                                   : std::vector<MaterialRule>{{"fl*", "ice"}, {"wall*", "sticky"}});
+            case 7:
+                return document_.hide(faces(), "Hide");
+            case 8: {
+                std::vector<SavedSelection> saved(document_.saved_selections().begin(),
+                                                  document_.saved_selections().end());
+                if (saved.size() > 4) saved.clear();
+                saved.push_back({"set " + std::to_string(below(9)), faces()});
+                return document_.set_saved_selections(std::move(saved), "Save selection");
+            }
+            case 9:
+                return document_.set_cameras(
+                    below(2) == 0
+                        ? std::vector<CameraBookmark>{}
+                        : std::vector<CameraBookmark>{{"here", Vec3(below(3), 1, 0), Vec3::Zero(), 1.0}});
             default:
                 return change_types();
         }

@@ -119,8 +119,8 @@ TEST_F(ScriptTest, ScreensAreMadeFromTheScriptsOfAFolder) {
     EXPECT_EQ(wrong.error().place, "a.script:1");
     const auto picture = snapshots[1].render();
     ASSERT_TRUE(picture) << picture.error().text();
-    EXPECT_EQ(picture->width, 640);
-    EXPECT_EQ(picture->height, 400);
+    EXPECT_EQ(picture->image.width, 640);
+    EXPECT_EQ(picture->image.height, 400);
 }
 
 }  // namespace

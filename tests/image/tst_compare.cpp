@@ -211,5 +211,35 @@ TEST(DifferenceImage, CoversTheLargerOfBoth) {
     EXPECT_LT(result.pixel(1, 1)[0], 110);
 }
 
+TEST(Masks, HideWhatLiesBelowThemAndNothingElse) {
+    const Image expected = make_image(64, 48, 10, 20, 30);
+    Image actual = expected;
+    for (int y = 10; y < 20; ++y)
+        for (int x = 30; x < 40; ++x)
+            actual.pixel(x, y)[0] = 200;
+    ASSERT_FALSE(compare_images(expected, actual, scene_tolerance).same);
+    const MaskRect exact{30, 10, 10, 10}, short_of{30, 10, 9, 10}, outside{-50, -50, 20, 20},
+        huge{-5, -5, 2147483647, 2147483647};
+    EXPECT_EQ(masked(expected, actual, std::array{exact}), expected);
+    EXPECT_EQ(masked(expected, actual, std::array{huge}), expected);
+    EXPECT_EQ(masked(expected, actual, std::array{outside}), actual);
+    EXPECT_FALSE(
+        compare_images(expected, masked(expected, actual, std::array{short_of}), scene_tolerance).same);
+    EXPECT_EQ(masked(expected, make_image(3, 3, 1, 1, 1), std::array{exact}), make_image(3, 3, 1, 1, 1));
+}
+
+TEST(ThresholdSweep, CountsPixelsBeyondEachThreshold) {
+    const Image expected = make_image(20, 10, 100, 100, 100);
+    Image actual = expected;
+    actual.pixel(1, 1)[0] = 101;
+    actual.pixel(2, 1)[1] = 95;
+    actual.pixel(3, 1)[2] = 200;
+    std::vector<std::size_t> counts;
+    for (const SweepRow& row : threshold_sweep(expected, actual))
+        counts.push_back(row.differing);
+    EXPECT_EQ(counts, (std::vector<std::size_t>{3, 2, 2, 2, 1, 1, 1, 1}));
+    EXPECT_EQ(threshold_sweep(expected, make_image(1, 1, 0, 0, 0))[0].differing, 0U);
+}
+
 }  // namespace
 }  // namespace slipface

@@ -160,6 +160,16 @@ TEST_F(Png, DataThatUnpackToFarMoreThanTheHeaderPromisesAreRefused) {
     EXPECT_LT(peak_kilobytes() - before, 100'000);
 }
 
+TEST_F(Png, AChunkThatSaysItIsLongerThanTheFileIsRefusedWithoutMemory) {
+    std::string long_chunk = png(1, 1, zlib_zeros(1));
+    long_chunk.replace(long_chunk.find("IDAT") - 4, 4, big_endian(0x60000000U));
+    const long before = peak_kilobytes();
+    const auto result = decode_image(long_chunk, "long.png");
+    ASSERT_FALSE(result);
+    EXPECT_THAT(result.error().message, HasSubstr("do not fit"));
+    EXPECT_LT(peak_kilobytes() - before, 100'000);
+}
+
 TEST_F(Png, BigPicturesPassTheSameCheck) {
     const Image image = noise(600, 400);  // noise does not pack: nearly a megabyte of data
     ASSERT_TRUE(save_png(folder / "a.png", image));
@@ -199,6 +209,51 @@ TEST_F(Png, ReadsBmp) {
     const auto result = decode_image(bmp, "x.bmp");
     ASSERT_TRUE(result) << result.error().text();
     EXPECT_EQ(result->rgba, (std::vector<std::uint8_t>{30, 20, 10, 255}));
+}
+
+// Every filter, both pixel sizes and both efforts give the picture back; transparency decides the pixel's
+// size.
+TEST_F(Png, BothEffortsAreLossless) {
+    Image slopes = make_image(67, 41, 0, 0, 0);
+    for (int y = 0; y < slopes.height; ++y) {
+        for (int x = 0; x < slopes.width; ++x) {
+            slopes.pixel(x, y)[0] = static_cast<std::uint8_t>(3 * x);
+            slopes.pixel(x, y)[1] = static_cast<std::uint8_t>(5 * y + (x > 30 ? 90 : 0));
+            slopes.pixel(x, y)[2] = static_cast<std::uint8_t>(x * y);
+        }
+    }
+    Image clear = slopes;
+    clear.pixel(5, 5)[3] = 0;
+    for (const Image& image : {slopes, clear, noise(37, 21), make_image(1, 1, 1, 2, 3)}) {
+        const auto fast = encode_png(image), small = encode_png(image, PngEffort::small);
+        ASSERT_TRUE(fast.ok() && small.ok());
+        EXPECT_LE(small->size(), fast->size() + 8);  // tiny pictures hardly differ
+        EXPECT_EQ(*decode_image(*fast, "fast"), image);
+        EXPECT_EQ(*decode_image(*small, "small"), image);
+    }
+    EXPECT_EQ((*encode_png(slopes))[25], 2);
+    EXPECT_EQ((*encode_png(clear))[25], 6);
+    EXPECT_FALSE(encode_png(Image{}).ok());
+}
+
+// The quick reader gives up where it is not sure, and the general one judges: a picture in pieces is read, a
+// transparent colour too, a cut-off file is refused.
+TEST_F(Png, QuickReaderLeavesTheRestToTheGeneralOne) {
+    const Image image = noise(40, 30);
+    const std::string whole = *encode_png(image);
+    const std::size_t data = whole.find("IDAT") + 4;
+    const std::size_t length = whole.size() - data - 16;
+    const std::string packed = whole.substr(data, length);
+    const std::string pieces = whole.substr(0, data - 8) + chunk("IDAT", packed.substr(0, 7)) +
+                               chunk("IDAT", packed.substr(7, 100)) + chunk("IDAT", packed.substr(107)) +
+                               chunk("IEND", "");
+    EXPECT_EQ(*decode_image(pieces, "pieces"), image);
+    const Image plain = make_image(20, 20, 9, 8, 7);
+    std::string keyed = *encode_png(plain);
+    keyed.insert(keyed.find("IDAT") - 4, chunk("tRNS", std::string("\0\x09\0\x08\0\x07", 6)));
+    EXPECT_EQ(decode_image(keyed, "keyed")->pixel(3, 3)[3], 0);
+    for (std::size_t cut = 20; cut < whole.size() - 30; cut += 97)
+        EXPECT_FALSE(decode_image(whole.substr(0, cut), "cut").ok()) << cut;
 }
 
 }  // namespace

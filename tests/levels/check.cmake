@@ -8,6 +8,8 @@ endif()
 file(REMOVE_RECURSE "${SCRATCH}")
 file(MAKE_DIRECTORY "${SCRATCH}")
 execute_process(COMMAND "${BUILD}/assets/slipface_generate_levels" "${SCRATCH}" COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND "${BUILD}/assets/slipface_generate_levels" --check-light "${SOURCE}/assets/levels"
+    COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB_RECURSE made RELATIVE "${SCRATCH}" "${SCRATCH}/*")
 if(NOT made)
     message(FATAL_ERROR "slipface_generate_levels made nothing")

@@ -30,7 +30,7 @@ TEST(SettingsTable, describes_every_setting_completely) {
             EXPECT_NE(find_setting(info.switch_name), nullptr) << info.name;
         }
     }
-    for (const char* group : {"Body", "Speed", "Collision", "Hacks"}) {
+    for (const char* group : {"Body", "Speed", "Collision", "Hacks", "Jump"}) {
         bool used = false;
         for (const SettingInfo& info : settings_table())
             used = used || std::string(info.group) == group;
@@ -94,7 +94,7 @@ TEST(SetSetting, refuses_bad_input_and_leaves_the_settings_alone) {
     };
     EXPECT_THAT(error("walk_sped=3"), HasSubstr("did you mean 'walk_speed'?"));
     EXPECT_THAT(error("Keep_Energi=on"), HasSubstr("did you mean 'keep_energy'?"));
-    EXPECT_THAT(error("walk_speed=900"), HasSubstr("900 is not a number from 0 to 50 m/s"));
+    EXPECT_THAT(error("walk_speed=900"), HasSubstr("900 is not a number from 0 to 100 m/s"));
     EXPECT_THAT(error("walk_speed=fast"), HasSubstr("'fast' is not a number"));
     EXPECT_THAT(error("walk_speed="), HasSubstr("walk_speed"));
     EXPECT_THAT(error("walk_speed"), HasSubstr("is not name=value"));

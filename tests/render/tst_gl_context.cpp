@@ -102,7 +102,7 @@ TEST(EglDeathTest, SafeVectorWidthIsKept) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     EXPECT_EXIT(
         {
-            setenv("LP_NATIVE_VECTOR_WIDTH", "128", 1);
+            setenv("LP_NATIVE_VECTOR_WIDTH", "256", 1);
             auto context = make_offscreen_context();
             const bool quiet = context.ok() && (*context)->warnings().empty();
             std::exit(quiet && std::getenv("LP_NATIVE_VECTOR_WIDTH") != nullptr ? 0 : 1);

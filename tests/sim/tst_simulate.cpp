@@ -1,60 +1,14 @@
-// Running tapes over a flat floor of four stripes, 20 m long in X and 10 m wide in Z:
-//   z in (0, 10): default, (10, 20): ice, (20, 30): hazard, (30, 40): sticky. Spawn centres are given in each
-//   test.
+// Running tapes over the stripes.
 #include <gmock/gmock.h>
 
 #include <cmath>
 
-#include "slipface/sim/simulate.h"
+#include "sim/stripes.h"
 
 namespace slipface::test {
 namespace {
 
 using testing::ElementsAre;
-
-struct Stripes {
-    Stripes() {
-        std::vector<Vec3f> positions;
-        std::vector<std::array<std::uint32_t, 3>> triangles;
-        std::vector<FaceId> faces;
-        for (FaceId face = 0; face < 4; ++face) {
-            const float z = 10.0f * static_cast<float>(face);
-            const auto first = static_cast<std::uint32_t>(positions.size());
-            for (const Vec3f& corner :
-                 {Vec3f(-10, 0, z), Vec3f(-10, 0, z + 10), Vec3f(10, 0, z + 10), Vec3f(10, 0, z)}) {
-                positions.push_back(corner);
-            }
-            triangles.push_back({first, first + 1, first + 2});
-            triangles.push_back({first, first + 2, first + 3});
-            faces.insert(faces.end(), {face, face});
-        }
-        Result<CollisionWorld> built = CollisionWorld::build({positions, triangles, faces});
-        EXPECT_TRUE(built.ok());
-        world = std::move(*built);
-        apply_surface_rules(world, surfaces);
-        const auto id = [&](const char* name) {
-            for (std::size_t i = 0; i < surfaces.size(); ++i) {
-                if (surfaces[i].name == name) return static_cast<SurfaceId>(i);
-            }
-            ADD_FAILURE() << name;
-            return default_surface;
-        };
-        world.set_face_surface(1, id("ice"));
-        world.set_face_surface(2, id("hazard"));
-        world.set_face_surface(3, id("sticky"));
-    }
-
-    MovementScene scene() const { return {world, surfaces}; }
-
-    std::vector<SurfaceType> surfaces = preset_surface_types();
-    CollisionWorld world;
-};
-
-Tape tape_of(std::initializer_list<TapeSegment> segments) {
-    Tape tape;
-    tape.segments = segments;
-    return tape;
-}
 
 std::vector<std::string> kinds(const SimulationReport& report) {
     std::vector<std::string> kinds;
@@ -207,6 +161,55 @@ TEST(Simulate, AHazardPutsThePlayerBackAndCountsNoDistanceForIt) {
     EXPECT_LT(report.distance, 4.0);
 }
 
+TEST(Simulate, WhoFallsFarBelowTheLevelIsPutBack) {
+    const Stripes stripes;
+    const Vec3 start(100, 1, 5);  // beside the level
+    SimulationOptions options;
+    options.keep_states = true;
+    const SimulationReport report = simulate(stripes.scene(), {}, start, tape_of({{240, {}}}), options);
+    const SimulationEvent* fall = find_event(report, "fall");
+    ASSERT_NE(fall, nullptr);
+    // 60 m below y = 0: sqrt(2 * 61 / 20) s = 148 ticks, limited by no terminal speed below 50 m/s.
+    EXPECT_NEAR(static_cast<double>(fall->tick), 148.0, 2.0);
+    EXPECT_EQ(report.states[fall->tick].position, start);
+    EXPECT_GT(report.distance, 60.0);
+}
+
+TEST(Simulate, ASettingChangedOnTheWayCountsFromItsTickOn) {
+    const Stripes stripes;
+    Tape tape = tape_of({{40, {Vec2(1, 0), false}}});
+    tape.changes = {{20, "walk_speed=2"}};
+    SimulationOptions options;
+    options.keep_states = true;
+    const SimulationReport changed = simulate(stripes.scene(), {}, Vec3(0, 0.95, 5), tape, options);
+    tape.changes.clear();
+    const SimulationReport plain = simulate(stripes.scene(), {}, Vec3(0, 0.95, 5), tape, options);
+    for (std::size_t i = 0; i < 20; ++i)
+        ASSERT_EQ(changed.states[i], plain.states[i]) << i;
+    EXPECT_LT(changed.states[20].velocity.x(), plain.states[20].velocity.x());
+    EXPECT_NEAR(changed.final_state.velocity.x(), 2.0, 1e-9);
+}
+
+TEST(Simulate, TheEndHashIsThatOfTheLastTick) {
+    const Stripes stripes;
+    const SimulationReport report =
+        simulate(stripes.scene(), {}, Vec3(0, 0.95, 5), tape_of({{90, {Vec2(1, 0), false}}}));
+    EXPECT_EQ(report.end_hash, report.second_hashes.back());
+}
+
+TEST(SceneFingerprint, SeesTypesAndWhereTheyAre) {
+    Stripes stripes;
+    const std::uint64_t before = scene_fingerprint(stripes.scene());
+    EXPECT_EQ(before, scene_fingerprint(Stripes().scene()));
+    stripes.surfaces[1].keeps_energy = false;
+    const std::uint64_t other_ice = scene_fingerprint(stripes.scene());
+    EXPECT_NE(before, other_ice);
+    stripes.world.set_face_surface(0, 1);
+    EXPECT_NE(other_ice, scene_fingerprint(stripes.scene()));
+    stripes.surfaces[0].color = {0, 0, 0};
+    EXPECT_EQ(scene_fingerprint(stripes.scene()), scene_fingerprint(stripes.scene()));
+}
+
 TEST(Simulate, TellsWhenASurfaceHolds) {
     const Stripes stripes;
     const SimulationReport report = simulate(stripes.scene(), {}, Vec3(0, 1.5, 35), tape_of({{60, {}}}));
@@ -236,12 +239,28 @@ TEST(StateHash, SeesPositionVelocityFlagsAndWhatWasBefore) {
     other = state;
     other.velocity.z() = 1.0;
     EXPECT_NE(hash, state_hash(other, 0));
-    for (bool PlayerState::*flag : {&PlayerState::grounded, &PlayerState::climbing, &PlayerState::stuck,
-                                    &PlayerState::jump_held, &PlayerState::hazard}) {
+    for (bool PlayerState::*flag :
+         {&PlayerState::grounded, &PlayerState::climbing, &PlayerState::stuck, &PlayerState::jump_held,
+          &PlayerState::hazard, &PlayerState::jumping, &PlayerState::trapped}) {
         other = state;
         other.*flag = true;
         EXPECT_NE(hash, state_hash(other, 0));
     }
+    for (double PlayerState::*timer : {&PlayerState::coyote_s, &PlayerState::jump_buffer_s}) {
+        other = state;
+        other.*timer = 0.01;
+        EXPECT_NE(hash, state_hash(other, 0));
+    }
+    const auto differs = [&](auto change) {
+        other = state;
+        change(other);
+        return state_hash(other, 0) != hash;
+    };
+    EXPECT_TRUE(differs([](PlayerState& s) { s.sector[2] = 1; }));
+    EXPECT_TRUE(differs([](PlayerState& s) { s.ground_face = 3; }));
+    EXPECT_TRUE(differs([](PlayerState& s) { s.ground_surface = 3; }));
+    EXPECT_TRUE(differs([](PlayerState& s) { s.ground_platform = 0; }));
+    EXPECT_TRUE(differs([](PlayerState& s) { s.ground_normal = Vec3::UnitX(); }));
     other = state;
     other.position.x() = -0.0;
     EXPECT_EQ(hash, state_hash(other, 0)) << "equal states have equal hashes";

@@ -19,6 +19,10 @@ void expect_equal(const Tape& a, const Tape& b) {
     EXPECT_EQ(a.dt_text, b.dt_text);
     EXPECT_EQ(a.settings, b.settings);
     EXPECT_EQ(a.start, b.start);
+    EXPECT_EQ(a.surfaces_fingerprint, b.surfaces_fingerprint);
+    EXPECT_EQ(a.from_defaults, b.from_defaults);
+    EXPECT_EQ(a.changes, b.changes);
+    EXPECT_EQ(a.end_hash, b.end_hash);
     ASSERT_EQ(a.segments.size(), b.segments.size());
     for (std::size_t i = 0; i < a.segments.size(); ++i) {
         EXPECT_EQ(a.segments[i].ticks, b.segments[i].ticks);
@@ -40,14 +44,19 @@ constexpr std::string_view full_tape = R"(slipface-tape 1
 # recorded by hand
 
 level easy hall.obj 1f2e3d4c5b6a7988
+surfaces 0123456789abcdef
 dt 1/120
+settings defaults
 set max_slope=0.7
   set  static_friction = off
 start 0,1,-0.25
 60 wish 0,-1
 1	wish 0.6,-0.8 jump
+set gravity=12
+set walk_speed=5
 30 jump
 2
+end fedcba9876543210
 )";
 
 TEST(Tape, ReadsEveryKindOfLine) {
@@ -64,6 +73,10 @@ TEST(Tape, ReadsEveryKindOfLine) {
     EXPECT_TRUE(tape.segments[1].input.jump);
     EXPECT_TRUE(tape.segments[2].input.jump);
     EXPECT_FALSE(tape.segments[3].input.jump);
+    EXPECT_EQ(tape.surfaces_fingerprint, 0x0123456789abcdefu);
+    EXPECT_TRUE(tape.from_defaults);
+    EXPECT_EQ(tape.changes, (std::vector<TapeChange>{{61, "gravity=12"}, {61, "walk_speed=5"}}));
+    EXPECT_EQ(tape.end_hash, 0xfedcba9876543210u);
 }
 
 TEST(Tape, ComesBackFromItsText) {
@@ -97,6 +110,27 @@ TEST(Tape, AppendedTicksAreGathered) {
     EXPECT_EQ(tape.segments[2].ticks, 1);
 }
 
+TEST(Tape, AChangeInsideASegmentCutsItInTwo) {
+    Tape tape;
+    tape.segments = {{10, {Vec2(0, 1), false}}};
+    tape.changes = {{4, "gravity=10"}};
+    const Tape read = parsed(tape_to_text(tape));
+    ASSERT_EQ(read.segments.size(), 2u);
+    EXPECT_EQ(read.segments[0].ticks, 4);
+    EXPECT_EQ(read.changes, tape.changes);
+}
+
+TEST(Tape, IsCutAtATick) {
+    const Tape tape = parsed(full_tape);
+    const Tape cut = cut_tape(tape, 61);
+    EXPECT_EQ(cut.tick_count(), 61u);
+    EXPECT_TRUE(cut.changes.empty());  // they count from tick 61 on, which is not there
+    EXPECT_FALSE(cut.end_hash);
+    EXPECT_EQ(cut_tape(tape, 62).changes, tape.changes);
+    EXPECT_EQ(cut_tape(tape, 1000).tick_count(), tape.tick_count());
+    EXPECT_EQ(cut_tape(tape, 0).tick_count(), 0u);
+}
+
 struct BadTape {
     const char* name;
     const char* text;
@@ -128,6 +162,11 @@ constexpr BadTape bad_tapes[] = {
     {"NegativeDt", "slipface-tape 1\ndt -1/60\n", "run.tape:2", "-1/60"},
     {"TwoDts", "slipface-tape 1\ndt 1/60\n\ndt 1/60\n", "run.tape:4", "second time"},
     {"LateDt", "slipface-tape 1\n5\ndt 1/60\n", "run.tape:3", "before all ticks"},
+    {"ShortSurfaces", "slipface-tape 1\nsurfaces 12\n", "run.tape:2", "16 hexadecimal"},
+    {"OtherBase", "slipface-tape 1\nsettings level\n", "run.tape:2", "settings defaults"},
+    {"LateBase", "slipface-tape 1\nset gravity=5\nsettings defaults\n", "run.tape:3", "before all settings"},
+    {"EarlyEnd", "slipface-tape 1\nend 0123456789abcdef\n", "run.tape:2", "after the last tick"},
+    {"AfterTheEnd", "slipface-tape 1\n1\nend 0123456789abcdef\n1\n", "run.tape:4", "nothing after"},
     {"UnknownSetting", "slipface-tape 1\nset max_slop=0.7\n", "run.tape:2", "max_slope"},
     {"BadSetting", "slipface-tape 1\nset gravity=up\n", "run.tape:2", "up"},
     {"NoSetting", "slipface-tape 1\nset\n", "run.tape:2", "name=value"},
@@ -187,6 +226,30 @@ TEST(TapeSettings, AreAppliedInOrder) {
     ASSERT_TRUE(apply_tape_settings(settings, tape, "run.tape").ok());
     EXPECT_EQ(settings.gravity, 12.0);
     EXPECT_FALSE(settings.static_friction);
+}
+
+TEST(TapeSettings, BeginWithTheDefaultsIfTheTapeSaysSo) {
+    Tape tape;
+    tape.settings = {"gravity=10"};
+    MovementSettings settings;
+    settings.walk_speed = 1.0;
+    ASSERT_TRUE(apply_tape_settings(settings, tape, "run.tape").ok());
+    EXPECT_EQ(settings.walk_speed, 1.0);
+    tape.from_defaults = true;
+    ASSERT_TRUE(apply_tape_settings(settings, tape, "run.tape").ok());
+    EXPECT_EQ(settings.walk_speed, MovementSettings{}.walk_speed);
+    EXPECT_EQ(settings.gravity, 10.0);
+}
+
+TEST(TapeSettings, DifferencesTurnOneIntoTheOther) {
+    MovementSettings from, to;
+    to.gravity = 1.0 / 3.0;
+    to.keep_energy = false;
+    to.push_out = PushOut::iterative;
+    EXPECT_TRUE(setting_changes(from, from).empty());
+    for (const std::string& change : setting_changes(from, to))
+        ASSERT_TRUE(set_setting(from, change).ok()) << change;
+    EXPECT_EQ(from, to);
 }
 
 TEST(TapeSettings, ABadOneChangesNothing) {

@@ -55,8 +55,12 @@ class GoldenTest : public testing::Test {
     }
     void TearDown() override { fs::remove_all(root_); }
 
+    static Snapshot named(const std::string& name) { return {name, scene_tolerance, {}}; }
     GoldenResult check(const Image& image, const std::string& name = "scenes/a") const {
-        return check_golden(folder_, name, image, scene_tolerance, out_);
+        return check_golden(folder_, named(name), {image, ""}, out_);
+    }
+    bool approve(const std::string& name, const Image& image, const ApproveOptions& options = {}) const {
+        return approve_golden(folder_, named(name), {image, ""}, options).ok();
     }
     std::size_t files_in_goldens() const {
         std::size_t count = 0;
@@ -80,14 +84,14 @@ TEST_F(GoldenTest, MissingWritesOnlyTheActualPicture) {
 }
 
 TEST_F(GoldenTest, ApprovedIsSame) {
-    ASSERT_TRUE(approve_golden(folder_, "scenes/a", sample(), scene_tolerance).ok());
+    ASSERT_TRUE(approve("scenes/a", sample()));
     EXPECT_EQ(check(sample()).state, GoldenState::same);
     EXPECT_EQ(check(with_noise(sample())).state, GoldenState::same);
     EXPECT_FALSE(fs::exists(out_));
 }
 
 TEST_F(GoldenTest, DifferentWritesThreePictures) {
-    ASSERT_TRUE(approve_golden(folder_, "scenes/a", sample(), scene_tolerance).ok());
+    ASSERT_TRUE(approve("scenes/a", sample()));
     const std::string before = bytes_of(folder_ / "scenes/a.png");
     const GoldenResult result = check(with_patch(sample()));
     EXPECT_EQ(result.state, GoldenState::different);
@@ -103,7 +107,7 @@ TEST_F(GoldenTest, DifferentWritesThreePictures) {
 }
 
 TEST_F(GoldenTest, OtherSizeIsDifferent) {
-    ASSERT_TRUE(approve_golden(folder_, "a", sample(), scene_tolerance).ok());
+    ASSERT_TRUE(approve("a", sample()));
     const GoldenResult result = check(sample(95, 64), "a");
     EXPECT_EQ(result.state, GoldenState::different);
     EXPECT_TRUE(result.comparison.size_differs);
@@ -131,19 +135,19 @@ TEST_F(GoldenTest, LfsPointerSaysWhatToDo) {
 
 // Approving what passes leaves the file's bytes and time alone; approving a change replaces it.
 TEST_F(GoldenTest, ApproveTouchesOnlyWhatDiffers) {
-    ASSERT_TRUE(approve_golden(folder_, "a", sample(), scene_tolerance).ok());
+    ASSERT_TRUE(approve("a", sample()));
     const auto time = fs::last_write_time(folder_ / "a.png");
     const std::string before = bytes_of(folder_ / "a.png");
-    ASSERT_TRUE(approve_golden(folder_, "a", with_noise(sample()), scene_tolerance).ok());
+    ASSERT_TRUE(approve("a", with_noise(sample())));
     EXPECT_EQ(bytes_of(folder_ / "a.png"), before);
     EXPECT_EQ(fs::last_write_time(folder_ / "a.png"), time);
-    ASSERT_TRUE(approve_golden(folder_, "a", with_patch(sample()), scene_tolerance).ok());
+    ASSERT_TRUE(approve("a", with_patch(sample())));
     EXPECT_EQ(*load_image(folder_ / "a.png"), with_patch(sample()));
 }
 
 TEST_F(GoldenTest, ApproveReplacesAnUnreadableGolden) {
     std::ofstream(folder_ / "a.png") << "no picture";
-    ASSERT_TRUE(approve_golden(folder_, "a", sample(), scene_tolerance).ok());
+    ASSERT_TRUE(approve("a", sample()));
     EXPECT_EQ(check(sample(), "a").state, GoldenState::same);
 }
 
@@ -153,7 +157,7 @@ TEST_F(GoldenTest, NamesAreBounded) {
          {"", "/etc/a", "../a", "a/../b", "a//b", "a/", ".a", "a\\b", "a b", "a\nb", "a..b"}) {
         EXPECT_FALSE(valid_snapshot_name(name)) << name;
         EXPECT_EQ(check(sample(), name).state, GoldenState::unreadable) << name;
-        EXPECT_FALSE(approve_golden(folder_, name, sample(), scene_tolerance).ok()) << name;
+        EXPECT_FALSE(approve(name, sample())) << name;
     }
     EXPECT_FALSE(valid_snapshot_name(std::string(201, 'a')));
     for (const char* name : {"a", "scenes/easy-overview", "v1.2/x_y"})
@@ -164,41 +168,82 @@ TEST_F(GoldenTest, NamesAreBounded) {
 
 TEST_F(GoldenTest, UnwritableFolderIsAnError) {
     std::ofstream(root_ / "file") << "x";
-    EXPECT_FALSE(approve_golden(root_ / "file", "a", sample(), scene_tolerance).ok());
-    const GoldenResult result = check_golden(folder_, "a", sample(), scene_tolerance, root_ / "file");
+    EXPECT_FALSE(approve_golden(root_ / "file", named("a"), {sample(), ""}).ok());
+    const GoldenResult result = check_golden(folder_, named("a"), {sample(), ""}, root_ / "file");
     EXPECT_EQ(result.state, GoldenState::missing);
     EXPECT_EQ(result.message.find("wrote"), std::string::npos) << result.message;
 }
 
 TEST_F(GoldenTest, SnapshotThatChangesIsNondeterministic) {
     int calls = 0;
-    Snapshot snapshot{"a", scene_tolerance,
-                      [&]() -> Result<Image> { return ++calls % 2 == 1 ? sample() : with_noise(sample()); }};
-    ASSERT_TRUE(approve_golden(folder_, "a", sample(), scene_tolerance).ok());
-    const auto twice = check_snapshot(snapshot, folder_, out_, true);
-    ASSERT_TRUE(twice.ok());
-    EXPECT_EQ(twice->state, GoldenState::nondeterministic);
+    const Snapshot snapshot{"a", scene_tolerance, [&]() -> Result<Rendering> {
+                                return Rendering{++calls % 2 == 1 ? sample() : with_noise(sample()), ""};
+                            }};
+    ASSERT_TRUE(approve("a", sample()));
+    EXPECT_EQ(check_snapshot(snapshot, folder_, out_, true).state, GoldenState::nondeterministic);
     EXPECT_TRUE(fs::exists(out_ / "a.first.png") && fs::exists(out_ / "a.second.png"));
-    const auto once = check_snapshot(snapshot, folder_, out_);
-    ASSERT_TRUE(once.ok());
-    EXPECT_EQ(once->state, GoldenState::same);
+    calls = 0;
+    EXPECT_EQ(check_snapshot(snapshot, folder_, out_).state, GoldenState::same);
+    EXPECT_FALSE(fs::exists(out_ / "a.first.png"));  // pictures of an earlier check do not stay
 }
 
-TEST_F(GoldenTest, SnapshotThatFailsIsAnError) {
-    const Snapshot snapshot{"a", scene_tolerance, []() -> Result<Image> { return Error{"here", "no"}; }};
-    const auto result = check_snapshot(snapshot, folder_, out_, true);
-    ASSERT_FALSE(result.ok());
-    EXPECT_EQ(result.error().text(), "here: no");
+TEST_F(GoldenTest, SnapshotThatFailsSaysWhy) {
+    const Snapshot snapshot{"a", scene_tolerance, []() -> Result<Rendering> { return Error{"here", "no"}; }};
+    const GoldenResult result = check_snapshot(snapshot, folder_, out_, true);
+    EXPECT_EQ(result.state, GoldenState::failed);
+    EXPECT_EQ(result.message, "here: no");
 }
 
-TEST_F(GoldenTest, OrphansAreFound) {
-    for (const char* name : {"scenes/a", "scenes/b", "old"}) {
-        ASSERT_TRUE(approve_golden(folder_, name, sample(), scene_tolerance).ok());
-    }
+TEST_F(GoldenTest, OrphansAreFoundAndAlternatesAreNone) {
+    for (const char* name : {"scenes/a", "scenes/a.alt1", "scenes/b", "old", "old.alt3"})
+        ASSERT_TRUE(approve(name, sample()));
     std::ofstream(folder_ / "scenes.json") << "{}";
-    const std::vector<Snapshot> snapshots{{"scenes/a", scene_tolerance, {}}};
-    EXPECT_EQ(orphan_goldens(folder_, snapshots), (std::vector<std::string>{"old", "scenes/b"}));
-    EXPECT_TRUE(orphan_goldens(root_ / "nowhere", snapshots).empty());
+    EXPECT_EQ(orphan_goldens(folder_, {"scenes/a"}),
+              (std::vector<std::string>{"old", "old.alt3", "scenes/b"}));
+    EXPECT_TRUE(orphan_goldens(root_ / "nowhere", {}).empty());
+}
+
+// A second picture that is right, too: said when it is the one that fits.
+TEST_F(GoldenTest, AlternatesFit) {
+    ASSERT_TRUE(approve("a", sample()));
+    ASSERT_TRUE(approve("a.alt1", sample(95, 64)));
+    EXPECT_EQ(check(with_patch(sample()), "a").state, GoldenState::different);
+    ASSERT_TRUE(approve("a.alt2", with_patch(sample())));
+    const GoldenResult result = check(with_patch(sample()), "a");
+    EXPECT_EQ(result.state, GoldenState::same);
+    EXPECT_EQ(result.matched, "a.alt2");
+    EXPECT_TRUE(check(sample(), "a").matched.empty());
+}
+
+TEST_F(GoldenTest, MasksAreNotCompared) {
+    ASSERT_TRUE(approve("a", sample()));
+    Snapshot snapshot = named("a");
+    const Rendering changed{with_patch(sample()), ""};
+    EXPECT_EQ(check_golden(folder_, snapshot, changed, out_).state, GoldenState::different);
+    snapshot.masks = {{10, 10, 10, 10}};
+    EXPECT_EQ(check_golden(folder_, snapshot, changed, out_).state, GoldenState::same);
+    snapshot.masks = {{11, 10, 10, 10}};
+    EXPECT_EQ(check_golden(folder_, snapshot, changed, out_).state, GoldenState::different);
+}
+
+// Numbers decide beside equal pixels, and say what is wrong; the renderer's never do.
+TEST_F(GoldenTest, NumbersDecideToo) {
+    const auto with = [](const char* numbers) { return Rendering{sample(), numbers}; };
+    const Snapshot snapshot = named("a");
+    const char* golden = R"({"version": 1, "level": {"faces": 4}, "renderer": {"version": "Mesa 1"}})";
+    ASSERT_TRUE(approve("a", sample()));
+    EXPECT_EQ(check_golden(folder_, snapshot, with(golden), out_).state, GoldenState::missing);
+    ASSERT_TRUE(approve_golden(folder_, snapshot, with(golden)).ok());
+    EXPECT_EQ(check_golden(folder_, snapshot, with(golden), out_).state, GoldenState::same);
+    const char* elsewhere = R"({"version": 1, "level": {"faces": 4}, "renderer": {"version": "Mesa 2"}})";
+    EXPECT_EQ(check_golden(folder_, snapshot, with(elsewhere), out_).state, GoldenState::same);
+    const char* other = R"({"version": 1, "level": {"faces": 5}, "renderer": {"version": "Mesa 1"}})";
+    const GoldenResult result = check_golden(folder_, snapshot, with(other), out_);
+    EXPECT_EQ(result.state, GoldenState::different);
+    EXPECT_NE(result.message.find("/level/faces was 4, is 5"), std::string::npos) << result.message;
+    EXPECT_TRUE(fs::exists(out_ / "a.actual.json"));
+    std::ofstream(folder_ / "a.json") << "nonsense";
+    EXPECT_EQ(check_golden(folder_, snapshot, with(golden), out_).state, GoldenState::unreadable);
 }
 
 TEST(GoldenState, Names) {

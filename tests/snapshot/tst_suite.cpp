@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -101,6 +102,8 @@ TEST(SceneSuite, ErrorsNameThePlace) {
         {R"({"name": "a", "level": "a.obj", "probe": {"from": "spawn", "move": [1, 0, 0], "settings": ["warp=9"]}})",
          "scenes.json:/scenes/0/probe/settings/0"},
         {R"({"name": "a", "level": "a.obj", "tape": []})", "scenes.json:/scenes/0/tape"},
+        {R"({"name": "a", "level": "a.obj", "profile": "soft"})", "scenes.json:/scenes/0/profile"},
+        {R"({"name": "a", "level": "a.obj", "settings": ["warp=9"]})", "scenes.json:/scenes/0/settings/0"},
         {R"({"name": "a", "level": "a.obj"}, {"name": "a", "level": "a.obj"})", "scenes.json:/scenes/1/name"},
     };
     for (const Case& c : cases) {
@@ -149,11 +152,16 @@ class SceneTest : public testing::Test {
     }
 
     static Result<Image> render(const std::string& more) {
+        const Result<Rendering> rendering = render_all(more);
+        if (!rendering) return rendering.error();
+        return rendering->image;
+    }
+    static Result<Rendering> render_all(const std::string& more) {
         const auto scenes = parse_scene_suite(
             suite_of(R"({"name": "a", "level": "room.obj", "size": [160, 90])" + more + "}"),
             folder_ / "scenes.json");
         if (!scenes) return scenes.error();
-        return render_scene(scenes->front(), *context_);
+        return SceneStage(*context_).render(scenes->front());
     }
 
     static inline fs::path folder_;
@@ -190,7 +198,7 @@ TEST_F(SceneTest, ErrorsNameTheScene) {
     Scene scene;
     scene.level = folder_ / "gone.obj";
     scene.place = "scenes.json:/scenes/4";
-    const auto image = render_scene(scene, *context_);
+    const auto image = SceneStage(*context_).render(scene);
     ASSERT_FALSE(image.ok());
     EXPECT_EQ(image.error().place, "scenes.json:/scenes/4/level");
 }
@@ -201,14 +209,71 @@ TEST_F(SceneTest, SnapshotsRenderTheScenesTwiceAlike) {
             {"name": "b", "level": "room.obj", "size": [160, 90], "camera": "auto:top", "style": "plain"}]})",
         folder_ / "scenes.json");
     ASSERT_TRUE(scenes.ok()) << scenes.error().text();
-    const auto snapshots = scene_snapshots(*scenes, *context_);
+    const auto snapshots = scene_snapshots(*scenes, std::make_shared<SceneStage>(*context_));
     ASSERT_EQ(snapshots.size(), 2U);
     EXPECT_EQ(snapshots[1].name, "b");
     for (const Snapshot& snapshot : snapshots) {
-        const auto result = check_snapshot(snapshot, folder_ / "goldens", folder_ / "out", true);
-        ASSERT_TRUE(result.ok()) << result.error().text();
-        EXPECT_EQ(result->state, GoldenState::missing);
+        const GoldenResult result = check_snapshot(snapshot, folder_ / "goldens", folder_ / "out", true);
+        EXPECT_EQ(result.state, GoldenState::missing) << result.message;
     }
+}
+
+// Each camera is another picture; the map has its grid.
+TEST_F(SceneTest, CamerasAreExpanded) {
+    const auto scenes =
+        parse_scene_suite(suite_of(R"({"name": "a", "level": "room.obj", "size": [96, 54], "tape": "run.tape",
+                     "cameras": ["auto:iso4", "auto:map", "auto:top", "auto:turntable:3", "tape:2", "contacts"]})"),
+                          folder_ / "scenes.json");
+    ASSERT_TRUE(scenes.ok()) << scenes.error().text();
+    const auto expanded = expand_cameras(*scenes);
+    ASSERT_TRUE(expanded.ok()) << expanded.error().text();
+    std::vector<std::string> names;
+    std::vector<Image> images;
+    SceneStage stage(*context_);
+    for (const Scene& scene : *expanded) {
+        names.push_back(scene.name);
+        const auto rendering = stage.render(scene);
+        ASSERT_TRUE(rendering.ok()) << scene.name << ": " << rendering.error().text();
+        for (const Image& other : images)
+            EXPECT_NE(rendering->image, other) << scene.name;
+        images.push_back(rendering->image);
+    }
+    EXPECT_EQ(names, (std::vector<std::string>{"a@iso-1", "a@iso-2", "a@iso-3", "a@iso-4", "a@map", "a@top",
+                                               "a@turntable-1", "a@turntable-2", "a@turntable-3", "a@tape-1",
+                                               "a@tape-2", "a@contact-1"}));
+}
+
+TEST_F(SceneTest, CameraNamesAreChecked) {
+    for (const char* camera :
+         {"auto:iso:5", "auto:turntable:0", "auto:turntable:4/3", "tape:x", "contact:0", "auto:"}) {
+        const auto scenes = parse(suite_of(
+            fmt::format(R"({{"name": "a", "level": "a.obj", "cameras": ["auto:iso", "{}"]}})", camera)));
+        ASSERT_FALSE(scenes.ok()) << camera;
+        EXPECT_EQ(scenes.error().place, "scenes.json:/scenes/0/cameras/1");
+    }
+    const auto no_tape = render(R"(, "camera": "tape:1/2")");
+    ASSERT_FALSE(no_tape.ok());
+    EXPECT_NE(no_tape.error().message.find("needs a scene with a tape"), std::string::npos);
+    const auto no_contact =
+        render(R"(, "camera": "contact:2", "probe": {"from": [0, 1, 2], "move": [0, 0, -6]})");
+    ASSERT_FALSE(no_contact.ok());
+    EXPECT_NE(no_contact.error().message.find("make 1 contacts"), std::string::npos)
+        << no_contact.error().text();
+}
+
+TEST_F(SceneTest, DefaultsProfileAndMasks) {
+    const auto scenes = parse(R"({"version": 1, "defaults": {"size": [64, 32], "style": "plain"}, "scenes": [
+        {"name": "a", "level": "a.obj", "profile": "ui", "masks": [[1, 2, 3, 4]]},
+        {"name": "b", "level": "a.obj", "size": [32, 32], "style": "textured grid"}]})");
+    ASSERT_TRUE(scenes.ok()) << scenes.error().text();
+    EXPECT_EQ((*scenes)[0].width, 64);
+    EXPECT_FALSE((*scenes)[0].style.textured);
+    EXPECT_EQ((*scenes)[0].tolerance.pixel_delta, ui_tolerance.pixel_delta);
+    EXPECT_EQ((*scenes)[0].masks, (std::vector<MaskRect>{{1, 2, 3, 4}}));
+    EXPECT_EQ((*scenes)[1].width, 32);
+    EXPECT_TRUE((*scenes)[1].style.textured && (*scenes)[1].grid);
+    EXPECT_EQ(parse(suite_of(R"({"name": "a", "level": "a.obj", "masks": [[1, 2, 3]]})")).error().place,
+              "scenes.json:/scenes/0/masks/0");
 }
 
 // The suite that ships is read without an error.

@@ -19,4 +19,7 @@ Result<std::string> read_file(const std::filesystem::path& path,
 // and never a mixture: writes a temporary file beside it, flushes it to disk, renames it.
 Status write_file_atomic(const std::filesystem::path& path, std::string_view bytes);
 
+// Whether `file`, symbolic links followed as far as they exist, lies in `folder` or below.
+bool lies_within(const std::filesystem::path& file, const std::filesystem::path& folder);
+
 }  // namespace slipface

@@ -27,6 +27,9 @@ struct TriangleSoup {
     std::span<const Vec3f> positions;
     std::span<const std::array<std::uint32_t, 3>> triangles;  // indices into positions
     std::span<const FaceId> faces;                            // [triangle] the face it belongs to
+    // [triangle] number of the body that it moves with; empty: all belong to one. Bodies share no leaf of the
+    // tree, so that moving one costs what it is large, and leaves the others' boxes tight.
+    std::span<const std::uint32_t> bodies = {};
 };
 
 struct BvhStatistics {
@@ -75,6 +78,14 @@ class CollisionWorld {
     // triangles are kept: they collide as the edges and points that they are.
     static Result<CollisionWorld> build(const TriangleSoup& soup);
 
+    // Gives triangles[i] the corners corners[i] and fits the tree around them (moving platforms). Every
+    // answer afterwards is that of a world built anew with those corners; only the speed may suffer when
+    // triangles of one body drift apart. bounds() still covers the old places. Refuses spans of unequal
+    // length, triangles that do not exist and coordinates that are not finite, and then moves nothing. Not
+    // while others query.
+    Status move_triangles(std::span<const TriangleId> triangles,
+                          std::span<const std::array<Vec3f, 3>> corners);
+
     void set_face_surface(FaceId face, SurfaceId surface);       // faces outside the soup are ignored
     SurfaceId face_surface(FaceId face) const;                   // default_surface outside the soup
     void set_surface_rule(SurfaceId surface, SurfaceRule rule);  // all solid and two-sided at first
@@ -108,6 +119,18 @@ class CollisionWorld {
 // space"; docs/sweep.md derives it.
 std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& radii, const Vec3& from,
                                        const Vec3& move);
+
+// One sweep of a batch.
+struct Sweep {
+    Vec3 radii = Vec3::Ones();
+    Vec3 from = Vec3::Zero();
+    Vec3 move = Vec3::Zero();
+};
+
+// out[i] = the answer to sweeps[i], on as many threads as there are; the same bits as one by one. As many as
+// the shorter of the two spans.
+void sweep_ellipsoids(const CollisionWorld& world, std::span<const Sweep> sweeps,
+                      std::span<std::optional<Contact>> out);
 
 // First solid triangle, from either side, that the ray from `origin` along `direction` (any length) meets
 // with t in [0, max_t].

@@ -2,6 +2,8 @@
 // against the smallest real changes (docs/snapshots.md).
 #pragma once
 
+#include <array>
+#include <span>
 #include <string>
 
 #include "slipface/image/image.h"
@@ -33,6 +35,24 @@ struct Comparison {
 
 // Compares colour and alpha. Pictures of different size are never the same.
 Comparison compare_images(const Image& expected, const Image& actual, const CompareTolerance& tolerance);
+
+// A part of a picture that is not compared: a clock, a version number, what somebody else draws.
+struct MaskRect {
+    int x = 0, y = 0, width = 0, height = 0;  // pixels from the upper left corner
+    friend bool operator==(const MaskRect&, const MaskRect&) = default;
+};
+
+// `actual` with the masked parts taken from `expected`, so that they cannot differ. Pictures of different
+// size stay as they are.
+Image masked(const Image& expected, Image actual, std::span<const MaskRect> masks);
+
+// How many pixels would differ at other tolerances: whether a limit decided, or a landslide.
+struct SweepRow {
+    int pixel_delta = 0;
+    std::size_t differing = 0;
+};
+std::array<SweepRow, 8> threshold_sweep(const Image& expected,
+                                        const Image& actual);  // none for unequal sizes
 
 // Where they differ: the expected picture in faint grey, differing pixels from yellow (weak) to red (strong).
 // Pictures of different size are compared over the larger of both, what is missing counting as strongest

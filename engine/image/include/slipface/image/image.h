@@ -37,7 +37,12 @@ Image make_image(int width, int height, std::uint8_t red, std::uint8_t green, st
 Result<Image> load_image(const std::filesystem::path& path, int max_side = 8192);
 Result<Image> decode_image(std::string_view bytes, const std::string& place, int max_side = 8192);
 
-// PNG, lossless, written atomically. The same picture gives the same bytes.
-Status save_png(const std::filesystem::path& path, const Image& image);
+// How much time packing may take. `fast` keeps up with rasterising; `small` tries the ways of filtering one
+// after the other, for pictures that are kept: about a second for a million pixels.
+enum class PngEffort { fast, small };
+
+// PNG, lossless. The same picture and effort give the same bytes. save_png replaces the file atomically.
+Result<std::string> encode_png(const Image& image, PngEffort effort = PngEffort::fast);
+Status save_png(const std::filesystem::path& path, const Image& image, PngEffort effort = PngEffort::fast);
 
 }  // namespace slipface

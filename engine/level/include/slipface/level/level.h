@@ -9,7 +9,10 @@
 
 #include "slipface/base/result.h"
 #include "slipface/collision/collision_world.h"
-#include "slipface/mesh/mesh.h"
+#include "slipface/level/level_light.h"
+#include "slipface/level/platform.h"
+#include "slipface/mesh/import.h"
+#include "slipface/movement/heightfield.h"
 #include "slipface/movement/settings.h"
 #include "slipface/movement/surface_type.h"
 
@@ -59,6 +62,23 @@ struct Orphan {
 enum class SurfaceSource : std::uint8_t { none, rule, suffix, override_ };
 const char* surface_source_name(SurfaceSource source);
 
+// Terrain from a grey 16-bit PNG: columns of pixels lie along +X, rows along +Z.
+struct HeightfieldSource {
+    std::string file;            // relative to the level file's folder
+    Vec3 origin = Vec3::Zero();  // world position of the first pixel; its y is added to every height
+    Vec2 size{100.0, 100.0};     // metres from the first to the last pixel along x and z
+    double low = 0.0;            // height of the value 0, metres above origin.y
+    double high = 10.0;          // height of the value 65535
+    friend bool operator==(const HeightfieldSource&, const HeightfieldSource&) = default;
+};
+
+// Where in the world the level lies, and how the world is divided (MovementSettings::sectors).
+struct SectorLayout {
+    double size = 0.0;              // edge of a sector, metres; 0: no sectors
+    Vec3 placement = Vec3::Zero();  // world position of the level's origin
+    friend bool operator==(const SectorLayout&, const SectorLayout&) = default;
+};
+
 // Unknown keys of the file, kept and written back: an object from the place ("/", "/surfaces/ice",
 // "/cameras/door") to the unknown members there, as compact JSON text.
 struct UnknownKeys {
@@ -70,6 +90,8 @@ struct Level {
     std::filesystem::path mesh_path;  // the OBJ
     std::filesystem::path file_path;  // NAME.slipface.json beside it, whether it exists or not
     MeshPtr mesh;
+    ImportTransform import_transform;  // how the mesh was made of the file's coordinates
+    FileStamp mesh_stamp;              // of mesh_path when it was read
 
     std::vector<SurfaceType> surfaces = preset_surface_types();
     std::vector<MaterialRule> rules;
@@ -79,6 +101,11 @@ struct Level {
     double spawn_yaw = 0.0;     // radians, 0 looks along -Z, counter-clockwise seen from above
     std::vector<CameraBookmark> cameras;
     MovementSettings movement;
+    std::vector<Platform> platforms;
+    std::optional<HeightfieldSource> heightfield;
+    std::shared_ptr<const Heightfield> terrain;  // what load_terrain made of `heightfield`; may be null
+    SectorLayout sectors;
+    std::optional<LevelLight> light;  // nothing: drawn with the renderer's own light
     UnknownKeys unknown;
 };
 
@@ -88,6 +115,9 @@ struct ResolvedSurfaces {
     std::vector<SurfaceSource> source;  // [face]
 };
 ResolvedSurfaces resolve_surfaces(const Level& level);
+
+// Whether a face of `material` has what a rule, or an emitter of light, gives to `pattern`.
+bool material_matches(std::string_view pattern, std::string_view material);
 
 std::optional<SurfaceId> find_surface(const Level& level, std::string_view name);
 

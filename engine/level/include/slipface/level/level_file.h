@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "slipface/image/grey_image.h"
 #include "slipface/level/level.h"
 
 namespace slipface {
@@ -22,7 +23,20 @@ struct LoadedLevel {
 // Opens `path`: an OBJ (its level file is read if there is one) or a level file (its "mesh" is read). The
 // level file's errors name the JSON path. Unknown keys are kept; unknown versions, wrong types and duplicate
 // keys are errors.
-Result<LoadedLevel> load_level(const std::filesystem::path& path);
+// With `progress` another thread can watch and cancel; a cancelled load is an error.
+Result<LoadedLevel> load_level(const std::filesystem::path& path, Progress* progress = nullptr);
+
+// Reads the geometry of `level` again, after another program changed it, and finds the painted faces and the
+// orphans again. `level` itself stays as it is; everything but mesh, overrides and orphans is copied from it.
+Result<LoadedLevel> reload_mesh(const Level& level, Progress* progress = nullptr);
+// The same with the file's coordinates taken otherwise. Painted faces keep their types: they are followed by
+// their place in the file, which must be unchanged on disk.
+Result<LoadedLevel> reload_mesh(const Level& level, const ImportTransform& transform,
+                                Progress* progress = nullptr);
+
+// Whether the geometry on disk is not what was read, by its bytes; a file that cannot be read counts as
+// changed.
+bool mesh_changed_on_disk(const Level& level);
 
 // Writes level.file_path, atomically. Text: UTF-8, two-space indent, keys in a fixed order, so that a diff
 // shows the change.
@@ -33,6 +47,13 @@ Status save_level(const Level& level, const std::filesystem::path& file_path);
 std::string level_to_json(const Level& level);
 // Puts the annotations of `json` (the text of a level file; `place` names it in errors) on `mesh`.
 Result<LoadedLevel> level_from_json(std::string_view json, const std::string& place, MeshPtr mesh);
+
+// Makes level.terrain of level.heightfield, or takes it away where there is none. load_level has done it and
+// turned an error into a warning; level_from_json has not. Errors name the picture; level.terrain is null
+// after them.
+Status load_terrain(Level& level);
+// The terrain of a picture that is in memory already.
+Heightfield make_heightfield(const HeightfieldSource& source, const GreyImage& picture);
 
 // NAME.slipface.json for NAME.obj.
 std::filesystem::path level_file_for(const std::filesystem::path& mesh_path);

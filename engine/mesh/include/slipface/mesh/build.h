@@ -7,10 +7,12 @@
 
 namespace slipface {
 
-// Polygons with a position of their own for every corner; corners of a face are consecutive.
+// Polygons; corners of a face are consecutive. Each corner has a position of its own, or an index to one.
 struct PolygonSoup {
-    std::vector<Vec3f> corner_position;  // [corner], metres
-    std::vector<Vec2f> corner_uv;        // [corner], V up; or empty
+    std::vector<Vec3f> corner_position;        // [corner], metres; empty where the next two are given
+    std::vector<Vec3f> vertex_position;        // [vertex], metres
+    std::vector<std::uint32_t> corner_vertex;  // [corner] index into vertex_position
+    std::vector<Vec2f> corner_uv;              // [corner], V up; or empty
     std::vector<std::uint32_t>
         face_first_corner;                     // [face + 1], starts with 0, ends with the number of corners
     std::vector<std::uint32_t> face_material;  // [face] index into materials; or empty: all of them 0

@@ -38,6 +38,24 @@ struct MovementSettings {
     double keep_energy_limit = -0.5;  // N.V / |V| must be above this
     bool surface_types = true;        // ladders, sticky, bouncy, conveyors act at all
     PushOut push_out = PushOut::off;
+    bool nudge = false;
+    double nudge_distance = 0.1;
+    bool step_up = false;
+    double step_height = 0.35;
+    bool snap_down = false;
+    double snap_distance = 0.35;
+    bool seam_filter = false;
+    bool heightfield = true;
+    bool platforms = true;
+    bool sectors = true;
+    bool coyote = false;
+    double coyote_time = 0.1;
+    bool jump_buffer = false;
+    double jump_buffer_time = 0.1;
+    bool variable_jump = false;
+    double jump_cut = 0.4;  // share of the upward speed kept when the button is let go
+    bool air_control = true;
+    double sub_step = 0.0;  // longest part of a step that is moved at once, s; 0: the whole step
 
     friend bool operator==(const MovementSettings&, const MovementSettings&) = default;
 };

@@ -1,17 +1,11 @@
 // One fixed time step of a player: a pure function that explains itself.
 #pragma once
 
+#include "slipface/movement/scene.h"
 #include "slipface/movement/settings.h"
-#include "slipface/movement/surface_type.h"
 #include "slipface/movement/trace.h"
 
 namespace slipface {
-
-// The world as movement sees it: what to collide with, and what the surfaces do.
-struct MovementScene {
-    const CollisionWorld& collision;
-    SurfaceTable surfaces;
-};
 
 struct PlayerInput {
     Vec2 wish =
@@ -20,19 +14,30 @@ struct PlayerInput {
 };
 
 struct PlayerState {
-    Vec3 position = Vec3::Zero();  // centre of the ellipsoid
+    Vec3 position = Vec3::Zero();  // centre of the ellipsoid, relative to the origin of `sector`
     Vec3 velocity = Vec3::Zero();  // m/s
+    std::array<std::int32_t, 3> sector{0, 0, 0};  // all 0 in a scene without sectors
     bool grounded = false;
     bool climbing = false;   // on a climbable surface
     bool stuck = false;      // held by a sticky surface
     bool jump_held = false;  // last tick's input: a jump starts on the press
     bool hazard = false;     // touched a hazardous surface this step: the game respawns the player
+    bool jumping = false;    // rising by a jump whose button is still held
+    bool trapped = false;    // inside geometry, and no way out was found; or crushed by a platform
     Vec3 ground_normal = Vec3::UnitY();  // of the surface stood on, climbed or stuck to; unit
     FaceId ground_face = no_id;
     SurfaceId ground_surface = default_surface;
+    std::uint32_t ground_platform = no_id;  // index into MovementScene::platforms; no_id: it does not move
+    double coyote_s = 0.0;                  // for how much longer a jump starts although the ground was left
+    double jump_buffer_s = 0.0;             // for how much longer a press of jump is remembered
 
     friend bool operator==(const PlayerState&, const PlayerState&) = default;
 };
+
+// The state's centre in the coordinates in which the scene is given: what is drawn.
+Vec3 position_in_scene(const MovementScene& scene, const PlayerState& state);
+// The same position as a state holds it: sector and what is left.
+void place_in_scene(const MovementScene& scene, const Vec3& position, PlayerState& state);
 
 struct StepResult {
     PlayerState state;

@@ -12,7 +12,7 @@
 namespace slipface {
 
 // Why a sweep was made.
-enum class Pass : std::uint8_t { slide, horizontal, vertical, probe };
+enum class Pass : std::uint8_t { slide, horizontal, vertical, probe, step, snap };
 // How a contact turned the leftover.
 enum class Rule : std::uint8_t { slide, bounce, straight_ahead, keep_energy, stick, crease, stop };
 
@@ -30,11 +30,13 @@ struct SweepRecord {
     std::optional<Contact> contact = std::nullopt;
 };
 
-// What a contact did to the leftover.
+// What a contact did to the leftover, and with it to the velocity.
 struct ResponseRecord {
     Rule rule = Rule::slide;
     Vec3 leftover_before = Vec3::Zero();
     Vec3 leftover_after = Vec3::Zero();
+    Vec3 velocity_before = Vec3::Zero();
+    Vec3 velocity_after = Vec3::Zero();
     Vec3 normal = Vec3::Zero();
     SurfaceId surface = default_surface;
     FaceId face = no_id;

@@ -36,8 +36,8 @@ class OffscreenContext {
     virtual const Warnings& warnings() const = 0;  // about the environment, for the user to see
 };
 
-// automatic: OSMesa, else EGL surfaceless. The error says what was tried and which package provides it. The
-// context is current on this thread afterwards.
+// automatic: the environment's SLIPFACE_GL (osmesa or egl), else OSMesa, else EGL surfaceless. The error says
+// what was tried and which package provides it. The context is current on this thread afterwards.
 Result<std::unique_ptr<OffscreenContext>> make_offscreen_context(
     OffscreenBackend backend = OffscreenBackend::automatic);
 

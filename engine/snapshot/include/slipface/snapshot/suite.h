@@ -1,35 +1,54 @@
 // A suite of scenes: which level from where, with what drawn over it. Kept as text, screenshots/scenes.json:
 //
 //   { "version": 1,
+//     "defaults": { "size": [960, 540], "style": "textured overlay" },
 //     "scenes": [
 //       { "name": "scenes/easy-iso",
 //         "level": "../assets/levels/easy.obj",
 //         "camera": "auto:iso",
-//         "size": [960, 540],
-//         "style": "textured overlay",
 //         "probe": { "from": [0, 1, 0], "move": [0, 0, -3] },
-//         "tape": "../assets/tapes/easy.tape" } ] }
+//         "tape": "../assets/tapes/easy.tape" },
+//       { "name": "scenes/easy", "level": "../assets/levels/easy.obj", "cameras": ["auto:iso4", "bookmarks"]
+//       } ] }
 //
-// name: the golden is NAME.png; letters, digits, '-', '_' and '/'.
+// name: the golden is NAME.png; letters, digits, '-', '_', '@' and '/'.
 //
-// level, tape: relative to the suite file.
+// level, tape: relative to the suite file. "demo:NAME:on" and "demo:NAME:off" are the scenes that show a hack
+// (engine/scenes), with their tape, their camera and the hack's switch on or off.
 //
-// camera: "auto:" and a name of named_view, or the name of one of the level's bookmarks, or { "eye": [x, y,
-// z], "target": [x, y, z], "fov_deg": 60 }, where fov_deg may be left out. Without a camera: "auto:iso".
+// camera: one of the names below, or { "eye": [x, y, z], "target": [x, y, z], "fov_deg": 60 }, where fov_deg
+// may be left out. Without a camera: "auto:iso".
+//
+//   auto:iso, iso-back, top, bottom, front, back, left, right   all of the level (named_view)
+//   auto:map               "top" with a grid in metres and a scale
+//   auto:iso:K             K of 4 corners, counter-clockwise
+//   auto:turntable:K/N     K of N directions around the level
+//   tape:K/N               behind the player, at K of N moments of the tape
+//   contact:K              at the K-th contact of the probe, or of the tape
+//   any other word         the bookmark of the level with that name
+//
+// cameras: a list of names that makes one snapshot each, NAME@CAMERA: those above and, for several at once,
+// auto:iso4, auto:turntable:N, tape:N, contacts (each contact, at most 12) and bookmarks (every one of the
+// level).
 //
 // size: pixels, 16 to 4096 a side. Without: 960 x 540.
 //
-// style: any of textured, overlay, wireframe, cutaway (back faces left out, so that rooms are seen from
-// outside); "plain" stands for none of them. Without: "textured overlay".
+// style: any of textured, unlit (without the level's baked light), overlay, wireframe, cutaway (back faces
+// left out, so that rooms are seen from outside) and grid (metres, with a scale); "plain" stands for none of
+// them. Without: "textured overlay".
 //
 // probe: one slide_move, drawn with draw_trace. "from" may be "spawn". "radii" ([x, y, z]) and "settings"
 // (["max_slides=5"]) may be given; else the level's count.
 //
 // tape: simulated from its start or the level's spawn; the path of the centre, the start and the end are
-// drawn.
+// drawn. "settings" beside it are applied after the tape's own.
+//
+// profile: "scene" (default) or "ui": the gate's tolerance. masks: [[x, y, width, height], ...] are not
+// compared.
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -54,9 +73,14 @@ struct Scene {
     int width = 960;
     int height = 540;
     LevelStyle style;
+    bool grid = false;
     std::optional<SceneProbe> probe;
     std::optional<std::filesystem::path> tape;
-    std::string place;  // "scenes.json:/scenes/2", for errors
+    std::vector<std::string> settings;  // "name=value", for the tape
+    CompareTolerance tolerance = scene_tolerance;
+    std::vector<MaskRect> masks;
+    std::vector<std::string> cameras;  // not expanded yet; then `camera` does not count
+    std::string place;                 // "scenes.json:/scenes/2", for errors
 };
 
 // Errors name the file and the JSON path ("scenes.json:/scenes/2/size"), or the line for text that is no
@@ -64,10 +88,33 @@ struct Scene {
 Result<std::vector<Scene>> parse_scene_suite(std::string_view text, const std::filesystem::path& file);
 Result<std::vector<Scene>> load_scene_suite(const std::filesystem::path& file);
 
-// One scene as a picture. Errors of the level, the tape or the camera's name are the scene's.
-Result<Image> render_scene(const Scene& scene, OffscreenContext& context);
+// Scenes with `cameras` become one scene for each of them. Reads levels and runs tapes only for "bookmarks"
+// and "contacts".
+Result<std::vector<Scene>> expand_cameras(const std::vector<Scene>& scenes);
 
-// The scenes as snapshots. They render in `context`, which must outlive them, and load each level once.
-std::vector<Snapshot> scene_snapshots(const std::vector<Scene>& scenes, OffscreenContext& context);
+// Levels that stay loaded, and on the graphics card, from one scene to the next. `context` must outlive it.
+class SceneStage {
+  public:
+    explicit SceneStage(OffscreenContext& context);
+    ~SceneStage();
+
+    // Errors of the level, the tape or the camera's name are the scene's.
+    Result<Rendering> render(const Scene& scene);
+    // Why `scene` does not look as it did: which faces, which setting, which tick.
+    std::vector<Finding> explain(const Scene& scene, const ExplainRequest& request);
+    Result<Attachment> digest(const Scene& scene);
+    double drawing_s() const;  // spent rasterising so far
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+// The scenes (cameras expanded) as snapshots.
+std::vector<Snapshot> scene_snapshots(const std::vector<Scene>& scenes,
+                                      const std::shared_ptr<SceneStage>& stage);
+
+// Mesa, processor and program, for the "renderer" section of numbers; JSON.
+std::string renderer_fingerprint(const OffscreenContext& context);
 
 }  // namespace slipface

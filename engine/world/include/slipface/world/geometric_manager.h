@@ -1,7 +1,7 @@
 // Collides entities with the triangles of a level and draws the triangles (lecture: "GeometricManager").
 #pragma once
 
-#include "slipface/level/level.h"
+#include "slipface/level/level_scene.h"
 #include "slipface/movement/step.h"
 #include "slipface/world/world.h"
 
@@ -21,21 +21,27 @@ class GeometricManager : public Manager {
     // Refuses a level whose geometry cannot be collided with.
     static Result<std::unique_ptr<GeometricManager>> make(Level level);
 
-    // One step() of `seconds` (1e-4..0.25, as step() takes them) for each Character, in the order in which
-    // they were added. A character that touched a hazard has state.hazard set; what then happens is the
-    // game's choice.
+    // Platforms move on, then one step() of `seconds` (1e-4..0.25, as step() takes them) for each Character,
+    // in the order in which they were added. A character that touched a hazard has state.hazard set; what
+    // then happens is the game's choice.
     void on_tick(double seconds) override;
     void on_draw(Graphics& graphics) override;  // the triangles; the world draws the entities
     void on_entity_added(Entity& entity) override;
     void on_entity_removed(Entity& entity) override;
 
     const Level& level() const { return level_; }
-    const CollisionWorld& collision() const { return collision_; }
+    double time_s() const { return time_s_; }  // since the first tick
+    // What the characters move through, at rest now.
+    MovementScene scene() { return scene_->at(time_s_); }
+    const CollisionWorld& collision() { return scene().collision; }  // what does not move
+    // A player at rest at a place of the level: its spawn, a checkpoint.
+    PlayerState player_at(const Vec3& level_position) { return scene_->player_at(level_position); }
 
   private:
-    GeometricManager(Level level, CollisionWorld collision);
+    explicit GeometricManager(Level level) : level_(std::move(level)) {}
     Level level_;
-    CollisionWorld collision_;
+    std::optional<LevelScene> scene_;  // of level_
+    double time_s_ = 0.0;
     std::vector<Character*> characters_;
 };
 

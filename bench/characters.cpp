@@ -1,0 +1,239 @@
+// slipface_characters LEVEL.obj...: one full step of a walking character, beside Bullet's
+// btKinematicCharacterController on the same level with the same inputs, in the same run; with and without a
+// trace; and many characters on threads.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <memory>
+
+#ifdef SLIPFACE_BULLET
+#include <BulletCollision/CollisionDispatch/btGhostObject.h>
+#include <BulletDynamics/Character/btKinematicCharacterController.h>
+#include <btBulletCollisionCommon.h>
+#endif
+
+#include "slipface/base/parallel.h"
+#include "slipface/level/level_file.h"
+#include "slipface/level/level_scene.h"
+
+namespace slipface {
+namespace {
+
+constexpr double dt = 1.0 / 60.0;
+constexpr int ticks = 600;
+
+double seconds_now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// Of this process: what one thread needs, however busy the machine is.
+double processor_seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+// Headings that change twice a second; the same for every engine.
+Vec2 wish_of(std::uint64_t walker, int tick) {
+    std::uint64_t state =
+        (walker + 1) * 0x9e3779b97f4a7c15ULL + static_cast<std::uint64_t>(tick / 30) * 0xbf58476d1ce4e5b9ULL;
+    state ^= state >> 31;
+    state *= 0x94d049bb133111ebULL;
+    const double angle = static_cast<double>(state >> 40) / static_cast<double>(1 << 24) * 6.283185307179586;
+    return {std::cos(angle), std::sin(angle)};
+}
+
+MovementSettings every_hack() {
+    MovementSettings s;
+    s.push_out = PushOut::analytic;
+    for (const char* name :
+         {"nudge", "step_up", "snap_down", "seam_filter", "coyote", "jump_buffer", "variable_jump"})
+        static_cast<void>(set_setting(s, *find_setting(name), 1.0).ok());
+    return s;
+}
+
+// Places where a walker stands, found by dropping one at random points.
+std::vector<Vec3> spawns(LevelScene& scene, const MovementSettings& s, std::size_t count) {
+    const MovementScene world = scene.at(0.0, dt);
+    const Aabb box = world.collision.bounds();
+    std::vector<Vec3> found;
+    for (std::uint64_t i = 0; found.size() < count && i < 100000; ++i) {
+        const auto share = [&](std::uint64_t salt) {
+            std::uint64_t x = (i * 3 + salt) * 0x9e3779b97f4a7c15ULL;
+            x ^= x >> 29;
+            x *= 0xbf58476d1ce4e5b9ULL;
+            return static_cast<double>(x >> 11) * 0x1.0p-53;
+        };
+        const Vec3 from = box.min + Vec3(share(0), share(1), share(2)).cwiseProduct(box.size());
+        if (overlaps_any(world.collision, s.radii, from)) continue;
+        const auto ground = sweep_ellipsoid(world.collision, s.radii, from, Vec3(0, -3, 0));
+        if (!ground || ground->normal.y() < 0.9) continue;
+        found.push_back(from + Vec3(0, -3 * ground->t + s.skin, 0));
+    }
+    return found;
+}
+
+struct Timing {
+    double step_us = 0.0;
+    double lost = 0.0;  // share that fell out of the level
+};
+
+Timing time_steps(const MovementScene& scene, const MovementSettings& s, const std::vector<Vec3>& starts,
+                  bool traced) {
+    const double floor = scene.collision.bounds().min.y() - 5.0;
+    std::size_t lost = 0;
+    double sweeps = 0.0;
+    TraceRecorder recorder;
+    const double begin = processor_seconds();
+    for (std::size_t w = 0; w < starts.size(); ++w) {
+        PlayerState state;
+        state.position = starts[w];
+        for (int tick = 0; tick < ticks; ++tick) {
+            recorder.records.clear();
+            const StepResult result =
+                step(scene, s, state, {.wish = wish_of(w, tick)}, dt, traced ? &recorder : nullptr);
+            state = result.state;
+            sweeps += result.sweeps;
+        }
+        lost += state.position.y() < floor ? 1 : 0;
+    }
+    const double count = static_cast<double>(starts.size()) * ticks;
+    fmt::print("    {:.2f} sweeps a step\n", sweeps / count);
+    return {(processor_seconds() - begin) / count * 1e6,
+            static_cast<double>(lost) / static_cast<double>(starts.size())};
+}
+
+#ifdef SLIPFACE_BULLET
+Timing time_bullet(const Mesh& mesh, const MovementSettings& s, const std::vector<Vec3>& starts,
+                   bool capsule) {
+    std::vector<int> indices;
+    for (const auto& triangle : mesh.triangles) {
+        for (const std::uint32_t corner : triangle)
+            indices.push_back(static_cast<int>(mesh.corner_vertex[corner]));
+    }
+    std::vector<Vec3f> positions = mesh.positions;
+    btTriangleIndexVertexArray array(static_cast<int>(mesh.triangle_count()), indices.data(), 3 * sizeof(int),
+                                     static_cast<int>(positions.size()), positions[0].data(), sizeof(Vec3f));
+    btBvhTriangleMeshShape shape(&array, true);
+    btCollisionObject level;
+    level.setCollisionShape(&shape);
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher(&configuration);
+    btDbvtBroadphase broadphase;
+    btGhostPairCallback callback;
+    broadphase.getOverlappingPairCache()->setInternalGhostPairCallback(&callback);
+    btCollisionWorld world(&dispatcher, &broadphase, &configuration);
+    world.addCollisionObject(&level, btBroadphaseProxy::StaticFilter,
+                             btBroadphaseProxy::CharacterFilter | btBroadphaseProxy::DefaultFilter);
+    std::unique_ptr<btConvexShape> body;
+    const auto r = static_cast<btScalar>(s.radii.x());
+    if (capsule) {
+        body = std::make_unique<btCapsuleShape>(r, static_cast<btScalar>(2 * (s.radii.y() - s.radii.x())));
+    } else {
+        body = std::make_unique<btSphereShape>(r);
+    }
+    btPairCachingGhostObject ghost;
+    ghost.setCollisionShape(body.get());
+    ghost.setCollisionFlags(btCollisionObject::CF_CHARACTER_OBJECT);
+    world.addCollisionObject(&ghost, btBroadphaseProxy::CharacterFilter,
+                             btBroadphaseProxy::StaticFilter | btBroadphaseProxy::DefaultFilter);
+    const double floor = mesh.bounds.min.y() - 5.0;
+    std::size_t lost = 0;
+    double time = 0.0;
+    for (std::size_t w = 0; w < starts.size(); ++w) {
+        btKinematicCharacterController controller(&ghost, body.get(), static_cast<btScalar>(s.step_height),
+                                                  btVector3(0, 1, 0));
+        controller.setGravity(btVector3(0, static_cast<btScalar>(-s.gravity), 0));
+        controller.setMaxSlope(static_cast<btScalar>(s.max_slope));
+        const Vec3 p = starts[w];
+        controller.warp(btVector3(static_cast<btScalar>(p.x()), static_cast<btScalar>(p.y()),
+                                  static_cast<btScalar>(p.z())));
+        const double begin = processor_seconds();
+        for (int tick = 0; tick < ticks; ++tick) {
+            const Vec2 way = wish_of(w, tick) * s.walk_speed * dt;
+            controller.setWalkDirection(
+                btVector3(static_cast<btScalar>(way.x()), 0, static_cast<btScalar>(way.y())));
+            controller.preStep(&world);
+            controller.playerStep(&world, static_cast<btScalar>(dt));
+        }
+        time += processor_seconds() - begin;
+        lost += static_cast<double>(ghost.getWorldTransform().getOrigin().y()) < floor ? 1 : 0;
+    }
+    world.removeCollisionObject(&ghost);
+    world.removeCollisionObject(&level);
+    const double count = static_cast<double>(starts.size()) * ticks;
+    return {time / count * 1e6, static_cast<double>(lost) / static_cast<double>(starts.size())};
+}
+#endif
+
+void time_threads(const MovementScene& scene, const MovementSettings& s, const std::vector<Vec3>& starts) {
+    double one = 0.0;
+    for (const int threads : {1, 2, 4, 8}) {
+        const ThreadLimit limit(threads);
+        std::vector<PlayerState> states(starts.size());
+        const double begin = seconds_now();
+        parallel_for(starts.size(), 1, [&](std::size_t first, std::size_t last) {
+            for (std::size_t w = first; w < last; ++w) {
+                PlayerState state;
+                state.position = starts[w];
+                for (int tick = 0; tick < ticks; ++tick)
+                    state = step(scene, s, state, {.wish = wish_of(w, tick)}, dt).state;
+                states[w] = state;
+            }
+        });
+        const double rate = static_cast<double>(starts.size()) * ticks / (seconds_now() - begin);
+        if (threads == 1) one = rate;
+        fmt::print("  {} thread{}: {:.2f} million steps a second, {:.2f} times one\n", threads,
+                   threads == 1 ? "" : "s", rate * 1e-6, rate / one);
+    }
+}
+
+int run(const char* path) {
+    const Result<LoadedLevel> loaded = load_level(path);
+    if (!loaded) {
+        fmt::print("{}\n", loaded.error().text());
+        return 1;
+    }
+    MovementSettings all = every_hack();
+    Result<LevelScene> built = LevelScene::build(loaded->level, all);
+    if (!built) return 1;
+    const MovementScene scene = built->at(0.0, dt);
+    fmt::print("{}: {} triangles\n", std::filesystem::path(path).filename().string(),
+               loaded->level.mesh->triangle_count());
+    for (const bool sphere : {true, false}) {
+        MovementSettings plain = loaded->level.movement;
+        all.radii = plain.radii = sphere ? Vec3(0.5, 0.5, 0.5) : Vec3(0.4, 0.9, 0.4);
+        const std::vector<Vec3> starts = spawns(*built, all, 60);
+        fmt::print("  {}, {} walkers, {} ticks\n", sphere ? "sphere 0.5" : "ellipsoid 0.4 0.9 0.4",
+                   starts.size(), ticks);
+        const Timing full = time_steps(scene, all, starts, false);
+        const Timing traced = time_steps(scene, all, starts, true);
+        const Timing few = time_steps(scene, plain, starts, false);
+        fmt::print(
+            "    every hack {:.3f} us a step ({:.2f} M/s), with a trace {:.3f}, the level's settings {:.3f}; "
+            "lost {:.1f} %\n",
+            full.step_us, 1.0 / full.step_us, traced.step_us, few.step_us, 100 * full.lost);
+#ifdef SLIPFACE_BULLET
+        const std::vector<Vec3> some(
+            starts.begin(),
+            starts.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(starts.size(), 20)));
+        const Timing bullet = time_bullet(*loaded->level.mesh, all, some, !sphere);
+        fmt::print("    Bullet, {} {:.2f} us a step, lost {:.1f} %: {:.1f} times\n",
+                   sphere ? "sphere" : "capsule", bullet.step_us, 100 * bullet.lost,
+                   bullet.step_us / full.step_us);
+#endif
+        if (!sphere) time_threads(scene, all, starts);
+    }
+    return 0;
+}
+
+}  // namespace
+}  // namespace slipface
+
+int main(int count, char** arguments) {
+    int failed = 0;
+    for (int i = 1; i < count; ++i)
+        failed |= slipface::run(arguments[i]);
+    return failed;
+}

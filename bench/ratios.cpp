@@ -1,0 +1,187 @@
+// Prints how fast the engine is beside Bullet 3 and Embree 3: the same queries on the same mesh in the same
+// run, in turns, so that what slows the machine slows both. Each figure is the median over the rounds of
+// processor time, and each ratio the median of the rounds' own ratios.
+#include <fmt/core.h>
+#include <tbb/task_arena.h>
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bullet_level.h"
+#include "embree_scene.h"
+#include "slipface/collision/simd.h"
+
+namespace slipface::bench {
+namespace {
+
+constexpr std::int64_t sizes[] = {3000, 10000, 30000, 100000, 300000, 1000000};
+constexpr double lengths[] = {0.02, 0.2, 2, 20};
+constexpr std::size_t queries_a_round = 512;
+constexpr int rounds = 8;
+
+double seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double median(std::vector<double> list) {
+    std::sort(list.begin(), list.end());
+    return list[list.size() / 2];
+}
+
+struct Pair {
+    double mine;  // nanoseconds
+    double other;
+    double ratio;  // other / mine
+};
+
+// Both once unmeasured, then in turns.
+template <class Mine, class Other>
+Pair race(std::size_t count, int times, Mine&& mine, Other&& other) {
+    const auto clock = [count](auto& work, int round) {
+        const double start = seconds();
+        work(round);
+        return 1e9 * (seconds() - start) / static_cast<double>(count);
+    };
+    clock(mine, 0);
+    clock(other, 0);
+    std::vector<double> a;
+    std::vector<double> b;
+    std::vector<double> ratio;
+    for (int round = 0; round < times; ++round) {
+        a.push_back(clock(mine, round));
+        b.push_back(clock(other, round));
+        ratio.push_back(b.back() / a.back());
+    }
+    return {median(a), median(b), median(ratio)};
+}
+
+volatile double sink = 0.0;
+
+template <class Answer>
+auto over(const std::vector<Query>& list, Answer&& answer) {
+    return [&list, answer](int round) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < queries_a_round; ++i)
+            sum += answer(list[static_cast<std::size_t>(round) * queries_a_round + i]);
+        sink = sum;
+    };
+}
+
+void sweeps(Kind kind, bool ellipsoid) {
+    const Vec3 radii = radii_of(ellipsoid);
+    fmt::print("\n{}, sweeps of {}: ns, and how many times Bullet's rate\n\n",
+               kind == Kind::rooms ? "Rooms" : "Open ground", ellipsoid ? "an ellipsoid" : "a sphere");
+    fmt::print("| triangles |");
+    for (const double length : lengths)
+        fmt::print(" {:>16} |", fmt::format("{} m", length));
+    fmt::print("\n|----------:|");
+    for ([[maybe_unused]] const double length : lengths)
+        fmt::print("-----------------:|");
+    fmt::print("\n");
+    double logs[4] = {};
+    const auto shape = bullet_shape(ellipsoid);
+    for (const std::int64_t size : sizes) {
+        const Level& scene = level(size, kind);
+        const BulletLevel bullet(scene.soup);
+        fmt::print("| {:>9} |", scene.soup.triangles.size());
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto list = queries(scene, radii, lengths[k]);
+            const Pair pair =
+                race(queries_a_round, rounds,
+                     over(list,
+                          [&](const Query& q) {
+                              const auto c = sweep_ellipsoid(scene.world, radii, q.from, q.move);
+                              return c ? c->t : 1.0;
+                          }),
+                     over(list, [&](const Query& q) { return bullet.sweep(*shape, q) ? 1.0 : 0.0; }));
+            logs[k] += std::log(pair.ratio) / static_cast<double>(std::size(sizes));
+            fmt::print(" {:>7.0f} {:>7.1f}x |", pair.mine, pair.ratio);
+            std::fflush(stdout);
+        }
+        fmt::print("\n");
+    }
+    fmt::print("| geo. mean |");
+    for (const double sum : logs)
+        fmt::print(" {:>15.1f}x |", std::exp(sum));
+    fmt::print("\n");
+}
+
+void rays() {
+    fmt::print("\nClosest-hit rays: ns, and our time over Embree's\n\n| triangles |");
+    for (const double length : lengths)
+        fmt::print(" {:>16} |", fmt::format("{} m", length));
+    fmt::print("\n|----------:|");
+    for ([[maybe_unused]] const double length : lengths)
+        fmt::print("-----------------:|");
+    fmt::print("\n");
+    for (const std::int64_t size : sizes) {
+        const Level& scene = level(size);
+        const EmbreeScene embree(scene.soup);
+        fmt::print("| {:>9} |", scene.soup.triangles.size());
+        for (const double length : lengths) {
+            const auto list = queries(scene, radii_of(false), length);
+            const Pair pair = race(queries_a_round, rounds,
+                                   over(list,
+                                        [&](const Query& q) {
+                                            const auto hit = cast_ray(scene.world, q.from, q.move, 1.0);
+                                            return hit ? hit->t : 1.0;
+                                        }),
+                                   over(list, [&](const Query& q) { return double{embree.ray(q)}; }));
+            fmt::print(" {:>7.0f} {:>7.2f}x |", pair.mine, 1.0 / pair.ratio);
+            std::fflush(stdout);
+        }
+        fmt::print("\n");
+    }
+}
+
+void builds() {
+    fmt::print("\nBuild on one thread: ms, our time over Embree's (medium), bytes a triangle\n\n");
+    fmt::print("| triangles |      ms |  Embree |  ratio |  bytes | closest point, ns | overlap, ns |\n");
+    fmt::print("|----------:|--------:|--------:|-------:|-------:|------------------:|------------:|\n");
+    for (const std::int64_t size : sizes) {
+        const Level& scene = level(size);
+        tbb::task_arena one(1);
+        const Pair pair = one.execute([&] {
+            return race(
+                1, 5,
+                [&](int) {
+                    const auto world = CollisionWorld::build(scene.soup.view());
+                    sink = world->bounds().min.x();
+                },
+                [&](int) {
+                    const EmbreeScene embree(scene.soup);
+                    sink = double{embree.ray({Vec3::Zero(), Vec3::UnitX()})};
+                });
+        });
+        const auto list = queries(scene, radii_of(true), 1);
+        const Pair rest =
+            race(queries_a_round, rounds,
+                 over(list, [&](const Query& q) { return closest_point(scene.world, q.from)->distance; }),
+                 over(list, [&](const Query& q) {
+                     return overlaps_any(scene.world, radii_of(true), q.from) ? 1.0 : 0.0;
+                 }));
+        const BvhStatistics statistics = scene.world.statistics();
+        fmt::print("| {:>9} | {:>7.2f} | {:>7.2f} | {:>5.2f}x | {:>6.1f} | {:>17.0f} | {:>11.0f} |\n",
+                   statistics.triangles, pair.mine * 1e-6, pair.other * 1e-6, 1.0 / pair.ratio,
+                   static_cast<double>(statistics.bytes) / static_cast<double>(statistics.triangles),
+                   rest.mine, rest.other);
+        std::fflush(stdout);
+    }
+}
+
+}  // namespace
+}  // namespace slipface::bench
+
+int main() {
+    fmt::print("SIMD: {}\n", slipface::simd_path());
+    for (const auto kind : {slipface::bench::Kind::rooms, slipface::bench::Kind::ground}) {
+        slipface::bench::sweeps(kind, false);
+        slipface::bench::sweeps(kind, true);
+    }
+    slipface::bench::rays();
+    slipface::bench::builds();
+    return 0;
+}

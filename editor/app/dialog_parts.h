@@ -1,0 +1,19 @@
+// What dialogs are made of.
+#pragma once
+
+#include <string>
+
+#include "app/parts.h"
+
+namespace slipface {
+
+std::string shown_text(const Parts& parts, std::string text);  // without the hidden folder
+void dialog_title(const char* icon, const ImVec4& color, const char* text);
+void align_buttons(int count, float width);  // puts the cursor where so many end at the right edge
+void wrapped(const std::string& text);
+
+void loading_dialog(Parts& parts);
+void recover_dialog(Parts& parts);
+void reload_dialog(Parts& parts);
+
+}  // namespace slipface

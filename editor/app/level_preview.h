@@ -1,0 +1,46 @@
+// A small picture of a level that is not open, for the file browser. Read beside the window, drawn by the
+// window's own context.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "panels/panels.h"
+#include "slipface/render/level_renderer.h"
+
+namespace slipface {
+
+class LevelPreview {
+  public:
+    LevelPreview(GlTable gl, const Session& session);
+
+    struct Shown {
+        unsigned texture = 0;  // rows from the bottom; 0: there is no picture
+        std::string facts;     // "6456 faces, 12 painted", why there is no picture, or that it is being read
+    };
+    // Of this file, in a picture of that many pixels; draw() makes it. Only the file asked for last is kept.
+    Shown show(const std::filesystem::path& file, int width, int height);
+
+    std::uint64_t hash() const { return wanted_ ? pictures_ : 0; }
+    void begin_frame() { wanted_ = false; }
+    bool reading() const { return job_ != nullptr; }
+    void draw();
+
+  private:
+    void take(Result<LoadedLevel> loaded);
+
+    GlTable gl_;
+    const Session& session_;
+    std::filesystem::path file_;
+    std::unique_ptr<Background<Result<LoadedLevel>>> job_;
+    std::string facts_;
+    std::optional<Camera> camera_;  // nothing: no picture
+    std::unique_ptr<LevelRenderer> renderer_;
+    std::unique_ptr<Framebuffer> target_;
+    bool wanted_ = false, drawn_ = false;
+    std::uint64_t pictures_ = 0;
+};
+
+}  // namespace slipface

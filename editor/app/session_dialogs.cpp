@@ -1,0 +1,136 @@
+// Dialogs about what goes on beside the editing: opening, recovering, files that changed on disk.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "app/dialog_parts.h"
+#include "app/parts.h"
+#include "tools/icons.h"
+#include "widgets/theme.h"
+#include "widgets/ui.h"
+
+namespace slipface {
+namespace {
+
+std::string age_text(std::int64_t written_s) {
+    const std::int64_t now =
+        std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch())
+            .count();
+    const std::int64_t minutes = std::max<std::int64_t>(0, now - written_s) / 60;
+    if (minutes < 1) return "just now";
+    if (minutes < 60) return fmt::format("{} min ago", minutes);
+    if (minutes < 48 * 60) return fmt::format("{} h ago", minutes / 60);
+    return fmt::format("{} days ago", minutes / (24 * 60));
+}
+
+// "Paint ice (3), Unset faces, Set spawn point"
+std::string steps_text(const std::vector<std::string>& steps) {
+    std::string text;
+    for (std::size_t i = 0; i < steps.size();) {
+        std::size_t last = i + 1;
+        while (last < steps.size() && steps[last] == steps[i])
+            ++last;
+        text += (text.empty() ? "" : ", ") + steps[i];
+        if (last - i > 1) text += fmt::format(" ({})", last - i);
+        i = last;
+    }
+    return text.empty() ? "Changes without a name" : text;
+}
+
+void recoverable_row(Parts& parts, const AutosaveInfo& info, std::size_t row) {
+    Editor& editor = parts.editor;
+    const float scale = ui::scale();
+    const std::string name = info.mesh_path.filename().string();
+    ImGui::PushID(static_cast<int>(row));
+    const ui::Scope scope(name);
+    const float width = 92 * scale;
+    const ImVec2 at = ImGui::GetCursorPos();
+    ImGui::BeginGroup();
+    ImGui::PushFont(ui::fonts().semibold);
+    ImGui::TextUnformatted(name.c_str());
+    ImGui::PopFont();
+    ImGui::SameLine();
+    const std::size_t count = info.steps.size();
+    std::string facts = fmt::format("{} step{}", count, count == 1 ? "" : "s");
+    if (!parts.deterministic) facts += ", " + age_text(info.written_s);
+    ImGui::TextColored(ui::palette().muted, "%s", facts.c_str());
+    const float text_width = ImGui::GetContentRegionAvail().x - 2 * width - 24 * scale;
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + std::max(80 * scale, text_width));
+    ImGui::TextColored(ui::palette().muted, "%s", steps_text(info.steps).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndGroup();
+    ui::tooltip(shown_text(parts, info.mesh_path.string()).c_str());
+    const float bottom = ImGui::GetCursorPosY();
+    ImGui::SetCursorPos({at.x + ImGui::GetContentRegionAvail().x - 2 * width - 8 * scale, at.y + 4 * scale});
+    bool drop = false, take = false;
+    drop = ui::button("Discard", "Delete these autosaves", true, {width, 0});
+    ImGui::SameLine();
+    take = ui::primary_button("Recover", true, {width, 0});
+    ImGui::SetCursorPosY(std::max(bottom, ImGui::GetCursorPosY()) + 8 * scale);
+    ImGui::PopID();
+    if (drop) discard_recoverable(editor, row);
+    if (take) recover(editor, row);
+}
+
+}  // namespace
+
+void loading_dialog(Parts& parts) {
+    const ui::Scope scope("Loading");
+    const float scale = ui::scale();
+    Loading& loading = *parts.editor.session.loading;
+    const char* const verb = loading.kind == Loading::Kind::reload ? "Reading again " : "Opening ";
+    dialog_title("", ui::palette().accent, (verb + loading.path.filename().string()).c_str());
+    const Progress& progress = loading.progress();
+    ImGui::ProgressBar(static_cast<float>(progress.share()), {ImGui::GetContentRegionAvail().x, 8 * scale},
+                       "");
+    ImGui::TextColored(ui::palette().muted, "%s  %.0f %%", progress.stage(), 100.0 * progress.share());
+    align_buttons(1, 100 * scale);
+    if (ui::button("Cancel", nullptr, true, {100 * scale, 0})) cancel_loading(parts.editor);
+}
+
+void recover_dialog(Parts& parts) {
+    const ui::Scope scope("Recover");
+    const float scale = ui::scale();
+    dialog_title(icons::life_ring, ui::palette().accent, "Unsaved changes were found");
+    wrapped(
+        "Slipface ended before these were saved. Recovering opens the level with its changes as one step, "
+        "which "
+        "undo takes back.");
+    ImGui::Dummy({0, 8 * scale});
+    const std::vector<AutosaveInfo> rows = parts.editor.session.recoverable;
+    const float height =
+        std::min(static_cast<float>(rows.size()) * 66 * scale, ImGui::GetIO().DisplaySize.y * 0.5f);
+    ImGui::BeginChild("rows", {0, height});
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        recoverable_row(parts, rows[i], i);
+    ImGui::EndChild();
+    align_buttons(1, 110 * scale);
+    if (ui::button("Not now", "Keep them; File > Recover autosaves lists them again", true, {110 * scale, 0}))
+        parts.editor.session.recoverable.clear();
+}
+
+void reload_dialog(Parts& parts) {
+    const ui::Scope scope("Reload");
+    Editor& editor = parts.editor;
+    const float scale = ui::scale();
+    const ReloadQuestion question = *editor.session.reload;
+    const std::string mesh = document_name(editor);
+    const std::string file = editor.document ? editor.document->level().file_path.filename().string() : "";
+    dialog_title(icons::refresh, ui::palette().accent,
+                 ((question.level_file ? file : mesh) + " has changed on disk").c_str());
+    wrapped(question.level_file ? "Another program wrote the level file, and there are unsaved changes here. "
+                                  "Reloading takes over "
+                                  "what is on disk; undo brings your changes back. Keeping yours overwrites "
+                                  "the file at the next save."
+                                : "Another program wrote the geometry. Reloading finds your painted faces on "
+                                  "the new one, saved or "
+                                  "not, and lists what has no face any more; undo takes it back.");
+    const float width = 130 * scale;
+    align_buttons(2, width);
+    if (ui::button("Keep mine", nullptr, true, {width, 0})) answer_reload(editor, ReloadChoice::keep);
+    ImGui::SameLine();
+    if (ui::primary_button("Reload", true, {width, 0})) answer_reload(editor, ReloadChoice::reload);
+}
+
+}  // namespace slipface

@@ -1,0 +1,208 @@
+#include "slipface/sim/audit.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <mutex>
+
+#include "cli/format.h"
+#include "cli/verbs.h"
+#include "slipface/base/files.h"
+#include "slipface/base/parallel.h"
+#include "slipface/base/text.h"
+#include "slipface/level/level_file.h"
+
+namespace slipface::cli {
+namespace {
+
+struct AuditWords {
+    std::string level, speeds, shard, dt = "1/60", tapes, out;
+    std::uint32_t walkers = 100;
+    double seconds = 60.0;
+    std::uint64_t seed = 1;
+    int threads = 0;
+    std::vector<std::string> settings;
+    bool json = false, heat = false;
+};
+
+Result<AuditOptions> audit_options(const AuditWords& words) {
+    AuditOptions options;
+    options.walkers = words.walkers;
+    options.duration_s = words.seconds;
+    options.seed = words.seed;
+    options.heat = words.heat;
+    options.dt_text = words.dt;
+    const std::size_t slash = words.dt.find('/');
+    const auto over = parse_double(words.dt.substr(0, slash));
+    const auto under =
+        slash == std::string::npos ? std::optional(1.0) : parse_double(words.dt.substr(slash + 1));
+    if (!over || !under || *under == 0.0)
+        return Error{"--dt", fmt::format("found {}, expected seconds such as 1/60 or 0.02", words.dt)};
+    options.dt = *over / *under;
+    if (!words.speeds.empty()) {
+        for (const std::string_view part : split(words.speeds, ',')) {
+            const auto speed = parse_double(trim(part));
+            if (!speed)
+                return Error{"--speeds", fmt::format("found {}, expected numbers as 6,20,60", words.speeds)};
+            options.speeds.push_back(*speed);
+        }
+    }
+    if (!words.shard.empty()) {
+        const auto parts = split(words.shard, '/');
+        const auto index = parse_int(parts[0]);
+        const auto count = parts.size() == 2 ? parse_int(parts[1]) : std::nullopt;
+        if (!index || !count || *index < 0 || *count < 1 || *index >= *count || *count > 100'000)
+            return Error{"--shard",
+                         fmt::format("found {}, expected INDEX/COUNT, the index from 0", words.shard)};
+        options.shard = {static_cast<std::uint32_t>(*index), static_cast<std::uint32_t>(*count)};
+    }
+    return options;
+}
+
+Status write_tapes(const std::filesystem::path& folder, const Level& level, const AuditOptions& options,
+                   const AuditReport& report) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    for (const AuditFinding& finding : report.findings) {
+        const std::string name =
+            fmt::format("{}-{}-{}-{}.tape", level.mesh_path.stem().string(),
+                        finding_names[static_cast<std::size_t>(finding.kind)], finding.walker, finding.life);
+        const std::string text = tape_to_text(audit_tape(level, options, finding));
+        if (Status status = write_file_atomic(folder / name, text); !status.ok()) return status;
+    }
+    return {};
+}
+
+void print_audit(const AuditReport& report, double seconds, std::ostream& out) {
+    print_row(out, "level", fmt::format("{}, {}", report.level_name, report.closed ? "closed" : "open"));
+    print_row(out, "walkers",
+              fmt::format("{} of {} s at {} s a step, seed {}", report.walkers, report.duration_s,
+                          report.dt_text, report.seed));
+    if (report.shards.size() < report.shard_count)
+        print_row(out, "shards", fmt::format("{} of {}", report.shards.size(), report.shard_count));
+    print_row(out, "steps", fmt::format("{}", report.steps));
+    if (seconds > 0.0)
+        print_row(out, "rate",
+                  fmt::format("{:.0f} steps a second", static_cast<double>(report.steps) / seconds));
+    for (std::size_t kind = 0; kind < finding_names.size(); ++kind)
+        print_row(out, finding_names[kind], fmt::format("{}", report.counts[kind]));
+    print_row(out, "hazards", fmt::format("{}", report.hazards));
+    if (!report.closed) print_row(out, "left", fmt::format("{}", report.left));
+    print_row(out, "hash", hash_text(report.hash));
+    if (report.findings.empty()) return;
+    out << "\nfindings\n";
+    for (const AuditFinding& finding : report.findings) {
+        out << fmt::format("  {:<8} walker {} life {} tick {}  at {}{}\n",
+                           finding_names[static_cast<std::size_t>(finding.kind)], finding.walker,
+                           finding.life, finding.tick, vector_text(finding.position),
+                           finding.face == no_id ? "" : fmt::format("  face {}", finding.face));
+    }
+}
+
+// The report to `out`, or to a file; a clean one is fine.
+int deliver(const AuditReport& report, bool json, const std::string& file, double seconds) {
+    const std::string text = audit_to_json(report);
+    if (!file.empty()) {
+        if (const Status status = write_file_atomic(file, text); !status.ok()) {
+            print_error(std::cerr, status.error());
+            return exit_bad_input;
+        }
+    }
+    json ? void(std::cout << text) : print_audit(report, seconds, std::cout);
+    return report.clean() ? exit_fine : exit_check_failed;
+}
+
+int run(const AuditWords& words) {
+    Result<AuditOptions> options = audit_options(words);
+    if (!options) return print_error(std::cerr, options.error()), exit_bad_usage;
+    Result<LoadedLevel> loaded = load_level(words.level);
+    if (!loaded) return print_error(std::cerr, loaded.error()), exit_bad_input;
+    print_warnings(std::cerr, loaded->warnings);
+    for (const std::string& assignment : words.settings) {
+        if (const Status status = set_setting(loaded->level.movement, assignment); !status.ok())
+            return print_error(std::cerr, {"--set " + assignment, status.error().message}), exit_bad_input;
+    }
+    std::optional<ThreadLimit> limit;
+    if (words.threads > 0) limit.emplace(words.threads);
+    const auto begin = std::chrono::steady_clock::now();
+    const Result<AuditReport> report = run_audit(loaded->level, *options);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (!report) return print_error(std::cerr, report.error()), exit_bad_input;
+    if (!words.tapes.empty()) {
+        if (const Status status = write_tapes(words.tapes, loaded->level, *options, *report); !status.ok())
+            return print_error(std::cerr, status.error()), exit_bad_input;
+    }
+    return deliver(*report, words.json, words.out, seconds);
+}
+
+int merge(const std::vector<std::string>& files, const AuditWords& words) {
+    std::vector<AuditReport> parts;
+    for (const std::string& file : files) {
+        const Result<std::string> text = read_file(file);
+        if (!text) return print_error(std::cerr, text.error()), exit_bad_input;
+        Result<AuditReport> part = audit_from_json(*text, file);
+        if (!part) return print_error(std::cerr, part.error()), exit_bad_input;
+        parts.push_back(std::move(*part));
+    }
+    const Result<AuditReport> whole = merge_audits(parts);
+    if (!whole) return print_error(std::cerr, whole.error()), exit_bad_input;
+    return deliver(*whole, words.json, words.out, 0.0);
+}
+
+int guarded(const std::function<int()>& body) {
+    try {
+        return body();
+    } catch (const std::exception& error) {
+        return print_error(std::cerr, {"", error.what()}), exit_bad_input;
+    }
+}
+
+void add_report_options(CLI::App& verb, AuditWords& words) {
+    verb.add_flag("--json", words.json, "Print JSON: the same bytes for any number of threads and shards");
+    verb.add_option("--out", words.out, "Write the JSON to a file, too")->type_name("FILE");
+}
+
+}  // namespace
+
+void add_audit_verb(CLI::App& app, int& exit_code) {
+    CLI::App* verb =
+        app.add_subcommand("audit", "Let random walkers try to leave, enter or stick in a level");
+    auto words = std::make_shared<AuditWords>();
+    CLI::Option* level = verb->add_option("LEVEL", words->level, "OBJ or level file");
+    verb->add_option("--walkers", words->walkers, "How many")->capture_default_str();
+    verb->add_option("--seconds", words->seconds, "Simulated time of each")->capture_default_str();
+    verb->add_option("--seed", words->seed, "Another seed, other walks")->capture_default_str();
+    verb->add_option("--speeds", words->speeds, "Running speeds in m/s, taken in turn; else the level's")
+        ->type_name("6,20,60");
+    verb->add_option("--dt", words->dt, "Seconds a step")->capture_default_str();
+    verb->add_option("--set", words->settings, "Change a movement setting; may be repeated")
+        ->type_name("name=value")
+        ->allow_extra_args(false);
+    verb->add_option("--threads", words->threads, "At most this many; 0: as many as there are")
+        ->check(CLI::Range(0, 4096));
+    verb->add_option("--shard", words->shard, "Only this part of the walkers, from 0/N to N-1/N")
+        ->type_name("I/N");
+    verb->add_option("--tapes", words->tapes, "Folder for a tape of each finding")->type_name("FOLDER");
+    verb->add_flag("--heat", words->heat, "Add up what happened on each face");
+    add_report_options(*verb, *words);
+
+    CLI::App* merge_verb = verb->add_subcommand("merge", "Put the reports of all shards together");
+    auto files = std::make_shared<std::vector<std::string>>();
+    auto merge_words = std::make_shared<AuditWords>();
+    merge_verb->add_option("REPORTS", *files, "JSON reports")->required();
+    add_report_options(*merge_verb, *merge_words);
+
+    merge_verb->callback([files, merge_words, &exit_code] {
+        exit_code = guarded([&] { return merge(*files, *merge_words); });
+    });
+    verb->callback([verb, level, words, &exit_code] {
+        if (!verb->get_subcommands().empty()) return;
+        if (level->count() == 0) throw CLI::RequiredError("LEVEL");
+        exit_code = guarded([&] { return run(*words); });
+    });
+}
+
+}  // namespace slipface::cli

@@ -1,0 +1,65 @@
+#include "slipface/doctor/doctor.h"
+
+#include <fmt/format.h>
+
+#include "cli/format.h"
+#include "cli/verbs.h"
+#include "slipface/level/level_file.h"
+
+namespace slipface::cli {
+namespace {
+
+void print_doctor_json(const DoctorReport& report, std::ostream& out) {
+    OutputJson json;
+    json["problems"] = report.total();
+    json["counts"] = OutputJson::object();
+    for (const ProblemKindInfo& kind : problem_kinds())
+        json["counts"][kind.name] = report.count(kind.kind);
+    json["list"] = OutputJson::array();
+    for (const Problem& problem : report.problems) {
+        OutputJson row{{"kind", info_of(problem.kind).name}, {"text", problem.text}};
+        row["face"] = problem.face == no_id ? OutputJson(nullptr) : OutputJson(problem.face);
+        row["other"] = problem.other == no_id ? OutputJson(nullptr) : OutputJson(problem.other);
+        row["place"] = vector_json(problem.place);
+        json["list"].push_back(std::move(row));
+    }
+    print_json(out, json);
+}
+
+void print_doctor_text(const DoctorReport& report, std::ostream& out) {
+    constexpr std::size_t most_shown = 20;
+    for (const ProblemKindInfo& kind : problem_kinds()) {
+        const std::size_t count = report.count(kind.kind);
+        if (count == 0) continue;
+        out << fmt::format("{}: {}\n  {}\n", kind.label, count, kind.meaning);
+        std::size_t shown = 0;
+        for (const Problem& problem : report.problems) {
+            if (problem.kind != kind.kind || ++shown > most_shown) continue;
+            const std::string where = problem.face == no_id ? "" : fmt::format("face {}, ", problem.face);
+            out << fmt::format("    {}at {}: {}\n", where, vector_text(problem.place), problem.text);
+        }
+        if (count > most_shown)
+            out << fmt::format("    and {} more; --json lists up to {}\n", count - most_shown,
+                               DoctorReport::most_listed);
+        out << fmt::format("  {}\n", kind.remedy);
+    }
+    const std::size_t total = report.total();
+    out << (total == 0 ? std::string("No problems found\n")
+                       : fmt::format("{} problem{}\n", total, total == 1 ? "" : "s"));
+}
+
+}  // namespace
+
+int run_doctor(const DoctorOptions& options, std::ostream& out, std::ostream& err) {
+    const Result<LoadedLevel> loaded = load_level(options.level);
+    if (!loaded) {
+        print_error(err, loaded.error());
+        return exit_bad_input;
+    }
+    print_warnings(err, loaded->warnings);
+    const DoctorReport report = examine(loaded->level);
+    options.json ? print_doctor_json(report, out) : print_doctor_text(report, out);
+    return report.total() == 0 ? exit_fine : exit_check_failed;
+}
+
+}  // namespace slipface::cli

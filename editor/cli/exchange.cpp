@@ -1,0 +1,155 @@
+// Verbs that exchange files with other programs: import, bake, export.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "cli/format.h"
+#include "cli/verbs.h"
+#include "slipface/exchange/bake.h"
+#include "slipface/exchange/export.h"
+#include "slipface/exchange/rules.h"
+
+namespace slipface::cli {
+namespace {
+
+int fail(std::ostream& err, const Error& error) {
+    print_error(err, error);
+    return exit_bad_input;
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+    return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::optional<std::filesystem::path> given(const std::string& word) {
+    return word.empty() ? std::nullopt : std::optional<std::filesystem::path>(word);
+}
+
+void add_bake(CLI::App& app, int& exit_code) {
+    CLI::App* verb =
+        app.add_subcommand("bake", "Write painted types into the material names of a level's OBJ file");
+    auto level = std::make_shared<std::string>();
+    verb->add_option("LEVEL", *level, "OBJ or level file")->required();
+    verb->callback([level, &exit_code] { exit_code = run_bake(*level, std::cout, std::cerr); });
+}
+
+void add_export(CLI::App& app, int& exit_code) {
+    CLI::App* verb = app.add_subcommand("export", "Write a level with its types for other programs");
+    struct Words {
+        std::string level, obj, gltf, flat;
+    };
+    auto words = std::make_shared<Words>();
+    verb->add_option("LEVEL", words->level, "Level file, OBJ or other geometry")->required();
+    auto* targets = verb->add_option_group("targets", "At least one of");
+    targets->add_option("--obj", words->obj, "OBJ and MTL, types in material names")->type_name("OUT.obj");
+    targets->add_option("--gltf", words->gltf, "glTF 2.0, types in extras")->type_name("OUT.gltf|OUT.glb");
+    targets->add_option("--flat", words->flat, "Triangles and a type each, for games")->type_name("OUT");
+    targets->require_option(1, 3);
+    verb->callback([words, &exit_code] {
+        const ExportOptions options{words->level, given(words->obj), given(words->gltf), given(words->flat)};
+        exit_code = run_export(options, std::cout, std::cerr);
+    });
+}
+
+void add_import(CLI::App& app, int& exit_code) {
+    CLI::App* verb = app.add_subcommand(
+        "import", "Take material rules from other programs, and the scale and up axis of a level's geometry");
+    struct Words {
+        std::string level, up;
+        std::vector<std::string> rules;
+        double scale = 1.0;
+    };
+    auto words = std::make_shared<Words>();
+    verb->add_option("LEVEL", words->level, "Level file, OBJ or other geometry")->required();
+    verb->add_option("--rules", words->rules,
+                     "Quake 3 shaders or map, another level file, or lines PATTERN TYPE; may be repeated")
+        ->type_name("FILE.shader|.bsp|.json|.txt")
+        ->allow_extra_args(false);
+    CLI::Option* scale = verb->add_option("--scale", words->scale, "Metres a unit of the geometry's file")
+                             ->check(CLI::Range(smallest_import_scale, largest_import_scale));
+    verb->add_option("--up", words->up, "Upward axis of the geometry's file")
+        ->check(CLI::IsMember({"y", "z"}));
+    verb->callback([words, scale, &exit_code] {
+        ImportVerbOptions options;
+        options.level = words->level;
+        options.rules.assign(words->rules.begin(), words->rules.end());
+        if (scale->count() > 0) options.scale = words->scale;
+        if (!words->up.empty()) options.up = words->up == "z" ? UpAxis::z : UpAxis::y;
+        exit_code = run_import(options, std::cout, std::cerr);
+    });
+}
+
+}  // namespace
+
+int run_bake(const std::filesystem::path& path, std::ostream& out, std::ostream& err) {
+    const Result<LoadedLevel> loaded = load_level(path);
+    if (!loaded) return fail(err, loaded.error());
+    print_warnings(err, loaded->warnings);
+    const Result<Baked> baked = bake_level(loaded->level);
+    if (!baked) return fail(err, baked.error());
+    if (baked->faces > 0) {
+        if (const Status status = save_level(baked->after.level); !status) return fail(err, status.error());
+    }
+    out << baked->text() << '\n';
+    return exit_fine;
+}
+
+int run_export(const ExportOptions& options, std::ostream& out, std::ostream& err) {
+    const Result<LoadedLevel> loaded = load_level(options.level);
+    if (!loaded) return fail(err, loaded.error());
+    print_warnings(err, loaded->warnings);
+    struct Target {
+        const std::optional<std::filesystem::path>& path;
+        Status (*write)(const Level&, const std::filesystem::path&);
+    };
+    for (const Target& target : {Target{options.obj, export_obj}, Target{options.gltf, export_gltf},
+                                 Target{options.flat, export_flat}}) {
+        if (!target.path) continue;
+        if (const Status status = target.write(loaded->level, *target.path); !status)
+            return fail(err, status.error());
+        out << target.path->string() << '\n';
+    }
+    return exit_fine;
+}
+
+int run_import(const ImportVerbOptions& options, std::ostream& out, std::ostream& err) {
+    Result<LoadedLevel> loaded = load_level(options.level);
+    if (!loaded) return fail(err, loaded.error());
+    print_warnings(err, loaded->warnings);
+    ImportTransform transform = loaded->level.import_transform;
+    transform.scale = options.scale.value_or(transform.scale);
+    transform.up = options.up.value_or(transform.up);
+    if (transform != loaded->level.import_transform) {
+        loaded = reload_mesh(loaded->level, transform);
+        if (!loaded) return fail(err, loaded.error());
+    }
+    Level& level = loaded->level;
+    AddedRules total;
+    for (const std::filesystem::path& file : options.rules) {
+        const Result<ImportedRules> rules = read_rules(file);
+        if (!rules) return fail(err, rules.error());
+        print_warnings(err, rules->warnings);
+        const Result<AddedRules> added = add_rules(level, *rules);
+        if (!added) return fail(err, added.error());
+        total.types += added->types;
+        total.rules += added->rules;
+    }
+    if (const Status status = save_level(level); !status) return fail(err, status.error());
+    const ResolvedSurfaces resolved = resolve_surfaces(level);
+    const auto by_rule = static_cast<std::size_t>(
+        std::count(resolved.source.begin(), resolved.source.end(), SurfaceSource::rule));
+    out << fmt::format("{} and {} added; {} now have a type by a rule\n{}\n",
+                       counted(total.rules, "rule", "rules"), counted(total.types, "type", "types"),
+                       counted(by_rule, "face", "faces"), level.file_path.string());
+    return exit_fine;
+}
+
+void add_exchange_verbs(CLI::App& app, int& exit_code) {
+    add_import(app, exit_code);
+    add_bake(app, exit_code);
+    add_export(app, exit_code);
+}
+
+}  // namespace slipface::cli

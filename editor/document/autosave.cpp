@@ -1,0 +1,341 @@
+#include "document/autosave.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+#include <utility>
+
+#include "slipface/base/files.h"
+#include "slipface/base/hash.h"
+#include "slipface/base/text.h"
+
+namespace slipface {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view first_line = "slipface-autosave 1";
+constexpr std::string_view extension = ".autosave";
+constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
+constexpr std::size_t most_steps = 50;
+
+std::uint64_t hash_of(std::string_view text) {
+    Hasher hasher;
+    hasher.text(text);
+    return hasher.value();
+}
+
+// Names may hold any byte but line ends.
+std::string one_line(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\0'; }, ' ');
+    return text;
+}
+
+std::vector<std::string> unsaved_steps(const Document& document) {
+    std::vector<std::string> names;
+    const std::size_t first = std::min(document.saved_cursor().value_or(0), document.history_cursor());
+    for (std::size_t i = first; i < document.history_cursor(); ++i)
+        if (document.history()[i].changes_file()) names.push_back(document.history()[i].name);
+    if (names.size() > most_steps)
+        names.erase(names.begin(), names.end() - static_cast<std::ptrdiff_t>(most_steps));
+    return names;
+}
+
+// SESSION-LEVELHASH-NUMBER.autosave
+struct NameParts {
+    std::string session, level;
+    std::uint64_t number = 0;
+};
+std::optional<NameParts> parts_of(const fs::path& file) {
+    if (file.extension() != extension) return std::nullopt;
+    const std::string stem = file.stem().string();
+    const auto words = split(stem, '-');
+    if (words.size() != 3) return std::nullopt;
+    const std::optional<std::int64_t> number = parse_int(words[2]);
+    if (!number || *number < 0) return std::nullopt;
+    return NameParts{std::string(words[0]), std::string(words[1]), static_cast<std::uint64_t>(*number)};
+}
+
+// The autosaves of the folder by session and level, oldest first. What is no autosave is passed over.
+std::map<std::pair<std::string, std::string>, std::map<std::uint64_t, fs::path>> autosaves_in(
+    const fs::path& folder) {
+    std::map<std::pair<std::string, std::string>, std::map<std::uint64_t, fs::path>> found;
+    std::error_code error;
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+        std::error_code unreadable;
+        if (!it->is_regular_file(unreadable) || unreadable) continue;
+        if (const auto parts = parts_of(it->path()))
+            found[{parts->session, parts->level}][parts->number] = it->path();
+    }
+    return found;
+}
+
+// A handle that holds the lock, or -1 if somebody else does.
+int take_lock(const fs::path& file, bool create) {
+    const int handle = ::open(file.c_str(), O_RDWR | O_CLOEXEC | (create ? O_CREAT : 0), 0600);
+    if (handle < 0) return -1;
+    if (::flock(handle, LOCK_EX | LOCK_NB) == 0) return handle;
+    ::close(handle);
+    return -1;
+}
+
+Status write_verified(const fs::path& file, const std::string& text) {
+    if (const Status status = write_file_atomic(file, text); !status) return status;
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(file, error);
+    if (error || size != text.size())
+        return Error{file.string(), "was written, but has not the length that it should have"};
+    return {};
+}
+
+}  // namespace
+
+std::string autosave_text(const Autosave& autosave) {
+    const AutosaveInfo& info = autosave.info;
+    std::string text =
+        fmt::format("{}\nmesh {}\nlevel {}\nwritten {}\n", first_line, one_line(info.mesh_path.string()),
+                    one_line(info.level_path.string()), info.written_s);
+    for (const std::string& step : info.steps)
+        text += "step " + one_line(step) + "\n";
+    return text + fmt::format("bytes {} {:016x}\n", autosave.json.size(), hash_of(autosave.json)) +
+           autosave.json;
+}
+
+Result<Autosave> parse_autosave(std::string_view text, const std::string& place) {
+    const auto bad = [&](int line, const std::string& what) {
+        return Error{fmt::format("{}:{}", place, line), what};
+    };
+    Autosave autosave;
+    for (int number = 1;; ++number) {
+        const std::size_t end = text.find('\n');
+        if (end == std::string_view::npos) return bad(number, "the header is cut short");
+        const std::string_view line = text.substr(0, end);
+        text.remove_prefix(end + 1);
+        if (number == 1) {
+            if (line != first_line) return bad(1, "this is no autosave; expected " + std::string(first_line));
+            continue;
+        }
+        const std::size_t space = line.find(' ');
+        const std::string_view key = line.substr(0, space);
+        const std::string value(space == std::string_view::npos ? "" : line.substr(space + 1));
+        if (key == "mesh") autosave.info.mesh_path = value;
+        if (key == "level") autosave.info.level_path = value;
+        if (key == "step") autosave.info.steps.push_back(value);
+        if (key == "written") autosave.info.written_s = parse_int(value).value_or(0);
+        if (key != "bytes") continue;
+        if (value != fmt::format("{} {:016x}", text.size(), hash_of(text)))
+            return bad(number, "what follows is cut short or changed");
+        break;
+    }
+    if (autosave.info.mesh_path.empty()) return bad(2, "no line says which mesh it belongs to");
+    autosave.json = text;
+    return autosave;
+}
+
+Result<Autosave> read_autosave(const fs::path& file) {
+    const Result<std::string> text = read_file(file, most_bytes);
+    if (!text) return text.error();
+    Result<Autosave> autosave = parse_autosave(*text, file.string());
+    if (autosave) autosave->info.file = file;
+    return autosave;
+}
+
+AutosaveSession::AutosaveSession(fs::path folder, Timing timing)
+    : folder_(std::move(folder)), timing_(timing) {
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    std::random_device random;
+    for (int attempt = 0; attempt < 8 && lock_ < 0; ++attempt) {
+        name_ = fmt::format("{:08x}{:08x}", random(), random());
+        lock_ = take_lock(folder_ / (name_ + ".lock"), true);
+    }
+}
+
+AutosaveSession::AutosaveSession(AutosaveSession&& other) noexcept {
+    *this = std::move(other);
+}
+
+AutosaveSession& AutosaveSession::operator=(AutosaveSession&& other) noexcept {
+    std::swap(folder_, other.folder_);
+    std::swap(timing_, other.timing_);
+    std::swap(name_, other.name_);
+    std::swap(lock_, other.lock_);
+    std::swap(number_, other.number_);
+    std::swap(written_, other.written_);
+    std::swap(writing_, other.writing_);
+    std::swap(last_, other.last_);
+    std::swap(seen_revision_, other.seen_revision_);
+    std::swap(saved_revision_, other.saved_revision_);
+    std::swap(first_change_s_, other.first_change_s_);
+    std::swap(last_change_s_, other.last_change_s_);
+    return *this;
+}
+
+AutosaveSession::~AutosaveSession() {
+    static_cast<void>(finish());
+    if (lock_ < 0) return;
+    // An orderly end: what is left was not wanted.
+    for (const auto& [key, files] : autosaves_in(folder_)) {
+        std::error_code ignored;
+        if (key.first != name_) continue;
+        for (const auto& [number, file] : files)
+            fs::remove(file, ignored);
+    }
+    std::error_code ignored;
+    fs::remove(folder_ / (name_ + ".lock"), ignored);
+    ::close(lock_);
+}
+
+void AutosaveSession::abandon() {
+    static_cast<void>(finish());
+    if (lock_ >= 0) ::close(std::exchange(lock_, -1));
+}
+
+std::string AutosaveSession::file_name(const fs::path& mesh_path, std::uint64_t number) const {
+    return fmt::format("{}-{:016x}-{}{}", name_, hash_of(mesh_path.string()), number, extension);
+}
+
+std::optional<double> AutosaveSession::due_in(const Document& document, double now_s) const {
+    if (!active() || !document.dirty()) return std::nullopt;
+    if (writing_.valid()) return 0.1;
+    if (document.revision() != seen_revision_) return 0.0;
+    if (!first_change_s_) return std::nullopt;
+    const double due = std::min(*last_change_s_ + timing_.quiet_s, *first_change_s_ + timing_.longest_s);
+    return std::max(document.in_transaction() ? 0.1 : 0.0, due - now_s);
+}
+
+void AutosaveSession::tick(const Document& document, double now_s) {
+    if (!active()) return;
+    if (writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+        static_cast<void>(finish());
+    if (document.revision() != seen_revision_) {
+        seen_revision_ = document.revision();
+        if (document.dirty() && seen_revision_ != saved_revision_) {
+            last_change_s_ = now_s;
+            if (!first_change_s_) first_change_s_ = now_s;
+        }
+    }
+    if (!document.dirty()) first_change_s_.reset();
+    if (!first_change_s_ || writing_.valid() || document.in_transaction()) return;
+    if (now_s < std::min(*last_change_s_ + timing_.quiet_s, *first_change_s_ + timing_.longest_s)) return;
+
+    first_change_s_.reset();
+    saved_revision_ = document.revision();
+    const Level level = document.snapshot();
+    AutosaveInfo info;
+    std::error_code ignored;
+    info.mesh_path = fs::absolute(level.mesh_path, ignored);
+    info.level_path = fs::absolute(level.file_path, ignored);
+    info.written_s =
+        std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch())
+            .count();
+    info.steps = unsaved_steps(document);
+    // A name that something else has taken is passed over.
+    do {
+        info.file = folder_ / file_name(info.mesh_path, number_++);
+    } while (fs::exists(info.file, ignored));
+    writing_ = std::async(std::launch::async, [level, info] {
+        return write_verified(info.file, autosave_text({info, level_to_json(level)}));
+    });
+    ++written_;
+    rotate(info.mesh_path);
+}
+
+// Only this session's own; the newest, being written just now, is not there yet.
+void AutosaveSession::rotate(const fs::path& mesh_path) {
+    const std::string level = fmt::format("{:016x}", hash_of(mesh_path.string()));
+    const auto all = autosaves_in(folder_);
+    const auto found = all.find({name_, level});
+    if (found == all.end()) return;
+    std::size_t surplus =
+        found->second.size() >= kept_for_each_level ? found->second.size() - kept_for_each_level + 1 : 0;
+    for (const auto& [number, file] : found->second) {
+        if (surplus-- == 0) break;
+        std::error_code ignored;
+        fs::remove(file, ignored);
+    }
+}
+
+Status AutosaveSession::finish() {
+    if (writing_.valid()) last_ = writing_.get();
+    return last_;
+}
+
+void AutosaveSession::forget(const Document& document) {
+    if (!active()) return;
+    static_cast<void>(finish());
+    first_change_s_.reset();
+    seen_revision_ = saved_revision_ = document.revision();
+    std::error_code ignored;
+    const std::string level =
+        fmt::format("{:016x}", hash_of(fs::absolute(document.level().mesh_path, ignored).string()));
+    for (const auto& [key, files] : autosaves_in(folder_)) {
+        if (key.first != name_ || key.second != level) continue;
+        for (const auto& [number, file] : files)
+            fs::remove(file, ignored);
+    }
+}
+
+std::vector<AutosaveInfo> AutosaveSession::recoverable() const {
+    std::vector<AutosaveInfo> found;
+    if (folder_.empty()) return found;
+    for (const auto& [key, files] : autosaves_in(folder_)) {
+        if (key.first == name_) continue;
+        const fs::path lock = folder_ / (key.first + ".lock");
+        std::error_code error;
+        if (fs::exists(lock, error)) {
+            const int handle = take_lock(lock, false);
+            if (handle < 0) continue;  // that session is running
+            ::close(handle);
+        }
+        // The newest that can be read; one that a power failure cut short has an older one behind it.
+        std::size_t older = files.size();
+        for (auto file = files.rbegin(); file != files.rend(); ++file) {
+            --older;
+            Result<Autosave> autosave = read_autosave(file->second);
+            if (!autosave) continue;
+            autosave->info.older = older;
+            found.push_back(std::move(autosave->info));
+            break;
+        }
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const AutosaveInfo& a, const AutosaveInfo& b) { return a.written_s > b.written_s; });
+    return found;
+}
+
+void AutosaveSession::discard(const AutosaveInfo& info) {
+    const auto parts = parts_of(info.file);
+    if (!parts || info.file.parent_path() != folder_) return;
+    std::error_code ignored;
+    bool others = false;
+    for (const auto& [key, files] : autosaves_in(folder_)) {
+        if (key.first != parts->session) continue;
+        if (key.second != parts->level) {
+            others = true;
+            continue;
+        }
+        for (const auto& [number, file] : files)
+            fs::remove(file, ignored);
+    }
+    if (!others) fs::remove(folder_ / (parts->session + ".lock"), ignored);
+}
+
+Result<std::unique_ptr<Document>> open_recovered(const Autosave& autosave, Progress* progress) {
+    const AutosaveInfo& info = autosave.info;
+    Result<std::unique_ptr<Document>> document = Document::open(info.mesh_path, progress);
+    if (!document) return document.error();
+    Result<LoadedLevel> level =
+        level_from_json(autosave.json, info.level_path.string(), (*document)->level().mesh);
+    if (!level) return level.error();
+    (*document)->restore(std::move(level->level), "Recover " + info.mesh_path.filename().string());
+    return document;
+}
+
+}  // namespace slipface

@@ -1,0 +1,47 @@
+// Work beside the window: one thread, one result, progress and a way to stop it.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <thread>
+
+#include "slipface/base/progress.h"
+
+namespace slipface {
+
+// Runs `work` in a thread of its own. Destroying it cancels and waits.
+template <class T>
+class Background {
+  public:
+    // `done` is called from the thread when the result is there, to wake the window up; may be empty.
+    Background(std::function<T(Progress&)> work, std::function<void()> done)
+        : thread_([this, work = std::move(work), done = std::move(done)] {
+              T result = work(progress_);  // named: GCC 12 sees a temporary deleted that is not
+              result_.emplace(std::move(result));
+              ready_ = true;
+              if (done) done();
+          }) {}
+    ~Background() {
+        cancel();
+        if (thread_.joinable()) thread_.join();
+    }
+    Background(const Background&) = delete;
+    Background& operator=(const Background&) = delete;
+
+    const Progress& progress() const { return progress_; }
+    void cancel() { progress_.cancel(); }
+    bool ready() const { return ready_; }
+    T take() {  // waits if it is not ready; once
+        if (thread_.joinable()) thread_.join();
+        return std::move(*result_);
+    }
+
+  private:
+    Progress progress_;
+    std::atomic<bool> ready_ = false;
+    std::optional<T> result_;
+    std::thread thread_;
+};
+
+}  // namespace slipface

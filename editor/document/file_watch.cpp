@@ -1,0 +1,36 @@
+#include "document/file_watch.h"
+
+#include <sys/stat.h>
+
+namespace slipface {
+
+FileWatch::Stamp FileWatch::stamp_of(const std::filesystem::path& file) {
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0) return {};
+    return {static_cast<std::int64_t>(status.st_mtim.tv_sec) * 1000000000 + status.st_mtim.tv_nsec,
+            static_cast<std::uint64_t>(status.st_size), true};
+}
+
+void FileWatch::start(const std::filesystem::path& mesh, const std::filesystem::path& level_file) {
+    mesh_ = mesh;
+    level_ = level_file;
+    mesh_known_ = mesh_now_ = stamp_of(mesh_);
+    level_known_ = level_now_ = stamp_of(level_);
+    watching_ = true;
+    told_ = false;
+}
+
+bool FileWatch::poll() {
+    if (!watching_) return false;
+    const Stamp mesh = stamp_of(mesh_), level = stamp_of(level_);
+    const bool at_rest = mesh == mesh_now_ && level == level_now_;
+    if (!at_rest) told_ = false;
+    mesh_now_ = mesh;
+    level_now_ = level;
+    if (!at_rest || told_ || !mesh.there) return false;
+    if (mesh == mesh_known_ && level == level_known_) return false;
+    told_ = true;
+    return true;
+}
+
+}  // namespace slipface

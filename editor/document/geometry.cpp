@@ -1,0 +1,95 @@
+// Reading the level's geometry again, and putting orphans back on faces.
+#include <algorithm>
+#include <utility>
+
+#include "document/document.h"
+#include "document/faces.h"
+#include "slipface/exchange/bake.h"
+
+namespace slipface {
+
+Status Document::rebuild_geometry() {
+    Result<CollisionWorld> collision = build_collision_world(level_);
+    if (!collision) return collision.error();
+    collision_ = std::move(collision).value();
+    neighbours_ = face_neighbours(mesh());
+    facts_ = face_facts(mesh());
+    hidden_flags_.assign(mesh().face_count(), 0);
+    for (const FaceId face : hidden_)
+        hidden_flags_[face] = 1;
+    return {};
+}
+
+Status Document::reload(Progress* progress) {
+    Result<LoadedLevel> loaded = read_again(progress);
+    if (!loaded) return loaded.error();
+    return take_geometry(std::move(loaded).value(), "Reload " + level_.mesh_path.filename().string());
+}
+
+Status Document::set_import_transform(const ImportTransform& transform, Progress* progress) {
+    if (transform == level_.import_transform) return {};
+    Result<LoadedLevel> loaded = reload_mesh(level_, transform, progress);
+    if (!loaded) return loaded.error();
+    return take_geometry(std::move(loaded).value(), "Change scale and up axis");
+}
+
+Status Document::take_geometry(LoadedLevel loaded, std::string step_name) {
+    if (in_transaction())
+        return Error{level_.mesh_path.string(), "cannot be read again while a change is being made"};
+    Geometry before{level_.mesh,       level_.import_transform,
+                    level_.mesh_stamp, level_.overrides,
+                    level_.orphans,    selection_,
+                    hidden_,           saved_selections_,
+                    warnings_,         match_};
+    // What is selected, hidden or kept is for the moment: on another mesh it would have to be guessed.
+    const bool same_faces = loaded.level.mesh->face_first_corner == level_.mesh->face_first_corner &&
+                            loaded.level.mesh_stamp == level_.mesh_stamp;
+    Geometry after{std::move(loaded.level.mesh),
+                   loaded.level.import_transform,
+                   loaded.level.mesh_stamp,
+                   std::move(loaded.level.overrides),
+                   std::move(loaded.level.orphans),
+                   same_faces ? selection_ : std::vector<FaceId>(),
+                   same_faces ? hidden_ : std::vector<FaceId>(),
+                   same_faces ? saved_selections_ : std::vector<SavedSelection>(),
+                   std::move(loaded.warnings),
+                   loaded.match};
+    perform(std::move(step_name), GeometryEdit{std::move(before), std::move(after)});
+    return {};
+}
+
+Result<std::string> Document::bake() {
+    if (in_transaction())
+        return Error{level_.mesh_path.string(), "cannot be written while a change is being made"};
+    Result<Baked> baked = bake_level(level_);
+    if (!baked) return baked.error();
+    std::string text = baked->text();
+    if (baked->faces == 0) return text;
+    if (Status status = take_geometry(std::move(baked->after), "Bake types into materials"); !status)
+        return status.error();
+    if (Status status = save(); !status) return status.error();
+    return text;
+}
+
+Status Document::attach_orphan(std::size_t orphan, std::span<const FaceId> faces) {
+    const std::string place = level_.file_path.string();
+    if (orphan >= level_.orphans.size()) return Error{place, "there is no such orphan"};
+    const std::string type = level_.orphans[orphan].type;
+    const std::optional<SurfaceId> surface = find_surface(level_, type);
+    if (!surface) return Error{place, "the orphan's type \"" + type + "\" does not exist: add it first"};
+    if (faces.empty()) return Error{place, "no faces are selected to take the orphan's type"};
+    Transaction transaction(*this, "Attach orphan");
+    paint(faces, surface);
+    drop_orphan(orphan);
+    transaction.commit();
+    return {};
+}
+
+void Document::drop_orphan(std::size_t orphan) {
+    if (orphan >= level_.orphans.size()) return;
+    std::vector<Orphan> orphans = level_.orphans;
+    orphans.erase(orphans.begin() + static_cast<std::ptrdiff_t>(orphan));
+    perform("Drop orphan", OrphansEdit{level_.orphans, std::move(orphans)});
+}
+
+}  // namespace slipface

@@ -1,0 +1,142 @@
+// Random walkers in the level: run them, see where they lose speed and stand still, open what they found.
+#include <fmt/format.h>
+
+#include "panels/panels.h"
+#include "panels/property_rows.h"
+#include "tools/audit_job.h"
+#include "tools/icons.h"
+#include "tools/lab_actions.h"
+#include "widgets/theme.h"
+#include "widgets/ui.h"
+
+namespace slipface {
+namespace {
+
+struct HeatText {
+    const char* meaning;
+    const char* unit;
+};
+constexpr HeatText heat_texts[] = {
+    {"Speed that contacts with a face took away, all walkers together", "m/s"},
+    {"Ticks on a face in which a walker hardly moved although it was asked to", "ticks"},
+    {"Ticks of falling close above a face without finding ground", "ticks"},
+    {"Ticks that walkers spent on a face", "ticks"},
+    {"Faces flat enough to stand on where no walker ever was", ""},
+};
+
+void start_row(Editor& editor) {
+    static AuditSettings wanted;
+    if (editor.audit) wanted = editor.audit->settings;
+    double walkers = wanted.walkers, seed = wanted.seed;
+    if (begin_property_rows("audit", label_width_of("Duration"))) {
+        property_row("Walkers", "How many walk, each its own way", false);
+        if (number_slider("Walkers", &walkers, 1, 2000, "", "How many walk, each its own way", true))
+            wanted.walkers = static_cast<int>(walkers);
+        ImGui::TableNextColumn();
+        property_row("Duration", "Simulated time of each walker", false);
+        number_slider("Duration", &wanted.duration_s, 1, 600, "s", "Simulated time of each walker");
+        ImGui::TableNextColumn();
+        property_row("Seed", "Another seed, other ways; the same seed, the same bits", false);
+        if (number_slider("Seed", &seed, 1, 1000, "", "Another seed, other ways", true))
+            wanted.seed = static_cast<int>(seed);
+        ImGui::TableNextColumn();
+        end_property_rows();
+    }
+    if (ui::button("Run audit", "Send the walkers through the level; you can go on working meanwhile")) {
+        editor.audit = AuditJob::start(*editor.document, wanted);
+    }
+    if (editor.audit) editor.audit->settings = wanted;
+}
+
+void progress(Editor& editor, FrameContext& frame) {
+    const double share = editor.audit->progress();
+    ImGui::ProgressBar(static_cast<float>(share), {-1.0f, 0.0f},
+                       fmt::format("{:.0f} %", 100.0 * share).c_str());
+    if (ui::button("Cancel", "End it now; what was found until then is shown")) editor.audit->cancel();
+    frame.animating = true;
+}
+
+void heat_rows(Editor& editor) {
+    AuditJob& job = *editor.audit;
+    ui::heading("Heat map");
+    ui::checkbox("Show", &job.show_heat, "Colour the faces, from violet for a little to yellow for the most");
+    int kind = static_cast<int>(job.kind);
+    ImGui::SetNextItemWidth(-1.0f);
+    if (ui::combo("##Kind", &kind, heat_names.data(), static_cast<int>(heat_names.size()),
+                  heat_texts[kind].meaning))
+        job.kind = static_cast<HeatKind>(kind);
+    if (job.kind == HeatKind::unreached) {
+        std::size_t count = 0;
+        for (const float share : job.heat(*editor.document, job.kind))
+            count += share > 0.0f;
+        ui::muted_text(fmt::format("{} faces", count).c_str());
+    } else {
+        ui::muted_text(
+            fmt::format("Most on one face: {:.0f} {}", job.worst(job.kind), heat_texts[kind].unit).c_str());
+    }
+    ui::muted_text(heat_texts[kind].meaning);
+}
+
+void finding_rows(Editor& editor) {
+    AuditJob& job = *editor.audit;
+    const AuditReport& report = *job.report();
+    ui::heading("Findings");
+    if (report.findings.empty()) {
+        ImGui::TextColored(ui::palette().good, "None");
+        return;
+    }
+    const ui::Scope scope("Finding");
+    std::optional<std::size_t> wanted;
+    constexpr std::size_t most = 200;
+    for (std::size_t i = 0; i < std::min(most, report.findings.size()); ++i) {
+        const AuditFinding& finding = report.findings[i];
+        const std::string text = fmt::format(
+            "{}: walker {}, tick {}, face {}",
+            sentence_case(finding_names[static_cast<std::size_t>(finding.kind)]), finding.walker,
+            finding.tick, finding.face == no_id ? std::string("none") : std::to_string(finding.face));
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::Selectable(text.c_str(), job.opened == i)) wanted = i;
+        ui::record_last_item(std::to_string(i + 1), true, job.opened == i);
+        ui::tooltip("Open the walker's run at the tick before it went wrong");
+        ImGui::PopID();
+    }
+    if (report.findings.size() > most)
+        ui::muted_text(fmt::format("and {} more", report.findings.size() - most).c_str());
+    if (wanted) open_finding(editor, *wanted);
+}
+
+}  // namespace
+
+void audit_panel(Editor& editor, FrameContext& frame) {
+    settle_live_edit(editor);
+    if (!editor.document) return;
+    const ui::Scope scope("Audit");
+    if (editor.audit && editor.audit->running()) {
+        progress(editor, frame);
+        return;
+    }
+    start_row(editor);
+    if (!editor.audit || editor.audit->running()) return;
+    AuditJob& job = *editor.audit;
+    if (!job.report()) {
+        ImGui::PushTextWrapPos(0.0f);
+        ImGui::TextColored(ui::palette().bad, "%s", job.problem().c_str());
+        ImGui::PopTextWrapPos();
+        return;
+    }
+    const AuditReport& report = *job.report();
+    ui::heading("Result");
+    fact("Steps", std::to_string(report.steps));
+    for (std::size_t i = 0; i < finding_names.size(); ++i)
+        fact(sentence_case(finding_names[i]).c_str(), std::to_string(report.counts[i]));
+    fact("Hazards", std::to_string(report.hazards));
+    if (report.cancelled) ui::muted_text("Cancelled before the end");
+    if (!job.fits(*editor.document))
+        ui::muted_text("The level was changed since; run it again for its heat map");
+    else
+        heat_rows(editor);
+    finding_rows(editor);
+    if (ui::button("Clear", "Take the heat map and the findings away")) run_command(editor, "audit.clear");
+}
+
+}  // namespace slipface

@@ -1,0 +1,188 @@
+// The tape under several settings at once, where they part, and the same route at other rates.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "panels/lab_track.h"
+#include "panels/property_rows.h"
+#include "tools/icons.h"
+#include "tools/lab_actions.h"
+#include "widgets/theme.h"
+#include "widgets/ui.h"
+
+namespace slipface {
+namespace {
+
+std::string distance_text(double metres) {
+    return metres < 1.0 ? fmt::format("{:.1f} mm", metres * 1000.0) : fmt::format("{:.2f} m", metres);
+}
+
+void settings_tooltip(const LabRun& run, const LabRun& recorded) {
+    std::string text;
+    for (const std::string& change : setting_changes(recorded.settings, run.settings))
+        text += (text.empty() ? "" : "\n") + change;
+    ui::tooltip(text.empty() ? "The settings that were recorded" : text.c_str());
+}
+
+void run_rows(Editor& editor) {
+    Lab& lab = editor.lab;
+    const float em = ImGui::GetFontSize();
+    std::optional<std::size_t> removed, used;
+    for (std::size_t i = 0; i < lab.runs().size(); ++i) {
+        LabRun& run = lab.runs()[i];
+        const ui::Scope scope(run.name);
+        ImGui::PushID(static_cast<int>(i));
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 0.4f * em, at.y + 0.5f * ImGui::GetFrameHeight()},
+                                                    0.32f * em, ui::packed(run_color(i)), 16);
+        ImGui::Dummy({0.7f * em, 1});
+        ImGui::SameLine();
+        ImGui::Checkbox("##shown", &run.shown);
+        ui::record_last_item("Shown", true, run.shown);
+        ui::tooltip("Draw this run in the view and on the timeline");
+        ImGui::SameLine();
+        if (ImGui::Selectable(
+                run.name.c_str(), lab.told() == i, 0,
+                {ImGui::GetContentRegionAvail().x - (run.kind == LabRun::Kind::pinned ? 4.2f * em : 0), 0}))
+            lab.tell_of(i);
+        ui::record_last_item("Tell", true, lab.told() == i);
+        settings_tooltip(run, lab.runs().front());
+        if (run.kind == LabRun::Kind::pinned) {
+            ImGui::SameLine();
+            if (ui::icon_button(icons::check, "Use", "Take these settings into the level", false)) used = i;
+            ImGui::SameLine(0, 0);
+            if (ui::icon_button(icons::trash, "Remove", "Take this ghost away", false)) removed = i;
+        }
+        const auto& divergence = lab.divergence(i);
+        if (i > 0) {
+            ImGui::Indent(1.4f * em);
+            if (!run.run.complete()) {
+                ui::muted_text("Running…");
+            } else if (!divergence) {
+                ui::muted_text("Same as recorded, bit for bit");
+            } else {
+                ui::muted_text(fmt::format("Parts at tick {}; {} apart at most, {} at the end",
+                                           divergence->first, distance_text(divergence->worst_m),
+                                           distance_text(divergence->end_m))
+                                   .c_str());
+                if (ui::button("Where they part", "Go to the first tick that differs, and look at it")) {
+                    lab.motion = LabMotion::paused;
+                    lab.seek(divergence->first);
+                    lab.tell_of(i);
+                    look_at_cursor(editor);
+                }
+                ImGui::SameLine();
+                if (ui::button("Furthest apart", "Go to the tick at which the two are furthest apart")) {
+                    lab.motion = LabMotion::paused;
+                    lab.seek(divergence->worst_tick);
+                    lab.tell_of(i);
+                    look_at_cursor(editor);
+                }
+            }
+            ImGui::Unindent(1.4f * em);
+        }
+        ImGui::PopID();
+    }
+    if (used) {
+        editor.document->set_movement(lab.runs()[*used].settings, "Use the ghost's settings");
+        editor.status = "Took the ghost's settings";
+    }
+    if (removed) lab.unpin(*removed);
+}
+
+// Both stories of the cursor's tick side by side, where they differ marked.
+void side_by_side(Editor& editor) {
+    Lab& lab = editor.lab;
+    const std::size_t other = lab.told() == 0 ? 1 : lab.told();
+    if (other >= lab.runs().size()) return;
+    ui::heading("Side by side");
+    const auto& surfaces = editor.document->level().surfaces;
+    const auto& divergence = lab.divergence(other);
+    if (!divergence) {
+        ui::muted_text("The two runs are the same");
+        return;
+    }
+    ui::muted_text(("The stories of " + tick_text(lab, lab.cursor())).c_str());
+    const std::vector<StoryLine> stories[2] = {
+        tell(lab.runs()[0].run.trace(lab.scene(*editor.document), lab.cursor()), surfaces),
+        tell(lab.runs()[other].run.trace(lab.scene(*editor.document), lab.cursor()), surfaces)};
+    if (!ImGui::BeginTable("stories", 2, ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingStretchSame))
+        return;
+    ImGui::TableNextRow();
+    for (const std::size_t index : {std::size_t{0}, other}) {
+        ImGui::TableNextColumn();
+        ImGui::TextColored(run_color(index), "%s", lab.runs()[index].name.c_str());
+    }
+    for (std::size_t i = 0; i < std::max(stories[0].size(), stories[1].size()); ++i) {
+        const bool both = i < stories[0].size() && i < stories[1].size();
+        const bool same =
+            both && stories[0][i].title == stories[1][i].title && stories[0][i].text == stories[1][i].text;
+        ImGui::TableNextRow();
+        for (const std::vector<StoryLine>& story : stories) {
+            ImGui::TableNextColumn();
+            if (i >= story.size()) continue;
+            ImGui::PushStyleColor(ImGuiCol_Text, same ? ui::palette().muted : ui::palette().text);
+            ImGui::TextUnformatted(
+                wrap_words(story[i].title + ": " + story[i].text, ImGui::GetContentRegionAvail().x).c_str());
+            ImGui::PopStyleColor();
+        }
+    }
+    ImGui::EndTable();
+}
+
+void rates(Editor& editor) {
+    Lab& lab = editor.lab;
+    ui::heading("Rates");
+    ui::checkbox("Run the route at other rates", &lab.show_rates,
+                 "The same inputs at the same times at 30 to 360 ticks a second, drawn as ribbons");
+    if (!lab.show_rates) return;
+    const std::vector<RateRow>& rows = lab.rates(*editor.document);
+    if (!ImGui::BeginTable("rates", 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg)) return;
+    for (const char* name : {"Rate", "Worst", "at", "End"})
+        ImGui::TableSetupColumn(name);
+    ImGui::TableHeadersRow();
+    double worst = 0.0;
+    for (const RateRow& row : rows)
+        worst = std::max(worst, row.worst_m);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const RateRow& row = rows[i];
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextColored(run_color(i), "%d Hz", row.hz);
+        ImGui::TableNextColumn();
+        const bool bad = row.worst_m >= 0.01;
+        ImGui::TextColored(bad ? ui::palette().bad : ui::palette().text, "%.1f mm", row.worst_m * 1000.0);
+        ImGui::TableNextColumn();
+        ImGui::TextColored(ui::palette().muted, "%.2f s", row.worst_time_s);
+        ImGui::TableNextColumn();
+        ImGui::Text("%.1f mm", row.end_m * 1000.0);
+    }
+    ImGui::EndTable();
+    ui::muted_text(fmt::format("Worst deviation from the tape's own rate: {}", distance_text(worst)).c_str());
+}
+
+}  // namespace
+
+void ghosts_panel(Editor& editor) {
+    settle_live_edit(editor);
+    if (!editor.document) return;
+    const ui::Scope scope("Ghosts");
+    Lab& lab = editor.lab;
+    if (!lab.has_tape() || editor.playtest) {
+        ui::muted_text(
+            "One tape under several settings at once: walk the level, then turn a setting and watch the "
+            "ghost of "
+            "the same inputs part from what was recorded.");
+        return;
+    }
+    run_rows(editor);
+    if (ui::button("Keep settings as a ghost",
+                   "Run the tape under the settings as they are now as one more ghost",
+                   lab.runs().size() < Lab::max_runs))
+        run_command(editor, "lab.pin");
+    rates(editor);
+    side_by_side(editor);
+}
+
+}  // namespace slipface

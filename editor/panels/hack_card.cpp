@@ -1,0 +1,187 @@
+#include "panels/hack_card.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string_view>
+
+#include "panels/property_rows.h"
+#include "slipface/scenes/demo.h"
+#include "tools/icons.h"
+#include "tools/lab_actions.h"
+#include "widgets/imgui_compat.h"
+#include "widgets/theme.h"
+#include "widgets/ui.h"
+
+namespace slipface {
+namespace {
+
+// The run under the settings as they are now, or nothing.
+const TapeRun* live_run(const Editor& editor) {
+    if (!editor.lab.has_tape() || editor.playtest) return nullptr;
+    return &editor.lab.runs()[1].run;
+}
+
+void effect_rows(Editor& editor, const SettingInfo& info) {
+    const std::optional<std::size_t> row = hack_row(info.name);
+    const TapeRun* run = live_run(editor);
+    if (!row || !run) {
+        ui::muted_text("Walk the level, and here stands in how many ticks it acted.");
+        return;
+    }
+    ImGui::Text("Acted in %u of %zu ticks", run->acted_count(*row), run->samples().size());
+    if (run->acted_count(*row) == 0) return;
+    if (ui::button("Next tick it acted in", "Move the cursor there")) {
+        Lab& lab = editor.lab;
+        const auto samples = run->samples();
+        for (std::size_t i = 1; i <= samples.size(); ++i) {
+            const std::size_t tick = (lab.cursor() + i) % samples.size();
+            if (!((samples[tick].acted >> *row) & 1)) continue;
+            lab.motion = LabMotion::paused;
+            lab.tell_of(1);
+            lab.seek(tick);
+            editor.layout.show(PanelId::why);
+            break;
+        }
+    }
+    ImGui::SameLine();
+    if (std::holds_alternative<bool MovementSettings::*>(info.member) &&
+        ui::button("Ghost without it", "Run the tape with this switch the other way, as one more ghost")) {
+        MovementSettings settings = editor.document->level().movement;
+        if (set_setting(settings, info, 1.0 - get_setting(settings, info))) editor.lab.pin(settings);
+        editor.layout.show(PanelId::ghosts);
+    }
+}
+
+// A demo with both of its runs, built when its card is opened first.
+struct KeptDemo {
+    Demo demo;
+    TapeRun runs[2];  // off, on
+};
+const KeptDemo& kept_demo(const DemoInfo& info) {
+    static std::map<std::string_view, std::unique_ptr<KeptDemo>> kept;
+    std::unique_ptr<KeptDemo>& entry = kept[info.name];
+    if (entry) return *entry;
+    Demo demo = make_demo(info);
+    const auto tape = std::make_shared<const Tape>(demo.tape);
+    const Vec3 start = demo.tape.start.value_or(demo.level.spawn);
+    TapeRun off = TapeRun::under(tape, demo.off, start), on = TapeRun::under(tape, demo.on, start);
+    entry.reset(new KeptDemo{std::move(demo), {std::move(off), std::move(on)}});
+    for (std::size_t i = 0; i < 2; ++i) {
+        Result<LevelScene> scene =
+            LevelScene::build(entry->demo.level, i == 0 ? entry->demo.off : entry->demo.on);
+        if (scene) entry->runs[i].advance(*scene, TapeRun::max_ticks);
+    }
+    return *entry;
+}
+
+// The way of the run, and the player now and then.
+PictureRequest demo_picture(const DemoInfo& info, bool on) {
+    const KeptDemo& kept = kept_demo(info);
+    PictureRequest request;
+    request.level = &kept.demo.level;
+    request.camera.eye = kept.demo.camera.eye;
+    request.camera.target = kept.demo.camera.target;
+    request.camera.fov_y = kept.demo.camera.fov_y;
+    const TapeRun& run = kept.runs[on ? 1 : 0];
+    const Vec3& radii = run.settings().radii;
+    const Color way = on ? Color{0.45f, 0.86f, 0.60f, 1.0f} : Color{0.98f, 0.47f, 0.42f, 1.0f};
+    const auto samples = run.samples();
+    Vec3 previous = run.start();
+    for (const TickSample& sample : samples) {
+        if (!sample.respawned && sample.position != previous)
+            request.overlay.line(previous, sample.position, way, 3.0f, true);
+        previous = sample.position;
+    }
+    constexpr std::size_t ghosts = 5;
+    for (std::size_t i = 0; i < ghosts && !samples.empty(); ++i) {
+        const Vec3 place = samples[(samples.size() - 1) * i / (ghosts - 1)].position;
+        Color fill = way;
+        fill.alpha = i + 1 == ghosts ? 0.45f : 0.10f;
+        Color outline = way;
+        outline.alpha = i + 1 == ghosts ? 1.0f : 0.5f;
+        request.overlay.ellipsoid(place, radii, fill, outline);
+    }
+    return request;
+}
+
+void pictures(Editor& editor, FrameContext& frame, const DemoInfo& info) {
+    const float em = ImGui::GetFontSize();
+    const float gap = 0.6f * em;
+    const float width = std::floor(0.5f * (ImGui::GetContentRegionAvail().x - gap));
+    const ImVec2 size{width, std::floor(width * 9.0f / 16.0f)};
+    ui::muted_text(info.look_at);
+    if (frame.pictures) {
+        const float density = ImGui::GetIO().DisplayFramebufferScale.x;
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        for (const bool on : {false, true}) {
+            const std::string key = std::string("demo ") + info.name + (on ? " on" : " off");
+            const unsigned texture = frame.pictures->picture(
+                key, static_cast<int>(std::lround(size.x * density)),
+                static_cast<int>(std::lround(size.y * density)), [&] { return demo_picture(info, on); });
+            const ImVec2 min{at.x + (on ? width + gap : 0.0f), at.y};
+            ImDrawList& list = *ImGui::GetWindowDrawList();
+            list.AddImageRounded(ui::texture_id(texture), min, {min.x + size.x, min.y + size.y}, {0, 1},
+                                 {1, 0}, 0xffffffffu, 5.0f * ui::scale());
+            const char* const word = on ? "On" : "Off";
+            const ImVec2 text = ImGui::CalcTextSize(word);
+            list.AddRectFilled({min.x + 0.4f * em, min.y + 0.4f * em},
+                               {min.x + 1.2f * em + text.x, min.y + 0.8f * em + text.y},
+                               ui::packed(ui::with_alpha(ui::palette().window, 0.82f)), 4.0f * ui::scale());
+            list.AddText({min.x + 0.8f * em, min.y + 0.6f * em},
+                         ui::packed(on ? ui::palette().good : ui::palette().bad), word);
+        }
+        ImGui::Dummy({2.0f * width + gap, size.y});
+    }
+    if (ui::button("Open demo", "Open this scene with its tape, and a ghost with the switch off")) {
+        ImGui::CloseCurrentPopup();
+        open_demo(editor, info);
+    }
+}
+
+}  // namespace
+
+void hack_cell(Editor& editor, FrameContext& frame, const SettingInfo& info) {
+    const float em = ImGui::GetFontSize();
+    const std::optional<std::size_t> row = hack_row(info.name);
+    if (const TapeRun* run = live_run(editor); run && row) {
+        const std::string text = fmt::format("{}", run->acted_count(*row));  // of how many: in the tooltip
+        const float width = ImGui::CalcTextSize(text.c_str()).x;
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, 2.6f * em - width));
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextColored(run->acted_count(*row) > 0 ? ui::palette().text : ui::palette().muted, "%s",
+                           text.c_str());
+        ui::tooltip(
+            fmt::format("Acted in {} of {} ticks of the tape", run->acted_count(*row), run->samples().size())
+                .c_str());
+        ImGui::SameLine(0, 0.2f * em);
+    }
+    const ui::Scope scope(info.label);
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+    ImGui::PushStyleColor(ImGuiCol_Text, ui::palette().muted);
+    if (ImGui::Button(icons::why, {1.4f * em, 0.0f})) ImGui::OpenPopup("card");
+    ImGui::PopStyleColor(2);
+    ui::record_last_item("About");
+    ui::tooltip("What it does, and where it acted");
+    ImGui::SetNextWindowSize({30.0f * em, 0.0f});
+    if (!ImGui::BeginPopup("card")) return;
+    const ui::Scope card("Card");
+    ui::heading(info.label);
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(info.meaning);
+    ImGui::PopTextWrapPos();
+    for (const DemoInfo& demo : demo_table()) {
+        if (std::string_view(demo.hack) != info.name) continue;
+        ImGui::Spacing();
+        pictures(editor, frame, demo);
+        break;
+    }
+    ImGui::Spacing();
+    effect_rows(editor, info);
+    ImGui::EndPopup();
+}
+
+}  // namespace slipface

@@ -1,0 +1,207 @@
+// What the mesh doctor found: filter by kind, click to go there, fix what paint can fix.
+#include <fmt/format.h>
+
+#include "panels/panels.h"
+#include "panels/property_rows.h"
+#include "tools/icons.h"
+#include "widgets/theme.h"
+#include "widgets/ui.h"
+
+namespace slipface {
+namespace {
+
+// Orphans are listed as they are now: they change by hand.
+std::size_t count_now(const Editor& editor, ProblemKind kind) {
+    return kind == ProblemKind::orphan ? editor.document->level().orphans.size()
+                                       : editor.session.report->count(kind);
+}
+
+std::size_t total_now(const Editor& editor) {
+    std::size_t total = 0;
+    for (const ProblemKindInfo& kind : problem_kinds())
+        total += count_now(editor, kind.kind);
+    return total;
+}
+
+bool hidden(const Editor& editor, ProblemKind kind) {
+    return (editor.session.hidden_kinds >> static_cast<unsigned>(kind) & 1u) != 0;
+}
+
+void progress_row(Editor& editor) {
+    const float scale = ui::scale();
+    const float width = 90 * scale;
+    ImGui::ProgressBar(static_cast<float>(editor.session.doctor->progress().share()),
+                       {ImGui::GetContentRegionAvail().x - width - ImGui::GetStyle().ItemSpacing.x, 0},
+                       "Examining");
+    ImGui::SameLine();
+    if (ui::button("Cancel", nullptr, true, {width, 0})) editor.session.doctor->cancel();
+}
+
+void head_row(Editor& editor) {
+    if (ui::button(editor.session.report ? "\uf021  Examine again###Examine" : "\uf0f1  Examine###Examine",
+                   "Look for what makes movement go wrong: gaps, thin and doubled faces, sharp corners, "
+                   "slopes at the limit, missing pictures"))
+        examine_level(editor);
+    if (!editor.session.report) return;
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    const std::size_t total = total_now(editor);
+    ImGui::TextUnformatted(total == 0 ? "No problems"
+                                      : fmt::format("{} problem{}", total, total == 1 ? "" : "s").c_str());
+    if (report_is_current(editor)) return;
+    ImGui::SameLine();
+    ImGui::TextColored(ui::palette().accent, "%s", icons::warning);
+    ui::tooltip("Faces or types have changed since");
+}
+
+// One toggle a kind that was found, as many in a line as fit.
+void filter_row(Editor& editor) {
+    const ui::Scope scope("Filter");
+    const ui::Palette& p = ui::palette();
+    const float scale = ui::scale();
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    bool first = true;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8 * scale, 2 * scale});
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameRounding, 10 * scale);
+    ImGui::PushFont(ui::fonts().small);
+    for (const ProblemKindInfo& kind : problem_kinds()) {
+        const std::size_t count = count_now(editor, kind.kind);
+        if (count == 0) continue;
+        const bool shown = !hidden(editor, kind.kind);
+        const std::string label = fmt::format("{}  {}###{}", kind.label, count, kind.label);
+        const float width = ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 16 * scale;
+        if (!first) {
+            ImGui::SameLine(0, 4 * scale);
+            if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
+        }
+        first = false;
+        ImGui::PushStyleColor(ImGuiCol_Button, shown ? ui::with_alpha(p.accent, 0.20f) : p.raised);
+        ImGui::PushStyleColor(ImGuiCol_Text, shown ? p.text : p.muted);
+        if (ImGui::Button(label.c_str()))
+            editor.session.hidden_kinds ^= 1u << static_cast<unsigned>(kind.kind);
+        ImGui::PopStyleColor(2);
+        ui::record_last_item(kind.label, true, shown);
+        ui::tooltip(shown ? "Click to leave these out of the list" : "Click to list these");
+    }
+    ImGui::PopFont();
+    ImGui::PopStyleVar(2);
+}
+
+// A line that can be clicked; what it says is clipped at the right and whole in the tooltip.
+bool row(const std::string& id, const std::string& name, const std::string& text, bool open) {
+    const float scale = ui::scale();
+    const bool pressed = ImGui::Selectable(("##" + id).c_str(), open);
+    ui::record_last_item(id, true, open);
+    ui::tooltip(text.c_str());
+    ImGui::SameLine(8 * scale);
+    ImGui::TextUnformatted(name.c_str());
+    ImGui::SameLine(86 * scale);
+    ImGui::TextColored(ui::palette().muted, "%s", text.c_str());
+    return pressed;
+}
+
+void open_row(Editor& editor, const Problem& problem) {
+    ImGui::Indent(8 * ui::scale());
+    ui::muted_text(info_of(problem.kind).remedy);
+    if (const std::string label = fix_label(editor, problem); !label.empty()) {
+        if (ui::button((label + "###Fix").c_str(), "One step that undo takes back; geometry stays as it is"))
+            fix_problem(editor, problem);
+        if (problem.kind == ProblemKind::orphan) ImGui::SameLine();
+    }
+    if (problem.kind == ProblemKind::orphan && editor.document->selection().empty())
+        ui::muted_text("Select the faces that took its place to attach it");
+    if (problem.kind == ProblemKind::orphan &&
+        ui::button("Drop it###Drop", "Give up what was painted there; undo brings it back"))
+        editor.document->drop_orphan(problem.index);
+    ImGui::Unindent(8 * ui::scale());
+    ImGui::Spacing();
+}
+
+void orphan_rows(Editor& editor) {
+    const std::vector<Orphan> orphans = editor.document->level().orphans;
+    for (std::size_t i = 0; i < orphans.size(); ++i) {
+        Problem problem{ProblemKind::orphan,
+                        no_id,
+                        no_id,
+                        orphans[i].key.centroid,
+                        i,
+                        orphans[i].type + ", material " +
+                            (orphans[i].key.material.empty() ? "none" : orphans[i].key.material)};
+        const bool open = editor.session.orphan == i;
+        if (row(fmt::format("orphan {}", i), "Orphan", problem.text, open)) {
+            editor.session.orphan = i;
+            editor.session.problem.reset();
+            go_to_place(editor, problem.place);
+        }
+        if (open) open_row(editor, problem);
+    }
+}
+
+void problem_rows(Editor& editor, ProblemKind kind) {
+    // A copy of what is clicked, because a fix may throw the report away.
+    const DoctorReport& report = *editor.session.report;
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < report.problems.size(); ++i)
+        if (report.problems[i].kind == kind) rows.push_back(i);
+    std::optional<std::size_t> clicked;
+    const bool has_open = editor.session.problem && report.problems[*editor.session.problem].kind == kind;
+    // Rows of one height can be skipped while they cannot be seen; the open one is higher.
+    const auto draw = [&](std::size_t i) {
+        const Problem& problem = report.problems[i];
+        const bool open = editor.session.problem == i;
+        const std::string name =
+            problem.face == no_id ? std::string("Material") : fmt::format("Face {}", problem.face);
+        if (row(fmt::format("{} {}", info_of(kind).name, i), name, problem.text, open)) clicked = i;
+        if (open) open_row(editor, Problem(problem));
+    };
+    if (has_open || rows.size() < 200) {
+        for (const std::size_t i : rows)
+            draw(i);
+    } else {
+        ImGuiListClipper clipper;
+        clipper.Begin(static_cast<int>(rows.size()));
+        while (clipper.Step())
+            for (int at = clipper.DisplayStart; at < clipper.DisplayEnd; ++at)
+                draw(rows[static_cast<std::size_t>(at)]);
+    }
+    if (report.count(kind) > rows.size())
+        ui::muted_text(fmt::format("and {} more", report.count(kind) - rows.size()).c_str());
+    if (clicked) {
+        editor.session.orphan.reset();
+        go_to_problem(editor, *clicked);
+    }
+}
+
+}  // namespace
+
+void problems_panel(Editor& editor) {
+    settle_live_edit(editor);
+    if (!editor.document) return;
+    const ui::Scope scope("Problems");
+    if (editor.session.doctor)
+        progress_row(editor);
+    else
+        head_row(editor);
+    if (!editor.session.report) {
+        ImGui::Spacing();
+        ui::muted_text(
+            "The doctor looks for T-junctions, cracks, slivers, doubled, overlapping and flipped faces, "
+            "corners "
+            "too sharp for the player, slopes and steps at the limit, orphans and missing pictures");
+        return;
+    }
+    ImGui::Spacing();
+    filter_row(editor);
+    for (const ProblemKindInfo& kind : problem_kinds()) {
+        if (!editor.session.report || hidden(editor, kind.kind) || count_now(editor, kind.kind) == 0)
+            continue;
+        ui::heading(kind.label);
+        ui::tooltip(kind.meaning);
+        if (kind.kind == ProblemKind::orphan)
+            orphan_rows(editor);
+        else
+            problem_rows(editor, kind.kind);
+    }
+}
+
+}  // namespace slipface

@@ -1,0 +1,228 @@
+// Reviewing snapshots: the list and its reasons at the side, the pictures in the place of the view.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "panels/panels.h"
+#include "panels/property_rows.h"
+#include "panels/review_view.h"
+#include "tools/review.h"
+#include "widgets/imgui_compat.h"
+#include "widgets/theme.h"
+#include "widgets/ui.h"
+
+namespace slipface {
+namespace {
+
+constexpr double blink_interval_s = 0.7;
+
+ImVec4 color_of(const Review& review, std::size_t index) {
+    const ui::Palette& p = ui::palette();
+    if (review.marks[index] == ReviewMark::approved) return p.good;
+    if (review.marks[index] == ReviewMark::skipped) return p.muted;
+    const GoldenState state = review.report.entries[review.shown[index]].state;
+    return state == GoldenState::missing || state == GoldenState::orphan ? p.accent : p.bad;
+}
+
+void list(Editor& editor) {
+    Review& review = *editor.review;
+    const float height =
+        std::min(static_cast<float>(review.shown.size()), 9.0f) * ImGui::GetTextLineHeightWithSpacing() +
+        2.0f * ImGui::GetStyle().WindowPadding.y;
+    ImGui::BeginChild("entries", {0, height}, true, ImGuiWindowFlags_NoSavedSettings);
+    std::optional<std::size_t> wanted;
+    for (std::size_t i = 0; i < review.shown.size(); ++i) {
+        const GoldenResult& entry = review.report.entries[review.shown[i]];
+        ImGui::PushStyleColor(ImGuiCol_Text, color_of(review, i));
+        ImGui::TextUnformatted(review.marks[i] == ReviewMark::approved   ? "+"
+                               : review.marks[i] == ReviewMark::rejected ? "x"
+                               : review.marks[i] == ReviewMark::skipped  ? "-"
+                                                                         : "\u25cf");
+        ImGui::PopStyleColor();
+        ImGui::SameLine(1.4f * ImGui::GetFontSize());
+        if (ImGui::Selectable(entry.name.c_str(), i == review.current)) wanted = i;
+        ui::record_last_item(entry.name, true, i == review.current);
+        ui::tooltip(golden_state_name(entry.state));
+    }
+    ImGui::EndChild();
+    if (wanted) review_show(editor, *wanted);
+}
+
+void decide(Editor& editor) {
+    const ImVec2 none{0, 0};
+    if (ui::primary_button("Approve", review_can_approve(editor), none))
+        return review_mark(editor, ReviewMark::approved);
+    ImGui::SameLine();
+    if (ui::button("Reject", "Mark it as wrong and go on (Alt+R)"))
+        return review_mark(editor, ReviewMark::rejected);
+    ImGui::SameLine();
+    if (ui::button("Skip", "Decide later (Alt+S)")) return review_mark(editor, ReviewMark::skipped);
+    if (ui::button("Go to camera", "Open its level and look from where it was taken (Alt+G)",
+                   review_has_camera(editor)))
+        review_go_to_camera(editor);
+}
+
+void modes(Review& review) {
+    constexpr const char* names[review_mode_count] = {"Side by side", "Swipe", "Blink", "Heat map"};
+    int mode = static_cast<int>(review.mode);
+    if (ui::combo("Pictures", &mode, names, static_cast<int>(review_mode_count),
+                  "How the two pictures are compared")) {
+        review.mode = static_cast<ReviewMode>(mode);
+        review.pictures = true;
+    }
+    if (review.mode == ReviewMode::swipe)
+        ui::slider("Swipe", &review.swipe, 0.0, 1.0, "%.2f", "Expected left of the line, actual right of it");
+}
+
+void reasons(const GoldenResult& entry) {
+    if (!entry.findings.empty()) ui::heading("Why");
+    for (const Finding& finding : entry.findings) {
+        ImGui::PushTextWrapPos(0.0f);
+        ImGui::TextUnformatted(finding.text.c_str());
+        ImGui::PopTextWrapPos();
+        ui::muted_text(finding.pixels == 0
+                           ? cause_name(finding.cause)
+                           : fmt::format("{} pixels, {}", finding.pixels, cause_name(finding.cause)).c_str());
+        ImGui::Spacing();
+    }
+    if (!entry.numbers.empty()) ui::heading("Numbers");
+    int shown = 0;
+    for (const NumberDifference& number : entry.numbers) {
+        if (!number.decides) continue;
+        if (++shown > 40) break;
+        fact(number.path.substr(1).c_str(), number.expected + " \u2192 " + number.actual);
+    }
+}
+
+void caption(ImVec2 at, const char* text) {
+    const ImVec2 size = ImGui::CalcTextSize(text), pad{8 * ui::scale(), 4 * ui::scale()};
+    ImDrawList* const draw = ImGui::GetWindowDrawList();
+    draw->AddRectFilled(at, {at.x + size.x + 2 * pad.x, at.y + size.y + 2 * pad.y},
+                        ui::packed(ui::with_alpha(ui::palette().window, 0.85f)), 4 * ui::scale());
+    draw->AddText({at.x + pad.x, at.y + pad.y}, ui::packed(ui::palette().text), text);
+}
+
+struct Box {
+    ImVec2 min, size;
+};
+
+// The largest box of the picture's shape in the middle of `room`; never enlarged beyond its pixels.
+Box fitted(const Image& image, Box room) {
+    const float scale = std::min({1.0f, room.size.x / static_cast<float>(image.width),
+                                  room.size.y / static_cast<float>(image.height)});
+    const ImVec2 size{std::floor(static_cast<float>(image.width) * scale),
+                      std::floor(static_cast<float>(image.height) * scale)};
+    return {{std::floor(room.min.x + 0.5f * (room.size.x - size.x)),
+             std::floor(room.min.y + 0.5f * (room.size.y - size.y))},
+            size};
+}
+
+// Part of the picture from `from` to `to`, shares of its width.
+void show(unsigned texture, const Box& box, float from = 0.0f, float to = 1.0f) {
+    ImGui::GetWindowDrawList()->AddImage(ui::texture_id(texture), {box.min.x + from * box.size.x, box.min.y},
+                                         {box.min.x + to * box.size.x, box.min.y + box.size.y}, {from, 0},
+                                         {to, 1});
+}
+
+void missing(const Box& room, const char* text) {
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    ImGui::GetWindowDrawList()->AddText(
+        {room.min.x + 0.5f * (room.size.x - size.x), room.min.y + 0.5f * (room.size.y - size.y)},
+        ui::packed(ui::palette().muted), text);
+}
+
+void side_by_side(const Review& review, FrameContext& frame, const Box& room) {
+    const bool stacked = room.size.x < 1.4f * room.size.y;
+    const ImVec2 half =
+        stacked ? ImVec2{room.size.x, 0.5f * room.size.y} : ImVec2{0.5f * room.size.x, room.size.y};
+    const ImVec2 second =
+        stacked ? ImVec2{room.min.x, room.min.y + half.y} : ImVec2{room.min.x + half.x, room.min.y};
+    int slot = 0;
+    for (const auto& [image, title, min] :
+         {std::tuple(&review.expected, "Expected", room.min), std::tuple(&review.actual, "Actual", second)}) {
+        const Box half_room{{min.x + 4, min.y + 4}, {half.x - 8, half.y - 8}};
+        if (image->rgba.empty()) {
+            missing(half_room, slot == 0 ? "There is no golden" : "There is no picture");
+        } else {
+            const Box box = fitted(*image, half_room);
+            show(frame.viewport->still(slot, *image, review.pictures_revision), box);
+            caption({box.min.x + 8, box.min.y + 8}, title);
+        }
+        ++slot;
+    }
+}
+
+}  // namespace
+
+void review_panel(Editor& editor) {
+    const ui::Scope scope("Review");
+    if (!editor.review) {
+        ui::muted_text(
+            "Nothing is open for review. `slipface snapshot check` leaves a report; Review > Review "
+            "snapshots opens it");
+        return;
+    }
+    Review& review = *editor.review;
+    if (review.shown.empty()) return ui::muted_text("Every snapshot is the same");
+    ui::muted_text(
+        fmt::format("{} of {} snapshots are not the same", review.shown.size(), review.report.entries.size())
+            .c_str());
+    list(editor);
+    decide(editor);
+    modes(review);
+    if (const GoldenResult* entry = review.entry()) {
+        ui::muted_text(entry->comparison.verdict.empty() ? entry->message.c_str()
+                                                         : entry->comparison.verdict.c_str());
+        reasons(*entry);
+    }
+}
+
+bool review_view(Editor& editor, FrameContext& frame) {
+    if (!editor.review || !editor.review->pictures || editor.review->entry() == nullptr ||
+        frame.viewport == nullptr)
+        return false;
+    Review& review = *editor.review;
+    const Box room{ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail()};
+    if (room.size.x < 40 || room.size.y < 40) return true;
+    const bool both = !review.expected.rgba.empty() && !review.actual.rgba.empty();
+    if (!both || review.mode == ReviewMode::side_by_side) {
+        side_by_side(review, frame, room);
+        return true;
+    }
+    const Box box = fitted(review.actual, room);
+    const auto texture = [&](int slot, const Image& image) {
+        return frame.viewport->still(slot, image, review.pictures_revision);
+    };
+    if (review.mode == ReviewMode::heat) {
+        show(texture(2, review.heat), box);
+        caption({box.min.x + 8, box.min.y + 8}, "Difference");
+    } else if (review.mode == ReviewMode::blink) {
+        review.blink_s += frame.seconds;
+        if (review.blink_s > blink_interval_s) {
+            review.blink_s = 0.0;
+            review.blink_actual = !review.blink_actual;
+        }
+        frame.animating = true;
+        show(review.blink_actual ? texture(1, review.actual) : texture(0, review.expected), box);
+        caption({box.min.x + 8, box.min.y + 8}, review.blink_actual ? "Actual" : "Expected");
+    } else {
+        const auto at = static_cast<float>(review.swipe);
+        ImGui::SetCursorScreenPos(box.min);
+        ImGui::InvisibleButton("swipe", box.size);
+        ui::record_last_item("Pictures");
+        if (ImGui::IsItemActive() || ImGui::IsItemHovered())
+            review.swipe = std::clamp(
+                static_cast<double>((ImGui::GetIO().MousePos.x - box.min.x) / box.size.x), 0.0, 1.0);
+        show(texture(0, review.expected), box, 0.0f, at);
+        show(texture(1, review.actual), box, at, 1.0f);
+        const float x = std::round(box.min.x + at * box.size.x);
+        ImGui::GetWindowDrawList()->AddLine({x, box.min.y}, {x, box.min.y + box.size.y},
+                                            ui::packed(ui::palette().accent), 2.0f * ui::scale());
+        caption({box.min.x + 8, box.min.y + 8}, "Expected");
+        caption({box.min.x + box.size.x - ImGui::CalcTextSize("Actual").x - 24 * ui::scale(), box.min.y + 8},
+                "Actual");
+    }
+    return true;
+}
+
+}  // namespace slipface

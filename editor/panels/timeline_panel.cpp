@@ -1,0 +1,301 @@
+// The lab's tape, tick by tick: transport, one lane a run, and a marker for everything that begins.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "panels/lab_track.h"
+#include "tools/icons.h"
+#include "widgets/theme.h"
+#include "widgets/ui.h"
+
+namespace slipface {
+namespace {
+
+constexpr float name_width = 118.0f, lane_height = 17.0f, marker_height = 20.0f, ruler_height = 16.0f;
+
+enum class Shape { up, down, square, circle, diamond, cross };
+
+struct Marker {
+    const char* kind;  // as events name it
+    const char* words;
+    Shape shape;
+    ImVec4 color;
+};
+
+// A shape of its own for each kind, so that the colour is not needed to tell them apart.
+const Marker markers[] = {
+    {"jump", "jumps off", Shape::up, {0.34f, 0.71f, 0.91f, 1}},
+    {"land", "lands on", Shape::down, {0.45f, 0.78f, 0.545f, 1}},
+    {"leave ground", "leaves the ground", Shape::up, {0.62f, 0.66f, 0.72f, 1}},
+    {"surface", "comes onto", Shape::square, {0.80f, 0.47f, 0.65f, 1}},
+    {"climb", "takes hold of", Shape::square, {0.90f, 0.62f, 0.0f, 1}},
+    {"stick", "sticks to", Shape::square, {0.90f, 0.62f, 0.0f, 1}},
+    {"contact", "touches a wall", Shape::circle, {1.0f, 0.86f, 0.20f, 1}},
+    {"push-out", "is pushed out of geometry", Shape::diamond, {1.0f, 0.60f, 0.18f, 1}},
+    {"hazard", "touches a hazard", Shape::cross, {0.937f, 0.400f, 0.361f, 1}},
+    {"fall", "falls out of the level", Shape::cross, {0.937f, 0.400f, 0.361f, 1}},
+};
+
+const Marker* find_marker(std::string_view kind) {
+    for (const Marker& marker : markers)
+        if (kind == marker.kind) return &marker;
+    return nullptr;
+}
+
+void draw_marker(ImDrawList& list, const Marker& marker, ImVec2 c, float r) {
+    const ImU32 color = ui::packed(marker.color);
+    switch (marker.shape) {
+        case Shape::up:
+            list.AddTriangleFilled({c.x - r, c.y + r}, {c.x + r, c.y + r}, {c.x, c.y - r}, color);
+            break;
+        case Shape::down:
+            list.AddTriangleFilled({c.x - r, c.y - r}, {c.x, c.y + r}, {c.x + r, c.y - r}, color);
+            break;
+        case Shape::square:
+            list.AddRectFilled({c.x - 0.8f * r, c.y - 0.8f * r}, {c.x + 0.8f * r, c.y + 0.8f * r}, color);
+            break;
+        case Shape::circle:
+            list.AddCircleFilled(c, 0.85f * r, color, 16);
+            break;
+        case Shape::diamond:
+            list.AddQuadFilled({c.x, c.y - r}, {c.x + r, c.y}, {c.x, c.y + r}, {c.x - r, c.y}, color);
+            break;
+        case Shape::cross:
+            list.AddLine({c.x - r, c.y - r}, {c.x + r, c.y + r}, color, 2.0f * ui::scale());
+            list.AddLine({c.x - r, c.y + r}, {c.x + r, c.y - r}, color, 2.0f * ui::scale());
+            break;
+    }
+}
+
+void command_button(Editor& editor, const char* id, const char* icon = nullptr) {
+    const Command* command = find_command(id);
+    if (!command) return;
+    const bool active = command->checked && command->checked(editor);
+    const std::string tooltip = std::string(command->label) + "\n" + command->description;
+    if (ui::icon_button(icon ? icon : command->icon, command->label, tooltip.c_str(), active,
+                        command->enabled(editor)))
+        run_command(editor, id);
+    ImGui::SameLine(0, 3 * ui::scale());
+}
+
+void gap() {
+    ImGui::SameLine(0, 14 * ui::scale());
+}
+
+void transport(Editor& editor) {
+    Lab& lab = editor.lab;
+    const ui::Scope scope("Transport");
+    command_button(editor, "lab.start");
+    command_button(editor, "lab.previous_event");
+    command_button(editor, "lab.step_back");
+    command_button(editor, "lab.reverse", lab.motion == LabMotion::backward ? icons::pause : nullptr);
+    command_button(editor, "lab.play", lab.motion == LabMotion::forward ? icons::pause : nullptr);
+    command_button(editor, "lab.step_forward");
+    command_button(editor, "lab.next_event");
+    command_button(editor, "lab.end");
+    command_button(editor, "lab.loop");
+    gap();
+    static constexpr double speeds[] = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
+    static constexpr const char* names[] = {"1/10", "1/4", "1/2", "1x", "2x", "4x"};
+    int speed = 3;
+    for (int i = 0; i < 6; ++i)
+        if (speeds[i] == lab.speed) speed = i;
+    ImGui::SetNextItemWidth(66 * ui::scale());
+    if (ImGui::Combo("##Speed", &speed, names, 6)) lab.speed = speeds[speed];
+    ui::record_last_item("Speed");
+    ui::tooltip("Speed of playing; 1x is real time");
+    ImGui::SameLine(0, 3 * ui::scale());
+    gap();
+    command_button(editor, "lab.look");
+    command_button(editor, "lab.resume");
+    command_button(editor, "lab.pin");
+    command_button(editor, "lab.save_tape");
+    command_button(editor, "lab.export_csv");
+    command_button(editor, "lab.close_tape");
+    gap();
+    ImGui::AlignTextToFramePadding();
+    const std::string at = fmt::format("{} of {}", tick_text(lab, lab.cursor()), lab.ticks());
+    ImGui::TextUnformatted(at.c_str());
+    ImGui::SameLine(0, 14 * ui::scale());
+    const std::optional<bool> repeats = lab.repeats();
+    if (repeats && !*repeats)
+        ImGui::TextColored(ui::palette().bad, "Does not repeat what was recorded");
+    else if (!lab.doubt().empty())
+        ImGui::TextColored(ui::palette().bad, "%s", lab.doubt().c_str());
+    else if (repeats)
+        ImGui::TextColored(ui::palette().good, "Repeats bit for bit");
+    else
+        ImGui::NewLine();
+}
+
+// Seconds under the lanes, as many as there is room for.
+void ruler(ImDrawList& list, const Lab& lab, const LabTrack& track, float y) {
+    const double dt = lab.tape().dt;
+    const double wanted_s = 70.0 * static_cast<double>(ui::scale()) * track.ticks_per_pixel() * dt;
+    double unit = 0.05;
+    for (const double candidate :
+         {0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 300.0, 600.0, 3600.0}) {
+        unit = candidate;
+        if (candidate >= wanted_s) break;
+    }
+    const ImFont* const font = ui::fonts().small;
+    const ImU32 color = ui::packed(ui::palette().muted);
+    for (double s = std::ceil(track.first * dt / unit) * unit; s <= track.last * dt; s += unit) {
+        const float x = std::round(track.x(s / dt - 1.0));
+        if (x < track.min.x || x > track.max.x) continue;
+        list.AddLine({x, track.max.y}, {x, track.max.y + 4 * ui::scale()}, color);
+        const std::string text = unit < 1.0 ? fmt::format("{:.2f} s", s) : fmt::format("{:.0f} s", s);
+        list.AddText(font, font->FontSize, {x + 3 * ui::scale(), y}, color, text.c_str());
+    }
+}
+
+// What a run stands on, in the colours of the surface types; empty in the air.
+void lane(ImDrawList& list, const Document& document, const TapeRun& run, const LabTrack& track, float top,
+          float bottom) {
+    list.AddRectFilled({track.min.x, top}, {track.max.x, bottom}, ui::packed(ui::palette().raised), 2.0f);
+    const auto& surfaces = document.level().surfaces;
+    const auto samples = run.samples();
+    const auto kind_of = [&](std::size_t tick) -> int {
+        const TickSample& s = samples[tick];
+        if (s.respawned) return -2;
+        if (!(s.grounded || s.climbing || s.stuck)) return -1;
+        return s.surface;
+    };
+    const double step = std::max(1.0, track.ticks_per_pixel());
+    for (double t = std::floor(track.first); t < track.last;) {
+        const auto tick = static_cast<std::size_t>(std::max(0.0, t));
+        if (tick >= samples.size()) break;
+        const int kind = kind_of(tick);
+        double end = t + step;
+        while (end < track.last && static_cast<std::size_t>(end) < samples.size() &&
+               kind_of(static_cast<std::size_t>(end)) == kind)
+            end += step;
+        const float a = std::clamp(track.x(t - 0.5), track.min.x, track.max.x);
+        const float b = std::clamp(track.x(std::min(end, static_cast<double>(samples.size())) - 0.5),
+                                   track.min.x, track.max.x);
+        if (kind == -2) {
+            list.AddRectFilled({a, top}, {std::max(b, a + 1), bottom}, ui::packed(ui::palette().bad));
+        } else if (kind >= 0 && static_cast<std::size_t>(kind) < surfaces.size()) {
+            const auto& c = surfaces[static_cast<std::size_t>(kind)].color;
+            list.AddRectFilled({a, top}, {b, bottom}, ui::packed({c[0], c[1], c[2], 0.85f}));
+        }
+        t = end;
+    }
+}
+
+void event_tooltip(const TapeRun& run, const Lab& lab, const LabTrack& track) {
+    const double tick = track.tick_at(ImGui::GetIO().MousePos.x);
+    const double reach = std::max(1.0, 6.0 * track.ticks_per_pixel());
+    std::string text =
+        tick_text(lab, static_cast<std::size_t>(std::clamp(tick, 0.0, static_cast<double>(lab.ticks() - 1))));
+    text[0] = 'T';
+    int lines = 0;
+    for (const SimulationEvent& event : run.events()) {
+        if (std::abs(static_cast<double>(event.tick) + 0.5 - tick) > reach || lines > 6) continue;
+        const Marker* marker = find_marker(event.kind);
+        text += fmt::format("\n{}: {} {}", event.tick, marker ? marker->words : event.kind, event.detail);
+        ++lines;
+    }
+    ui::tooltip(text.c_str());
+}
+
+void tracks(Editor& editor) {
+    Lab& lab = editor.lab;
+    const float scale = ui::scale();
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    std::vector<std::size_t> shown;
+    for (std::size_t i = 0; i < lab.runs().size(); ++i)
+        if (lab.runs()[i].shown) shown.push_back(i);
+    const float lanes = static_cast<float>(shown.size()) * (lane_height + 3) * scale;
+    const float height = lanes + marker_height * scale;
+    const ImVec2 min{origin.x + name_width * scale, origin.y}, max{origin.x + width, origin.y + height};
+    const LabTrack track = lab_track(lab, min, max);
+
+    ImGui::SetCursorScreenPos(min);
+    ImGui::InvisibleButton("track", {std::max(1.0f, max.x - min.x), height + ruler_height * scale});
+    ui::record_last_item("Track");
+    lab_track_gestures(editor, track);
+    const TapeRun& told = lab.runs()[lab.told()].run;
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) event_tooltip(told, lab, track);
+
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect({min.x, min.y - 2}, {max.x, max.y + ruler_height * scale}, true);
+    float y = min.y + marker_height * scale;
+    for (const std::size_t index : shown) {
+        lane(list, *editor.document, lab.runs()[index].run, track, y, y + lane_height * scale);
+        if (const auto& divergence = lab.divergence(index)) {
+            const float x = track.x(static_cast<double>(divergence->first) - 0.5);
+            list.AddRectFilled({x - scale, y - 2 * scale}, {x + scale, y + (lane_height + 2) * scale},
+                               ui::packed(ui::palette().bad));
+        }
+        y += (lane_height + 3) * scale;
+    }
+    const float r = 5.5f * scale;
+    for (const SimulationEvent& event : told.events()) {
+        const Marker* marker = find_marker(event.kind);
+        const float x = track.x(static_cast<double>(event.tick));
+        if (!marker || x < min.x - r || x > max.x + r) continue;
+        draw_marker(list, *marker, {x, min.y + 0.5f * marker_height * scale}, r);
+    }
+    ruler(list, lab, track, max.y + scale);
+    draw_lab_cursor(editor, track);
+    list.PopClipRect();
+
+    // Names on the left; a click tells the story of that run.
+    const ui::Scope scope("Runs");
+    y = min.y + marker_height * scale;
+    for (const std::size_t index : shown) {
+        ImGui::SetCursorScreenPos({origin.x, y});
+        const LabRun& run = lab.runs()[index];
+        ImGui::PushID(static_cast<int>(index));
+        if (ImGui::InvisibleButton("lane", {(name_width - 8) * scale, lane_height * scale}))
+            lab.tell_of(index);
+        ui::record_last_item(run.name, true, lab.told() == index);
+        ui::tooltip((run.name + "\nClick to tell this run's story").c_str());
+        ImGui::PopID();
+        const float middle = y + 0.5f * lane_height * scale;
+        list.AddCircleFilled({origin.x + 5 * scale, middle}, 4 * scale, ui::packed(run_color(index)), 16);
+        list.PushClipRect({origin.x, y}, {origin.x + (name_width - 6) * scale, y + lane_height * scale},
+                          true);
+        list.AddText({origin.x + 14 * scale, middle - 0.5f * ImGui::GetTextLineHeight()},
+                     ui::packed(lab.told() == index ? ui::palette().text : ui::palette().muted),
+                     run.name.c_str());
+        list.PopClipRect();
+        y += (lane_height + 3) * scale;
+    }
+    ImGui::SetCursorScreenPos({origin.x, max.y + ruler_height * scale});
+    ImGui::Dummy({1, 1});
+}
+
+}  // namespace
+
+void timeline_panel(Editor& editor) {
+    if (!editor.document) return;
+    const ui::Scope scope("Timeline");
+    if (editor.playtest) {
+        const Tape& tape = editor.playtest->tape();
+        const std::size_t ticks = tape.tick_count();
+        ui::muted_text(fmt::format("Recording: {} ticks, {:.1f} s. Esc ends it and shows it here.", ticks,
+                                   static_cast<double>(ticks) * tape.dt)
+                           .c_str());
+        return;
+    }
+    if (!editor.lab.has_tape()) {
+        ui::muted_text(
+            "Every playtest is recorded. Walk the level, or open a tape, and go through it tick by tick.");
+        ImGui::Spacing();
+        if (ui::button("Play", "Walk the level from the spawn point")) run_command(editor, "playtest.start");
+        ImGui::SameLine();
+        if (ui::button("Open tape…", "Open a recorded run")) run_command(editor, "lab.open_tape");
+        return;
+    }
+    transport(editor);
+    if (!editor.lab.has_tape()) return;
+    ImGui::Dummy({1, 2 * ui::scale()});
+    tracks(editor);
+}
+
+}  // namespace slipface

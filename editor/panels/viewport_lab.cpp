@@ -1,0 +1,164 @@
+// The lab in the view: the runs' ribbons and ghosts, where they part, and the record that is lit.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "panels/lab_track.h"
+#include "panels/viewport_panel.h"
+#include "slipface/render/trace_overlay.h"
+#include "widgets/theme.h"
+#include "widgets/ui.h"
+
+namespace slipface {
+namespace {
+
+constexpr std::size_t most_segments = 2500;  // of one ribbon
+constexpr Color lit_color{1.0f, 0.60f, 0.18f, 1.0f};
+constexpr Color parting_color{0.937f, 0.400f, 0.361f, 1.0f};
+
+Color to_color(const ImVec4& c, float alpha) {
+    return {c.x, c.y, c.z, alpha};
+}
+
+// The way of the feet, brighter up to the cursor's time.
+void ribbon(Overlay& overlay, const TapeRun& run, double until_s, const Color& color) {
+    const auto samples = run.samples();
+    const Vec3 down(0.0, 0.02 - run.settings().radii.y(), 0.0);
+    const std::size_t stride = std::max<std::size_t>(1, samples.size() / most_segments);
+    Vec3 previous = run.start() + down;
+    for (std::size_t tick = 0; tick < samples.size(); tick += stride) {
+        const Vec3 here = samples[tick].position + down;
+        const bool past = static_cast<double>(tick) * run.dt() <= until_s;
+        Color tint = color;
+        tint.alpha *= past ? 0.95f : 0.35f;
+        bool jumped = false;
+        for (std::size_t i = tick + 1 - std::min(tick + 1, stride); i <= tick; ++i)
+            jumped = jumped || samples[i].respawned;
+        if (!jumped && here != previous) overlay.line(previous, here, tint, past ? 3.0f : 2.0f);
+        previous = here;
+    }
+}
+
+void ghost(Overlay& overlay, const TapeRun& run, double time_s, const Color& color, bool told) {
+    const auto samples = run.samples();
+    const auto tick = static_cast<std::size_t>(std::llround(time_s / run.dt()));
+    if (samples.empty()) return;
+    const TickSample& sample = samples[std::min(tick, samples.size() - 1)];
+    Color fill = color, outline = color;
+    fill.alpha = told ? 0.30f : 0.14f;
+    outline.alpha = 0.95f;
+    overlay.ellipsoid(sample.position, run.settings().radii, fill, outline);
+    if (told && sample.velocity.norm() > 0.1)
+        overlay.arrow(sample.position, sample.position + sample.velocity * 0.2, color, 2.5f, true);
+}
+
+void partings(Overlay& overlay, const Lab& lab) {
+    for (std::size_t i = 1; i < lab.runs().size(); ++i) {
+        const auto& divergence = lab.divergence(i);
+        if (!lab.runs()[i].shown || !divergence) continue;
+        const Vec3 at = lab.runs()[i].run.samples()[divergence->first].position;
+        const Vec3 top = at + Vec3(0.0, lab.runs()[i].settings.radii.y() + 0.7, 0.0);
+        overlay.line(at, top, parting_color, 2.5f, true);
+        overlay.cross(at, 0.25, parting_color, 3.0f);
+    }
+}
+
+void lit_record(Overlay& overlay, const Editor& editor, const StoryLine& line) {
+    const CollisionWorld& world = editor.document->collision();
+    const auto fill = [&](TriangleId triangle, float alpha) {
+        auto corners = world.triangle(triangle);
+        const Vec3 off = (line.normal.isZero() ? world.triangle_normal(triangle) : line.normal) * 0.004;
+        for (Vec3& corner : corners)
+            corner += off;
+        Color tint = lit_color;
+        tint.alpha = alpha;
+        overlay.triangle(corners[0], corners[1], corners[2], tint);
+        for (std::size_t i = 0; i < 3; ++i)
+            overlay.line(corners[i], corners[(i + 1) % 3], lit_color, 2.0f, true);
+    };
+    if (line.triangle != no_id && line.triangle < world.triangle_count()) fill(line.triangle, 0.40f);
+    if (!line.place) return;
+    if (!line.normal.isZero()) {
+        Color plane = lit_color;
+        plane.alpha = 0.12f;
+        overlay.disc(*line.place + line.normal * 0.006, line.normal, 0.45, plane, lit_color);
+        overlay.arrow(*line.place, *line.place + line.normal * 0.6, lit_color, 3.0f, true);
+    }
+    overlay.line(*line.place, *line.place, {0.10f, 0.09f, 0.04f, 1.0f}, 13.0f, true);
+    overlay.line(*line.place, *line.place, lit_color, 9.0f, true);
+}
+
+}  // namespace
+
+void add_lab(Overlay& overlay, const Editor& editor) {
+    const Lab& lab = editor.lab;
+    if (!lab.has_tape()) return;
+    const Document& document = *editor.document;
+    const double time_s = static_cast<double>(lab.cursor()) * lab.tape().dt;
+    if (lab.show_rates) {
+        const std::vector<RateRow>& rows = lab.rates(document);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const Color color = to_color(run_color(i), 1.0f);
+            // The last tick that ends no later than the tape's.
+            const double own_end = time_s + lab.tape().dt;
+            ribbon(overlay, rows[i].run, time_s, color);
+            ghost(overlay, rows[i].run, own_end - rows[i].run.dt(), color, false);
+        }
+        return;
+    }
+    for (std::size_t i = lab.runs().size(); i-- > 0;) {
+        if (!lab.runs()[i].shown) continue;
+        const Color color = to_color(run_color(i), 1.0f);
+        ribbon(overlay, lab.runs()[i].run, time_s, color);
+        ghost(overlay, lab.runs()[i].run, time_s, color, i == lab.told());
+    }
+    partings(overlay, lab);
+    draw_trace(overlay, lab.trace(document).records, lab.runs()[lab.told()].settings.radii,
+               {.ghosts = false, .contacts = true, .planes = true, .leftovers = false, .opacity = 0.9f});
+    const std::vector<StoryLine>& story = lab.story(document);
+    if (lab.lit_line && *lab.lit_line < story.size()) lit_record(overlay, editor, story[*lab.lit_line]);
+}
+
+void view_label(const ViewportState& state, const Camera& camera, const Vec3& place, const std::string& text,
+                const ImVec4& color) {
+    const Vec3 pixel =
+        project(camera, place, Vec2(static_cast<double>(state.size.x), static_cast<double>(state.size.y)));
+    if (!(pixel.z() > 0.0)) return;
+    const float scale = ui::scale();
+    const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 tip{state.min.x + static_cast<float>(pixel.x()),
+                     state.min.y + static_cast<float>(pixel.y())};
+    const ImVec2 min{tip.x - 0.5f * extent.x - 7 * scale, tip.y - extent.y - 10 * scale};
+    const ImVec2 max{tip.x + 0.5f * extent.x + 7 * scale, tip.y - 4 * scale};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(state.min, {state.min.x + state.size.x, state.min.y + state.size.y}, true);
+    list.AddRectFilled(min, max, ui::packed(ui::with_alpha(ui::palette().window, 0.82f)), 5 * scale);
+    list.AddText({min.x + 7 * scale, min.y + 3 * scale}, ui::packed(color), text.c_str());
+    list.PopClipRect();
+}
+
+void lab_labels(const Editor& editor, const ViewportState& state) {
+    const Lab& lab = editor.lab;
+    if (!lab.has_tape() || lab.show_rates || editor.playtest) return;
+    const Camera camera = editor.view.camera();
+    for (std::size_t i = 1; i < lab.runs().size(); ++i) {
+        const LabRun& run = lab.runs()[i];
+        const auto& divergence = lab.divergence(i);
+        if (!run.shown || !divergence) continue;
+        const Vec3 at = run.run.samples()[divergence->first].position;
+        view_label(state, camera, at + Vec3(0.0, run.settings.radii.y() + 0.7, 0.0),
+                   fmt::format("Parts at tick {}", divergence->first), ui::palette().bad);
+    }
+    for (std::size_t i = 0; i < lab.runs().size(); ++i) {
+        const LabRun& run = lab.runs()[i];
+        const auto samples = run.run.samples();
+        if (!run.shown || lab.cursor() >= samples.size()) continue;
+        if (i != lab.told() && !lab.divergence(i)) continue;  // it stands in the told one
+        view_label(state, camera,
+                   samples[lab.cursor()].position + Vec3(0.0, run.settings.radii.y() + 0.1, 0.0), run.name,
+                   run_color(i));
+    }
+}
+
+}  // namespace slipface

@@ -1,0 +1,60 @@
+// Everything that can be rendered by name: the scenes of suites or of levels named on the command line, and
+// the editor's screens.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "slipface/render/gl_context.h"
+#include "slipface/snapshot/golden.h"
+#include "slipface/snapshot/suite.h"
+
+namespace slipface {
+
+struct SuiteArguments {
+    std::string goldens = "screenshots";
+    std::vector<std::string> suites;  // none: GOLDENS/scenes.json and GOLDENS/editor/*.script
+    std::vector<std::string> levels;  // instead of suites: these, from `cameras`
+    std::vector<std::string> cameras{"auto:iso4", "auto:map", "bookmarks"};
+    std::string size = "960x540", style = "textured overlay", tape;
+    std::string gl = "auto";  // "osmesa", "egl"
+
+    std::vector<std::string> as_command_line() const;  // what a worker must be told
+};
+
+struct SuiteSet {
+    std::vector<Scene> scenes;  // cameras expanded
+    std::vector<Snapshot> screens;
+    std::vector<std::string> names;  // scenes first; of these, levels one after the other
+};
+
+// Reads suites and scripts; makes no context. Errors: no such folder, a suite that is not understood.
+Result<SuiteSet> load_suite_set(const SuiteArguments& arguments);
+
+// Makes snapshots by name; one context and one copy of each level for all scenes.
+class Studio {
+  public:
+    explicit Studio(SuiteSet set) : set_(std::move(set)) {}
+
+    const SuiteSet& set() const { return set_; }
+    Result<Snapshot> find(const std::string& name);
+    double drawing_s() const { return stage_ ? stage_->drawing_s() : 0.0; }
+    // "OSMesa, llvmpipe (...), 4.5 (Core Profile) Mesa 22.3.6"; empty before the first scene.
+    const std::string& renderer() const { return renderer_; }
+
+  private:
+    SuiteSet set_;
+    std::unique_ptr<OffscreenContext> context_;
+    std::shared_ptr<SceneStage> stage_;
+    std::map<std::string, Snapshot> scenes_;
+    std::string renderer_;
+};
+
+std::string renderer_line(const OffscreenContext& context);
+
+}  // namespace slipface

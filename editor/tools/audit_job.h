@@ -1,0 +1,68 @@
+// An audit that runs beside the editor, and what it found.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <thread>
+
+#include "document/document.h"
+#include "slipface/sim/audit.h"
+
+namespace slipface {
+
+enum class HeatKind { lost_speed, stuck, missed_ground, visited, unreached };
+inline constexpr std::array<const char*, 5> heat_names{"Lost speed", "Stuck", "Missed ground", "Visited",
+                                                       "Never visited"};
+
+struct AuditSettings {
+    int walkers = 60;
+    double duration_s = 30.0;  // simulated, each walker
+    int seed = 1;
+};
+
+class AuditJob {
+  public:
+    // Copies what it needs of the document and begins at once.
+    static std::shared_ptr<AuditJob> start(const Document& document, const AuditSettings& settings);
+    ~AuditJob();
+    AuditJob(const AuditJob&) = delete;
+    AuditJob& operator=(const AuditJob&) = delete;
+
+    bool running() const { return !done_; }
+    double progress() const;  // 0..1
+    void cancel() { cancelled_ = true; }
+    // When it has ended: the report, or why there is none.
+    const AuditReport* report() const { return done_ && report_ ? &*report_ : nullptr; }
+    const std::string& problem() const { return problem_; }
+    // The level it ran in is the one that is open, unchanged in what is walked on.
+    bool fits(const Document& document) const;
+
+    // A face's share of what is worst in the level, 0..1; [face]. `unreached` is 1 for faces that could be
+    // stood on and were not.
+    const std::vector<float>& heat(const Document& document, HeatKind kind) const;
+    double worst(HeatKind kind) const;  // in the unit of the kind: m/s lost, ticks
+    // The run of a finding up to the tick at which it went wrong.
+    Tape tape_of(const AuditFinding& finding) const;
+
+    AuditSettings settings;
+    HeatKind kind = HeatKind::lost_speed;
+    bool show_heat = true;
+    std::optional<std::size_t> opened;  // finding that was opened last
+
+  private:
+    AuditJob() = default;
+    double value(HeatKind kind, FaceId face) const;
+
+    Level level_;
+    AuditOptions options_;
+    std::uint64_t face_revision_ = 0;
+    std::atomic<std::uint64_t> steps_{0};
+    std::atomic<bool> cancelled_{false}, done_{false};
+    std::optional<AuditReport> report_;
+    std::string problem_;
+    mutable std::optional<HeatKind> heat_kind_;
+    mutable std::vector<float> heat_;
+    std::thread thread_;
+};
+
+}  // namespace slipface

@@ -1,0 +1,66 @@
+// Commands on files and documents.
+#include "tools/command_actions.h"
+#include "tools/command_rows.h"
+#include "tools/icons.h"
+
+namespace slipface {
+namespace {
+
+using namespace command_actions;
+
+void bake_types(Editor& editor) {
+    if (!editor.document || editor.document->in_transaction()) return;
+    const Result<std::string> baked = editor.document->bake();
+    if (!baked) {
+        editor.message = MessageDialog{"Cannot bake the types", baked.error().text(), {}};
+        return;
+    }
+    geometry_changed(editor);
+    document_is_safe(editor);
+    editor.session.watch.start(editor.document->level().mesh_path, editor.document->level().file_path);
+    editor.status = *baked;
+}
+
+}  // namespace
+
+std::vector<Command> file_commands() {
+    return {
+        {"file.open", icons::folder_open, "Open…", "File", "Open an OBJ or a level file",
+         "load import level obj", ctrl("O"), always, nullptr, open_file},
+        {"file.save", icons::save, "Save", "File",
+         "Write the level file beside the OBJ, which stays as it is", "write store", ctrl("S"), has_document,
+         nullptr, save},
+        {"file.save_as", icons::save, "Save as…", "File", "Write the level file under another name",
+         "write store copy", ctrl_shift("S"), has_document, nullptr, save_as},
+        {"file.reload", icons::refresh, "Reload geometry", "File",
+         "Read the OBJ again and find the painted faces on it; undo takes it back", "refresh again hot",
+         ctrl("R"), has_document, nullptr, reload_geometry},
+        {"file.recover",
+         icons::life_ring,
+         "Recover autosaves…",
+         "File",
+         "List what a session that ended unexpectedly left behind",
+         "crash backup restore autosave",
+         {},
+         always,
+         nullptr,
+         look_for_autosaves},
+        {"file.bake",
+         icons::save,
+         "Bake types into materials",
+         "File",
+         "Write the painted types into the OBJ's material names, where modelling tools keep them; the file "
+         "before "
+         "stays as NAME.bak",
+         "export write obj suffix blender hand over",
+         {},
+         has_document,
+         nullptr,
+         bake_types},
+        {"file.quit", icons::sign_out, "Quit", "File",
+         "Leave Slipface; asks first when there are unsaved changes", "exit close leave", ctrl("Q"), always,
+         nullptr, request_quit},
+    };
+}
+
+}  // namespace slipface

@@ -1,0 +1,71 @@
+// Commands of the playtest, and a switch for each movement hack.
+#include <array>
+#include <cstdlib>
+#include <utility>
+
+#include "tools/command_actions.h"
+#include "tools/command_rows.h"
+#include "tools/icons.h"
+
+namespace slipface {
+
+using namespace command_actions;
+
+namespace {
+
+// One for each switch of the settings table. The ids live as long as the program.
+template <std::size_t... I>
+std::vector<Command> hack_commands(std::index_sequence<I...>) {
+    static std::array<std::string, sizeof...(I)> ids;
+    std::vector<Command> rows;
+    const auto add = [&](std::size_t i, auto checked, auto run) {
+        if (i >= settings_table().size()) return;
+        const SettingInfo& info = settings_table()[i];
+        if (!std::holds_alternative<bool MovementSettings::*>(info.member)) return;
+        ids[i] = std::string("movement.") + info.name;
+        rows.push_back({ids[i].c_str(),
+                        "",
+                        info.label,
+                        "Playtest",
+                        info.meaning,
+                        "hack switch toggle movement",
+                        {},
+                        has_document,
+                        checked,
+                        run});
+    };
+    (add(I, setting_is_on<I>, toggle_setting<I>), ...);
+    return rows;
+}
+
+}  // namespace
+
+std::vector<Command> play_commands() {
+    constexpr std::size_t max_settings = 96;
+    if (settings_table().size() > max_settings) std::abort();
+    std::vector<Command> rows{
+        {"playtest.start", icons::play, "Play", "Playtest", "Walk the level from the spawn point",
+         "run walk test game", key("F5"), has_document, nullptr, start_playtest},
+        {"playtest.stop", icons::stop, "Stop", "Playtest", "Go back to editing", "end leave exit",
+         key("Escape"), is_playing, nullptr, stop_playtest},
+        {"playtest.restart", icons::restart, "Restart", "Playtest", "Go back to the spawn point",
+         "again respawn reset", key("R"), is_playing, nullptr, start_playtest},
+        {"playtest.toggle_person", icons::person, "First person", "Playtest", "See through the player's eyes",
+         "third camera view", key("V"), is_playing, is_first_person, toggle_person},
+    };
+    for (Command& row : hack_commands(std::make_index_sequence<max_settings>()))
+        rows.push_back(std::move(row));
+    rows.push_back({"movement.reset",
+                    icons::reset,
+                    "Reset movement",
+                    "Playtest",
+                    "Set every hack and parameter to its default",
+                    "default settings hacks",
+                    {},
+                    movement_differs,
+                    nullptr,
+                    reset_movement});
+    return rows;
+}
+
+}  // namespace slipface

@@ -1,0 +1,64 @@
+// Commands of reviewing snapshots.
+#include "tools/command_actions.h"
+#include "tools/command_rows.h"
+#include "tools/icons.h"
+#include "tools/review.h"
+
+namespace slipface {
+namespace {
+
+constexpr const char* usual_report = "out/snapshots/report.json";
+
+bool is_open(const Editor& editor) {
+    return editor.review != nullptr;
+}
+bool shows_pictures(const Editor& editor) {
+    return editor.review && editor.review->pictures;
+}
+
+}  // namespace
+
+std::vector<Command> review_commands() {
+    return {
+        {"review.open",
+         icons::eye,
+         "Review snapshots",
+         "View/Snapshots",
+         "Look at what the last `slipface snapshot check` found",
+         "golden picture difference",
+         {},
+         command_actions::always,
+         nullptr,
+         [](Editor& editor) { open_review(editor, usual_report); }},
+        {"review.next", "", "Next snapshot", "View/Snapshots", "The next one that is not the same", "forward",
+         alt("PageDown"), is_open, nullptr, [](Editor& editor) { review_step(editor, 1); }},
+        {"review.previous", "", "Previous snapshot", "View/Snapshots", "The one before", "back",
+         alt("PageUp"), is_open, nullptr, [](Editor& editor) { review_step(editor, -1); }},
+        {"review.approve", "", "Approve snapshot", "View/Snapshots", "Make what is seen the golden and go on",
+         "accept golden", alt("A"), review_can_approve, nullptr,
+         [](Editor& editor) { review_mark(editor, ReviewMark::approved); }},
+        {"review.reject", "", "Reject snapshot", "View/Snapshots", "Mark it as wrong and go on",
+         "wrong refuse", alt("R"), is_open, nullptr,
+         [](Editor& editor) { review_mark(editor, ReviewMark::rejected); }},
+        {"review.skip", "", "Skip snapshot", "View/Snapshots", "Decide later and go on", "later", alt("S"),
+         is_open, nullptr, [](Editor& editor) { review_mark(editor, ReviewMark::skipped); }},
+        {"review.camera", "", "Go to the snapshot's camera", "View/Snapshots",
+         "Open its level and look from where it was taken", "view place", alt("G"), review_has_camera,
+         nullptr, review_go_to_camera},
+        {"review.pictures", "", "Show pictures", "View/Snapshots",
+         "The snapshot's pictures instead of the level", "compare", alt("P"), is_open, shows_pictures,
+         [](Editor& editor) { editor.review->pictures ^= true; }},
+        {"review.close",
+         "",
+         "Close review",
+         "View/Snapshots",
+         "Back to the level",
+         "end",
+         {},
+         is_open,
+         nullptr,
+         close_review},
+    };
+}
+
+}  // namespace slipface

@@ -1,0 +1,56 @@
+// Going through what a check of the snapshots found: look, go there, approve or reject.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "slipface/render/camera.h"
+#include "slipface/snapshot/report.h"
+
+namespace slipface {
+
+struct Editor;
+
+enum class ReviewMode { side_by_side, swipe, blink, heat };
+inline constexpr std::size_t review_mode_count = 4;
+enum class ReviewMark { none, approved, rejected, skipped };
+
+struct Review {
+    std::filesystem::path report_file;
+    Report report;
+    std::vector<std::size_t> shown;  // entries that are not the same, worst first
+    std::vector<ReviewMark> marks;   // [shown]
+    std::size_t current = 0;         // index into shown
+    ReviewMode mode = ReviewMode::side_by_side;
+    double swipe = 0.5;    // share of the width that shows the expected picture
+    bool pictures = true;  // the view shows them; else the level
+    double blink_s = 0.0;  // since the pictures last changed places
+    bool blink_actual = true;
+
+    // Of the current entry; empty where the check wrote none.
+    Image expected, actual, heat;
+    std::uint64_t pictures_revision = 0;  // counts up when they change
+    std::optional<Camera> camera;         // where the current entry was taken from
+
+    const GoldenResult* entry() const {
+        return current < shown.size() ? &report.entries[shown[current]] : nullptr;
+    }
+};
+
+// Reads the report and shows its worst entry. Failure is a message, and leaves an open review as it was.
+void open_review(Editor& editor, const std::filesystem::path& report_file);
+void close_review(Editor& editor);
+void review_show(Editor& editor, std::size_t index);  // into shown
+void review_step(Editor& editor, int by);
+// Approving makes the picture the golden at once; then goes on to the next.
+void review_mark(Editor& editor, ReviewMark mark);
+bool review_can_approve(const Editor& editor);
+// Opens the level of the current entry and looks from where the snapshot was taken.
+void review_go_to_camera(Editor& editor);
+bool review_has_camera(const Editor& editor);
+
+const char* review_mark_name(ReviewMark mark);  // "", "approved", ...
+
+}  // namespace slipface

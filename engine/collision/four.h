@@ -1,0 +1,86 @@
+// Four floats side by side, for the tree's construction: minima, maxima and products, the same bits with and
+// without SIMD.
+#pragma once
+
+#include <cstdint>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace slipface::detail {
+
+#if defined(__SSE2__)
+
+struct Four {
+    __m128 v;
+
+    static Four all(float value) { return {_mm_set1_ps(value)}; }
+    static Four load(const float* from) { return {_mm_loadu_ps(from)}; }
+    void store(float* to) const { _mm_storeu_ps(to, v); }
+    void store_truncated(std::int32_t* to) const {
+        _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm_cvttps_epi32(v));
+    }
+    // The fourth becomes 0.
+    Four first_three() const { return {_mm_and_ps(v, _mm_castsi128_ps(_mm_setr_epi32(-1, -1, -1, 0)))}; }
+};
+inline Four operator+(Four a, Four b) {
+    return {_mm_add_ps(a.v, b.v)};
+}
+inline Four operator-(Four a, Four b) {
+    return {_mm_sub_ps(a.v, b.v)};
+}
+inline Four operator*(Four a, Four b) {
+    return {_mm_mul_ps(a.v, b.v)};
+}
+// Where one of the two is not a number: the second.
+inline Four four_min(Four a, Four b) {
+    return {_mm_min_ps(a.v, b.v)};
+}
+inline Four four_max(Four a, Four b) {
+    return {_mm_max_ps(a.v, b.v)};
+}
+
+#else
+
+struct Four {
+    float v[4];
+
+    static Four all(float value) { return {{value, value, value, value}}; }
+    // Three numbers and four bytes of anything.
+    static Four load(const float* from) { return {{from[0], from[1], from[2], from[3]}}; }
+    void store(float* to) const {
+        for (int k = 0; k < 4; ++k)
+            to[k] = v[k];
+    }
+    void store_truncated(std::int32_t* to) const {
+        for (int k = 0; k < 3; ++k)
+            to[k] = static_cast<std::int32_t>(v[k]);
+    }
+    Four first_three() const { return {{v[0], v[1], v[2], 0.0F}}; }
+};
+inline Four operator+(Four a, Four b) {
+    return {{a.v[0] + b.v[0], a.v[1] + b.v[1], a.v[2] + b.v[2], 0.0F}};
+}
+inline Four operator-(Four a, Four b) {
+    return {{a.v[0] - b.v[0], a.v[1] - b.v[1], a.v[2] - b.v[2], 0.0F}};
+}
+inline Four operator*(Four a, Four b) {
+    return {{a.v[0] * b.v[0], a.v[1] * b.v[1], a.v[2] * b.v[2], 0.0F}};
+}
+inline Four four_min(Four a, Four b) {
+    Four out;
+    for (int k = 0; k < 4; ++k)
+        out.v[k] = a.v[k] < b.v[k] ? a.v[k] : b.v[k];
+    return out;
+}
+inline Four four_max(Four a, Four b) {
+    Four out;
+    for (int k = 0; k < 4; ++k)
+        out.v[k] = a.v[k] > b.v[k] ? a.v[k] : b.v[k];
+    return out;
+}
+
+#endif
+
+}  // namespace slipface::detail

@@ -1,0 +1,85 @@
+// The float part of every query: walks the tree, drops what certainly does not matter, and hands the rest to
+// a callback that decides in double. It errs on the side of keeping, so no answer depends on which of the
+// compiled kernels runs. docs/sweep.md, "Boxes" and "The float filter", bounds the errors.
+//
+// Compiled once for each instruction set; everything passed is plain data.
+#pragma once
+
+#include "bvh_layout.h"
+
+namespace slipface::detail {
+
+// Relative slack of a float time against rounding: each is a subtraction, a reciprocal and a product away
+// from exact input, under 8 ulp in all.
+inline constexpr float time_slack = 1e-6F;
+inline constexpr float least_time = 1e-37F;
+// More than all roundings of a determinant of three vectors together (fewer than 40 of 2^-24), relative
+// to the product of their lengths.
+inline constexpr float determinant_rounding = 4e-6F;
+// Separations whose square is smaller are not trusted: they are too near float's lower end.
+inline constexpr float least_square = 1e-28F;
+
+// The path of an axis-aligned box (or a point) as slabs: an axis' nearer plane of a tree box is passed at
+// (plane - near_offset) * inverse.
+struct BoxPath {
+    float near_offset[3];  // where the path's own further side starts, rounded away from the path
+    float far_offset[3];
+    float inverse[3];  // 1 / move, +inf for none
+    int near_row[3];   // row of BvhNode::bound that is met first
+    int far_row[3];
+};
+
+// The same path in sphere space. A corner w is (w - centre) * inverse - rest there.
+struct SpherePath {
+    float centre[3];
+    float rest[3];
+    float inverse[3];  // 1 / radii
+    float d[3];
+    float inverse_dd;  // 0 for no move
+    bool usable;       // products of three factors stay far from float's ends
+};
+
+struct SweepPath {
+    BoxPath box;
+    SpherePath sphere;
+};
+
+struct RayPath {
+    BoxPath box;
+    float centre[3];
+    float rest[3];
+    int kx, ky, kz;
+    float sx, sy;
+    bool usable;
+};
+
+struct PointBoxes {
+    float up[3];  // the point, rounded up
+    float down[3];
+    SpherePath sphere;  // radii of 1 and no move
+};
+
+// Called with a triangle that may matter; returns the limit from now on, and below 0 to stop.
+using Consider = float (*)(void* context, const Leaf& leaf, std::uint32_t lane);
+
+struct Kernels {
+    const char* name;
+    // Triangles that the sphere may touch no later than `limit`, nearer ones roughly first.
+    void (*sweep)(const TreeView& tree, const SweepPath& path, float limit, Consider consider, void* context);
+    // Triangles that the ray may cross no later than `limit`.
+    void (*ray)(const TreeView& tree, const RayPath& path, float limit, Consider consider, void* context);
+    // Triangles whose squared distance may be at most `limit`.
+    void (*closest)(const TreeView& tree, const PointBoxes& point, float limit, Consider consider,
+                    void* context);
+};
+
+extern const Kernels baseline_kernels;
+#if defined(__x86_64__)
+extern const Kernels avx2_kernels;
+extern const Kernels avx512_kernels;
+#endif
+
+// The ones in use: the widest that the processor has, unless another was asked for.
+const Kernels& kernels();
+
+}  // namespace slipface::detail

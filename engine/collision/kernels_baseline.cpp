@@ -1,0 +1,7 @@
+#include "kernels_impl.h"
+
+namespace slipface::detail {
+
+const Kernels baseline_kernels{"baseline", sweep_kernel, ray_kernel, closest_kernel};
+
+}  // namespace slipface::detail

@@ -1,0 +1,36 @@
+// The checks, one function each. Each appends what it found in ascending order of face.
+#pragma once
+
+#include "slipface/collision/collision_world.h"
+#include "slipface/doctor/doctor.h"
+#include "topology.h"
+
+namespace slipface::doctor {
+
+struct Patient {
+    const Level& level;
+    const Mesh& mesh;
+    const Topology& topology;
+    const ResolvedSurfaces& resolved;
+    const CollisionWorld& world;
+
+    const SurfaceType& surface(FaceId face) const { return level.surfaces[resolved.surface[face]]; }
+};
+
+using Problems = std::vector<Problem>;
+
+void find_open_edges(const Patient& patient, Problems& out);     // T-junctions and cracks
+void find_slivers(const Patient& patient, Problems& out);        // faces with triangles too thin
+void find_duplicates(const Patient& patient, Problems& out);     // the same corners twice
+void find_overlaps(const Patient& patient, Problems& out);       // coplanar faces over each other
+void find_flipped(const Patient& patient, Problems& out);        // wound against their neighbours
+void find_acute_corners(const Patient& patient, Problems& out);  // wedges that the player can enter
+void find_limit_slopes(const Patient& patient, Problems& out);
+void find_limit_steps(const Patient& patient, Problems& out);
+void find_orphans(const Patient& patient, Problems& out);
+void find_missing_textures(const Patient& patient, Problems& out);
+
+std::string metres(double value);     // "0.40 mm", "12 cm", "1.25 m"
+std::string degrees(double radians);  // "49.8°"
+
+}  // namespace slipface::doctor

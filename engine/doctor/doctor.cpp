@@ -1,0 +1,123 @@
+#include "slipface/doctor/doctor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "checks.h"
+
+namespace slipface {
+namespace {
+
+constexpr ProblemKindInfo kinds[] = {
+    {ProblemKind::t_junction, "t_junction", "T-junctions",
+     "A corner lies in the middle of another face's edge, so the two faces share no edge there. The player "
+     "can "
+     "catch on it, and filling stops at it",
+     "Give the longer edge a vertex there in the modelling tool"},
+    {ProblemKind::crack, "crack", "Cracks",
+     "Two corners, or a corner and an edge, almost meet. Thin rays and small bodies slip through",
+     "Merge the vertices by distance in the modelling tool"},
+    {ProblemKind::sliver, "sliver", "Slivers", "A triangle is so thin that its normal means little",
+     "Dissolve the face or move its corners in the modelling tool"},
+    {ProblemKind::duplicate, "duplicate", "Duplicate faces",
+     "Two faces have the same corners. With different surface types, which one counts is arbitrary",
+     "Delete one in the modelling tool; here both can be given one type"},
+    {ProblemKind::overlap, "overlap", "Overlapping faces",
+     "Two faces lie in one plane over each other: they flicker, and which type counts is arbitrary",
+     "Cut or move one in the modelling tool; here both can be given one type"},
+    {ProblemKind::flipped, "flipped", "Flipped faces",
+     "The face is wound against its neighbours: one-sided types act on the wrong side of it",
+     "Recalculate the normals in the modelling tool"},
+    {ProblemKind::acute_corner, "acute_corner", "Acute corners",
+     "The player can enter a corner where walls or ceiling and floor meet at a sharp angle, and may be "
+     "wedged in",
+     "Fill the corner with an invisible face, or use the analytic push-out"},
+    {ProblemKind::slope_limit, "slope_limit", "Slopes at the limit",
+     "The slope is within 1 % of the steepest that can be stood on: rounding decides whether the player "
+     "slides",
+     "Make it clearly flatter or steeper, or give it a type with its own slope limit"},
+    {ProblemKind::step_limit, "step_limit", "Steps at the limit",
+     "The step is within 1 % of the highest that can be climbed: rounding decides whether the player passes",
+     "Make it clearly lower or higher"},
+    {ProblemKind::orphan, "orphan", "Orphans",
+     "A painted face is no longer in the file. Its type is kept until it is attached again or dropped",
+     "Attach it to the face that took its place, or drop it"},
+    {ProblemKind::missing_texture, "missing_texture", "Missing textures",
+     "The picture that a material names is not there; a checkerboard is drawn instead",
+     "Put the picture beside the level, or change the material's map_Kd"},
+};
+static_assert(std::size(kinds) == problem_kind_count);
+
+struct Check {
+    void (*run)(const doctor::Patient&, doctor::Problems&);
+    double share;  // of the whole time, roughly
+};
+constexpr Check checks[] = {
+    {doctor::find_open_edges, 0.2},       {doctor::find_slivers, 0.05},     {doctor::find_duplicates, 0.1},
+    {doctor::find_overlaps, 0.3},         {doctor::find_flipped, 0.05},     {doctor::find_acute_corners, 0.1},
+    {doctor::find_limit_slopes, 0.02},    {doctor::find_limit_steps, 0.03}, {doctor::find_orphans, 0.0},
+    {doctor::find_missing_textures, 0.0},
+};
+constexpr double preparation = 0.15;
+
+}  // namespace
+
+std::span<const ProblemKindInfo> problem_kinds() {
+    return kinds;
+}
+
+const ProblemKindInfo& info_of(ProblemKind kind) {
+    return kinds[static_cast<std::size_t>(kind)];
+}
+
+std::size_t DoctorReport::total() const {
+    return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+DoctorReport examine(const Level& level, const DoctorProgress& progress) {
+    DoctorReport report;
+    if (!level.mesh) return report;
+    const auto go_on = [&](double share) { return !progress || progress(std::min(1.0, share)); };
+    report.cancelled = !go_on(0.0);
+    if (report.cancelled) return report;
+    const doctor::Topology topology(*level.mesh);
+    const ResolvedSurfaces resolved = resolve_surfaces(level);
+    const Result<CollisionWorld> world = build_collision_world(level);
+    const CollisionWorld nothing;
+    const doctor::Patient patient{level, *level.mesh, topology, resolved, world ? *world : nothing};
+
+    double done = preparation;
+    std::vector<Problem> found;
+    for (const Check& check : checks) {
+        report.cancelled = !go_on(done);
+        if (report.cancelled) break;
+        check.run(patient, found);
+        done += check.share;
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Problem& a, const Problem& b) { return a.kind < b.kind; });
+    for (Problem& problem : found) {
+        std::size_t& count = report.counts[static_cast<std::size_t>(problem.kind)];
+        if (++count <= DoctorReport::most_listed) report.problems.push_back(std::move(problem));
+    }
+    if (!report.cancelled) go_on(1.0);
+    return report;
+}
+
+namespace doctor {
+
+std::string metres(double value) {
+    if (std::abs(value) < 0.01) return fmt::format("{:.2f} mm", value * 1000.0);
+    if (std::abs(value) < 1.0) return fmt::format("{:.1f} cm", value * 100.0);
+    return fmt::format("{:.2f} m", value);
+}
+
+std::string degrees(double radians) {
+    return fmt::format("{:.2f}\u00b0", radians * 57.29577951308232);
+}
+
+}  // namespace doctor
+}  // namespace slipface

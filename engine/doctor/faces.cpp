@@ -1,0 +1,194 @@
+// Slivers, duplicates, faces over each other, faces wound the wrong way.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include "checks.h"
+#include "slipface/base/parallel.h"
+
+namespace slipface::doctor {
+namespace {
+
+constexpr double thinnest = 1.0 / 1000.0;  // height of a triangle as a share of its longest edge
+
+std::array<Vec3, 3> corners_of(const Patient& patient, TriangleId triangle) {
+    std::array<Vec3, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i)
+        corners[i] = patient.topology.position[patient.topology.vertex[patient.mesh.triangles[triangle][i]]];
+    return corners;
+}
+
+std::vector<std::uint32_t> sorted_loop(const Patient& patient, FaceId face) {
+    const auto first = patient.topology.vertex.begin() + patient.mesh.face_first_corner[face];
+    const auto last = patient.topology.vertex.begin() + patient.mesh.face_first_corner[face + 1];
+    std::vector<std::uint32_t> loop(first, last);
+    std::sort(loop.begin(), loop.end());
+    return loop;
+}
+
+using Flat = std::array<Vec2, 3>;
+
+// Whether two triangles of one plane share more than their border: no edge separates them by `margin`.
+bool overlap_in_plane(const Flat& a, const Flat& b, double margin) {
+    for (const auto& [one, two] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+        const Vec2 centre = ((*one)[0] + (*one)[1] + (*one)[2]) / 3.0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vec2 from = (*one)[i], edge = (*one)[(i + 1) % 3] - from;
+            const double length = edge.norm();
+            if (!(length > 0.0)) return false;
+            Vec2 outside(edge.y() / length, -edge.x() / length);
+            if (outside.dot(centre - from) > 0.0) outside = -outside;
+            double nearest = std::numeric_limits<double>::infinity();
+            for (const Vec2& p : *two)
+                nearest = std::min(nearest, outside.dot(p - from));
+            if (nearest > -margin) return false;
+        }
+    }
+    return true;
+}
+
+Flat flatten(const std::array<Vec3, 3>& corners, int drop) {
+    Flat flat;
+    for (std::size_t i = 0; i < 3; ++i)
+        flat[i] = {corners[i][(drop + 1) % 3], corners[i][(drop + 2) % 3]};
+    return flat;
+}
+
+// The first face of a lower number that lies over this triangle in its plane.
+FaceId face_over(const Patient& patient, TriangleId triangle) {
+    const FaceId face = patient.mesh.triangle_face[triangle];
+    const auto corners = corners_of(patient, triangle);
+    const Vec3 cross = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    const double area = cross.norm();
+    const double size = std::max({(corners[1] - corners[0]).norm(), (corners[2] - corners[1]).norm(),
+                                  (corners[0] - corners[2]).norm()});
+    if (!(area > thinnest * size * size)) return no_id;
+    const Vec3 normal = cross / area;
+    int drop = 0;
+    normal.cwiseAbs().maxCoeff(&drop);
+    const double largest = std::max({corners[0].cwiseAbs().maxCoeff(), corners[1].cwiseAbs().maxCoeff(),
+                                     corners[2].cwiseAbs().maxCoeff()});
+    const double off_plane = std::max(1e-5 * size, 8.0 * 0x1p-24 * largest);
+    Aabb box;
+    for (const Vec3& corner : corners)
+        box.add(corner);
+    for (const TriangleId other : patient.world.triangles_in(box)) {
+        const FaceId other_face = patient.mesh.triangle_face[other];
+        if (other_face >= face) break;  // ascending
+        const auto theirs = corners_of(patient, other);
+        if (std::any_of(theirs.begin(), theirs.end(),
+                        [&](const Vec3& p) { return std::abs(normal.dot(p - corners[0])) > off_plane; }))
+            continue;
+        if (overlap_in_plane(flatten(corners, drop), flatten(theirs, drop), std::max(1e-3 * size, off_plane)))
+            return other_face;
+    }
+    return no_id;
+}
+
+}  // namespace
+
+void find_slivers(const Patient& patient, Problems& out) {
+    const Mesh& mesh = patient.mesh;
+    for (FaceId face = 0; face < mesh.face_count(); ++face) {
+        double worst = std::numeric_limits<double>::infinity(), longest_there = 0.0;
+        for (TriangleId t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1]; ++t) {
+            const auto c = corners_of(patient, t);
+            const double longest =
+                std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
+            const double height = longest > 0.0 ? (c[1] - c[0]).cross(c[2] - c[0]).norm() / longest : 0.0;
+            const double share = longest > 0.0 ? height / longest : 0.0;
+            if (share < worst) {
+                worst = share;
+                longest_there = longest;
+            }
+        }
+        if (worst < thinnest)
+            out.push_back({ProblemKind::sliver, face, no_id, face_centroid(mesh, face), 0,
+                           metres(worst * longest_there) + " thin, " + metres(longest_there) + " long"});
+    }
+}
+
+void find_duplicates(const Patient& patient, Problems& out) {
+    const std::size_t count = patient.mesh.face_count();
+    std::vector<std::vector<std::uint32_t>> loops(count);
+    parallel_for(count, 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t face = begin; face < end; ++face)
+            loops[face] = sorted_loop(patient, static_cast<FaceId>(face));
+    });
+    std::vector<FaceId> order(count);
+    std::iota(order.begin(), order.end(), FaceId{0});
+    std::sort(order.begin(), order.end(),
+              [&](FaceId a, FaceId b) { return std::tie(loops[a], a) < std::tie(loops[b], b); });
+    const std::size_t before = out.size();
+    for (std::size_t i = 1; i < count; ++i) {
+        const FaceId face = order[i], first = order[i - 1];
+        if (loops[face] != loops[first]) continue;
+        const bool opposite = patient.topology.normal[face].dot(patient.topology.normal[first]) < 0.0;
+        out.push_back({ProblemKind::duplicate, face, first, face_centroid(patient.mesh, face), 0,
+                       fmt::format("Same corners as face {}{}", first, opposite ? ", from behind" : "")});
+    }
+    std::sort(out.begin() + static_cast<std::ptrdiff_t>(before), out.end(),
+              [](const Problem& a, const Problem& b) { return a.face < b.face; });
+}
+
+void find_overlaps(const Patient& patient, Problems& out) {
+    const Mesh& mesh = patient.mesh;
+    if (patient.world.triangle_count() != mesh.triangle_count()) return;
+    std::vector<FaceId> over(mesh.triangle_count(), no_id);
+    parallel_for(over.size(), 256, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t)
+            over[t] = face_over(patient, static_cast<TriangleId>(t));
+    });
+    FaceId last = no_id;
+    for (TriangleId t = 0; t < over.size(); ++t) {
+        const FaceId face = mesh.triangle_face[t];
+        if (over[t] == no_id || face == last) continue;
+        // Faces with the same corners are duplicates, said already.
+        if (sorted_loop(patient, face) == sorted_loop(patient, over[t])) continue;
+        last = face;
+        const auto corners = corners_of(patient, t);
+        out.push_back({ProblemKind::overlap, face, over[t], (corners[0] + corners[1] + corners[2]) / 3.0, 0,
+                       fmt::format("Over face {}, in one plane", over[t])});
+    }
+}
+
+void find_flipped(const Patient& patient, Problems& out) {
+    const Topology& topology = patient.topology;
+    struct Count {
+        std::uint32_t against = 0, with = 0;
+    };
+    std::vector<Count> counts(patient.mesh.face_count());
+    const auto each_pair = [&](auto visit) {
+        topology.each_edge([&](std::size_t first, std::size_t last) {
+            if (last - first != 2) return;
+            const EdgeUse &a = topology.edges[first], &b = topology.edges[first + 1];
+            if (a.face != b.face) visit(a.face, b.face, a.forward == b.forward);
+        });
+    };
+    each_pair([&](FaceId a, FaceId b, bool against) {
+        for (const FaceId face : {a, b})
+            ++(against ? counts[face].against : counts[face].with);
+    });
+    // Of two faces that disagree, the one with more neighbours against it is the odd one.
+    const auto odd = [&](FaceId a, FaceId b) {
+        const double sa = double(counts[a].against) / (counts[a].against + counts[a].with);
+        const double sb = double(counts[b].against) / (counts[b].against + counts[b].with);
+        return sa > sb ? a : sb > sa ? b : std::max(a, b);
+    };
+    std::map<FaceId, FaceId> found;
+    each_pair([&](FaceId a, FaceId b, bool against) {
+        if (!against) return;
+        const FaceId face = odd(a, b);
+        if (counts[face].against >= counts[face].with) found.try_emplace(face, face == a ? b : a);
+    });
+    for (const auto& [face, neighbour] : found)
+        out.push_back({ProblemKind::flipped, face, neighbour, face_centroid(patient.mesh, face), 0,
+                       fmt::format("Wound against {} of {} neighbours", counts[face].against,
+                                   counts[face].against + counts[face].with)});
+}
+
+}  // namespace slipface::doctor

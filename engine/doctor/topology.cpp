@@ -1,0 +1,59 @@
+#include "topology.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "slipface/base/parallel.h"
+
+namespace slipface::doctor {
+namespace {
+
+std::array<float, 3> coordinates(const Vec3f& p) {
+    return {p.x() + 0.0f, p.y() + 0.0f, p.z() + 0.0f};  // -0 as 0
+}
+
+// [vertex of the mesh] -> the first vertex, by position, at the same place.
+std::vector<std::uint32_t> weld(const Mesh& mesh, std::vector<Vec3>& positions) {
+    std::vector<std::uint32_t> order(mesh.positions.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const auto pa = coordinates(mesh.positions[a]), pb = coordinates(mesh.positions[b]);
+        return std::tie(pa, a) < std::tie(pb, b);
+    });
+    std::vector<std::uint32_t> welded(mesh.positions.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (i == 0 || coordinates(mesh.positions[order[i]]) != coordinates(mesh.positions[order[i - 1]]))
+            positions.push_back(mesh.positions[order[i]].cast<double>());
+        welded[order[i]] = static_cast<std::uint32_t>(positions.size() - 1);
+    }
+    return welded;
+}
+
+}  // namespace
+
+Topology::Topology(const Mesh& mesh) {
+    const std::vector<std::uint32_t> welded = weld(mesh, position);
+    vertex.resize(mesh.corner_vertex.size());
+    for (std::size_t corner = 0; corner < vertex.size(); ++corner)
+        vertex[corner] = welded[mesh.corner_vertex[corner]];
+
+    edges.reserve(vertex.size());
+    for (FaceId face = 0; face < mesh.face_count(); ++face) {
+        const std::uint32_t first = mesh.face_first_corner[face], last = mesh.face_first_corner[face + 1];
+        for (std::uint32_t corner = first; corner < last; ++corner) {
+            const std::uint32_t a = vertex[corner], b = vertex[corner + 1 < last ? corner + 1 : first];
+            if (a != b) edges.push_back({std::min(a, b), std::max(a, b), face, a < b});
+        }
+    }
+    std::sort(edges.begin(), edges.end(), [](const EdgeUse& a, const EdgeUse& b) {
+        return std::tie(a.from, a.to, a.face, a.forward) < std::tie(b.from, b.to, b.face, b.forward);
+    });
+    normal.resize(mesh.face_count());
+    parallel_for(normal.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t face = begin; face < end; ++face)
+            normal[face] = face_normal(mesh, static_cast<FaceId>(face));
+    });
+}
+
+}  // namespace slipface::doctor

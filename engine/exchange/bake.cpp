@@ -1,0 +1,220 @@
+#include "slipface/exchange/bake.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "material_blocks.h"
+#include "slipface/base/files.h"
+#include "slipface/base/text.h"
+#include "slipface/level/material_name.h"
+#include "slipface/mesh/obj_lines.h"
+
+namespace slipface {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What a face without a material is called once one before it in the file has a name.
+constexpr const char* unnamed_material = "none";
+
+Level without_paint(const Level& level) {
+    Level plain = level;
+    plain.overrides.assign(level.mesh->face_count(), std::nullopt);
+    return plain;
+}
+
+// Goes through the statements and keeps what `usemtl` says in step with what each face is to have.
+class Patcher {
+  public:
+    Patcher(const Level& level, const TypedMaterials& materials, std::string_view text)
+        : mesh_(*level.mesh), materials_(materials), text_(text) {}
+
+    Result<BakedText> run(const std::string& place) {
+        std::size_t face = 0;
+        for (const ObjStatement& statement : obj_statements(text_)) {
+            switch (statement.kind) {
+                case ObjStatement::Kind::material:
+                    keep_pending();
+                    pending_ = statement;
+                    authored_ = text_.substr(statement.name_begin, statement.name_end - statement.name_begin);
+                    break;
+                case ObjStatement::Kind::object:
+                    // Blender forgets the material's name at a new object.
+                    if (!pending_ && written_ != authored_) written_.reset();
+                    break;
+                case ObjStatement::Kind::face:
+                    if (face == mesh_.face_count() ||
+                        statement.corners != mesh_.face_corner_count(static_cast<FaceId>(face)))
+                        return Error{place, "holds other faces than were read; open it again"};
+                    add_face(static_cast<FaceId>(face++), statement);
+                    break;
+                case ObjStatement::Kind::library:
+                    break;
+            }
+        }
+        if (face != mesh_.face_count())
+            return Error{place, "holds other faces than were read; open it again"};
+        keep_pending();
+        out_.obj += text_.substr(copied_);
+        return std::move(out_);
+    }
+
+  private:
+    void add_face(FaceId face, const ObjStatement& statement) {
+        const std::uint32_t name = materials_.face_name[face];
+        const bool typed = materials_.of_type[name].has_value();
+        if (typed) ++out_.faces;
+        const std::string_view wanted = typed ? std::string_view(materials_.names[name]) : authored_;
+        if (pending_ && typed) {
+            replace_pending(wanted);
+        } else {
+            keep_pending();
+        }
+        if (written_ == wanted) return;
+        copy_until(statement.begin);
+        out_.obj += "usemtl ";
+        out_.obj += wanted.empty() ? std::string_view(unnamed_material) : wanted;
+        out_.obj += line_ending_near(text_, statement.begin);
+        written_ = std::string(wanted);
+    }
+
+    // The file's own `usemtl` stays as it is.
+    void keep_pending() {
+        if (!pending_) return;
+        written_ = std::string(authored_);
+        pending_.reset();
+    }
+
+    // Its first face wants another name, so the line itself changes.
+    void replace_pending(std::string_view name) {
+        copy_until(pending_->name_begin);
+        if (pending_->name_begin == pending_->name_end && !out_.obj.ends_with(' ')) out_.obj += ' ';
+        out_.obj += name;
+        copied_ = pending_->name_end;
+        written_ = std::string(name);
+        pending_.reset();
+    }
+
+    void copy_until(std::size_t position) {
+        out_.obj += text_.substr(copied_, position - copied_);
+        copied_ = position;
+    }
+
+    const Mesh& mesh_;
+    const TypedMaterials& materials_;
+    const std::string_view text_;
+    std::size_t copied_ = 0;
+    std::string_view authored_;                // by the file's last `usemtl`
+    std::optional<std::string> written_ = "";  // what a reader of the new text takes for the material
+    std::optional<ObjStatement> pending_;      // a `usemtl` without a face so far
+    BakedText out_;
+};
+
+Status write_with_backup(const fs::path& path, std::string_view before, std::string_view after,
+                         Baked& baked) {
+    const fs::path backup = path.string() + ".bak";
+    if (Status status = write_file_atomic(backup, before); !status) return status;
+    baked.backups.push_back(backup);
+    if (Status status = write_file_atomic(path, after); !status) return status;
+    baked.written.push_back(path);
+    return {};
+}
+
+// What the materials say from now on need not be painted any more.
+Result<LoadedLevel> read_baked(const Level& level) {
+    Result<LoadedLevel> loaded = reload_mesh(level);
+    if (!loaded) return loaded;
+    Level& after = loaded->level;
+    const ResolvedSurfaces plain = resolve_surfaces(without_paint(after));
+    for (std::size_t face = 0; face < after.overrides.size(); ++face) {
+        if (after.overrides[face] == plain.surface[face]) after.overrides[face].reset();
+    }
+    return loaded;
+}
+
+}  // namespace
+
+Vec3f tinted(const Vec3f& diffuse, const SurfaceType& type) {
+    return 0.5F * (diffuse + Vec3f(type.color[0], type.color[1], type.color[2]));
+}
+
+Result<TypedMaterials> typed_materials(const Level& level, bool rules_too) {
+    const Mesh& mesh = *level.mesh;
+    const ResolvedSurfaces resolved = resolve_surfaces(level);
+    const ResolvedSurfaces plain = resolve_surfaces(without_paint(level));
+    TypedMaterials result;
+    std::map<std::pair<std::uint32_t, int>, std::uint32_t> known;
+    result.face_name.reserve(mesh.face_count());
+    for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+        const std::uint32_t material = mesh.face_material[face];
+        const SurfaceId surface = resolved.surface[face];
+        const bool by_rule = resolved.source[face] == SurfaceSource::rule;
+        const bool typed = surface != plain.surface[face] || (rules_too && by_rule);
+        const auto [entry, added] = known.try_emplace({material, typed ? int{surface} : -1},
+                                                      static_cast<std::uint32_t>(result.names.size()));
+        result.face_name.push_back(entry->second);
+        if (!added) continue;
+        std::string name = mesh.materials[material].name;
+        if (typed) {
+            const auto with_type = typed_material(name, surface, level.surfaces);
+            if (!with_type)
+                return Error{level.file_path.string() + ":/surfaces",
+                             fmt::format("the type \"{}\" cannot stand in a material's name; expected a name "
+                                         "without an ending like .001",
+                                         level.surfaces[surface].name)};
+            name = *with_type;
+        }
+        result.names.push_back(std::move(name));
+        result.base.push_back(material);
+        result.of_type.push_back(typed ? std::optional(surface) : std::nullopt);
+    }
+    return result;
+}
+
+Result<BakedText> bake_text(const Level& level, std::string_view obj) {
+    const std::string place = level.mesh_path.string();
+    if (file_stamp(obj) != level.mesh_stamp)
+        return Error{place, "was changed by another program since it was read; reload it first"};
+    Result<TypedMaterials> materials = typed_materials(level, false);
+    if (!materials) return materials.error();
+    Result<BakedText> baked = Patcher(level, *materials, obj).run(place);
+    if (baked) baked->materials = std::move(*materials);
+    return baked;
+}
+
+Result<Baked> bake_level(const Level& level) {
+    const std::string place = level.mesh_path.string();
+    if (to_lower(level.mesh_path.extension().string()) != ".obj")
+        return Error{place, "is read only; only OBJ files are written (slipface export writes others)"};
+    Result<std::string> bytes = read_file(level.mesh_path);
+    if (!bytes) return bytes.error();
+    Result<BakedText> text = bake_text(level, *bytes);
+    if (!text) return text.error();
+
+    Baked baked;
+    baked.faces = text->faces;
+    if (text->faces > 0) {
+        // Materials first: one that no face uses yet does no harm.
+        for (const MaterialPatch& patch : patch_libraries(level, *bytes, text->materials)) {
+            if (Status status = write_with_backup(patch.path, patch.before, patch.after, baked); !status)
+                return status.error();
+        }
+        if (Status status = write_with_backup(level.mesh_path, *bytes, text->obj, baked); !status)
+            return status.error();
+    }
+    Result<LoadedLevel> after = read_baked(level);
+    if (!after) return after.error();
+    baked.after = std::move(*after);
+    return baked;
+}
+
+std::string Baked::text() const {
+    const std::string name = after.level.mesh_path.filename().string();
+    if (faces == 0) return "no face is painted: " + name + " stays as it is";
+    return fmt::format("{} face{} baked into {}; the file before is {}.bak", faces, faces == 1 ? "" : "s",
+                       name, name);
+}
+
+}  // namespace slipface

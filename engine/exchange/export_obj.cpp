@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "export_parts.h"
+#include "slipface/base/files.h"
+#include "slipface/base/parallel.h"
+
+namespace slipface {
+
+namespace fs = std::filesystem;
+
+std::string texture_from(const Level& level, const Material& material, const fs::path& folder) {
+    if (material.texture.empty()) return {};
+    std::error_code error;
+    const fs::path texture = fs::absolute(level.mesh_path.parent_path() / material.texture, error);
+    const fs::path relative = texture.lexically_normal().lexically_relative(
+        fs::absolute(folder.empty() ? fs::path(".") : folder, error).lexically_normal());
+    return relative.empty() ? texture.generic_string() : relative.generic_string();
+}
+
+Status check_target(const Level& level, const fs::path& path) {
+    if (!level.mesh) return Error{path.string(), "the level has no geometry"};
+    std::error_code error;
+    for (const fs::path& own : {level.mesh_path, level.file_path})
+        if (path == own || fs::equivalent(path, own, error))
+            return Error{path.string(), "is a file of the level itself; expected another name"};
+    return {};
+}
+
+namespace {
+
+std::string mtl_text(const Level& level, const TypedMaterials& materials, const fs::path& folder) {
+    std::string text = "# materials of the level, named MATERIAL__TYPE\n";
+    for (std::size_t i = 0; i < materials.names.size(); ++i) {
+        if (materials.names[i].empty()) continue;
+        const Material& base = level.mesh->materials[materials.base[i]];
+        const Vec3f color =
+            materials.of_type[i] ? tinted(base.diffuse, level.surfaces[*materials.of_type[i]]) : base.diffuse;
+        text += fmt::format("\nnewmtl {}\nKd {:.4f} {:.4f} {:.4f}\n", materials.names[i], color[0], color[1],
+                            color[2]);
+        if (const std::string texture = texture_from(level, base, folder); !texture.empty())
+            text += "map_Kd " + texture + "\n";
+    }
+    return text;
+}
+
+bool textured(const Mesh& mesh) {
+    return std::any_of(mesh.corner_uv.begin(), mesh.corner_uv.end(),
+                       [](const Vec2f& uv) { return !uv.isZero(0.0F); });
+}
+
+void add_face(const Mesh& mesh, FaceId face, bool with_uv, std::string& text) {
+    text += 'f';
+    for (std::uint32_t corner = mesh.face_first_corner[face]; corner < mesh.face_first_corner[face + 1];
+         ++corner) {
+        fmt::format_to(std::back_inserter(text), " {}", mesh.corner_vertex[corner] + 1);
+        if (with_uv) fmt::format_to(std::back_inserter(text), "/{}", corner + 1);
+    }
+    text += '\n';
+}
+
+std::string obj_text(const Level& level, const TypedMaterials& materials, const std::string& library) {
+    const Mesh& mesh = *level.mesh;
+    std::string text = "mtllib " + library + "\n";
+    for (const Vec3f& p : mesh.positions)
+        fmt::format_to(std::back_inserter(text), "v {} {} {}\n", p.x(), p.y(), p.z());
+    const bool with_uv = textured(mesh);
+    if (with_uv)
+        for (const Vec2f& uv : mesh.corner_uv)
+            fmt::format_to(std::back_inserter(text), "vt {} {}\n", uv.x(), uv.y());
+    std::uint32_t group = no_id;
+    std::uint32_t name = no_id;
+    for (FaceId face = 0; face < mesh.face_count(); ++face) {
+        if (mesh.face_group[face] != group) {
+            group = mesh.face_group[face];
+            if (!mesh.groups[group].empty()) text += "o " + mesh.groups[group] + "\n";
+            name = no_id;  // said again for readers that forget it at a new object
+        }
+        if (materials.face_name[face] != name) {
+            name = materials.face_name[face];
+            const std::string& wanted = materials.names[name];
+            text += "usemtl " + (wanted.empty() ? std::string("none") : wanted) + "\n";
+        }
+        add_face(mesh, face, with_uv, text);
+    }
+    return text;
+}
+
+}  // namespace
+
+Status export_obj(const Level& level, const fs::path& path) {
+    if (Status status = check_target(level, path); !status) return status;
+    const Result<TypedMaterials> materials = typed_materials(level, true);
+    if (!materials) return materials.error();
+    fs::path library = path;
+    library.replace_extension(".mtl");
+    if (Status status = write_file_atomic(library, mtl_text(level, *materials, path.parent_path())); !status)
+        return status;
+    return write_file_atomic(path, obj_text(level, *materials, library.filename().string()));
+}
+
+}  // namespace slipface

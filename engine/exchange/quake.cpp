@@ -1,0 +1,228 @@
+// Quake 3's surface parameters. Sources: the public Quake III source, code/game/surfaceflags.h (flags and
+// contents), q3map/shaders.c (their names), qcommon/qfiles.h (lumps of a BSP).
+#include "quake.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "slipface/base/text.h"
+
+namespace slipface {
+namespace {
+
+constexpr std::size_t most_rules = 100'000;
+constexpr std::size_t most_warnings = 100;
+
+struct Parameter {
+    const char* name;
+    std::uint32_t surface_flag, contents_flag;  // 0: none
+    const char* type;                           // null: known, but nothing here corresponds to it
+};
+
+// The first that a material has decides.
+constexpr Parameter parameters[] = {
+    {"lava", 0, 0x8, "hazard"},
+    {"slime", 0, 0x10, "hazard"},
+    {"ladder", 0x8, 0, "ladder"},
+    {"nonsolid", 0x4000, 0, "nonsolid"},
+    {"slick", 0x2, 0, "ice"},
+    {"nodamage", 0x1, 0, nullptr},
+    {"noimpact", 0x10, 0, nullptr},
+    {"nomarks", 0x20, 0, nullptr},
+    {"flesh", 0x40, 0, nullptr},
+    {"nodraw", 0x80, 0, nullptr},
+    {"hint", 0x100, 0, nullptr},
+    {"skip", 0x200, 0, nullptr},
+    {"nolightmap", 0x400, 0, nullptr},
+    {"pointlight", 0x800, 0, nullptr},
+    {"metalsteps", 0x1000, 0, nullptr},
+    {"nosteps", 0x2000, 0, nullptr},
+    {"sky", 0x4, 0, nullptr},
+    {"dust", 0x40000, 0, nullptr},
+    {"trans", 0, 0x20000000, nullptr},
+    {"detail", 0, 0x8000000, nullptr},
+    {"structural", 0, 0x10000000, nullptr},
+    {"playerclip", 0, 0x10000, nullptr},
+    {"water", 0, 0x20, nullptr},
+    {"fog", 0, 0x40, nullptr},
+    {"origin", 0, 0x1000000, nullptr},
+    {"areaportal", 0, 0x8000, nullptr},
+    {"clusterportal", 0, 0x100000, nullptr},
+    {"donotenter", 0, 0x200000, nullptr},
+    {"botclip", 0, 0x400000, nullptr},
+    {"nodrop", 0, 0x80000000, nullptr},
+    {"monsterclip", 0, 0x20000, nullptr},
+    {"alphashadow", 0, 0, nullptr},
+    {"lightfilter", 0, 0, nullptr},
+    {"nodlight", 0x20000, 0, nullptr},
+};
+
+// The types by name, of the presets and for what Quake knows besides.
+void need_type(const char* name, std::vector<SurfaceType>& types) {
+    const auto named = [&](const SurfaceType& type) { return type.name == name; };
+    if (std::any_of(types.begin(), types.end(), named)) return;
+    const std::vector<SurfaceType> presets = preset_surface_types();
+    const auto preset = std::find_if(presets.begin(), presets.end(), named);
+    if (preset != presets.end()) {
+        types.push_back(*preset);
+        return;
+    }
+    SurfaceType type;
+    type.name = name;
+    type.color = {0.55F, 0.55F, 0.75F};
+    type.hatch = Hatch::dots;
+    type.solid = false;
+    types.push_back(std::move(type));
+}
+
+void add_rule(const std::string& pattern, const char* type, ImportedRules& out) {
+    need_type(type, out.types);
+    MaterialRule rule{pattern, type};
+    if (std::find(out.rules.begin(), out.rules.end(), rule) == out.rules.end())
+        out.rules.push_back(std::move(rule));
+}
+
+// Words and braces of a shader text with the line on which they stand; `//` and `/* */` are comments.
+class ShaderWords {
+  public:
+    explicit ShaderWords(std::string_view text) : text_(text) {}
+
+    std::string_view next() {
+        skip();
+        if (at_ == text_.size()) return {};
+        if (text_[at_] == '{' || text_[at_] == '}') return text_.substr(at_++, 1);
+        const std::size_t begin = at_;
+        while (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) > ' ' && text_[at_] != '{' &&
+               text_[at_] != '}')
+            ++at_;
+        return text_.substr(begin, at_ - begin);
+    }
+    std::size_t line() const { return line_; }
+
+  private:
+    void skip() {
+        while (at_ < text_.size()) {
+            const std::string_view rest = text_.substr(at_, 2);
+            if (rest == "//") {
+                at_ = std::min(text_.find('\n', at_), text_.size());
+            } else if (rest == "/*") {
+                const std::size_t end = std::min(text_.find("*/", at_ + 2), text_.size());
+                line_ += static_cast<std::size_t>(std::count(text_.begin() + static_cast<std::ptrdiff_t>(at_),
+                                                             text_.begin() + static_cast<std::ptrdiff_t>(end),
+                                                             '\n'));
+                at_ = std::min(end + 2, text_.size());
+            } else if (static_cast<unsigned char>(text_[at_]) <= ' ') {
+                if (text_[at_++] == '\n') ++line_;
+            } else {
+                return;
+            }
+        }
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+    std::size_t line_ = 1;
+};
+
+class ShaderReader {
+  public:
+    ShaderReader(std::string_view text, const std::string& place) : words_(text), place_(place) {}
+
+    Result<ImportedRules> run() {
+        for (std::string_view name = words_.next(); !name.empty(); name = words_.next()) {
+            if (name == "{" || name == "}") return unexpected(name, "a shader's name");
+            if (auto open = words_.next(); open != "{")
+                return unexpected(open, "'{' after the shader's name");
+            if (auto status = read_shader(std::string(name)); !status) return status.error();
+            if (out_.rules.size() > most_rules) return Error{place_, "gives more than 100000 rules"};
+        }
+        return std::move(out_);
+    }
+
+  private:
+    Status read_shader(const std::string& name) {
+        const Parameter* found = nullptr;
+        for (std::size_t depth = 1; depth > 0;) {
+            const std::string_view word = words_.next();
+            if (word.empty()) return unexpected(word, "'}' at the end of shader " + name);
+            if (word == "{") ++depth;
+            if (word == "}") --depth;
+            if (to_lower(word) != "surfaceparm") continue;
+            const Parameter* parameter = known(words_.next());
+            if (parameter != nullptr && parameter->type != nullptr && (found == nullptr || parameter < found))
+                found = parameter;
+        }
+        if (found == nullptr) return {};
+        add_rule(name, found->type, out_);
+        if (const std::size_t slash = name.rfind('/'); slash != std::string::npos)
+            add_rule(name.substr(slash + 1), found->type, out_);
+        return {};
+    }
+
+    const Parameter* known(std::string_view word) {
+        const std::string name = to_lower(word);
+        const auto* found = std::find_if(std::begin(parameters), std::end(parameters),
+                                         [&](const Parameter& one) { return name == one.name; });
+        if (found != std::end(parameters)) return found;
+        if (out_.warnings.size() < most_warnings)
+            out_.warnings.push_back(
+                {fmt::format("{}:{}", place_, words_.line()),
+                 fmt::format("the surface parameter \"{:.40}\" is unknown: ignored", name)});
+        return nullptr;
+    }
+
+    Error unexpected(std::string_view found, const std::string& expected) const {
+        return Error{fmt::format("{}:{}", place_, words_.line()),
+                     found.empty() ? "found the end of the file, expected " + expected
+                                   : fmt::format("found \"{:.40}\", expected {}", found, expected)};
+    }
+
+    ShaderWords words_;
+    const std::string& place_;
+    ImportedRules out_;
+};
+
+std::uint32_t u32_at(std::string_view bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 4; i-- > 0;)
+        value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return value;
+}
+
+}  // namespace
+
+Result<ImportedRules> read_shaders(std::string_view text, const std::string& place) {
+    return ShaderReader(text, place).run();
+}
+
+Result<ImportedRules> read_bsp_flags(std::string_view bytes, const std::string& place) {
+    constexpr std::size_t lump_entry = 8 + 8;  // lump 0, the entities, comes first
+    constexpr std::size_t texture_size = 72, name_size = 64;
+    if (bytes.size() < 144 || !bytes.starts_with("IBSP") || u32_at(bytes, 4) != 46)
+        return Error{place, "is no Quake 3 map; expected IBSP of version 46"};
+    const std::size_t begin = u32_at(bytes, lump_entry);
+    const std::size_t size = u32_at(bytes, lump_entry + 4);
+    if (begin > bytes.size() || size > bytes.size() - begin || size % texture_size != 0)
+        return Error{place, fmt::format("says that its textures are {} bytes at {}, but it has {}", size,
+                                        begin, bytes.size())};
+    if (size / texture_size > most_rules) return Error{place, "gives more than 100000 rules"};
+    ImportedRules out;
+    for (std::size_t i = 0; i < size / texture_size; ++i) {
+        const std::size_t at = begin + i * texture_size;
+        const std::uint32_t surface = u32_at(bytes, at + name_size);
+        const std::uint32_t contents = u32_at(bytes, at + name_size + 4);
+        const auto* found =
+            std::find_if(std::begin(parameters), std::end(parameters), [&](const Parameter& one) {
+                return one.type != nullptr &&
+                       ((one.surface_flag & surface) != 0 || (one.contents_flag & contents) != 0);
+            });
+        if (found == std::end(parameters)) continue;
+        const std::string_view name = bytes.substr(at, name_size);
+        const std::string_view used = name.substr(0, name.find('\0'));
+        if (!used.empty()) add_rule(std::string(used), found->type, out);
+    }
+    return out;
+}
+
+}  // namespace slipface

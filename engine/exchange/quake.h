@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "slipface/exchange/rules.h"
+
+namespace slipface {
+
+Result<ImportedRules> read_shaders(std::string_view text, const std::string& place);
+Result<ImportedRules> read_bsp_flags(std::string_view bytes, const std::string& place);
+
+}  // namespace slipface

@@ -1,0 +1,79 @@
+#include "png_plain.h"
+
+#include <span>
+
+#include "png_limit.h"
+#include "png_rows.h"
+#include "slipface/base/pack.h"
+
+namespace slipface {
+
+namespace {
+
+constexpr std::size_t header_chunk_end = 33;
+
+std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
+    return value;
+}
+
+// The packed pixels, in `joined` if they come in several pieces. Nothing if the file is cut off or has chunks
+// that change what a pixel means.
+std::optional<std::string_view> pixel_chunks(std::string_view bytes, std::string& joined) {
+    std::optional<std::string_view> first;
+    for (std::size_t at = header_chunk_end; bytes.size() - at >= 12;) {
+        const std::size_t length = big_endian(bytes, at);
+        if (length > bytes.size() - at - 12) return std::nullopt;
+        const std::string_view type = bytes.substr(at + 4, 4), data = bytes.substr(at + 8, length);
+        if (type == "tRNS") return std::nullopt;
+        if (type == "IEND") return joined.empty() ? first : std::string_view(joined);
+        if (type == "IDAT") {
+            if (first && joined.empty()) joined = *first;
+            if (first) joined += data;
+            if (!first) first = data;
+        }
+        at += 12 + length;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Image> decode_plain_png(std::string_view bytes) {
+    const std::optional<PngSize> size = png_size(bytes);
+    if (!size || size->width == 0 || size->height == 0 || bytes.size() < header_chunk_end)
+        return std::nullopt;
+    const char bits = bytes[24], color_type = bytes[25], packing = bytes[26], filtering = bytes[27],
+               interlaced = bytes[28];
+    if (bits != 8 || (color_type != 2 && color_type != 6) || packing != 0 || filtering != 0 ||
+        interlaced != 0)
+        return std::nullopt;
+    std::string joined;
+    const std::optional<std::string_view> packed = pixel_chunks(bytes, joined);
+    if (!packed) return std::nullopt;
+
+    const std::size_t step = color_type == 2 ? 3 : 4;
+    const std::size_t row_bytes = step * size->width;
+    std::optional<std::string> rows = unpack(*packed, size->height * (row_bytes + 1));
+    if (!rows) return std::nullopt;
+    Image image{.width = static_cast<int>(size->width), .height = static_cast<int>(size->height), .rgba = {}};
+    image.rgba.resize(4 * image.pixel_count());
+    const std::string nothing(row_bytes, '\0');
+    const auto* above = reinterpret_cast<const std::uint8_t*>(nothing.data());
+    for (std::size_t y = 0; y < size->height; ++y) {
+        auto* row = reinterpret_cast<std::uint8_t*>(rows->data()) + y * (row_bytes + 1);
+        if (!png_unfilter_row(row[0], {row + 1, row_bytes}, {above, row_bytes}, step)) return std::nullopt;
+        above = row + 1;
+        std::uint8_t* out = image.rgba.data() + 4 * y * size->width;
+        for (std::size_t x = 0; x < size->width; ++x, out += 4) {
+            for (std::size_t c = 0; c < 3; ++c)
+                out[c] = above[step * x + c];
+            out[3] = step == 4 ? above[step * x + 3] : 255;
+        }
+    }
+    return image;
+}
+
+}  // namespace slipface

@@ -1,0 +1,259 @@
+#include "slipface/level/level_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "slipface/level/shown_mesh.h"
+
+namespace slipface {
+
+namespace {
+
+// Triangles of some of a mesh's faces, to be put somewhere.
+struct Part {
+    std::vector<Vec3f> rest;  // [vertex of the part] as modelled
+    std::vector<std::array<std::uint32_t, 3>> corners;
+    std::vector<FaceId> faces;
+    std::vector<TriangleId> triangles;  // [triangle of the part] its number in the mesh
+};
+
+template <class Belongs>
+Part part_of(const Mesh& mesh, const Belongs& belongs) {
+    Part part;
+    std::vector<std::uint32_t> vertex(mesh.positions.size(), no_id);
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+        const FaceId face = mesh.triangle_face[t];
+        if (!belongs(face)) continue;
+        std::array<std::uint32_t, 3> corners{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t from = mesh.corner_vertex[mesh.triangles[t][k]];
+            if (vertex[from] == no_id) {
+                vertex[from] = static_cast<std::uint32_t>(part.rest.size());
+                part.rest.push_back(mesh.positions[from]);
+            }
+            corners[k] = vertex[from];
+        }
+        part.corners.push_back(corners);
+        part.faces.push_back(face);
+        part.triangles.push_back(static_cast<TriangleId>(t));
+    }
+    return part;
+}
+
+Result<CollisionWorld> collision_at(const Part& part, const Pose& pose) {
+    std::vector<Vec3f> positions;
+    positions.reserve(part.rest.size());
+    for (const Vec3f& rest : part.rest)
+        positions.push_back(pose == Pose{} ? rest : Vec3f(pose.apply(rest.cast<double>()).cast<float>()));
+    return CollisionWorld::build({positions, part.corners, part.faces});
+}
+
+}  // namespace
+
+struct LevelScene::Impl {
+    struct Moving {
+        std::size_t index;  // in level->platforms
+        Part part;
+        CollisionWorld collision;  // at `pose`
+        Pose pose;
+    };
+
+    const Level* level = nullptr;
+    const CollisionWorld* fixed = nullptr;  // the borrowed one, or `own`
+    CollisionWorld own;
+    std::vector<TriangleId> own_triangles;
+    std::vector<Moving> moving;
+    std::vector<MovingPart> parts;
+    std::vector<std::uint32_t> face_platforms;
+    std::vector<SurfaceId> surfaces;  // [face] resolved, for the platforms
+    Heightfield terrain;              // a moved copy, where the level is placed
+    const Heightfield* heightfield = nullptr;
+    Sectors sectors;
+    Vec3 offset = Vec3::Zero();
+
+    void place(const MovementSettings& settings);
+    Status build(const CollisionWorld* whole);
+    void paint(CollisionWorld& world, const Part& part) const;
+    bool move(Moving& moved, const Pose& pose) const;
+};
+
+// With sectors the level keeps its own coordinates and only the number of its sector is large; without them
+// it is put where it lies, in whatever is left of its coordinates there.
+void LevelScene::Impl::place(const MovementSettings& settings) {
+    const SectorLayout& layout = level->sectors;
+    if (layout.size > 0.0 && settings.sectors) {
+        sectors.size = layout.size;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double placed = layout.placement[static_cast<Eigen::Index>(axis)];
+            const double steps = std::clamp(std::round(placed / layout.size), -1e9, 1e9);
+            sectors.home[axis] = static_cast<std::int32_t>(steps);
+            offset[static_cast<Eigen::Index>(axis)] = placed - steps * layout.size;
+        }
+    } else {
+        offset = layout.placement;
+    }
+    heightfield = level->terrain.get();
+    if (heightfield != nullptr && !offset.isZero(0.0)) {
+        terrain = *heightfield;
+        terrain.origin += offset;
+        for (double& height : terrain.heights)
+            height += offset.y();
+        heightfield = &terrain;
+    }
+}
+
+Status LevelScene::Impl::build(const CollisionWorld* whole) {
+    if (!level->mesh) return Error{level->mesh_path.string(), "the level has no geometry"};
+    const Mesh& mesh = *level->mesh;
+    const std::vector<Platform>& platforms = level->platforms;
+    face_platforms = slipface::face_platforms(*level);
+    const bool something_moves = !face_platforms.empty();
+    surfaces = resolve_surfaces(*level).surface;
+
+    if (whole != nullptr && !something_moves && offset.isZero(0.0)) {
+        fixed = whole;
+        return {};
+    }
+    Part still =
+        part_of(mesh, [&](FaceId face) { return !something_moves || face_platforms[face] == no_id; });
+    Result<CollisionWorld> built = collision_at(still, Pose{.offset = offset});
+    if (!built) return Error{level->mesh_path.string(), built.error().text()};
+    own = std::move(*built);
+    paint(own, still);
+    if (something_moves) own_triangles = std::move(still.triangles);
+
+    for (std::size_t i = 0; something_moves && i < platforms.size(); ++i) {
+        Part part = part_of(mesh, [&](FaceId face) { return face_platforms[face] == i; });
+        const Pose start{.offset = offset};
+        Result<CollisionWorld> collision = collision_at(part, start);
+        if (!collision) return Error{level->mesh_path.string(), collision.error().text()};
+        paint(*collision, part);
+        moving.push_back(
+            {.index = i, .part = std::move(part), .collision = std::move(*collision), .pose = start});
+    }
+    parts.resize(moving.size());
+    return {};
+}
+
+void LevelScene::Impl::paint(CollisionWorld& world, const Part& part) const {
+    apply_surface_rules(world, level->surfaces);
+    for (const FaceId face : part.faces)
+        world.set_face_surface(face, surfaces[face]);
+}
+
+// The faces keep their places in the tree; only its boxes follow.
+bool LevelScene::Impl::move(Moving& moved, const Pose& pose) const {
+    if (moved.pose == pose) return true;
+    const Part& part = moved.part;
+    std::vector<std::array<Vec3f, 3>> corners;
+    std::vector<TriangleId> ids;
+    for (std::size_t t = 0; t < part.corners.size(); ++t) {
+        const auto put = [&](std::size_t k) {
+            return Vec3f(pose.apply(part.rest[part.corners[t][k]].cast<double>()).cast<float>());
+        };
+        corners.push_back({put(0), put(1), put(2)});
+        ids.push_back(static_cast<TriangleId>(t));
+    }
+    if (!moved.collision.move_triangles(ids, corners).ok()) return false;
+    moved.pose = pose;
+    return true;
+}
+
+LevelScene::LevelScene(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+LevelScene::LevelScene(LevelScene&&) noexcept = default;
+LevelScene& LevelScene::operator=(LevelScene&&) noexcept = default;
+LevelScene::~LevelScene() = default;
+
+Result<LevelScene> LevelScene::build(const Level& level, const MovementSettings& settings) {
+    auto impl = std::make_unique<Impl>();
+    impl->level = &level;
+    impl->place(settings);
+    if (const Status status = impl->build(nullptr); !status) return status.error();
+    return LevelScene(std::move(impl));
+}
+
+Result<LevelScene> LevelScene::borrow(const Level& level, const CollisionWorld& whole,
+                                      const MovementSettings& settings) {
+    auto impl = std::make_unique<Impl>();
+    impl->level = &level;
+    impl->place(settings);
+    if (const Status status = impl->build(&whole); !status) return status.error();
+    return LevelScene(std::move(impl));
+}
+
+MovementScene LevelScene::at(double time_s, double dt) {
+    Impl& impl = *impl_;
+    for (std::size_t i = 0; i < impl.moving.size(); ++i) {
+        Impl::Moving& moved = impl.moving[i];
+        const Platform& platform = impl.level->platforms[moved.index];
+        const Pose begin = pose(i, time_s);
+        impl.move(moved, pose(i, time_s + dt));
+        const Vec3 pivot = moved.pose.apply(platform.spin_pivot);
+        const double axis = platform.spin_axis.norm();
+        MovingPart& part = impl.parts[i];
+        part = {.collision = &moved.collision,
+                .begin = begin,
+                .end = moved.pose,
+                .pivot = pivot,
+                .triangles = moved.part.triangles};
+        if (dt > 0.0) part.velocity = (pivot - begin.apply(platform.spin_pivot)) / dt;
+        if (axis > 0.0) part.angular_velocity = platform.spin_axis * (platform.spin_rate / axis);
+    }
+    const CollisionWorld& fixed = impl.fixed != nullptr ? *impl.fixed : impl.own;
+    return {.collision = fixed,
+            .surfaces = impl.level->surfaces,
+            .platforms = impl.parts,
+            .heightfield = impl.heightfield,
+            .sectors = impl.sectors,
+            .triangles = impl.own_triangles};
+}
+
+void LevelScene::apply_surfaces() {
+    Impl& impl = *impl_;
+    impl.surfaces = resolve_surfaces(*impl.level).surface;
+    if (impl.fixed == nullptr) {
+        apply_surface_rules(impl.own, impl.level->surfaces);
+        for (std::size_t face = 0; face < impl.surfaces.size(); ++face)
+            impl.own.set_face_surface(static_cast<FaceId>(face), impl.surfaces[face]);
+    }
+    for (Impl::Moving& part : impl.moving)
+        impl.paint(part.collision, part.part);
+}
+
+bool LevelScene::is_static() const {
+    return impl_->moving.empty();
+}
+
+std::size_t LevelScene::platform_count() const {
+    return impl_->moving.size();
+}
+
+std::span<const std::uint32_t> LevelScene::face_platforms() const {
+    return impl_->face_platforms;
+}
+
+// The level's own motion, seen from where the level is placed.
+Pose LevelScene::pose(std::size_t platform, double time_s) const {
+    Pose pose = platform_pose(impl_->level->platforms[platform], time_s);
+    pose.offset += impl_->offset;
+    return pose;
+}
+
+Vec3 LevelScene::offset() const {
+    return impl_->offset;
+}
+
+Vec3 LevelScene::to_level(const MovementScene& scene, const PlayerState& state) const {
+    return position_in_scene(scene, state) - impl_->offset;
+}
+
+PlayerState LevelScene::player_at(const Vec3& level_position) {
+    const CollisionWorld nothing;
+    PlayerState state;
+    place_in_scene({.collision = nothing, .surfaces = {}, .sectors = impl_->sectors},
+                   to_scene(level_position), state);
+    return state;
+}
+
+}  // namespace slipface

@@ -1,0 +1,137 @@
+#include "slipface/level/preset.h"
+
+#include <fmt/format.h>
+
+#include "json_movement.h"
+#include "slipface/base/files.h"
+
+namespace slipface {
+
+namespace {
+
+constexpr std::size_t max_preset_bytes = std::size_t{1} << 20;
+
+MovementSettings everything() {
+    MovementSettings s;
+    s.push_out = PushOut::analytic;
+    s.nudge = s.step_up = s.snap_down = s.seam_filter = true;
+    s.coyote = s.jump_buffer = true;
+    return s;
+}
+
+// The demo of the lecture: its hacks and no others.
+MovementSettings lecture() {
+    MovementSettings s;
+    s.push_out = PushOut::analytic;
+    return s;
+}
+
+MovementSettings precise_platformer() {
+    MovementSettings s = everything();
+    s.walk_speed = 7.0;
+    s.ground_acceleration = 140.0;
+    s.air_acceleration = 90.0;
+    s.gravity = 32.0;
+    s.jump_speed = 11.5;
+    s.variable_jump = true;
+    s.sub_step = 1.0 / 120.0;
+    return s;
+}
+
+MovementSettings momentum() {
+    MovementSettings s = everything();
+    s.walk_speed = 9.0;
+    s.ground_acceleration = 14.0;
+    s.air_acceleration = 8.0;
+    s.slippery_acceleration = 5.0;
+    s.terminal_speed = 90.0;
+    s.jump_speed = 9.0;
+    s.keep_energy_limit = -0.7;
+    s.snap_down = false;
+    return s;
+}
+
+// Every hack off: what remains is sweep and slide.
+MovementSettings simulation() {
+    MovementSettings s;
+    for (const SettingInfo& info : settings_table()) {
+        const bool is_switch = std::holds_alternative<bool MovementSettings::*>(info.member);
+        if (is_switch && std::string_view(info.name) != "heightfield" &&
+            std::string_view(info.name) != "sectors") {
+            static_cast<void>(set_setting(s, info, 0.0).ok());
+        }
+    }
+    s.gravity = 9.81;
+    return s;
+}
+
+}  // namespace
+
+const std::vector<ShippedPreset>& shipped_presets() {
+    static const std::vector<ShippedPreset> presets{
+        {"lecture", {"Lecture", "The hacks of the lecture, as its demo has them.", lecture()}},
+        {"precise-platformer",
+         {"Precise platformer", "Starts and stops at once, forgives late jumps, climbs stairs.",
+          precise_platformer()}},
+        {"momentum",
+         {"Momentum", "Speed is earned on slopes and kept on ice; the stick steers little.", momentum()}},
+        {"simulation", {"Simulation", "Every hack off: nothing but sweeping and sliding.", simulation()}}};
+    return presets;
+}
+
+Result<Preset> preset_from_json(std::string_view json, const std::string& place) {
+    const Result<Json> root = parse_json(json, place);
+    if (!root) return root.error();
+    JsonReader reader(place);
+    Preset preset;
+    if (!reader.object(*root, "/")) return reader.error();
+    int version = 0;
+    if (const Json* value = reader.member(*root, "/", "slipface_preset"))
+        reader.integer(*value, "/slipface_preset", 1, 1, version);
+    if (const Json* value = reader.member(*root, "/", "name")) reader.text(*value, "/name", preset.name);
+    if (const Json* value = root->find("about")) reader.text(*value, "/about", preset.about);
+    const Json* movement = reader.ok() ? reader.member(*root, "/", "movement") : nullptr;
+    if (movement != nullptr) {
+        read_settings(reader, *movement, "/movement", preset.settings);
+        const std::set<std::string_view> names = setting_names();
+        for (const std::string& key : movement->keys) {
+            if (reader.ok() && !names.contains(key))
+                reader.fail("/movement/" + key, "an unknown setting", "a name of docs/settings.md");
+        }
+    }
+    if (!reader.ok()) return reader.error();
+    return preset;
+}
+
+std::string preset_to_json(const Preset& preset) {
+    Json root = json_object();
+    json_add(root, "slipface_preset", json_number(std::int64_t{1}));
+    json_add(root, "name", json_string(preset.name));
+    json_add(root, "about", json_string(preset.about));
+    json_add(root, "movement", settings_json(preset.settings));
+    return json_pretty(root, 0) + "\n";
+}
+
+Result<Preset> load_preset(const std::filesystem::path& path) {
+    const Result<std::string> text = read_file(path, max_preset_bytes);
+    if (!text) return text.error();
+    return preset_from_json(*text, path.string());
+}
+
+Status save_preset(const std::filesystem::path& path, const Preset& preset) {
+    return write_file_atomic(path, preset_to_json(preset));
+}
+
+Result<Preset> find_preset(const std::string& name) {
+    std::string ids;
+    for (const ShippedPreset& shipped : shipped_presets()) {
+        if (name == shipped.id) return shipped.preset;
+        ids += std::string(ids.empty() ? "" : ", ") + shipped.id;
+    }
+    std::error_code error;
+    if (std::filesystem::exists(name, error)) return load_preset(name);
+    return Error{"preset",
+                 fmt::format("found no preset and no file \"{}\", expected one of {}, or a file", name, ids)};
+}
+
+}  // namespace slipface

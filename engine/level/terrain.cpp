@@ -1,0 +1,42 @@
+// Terrain from a picture.
+#include <fmt/format.h>
+
+#include "slipface/level/level_file.h"
+
+namespace slipface {
+
+namespace {
+
+constexpr int max_terrain_side = 4097;  // samples: 16 million heights
+
+}  // namespace
+
+Heightfield make_heightfield(const HeightfieldSource& source, const GreyImage& picture) {
+    Heightfield field{.columns = picture.width,
+                      .rows = picture.height,
+                      .heights = {},
+                      .origin = source.origin,
+                      .size = source.size};
+    field.heights.reserve(picture.values.size());
+    for (const std::uint16_t value : picture.values) {
+        const double share = static_cast<double>(value) / 65535.0;
+        field.heights.push_back(source.origin.y() + source.low + (source.high - source.low) * share);
+    }
+    return field;
+}
+
+Status load_terrain(Level& level) {
+    level.terrain.reset();
+    if (!level.heightfield) return {};
+    const std::filesystem::path path = level.file_path.parent_path() / level.heightfield->file;
+    const Result<GreyImage> picture = load_grey_image(path, max_terrain_side);
+    if (!picture) return picture.error();
+    if (picture->width < 2 || picture->height < 2) {
+        return Error{path.string(), fmt::format("is {} x {} pixels; terrain needs at least 2 x 2",
+                                                picture->width, picture->height)};
+    }
+    level.terrain = std::make_shared<const Heightfield>(make_heightfield(*level.heightfield, *picture));
+    return {};
+}
+
+}  // namespace slipface

@@ -1,0 +1,148 @@
+#include "scene.h"
+
+#include <algorithm>
+
+#include "slipface/image/image.h"
+
+namespace slipface {
+namespace {
+
+constexpr double lift = 0.01;   // metres in front of a face
+constexpr double inset = 0.03;  // metres from its border
+
+Vec3 squared(const Vec3& color) {
+    return color.cwiseProduct(color);
+}
+
+// The mean colour of a material's texture, else its own.
+Vec3 mean_color(const Material& material, const std::filesystem::path& folder) {
+    const Vec3 own = squared(material.diffuse.cast<double>());
+    if (material.texture.empty()) return own;
+    const Result<Image> image = load_image(folder / material.texture);
+    if (!image) return own;
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < image->pixel_count(); ++i) {
+        const std::uint8_t* pixel = &image->rgba[4 * i];
+        sum += squared(Vec3(pixel[0], pixel[1], pixel[2]) / 255.0);
+    }
+    return sum / static_cast<double>(image->pixel_count());
+}
+
+// What moves casts no shadow: it would be left behind.
+Result<CollisionWorld> light_collision(const Level& level) {
+    const Mesh& mesh = *level.mesh;
+    std::vector<bool> moves(mesh.groups.size());
+    for (const Platform& platform : level.platforms) {
+        for (std::size_t group = 0; group < moves.size(); ++group)
+            moves[group] = moves[group] || mesh.groups[group] == platform.group;
+    }
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<FaceId> faces;
+    triangles.reserve(mesh.triangle_count());
+    faces.reserve(mesh.triangle_count());
+    for (TriangleId t = 0; t < mesh.triangle_count(); ++t) {
+        const auto& corners = mesh.triangles[t];
+        if (moves[mesh.face_group[mesh.triangle_face[t]]]) continue;
+        triangles.push_back(
+            {mesh.corner_vertex[corners[0]], mesh.corner_vertex[corners[1]], mesh.corner_vertex[corners[2]]});
+        faces.push_back(mesh.triangle_face[t]);
+    }
+    return CollisionWorld::build({mesh.positions, triangles, faces});
+}
+
+LightEmitter material_emitter(const LevelLight& light, const Material& material) {
+    LightEmitter found{.pattern = {}, .color = Vec3::Zero(), .window = false};
+    for (const LightEmitter& emitter : light.emitters) {
+        if (material_matches(emitter.pattern, material.name)) found = emitter;
+    }
+    return found;
+}
+
+// The point of triangle abc nearest to p. Source: Ericson, Real-Time Collision Detection, 5.1.5.
+Vec3 nearest_in_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 ab = b - a, ac = c - a, ap = p - a;
+    const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+    if (d1 <= 0.0 && d2 <= 0.0) return a;
+    const double d3 = ab.dot(p - b), d4 = ac.dot(p - b);
+    if (d3 >= 0.0 && d4 <= d3) return b;
+    if (const double vc = d1 * d4 - d3 * d2; vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0)
+        return a + d1 / (d1 - d3) * ab;
+    const double d5 = ab.dot(p - c), d6 = ac.dot(p - c);
+    if (d6 >= 0.0 && d5 <= d6) return c;
+    if (const double vb = d5 * d2 - d1 * d6; vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0)
+        return a + d2 / (d2 - d6) * ac;
+    if (const double va = d3 * d6 - d5 * d4; va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0)
+        return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+    const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
+    const double sum = va + vb + vc;
+    return sum > 0.0 ? Vec3(a + ab * (vb / sum) + ac * (vc / sum)) : a;
+}
+
+}  // namespace
+
+Vec3 LightScene::sky(const Vec3& direction) const {
+    const double height = std::clamp(direction.y(), 0.0, 1.0);
+    return light.sky_horizon + (light.sky_zenith - light.sky_horizon) * (height * (2.0 - height));
+}
+
+Result<LightScene> make_light_scene(const Level& level) {
+    const std::string place = level.file_path.string();
+    if (!level.mesh || level.mesh->triangle_count() == 0) return Error{place, "has no geometry to light"};
+    if (!level.light) return Error{place + ":/light", "found nothing, expected what to bake from"};
+    LightScene scene;
+    scene.mesh = level.mesh;
+    scene.light = *level.light;
+    const double length = scene.light.sun_direction.norm();
+    if (scene.light.sun_color.maxCoeff() > 0.0 && length > 0.0)
+        scene.sun = scene.light.sun_direction / length;
+    scene.open = scene.light.sky_zenith.maxCoeff() > 0.0 || scene.light.sky_horizon.maxCoeff() > 0.0;
+    Result<CollisionWorld> world = light_collision(level);
+    if (!world) return world.error();
+    scene.world = std::move(*world);
+    Result<LightCharts> charts = light_charts(*level.mesh, scene.light.texel_m);
+    if (!charts) return charts.error();
+    scene.charts = std::move(*charts);
+    for (const Material& material : level.mesh->materials) {
+        scene.albedo.push_back(mean_color(material, level.mesh_path.parent_path()));
+        const LightEmitter emitter = material_emitter(scene.light, material);
+        scene.emission.push_back(emitter.color);
+        scene.window.push_back(emitter.window);
+    }
+    for (FaceId face = 0; face < level.mesh->face_count(); ++face) {
+        scene.normal.push_back(face_normal(*level.mesh, face));
+        if (!scene.glows(face) || scene.normal.back().squaredNorm() < 0.5) continue;
+        const Vec3 front = face_centroid(*level.mesh, face) + 2.0 * lift * scene.normal.back();
+        scene.emitters.push_back({front, scene.normal.back(), scene.emission[level.mesh->face_material[face]],
+                                  face_area(*level.mesh, face), face});
+    }
+    return scene;
+}
+
+Vec3 place_on_face(const LightScene& scene, FaceId face, const Vec3& place) {
+    const Mesh& mesh = *scene.mesh;
+    Vec3 best = place;
+    double best_distance = std::numeric_limits<double>::infinity();
+    for (TriangleId t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1]; ++t) {
+        std::array<Vec3, 3> corner;
+        for (std::size_t i = 0; i < 3; ++i)
+            corner[i] = mesh.corner_position(mesh.triangles[t][i]).cast<double>();
+        const double a = (corner[2] - corner[1]).norm(), b = (corner[0] - corner[2]).norm(),
+                     c = (corner[1] - corner[0]).norm();
+        const double round = a + b + c;
+        const double twice_area = (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm();
+        if (!(twice_area > 0.0)) continue;
+        // Towards the centre of the inscribed circle, so that every side moves in by `inset`.
+        const Vec3 incentre = (a * corner[0] + b * corner[1] + c * corner[2]) / round;
+        const double share = std::min(0.6, inset * round / twice_area);
+        for (Vec3& at : corner)
+            at += share * (incentre - at);
+        const Vec3 nearest = nearest_in_triangle(place, corner[0], corner[1], corner[2]);
+        const double distance = (nearest - place).squaredNorm();
+        if (distance >= best_distance) continue;
+        best = nearest;
+        best_distance = distance;
+    }
+    return best + lift * scene.normal[face];
+}
+
+}  // namespace slipface

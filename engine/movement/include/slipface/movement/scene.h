@@ -1,0 +1,40 @@
+// The world as movement sees it during one tick: what to collide with, and what the surfaces do. A LevelScene
+// (slipface/level/level_scene.h) makes one from a level; a game may fill it by hand.
+#pragma once
+
+#include <span>
+
+#include "slipface/base/pose.h"
+#include "slipface/movement/heightfield.h"
+#include "slipface/movement/surface_type.h"
+
+namespace slipface {
+
+// A platform during one tick. Its faces stand where the tick ends; the two poses say how they came there.
+struct MovingPart {
+    const CollisionWorld* collision = nullptr;   // never null in a scene; world space, at `end`
+    Pose begin, end;                             // world = pose.apply(rest)
+    Vec3 velocity = Vec3::Zero();                // at `end`, m/s, of the point `pivot`
+    Vec3 angular_velocity = Vec3::Zero();        // rad/s, along the axis
+    Vec3 pivot = Vec3::Zero();                   // of the turning, at `end`
+    std::span<const TriangleId> triangles = {};  // [triangle of `collision`] its number in the mesh
+};
+
+// The world in sectors, each with its own origin, so that positions stay small however far out a level lies.
+struct Sectors {
+    double size = 0.0;                          // edge of a sector, metres; 0: one world, no sectors
+    std::array<std::int32_t, 3> home{0, 0, 0};  // the sector in whose coordinates the scene is given
+    friend bool operator==(const Sectors&, const Sectors&) = default;
+};
+
+struct MovementScene {
+    const CollisionWorld& collision;  // everything that does not move
+    SurfaceTable surfaces;
+    std::span<const MovingPart> platforms = {};
+    const Heightfield* heightfield = nullptr;
+    Sectors sectors = {};
+    // [triangle of `collision`] its number in the mesh; empty: the same number.
+    std::span<const TriangleId> triangles = {};
+};
+
+}  // namespace slipface

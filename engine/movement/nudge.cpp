@@ -1,0 +1,48 @@
+// Problem: a player who spawned inside geometry, or was put there, never moves again.
+// Hack (lecture, "Case study: Quake 2"): small offsets along all three axes are tried, and the nearest one
+// that is free wins. Of equally near ones up comes first, then the sides, then down, then two and three axes
+// at once.
+#include <algorithm>
+
+#include "mover.h"
+
+namespace slipface {
+
+namespace {
+
+constexpr int rings = 8;  // how many distances up to the farthest are tried
+
+struct Direction {
+    signed char x, y, z;
+};
+constexpr std::array<Direction, 26> directions{
+    {{0, 1, 0},   {1, 0, 0},   {-1, 0, 0},  {0, 0, 1},   {0, 0, -1},  {0, -1, 0}, {1, 1, 0},
+     {-1, 1, 0},  {0, 1, 1},   {0, 1, -1},  {1, 0, 1},   {1, 0, -1},  {-1, 0, 1}, {-1, 0, -1},
+     {1, -1, 0},  {-1, -1, 0}, {0, -1, 1},  {0, -1, -1}, {1, 1, 1},   {1, 1, -1}, {-1, 1, 1},
+     {-1, 1, -1}, {1, -1, 1},  {1, -1, -1}, {-1, -1, 1}, {-1, -1, -1}}};
+
+}  // namespace
+
+bool nudge(Mover& mover) {
+    const double farthest = mover.settings.nudge_distance;
+    if (!overlaps_scene(mover, mover.position)) {
+        decide(mover, "nudge", false, "overlaps", 0.0, 0.0, "refused: nothing to be freed from");
+        return true;
+    }
+    for (int ring = 1; ring <= rings; ++ring) {
+        const double distance = farthest * ring / rings;
+        for (const Direction& d : directions) {
+            const Vec3 offset = distance * direction_of(Vec3(d.x, d.y, d.z));
+            const Vec3 to = mover.position + offset;
+            if (overlaps_scene(mover, to) || ray_in_scene(mover, mover.position, offset)) continue;
+            decide(mover, "nudge", true, "nudged, m", distance, farthest, "nudged free");
+            mover.position = to;
+            return true;
+        }
+    }
+    decide(mover, "nudge", false, "nudged, m", farthest, farthest,
+           "refused: no offset is free, the player is trapped");
+    return false;
+}
+
+}  // namespace slipface

@@ -1,0 +1,108 @@
+// Geometry that moves: platforms carry who stands on them and push who is in their way.
+//
+// A tick's platforms have moved already; where they came from is in their poses. A rider goes through the
+// same rigid motion as the platform, so that nobody drifts off a turning one. Everybody else is swept
+// relative to the platform: in its frame the player comes from where a rider would have been carried from,
+// and slides along it like along any surface; what that changes is the push, and the push collides with the
+// rest of the world.
+#include <algorithm>
+
+#include "mover.h"
+
+namespace slipface {
+
+namespace {
+
+Vec3 carried(const MovingPart& part, const Vec3& position) {
+    return part.end.apply(part.begin.undo(position));
+}
+
+bool moves(const MovingPart& part) {
+    return !(part.begin == part.end);
+}
+
+// Where the platform alone would leave a player who is at `position` and was at `before` when it set out.
+Vec3 pushed_by(Mover& mover, const MovingPart& part, const Vec3& before, const Vec3& position) {
+    const double skin = mover.settings.skin;
+    Vec3 at = carried(part, before);
+    Vec3 left = position - at;
+    constexpr double look_ahead = 4.0;  // skins, as in skin.cpp
+    for (int i = 0; i < 3 && !left.isZero(0.0); ++i) {
+        const double length = left.norm();
+        const Vec3 way = left / length;
+        const double reach = length + look_ahead * skin;
+        const std::optional<Contact> hit =
+            sweep_ellipsoid(*part.collision, mover.settings.radii, at, way * reach);
+        ++mover.sweeps;
+        if (!hit) return at + left;
+        const double into = std::max(-hit->normal.dot(way), 0.0);
+        const double distance = hit->t * reach;
+        const double stop = into > 0.0 ? distance - skin / into : 0.0;
+        if (stop >= length) return at + left;
+        const double made = std::max(stop, 0.0);
+        const double missing = std::max(skin - (distance - made) * into, 0.0);
+        at += way * made + hit->normal * missing;
+        left = slide_along(left * (1.0 - made / length), hit->normal);
+    }
+    return at;
+}
+
+void ride(Mover& mover, const PlayerState& state) {
+    const MovingPart& part = mover.scene.platforms[state.ground_platform];
+    const Vec3 move = carried(part, mover.position) - mover.position;
+    if (move.isZero(0.0)) return;
+    decide(mover, "platforms", true, "carried, m", move.norm(), 0.0, "carried by the platform",
+           state.ground_face);
+    mover.ignored_platform = state.ground_platform;
+    mover.on_ladder = true;  // being carried past a ladder is no wish to climb it
+    collide_and_slide(mover, move.y() == 0.0 ? Pass::horizontal : Pass::slide, move);
+    mover.on_ladder = false;
+    mover.ignored_platform = no_id;
+}
+
+void give_way(Mover& mover, std::uint32_t index, const Vec3& before) {
+    const MovingPart& part = mover.scene.platforms[index];
+    const Aabb reach = part.collision->bounds();
+    const Vec3 far =
+        (mover.settings.radii.array() + (carried(part, before) - before).norm() + mover.settings.skin)
+            .matrix();
+    if (((mover.position - far).array() > reach.max.array()).any() ||
+        ((mover.position + far).array() < reach.min.array()).any()) {
+        return;
+    }
+    const Vec3 target = pushed_by(mover, part, before, mover.position);
+    const Vec3 push = target - mover.position;
+    if (!(push.norm() > 1e-9)) return;
+    mover.ignored_platform = index;
+    collide_and_slide(mover, Pass::slide, push);
+    mover.ignored_platform = no_id;
+    decide(mover, "platforms", true, "pushed, m", push.norm(), 0.0, "pushed by a platform");
+}
+
+}  // namespace
+
+Vec3 velocity_of(const MovingPart& part, const Vec3& point) {
+    return part.velocity + part.angular_velocity.cross(point - part.pivot);
+}
+
+void move_with_platforms(Mover& mover, const PlayerState& state) {
+    if (mover.scene.platforms.empty()) return;
+    const Vec3 before = mover.position;
+    const bool rides = state.ground_platform < mover.scene.platforms.size();
+    if (rides) ride(mover, state);
+    for (std::uint32_t i = 0; i < mover.scene.platforms.size(); ++i) {
+        if (moves(mover.scene.platforms[i])) give_way(mover, i, before);
+    }
+    mover.trapped = overlaps_scene(mover, mover.position);
+    if (mover.trapped) {
+        decide(mover, "platforms", false, "overlaps", 1.0, 0.0, "crushed: no room to give way to");
+    }
+    // What was touched on the way tells nothing about where the step ends, but for what holds.
+    mover.grounded = false;
+    mover.kept_energy = false;
+    mover.bounced = false;
+    mover.walled = false;
+    mover.velocity = Vec3::Zero();
+}
+
+}  // namespace slipface

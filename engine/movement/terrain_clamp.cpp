@@ -1,0 +1,69 @@
+// Problem: terrain given as heights has no triangles to collide with, and is fallen through.
+// Hack (lecture, "Easy collision response against a heightfield"): y = max(y, terrain(x, z)) for the feet.
+//
+// Ground that is lifted onto is stood on like any other, and slides where it is steeper than max_slope. The
+// lift is swept: under a bridge that the terrain nearly touches there may be no room, and then the step is
+// refused.
+#include "mover.h"
+
+namespace slipface {
+
+bool clamp_to_terrain(Mover& mover, const Vec3& from) {
+    const Heightfield* const field = mover.scene.heightfield;
+    if (field == nullptr) return true;
+    const std::optional<TerrainPoint> ground = terrain_at(*field, mover.position.x(), mover.position.z());
+    if (!ground) return true;
+    const double least = ground->height + mover.settings.radii.y();
+    const double missing = least - mover.position.y();
+    const bool walkable = ground->normal.y() >= mover.walkable_cosine;
+    const auto stand = [&](const char* outcome) {
+        if (mover.grounded || mover.climbing || mover.stuck) return;
+        if (walkable) {
+            mover.grounded = true;
+            mover.velocity.y() = 0.0;
+            mover.bounced = false;
+        } else {
+            mover.velocity = slide_along(mover.velocity, ground->normal);
+        }
+        mover.support_normal = ground->normal;
+        mover.support_face = no_id;
+        mover.support_surface = default_surface;
+        mover.support_platform = no_id;
+        decide(mover, "heightfield", true, "lifted, m", missing, mover.settings.snap_distance, outcome);
+    };
+    // On the way down a slope the terrain falls away under the feet; what snaps to floors snaps to it.
+    const double near =
+        mover.settings.snap_down && mover.was_grounded && !mover.jumped ? mover.settings.snap_distance : 0.0;
+    if (missing < -near || (missing < 0.0 && (mover.grounded || !walkable))) {
+        decide(mover, "heightfield", false, "above the terrain, m", -missing, near,
+               "refused: above the terrain");
+        return true;
+    }
+    if (missing != 0.0) {
+        // Steep terrain is a wall to whoever walks into it.
+        const bool uphill =
+            from.y() < least && !walkable && (mover.position - from).dot(ground->normal) < 0.0;
+        if (uphill) {
+            const std::optional<TerrainPoint> back = terrain_at(*field, from.x(), from.z());
+            if (back && from.y() >= back->height + mover.settings.radii.y() &&
+                mover.position.y() <= from.y()) {
+                mover.position = from;
+                mover.velocity = slide_along(mover.velocity, ground->normal);
+                decide(mover, "heightfield", true, "N.y", ground->normal.y(), mover.walkable_cosine,
+                       "steeper than the maximum slope: a wall");
+                return true;
+            }
+        }
+        const Vec3 lift(0.0, missing, 0.0);
+        if (sweep_scene(mover, mover.position, lift)) {
+            decide(mover, "heightfield", false, "lifted, m", missing, 0.0,
+                   "refused: no room above the terrain");
+            return missing < 0.0;
+        }
+        mover.position += lift;
+    }
+    stand(walkable ? "stands on the terrain" : "slides on steep terrain");
+    return true;
+}
+
+}  // namespace slipface

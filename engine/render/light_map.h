@@ -1,0 +1,39 @@
+// A level's baked light on the graphics card.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "gl_util.h"
+#include "slipface/level/level_light.h"
+#include "slipface/mesh/mesh.h"
+
+namespace slipface {
+
+// Two textures: the light map, and three texels a face that turn a place into a coordinate in its chart:
+//   (direction of u / step, offset), (direction of v / step, offset), (first texel centre, width - 1, height
+//   - 1).
+class LightMap {
+  public:
+    explicit LightMap(GlTable gl) : gl_(std::move(gl)) {}
+    ~LightMap() { clear(); }
+    LightMap(const LightMap&) = delete;
+    LightMap& operator=(const LightMap&) = delete;
+
+    // Loads the picture that `light` names from `folder`, for a mesh drawn relative to `origin`. Of the
+    // `drawn_faces`, those behind the mesh's own have no chart. A picture
+    // that is missing, broken or baked for other geometry is not used and reported.
+    Warnings load(const Mesh& mesh, std::size_t drawn_faces, const LevelLight& light,
+                  const std::filesystem::path& folder, const Vec3& origin);
+    void clear();
+
+    bool loaded() const { return picture_ != 0; }
+    unsigned picture() const { return picture_; }
+    unsigned charts() const { return charts_; }
+
+  private:
+    GlTable gl_;
+    unsigned picture_ = 0, charts_ = 0;
+};
+
+}  // namespace slipface

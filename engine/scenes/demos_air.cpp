@@ -1,0 +1,152 @@
+// Demos of jumping, of what moves, and of worlds that are not triangles.
+#include <algorithm>
+#include <cmath>
+
+#include "demos.h"
+#include "shapes.h"
+#include "slipface/level/level_file.h"
+
+namespace slipface {
+
+namespace {
+
+double standing(const MovementSettings& s, double y) {
+    return y + s.radii.y() + s.skin;
+}
+
+// Two ledges with a gap of `gap` metres along -Z from z = 0.
+Shapes ledges(double gap) {
+    Shapes shapes;
+    shapes.material("plaster").box({-5, -4.5, -16}, {5, -4, 10});
+    shapes.material("stone").box({-2, -4, 0}, {2, 0, 8}).box({-2, -4, -gap - 6}, {2, 0, -gap});
+    return shapes;
+}
+
+}  // namespace
+
+Demo demo_coyote() {
+    MovementSettings on;
+    on.coyote = true;
+    // From 6 m before the rim at 6 m/s the rim is passed in tick 65 or so; the jump comes 3 ticks later.
+    return demo_of(ledges(4).level(), {0, standing(on, 0), 6}, on,
+                   "5 wish 0,0\n69 wish 0,-1\n30 wish 0,-1 jump\n30 wish 0,0\n", {11, 3, 1}, {0, 0, -2});
+}
+
+Demo demo_jump_buffer() {
+    MovementSettings on;
+    on.jump_buffer = true;
+    Shapes shapes;
+    shapes.material("plaster")
+        .box({-4, -0.5, -16}, {4, 0, 8})
+        .material("brick")
+        .box({-3, 0, -10}, {3, 1, -7});
+    // The first jump lasts 2 * 8 / 20 s, 48 ticks; the second press comes 4 ticks before it ends.
+    return demo_of(
+        shapes.level(), {0, standing(on, 0), 5}, on,
+        "10 wish 0,0\n10 wish 0,-1\n1 wish 0,-1 jump\n43 wish 0,-1\n1 wish 0,-1 jump\n60 wish 0,-1\n",
+        {11, 4, 0}, {0, 1, -2});
+}
+
+Demo demo_variable_jump() {
+    MovementSettings on;
+    on.variable_jump = true;
+    Shapes shapes;
+    shapes.material("plaster")
+        .box({-4, -0.5, -12}, {4, 0, 6})
+        .material("brick")
+        .box({-3, 2.65, -3}, {3, 3.1, -1});
+    return demo_of(shapes.level(), {0, standing(on, 0), 4}, on,
+                   "10 wish 0,0\n35 wish 0,-1\n6 wish 0,-1 jump\n60 wish 0,-1\n", {10, 3.5, 0},
+                   {0, 1.2, -1.5});
+}
+
+Demo demo_air_control() {
+    MovementSettings on;
+    Shapes shapes;
+    shapes.material("plaster").box({-5, -4.5, -14}, {9, -4, 8}).material("stone").box({-2, -4, 0}, {2, 0, 7});
+    shapes.material("brick").box({0.8, -4, -3.6}, {3.2, 0, -1.4});
+    return demo_of(shapes.level(), {0, standing(on, 0), 4}, on,
+                   "10 wish 0,0\n38 wish 0,-1\n10 wish 0,-1 jump\n14 wish 1,0 jump\n70 wish 0,0\n",
+                   {2, 11, 7}, {0.6, 0, -1});
+}
+
+Demo demo_platforms() {
+    MovementSettings on;
+    Shapes shapes = ledges(6);
+    shapes.group("raft").material("wood").box({-1.2, -0.3, -1.6}, {1.2, 0, 0});
+    Demo demo = demo_of(shapes.level(), {0, standing(on, 0), -0.8}, on, "210 wish 0,0\n60 wish 0,-1\n",
+                        {11, 4, -1}, {0, 0, -3.2});
+    Platform raft;
+    raft.name = "raft";
+    raft.group = "raft";
+    raft.path = {{.offset = {0, 0, 0}, .speed = 1.6, .pause_s = 0.5},
+                 {.offset = {0, 0, -4.4}, .speed = 1.6, .pause_s = 2}};
+    demo.level.platforms = {raft};
+    return demo;
+}
+
+Demo demo_turntable() {
+    MovementSettings on;
+    Shapes shapes;
+    shapes.material("plaster").box({-7, -1, -7}, {7, -0.5, 7}).group("table").material("wood");
+    std::vector<Vec3> rim;
+    for (int i = 0; i < 24; ++i) {
+        const double angle = -2.0 * 3.141592653589793 * i / 24;
+        rim.emplace_back(5 * std::cos(angle), 0, 5 * std::sin(angle));
+    }
+    shapes.polygon(rim);
+    shapes.material("brick").box({-0.3, 0, -4.5}, {0.3, 0.6, -2});
+    Demo demo = demo_of(shapes.level(), {3, standing(on, 0), 0}, on, "180 wish 0,0\n", {6, 9, 8}, {0, 0, 0});
+    Platform table;
+    table.name = "table";
+    table.group = "table";
+    table.spin_rate = 1.2;
+    demo.level.platforms = {table};
+    return demo;
+}
+
+Demo demo_heightfield() {
+    MovementSettings on;
+    constexpr int side = 33;
+    Shapes shapes;
+    shapes.material("stone").box({-2, 0, 6}, {2, 2.4, 9});
+    Demo demo = demo_of(shapes.level(), {0, standing(on, 2.4), 7.5}, on, "20 wish 0,0\n170 wish 0,-1\n",
+                        {13, 8, 11}, {0, 0.5, -1});
+    demo.level.heightfield = HeightfieldSource{.file = "heightfield-terrain.png",
+                                               .origin = {-12, 0, -14},
+                                               .size = {24, 28},
+                                               .low = -1.0,
+                                               .high = 2.0};
+    GreyImage picture{.width = side, .height = side, .values = {}};
+    for (int row = 0; row < side; ++row) {
+        for (int column = 0; column < side; ++column) {
+            const double x = column / 5.0, z = row / 4.0;
+            const double wave = 0.5 + 0.25 * std::sin(x) * std::cos(z) + 0.2 * std::sin(0.6 * z + 1.0);
+            picture.values.push_back(static_cast<std::uint16_t>(std::clamp(wave, 0.0, 1.0) * 65535.0));
+        }
+    }
+    demo.level.terrain =
+        std::make_shared<const Heightfield>(make_heightfield(*demo.level.heightfield, picture));
+    return demo;
+}
+
+Demo demo_sectors() {
+    MovementSettings on;
+    // A tilted floor of small tiles: every corner that is moved sideways is also too high or too low.
+    Shapes shapes;
+    shapes.material("stone");
+    const auto corner = [](int i, int k) {
+        const double x = 0.57 * i - 4.0, z = 0.57 * k - 12.0;
+        return Vec3(x, 0.25 * x - 0.15 * z, z);
+    };
+    for (int k = 0; k < 32; ++k) {
+        for (int i = 0; i < 14; ++i)
+            shapes.polygon({corner(i, k), corner(i, k + 1), corner(i + 1, k + 1), corner(i + 1, k)});
+    }
+    Demo demo = demo_of(shapes.level(), {0.37, standing(on, 0), 3.1}, on, "30 wish 0,0\n120 wish 0.1,-0.9\n",
+                        {9, 5, 4}, {0, 1, -2});
+    demo.level.sectors = {.size = 1000.0, .placement = {1e6, 0, -1e6}};
+    return demo;
+}
+
+}  // namespace slipface

@@ -1,0 +1,176 @@
+// Demos of walking on ground that does not move.
+#include <cmath>
+
+#include "demos.h"
+#include "shapes.h"
+
+namespace slipface {
+
+namespace {
+
+constexpr double pi = 3.141592653589793;
+
+// The centre of a player whose feet stand on a slope of `angle` at the height `y` below the centre.
+double standing(const MovementSettings& s, double y, double angle = 0.0) {
+    const double up = std::cos(angle), along = std::sin(angle);
+    return y + std::sqrt(std::pow(s.radii.y() * up, 2) + std::pow(s.radii.z() * along, 2)) / up + s.skin / up;
+}
+
+}  // namespace
+
+Demo demo_of(Level level, const Vec3& spawn, const MovementSettings& on, const char* inputs, const Vec3& eye,
+             const Vec3& target) {
+    Demo demo;
+    demo.level = std::move(level);
+    demo.level.spawn = spawn;
+    demo.on = on;
+    // The texts of the demos are tapes, and a test reads all of them.
+    demo.tape = parse_tape(std::string("slipface-tape 1\ndt 1/60\n") + inputs, "demo").value();
+    demo.camera = {.name = "", .eye = eye, .target = target};
+    return demo;
+}
+
+Demo demo_static_friction() {
+    MovementSettings on;
+    const double angle = pi / 6;
+    Shapes shapes;
+    shapes.material("plaster").box({-7, -0.5, -12}, {7, 0, 8}).material("brick");
+    shapes.ramp({-3, 0, 2}, 6, 10, 10 * std::tan(angle));
+    const Vec3 spawn(0, standing(on, 3.5 * std::tan(angle), angle), -1.5);
+    return demo_of(shapes.level(), spawn, on, "600 wish 0,0\n", {11, 6, 4}, {0, 1.6, -0.5});
+}
+
+Demo demo_ground_velocity() {
+    MovementSettings on;
+    const double rise = 14 * std::tan(pi / 6);
+    Shapes shapes;
+    shapes.material("plaster")
+        .box({-6, -0.5, -26}, {6, 0, 12})
+        .material("brick")
+        .ramp({-2, 0, 4}, 4, 14, rise);
+    shapes.material("stone").box({-2, 0, -20}, {2, rise, -10});
+    return demo_of(shapes.level(), {0, standing(on, rise), -14}, on, "20 wish 0,0\n190 wish 0,1\n",
+                   {17, 7, -2}, {0, 3, -3});
+}
+
+Demo demo_straight_ahead() {
+    MovementSettings on;
+    Shapes shapes;
+    shapes.material("plaster").box({-14, -0.5, -18}, {16, 0, 10}).material("brick");
+    shapes.ramp({-14, 0, 0}, 30, 14, 14 * std::tan(pi / 6));
+    return demo_of(shapes.level(), {-6, standing(on, 0), 5}, on,
+                   "10 wish 0,0\n150 wish 0.70710678,-0.70710678\n", {2, 17, 13}, {1, 1.5, -4});
+}
+
+Demo demo_keep_energy() {
+    MovementSettings on;
+    on.slippery_acceleration = 0.0;
+    constexpr int segments = 12;
+    const double radius = 5.0;
+    Shapes shapes;
+    shapes.material("metal__ice");
+    for (int i = 0; i < segments; ++i) {
+        const double a = pi * (1.0 + static_cast<double>(i) / segments);
+        const double b = pi * (1.0 + static_cast<double>(i + 1) / segments);
+        const Vec3 p(radius * std::cos(a), radius + radius * std::sin(a), 6);
+        const Vec3 q(radius * std::cos(b), radius + radius * std::sin(b), 6);
+        const Vec3 back(0, 0, -12);
+        shapes.polygon({p, q, q + back, p + back});
+    }
+    shapes.material("plaster").box({-9, 4.5, -6}, {-5.02, 5, 6}).box({5.02, 4.5, -6}, {9, 5, 6});
+    return demo_of(shapes.level(), {-4.2, 5.2, 0}, on, "240 wish 0,0\n", {0, 6.5, 15}, {0, 2.6, 0});
+}
+
+Demo demo_step_up() {
+    MovementSettings on;
+    on.step_up = true;
+    on.snap_down = true;
+    Shapes shapes;
+    shapes.material("plaster").box({-6, -0.5, -14}, {6, 0, 6});
+    shapes.material("stone").stairs({-2, 0, 0}, 4, 10, 0.3, 0.4);
+    shapes.box({-2, 0, -8}, {2, 3, -4});
+    return demo_of(shapes.level(), {0, standing(on, 0), 3}, on, "10 wish 0,0\n110 wish 0,-1\n", {10, 5, 3},
+                   {0, 1.8, -2});
+}
+
+Demo demo_snap_down() {
+    MovementSettings on;
+    on.step_up = true;
+    on.snap_down = true;
+    Shapes shapes;
+    shapes.material("plaster").box({-6, -0.5, -14}, {6, 0, 8});
+    shapes.material("stone").stairs({-2, 0, 0}, 4, 10, 0.3, 0.4);
+    shapes.box({-2, 0, -8}, {2, 3, -4});
+    return demo_of(shapes.level(), {0, standing(on, 3), -6}, on, "10 wish 0,0\n100 wish 0,1\n", {10, 5, 3},
+                   {0, 1.8, -1});
+}
+
+Demo demo_seam_filter() {
+    MovementSettings on;
+    on.seam_filter = true;
+    // A floor that rises into the player, as in a game that moves its geometry by itself.
+    on.platforms = false;
+    Shapes shapes;
+    shapes.material("plaster").box({-4, -0.5, -14}, {4, -0.2, 6}).group("lift").material("stone");
+    shapes.floor({-3, 0, -12}, {3, 0, 4}, 0.8);
+    Demo demo = demo_of(shapes.level(), {0.1, standing(on, 0), 3}, on, "120 wish 0.05,-0.998\n", {9, 6, 6},
+                        {0, 2, -3});
+    Platform lift;
+    lift.name = "lift";
+    lift.group = "lift";
+    lift.repeat = PathRepeat::once;
+    lift.path = {{.offset = {0, 0, 0}, .speed = 2.0}, {.offset = {0, 4, 0}, .speed = 2.0}};
+    demo.level.platforms = {lift};
+    return demo;
+}
+
+Demo demo_push_out() {
+    MovementSettings on;
+    on.push_out = PushOut::analytic;
+    const double half = pi / 18;
+    const Vec3 apex(0, 0, -5);
+    const auto rim = [&](double side) {
+        return Vec3(apex + 9.0 * Vec3(side * std::sin(half), 0, std::cos(half)));
+    };
+    const Vec3 up(0, 2.5, 0);
+    Shapes shapes;
+    shapes.material("plaster").box({-6, -0.5, -8}, {6, 0, 8}).material("brick");
+    shapes.polygon({apex, rim(-1), rim(-1) + up, apex + up});
+    shapes.polygon({rim(1), apex, apex + up, rim(1) + up});
+    return demo_of(shapes.level(), {0, standing(on, 0), -3.6}, on, "20 wish 0,0\n40 wish 0,1\n", {0, 9, 5},
+                   {0, 0.5, -1.5});
+}
+
+Demo demo_nudge() {
+    MovementSettings on;
+    on.nudge = true;
+    on.nudge_distance = 0.5;
+    Shapes shapes;
+    shapes.material("plaster").box({-6, -0.5, -6}, {6, 0, 6}).material("brick").box({-1, 0, -1}, {1, 2.2, 1});
+    return demo_of(shapes.level(), {1.15, standing(on, 0), 0}, on, "20 wish 0,0\n60 wish 0,1\n", {7, 6, 6},
+                   {0.8, 0.6, 0.8});
+}
+
+Demo demo_bounce() {
+    MovementSettings on;
+    Shapes shapes;
+    shapes.material("plaster")
+        .box({-8, -0.5, -3}, {12, 0, 3})
+        .material("wood__bouncy")
+        .box({-5, 0, -2}, {10, 0.2, 2});
+    return demo_of(shapes.level(), {-4, 5, 0}, on, "300 wish 0.35,0\n", {2, 3.5, 14}, {2, 2, 0});
+}
+
+Demo demo_surface_types() {
+    MovementSettings on;
+    Shapes shapes;
+    shapes.material("plaster").box({-6, -0.5, -10}, {6, 0, 6}).material("stone").box({-3, 0, -8}, {3, 4, -2});
+    shapes.material("wood__ladder")
+        .polygon({{-0.6, 0, -1.98}, {0.6, 0, -1.98}, {0.6, 4, -1.98}, {-0.6, 4, -1.98}});
+    shapes.material("metal__conveyor")
+        .polygon({{-1, 4.01, -2.6}, {1, 4.01, -2.6}, {1, 4.01, -8}, {-1, 4.01, -8}});
+    return demo_of(shapes.level(), {0, standing(on, 0), 2}, on, "10 wish 0,0\n170 wish 0,-1\n60 wish 0,0\n",
+                   {9, 6, 5}, {0, 2.2, -3});
+}
+
+}  // namespace slipface

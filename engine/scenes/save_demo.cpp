@@ -1,0 +1,78 @@
+// A demo as files.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "slipface/base/files.h"
+#include "slipface/level/level_file.h"
+#include "slipface/scenes/demo.h"
+
+namespace slipface {
+
+namespace {
+
+std::string obj_text(const Mesh& mesh, const std::string& library) {
+    std::string text = fmt::format("mtllib {}\n", library);
+    for (const Vec3f& p : mesh.positions)
+        text += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());
+    std::uint32_t group = no_id, material = no_id;
+    for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+        if (mesh.face_group[face] != group)
+            text += fmt::format("o {}\n", mesh.groups[group = mesh.face_group[face]]);
+        if (mesh.face_material[face] != material) {
+            material = mesh.face_material[face];
+            text += fmt::format("usemtl {}\n", mesh.materials[material].name);
+        }
+        text += "f";
+        for (std::uint32_t c = mesh.face_first_corner[face]; c < mesh.face_first_corner[face + 1]; ++c)
+            text += fmt::format(" {}", mesh.corner_vertex[c] + 1);
+        text += "\n";
+    }
+    return text;
+}
+
+std::string mtl_text(const Mesh& mesh) {
+    std::string text;
+    for (const Material& m : mesh.materials)
+        text += fmt::format("newmtl {}\nKd {} {} {}\n", m.name, m.diffuse.x(), m.diffuse.y(), m.diffuse.z());
+    return text;
+}
+
+GreyImage terrain_picture(const Heightfield& field, const HeightfieldSource& source) {
+    GreyImage picture{.width = field.columns, .height = field.rows, .values = {}};
+    for (const double height : field.heights) {
+        const double share = (height - source.origin.y() - source.low) / (source.high - source.low);
+        picture.values.push_back(static_cast<std::uint16_t>(std::lround(share * 65535.0)));
+    }
+    return picture;
+}
+
+}  // namespace
+
+Result<std::filesystem::path> save_demo(const DemoInfo& info, const std::filesystem::path& folder) {
+    Demo demo = make_demo(info);
+    const std::string name = info.name;
+    demo.level.mesh_path = folder / (name + ".obj");
+    demo.level.file_path = folder / (name + ".slipface.json");
+    const Mesh& mesh = *demo.level.mesh;
+    const auto write = [&](const std::string& ending, const std::string& text) {
+        return write_file_atomic(folder / (name + ending), text);
+    };
+    if (const Status status = write(".mtl", mtl_text(mesh)); !status) return status.error();
+    if (const Status status = write(".obj", obj_text(mesh, name + ".mtl")); !status) return status.error();
+    if (demo.level.terrain && demo.level.heightfield) {
+        const auto path = folder / demo.level.heightfield->file;
+        const Status status =
+            save_grey_png(path, terrain_picture(*demo.level.terrain, *demo.level.heightfield));
+        if (!status) return status.error();
+    }
+    if (const Status status = save_level(demo.level); !status) return status.error();
+    // The tape names the geometry as it is read, whose coordinates may differ in the last digit.
+    const Result<LoadedLevel> loaded = load_level(demo.level.mesh_path);
+    if (!loaded) return loaded.error();
+    demo.tape.level_fingerprint = loaded->level.mesh->fingerprint;
+    if (const Status status = write(".tape", tape_to_text(demo.tape)); !status) return status.error();
+    return demo.level.mesh_path;
+}
+
+}  // namespace slipface

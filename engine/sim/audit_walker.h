@@ -1,0 +1,37 @@
+// What an audit's walker wants: a pure function of the seed, the walker, its life and the tick.
+#pragma once
+
+#include <cstdint>
+
+#include "slipface/movement/step.h"
+
+namespace slipface {
+
+// Random numbers that are the same everywhere. Source: splitmix64 (Steele, Lea, Flood 2014).
+class WalkerRandom {
+  public:
+    explicit WalkerRandom(std::uint64_t state) : state_(state) {}
+    std::uint64_t bits();
+    double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }  // [0, 1)
+    std::uint64_t below(std::uint64_t count) { return bits() % count; }
+
+  private:
+    std::uint64_t state_;
+};
+
+// Turns about once a second, jumps about every two, and now and then walks instead of running.
+class Walker {
+  public:
+    Walker(std::uint64_t seed, std::uint32_t number, std::uint32_t life, double dt);
+    PlayerInput next();
+
+  private:
+    WalkerRandom random_;
+    std::uint64_t ticks_a_second_;
+    std::uint64_t turn_in_ = 0;   // ticks to the next heading
+    std::uint64_t press_in_ = 0;  // ticks to the next jump
+    std::uint64_t held_for_ = 0;  // ticks that the jump stays pressed
+    PlayerInput input_;
+};
+
+}  // namespace slipface

@@ -1,0 +1,106 @@
+// A crowd of random walkers that tries to break a level: do they leave it, end inside it, or get stuck?
+//
+// Every walker is a pure function of (seed, its number): the report is the same for any number of threads,
+// and an audit cut into shards and merged is the same as one that ran whole, byte for byte.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "slipface/level/level.h"
+#include "slipface/sim/tape.h"
+
+namespace slipface {
+
+struct AuditShard {
+    std::uint32_t index = 0;  // runs the walkers with number % count == index
+    std::uint32_t count = 1;
+};
+
+struct AuditOptions {
+    std::uint32_t walkers = 100;
+    double duration_s = 60.0;  // simulated, each walker
+    std::uint64_t seed = 1;
+    double dt = 1.0 / 60.0;
+    std::string dt_text = "1/60";
+    std::vector<double> speeds;  // m/s; walker i runs at speeds[i % size]. Empty: the level's walk_speed
+    AuditShard shard;
+    bool heat = false;  // also fill AuditReport::heat, which costs about a tenth of the speed
+    // Called from any thread about once a simulated second with the steps done since the last call; false
+    // ends the audit early.
+    std::function<bool(std::uint64_t steps)> progress;
+};
+
+enum class FindingKind : std::uint8_t {
+    escape,   // the centre passed through a triangle, or left a closed level
+    overlap,  // deeper inside a triangle than the skin
+    stuck,    // asked to move for 2 s, moved less than 1 cm, although the way was free
+};
+inline constexpr std::array<const char*, 3> finding_names{"escape", "overlap", "stuck"};
+
+struct AuditFinding {
+    FindingKind kind = FindingKind::escape;
+    std::uint32_t walker = 0;
+    std::uint32_t life = 0;  // a walker who left the level begins again at the spawn point, as its next life
+    std::uint64_t tick = 0;  // of the life; the state after this many ticks is the bad one
+    Vec3 position = Vec3::Zero();
+    double amount =
+        0.0;  // escape: metres done in that tick; overlap: depth, share of the radii; stuck: metres moved
+    FaceId face = no_id;  // the one passed, overlapped or stood on
+    friend bool operator==(const AuditFinding&, const AuditFinding&) = default;
+};
+
+// What happened on a face, added up over all walkers. Whole numbers, so that the order of adding is free.
+struct FaceHeat {
+    std::uint64_t visited = 0;        // ticks stood, climbed or stuck on it
+    std::uint64_t stuck = 0;          // ticks on it that moved less than a tenth of what was asked
+    std::uint64_t missed_ground = 0;  // ticks falling within 5 cm above it without being grounded
+    std::uint64_t lost_mm_s = 0;      // speed that contacts with it took away, millimetres a second
+};
+
+struct AuditReport {
+    // What was run.
+    std::string level_name;
+    std::uint64_t level_fingerprint = 0;
+    std::uint64_t settings_hash = 0;
+    std::uint32_t walkers = 0;
+    double duration_s = 0.0;
+    std::uint64_t seed = 0;
+    std::string dt_text;
+    std::vector<double> speeds;
+    std::uint32_t shard_count = 1;
+    std::vector<std::uint32_t> shards;  // which of them are in this report; ascending
+    bool closed = false;                // no ray from the spawn point leaves the level
+
+    // What came of it.
+    std::uint64_t steps = 0;
+    std::uint64_t lives = 0;
+    std::uint64_t hazards = 0;
+    std::uint64_t left = 0;                 // walkers' lives that ended by leaving an open level
+    std::array<std::uint64_t, 3> counts{};  // [FindingKind]; a life counts once a kind
+    std::uint64_t hash = 0;                 // sum over walkers of a hash of all their states
+    std::vector<AuditFinding> findings;     // by walker, life, tick; the first of each kind in each life
+    std::vector<FaceHeat> heat;             // [face], or empty
+    bool cancelled = false;
+
+    bool clean() const { return counts == std::array<std::uint64_t, 3>{} && !cancelled; }
+};
+
+// Refuses a level without triangles, a spawn point inside geometry, and options out of range.
+Result<AuditReport> run_audit(const Level& level, const AuditOptions& options);
+
+// The run up to and with the tick of a finding: `simulate` repeats it bit by bit.
+Tape audit_tape(const Level& level, const AuditOptions& options, const AuditFinding& finding);
+
+// The report as JSON without anything that differs between runs of the same audit (no duration, no machine).
+std::string audit_to_json(const AuditReport& report);
+Result<AuditReport> audit_from_json(std::string_view json, const std::string& place);
+
+// The parts of one audit as one report. Refuses parts of different audits and parts that come twice.
+Result<AuditReport> merge_audits(const std::vector<AuditReport>& parts);
+
+}  // namespace slipface

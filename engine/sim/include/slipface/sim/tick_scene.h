@@ -1,0 +1,36 @@
+// The scene of each tick of a run: of a level whose platforms move, or one that is the same at every tick.
+#pragma once
+
+#include "slipface/level/level_scene.h"
+
+namespace slipface {
+
+class TickScene {
+  public:
+    TickScene(const MovementScene& scene) : still_(scene) {}
+    // `level` must outlive this; one thread at a time.
+    TickScene(LevelScene& level)
+        : still_(level.at(0.0)), level_(level.is_static() ? nullptr : &level), offset_(level.offset()) {}
+
+    // The tick from tick * dt to (tick + 1) * dt. Valid until the next call.
+    MovementScene at(std::size_t tick, double dt) const {
+        return level_ ? level_->at(static_cast<double>(tick) * dt, dt) : still_;
+    }
+    SurfaceTable surfaces() const { return still_.surfaces; }
+
+    // A player at rest at a place of the level, and the place of a player.
+    PlayerState player_at(const Vec3& level_position) const {
+        PlayerState state;
+        place_in_scene(still_, level_position + offset_, state);
+        return state;
+    }
+    Vec3 to_level(const PlayerState& state) const { return position_in_scene(still_, state) - offset_; }
+    const Vec3& offset() const { return offset_; }  // the scene's coordinates less the level's
+
+  private:
+    MovementScene still_;
+    LevelScene* level_ = nullptr;
+    Vec3 offset_ = Vec3::Zero();
+};
+
+}  // namespace slipface

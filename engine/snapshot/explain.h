@@ -1,0 +1,32 @@
+// Why a scene does not look as it did.
+#pragma once
+
+#include <functional>
+
+#include "level_changes.h"
+#include "scene_camera.h"
+#include "story.h"
+
+namespace slipface {
+
+// Both sides of a scene, as far as they are known.
+struct SceneSide {
+    const StagedLevel* staged = nullptr;
+    const MovementStory* story = nullptr;
+    Camera camera;
+};
+
+struct SceneComparison {
+    const Scene& scene;
+    const ExplainRequest& request;
+    SceneSide before, after;  // before.staged is null when there is no digest
+    // Pictures of a side, with and without what is drawn over the level; empty if it cannot be drawn.
+    std::function<Image(const SceneSide&, bool with_overlay)> draw;
+};
+
+std::vector<Finding> explain_scene(const SceneComparison& comparison);
+
+// From the numbers alone.
+std::vector<Finding> explain_numbers(const ExplainRequest& request, std::size_t changed_pixels);
+
+}  // namespace slipface

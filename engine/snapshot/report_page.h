@@ -1,0 +1,189 @@
+// The page of report.html: it stands alone, without network. Between the two halves come the data.
+#pragma once
+
+namespace slipface {
+
+inline constexpr const char* report_page_head = R"html(<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><title>Snapshots</title>
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<style>
+:root{--bg:#14171c;--panel:#1c2128;--line:#303740;--text:#e6e9ee;--muted:#98a2b0;--accent:#4aa3ff;--bad:#ff6b5e;--warn:#f5b942;--good:#4cc38a;--pick:#26303c}
+@media (prefers-color-scheme:light){:root{--bg:#f2f4f7;--panel:#fff;--line:#d5dae1;--text:#1b2129;--muted:#5d6875;--accent:#0b6bcb;--bad:#c62f22;--warn:#9a6700;--good:#1a7f4b;--pick:#e3edf9}}
+*{box-sizing:border-box}
+body{margin:0;height:100vh;display:grid;grid-template:auto 1fr auto/340px 1fr;background:var(--bg);color:var(--text);font:14px/1.45 Inter,system-ui,sans-serif}
+header{grid-column:1/3;display:flex;gap:16px;align-items:baseline;padding:12px 20px;border-bottom:1px solid var(--line);background:var(--panel)}
+h1{font-size:17px;margin:0}h2{font-size:16px;margin:0 0 4px;overflow-wrap:anywhere}h3{font-size:13px;margin:20px 0 6px;color:var(--muted);font-weight:600}
+.muted{color:var(--muted)}
+nav{overflow:auto;border-right:1px solid var(--line);background:var(--panel);display:flex;flex-direction:column}
+#filters{padding:12px 12px 8px;display:flex;flex-wrap:wrap;gap:6px;position:sticky;top:0;background:var(--panel)}
+#search{width:100%;padding:6px 10px;border:1px solid var(--line);border-radius:6px;background:var(--bg);color:var(--text);font:inherit}
+button{font:inherit;color:var(--text);background:var(--bg);border:1px solid var(--line);border-radius:6px;padding:4px 10px;cursor:pointer}
+button:hover{border-color:var(--accent)}button.on{background:var(--accent);border-color:var(--accent);color:#fff}
+button:focus-visible,input:focus-visible{outline:2px solid var(--accent);outline-offset:1px}
+.item{display:grid;grid-template-columns:10px 1fr auto;gap:10px;align-items:center;padding:7px 14px;cursor:pointer;border-left:3px solid transparent}
+.item.on{background:var(--pick);border-left-color:var(--accent)}
+.item .name{overflow-wrap:anywhere}.item .mark{font-weight:700}
+.dot{width:10px;height:10px;border-radius:50%;background:var(--bad)}
+.dot.same{background:var(--good)}.dot.missing,.dot.orphan{background:var(--warn)}
+main{overflow:auto;padding:16px 20px 40px}
+#tools{display:flex;flex-wrap:wrap;gap:6px;margin:12px 0;align-items:center}
+#stage{display:flex;gap:12px;flex-wrap:wrap;align-items:flex-start}
+figure{margin:0;flex:1 1 420px;min-width:0}figcaption{color:var(--muted);margin-bottom:4px}
+figure img,figure canvas{width:100%;display:block;border:1px solid var(--line);background:#000;image-rendering:auto}
+body.exact figure{flex:0 0 auto}body.exact figure img,body.exact figure canvas{width:auto;image-rendering:pixelated}
+#swipe{position:relative}#swipe .top{position:absolute;left:0;top:0;overflow:hidden;border-right:2px solid var(--accent);width:50%;height:100%}
+#swipe .top img{position:absolute;left:0;top:0;max-width:none}
+table{border-collapse:collapse;width:100%}td,th{text-align:left;padding:4px 12px 4px 0;border-bottom:1px solid var(--line);vertical-align:top;overflow-wrap:anywhere}
+th{color:var(--muted);font-weight:600}
+td.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
+code{font:12.5px/1.5 ui-monospace,"DejaVu Sans Mono",monospace}
+.tag{display:inline-block;padding:1px 8px;border-radius:10px;border:1px solid var(--line);font-size:12px;white-space:nowrap}
+footer{grid-column:1/3;display:flex;gap:12px;align-items:center;padding:10px 20px;border-top:1px solid var(--line);background:var(--panel)}
+footer code{flex:1;overflow-x:auto;white-space:nowrap;background:var(--bg);padding:6px 10px;border:1px solid var(--line);border-radius:6px}
+kbd{border:1px solid var(--line);border-bottom-width:2px;border-radius:4px;padding:0 5px;font:12px ui-monospace,monospace}
+</style></head><body>
+<header><h1>Snapshots</h1><span id="totals"></span><span class="muted" id="renderer"></span></header>
+<nav><div id="filters"><input id="search" placeholder="Find by name" aria-label="Find by name"></div><div id="list" role="listbox"></div></nav>
+<main id="main"></main>
+<footer><code id="command"></code><button id="copy">Copy</button><span class="muted"><kbd>j</kbd> <kbd>k</kbd> next, previous&ensp;<kbd>a</kbd> approve&ensp;<kbd>r</kbd> reject&ensp;<kbd>s</kbd> skip&ensp;<kbd>1</kbd>–<kbd>4</kbd> mode&ensp;<kbd>space</kbd> blink&ensp;<kbd>z</kbd> size</span></footer>
+<script>
+const DATA = )html";
+
+inline constexpr const char* report_page_tail = R"html(;
+const $ = id => document.getElementById(id);
+const el = (tag, props = {}, ...children) => { const e = Object.assign(document.createElement(tag), props); e.append(...children); return e; };
+const states = ["different", "missing", "unreadable", "failed", "nondeterministic", "orphan", "same"];
+const approvable = e => ["different", "missing", "unreadable"].includes(e.state);
+const marks = new Map();
+let filter = DATA.entries.some(e => e.state !== "same") ? "not the same" : "all", current = 0, mode = "side", showActual = true, threshold = 2, blinking = 0;
+
+const shown = () => DATA.entries.filter(e => (filter === "all" || (filter === "not the same" ? e.state !== "same" : e.state === filter)) && e.name.includes($("search").value));
+const entry = () => shown()[current];
+
+function command() {
+  const chosen = [...marks].filter(([, m]) => m === "approve").map(([n]) => n);
+  if (chosen.length) return DATA.approve + " " + chosen.join(" ");
+  return DATA.entries.some(approvable) ? DATA.approve : "Nothing to approve";
+}
+function drawFrame() {
+  const count = s => DATA.entries.filter(e => e.state === s).length;
+  $("totals").textContent = states.filter(count).map(s => count(s) + " " + s).join(", ");
+  $("renderer").textContent = DATA.renderer;
+  for (const b of [...$("filters").querySelectorAll("button")]) b.remove();
+  for (const f of ["not the same", ...states.filter(count), "all"])
+    $("filters").append(el("button", { textContent: f, className: f === filter ? "on" : "", onclick: () => { filter = f; current = 0; draw(); } }));
+  $("command").textContent = command();
+}
+function drawList() {
+  $("list").replaceChildren(...shown().map((e, i) => {
+    const mark = { approve: "✓", reject: "✗", skip: "–" }[marks.get(e.name)] || "";
+    const item = el("div", { className: "item" + (i === current ? " on" : ""), onclick: () => { current = i; draw(); } },
+      el("span", { className: "dot " + e.state, title: e.state }), el("span", { className: "name", textContent: e.name }), el("span", { className: "mark", textContent: mark }));
+    item.setAttribute("role", "option"); item.setAttribute("aria-selected", i === current);
+    return item;
+  }));
+  $("list").querySelector(".on")?.scrollIntoView({ block: "nearest" });
+}
+function picture(src, caption) { return el("figure", {}, el("figcaption", { textContent: caption }), el("img", { src, alt: caption })); }
+const loaded = new Map();
+function load(src) {
+  if (!loaded.has(src)) loaded.set(src, new Promise((done, fail) => { const i = new Image(); i.onload = () => done(i); i.onerror = fail; i.src = src; }));
+  return loaded.get(src);
+}
+async function heat(canvas, e) {
+  const [a, b] = await Promise.all([load(e.expected), load(e.actual)]);
+  const w = Math.max(a.width, b.width), h = Math.max(a.height, b.height);
+  canvas.width = w; canvas.height = h;
+  const c = canvas.getContext("2d", { willReadFrequently: true });
+  const pixels = image => { c.clearRect(0, 0, w, h); c.drawImage(image, 0, 0); return c.getImageData(0, 0, w, h); };
+  const x = pixels(a), y = pixels(b), out = c.createImageData(w, h);
+  let count = 0;
+  for (let i = 0; i < x.data.length; i += 4) {
+    const d = Math.max(Math.abs(x.data[i] - y.data[i]), Math.abs(x.data[i + 1] - y.data[i + 1]), Math.abs(x.data[i + 2] - y.data[i + 2]), Math.abs(x.data[i + 3] - y.data[i + 3]));
+    const grey = 20 + (x.data[i] * 54 + x.data[i + 1] * 183 + x.data[i + 2] * 19) / 768;
+    const on = d > threshold;
+    if (on) count++;
+    out.data[i] = on ? 255 : grey; out.data[i + 1] = on ? 255 - 255 * Math.min(d - 1, 31) / 31 : grey; out.data[i + 2] = on ? 0 : grey; out.data[i + 3] = 255;
+  }
+  c.putImageData(out, 0, 0);
+  canvas.dataset.count = count;
+  $("count").textContent = count + " pixels differ by more than " + threshold;
+}
+function swipe(e) {
+  const box = el("div", { id: "swipe" }, el("img", { src: e.actual, alt: "actual" }));
+  const image = el("img", { src: e.expected, alt: "expected" }), top = el("div", { className: "top" }, image);
+  box.append(top);
+  const at = x => { const r = box.getBoundingClientRect(); image.style.width = r.width + "px"; top.style.width = Math.max(0, Math.min(1, (x - r.left) / r.width)) * 100 + "%"; };
+  box.onpointermove = event => at(event.clientX);
+  requestAnimationFrame(() => { image.style.width = box.getBoundingClientRect().width + "px"; });
+  return el("figure", {}, el("figcaption", { textContent: "Expected left of the line, actual right of it" }), box);
+}
+function drawStage() {
+  clearInterval(blinking);
+  const e = entry(), stage = $("stage");
+  if (!stage || !e) return;
+  if (!e.expected || !e.actual) {
+    stage.replaceChildren(...[["expected", "Expected"], ["actual", "Actual"], ["first", "First rendering"], ["second", "Second rendering"]].filter(([k]) => e[k]).map(([k, t]) => picture(e[k], t)));
+    return;
+  }
+  if (mode === "side") stage.replaceChildren(picture(e.expected, "Expected"), picture(e.actual, "Actual"));
+  if (mode === "swipe") stage.replaceChildren(swipe(e));
+  if (mode === "blink") {
+    const figure = picture(showActual ? e.actual : e.expected, showActual ? "Actual" : "Expected");
+    stage.replaceChildren(figure);
+    const flip = () => { showActual = !showActual; figure.querySelector("img").src = showActual ? e.actual : e.expected; figure.querySelector("figcaption").textContent = showActual ? "Actual" : "Expected"; };
+    stage.flip = flip;
+    blinking = setInterval(flip, 700);
+  }
+  if (mode === "heat") {
+    const canvas = el("canvas", { id: "heat" });
+    const slider = el("input", { type: "range", min: 0, max: 64, value: threshold, oninput: event => { threshold = +event.target.value; heat(canvas, e); } });
+    stage.replaceChildren(el("figure", {}, el("figcaption", {}, "Threshold ", slider, " ", el("span", { id: "count" })), canvas));
+    heat(canvas, e);
+  }
+}
+function table(head, rows) {
+  return el("table", {}, el("tr", {}, ...head.map(h => el("th", { textContent: h }))),
+    ...rows.map(r => el("tr", {}, ...r.map(c => c instanceof Node ? el("td", {}, c) : el("td", { textContent: c, className: typeof c === "number" ? "n" : "" })))));
+}
+function drawMain() {
+  const e = entry(), main = $("main");
+  if (!e) { main.replaceChildren(el("p", { className: "muted", textContent: "No snapshot here." })); return; }
+  const parts = [el("h2", { textContent: e.name }), el("div", {}, el("span", { className: "tag", textContent: e.state }), " ", el("span", { className: "muted", textContent: e.pixels ? e.pixels.verdict : e.message }))];
+  if (e.matched) parts.push(el("p", { textContent: e.matched + " fits; the golden itself does not." }));
+  if (e.findings) parts.push(el("h3", { textContent: "Why" }), table(["Pixels", "Cause", "What"], e.findings.map(f => [f.pixels, el("span", { className: "tag", textContent: f.cause }), f.text])));
+  if (e.expected || e.actual || e.first) {
+    const tools = el("div", { id: "tools" });
+    if (e.expected && e.actual) for (const [m, t] of [["side", "1 Side by side"], ["swipe", "2 Swipe"], ["blink", "3 Blink"], ["heat", "4 Heat map"]])
+      tools.append(el("button", { textContent: t, className: m === mode ? "on" : "", onclick: () => { mode = m; drawMain(); } }));
+    tools.append(el("button", { textContent: "z Exact pixels", className: document.body.classList.contains("exact") ? "on" : "", onclick: exact }));
+    if (approvable(e)) for (const [m, t] of [["approve", "a Approve"], ["reject", "r Reject"], ["skip", "s Skip"]])
+      tools.append(el("button", { textContent: t, className: marks.get(e.name) === m ? "on" : "", onclick: () => setMark(m) }));
+    parts.push(tools, el("div", { id: "stage" }));
+  }
+  if (e.numbers) parts.push(el("h3", { textContent: "Numbers" }), table(["Number", "Expected", "Actual", ""], e.numbers.map(n => [el("code", { textContent: n.path }), n.expected, n.actual, n.decides ? "" : "explains only"])));
+  if (e.sweep) parts.push(el("h3", { textContent: "Pixels that would differ at other thresholds" }), table(["Threshold", ...e.sweep.map(r => "> " + r[0])], [["Pixels", ...e.sweep.map(r => r[1])]]));
+  main.replaceChildren(...parts);
+  drawStage();
+}
+function draw() { current = Math.max(0, Math.min(current, shown().length - 1)); drawFrame(); drawList(); drawMain(); }
+function setMark(m) { const e = entry(); if (!e || !approvable(e)) return; marks.set(e.name, m); if (current < shown().length - 1) current++; draw(); }
+function exact() { document.body.classList.toggle("exact"); drawMain(); }
+const keys = {
+  j: () => { current++; draw(); }, ArrowDown: () => { current++; draw(); }, k: () => { current--; draw(); }, ArrowUp: () => { current--; draw(); },
+  a: () => setMark("approve"), r: () => setMark("reject"), s: () => setMark("skip"), z: exact, c: () => $("copy").click(),
+  1: () => { mode = "side"; drawMain(); }, 2: () => { mode = "swipe"; drawMain(); }, 3: () => { mode = "blink"; drawMain(); }, 4: () => { mode = "heat"; drawMain(); },
+  " ": () => { if (mode !== "blink") { mode = "blink"; drawMain(); } else { clearInterval(blinking); $("stage").flip?.(); } },
+};
+document.addEventListener("keydown", event => {
+  if (event.target.tagName === "INPUT" && event.target.type !== "range") { if (event.key === "Escape") event.target.blur(); return; }
+  if (event.ctrlKey || event.metaKey || event.altKey || !(event.key in keys)) return;
+  event.preventDefault(); keys[event.key]();
+});
+$("search").oninput = () => { current = 0; draw(); };
+$("copy").onclick = () => { const range = document.createRange(); range.selectNodeContents($("command")); getSelection().removeAllRanges(); getSelection().addRange(range); navigator.clipboard?.writeText(command()).catch(() => {}); };
+draw();
+</script></body></html>
+)html";
+
+}  // namespace slipface

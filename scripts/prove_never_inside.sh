@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Random walkers through every shipped level and a generated hostile one, 10^8 steps in all, at 6 m/s and 60 Hz, at
+# 20 m/s and 30 Hz, and sprinting at 60 m/s. Nobody may leave a closed level, pass a triangle or end inside one.
+# Prints the table of docs/never-inside.md. Usage: scripts/prove_never_inside.sh [STEPS] [SEED]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. scripts/common.sh
+steps=${1:-100000000}
+seed=${2:-1}
+configure release
+build release slipface slipface_generate_hostile >&2
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+levels=(assets/levels/*.obj)
+for number in 1 2 3; do
+    build/release/assets/slipface_generate_hostile "$scratch/hostile-$number.obj" "$((seed + number))"
+    levels+=("$scratch/hostile-$number.obj")
+done
+seconds=60
+failed=0
+printf '| level | regime | steps | escapes | overlaps | stuck |\n|---|---|---|---|---|---|\n'
+for regime in "6 1/60" "20 1/30" "60 1/60"; do
+    read -r speed dt <<<"$regime"
+    rate=${dt#1/}
+    walkers=$((steps / 3 / ${#levels[@]} / (seconds * rate) + 1))
+    for level in "${levels[@]}"; do
+        report=$(build/release/editor/slipface audit "$level" --walkers "$walkers" --seconds "$seconds" --seed "$seed" \
+            --speeds "$speed" --dt "$dt" --json 2>/dev/null) || failed=1
+        printf '%s' "$report" | python3 -c '
+import json, sys
+r = json.load(sys.stdin)
+print("| {} | {} | {} | {} | {} | {} |".format(sys.argv[1], sys.argv[2], r["steps"], r["count_escape"], r["count_overlap"], r["count_stuck"]))
+' "$(basename "$level" .obj)" "$speed m/s, $rate Hz"
+    done
+done
+exit "$failed"

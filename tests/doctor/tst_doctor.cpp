@@ -1,0 +1,169 @@
+// Each kind of problem: a mesh that has exactly one, and the mended mesh that has none.
+#include <cmath>
+#include <set>
+
+#include "level/faces.h"
+#include "slipface/doctor/doctor.h"
+
+namespace slipface {
+namespace {
+
+using test::Face;
+using test::Faces;
+
+Face quad(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d) {
+    return Face{{a, b, c, d}};
+}
+
+// A floor from (x, z) to (x + w, z + d), seen from above.
+Face floor_at(float x, float z, float w, float d, float y = 0.0f) {
+    return quad({x, y, z}, {x, y, z + d}, {x + w, y, z + d}, {x + w, y, z});
+}
+
+std::size_t count(const Faces& faces, ProblemKind kind) {
+    const DoctorReport report = examine(test::level_of(faces));
+    std::size_t listed = 0;
+    for (const Problem& problem : report.problems)
+        listed += problem.kind == kind ? 1 : 0;
+    EXPECT_EQ(listed, report.count(kind));
+    return listed;
+}
+
+std::string all_of(const DoctorReport& report) {
+    std::string text;
+    for (const Problem& problem : report.problems)
+        text += std::string(info_of(problem.kind).name) + ": " + problem.text + "\n";
+    return text;
+}
+
+TEST(Doctor, FindsNothingInACleanFloor) {
+    Faces faces;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+            faces.push_back(floor_at(float(i), float(j), 1, 1));
+    const DoctorReport report = examine(test::level_of(faces));
+    EXPECT_EQ(report.total(), 0u) << all_of(report);
+    EXPECT_FALSE(report.cancelled);
+}
+
+TEST(Doctor, ACornerOnAnEdgeIsATJunction) {
+    // Two squares meet the long side of a third in its middle.
+    const Faces broken{floor_at(0, 0, 2, 2), floor_at(2, 0, 1, 1), floor_at(2, 1, 1, 1)};
+    const DoctorReport report = examine(test::level_of(broken));
+    ASSERT_EQ(report.count(ProblemKind::t_junction), 1u) << all_of(report);
+    EXPECT_EQ(report.problems[0].face, 0u);
+    EXPECT_EQ(report.problems[0].place, Vec3(2, 0, 1));
+    // With a vertex on the long side it is none.
+    const Faces mended{Face{{{0, 0, 0}, {0, 0, 2}, {2, 0, 2}, {2, 0, 1}, {2, 0, 0}}}, floor_at(2, 0, 1, 1),
+                       floor_at(2, 1, 1, 1)};
+    EXPECT_EQ(count(mended, ProblemKind::t_junction), 0u);
+}
+
+TEST(Doctor, CornersThatAlmostMeetAreACrack) {
+    EXPECT_EQ(count({floor_at(0, 0, 1, 1), floor_at(1.001f, 0, 1, 1)}, ProblemKind::crack), 4u);
+    EXPECT_EQ(count({floor_at(0, 0, 1, 1), floor_at(1, 0, 1, 1)}, ProblemKind::crack), 0u);
+    // A gap that a body of 0.4 m could see is a gap that somebody meant.
+    EXPECT_EQ(count({floor_at(0, 0, 1, 1), floor_at(1.1f, 0, 1, 1)}, ProblemKind::crack), 0u);
+}
+
+TEST(Doctor, ThinTrianglesAreSlivers) {
+    EXPECT_EQ(count({Face{{{0, 0, 0}, {5, 0, 0.001f}, {10, 0, 0}}}}, ProblemKind::sliver), 1u);
+    EXPECT_EQ(count({Face{{{0, 0, 0}, {5, 0, 0.5f}, {10, 0, 0}}}}, ProblemKind::sliver), 0u);
+}
+
+TEST(Doctor, TheSameCornersTwiceAreADuplicate) {
+    Face turned = floor_at(0, 0, 1, 1);
+    std::rotate(turned.corners.begin(), turned.corners.begin() + 1, turned.corners.end());
+    const DoctorReport report = examine(test::level_of({floor_at(0, 0, 1, 1), turned}));
+    ASSERT_EQ(report.count(ProblemKind::duplicate), 1u);
+    EXPECT_EQ(report.count(ProblemKind::overlap), 0u) << "one fault is said once";
+    EXPECT_EQ(report.problems.back().face, 1u);
+    EXPECT_EQ(report.problems.back().other, 0u);
+}
+
+TEST(Doctor, CoplanarFacesOverEachOtherAreFound) {
+    EXPECT_EQ(count({floor_at(0, 0, 2, 2), floor_at(1, 1, 2, 2)}, ProblemKind::overlap), 1u);
+    EXPECT_EQ(count({floor_at(0, 0, 2, 2), floor_at(2, 0, 2, 2)}, ProblemKind::overlap), 0u);
+    EXPECT_EQ(count({floor_at(0, 0, 2, 2), floor_at(1, 1, 2, 2, 0.05f)}, ProblemKind::overlap), 0u);
+}
+
+TEST(Doctor, TheFaceWoundAgainstItsNeighboursIsTheOneFound) {
+    Faces faces;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            faces.push_back(floor_at(float(i), float(j), 1, 1));
+    EXPECT_EQ(count(faces, ProblemKind::flipped), 0u);
+    std::reverse(faces[4].corners.begin(), faces[4].corners.end());
+    const DoctorReport report = examine(test::level_of(faces));
+    ASSERT_EQ(report.count(ProblemKind::flipped), 1u) << all_of(report);
+    EXPECT_EQ(report.problems[0].face, 4u);
+}
+
+// A floor and a second plane that rises from the line x = 0 and leans over it, leaving `angle` free.
+Faces wedge(double angle) {
+    const auto x = static_cast<float>(20 * std::cos(angle)), y = static_cast<float>(20 * std::sin(angle));
+    return {quad({0, 0, -10}, {0, 0, 10}, {20, 0, 10}, {20, 0, -10}),
+            quad({0, 0, 10}, {0, 0, -10}, {x, y, -10}, {x, y, 10})};
+}
+
+TEST(Doctor, OnlyCornersThatThePlayerCanEnterAreAcute) {
+    EXPECT_EQ(count(wedge(0.6), ProblemKind::acute_corner), 1u);
+    EXPECT_EQ(count(wedge(2.0), ProblemKind::acute_corner), 0u);
+    // A pillar keeps the player out.
+    Faces blocked = wedge(0.6);
+    for (int i = 0; i < 20; ++i)
+        blocked.push_back(quad({0.5f * float(i), 0, -1}, {0.5f * float(i), 0, 1}, {0.5f * float(i), 9, 1},
+                               {0.5f * float(i), 9, -1}));
+    EXPECT_EQ(count(blocked, ProblemKind::acute_corner), 0u);
+}
+
+TEST(Doctor, SlopesAtTheLimitAreFound) {
+    const double limit = MovementSettings{}.max_slope;
+    const auto slope = [&](double angle) {
+        const auto y = static_cast<float>(4 * std::sin(angle)), x = static_cast<float>(4 * std::cos(angle));
+        return Faces{quad({0, 0, 0}, {0, 0, 4}, {x, y, 4}, {x, y, 0})};
+    };
+    EXPECT_EQ(count(slope(limit * 1.005), ProblemKind::slope_limit), 1u);
+    EXPECT_EQ(count(slope(limit * 0.995), ProblemKind::slope_limit), 1u);
+    EXPECT_EQ(count(slope(limit * 1.05), ProblemKind::slope_limit), 0u);
+}
+
+TEST(Doctor, OrphansAndMissingTexturesAreListed) {
+    Level level = test::level_of({floor_at(0, 0, 1, 1)});
+    level.orphans.push_back({FaceKey{.centroid = Vec3(1, 2, 3), .material = "stone"}, "ice"});
+    Mesh textured = *level.mesh;
+    textured.materials[0].texture = "no/such.png";
+    level.mesh = std::make_shared<const Mesh>(std::move(textured));
+    const DoctorReport report = examine(level);
+    EXPECT_EQ(report.count(ProblemKind::orphan), 1u);
+    EXPECT_EQ(report.count(ProblemKind::missing_texture), 1u);
+    ASSERT_EQ(report.problems.size(), 2u) << all_of(report);
+    EXPECT_EQ(report.problems[0].place, Vec3(1, 2, 3));
+}
+
+TEST(Doctor, CanBeCancelledAndTellsHowFarItIs) {
+    const Level level = test::level_of({floor_at(0, 0, 1, 1)});
+    double last = -1.0;
+    EXPECT_FALSE(examine(level, [&](double share) {
+                     EXPECT_GE(share, last);
+                     last = share;
+                     return true;
+                 }).cancelled);
+    EXPECT_EQ(last, 1.0);
+    int calls = 0;
+    EXPECT_TRUE(examine(level, [&](double) { return ++calls < 3; }).cancelled);
+    EXPECT_EQ(calls, 3);
+}
+
+TEST(Doctor, EveryKindHasItsRow) {
+    std::set<std::string> names;
+    for (const ProblemKindInfo& kind : problem_kinds()) {
+        EXPECT_EQ(&info_of(kind.kind), &kind);
+        EXPECT_TRUE(names.insert(kind.name).second);
+        EXPECT_NE(std::string(kind.remedy), "");
+    }
+    EXPECT_EQ(names.size(), problem_kind_count);
+}
+
+}  // namespace
+}  // namespace slipface

@@ -1,0 +1,201 @@
+// Every command of the table, run as a person would: by its key, or through its menu. What it does has to be
+// seen.
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <map>
+
+#include "app_fixture.h"
+#include "tools/commands.h"
+
+namespace slipface {
+namespace {
+
+using EveryCommand = AppFixture;
+
+struct Case {
+    std::string_view setup;   // lines of a script, so that the command can run
+    std::string_view expect;  // lines of a script; empty: the window must look different afterwards
+};
+
+// A walk, recorded.
+constexpr std::string_view walk = "key F5\nwait 30\nhold W 30\nkey Escape\nfinish";
+constexpr std::string_view walk_from_start =
+    "key F5\nwait 30\nhold W 30\nkey Escape\nfinish\ncommand lab.start";
+
+// By id, or by a family "brush." of ids. A command that needs nothing of this has no row: the mouse rests on
+// face 36, faces 3 and 4 are selected, and the window must look different afterwards.
+const std::map<std::string_view, Case>& cases() {
+    static const std::map<std::string_view, Case> rows{
+        {"file.save", {"key 1\nkey L", "expect dirty no"}},
+        {"file.quit", {"key 2\nkey L", ""}},
+        {"interface.zoom_reset", {"key Ctrl+=", ""}},
+        {"interface.dark", {"command interface.light", ""}},
+        {"edit.undo", {"", "expect history 0"}},
+        {"edit.redo", {"key Ctrl+Z", "expect history 1"}},
+        {"edit.redo_alternative", {"key Ctrl+Z", "expect history 1"}},
+        {"edit.fill_selection", {"key 2", "expect count ice 2"}},
+        {"edit.unset_selection", {"key 1\nkey L", "expect count ice 0"}},
+        {"edit.replace_type", {"select faces 0-5\nkey 1\nkey L\nselect faces 40\nkey 3", "expect dirty yes"}},
+        {"edit.set_spawn", {"", "expect dirty yes"}},
+        {"select.all", {"", "expect selected 72"}},
+        {"select.none", {"", "expect selected 0"}},
+        {"select.invert", {"", "expect selected 70"}},
+        {"select.grow", {"", "expect selected 6"}},
+        {"select.shrink", {"", "expect selected 0"}},
+        {"select.middle", {"select faces 0", "expect selected 1"}},
+        {"select.behind", {"", "expect status \"*under the mouse\""}},
+        {"select.hide", {"", "expect hidden 2\nexpect selected 0"}},
+        {"select.isolate", {"", "expect hidden 70"}},
+        {"select.show_all", {"key H", "expect hidden 0"}},
+        {"select.flat", {"", "expect selected 64"}},
+        {"select.smooth", {"", "expect selected 64"}},
+        {"select.within_material", {"", "expect selected 64"}},
+        {"select.within_type", {"", "expect selected 64"}},
+        {"select.same_material", {"", "expect selected 64"}},
+        {"select.same_type", {"", "expect selected 64"}},
+        {"select.same_group", {"", "expect selected 72"}},
+        {"select.same_direction", {"", "expect selected 64"}},
+        {"select.same_area", {"", "expect selected 72"}},
+        {"select.same_slope", {"", "expect selected 64"}},
+        {"select.steep", {"", "expect selected 8"}},
+        {"select.brush_type", {"key 3", "expect selected 8"}},
+        {"select.painted", {"key 1\nkey L\nselect faces 9", "expect selected 2"}},
+        {"select.type_", {"", "expect status \"Select by type*\""}},
+        {"select.save", {"", "expect saved 1"}},
+        {"select.recall_",
+         {"select save a\nselect save b\nselect save c\nselect save d\nselect save e\nselect save f\nselect "
+          "save g\n"
+          "select save h\nselect save i\nselect faces 70",
+          "expect selected 2"}},
+        {"select.box", {"key Shift+Q", "expect checked \"Toolbar/Options/Drag a box\" yes"}},
+        {"paint.", {"", "expect dirty yes"}},
+        {"paint.1", {"key 2\nkey L", "expect count ice 0"}},
+        {"tools.select", {"key B", "expect tool select"}},
+        {"tools.smaller_brush", {"key B\nkey ]\nkey ]", ""}},
+        {"tools.pick_surface", {"key 1", "expect brush default"}},
+        {"tools.larger_brush", {"key B", ""}},
+        {"tools.clear_probe", {"key T\nviewport click @4.5,0,4.5", ""}},
+        {"brush.1", {"key 2", "expect brush default"}},
+        {"movement.reset", {"set walk_speed=2", "expect history 3"}},
+        {"view.one_pane", {"key Ctrl+Alt+2", "expect panes 1"}},
+        {"view.two_panes", {"", "expect panes 2"}},
+        {"view.three_panes", {"", "expect panes 3"}},
+        {"view.four_panes", {"", "expect panes 4"}},
+        {"view.next_pane", {"key Ctrl+Alt+2\npark_mouse", ""}},
+        {"view.maximise", {"key Ctrl+Alt+4\npark_mouse", ""}},
+        {"view.top", {"", "expect view Top"}},
+        {"view.bottom", {"", "expect view Bottom"}},
+        {"view.front", {"", "expect view Front"}},
+        {"view.back", {"", "expect view Back"}},
+        {"view.right", {"", "expect view Right"}},
+        {"view.left", {"", "expect view Left"}},
+        {"view.orthographic", {"", "expect view Orthographic"}},
+        {"view.reset_layout", {"key Ctrl+H", ""}},
+        {"view.trace", {"", "click \"Menu/View\"\nexpect checked \"Menu/View/Contacts in playtest\" no"}},
+        {"view.turn_up", {"key Shift+Down\nkey Shift+Down", ""}},
+        {"view.frame_all", {"camera eye 1,1,1 target 1,0,0", ""}},
+        {"camera.add", {"", "expect cameras 1"}},
+        {"camera.replace", {"camera save a\ncamera eye 1,1,1 target 1,0,0", "expect history 3"}},
+        {"camera.delete", {"camera save a", "expect cameras 0"}},
+        {"camera.",
+         {"camera save a\ncamera save b\ncamera save c\ncamera save d\ncamera save e\ncamera save f\n"
+          "camera save g\ncamera save h\ncamera save i\ncamera eye 1,1,1 target 1,0,0",
+          "expect status \"Camera: ?\""}},
+        {"review.open", {"", ""}},
+        {"review.", {"review report.json", ""}},
+        {"review.previous", {"review report.json\nkey Alt+PageDown", ""}},
+        {"review.reject", {"review report.json", "expect status \"first: rejected\""}},
+        {"review.skip", {"review report.json", "expect status \"first: skipped\""}},
+        {"review.camera", {"review report.json", "expect status \"Looking from where first was taken\""}},
+        {"playtest.start", {"", "expect playing yes"}},
+        {"playtest.stop", {"key F5", "expect playing no"}},
+        {"playtest.restart", {"key F5\nhold W 30", "expect playing yes"}},
+        {"playtest.toggle_person", {"key F5", "expect playing yes"}},
+        {"tools.copy_probe_command", {"key T\nviewport click @4.5,0,4.5", "expect status \"*copied*\""}},
+        {"tools.copy_probe_test", {"key T\nviewport click @4.5,0,4.5", "expect status \"*copied*\""}},
+        {"lab.", {walk, ""}},
+        {"lab.open_tape", {"", ""}},
+        {"lab.reach", {"", ""}},
+        {"lab.copy_tape", {walk, "expect status \"Tape copied\""}},
+        {"lab.copy_story", {walk, "expect status \"Story copied\""}},
+        {"lab.close_tape", {walk, "expect tape 0"}},
+        {"lab.play", {walk_from_start, ""}},
+        {"lab.step_forward", {walk_from_start, "expect tick 1"}},
+        {"lab.next_event", {walk_from_start, ""}},
+        {"lab.end", {walk_from_start, ""}},
+        {"lab.start", {walk, "expect tick 0"}},
+        {"lab.loop", {walk, "expect checked \"Timeline/Transport/Loop\" yes"}},
+        {"lab.resume", {walk, "expect playing yes"}},
+        {"lab.pin", {walk, "expect ghosts 3"}},
+        {"audit.clear", {"command audit.run\nfinish", "expect no_widget \"Audit/Clear\""}},
+    };
+    return rows;
+}
+
+// The row for the id, or for the longest family that it belongs to.
+Case case_of(std::string_view id) {
+    Case found;
+    std::size_t length = 0;
+    for (const auto& [name, one] : cases()) {
+        const bool family = (name.ends_with(".") || name.ends_with("_")) && id.starts_with(name);
+        if ((id == name || family) && name.size() >= length) {
+            found = one;
+            length = name.size();
+        }
+    }
+    return found;
+}
+
+// As the menus show it: Menu, submenu, label.
+std::string menu_path(const Command& command) {
+    return std::string(command.menu) + "/" + command.label;
+}
+
+TEST_F(EveryCommand, DoesSomethingThatCanBeSeenByItsKeyOrItsMenu) {
+    // A type for every digit, so that each key of a type has one.
+    std::vector<SurfaceType> surfaces = document().level().surfaces;
+    for (int digit = static_cast<int>(surfaces.size()); digit <= 9; ++digit) {
+        SurfaceType type;
+        type.name = "type " + std::to_string(digit);
+        type.hotkey = digit;
+        surfaces.push_back(type);
+    }
+    editor().document->set_surfaces(surfaces, "Types");
+    ASSERT_TRUE(editor().document->save().ok());
+    std::ofstream(folder / "report.json")
+        << R"({"version": 1, "goldens": "goldens", "entries": [{"name": "first", "state": "different"},
+              {"name": "second", "state": "missing"}]})";
+    std::ofstream(folder / "first.actual.json")
+        << R"({"version": 1, "camera": {"eye": [4, 6, 9], "target": [4, 0, 4], "fov_y": 1}})";
+    for (const Command& command : commands()) {
+        SCOPED_TRACE(command.id);
+        // The walkers may be done before the click comes.
+        if (std::string_view(command.id) == "audit.cancel") continue;
+        const Case row = case_of(command.id);
+        editor() = Editor{};
+        ASSERT_EQ(run("open grid.obj\ncamera eye 4,14,9 target 4,0,4\nselect faces 3,4\nviewport hover "
+                      "@4.5,0,4.5\n" +
+                      std::string(row.setup)),
+                  "");
+        ASSERT_TRUE(command.enabled(editor())) << "its row in this table lacks a setup";
+        host->settle();
+        const std::uint64_t before = host->app().frame_hash();
+        const bool by_key = !command.shortcut.key.empty();
+        const std::string how =
+            by_key ? "key " + command.shortcut.text() : "menu \"" + menu_path(command) + "\"";
+        std::string error = run(how);
+        // A menu longer than the window scrolls, and what is out of sight cannot be clicked.
+        if (!by_key && error.find("no widget \"Menu/") != std::string::npos)
+            error = run("key Escape\ncommand " + std::string(command.id));
+        EXPECT_EQ(error, "") << how;
+        EXPECT_EQ(run(std::string(row.expect)), "") << how;
+        host->settle();
+        if (row.expect.empty()) {
+            EXPECT_NE(host->app().frame_hash(), before) << how;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace slipface

@@ -1,0 +1,332 @@
+// The lab without a window: what is recorded, where the cursor goes, which runs are made, and when.
+#include <gmock/gmock.h>
+
+#include "level_fixture.h"
+#include "slipface/base/files.h"
+#include "slipface/sim/channels.h"
+#include "slipface/sim/simulate.h"
+#include "tools/audit_job.h"
+#include "tools/commands.h"
+#include "tools/lab_actions.h"
+
+namespace slipface {
+namespace {
+
+using testing::HasSubstr;
+
+class LabTest : public LevelFixture {
+  protected:
+    void SetUp() override {
+        LevelFixture::SetUp();
+        open_level(editor, obj);
+        editor.document->set_spawn({Vec3(2, 0.95, 2), 0.0});
+    }
+    // Walks over the floor with a jump on the way, against the wall at x = 8.
+    void record(int ticks = 120) {
+        start_playtest(editor);
+        editor.playtest->yaw = -1.5707963267948966;  // +X
+        for (int i = 0; i < ticks; ++i)
+            editor.playtest->advance(editor.lab.scene(*editor.document), editor.document->level().movement,
+                                     {.stick = i < 10 ? Vec2(0, 0) : Vec2(0, 1), .jump = i >= 30 && i < 35},
+                                     Playtest::tick_s);
+        stop_playtest(editor);
+        finish();
+    }
+    void finish() {
+        while (lab.frame(*editor.document, 0.0)) {
+        }
+    }
+    void set(const char* assignment) { apply_setting(editor, assignment); }
+
+    Editor editor;
+    Lab& lab = editor.lab;
+};
+
+TEST_F(LabTest, EveryPlaytestBecomesATapeThatRepeats) {
+    record();
+    ASSERT_TRUE(lab.has_tape());
+    EXPECT_EQ(lab.ticks(), 120u);
+    EXPECT_EQ(lab.cursor(), 119u);
+    EXPECT_EQ(lab.repeats(), true);
+    EXPECT_EQ(lab.doubt(), "");
+    EXPECT_TRUE(editor.layout.shown(PanelId::timeline));
+    EXPECT_FALSE(lab.divergence(1)) << "the settings are those that were recorded";
+}
+
+TEST_F(LabTest, ATapeIsSavedAndOpenedAgainWithTheSameBits) {
+    set("walk_speed=5.123456789");
+    record();
+    const std::uint64_t hash = lab.runs()[0].run.hash();
+    const auto file = folder / "run.tape";
+    save_tape(editor, file);
+    ASSERT_FALSE(editor.message) << editor.message->text;
+    set("walk_speed=3");  // the level's settings do not matter
+    open_tape(editor, file);
+    ASSERT_FALSE(editor.message) << editor.message->text;
+    finish();
+    EXPECT_EQ(lab.runs()[0].run.hash(), hash);
+    EXPECT_EQ(lab.repeats(), true);
+    EXPECT_TRUE(lab.divergence(1)) << "but the settings are others now";
+    EXPECT_LT(std::filesystem::file_size(file), 1500u);
+}
+
+TEST_F(LabTest, AWrongTapeIsToldAndTheLabStays) {
+    record();
+    write_text(folder / "bad.tape", "slipface-tape 1\nhop\n");
+    open_tape(editor, folder / "bad.tape");
+    ASSERT_TRUE(editor.message);
+    EXPECT_THAT(editor.message->text, HasSubstr("bad.tape:2"));
+    EXPECT_EQ(lab.ticks(), 120u);
+    editor.message.reset();
+    write_text(folder / "empty.tape", "slipface-tape 1\n");
+    open_tape(editor, folder / "empty.tape");
+    ASSERT_TRUE(editor.message);
+    EXPECT_EQ(lab.ticks(), 120u);
+}
+
+TEST_F(LabTest, ATapeOfAnotherLevelRaisesADoubt) {
+    write_text(folder / "other.tape",
+               "slipface-tape 1\nlevel a.obj 0123456789abcdef\n10\nend 0123456789abcdef\n");
+    open_tape(editor, folder / "other.tape");
+    finish();
+    EXPECT_EQ(lab.doubt(), "Recorded on other geometry");
+    EXPECT_EQ(lab.repeats(), false);
+    write_text(folder / "paint.tape", "slipface-tape 1\nsurfaces 0123456789abcdef\n10\n");
+    open_tape(editor, folder / "paint.tape");
+    EXPECT_EQ(lab.doubt(), "Recorded with other surface types");
+    EXPECT_FALSE(lab.repeats()) << "it does not say how it ends";
+}
+
+TEST_F(LabTest, TheCursorStepsSeeksPlaysAndLoops) {
+    record();
+    lab.seek(5);
+    lab.step(1);
+    EXPECT_EQ(lab.cursor(), 6u);
+    lab.step(-10);
+    EXPECT_EQ(lab.cursor(), 0u);
+    lab.seek(1000);
+    EXPECT_EQ(lab.cursor(), 119u);
+
+    lab.seek(10);
+    lab.motion = LabMotion::forward;
+    for (int i = 0; i < 30; ++i)
+        lab.frame(*editor.document, 1.0 / 60.0);
+    EXPECT_NEAR(static_cast<double>(lab.cursor()), 40.0, 1.0);
+    lab.motion = LabMotion::backward;
+    lab.speed = 2.0;
+    for (int i = 0; i < 10; ++i)
+        lab.frame(*editor.document, 1.0 / 60.0);
+    EXPECT_NEAR(static_cast<double>(lab.cursor()), 20.0, 1.0);
+    for (int i = 0; i < 30; ++i)
+        lab.frame(*editor.document, 1.0 / 60.0);
+    EXPECT_EQ(lab.cursor(), 0u);
+    EXPECT_EQ(lab.motion, LabMotion::paused);
+
+    lab.loop = true;
+    lab.speed = 1.0;
+    lab.seek(110);
+    lab.motion = LabMotion::forward;
+    lab.frame(*editor.document, 20.5 / 60.0);  // past the end by ten
+    EXPECT_EQ(lab.cursor(), 10u);
+    EXPECT_EQ(lab.motion, LabMotion::forward);
+}
+
+TEST_F(LabTest, EventsAreFoundFromAnywhere) {
+    record();
+    lab.seek(0);
+    std::vector<std::size_t> found;
+    for (std::size_t last = 1000; lab.cursor() != last && found.size() < 20;) {
+        last = lab.cursor();
+        lab.next_event();
+        if (lab.cursor() != last) found.push_back(lab.cursor());
+    }
+    for (const SimulationEvent& event : lab.runs()[0].run.events())
+        EXPECT_TRUE(event.tick == 0 || std::count(found.begin(), found.end(), event.tick)) << event.kind;
+    const std::size_t last = found.back();
+    lab.previous_event();
+    EXPECT_LT(lab.cursor(), last);
+}
+
+TEST_F(LabTest, TheGhostFollowsASliderAndPartsWhereTheRunsFirstDiffer) {
+    record();
+    editor.document->begin("Drag");
+    for (const char* value : {"walk_speed=5.5", "walk_speed=5", "walk_speed=4"}) {
+        set(value);
+        lab.frame(*editor.document, 0.0);
+        ASSERT_TRUE(lab.complete()) << "120 ticks are run anew within one frame";
+        ASSERT_TRUE(lab.divergence(1));
+    }
+    editor.document->commit();
+    const Divergence& parts = *lab.divergence(1);
+    const auto recorded = lab.runs()[0].run.samples(), now = lab.runs()[1].run.samples();
+    for (std::size_t tick = 0; tick < parts.first; ++tick)
+        ASSERT_EQ(recorded[tick].position, now[tick].position);
+    EXPECT_NE(recorded[parts.first].velocity, now[parts.first].velocity);
+    EXPECT_EQ(lab.runs()[1].settings.walk_speed, 4.0);
+    editor.document->undo();
+    lab.frame(*editor.document, 0.0);
+    EXPECT_FALSE(lab.divergence(1));
+}
+
+TEST_F(LabTest, PaintingRunsTheTapeAnew) {
+    record();
+    const std::uint64_t before = lab.runs()[0].run.hash();
+    std::vector<FaceId> floor(wall);
+    for (FaceId face = 0; face < wall; ++face)
+        floor[face] = face;
+    editor.document->paint(floor, ice);
+    finish();
+    EXPECT_NE(lab.runs()[0].run.hash(), before);
+    EXPECT_EQ(lab.repeats(), false);
+}
+
+TEST_F(LabTest, PinnedGhostsStayAndGo) {
+    record();
+    set("jump_speed=4");
+    EXPECT_TRUE(run_command(editor, "lab.pin"));
+    set("jump_speed=8");
+    finish();
+    ASSERT_EQ(lab.runs().size(), 3u);
+    EXPECT_EQ(lab.runs()[2].name, "Jump speed 4");
+    EXPECT_FALSE(lab.divergence(1));
+    EXPECT_TRUE(lab.divergence(2));
+    lab.tell_of(2);
+    lab.unpin(1);  // not a pinned one
+    EXPECT_EQ(lab.runs().size(), 3u);
+    lab.unpin(2);
+    EXPECT_EQ(lab.runs().size(), 2u);
+    EXPECT_LT(lab.told(), 2u);
+    for (int i = 0; i < 20; ++i)
+        lab.pin(MovementSettings{});
+    EXPECT_EQ(lab.runs().size(), Lab::max_runs);
+    EXPECT_FALSE(run_command(editor, "lab.pin"));
+}
+
+TEST_F(LabTest, TheStoryIsThatOfTheCursorAndTheToldRun) {
+    record();
+    lab.seek(119);
+    const std::string recorded = story_text(lab.story(*editor.document));
+    EXPECT_THAT(recorded, HasSubstr("Begins: "));
+    lab.seek(5);
+    EXPECT_NE(story_text(lab.story(*editor.document)), recorded);
+    const TickTrace again = lab.runs()[0].run.trace(lab.scene(*editor.document), 5);
+    EXPECT_EQ(story_text(lab.story(*editor.document)),
+              story_text(tell(again, editor.document->level().surfaces)));
+    lab.seek(119);
+    set("walk_speed=2");
+    finish();
+    lab.tell_of(1);
+    EXPECT_NE(story_text(lab.story(*editor.document)), recorded);
+}
+
+TEST_F(LabTest, ALineOfTheStoryBringsTheCameraThere) {
+    record();
+    lab.seek(20);
+    const auto& story = lab.story(*editor.document);
+    const auto line =
+        std::find_if(story.begin(), story.end(), [](const StoryLine& l) { return l.triangle != no_id; });
+    ASSERT_NE(line, story.end());
+    const Vec3 place = *line->place;
+    const auto index = static_cast<std::size_t>(line - story.begin());
+    look_at_story_line(editor, index);
+    EXPECT_EQ(lab.lit_line, index);
+    const Camera camera = editor.view.camera();
+    EXPECT_LT((camera.target - camera.eye).normalized().cross((place - camera.eye).normalized()).norm(),
+              1e-6);
+    EXPECT_LT((camera.eye - place).norm(), 4.0);
+    EXPECT_FALSE(cast_ray(editor.document->collision(), camera.eye, place - camera.eye, 0.98))
+        << "it can be seen";
+    lab.step(1);
+    EXPECT_FALSE(lab.lit_line);
+}
+
+TEST_F(LabTest, WalkingOnFromATickKeepsWhatCameBefore) {
+    record();
+    const std::vector<TickSample> before(lab.runs()[0].run.samples().begin(),
+                                         lab.runs()[0].run.samples().end());
+    lab.seek(60);
+    resume_from_cursor(editor);
+    ASSERT_TRUE(editor.playtest);
+    EXPECT_EQ(editor.playtest->tape().tick_count(), 60u);
+    for (int i = 0; i < 30; ++i)
+        editor.playtest->advance(lab.scene(*editor.document), editor.document->level().movement, {},
+                                 Playtest::tick_s);
+    stop_playtest(editor);
+    finish();
+    ASSERT_EQ(lab.ticks(), 90u);
+    EXPECT_EQ(lab.repeats(), true);
+    for (std::size_t tick = 0; tick < 60; ++tick)
+        ASSERT_EQ(lab.runs()[0].run.samples()[tick].position, before[tick].position) << tick;
+    EXPECT_NE(lab.runs()[0].run.samples()[89].position, before[89].position);
+}
+
+TEST_F(LabTest, TheRunIsExportedAndCopied) {
+    record();
+    save_run_csv(editor, folder / "run.csv");
+    ASSERT_FALSE(editor.message) << editor.message->text;
+    EXPECT_EQ(read_text(folder / "run.csv"), run_csv(lab.runs()[0].run, editor.document->level().surfaces));
+    EXPECT_TRUE(run_command(editor, "lab.copy_tape"));
+    ASSERT_TRUE(editor.clipboard);
+    EXPECT_EQ(*editor.clipboard, tape_to_text(lab.sealed_tape()));
+    save_tape(editor, folder / "none" / "run.tape");
+    EXPECT_TRUE(editor.message);
+}
+
+TEST_F(LabTest, ZoomKeepsTheTickUnderTheMouse) {
+    record();
+    lab.zoom(0.5, 30.0);
+    EXPECT_NEAR(lab.shown_last() - lab.shown_first(), 60.0, 1e-9);
+    EXPECT_NEAR((30.0 - lab.shown_first()) / 60.0, 30.0 / 120.0, 1e-9);
+    lab.seek(119);
+    EXPECT_GE(lab.shown_last(), 120.0);
+    for (int i = 0; i < 20; ++i)
+        lab.zoom(2.0, 60.0);
+    EXPECT_EQ(lab.shown_first(), 0.0);
+    EXPECT_EQ(lab.shown_last(), 120.0);
+}
+
+TEST_F(LabTest, AnotherLevelClosesTheTape) {
+    record();
+    open_level(editor, obj);
+    EXPECT_FALSE(lab.has_tape());
+    EXPECT_FALSE(run_command(editor, "lab.play"));
+    EXPECT_TRUE(lab.story(*editor.document).empty());
+}
+
+TEST_F(LabTest, AnAuditRunsBesideTheEditorAndOpensWhatItFinds) {
+    AuditSettings settings;
+    settings.walkers = 4;
+    settings.duration_s = 10;
+    editor.audit = AuditJob::start(*editor.document, settings);
+    while (editor.audit->running())
+        std::this_thread::yield();
+    ASSERT_NE(editor.audit->report(), nullptr) << editor.audit->problem();
+    const AuditReport& report = *editor.audit->report();
+    EXPECT_GT(report.steps, 0u);
+    const std::vector<float>& heat = editor.audit->heat(*editor.document, HeatKind::visited);
+    ASSERT_EQ(heat.size(), face_count);
+    EXPECT_EQ(*std::max_element(heat.begin(), heat.end()), 1.0f);
+    for (std::size_t i = 0; i < report.findings.size(); ++i) {
+        open_finding(editor, i);
+        ASSERT_FALSE(editor.message) << editor.message->text;
+        EXPECT_EQ(lab.ticks(), report.findings[i].tick);
+    }
+    editor.document->paint(std::vector<FaceId>{0}, ice);
+    EXPECT_FALSE(editor.audit->fits(*editor.document));
+    EXPECT_TRUE(editor.audit->heat(*editor.document, HeatKind::visited).empty());
+}
+
+TEST_F(LabTest, AnAuditIsCancelled) {
+    AuditSettings settings;
+    settings.walkers = 2000;
+    settings.duration_s = 600;
+    editor.audit = AuditJob::start(*editor.document, settings);
+    editor.audit->cancel();
+    while (editor.audit->running())
+        std::this_thread::yield();
+    ASSERT_NE(editor.audit->report(), nullptr);
+    EXPECT_TRUE(editor.audit->report()->cancelled);
+}
+
+}  // namespace
+}  // namespace slipface

@@ -1,0 +1,126 @@
+// The geometry's file changes under an open document.
+#include <algorithm>
+
+#include "editor/level_fixture.h"
+
+namespace slipface {
+namespace {
+
+using Reload = LevelFixture;
+
+// The same faces in another order, as a modelling tool that sorts by material leaves them.
+std::string reversed_faces(std::string text) {
+    std::istringstream lines(text);
+    std::vector<std::string> vertices, faces;
+    std::string material;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("usemtl"))
+            material = line + "\n";
+        else
+            (line.starts_with('f') ? faces : vertices)
+                .push_back((line.starts_with('f') ? material : std::string()) + line + "\n");
+    }
+    std::reverse(faces.begin(), faces.end());
+    std::string result;
+    for (const std::string& line : vertices)
+        result += line;
+    for (const std::string& line : faces)
+        result += line;
+    return result;
+}
+
+TEST_F(Reload, FindsPaintedFacesAgainAsOneStep) {
+    auto document = open();
+    const std::vector<FaceId> painted{0, 5, wall};
+    document->paint(painted, ice);
+    document->select({3});
+    const MeshPtr old_mesh = document->level().mesh;
+    EXPECT_FALSE(document->changed_on_disk());
+
+    write_text(obj, reversed_faces(floor_and_wall_obj(n)));
+    EXPECT_TRUE(document->changed_on_disk());
+    const std::size_t steps = document->history().size();
+    ASSERT_TRUE(document->reload());
+    EXPECT_EQ(document->match().text(), "3 exact, 0 by plane, 0 orphaned");
+    EXPECT_EQ(document->history().size(), steps + 1);
+    EXPECT_FALSE(document->changed_on_disk());
+    EXPECT_TRUE(document->selection().empty());
+    EXPECT_EQ(document->face_count_of(ice), 3u);
+    for (const FaceId face : painted)
+        EXPECT_EQ(document->resolved().surface[face_count - 1 - face], ice);
+    const auto hit = document->pick({0.5, 5, 0.5}, {0, -1, 0}, false);
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->face, face_count - 1);
+
+    document->undo();
+    EXPECT_EQ(document->level().mesh, old_mesh);
+    EXPECT_EQ(document->resolved().surface[0], ice);
+    EXPECT_EQ(document->selection().size(), 1u);
+    document->undo();
+    document->undo();
+    EXPECT_EQ(document->face_count_of(ice), 0u);
+    document->go_to(document->history().size());
+    EXPECT_EQ(document->resolved().surface[face_count - 1], ice);
+}
+
+TEST_F(Reload, KeepsWhatFoundNoFaceUntilItIsAttachedByHand) {
+    auto document = open();
+    document->paint(std::vector<FaceId>{wall + 2}, ice);
+    std::string without_wall = floor_and_wall_obj(n);
+    write_text(obj, without_wall.substr(0, without_wall.find("usemtl wall")));
+    ASSERT_TRUE(document->reload());
+    ASSERT_EQ(document->level().orphans.size(), 1u);
+    EXPECT_EQ(document->match().orphaned, 1u);
+
+    EXPECT_FALSE(document->attach_orphan(1, std::vector<FaceId>{7})) << "there is only one";
+    EXPECT_FALSE(document->attach_orphan(0, {})) << "no face";
+    ASSERT_TRUE(document->attach_orphan(0, std::vector<FaceId>{7}));
+    EXPECT_TRUE(document->level().orphans.empty());
+    EXPECT_EQ(document->resolved().surface[7], ice);
+    document->undo();
+    EXPECT_EQ(document->level().orphans.size(), 1u);
+    EXPECT_NE(document->resolved().surface[7], ice);
+
+    document->drop_orphan(0);
+    EXPECT_TRUE(document->level().orphans.empty());
+    EXPECT_EQ(document->history().back().name, "Drop orphan");
+}
+
+TEST_F(Reload, ChangesNothingWhenTheFileIsBroken) {
+    auto document = open();
+    document->paint(std::vector<FaceId>{1}, ice);
+    const std::size_t steps = document->history().size();
+    write_text(obj, "v 0 0 0\nf 1 2 3\n");
+    EXPECT_FALSE(document->reload());
+    EXPECT_EQ(document->history().size(), steps);
+    EXPECT_EQ(document->mesh().face_count(), face_count);
+    EXPECT_EQ(document->resolved().surface[1], ice);
+
+    Progress cancelled;
+    cancelled.cancel();
+    write_text(obj, floor_and_wall_obj(n));
+    EXPECT_FALSE(document->reload(&cancelled));
+    EXPECT_FALSE(Document::open(obj, &cancelled));
+    EXPECT_TRUE(document->reload());
+}
+
+TEST_F(Reload, ANewScaleKeepsThePaint) {
+    auto document = open();
+    document->paint(std::vector<FaceId>{0, wall}, ice);
+    ASSERT_TRUE(document->set_import_transform({.scale = 0.5, .up = UpAxis::z}));
+    EXPECT_EQ(document->resolved().surface[0], ice);
+    EXPECT_EQ(document->resolved().surface[wall], ice);
+    EXPECT_DOUBLE_EQ(document->mesh().bounds.max.x(), n * 0.5);
+    ASSERT_TRUE(document->save());
+
+    const auto again = Document::open(obj);
+    ASSERT_TRUE(again) << again.error().text();
+    EXPECT_EQ((*again)->match().text(), "2 exact, 0 by plane, 0 orphaned");
+    EXPECT_EQ((*again)->level().import_transform, document->level().import_transform);
+    document->undo();
+    EXPECT_DOUBLE_EQ(document->mesh().bounds.max.x(), n);
+    EXPECT_FALSE(document->set_import_transform({.scale = -1.0})) << "out of range";
+}
+
+}  // namespace
+}  // namespace slipface

@@ -1,0 +1,200 @@
+// Push-out held against the exact answer, and jump windows counted in ticks.
+#include <optional>
+
+#include "test_geometry.h"
+
+namespace slipface::test {
+namespace {
+
+// A wedge of two walls with the given angle between them, its edge along Y at the origin, open towards +Z.
+Lab wedge(double angle) {
+    Lab lab;
+    const double half = 0.5 * angle;
+    const Vec2 left(-30 * std::sin(half), 30 * std::cos(half)),
+        right(30 * std::sin(half), 30 * std::cos(half));
+    lab.wall({0, 0}, left, -20, 20);
+    lab.wall({0, 0}, right, -20, 20);
+    lab.ready();
+    return lab;
+}
+
+// Where the nearest free centre is: the ellipsoid with rx = rz = r touches both walls (skin away) where its
+// centre is (r + skin) / sin(half) in front of the edge. Projection on the cone of the two planes: a centre
+// that began at (x, z) between them goes to that line if both planes are violated after going out of either
+// alone.
+Vec3 exact_answer(const MovementSettings& s, double angle, const Vec3& from) {
+    const double half = 0.5 * angle, need = s.radii.x() + s.skin;
+    const Vec3 n[2] = {{std::cos(half), 0, std::sin(half)}, {-std::cos(half), 0, std::sin(half)}};
+    std::optional<Vec3> best;
+    const auto offer = [&](const Vec3& p) {
+        for (const Vec3& m : n)
+            if (m.dot(p) < need - 1e-9) return;
+        if (!best || (p - from).norm() < (*best - from).norm()) best = p;
+    };
+    for (const Vec3& m : n)
+        offer(from + m * (need - m.dot(from)));
+    offer({0, from.y(), need / std::sin(half)});
+    return *best;
+}
+
+TEST(PushOut, is_the_projection_on_the_cone_in_wedges_of_5_to_85_degrees) {
+    Random random(7);
+    MovementSettings s;
+    s.gravity = 0.0;
+    s.push_out = PushOut::analytic;
+    for (int degrees = 5; degrees <= 85; degrees += 5) {
+        const double angle = radians(degrees), half = 0.5 * angle;
+        const Lab lab = wedge(angle);
+        for (int i = 0; i < 60; ++i) {
+            // Between the walls, inside both.
+            const double along = random.between(0.3, 0.9) * (s.radii.x() / std::sin(half));
+            const double aside = random.between(-0.8, 0.8) * along * std::tan(half);
+            const Vec3 from(aside, random.between(-3, 3), along);
+            Lab& mutable_lab = const_cast<Lab&>(lab);
+            ASSERT_TRUE(overlaps_any(mutable_lab.world(), s.radii, from));
+            const Vec3 to = step(lab.scene(), s, at(from), {}, tick).state.position;
+            EXPECT_FALSE(overlaps_any(mutable_lab.world(), s.radii, to)) << degrees;
+            // Planes that are not overlapped at first are left by what their overlap is, not by the skin.
+            const double need = s.radii.x();
+            const bool both = along * std::sin(half) - std::abs(aside) * std::cos(half) < need &&
+                              along * std::sin(half) + std::abs(aside) * std::cos(half) < need;
+            EXPECT_LT((to - exact_answer(s, angle, from)).norm(), both ? 1e-6 : 2.0 * s.skin)
+                << degrees << " degrees";
+        }
+    }
+}
+
+TEST(PushOut, iterates_out_of_the_same_wedges) {
+    Random random(8);
+    MovementSettings s;
+    s.gravity = 0.0;
+    s.push_out = PushOut::iterative;
+    for (int degrees = 5; degrees <= 85; degrees += 5) {
+        const double half = 0.5 * radians(degrees);
+        Lab lab = wedge(radians(degrees));
+        for (int i = 0; i < 20; ++i) {
+            const double along = random.between(0.3, 0.9) * (s.radii.x() / std::sin(half));
+            const Vec3 from(random.between(-0.8, 0.8) * along * std::tan(half), 0, along);
+            const Vec3 to = step(lab.scene(), s, at(from), {}, tick).state.position;
+            EXPECT_FALSE(overlaps_any(lab.world(), s.radii, to)) << degrees;
+        }
+    }
+}
+
+TEST(PushOut, off_leaves_the_player_inside) {
+    MovementSettings s;
+    s.gravity = 0.0;
+    Lab lab = wedge(radians(20));
+    const Vec3 from(0, 0, 1.0);
+    const Vec3 to = step(lab.scene(), s, at(from), {}, tick).state.position;
+    EXPECT_TRUE(overlaps_any(lab.world(), s.radii, to));
+}
+
+TEST(PushOut, three_planes_are_left_at_their_point) {
+    // A corner of three perpendicular faces: the point is need away from each, exactly (r + skin) for each
+    // axis.
+    MovementSettings s;
+    s.gravity = 0.0;
+    s.push_out = PushOut::analytic;
+    Lab lab;
+    lab.floor(0.0);
+    lab.wall({0, -50}, {0, 50});
+    lab.wall({-50, 0}, {50, 0});
+    lab.ready();
+    const Vec3 to = step(lab.scene(), s, at({0.1, 0.3, 0.2}), {}, tick).state.position;
+    EXPECT_LT((to - (s.radii + Vec3::Constant(s.skin))).norm(), 1e-9);
+}
+
+// Ticks after `event` in which a press of jump still leads to a jump.
+int window(MovementSettings s, double dt, bool late) {
+    Lab lab;
+    lab.polygon({{-50, 0, -5}, {-50, 0, 5}, {0, 0, 5}, {0, 0, -5}});
+    lab.floor(late ? -100.0 : -1.5, plain, 200);
+    lab.ready();
+    int works = 0;
+    for (int delay = 0; delay < 40; ++delay) {
+        PlayerState state = at({late ? -2.0 : 30.0, late ? 0.9 + s.skin : 3.0, 0.0});
+        state = run(lab, s, state, {}, late ? 5 : 1, dt);
+        bool jumped = false;
+        if (late) {
+            while (state.grounded)
+                state = step(lab.scene(), s, state, wish(1, 0), dt).state;
+            for (int i = 0; i < delay; ++i)
+                state = step(lab.scene(), s, state, wish(1, 0), dt).state;
+            state = step(lab.scene(), s, state, wish(1, 0, true), dt).state;
+            jumped = state.velocity.y() > 1.0;
+        } else {
+            // When does it land without a press?
+            PlayerState probe = state;
+            int landing = 0;
+            while (!probe.grounded) {
+                probe = step(lab.scene(), s, probe, {}, dt).state;
+                ++landing;
+            }
+            // Pressed so that `delay` ticks lie between the press and the first tick that begins on the
+            // ground.
+            for (int i = 0; i < landing + 3; ++i) {
+                state = step(lab.scene(), s, state, wish(0, 0, i == landing - 1 - delay), dt).state;
+                jumped = jumped || state.velocity.y() > 1.0;
+            }
+        }
+        works += jumped ? 1 : 0;
+    }
+    return works;
+}
+
+TEST(JumpFeel, windows_are_exact_to_the_tick) {
+    // 0.1 s is 6 ticks at 60 Hz, 12 at 120 and 3 at 30.
+    for (const int rate : {30, 60, 120}) {
+        MovementSettings s;
+        EXPECT_EQ(window(s, 1.0 / rate, true), 0);
+        s.coyote = true;
+        EXPECT_EQ(window(s, 1.0 / rate, true), rate / 10) << rate;
+        MovementSettings b;
+        EXPECT_EQ(window(b, 1.0 / rate, false), 0);
+        b.jump_buffer = true;
+        EXPECT_EQ(window(b, 1.0 / rate, false), rate / 10) << rate;
+    }
+}
+
+TEST(JumpFeel, a_cut_jump_has_the_height_of_its_speed) {
+    // Let go after 5 ticks: the speed is then 8 - 20 * 5 / 60 = 6.333, cut to 0.4 of that, 2.533, which rises
+    // by 2.533 * 2.533 / 40 = 0.160 m more on top of 5 ticks of 8 t - 10 t t = 0.597 m.
+    MovementSettings s;
+    s.variable_jump = true;
+    Lab lab;
+    lab.floor();
+    lab.ready();
+    PlayerState state = run(lab, s, at({0, 0.9 + s.skin, 0}), {}, 10);
+    const double ground = state.position.y();
+    state = run(lab, s, state, wish(0, 0, true), 5);
+    double top = 0.0;
+    for (int i = 0; i < 60; ++i) {
+        state = step(lab.scene(), s, state, {}, tick).state;
+        top = std::max(top, state.position.y() - ground);
+    }
+    // The top lies within a tick: at most g dt dt / 8 = 0.7 mm above the highest sample.
+    EXPECT_NEAR(top, 0.597 + 0.160, 0.002);
+}
+
+TEST(Nudge, frees_within_its_distance_and_says_so_where_it_cannot) {
+    MovementSettings s;
+    s.gravity = 0.0;
+    s.nudge = true;
+    Lab lab;
+    lab.wall({0, -50}, {0, 50});
+    lab.ready();
+    // 0.35 m in front of a wall with a radius of 0.4: 0.05 m inside.
+    const PlayerState freed = step(lab.scene(), s, at({0.35, 5, 0}), {}, tick).state;
+    EXPECT_FALSE(freed.trapped);
+    EXPECT_FALSE(overlaps_any(lab.world(), s.radii, freed.position));
+    EXPECT_LE((freed.position - Vec3(0.35, 5, 0)).norm(), s.nudge_distance + 1e-12);
+    // 0.25 m inside is more than 0.1 m of nudging.
+    TraceRecorder trace;
+    const PlayerState trapped = step(lab.scene(), s, at({0.15, 5, 0}), {}, tick, &trace).state;
+    EXPECT_TRUE(trapped.trapped);
+    EXPECT_TRUE(has_decision(trace, "nudge", false, "trapped"));
+}
+
+}  // namespace
+}  // namespace slipface::test

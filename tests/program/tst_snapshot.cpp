@@ -1,0 +1,132 @@
+// `slipface snapshot` as a user runs it: goldens appear only by approval, every kind of failure has its exit
+// code, and shards come together.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program/run_program.h"
+
+namespace slipface::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string room(double top) {
+    return "v -3 0 3\nv 3 0 3\nv 3 0 -3\nv -3 0 -3\nv -3 " + std::to_string(top) + " -3\nv 3 " +
+           std::to_string(top) +
+           " -3\no floor\nusemtl floor__ice\nf 1 2 3 4\no wall\nusemtl wall\nf 4 3 6 5\n";
+}
+
+class SnapshotVerb : public testing::Test {
+  protected:
+    void SetUp() override {
+        fs::create_directories(folder_ / "goldens");
+        folder_.write("room.obj", room(2.0));
+        folder_.write("goldens/scenes.json",
+                      R"({"version": 1, "defaults": {"size": [160, 90], "style": "plain overlay"},
+            "scenes": [{"name": "a", "level": "../room.obj"},
+                       {"name": "b", "level": "../room.obj", "cameras": ["auto:map", "auto:turntable:2"]}]})");
+        unsetenv("CI");
+        unsetenv("GITHUB_ACTIONS");
+    }
+    ProgramRun snapshot(const std::string& words) const {
+        return run_program("snapshot " + words + " --goldens " + (folder_ / "goldens").string() + " ");
+    }
+    ProgramRun check(const std::string& more = "") const {
+        return snapshot("check --out " + (folder_ / "out").string() + " " + more);
+    }
+    std::size_t goldens() const {
+        std::size_t count = 0;
+        for (const auto& entry : fs::recursive_directory_iterator(folder_ / "goldens"))
+            count += entry.path().extension() == ".png" ? 1U : 0U;
+        return count;
+    }
+
+    ScratchFolder folder_;
+};
+
+TEST_F(SnapshotVerb, FromNothingToApprovedToChanged) {
+    // Missing goldens fail, and nothing is written among them.
+    const ProgramRun missing = check("--jobs 2");
+    EXPECT_EQ(missing.exit_code, 1) << missing.output;
+    EXPECT_NE(missing.output.find("0 same, 4 failed"), std::string::npos) << missing.output;
+    EXPECT_EQ(goldens(), 0U);
+    EXPECT_EQ(check("--detailed-exit --jobs 1 --only a").exit_code, 2);
+
+    // What was seen is approved without rendering; then all is the same, in one process or several.
+    const std::string report = (folder_ / "out/report.json").string();
+    EXPECT_EQ(check("--jobs 2").exit_code, 1);
+    EXPECT_EQ(snapshot("approve --from " + report + " 'b@*'").exit_code, 0);
+    EXPECT_EQ(goldens(), 3U);
+    const ProgramRun rest = snapshot("approve --jobs 2");
+    EXPECT_NE(rest.output.find("1 approved, 3 unchanged, 0 failed"), std::string::npos) << rest.output;
+    const ProgramRun same = check("--jobs 2 --twice --timing");
+    EXPECT_EQ(same.exit_code, 0) << same.output;
+    EXPECT_NE(same.output.find("4 same, 0 failed"), std::string::npos) << same.output;
+
+    // A higher wall is named, and the report is there.
+    folder_.write("room.obj", room(2.25));
+    const ProgramRun changed = check("--jobs 1");
+    EXPECT_EQ(changed.exit_code, 1) << changed.output;
+    EXPECT_NE(changed.output.find("face 1 of `wall`: a vertex moved 0.25 m"), std::string::npos)
+        << changed.output;
+    for (const char* name : {"report.html", "report.json", "junit.xml", "a.expected.png", "a.actual.json"})
+        EXPECT_TRUE(fs::exists(folder_ / (std::string("out/") + name))) << name;
+    // Approving what differs replaces the level's digest, too.
+    EXPECT_EQ(snapshot("approve").exit_code, 0);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "goldens/levels"), {}), 1);
+    EXPECT_EQ(check().exit_code, 0);
+}
+
+TEST_F(SnapshotVerb, ShardsComeTogether) {
+    ASSERT_EQ(snapshot("approve --jobs 1").exit_code, 0);
+    fs::copy_file(folder_ / "goldens/a.png", folder_ / "goldens/old.png");
+    std::string reports;
+    for (const char* part : {"1", "2"}) {
+        const std::string out = (folder_ / (std::string("part") + part)).string();
+        const ProgramRun run = snapshot("check --jobs 1 --shard " + std::string(part) + "/2 --out " + out);
+        EXPECT_EQ(run.exit_code, part[0] == '1' ? 1 : 0) << run.output;  // the first tells of the orphan
+        reports += " " + out + "/report.json";
+    }
+    const ProgramRun merged =
+        run_program("snapshot merge --detailed-exit --out " + (folder_ / "all").string() + reports);
+    EXPECT_EQ(merged.exit_code, 2) << merged.output;  // nothing but an orphan
+    EXPECT_NE(merged.output.find("4 same, 1 failed"), std::string::npos) << merged.output;
+    EXPECT_EQ(snapshot("list --orphans").exit_code, 2);
+    EXPECT_EQ(snapshot("approve --prune a").exit_code, 0);
+    EXPECT_FALSE(fs::exists(folder_ / "goldens/old.png"));
+    EXPECT_EQ(snapshot("check --shard 3/2").exit_code, 2);
+}
+
+TEST_F(SnapshotVerb, EveryFailureHasItsCode) {
+    ASSERT_EQ(snapshot("approve --jobs 1").exit_code, 0);
+    folder_.write("goldens/a.png", "version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 1\n");
+    const ProgramRun pointer = check("--detailed-exit --only a");
+    EXPECT_EQ(pointer.exit_code, 4);
+    EXPECT_NE(pointer.output.find("git lfs pull"), std::string::npos) << pointer.output;
+    // Pictures that were taken before, compared later.
+    const std::string rendered = (folder_ / "rendered").string();
+    EXPECT_EQ(snapshot("render --only 'b@*' --jobs 1 --sheet --out " + rendered).exit_code, 0);
+    EXPECT_TRUE(fs::exists(rendered + "/sheet-01.png"));
+    EXPECT_EQ(snapshot("compare --only 'b@*' --actual " + rendered + " --out " + rendered).exit_code, 0);
+    EXPECT_EQ(snapshot("compare --only 'a' --actual " + rendered + " --out " + rendered).exit_code, 3);
+    const std::string one = rendered + "/b@map.png", two = rendered + "/b@turntable-1.png";
+    EXPECT_EQ(run_program("snapshot diff " + one + " " + one).exit_code, 0);
+    const ProgramRun diff = run_program("snapshot diff --json " + one + " " + two);
+    EXPECT_EQ(diff.exit_code, 1);
+    EXPECT_GT(nlohmann::json::parse(diff.output).at("differing"), 100);
+    // A level that cannot be read is that snapshot's failure, and the rest goes on.
+    folder_.write("room.obj", "nonsense");
+    EXPECT_EQ(check("--detailed-exit --only 'b@*' --jobs 2").exit_code, 3);
+    EXPECT_EQ(check("--only 'b@*'").exit_code, 1);
+
+    EXPECT_EQ(check("--only nothing").exit_code, 2);
+    EXPECT_EQ(run_program("snapshot check --goldens " + (folder_ / "nowhere").string()).exit_code, 2);
+    EXPECT_EQ(run_program("snapshot diff a").exit_code, 64);
+    setenv("CI", "true", 1);
+    EXPECT_EQ(snapshot("approve").exit_code, 64);
+    unsetenv("CI");
+}
+
+}  // namespace
+}  // namespace slipface::test
