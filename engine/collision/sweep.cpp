@@ -8,10 +8,17 @@ namespace {
 
 using namespace detail;
 
+// Sphere space can overflow for radii and coordinates at the ends of double's range. A triangle without an
+// answer there must not hide one that has.
+bool well_formed(const Touch& touch) {
+    return finite(touch.point) && dot(touch.normal, touch.normal) > 0.0;
+}
+
 // A sweep under way: the first touch so far.
 struct Search {
     const CollisionWorld::Impl& world;
     const EllipsoidQuery& query;
+    bool in_range;  // of the floats, where every answer is finite
     TriangleHit hit{1.0, Feature::vertex, 0, false};
     LeafTriangle triangle{{}, no_id};
 
@@ -26,6 +33,7 @@ struct Search {
         if (!sweep_triangle(sphere, query, hit.t, other) || !beaten_by(other, leaf.id)) return;
         const SurfaceRule& rule = world.rule_of(leaf.id);
         if (!rule.solid || (rule.one_sided && passes_one_sided(sphere, query))) return;
+        if (!in_range && !well_formed(touch_of(sphere, leaf, query, other))) return;
         hit = other;
         triangle = leaf;
     }
@@ -49,10 +57,11 @@ std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& 
     const CollisionWorld::Impl& impl = world.impl();
     if (refused(impl, v3(radii), v3(from), v3(move))) return std::nullopt;
     const EllipsoidQuery query(v3(from), v3(radii), v3(move));
-    Search search{impl, query};
     SweepPath path;
-    if (make_sweep_path(query, larger(larger(largest(query.centre), largest(query.move)), impl.reach),
-                        path)) {
+    const double reach = larger(larger(largest(query.centre), largest(query.move)), impl.reach);
+    const bool in_range = make_sweep_path(query, reach, path);
+    Search search{impl, query, in_range};
+    if (in_range) {
         kernels().sweep(impl.bvh.view(), path, time_limit(1.0), consider_lane, &search);
     } else {
         for (TriangleId id = 0; id < impl.triangle_count(); ++id)
@@ -62,8 +71,6 @@ std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& 
 
     const LeafTriangle& leaf = search.triangle;
     const Touch touch = touch_of(SphereTriangle(leaf, query), leaf, query, search.hit);
-    // Sphere space can overflow for radii and coordinates at the ends of double's range.
-    if (!finite(touch.point) || !(dot(touch.normal, touch.normal) > 0.0)) return std::nullopt;
     return Contact{search.hit.t,          vec(touch.normal),        vec(touch.point),  leaf.id,
                    impl.face_of(leaf.id), impl.surface_of(leaf.id), search.hit.feature};
 }

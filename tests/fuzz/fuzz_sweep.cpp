@@ -84,9 +84,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const scenes::BruteForce brute(soup);
         const auto contact = sweep_ellipsoid(world, radii, from, move);
         check(contact, world);
-        // Far beyond any level sphere space overflows, and a triangle may then hide others.
-        const auto large = [](const Vec3& v) { return !(v.cwiseAbs().maxCoeff() < 1e15); };
-        if (large(from) || large(move) || large(radii) || radii.minCoeff() < 1e-15) continue;
         require(scenes::same(contact, brute.sweep(radii, from, move)));
         require(scenes::same(cast_ray(world, from, move), brute.ray(from, move, HUGE_VAL)));
         // Squares that differ may have the same root, so two triangles may share a distance.
