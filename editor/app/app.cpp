@@ -195,9 +195,6 @@ void App::build_frame(int width, int height, double seconds) {
 std::uint64_t App::frame_hash() const {
     return impl_->built_hash;
 }
-Image App::level_picture() const {
-    return impl_->scene.picture();
-}
 void App::redraw() {
     impl_->drawn_hash = 0;
 }

@@ -52,7 +52,6 @@ class App {
     // True if the frame built last would look different from the one drawn last.
     bool needs_drawing() const;
     std::uint64_t frame_hash() const;  // of the frame built last: equal hashes, equal pictures
-    Image level_picture() const;       // of the view, as drawn last; empty if it never was
     void redraw();  // the window's pixels were lost: needs_drawing() until the next draw_frame()
     // Draws it into the framebuffer that is bound (0: the window).
     void draw_frame();

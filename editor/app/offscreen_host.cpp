@@ -104,11 +104,6 @@ Image OffscreenHost::screenshot() {
     return target_->read();
 }
 
-Image OffscreenHost::level_picture() {
-    draw_if_needed();
-    return app_->level_picture();
-}
-
 void OffscreenHost::move_mouse(ImVec2 to) {
     mouse_ = to;
     ui::feed_mouse_position(to);

@@ -145,9 +145,4 @@ void SceneView::draw() {
     }
 }
 
-Image SceneView::picture() const {
-    const auto& target = pictures_[editor_.panes.active].target;
-    return target ? target->read() : Image{};
-}
-
 }  // namespace slipface

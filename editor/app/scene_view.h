@@ -24,8 +24,6 @@ class SceneView final : public ViewportServices {
     std::uint64_t wanted_hash() const;
     void draw();  // into the textures that render() returned; nothing if they hold those pictures already
 
-    Image picture() const;  // of the active pane
-
     const Warnings& texture_warnings() const { return texture_warnings_; }
 
   private:

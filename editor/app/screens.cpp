@@ -9,8 +9,10 @@
 #include "app/script.h"
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
+#include "slipface/render/gl_graphics.h"
 #include "slipface/snapshot/screen.h"
 #include "slipface/snapshot/suite.h"
+#include "slipface/world/geometric_manager.h"
 #include "widgets/ui.h"
 
 namespace slipface {
@@ -143,6 +145,30 @@ std::optional<std::pair<int, int>> parse_size(std::string_view text) {
     return std::pair{static_cast<int>(*width), static_cast<int>(*height)};
 }
 
+namespace {
+
+// The open level as a game has it, seen as the editor sees it.
+Result<Image> game_picture(const GlTable& gl, const Editor& editor) {
+    Result<std::unique_ptr<GeometricManager>> made = GeometricManager::make(editor.document->snapshot());
+    if (!made) return made.error();
+    World world;
+    auto& geometry = static_cast<GeometricManager&>(world.add_manager(std::move(*made)));
+    auto& player = world.make_entity<Character>();
+    player.settings = geometry.level().movement;
+    player.state = geometry.player_at(geometry.level().spawn);
+
+    Framebuffer target(gl, 1280, 720);
+    GlGraphics graphics(gl);
+    graphics.style = editor.style;
+    target.bind();
+    graphics.begin_frame(editor.view.camera(), target.width(), target.height());
+    world.draw(graphics);
+    if (Status drawn = graphics.end_frame(); !drawn) return drawn.error();
+    return target.read();
+}
+
+}  // namespace
+
 Status write_pictures(const fs::path& level, const fs::path& editor_png, const fs::path& level_png) {
     OffscreenOptions options;
     options.width = 1440;
@@ -155,7 +181,8 @@ Status write_pictures(const fs::path& level, const fs::path& editor_png, const f
     (*host)->settle();
     if (const Status status = save_png(editor_png, (*host)->screenshot()); !status) return status;
     if (!editor.document) return {};
-    return save_png(level_png, (*host)->level_picture());
+    const Result<Image> picture = game_picture((*host)->context().gl(), editor);
+    return picture ? save_png(level_png, *picture) : picture.error();
 }
 
 }  // namespace slipface

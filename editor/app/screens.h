@@ -18,7 +18,8 @@ std::vector<Snapshot> screen_snapshots(const std::filesystem::path& folder);
 // "1280x720" as numbers.
 std::optional<std::pair<int, int>> parse_size(std::string_view text);
 
-// The editor with `level` open, and the level alone, as PNG files.
+// The editor with `level` open, and the level as a game draws it (a World through GlGraphics) from the same
+// viewpoint, the player at its spawn point; as PNG files. An empty `level`: the empty editor alone.
 Status write_pictures(const std::filesystem::path& level, const std::filesystem::path& editor_png,
                       const std::filesystem::path& level_png);
 

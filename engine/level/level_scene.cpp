@@ -248,6 +248,11 @@ Vec3 LevelScene::to_level(const MovementScene& scene, const PlayerState& state) 
     return position_in_scene(scene, state) - impl_->offset;
 }
 
+Vec3 LevelScene::to_level(const PlayerState& state) const {
+    const CollisionWorld nothing;
+    return to_level({.collision = nothing, .surfaces = {}, .sectors = impl_->sectors}, state);
+}
+
 PlayerState LevelScene::player_at(const Vec3& level_position) {
     const CollisionWorld nothing;
     PlayerState state;

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <iterator>
 
-#include "slipface/level/shown_mesh.h"
+#include "show_level.h"
 
 namespace slipface {
 
@@ -40,12 +40,8 @@ Result<std::unique_ptr<LevelPainter>> LevelPainter::make(OffscreenContext& conte
     Impl& impl = *painter->impl_;
     if (Status status = impl.level.status(); !status) return status.error();
     if (Status status = impl.overlay.status(); !status) return status.error();
-    Warnings found = impl.level.set_mesh(shown_mesh(level), level.mesh_path.parent_path());
-    for (Diagnostic& warning : impl.level.set_light(level.light, level.mesh, level.file_path.parent_path()))
-        found.push_back(std::move(warning));
+    Warnings found = show_level(impl.level, level);
     if (warnings != nullptr) std::move(found.begin(), found.end(), std::back_inserter(*warnings));
-    impl.level.set_surface_types(level.surfaces);
-    if (level.mesh) impl.level.set_face_surfaces(resolve_surfaces(level).surface);
     return painter;
 }
 

@@ -77,6 +77,8 @@ struct LevelRenderer::Impl {
     void set_sky(const Camera& camera, double aspect);
     void draw_faces(const Camera& camera, int height, const Mat4f& clip, const LevelStyle& style);
     void draw_lines(const LineBuffer& lines, float shortest);
+    void reset_state(int width, int height);
+    void draw_level(const Camera& camera, int width, int height, const LevelStyle& style);
     Eigen::Vector4f eye_uniform(const Camera& camera) const;
 };
 
@@ -282,6 +284,45 @@ void LevelRenderer::Impl::draw_lines(const LineBuffer& lines, float shortest) {
     gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, lines.count);
 }
 
+// What draw() needs of the context, whatever was drawn before.
+void LevelRenderer::Impl::reset_state(int width, int height) {
+    gl->Viewport(0, 0, width, height);
+    for (const GLenum off : {GL_SCISSOR_TEST, GL_BLEND, GL_STENCIL_TEST, GL_CULL_FACE})
+        gl->Disable(off);
+    gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl->DepthMask(GL_TRUE);
+    gl->PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
+
+// Faces, borders and outlines.
+void LevelRenderer::Impl::draw_level(const Camera& camera, int width, int height, const LevelStyle& style) {
+    gl->Enable(GL_DEPTH_TEST);
+    gl->DepthFunc(GL_LEQUAL);
+    const Mat4f clip = clip_from_local(camera, width, height, origin);
+    draw_faces(camera, height, clip, style);
+    if (style.wireframe && !borders_built) {
+        upload_lines(borders, face_border_lines(*mesh, highlights, origin, border_color, border_width));
+        borders_built = true;
+    }
+    gl->Enable(GL_BLEND);
+    gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    gl->DepthMask(GL_FALSE);
+    gl->UseProgram(line_program);
+    set_uniform(*gl, line_program, "clip_from_local", clip);
+    set_uniform(*gl, line_program, "viewport", Vec2f(static_cast<float>(width), static_cast<float>(height)));
+    set_uniform(*gl, line_program, "opacity", 1.0f);
+    set_uniform(*gl, line_program, "depth_bias", depth_bias(camera, height, line_bias));
+    const Eigen::Vector4f nobody = Eigen::Vector4f::Zero();
+    set_uniform(*gl, line_program, "cull_eye", style.back_faces ? nobody : eye_uniform(camera));
+    if (style.wireframe) draw_lines(borders, shortest_border);
+    set_uniform(*gl, line_program, "cull_eye", nobody);
+    draw_lines(selected_outline, 0.0f);
+    draw_lines(hovered_outline, 0.0f);
+    gl->DepthMask(GL_TRUE);
+    gl->Disable(GL_BLEND);
+    gl->Disable(GL_DEPTH_TEST);
+}
+
 LevelRenderer::LevelRenderer(GlTable gl) : impl_(std::make_unique<Impl>(std::move(gl))) {
     impl_->build_programs();
     impl_->build_objects();
@@ -418,14 +459,7 @@ void LevelRenderer::set_surface_types(SurfaceTable surfaces) {
 void LevelRenderer::draw(const Camera& camera, int width, int height, const LevelStyle& style) {
     if (width <= 0 || height <= 0) return;
     const GladGLContext& gl = *impl_->gl;
-    gl.Viewport(0, 0, width, height);
-    gl.Disable(GL_SCISSOR_TEST);
-    gl.Disable(GL_BLEND);
-    gl.Disable(GL_STENCIL_TEST);
-    gl.Disable(GL_CULL_FACE);
-    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl.DepthMask(GL_TRUE);
-    gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    impl_->reset_state(width, height);
     gl.ClearColor(style.background_bottom.x(), style.background_bottom.y(), style.background_bottom.z(),
                   1.0f);
     gl.ClearDepth(1.0);
@@ -433,37 +467,14 @@ void LevelRenderer::draw(const Camera& camera, int width, int height, const Leve
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     if (!impl_->status) return;
     impl_->draw_background(camera, static_cast<double>(width) / height, style);
+    draw_over(camera, width, height, style);
+}
 
-    if (impl_->mesh) {
-        gl.Enable(GL_DEPTH_TEST);
-        gl.DepthFunc(GL_LEQUAL);
-        const Mat4f clip = clip_from_local(camera, width, height, impl_->origin);
-        impl_->draw_faces(camera, height, clip, style);
-        if (style.wireframe && !impl_->borders_built) {
-            impl_->upload_lines(impl_->borders, face_border_lines(*impl_->mesh, impl_->highlights,
-                                                                  impl_->origin, border_color, border_width));
-            impl_->borders_built = true;
-        }
-        gl.Enable(GL_BLEND);
-        gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-        gl.DepthMask(GL_FALSE);
-        gl.UseProgram(impl_->line_program);
-        set_uniform(gl, impl_->line_program, "clip_from_local", clip);
-        set_uniform(gl, impl_->line_program, "viewport",
-                    Vec2f(static_cast<float>(width), static_cast<float>(height)));
-        set_uniform(gl, impl_->line_program, "opacity", 1.0f);
-        set_uniform(gl, impl_->line_program, "depth_bias", depth_bias(camera, height, line_bias));
-        const Eigen::Vector4f nobody = Eigen::Vector4f::Zero();
-        set_uniform(gl, impl_->line_program, "cull_eye",
-                    style.back_faces ? nobody : impl_->eye_uniform(camera));
-        if (style.wireframe) impl_->draw_lines(impl_->borders, shortest_border);
-        set_uniform(gl, impl_->line_program, "cull_eye", nobody);
-        impl_->draw_lines(impl_->selected_outline, 0.0f);
-        impl_->draw_lines(impl_->hovered_outline, 0.0f);
-        gl.DepthMask(GL_TRUE);
-        gl.Disable(GL_BLEND);
-        gl.Disable(GL_DEPTH_TEST);
-    }
+void LevelRenderer::draw_over(const Camera& camera, int width, int height, const LevelStyle& style) {
+    if (width <= 0 || height <= 0 || !impl_->status) return;
+    const GladGLContext& gl = *impl_->gl;
+    impl_->reset_state(width, height);
+    if (impl_->mesh) impl_->draw_level(camera, width, height, style);
     gl.BindVertexArray(0);
     gl.BindTexture(GL_TEXTURE_2D, 0);
     gl.UseProgram(0);

@@ -4,8 +4,12 @@
 
 namespace slipface {
 
+Vec3 Character::place() const {
+    return mover_ != nullptr ? mover_->place_of(state) : state.position;
+}
+
 void Character::on_draw(Graphics& graphics) const {
-    graphics.draw_ellipsoid(state.position, settings.radii);
+    graphics.draw_ellipsoid(place(), settings.radii);
 }
 
 Result<std::unique_ptr<GeometricManager>> GeometricManager::make(Level level) {
@@ -26,14 +30,18 @@ void GeometricManager::on_tick(double seconds) {
 }
 
 void GeometricManager::on_draw(Graphics& graphics) {
-    const MovementScene now = scene();
-    graphics.draw_triangles(now.collision);
-    for (const MovingPart& platform : now.platforms)
-        graphics.draw_triangles(*platform.collision);
+    graphics.draw_level(level_, time_s_);
+}
+
+Vec3 GeometricManager::place_of(const PlayerState& state) const {
+    return scene_->to_level(state);
 }
 
 void GeometricManager::on_entity_added(Entity& entity) {
-    if (auto* character = dynamic_cast<Character*>(&entity)) characters_.push_back(character);
+    auto* const character = dynamic_cast<Character*>(&entity);
+    if (character == nullptr) return;
+    character->mover_ = this;
+    characters_.push_back(character);
 }
 
 void GeometricManager::on_entity_removed(Entity& entity) {

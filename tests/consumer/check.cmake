@@ -28,7 +28,12 @@ run(${CMAKE_COMMAND} --install "${BUILD}" --prefix "${SCRATCH}/prefix")
 run(${CMAKE_COMMAND} -S "${SOURCE}/tests/consumer" -B "${SCRATCH}/build" -G Ninja
     "-DCMAKE_PREFIX_PATH=${SCRATCH}/prefix" "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build "${SCRATCH}/build")
-run("${SCRATCH}/build/game" "${LEVEL}")
+run("${SCRATCH}/build/game" "${LEVEL}" "${SCRATCH}/frame.png")
+# A frame of nothing but background takes a few thousand bytes.
+file(SIZE "${SCRATCH}/frame.png" frame_bytes)
+if(frame_bytes LESS 30000)
+    message(FATAL_ERROR "frame.png has ${frame_bytes} bytes, expected a picture of the level")
+endif()
 if(PROGRAM)
     run("${PROGRAM}" export "${LEVEL}" --flat "${SCRATCH}/level.flat")
     run("${SCRATCH}/build/flat" "${SCRATCH}/level.flat")

@@ -15,12 +15,16 @@ using Diary = std::vector<std::string>;
 
 class CountingGraphics final : public Graphics {
   public:
-    void draw_triangles(const CollisionWorld& drawn) override { triangles += drawn.triangle_count(); }
+    void draw_level(const Level& drawn, double time_s) override {
+        levels.push_back(&drawn);
+        last_time_s = time_s;
+    }
     void draw_ellipsoid(const Vec3& centre, const Vec3& radii) override {
         centres.push_back(centre);
         last_radii = radii;
     }
-    std::size_t triangles = 0;
+    std::vector<const Level*> levels;
+    double last_time_s = -1.0;
     std::vector<Vec3> centres;
     Vec3 last_radii = Vec3::Zero();
 };
@@ -181,18 +185,54 @@ TEST(GeometricManager, ARemovedCharacterStandsStill) {
     EXPECT_EQ(world.entity_count(), 1u);
 }
 
-TEST(GeometricManager, DrawsItsTrianglesOnceAndEachCharacter) {
+TEST(GeometricManager, DrawsItsLevelOnceAsItIsNowAndEachCharacter) {
     World world;
-    add_floor(world);
+    const GeometricManager& geometry = add_floor(world);
     auto& character = world.make_entity<Character>();
     character.state.position = Vec3(1, 2, 3);
     character.settings.radii = Vec3(0.5, 1, 0.5);
     CountingGraphics graphics;
     world.draw(graphics);
-    EXPECT_EQ(graphics.triangles, 2u);
+    EXPECT_THAT(graphics.levels, ElementsAre(&geometry.level()));
+    EXPECT_EQ(graphics.last_time_s, 0.0);
     ASSERT_EQ(graphics.centres.size(), 1u);
     EXPECT_EQ(graphics.centres[0], Vec3(1, 2, 3));
     EXPECT_EQ(graphics.last_radii, Vec3(0.5, 1, 0.5));
+    world.tick(0.25);
+    world.draw(graphics);
+    EXPECT_EQ(graphics.last_time_s, 0.25);
+}
+
+// The level is drawn in its own coordinates, so its characters are too, wherever in the world it is placed:
+// 100 km out with sectors, whose numbers hold most of it, and without, where the state holds all of it.
+TEST(GeometricManager, DrawsCharactersWhereTheLevelHasThem) {
+    for (const bool sectors : {true, false}) {
+        SCOPED_TRACE(sectors);
+        Level level = floor_level();
+        level.sectors = {.size = 64.0, .placement = Vec3(1e5, 0, -1e5)};
+        level.movement.sectors = sectors;
+        Result<std::unique_ptr<GeometricManager>> manager = GeometricManager::make(std::move(level));
+        ASSERT_TRUE(manager.ok()) << manager.error().text();
+        World world;
+        auto& geometry = static_cast<GeometricManager&>(world.add_manager(std::move(*manager)));
+        auto& character = world.make_entity<Character>();
+        character.state = geometry.player_at(Vec3(-40, 2, 3));
+        CountingGraphics graphics;
+        world.draw(graphics);
+        ASSERT_EQ(graphics.centres.size(), 1u);
+        EXPECT_NE(character.state.position, Vec3(-40, 2, 3));
+        EXPECT_LT((graphics.centres[0] - Vec3(-40, 2, 3)).norm(), 1e-9);
+        EXPECT_EQ(character.place(), graphics.centres[0]);
+    }
+}
+
+TEST(GeometricManager, ACharacterOfNoLevelIsDrawnWhereItsStateIs) {
+    World world;
+    world.make_entity<Character>().state.position = Vec3(4, 5, 6);
+    CountingGraphics graphics;
+    world.draw(graphics);
+    EXPECT_THAT(graphics.centres, ElementsAre(Vec3(4, 5, 6)));
+    EXPECT_TRUE(graphics.levels.empty());
 }
 
 TEST(GeometricManager, RefusesALevelWithoutGeometry) {

@@ -47,6 +47,7 @@ class LevelScene {
     Vec3 offset() const;
     Vec3 to_scene(const Vec3& level_position) const { return level_position + offset(); }
     Vec3 to_level(const MovementScene& scene, const PlayerState& state) const;
+    Vec3 to_level(const PlayerState& state) const;  // of a player who was stepped through this scene
     // A player at rest at `level_position`.
     PlayerState player_at(const Vec3& level_position);
 

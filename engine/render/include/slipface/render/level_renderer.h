@@ -80,6 +80,8 @@ class LevelRenderer {
 
     // Clears the bound framebuffer and draws background and level into it.
     void draw(const Camera& camera, int width, int height, const LevelStyle& style);
+    // Draws the level alone over what is there already, by its depth: another level of the same world.
+    void draw_over(const Camera& camera, int width, int height, const LevelStyle& style);
 
   private:
     struct Impl;

@@ -6,15 +6,21 @@
 #include <vector>
 
 #include "slipface/base/types.h"
-#include "slipface/collision/collision_world.h"
 
 namespace slipface {
 
-// What a world is drawn with. `render` implements it with OpenGL; a test may count calls.
+struct Level;
+
+// What a world is drawn with (lecture: "Graphics *g"): slipface/render/gl_graphics.h draws with OpenGL, a
+// test counts calls. All places are in the coordinates of the level, metres. An implementation may gather the
+// calls of a frame and draw at its end, so the order of the calls does not decide what covers what.
 class Graphics {
   public:
     virtual ~Graphics() = default;
-    virtual void draw_triangles(const CollisionWorld& triangles) = 0;
+    // All faces of `level`, its platforms where they are `time_s` seconds after it began. `level` stays
+    // alive and where it is until the frame is drawn.
+    virtual void draw_level(const Level& level, double time_s) = 0;
+    // An ellipsoid whose axes are the world's, as characters are; `radii` > 0.
     virtual void draw_ellipsoid(const Vec3& centre, const Vec3& radii) = 0;
 };
 

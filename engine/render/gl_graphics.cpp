@@ -1,0 +1,126 @@
+#include "slipface/render/gl_graphics.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "show_level.h"
+#include "slipface/level/shown_mesh.h"
+
+namespace slipface {
+
+namespace {
+
+// A level on the graphics card, and what of it is there.
+struct ShownLevel {
+    const Level* level = nullptr;
+    MeshPtr mesh;
+    std::shared_ptr<const Heightfield> terrain;
+    std::optional<LevelLight> light;
+    std::vector<std::uint32_t> parts;  // [face] its platform; empty: nothing moves
+    std::optional<double> placed_s;    // for when the platforms stand where they do
+    std::unique_ptr<LevelRenderer> renderer;
+    bool wanted = false;               // by the frame under way
+    bool surfaces_are_there = true;    // as the level has them now
+
+    // Another level at the address of one that is gone has another mesh: the old one is still held here.
+    bool holds(const Level& other) const {
+        return level == &other && mesh == other.mesh && terrain == other.terrain && light == other.light;
+    }
+};
+
+}  // namespace
+
+struct GlGraphics::Impl {
+    explicit Impl(GlTable table) : gl(table), overlay_renderer(std::move(table)) {}
+
+    GlTable gl;
+    OverlayRenderer overlay_renderer;
+    std::vector<ShownLevel> levels;                 // in the order in which they were first drawn
+    std::unique_ptr<LevelRenderer> empty_renderer;  // of frames without a level; made when there is one
+    Overlay overlay;
+    Warnings warnings;
+    Camera camera;
+    int width = 0, height = 0;
+    bool in_frame = false;
+
+    ShownLevel& find(const Level& level);
+};
+
+ShownLevel& GlGraphics::Impl::find(const Level& level) {
+    const auto known = std::find_if(levels.begin(), levels.end(),
+                                    [&](const ShownLevel& shown) { return shown.holds(level); });
+    if (known != levels.end()) {
+        if (!std::exchange(known->surfaces_are_there, true)) show_surfaces(*known->renderer, level);
+        return *known;
+    }
+    ShownLevel shown{.level = &level,
+                     .mesh = level.mesh,
+                     .terrain = level.terrain,
+                     .light = level.light,
+                     .parts = face_platforms(level),
+                     .placed_s = {},
+                     .renderer = std::make_unique<LevelRenderer>(gl)};
+    Warnings found = show_level(*shown.renderer, level);
+    std::move(found.begin(), found.end(), std::back_inserter(warnings));
+    return levels.emplace_back(std::move(shown));
+}
+
+GlGraphics::GlGraphics(GlTable gl) : impl_(std::make_unique<Impl>(std::move(gl))) {}
+GlGraphics::~GlGraphics() = default;
+
+void GlGraphics::begin_frame(const Camera& camera, int width, int height) {
+    impl_->camera = camera;
+    impl_->width = width;
+    impl_->height = height;
+    impl_->overlay = {};
+    for (ShownLevel& shown : impl_->levels)
+        shown.wanted = false;
+    impl_->in_frame = true;
+}
+
+void GlGraphics::draw_level(const Level& level, double time_s) {
+    if (!impl_->in_frame) return;
+    ShownLevel& shown = impl_->find(level);
+    shown.wanted = true;
+    if (shown.parts.empty() || shown.placed_s == time_s) return;
+    shown.renderer->move_faces(shown.parts, platform_poses(level, time_s));
+    shown.placed_s = time_s;
+}
+
+void GlGraphics::draw_ellipsoid(const Vec3& centre, const Vec3& radii) {
+    if (impl_->in_frame) impl_->overlay.ellipsoid(centre, radii, ellipsoid_fill, ellipsoid_outline);
+}
+
+Overlay& GlGraphics::overlay() {
+    return impl_->overlay;
+}
+
+Status GlGraphics::end_frame() {
+    Impl& impl = *impl_;
+    if (!std::exchange(impl.in_frame, false))
+        return Error{"GlGraphics::end_frame", "found no frame under way, expected begin_frame() before it"};
+    std::erase_if(impl.levels, [](const ShownLevel& shown) { return !shown.wanted; });
+    if (impl.levels.empty() && !impl.empty_renderer)
+        impl.empty_renderer = std::make_unique<LevelRenderer>(impl.gl);
+    LevelRenderer& first = impl.levels.empty() ? *impl.empty_renderer : *impl.levels.front().renderer;
+    if (Status status = first.status(); !status) return status;
+    first.draw(impl.camera, impl.width, impl.height, style);
+    for (std::size_t i = 1; i < impl.levels.size(); ++i)
+        impl.levels[i].renderer->draw_over(impl.camera, impl.width, impl.height, style);
+    if (Status status = impl.overlay_renderer.status(); !status) return status;
+    impl.overlay_renderer.draw(impl.overlay, impl.camera, impl.width, impl.height);
+    return {};
+}
+
+void GlGraphics::surfaces_changed() {
+    for (ShownLevel& shown : impl_->levels)
+        shown.surfaces_are_there = false;
+}
+
+Warnings GlGraphics::take_warnings() {
+    return std::exchange(impl_->warnings, {});
+}
+
+}  // namespace slipface
