@@ -79,6 +79,7 @@ int edit_headless(const EditArguments& arguments) {
         if (editor.message) return complain({"", editor.message->text}, cli::exit_bad_input);
         (*host)->frame();
         print_warnings(editor.document->warnings());
+        print_warnings(editor.texture_warnings);
     }
     if (!arguments.script.empty()) {
         const ScriptResult result = run_script_file(**host, arguments.script);
@@ -94,7 +95,6 @@ int edit_headless(const EditArguments& arguments) {
         if (const Status status = save_png(arguments.screenshot, (*host)->screenshot()); !status)
             return complain(status.error(), cli::exit_bad_input);
         fmt::print("{}\n", arguments.screenshot);
-        print_warnings((*host)->app().texture_warnings());
     }
     return cli::exit_fine;
 }

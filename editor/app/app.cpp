@@ -48,6 +48,15 @@ struct App::Impl {
         editor.style.background_bottom = color(ui::palette().view_bottom);
     }
 
+    // What the level's pictures lacked is known once it was sent to the graphics card. Like all other
+    // warnings of an opening it opens their panel.
+    void take_texture_warnings() {
+        if (editor.texture_warnings == scene.texture_warnings()) return;
+        editor.texture_warnings = scene.texture_warnings();
+        if (!editor.texture_warnings.empty()) editor.layout.show(PanelId::warnings);
+        frame.animating = true;  // a frame more shows it
+    }
+
     AppOptions options;
     Editor editor;
     FrameContext frame;
@@ -89,10 +98,6 @@ App::~App() {
     store_preferences(impl_->editor);
     ImGui::SetCurrentContext(impl_->context);
     ImGui::DestroyContext(impl_->context);
-}
-
-const Warnings& App::texture_warnings() const {
-    return impl_->scene.texture_warnings();
 }
 
 Editor& App::editor() {
@@ -179,7 +184,7 @@ void App::build_frame(int width, int height, double seconds) {
     if (self.editor.clipboard) ImGui::SetClipboardText(std::exchange(self.editor.clipboard, {})->c_str());
     ImGui::Render();
     ui::end_widget_frame();
-    self.parts.texture_warnings = self.scene.texture_warnings();
+    self.take_texture_warnings();
 
     const float dim = self.context->DimBgRatio;
     if (ui::tooltip_due() || (dim > 0.0f && dim < 1.0f)) self.frame.animating = true;

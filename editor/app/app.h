@@ -36,7 +36,6 @@ class App {
     App& operator=(const App&) = delete;
 
     Editor& editor();
-    const Warnings& texture_warnings() const;  // of the level that is shown, known once it was drawn
 
     void key_pressed(const KeyPress& press);
     void drop_file(const std::filesystem::path& path);

@@ -254,6 +254,7 @@ void answer_buttons(Parts& parts) {
     }
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(ui::palette().bad, "%s", browser.problem.c_str());
+    if (!browser.problem.empty()) ui::record_last_item("Problem");
     ImGui::SameLine(x);
     if (ui::button("Cancel", nullptr, true, {width, 0})) parts.editor.file_dialog = FileDialogKind::none;
     ImGui::SameLine();

@@ -42,7 +42,6 @@ struct Parts {
     LevelPreview* preview = nullptr;
     Tool last_tool = Tool::select;  // to notice a change: the probe tool opens the probe's numbers
     std::array<std::optional<PanelId>, dock_count> opened_tabs;  // what ImGui was told to open last
-    Warnings texture_warnings;                                   // of the level that is shown
 };
 
 void layout(Parts& parts, ImVec2 size);

@@ -14,9 +14,10 @@ std::string right_side(const Parts& parts) {
     if (!editor.document) return {};
     const Document& document = *editor.document;
     std::string text;
-    if (!parts.texture_warnings.empty())
-        text = fmt::format("\uf071 {} texture{} missing   ", parts.texture_warnings.size(),
-                           parts.texture_warnings.size() == 1 ? "" : "s");
+    const Warnings& textures = editor.texture_warnings;
+    if (!textures.empty())
+        text =
+            fmt::format("\uf071 {} texture{} missing   ", textures.size(), textures.size() == 1 ? "" : "s");
     if (!document.selection().empty()) text += fmt::format("{} selected   ", document.selection().size());
     text += fmt::format("{} faces", document.mesh().face_count());
     return text;
@@ -46,9 +47,9 @@ void status_bar(Parts& parts) {
     if (right.empty()) return;
     ImGui::SameLine(end);
     ImGui::TextColored(p.muted, "%s", right.c_str());
-    if (parts.texture_warnings.empty()) return;
+    if (editor.texture_warnings.empty()) return;
     std::string list;
-    for (const Diagnostic& warning : parts.texture_warnings)
+    for (const Diagnostic& warning : editor.texture_warnings)
         list += warning.text() + "\n";
     list.pop_back();
     ui::record_last_item("Textures");

@@ -1,4 +1,6 @@
 // What was repaired, dropped or could not be placed while opening.
+#include <algorithm>
+#include <span>
 #include <string>
 
 #include "panels/panels.h"
@@ -9,6 +11,8 @@
 
 namespace slipface {
 namespace {
+
+constexpr std::size_t most_orphans = 500;  // every one listed costs time in every frame
 
 void entry(const std::string& title, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, ui::palette().accent);
@@ -38,29 +42,36 @@ void warnings_panel(Editor& editor) {
     const ui::Scope scope("Warnings");
     const Document& document = *editor.document;
     const std::vector<Orphan>& orphans = document.level().orphans;
-    if (document.warnings().empty() && orphans.empty()) {
+    const Warnings& textures = editor.texture_warnings;
+    if (document.warnings().empty() && orphans.empty() && textures.empty()) {
         ui::muted_text("Nothing was repaired or dropped while opening this level");
         return;
     }
     if (ui::button("Copy all", "Put every warning on the clipboard")) {
         std::string text;
-        for (const Diagnostic& warning : document.warnings())
-            text += warning.text() + "\n";
+        for (const Warnings& list : {document.warnings(), textures})
+            for (const Diagnostic& warning : list)
+                text += warning.text() + "\n";
         for (const Orphan& orphan : orphans)
             text += "orphan: " + orphan.type + ", material " + orphan.key.material + "\n";
         ImGui::SetClipboardText(text.c_str());
         editor.status = "Warnings copied";
     }
     if (!orphans.empty()) ui::heading("Orphans");
-    for (const Orphan& orphan : orphans) {
+    for (const Orphan& orphan : std::span(orphans).first(std::min(orphans.size(), most_orphans))) {
         const Vec3& at = orphan.key.centroid;
         entry("material " + (orphan.key.material.empty() ? "none" : orphan.key.material) + ", at " +
                   number_text(at.x(), "") + ", " + number_text(at.y(), "") + ", " + number_text(at.z(), ""),
               "No face was found for a painted " + orphan.type + "; it is kept in the file");
     }
+    if (orphans.size() > most_orphans)
+        ui::muted_text(("and " + std::to_string(orphans.size() - most_orphans) + " more").c_str());
     if (!document.warnings().empty()) ui::heading("Opening");
     for (const Diagnostic& warning : document.warnings())
         entry(short_place(warning.place), warning.message);
+    if (!textures.empty()) ui::heading("Textures");
+    for (const Diagnostic& warning : textures)
+        entry(warning.place, warning.message);
 }
 
 }  // namespace slipface

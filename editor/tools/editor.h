@@ -78,6 +78,7 @@ struct Editor {
 
     // Open windows.
     PanelLayout layout;
+    Warnings texture_warnings;  // of the level that is shown, known once it was drawn
     bool show_shortcuts = false, show_command_palette = false;
     std::vector<std::string> recent_commands;  // ids, as run from the command palette, newest first
     std::optional<MessageDialog> message;

@@ -70,7 +70,8 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
             const std::size_t at = message.find(mark);
             if (at != std::string::npos) message.erase(0, at + mark.size());
         }
-        error_ = Error{place_ + ":" + line_and_column(text_, position), "this is no JSON: " + message};
+        error_ = Error{place_ + ":" + line_and_column(text_, position),
+                       "this is no JSON: " + json_excerpt(message)};
         return false;
     }
 
@@ -81,7 +82,8 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
 
   private:
     bool fail(std::string_view found, std::string_view expected) {
-        error_ = Error{place_ + ":" + path_of(open_), fmt::format("found {}, expected {}", found, expected)};
+        error_ = Error{place_ + ":" + json_excerpt(path_of(open_)),
+                       fmt::format("found {}, expected {}", found, expected)};
         return false;
     }
 
@@ -214,6 +216,23 @@ std::string json_kind_text(const Json& value) {
             return "an object";
     }
     return "";
+}
+
+std::string json_excerpt(std::string_view text) {
+    constexpr std::size_t head = 160, tail = 80;
+    const auto continues = [&](std::size_t at) {
+        return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+    };
+    std::string shown(text);
+    if (text.size() > head + tail + 3) {
+        std::size_t end = head, begin = text.size() - tail;
+        while (end > 0 && continues(end))
+            --end;
+        while (continues(begin))
+            ++begin;
+        shown = std::string(text.substr(0, end)) + "..." + std::string(text.substr(begin));
+    }
+    return nlohmann::json::parse(json_quoted(shown)).get<std::string>();
 }
 
 std::string json_quoted(std::string_view text) {

@@ -34,6 +34,10 @@ Result<Json> parse_json(std::string_view text, const std::string& place, int max
 // "a string", "the number 7", "an object", as error messages name what they found.
 std::string json_kind_text(const Json& value);
 
+// `text` for a message: at most about 240 bytes of it, cut in the middle, where "..." then stands; bytes that
+// are no UTF-8 become U+FFFD. A key or a string of a hostile file may be as long as the file.
+std::string json_excerpt(std::string_view text);
+
 // `text` in quotes and escaped; bytes that are no UTF-8 become U+FFFD.
 std::string json_quoted(std::string_view text);
 

@@ -20,6 +20,10 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t max_level_file_bytes = 256ULL << 20;
 
+std::string quoted(const fs::path& path) {
+    return '"' + json_excerpt(path.string()) + '"';
+}
+
 bool is_level_file(const fs::path& path) {
     return to_lower(path.extension().string()) == ".json";
 }
@@ -38,7 +42,7 @@ Result<fs::path> mesh_of_level_file(const fs::path& file_path, const Json& root)
     if (!name.is_absolute() && !normal.empty() && *normal.begin() == "..") {
         return Error{place + ":/mesh",
                      fmt::format("found {}, expected a path inside the level's folder or an absolute one",
-                                 json_quoted(mesh->text))};
+                                 json_quoted(json_excerpt(mesh->text)))};
     }
     return file_path.parent_path() / normal;
 }
@@ -79,20 +83,24 @@ Result<LoadedLevel> load_annotated(const fs::path& mesh_path, const fs::path& fi
     loaded->level.file_path = file_path;
     loaded->mesh_load_s = geometry->mesh_load_s;
     if (!named.empty() && named.lexically_normal() != mesh_path.lexically_normal()) {
-        loaded->warnings.insert(loaded->warnings.begin(),
-                                {file_path.string() + ":/mesh",
-                                 fmt::format("names \"{}\", but lies beside \"{}\", which was opened",
-                                             named.string(), mesh_path.string())});
+        loaded->warnings.insert(
+            loaded->warnings.begin(),
+            {file_path.string() + ":/mesh", fmt::format("names {}, but lies beside {}, which was opened",
+                                                        quoted(named), quoted(mesh_path))});
     }
     loaded->warnings.insert(loaded->warnings.begin(), geometry->warnings.begin(), geometry->warnings.end());
     if (cancelled(progress)) return cancelled_error(file_path);
     return loaded;
 }
 
+// The version is looked at first: what another version says of its mesh may mean something else.
 Result<Json> read_json(const fs::path& file_path) {
     const Result<std::string> text = read_file(file_path, max_level_file_bytes);
     if (!text) return text.error();
-    return parse_json(*text, file_path.string());
+    Result<Json> root = parse_json(*text, file_path.string());
+    if (!root) return root;
+    if (const Status status = check_level_version(*root, file_path.string()); !status) return status.error();
+    return root;
 }
 
 Result<LoadedLevel> load_from_level_file(const fs::path& file_path, Progress* progress) {
@@ -104,7 +112,7 @@ Result<LoadedLevel> load_from_level_file(const fs::path& file_path, Progress* pr
     if (!fs::exists(*mesh_path, error)) {
         return Error{
             file_path.string() + ":/mesh",
-            fmt::format("found no file \"{}\", expected the level's OBJ file there", mesh_path->string())};
+            fmt::format("found no file {}, expected the level's OBJ file there", quoted(*mesh_path))};
     }
     return load_annotated(*mesh_path, file_path, *root, progress);
 }

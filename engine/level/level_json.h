@@ -35,6 +35,9 @@ std::string level_text(const Level& level, const std::filesystem::path& file_pat
 Result<LoadedLevel> read_level(const Json& root, const std::string& place, MeshPtr mesh);
 Result<ImportTransform> read_import_transform(const Json& root, const std::string& place);
 
+// Refuses what is no level file of the version that is understood.
+Status check_level_version(const Json& root, const std::string& place);
+
 Json light_json(const LevelLight& light);
 // Takes the known members out of `json`; errors go to `reader`.
 void read_light(const Json& json, const std::string& path, JsonReader& reader, LevelLight& light);

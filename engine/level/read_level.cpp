@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t max_rules = 100'000;
 constexpr std::size_t max_cameras = 100'000;
 constexpr std::size_t max_platforms = 10'000;
+constexpr std::size_t most_warnings = 100;
 constexpr double max_position = 1e9;
 constexpr double pi = 3.141592653589793;
 
@@ -34,6 +35,15 @@ void read_transform(JsonReader& reader, const Json& root, ImportTransform& trans
     transform.up = static_cast<UpAxis>(found - std::begin(up_axis_names));
 }
 
+void read_version(JsonReader& reader, const Json& root) {
+    const Json* version = reader.member(root, "/", "slipface");
+    if (version == nullptr) return;
+    if (version->kind != Json::Kind::number || version->text != std::to_string(level_file_version)) {
+        reader.fail("/slipface", json_kind_text(*version),
+                    fmt::format("the version {}, the only one that is understood", level_file_version));
+    }
+}
+
 class LevelReader {
   public:
     LevelReader(const std::string& place, MeshPtr mesh) : reader_(place) {
@@ -43,7 +53,7 @@ class LevelReader {
 
     Result<LoadedLevel> read(const Json& root) {
         if (reader_.object(root, "/")) {
-            read_version(root);
+            read_version(reader_, root);
             read_mesh_name(root);
             read_transform(reader_, root, loaded_.level.import_transform);
             read_member(root, "spawn",
@@ -77,6 +87,9 @@ class LevelReader {
                           "orphans", "cameras", "movement", "platforms", "heightfield", "sectors", "light"});
         }
         if (!reader_.ok()) return reader_.error();
+        if (warnings_ > most_warnings)
+            loaded_.warnings.push_back(
+                {reader_.place("/"), fmt::format("{} more warnings", warnings_ - most_warnings)});
         loaded_.level.unknown = unknown_.text();
         match();
         return std::move(loaded_);
@@ -100,17 +113,8 @@ class LevelReader {
         }
     }
 
-    void warn(const std::string& path, std::string message) {
-        loaded_.warnings.push_back({reader_.place(path), std::move(message)});
-    }
-
-    void read_version(const Json& root) {
-        const Json* version = reader_.member(root, "/", "slipface");
-        if (version == nullptr) return;
-        if (version->kind != Json::Kind::number || version->text != std::to_string(level_file_version)) {
-            reader_.fail("/slipface", json_kind_text(*version),
-                         fmt::format("the version {}, the only one that is understood", level_file_version));
-        }
+    void warn(const std::string& path, const std::string& message) {
+        if (++warnings_ <= most_warnings) loaded_.warnings.push_back({reader_.place(path), message});
     }
 
     void read_mesh_name(const Json& root) {
@@ -224,8 +228,8 @@ class LevelReader {
                 return;
             }
             if (!find_surface(loaded_.level, rule.type)) {
-                warn(here + "/type",
-                     fmt::format("found no surface type \"{}\"; the rule has no effect", rule.type));
+                warn(here + "/type", fmt::format("found no surface type \"{}\"; the rule has no effect",
+                                                 json_excerpt(rule.type)));
             }
             keep_unknown(json.items[i], here, unknown_.place("rules", rule.pattern), {"pattern", "type"});
             loaded_.level.rules.push_back(std::move(rule));
@@ -326,7 +330,7 @@ class LevelReader {
             if (std::find(groups.begin(), groups.end(), platform.group) == groups.end()) {
                 warn(here + "/group",
                      fmt::format("found no group or object \"{}\" in the mesh; nothing moves",
-                                 platform.group));
+                                 json_excerpt(platform.group)));
             }
             loaded_.level.platforms.push_back(std::move(platform));
         }
@@ -355,6 +359,7 @@ class LevelReader {
 
     JsonReader reader_;
     LoadedLevel loaded_;
+    std::size_t warnings_ = 0;  // of what stands in the file; the first of them are listed
     UnknownMembers unknown_;
     std::vector<StoredOverride> stored_;
 };
@@ -364,6 +369,12 @@ class LevelReader {
 Result<LoadedLevel> read_level(const Json& root, const std::string& place, MeshPtr mesh) {
     if (!mesh) return Error{place, "there is no geometry to put the level file on"};
     return LevelReader(place, std::move(mesh)).read(root);
+}
+
+Status check_level_version(const Json& root, const std::string& place) {
+    JsonReader reader(place);
+    if (reader.object(root, "/")) read_version(reader, root);
+    return reader.ok() ? Status() : Status(reader.error());
 }
 
 Result<ImportTransform> read_import_transform(const Json& root, const std::string& place) {

@@ -122,10 +122,22 @@ TEST_F(LevelFile, AMeshOutsideTheFolderIsRefused) {
 
 TEST_F(LevelFile, NoMeshIsAnError) {
     for (const char* json :
-         {"{\"slipface\": 1}", "{\"slipface\": 1, \"mesh\": \"\"}", "{\"slipface\": 1, \"mesh\": 7}", "[]"}) {
+         {"{\"slipface\": 1}", "{\"slipface\": 1, \"mesh\": \"\"}", "{\"slipface\": 1, \"mesh\": 7}"}) {
         write("x.slipface.json", json);
         EXPECT_THAT(error_of("x.slipface.json").place, HasSubstr("x.slipface.json:/mesh"));
     }
+}
+
+// What another version says of its mesh may mean something else, or be missing.
+TEST_F(LevelFile, TheVersionIsLookedAtBeforeTheMesh) {
+    for (const char* json : {"{\"slipface\": 99}", "{\"slipface\": 99, \"mesh\": \"gone.obj\"}"}) {
+        write("x.slipface.json", json);
+        const Error error = error_of("x.slipface.json");
+        EXPECT_THAT(error.place, HasSubstr("x.slipface.json:/slipface"));
+        EXPECT_THAT(error.message, HasSubstr("99"));
+    }
+    write("x.slipface.json", "[]");
+    EXPECT_THAT(error_of("x.slipface.json").message, HasSubstr("expected an object"));
 }
 
 TEST_F(LevelFile, AnotherMeshesLevelFileBesideAMeshIsAWarning) {

@@ -294,6 +294,49 @@ TEST_P(HostileJson, IsRefusedWithItsPlace) {
 INSTANTIATE_TEST_SUITE_P(Files, HostileJson, testing::Range(std::size_t{0}, hostile_files().size()),
                          [](const auto& row_) { return std::string(hostile_files()[row_.param].name); });
 
+// A dialog must be able to show it: a key, a string or a number may be as long as the file.
+TEST(LevelJson, MessagesStayShortHoweverLongWhatTheyName) {
+    const std::string lengthy(2'000'000, 'y');
+    const std::string texts[] = {
+        "{\"slipface\": 1, \"a\": \"" + lengthy,                            // cut off in a string
+        with("\"spawn\": {\"yaw\": " + std::string(2'000'000, '9') + "}"),  // a number beyond double
+        with("\"" + lengthy + "\": 1, \"" + lengthy + "\": 2"),             // a key twice
+        with("\"" + lengthy + "\": {\"a\": 1, \"a\": 2}"),
+        with("\"a\": \"" + lengthy + "\xff\""),
+        with("\"mesh\": 1, \"x\": \"" + lengthy + "\""),
+    };
+    for (const std::string& text : texts) {
+        const Result<LoadedLevel> loaded = load(text);
+        ASSERT_FALSE(loaded.ok());
+        EXPECT_LT(loaded.error().text().size(), 600u);
+        EXPECT_THAT(loaded.error().place, testing::StartsWith("easy.slipface.json:"));
+    }
+    const Result<LoadedLevel> opened = load(
+        with("\"" + lengthy + "\": 1, \"rules\": [{\"pattern\": \"*\", \"type\": \"" + lengthy + "\"}]"));
+    ASSERT_TRUE(opened.ok()) << opened.error().text();
+    ASSERT_EQ(opened->warnings.size(), 2u);
+    for (const Diagnostic& warning : opened->warnings)
+        EXPECT_LT(warning.text().size(), 600u);
+}
+
+TEST(LevelJson, BytesThatAreNoTextAreNoneInTheMessageEither) {
+    const Result<LoadedLevel> loaded = load("{\"slipface\": 1, \"a\": \"\xff");
+    ASSERT_FALSE(loaded.ok());
+    EXPECT_EQ(loaded.error().text().find('\xff'), std::string::npos);
+    EXPECT_THAT(loaded.error().text(), HasSubstr("\xEF\xBF\xBD"));
+}
+
+TEST(LevelJson, AHundredWarningsAreListedAndTheOthersCounted) {
+    std::string members;
+    for (int i = 0; i < 250; ++i)
+        members += (i > 0 ? ", \"k" : "\"k") + std::to_string(i) + "\": 1";
+    const Result<LoadedLevel> loaded = load(with(members));
+    ASSERT_TRUE(loaded.ok()) << loaded.error().text();
+    ASSERT_EQ(loaded->warnings.size(), 101u);
+    EXPECT_EQ(loaded->warnings.back().message, "150 more warnings");
+    EXPECT_THAT(level_to_json(loaded->level), HasSubstr("\"k249\": 1"));
+}
+
 TEST(LevelJson, SixtyFourLevelsAreAllowedAndKept) {
     const Result<LoadedLevel> loaded = load(nested(63, '[', ']'));
     ASSERT_TRUE(loaded.ok()) << loaded.error().text();
