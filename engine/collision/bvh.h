@@ -18,7 +18,7 @@ struct LeafTriangle {
     TriangleId id;
 
     V3 corner(int i) const {
-        const auto k = static_cast<std::size_t>(3 * i);
+        const auto k = 3 * static_cast<std::size_t>(i);
         return {double{v[k]}, double{v[k + 1]}, double{v[k + 2]}};
     }
 };

@@ -20,8 +20,10 @@ std::uint64_t file_hash(const std::filesystem::path& path) {
     return hasher.value();
 }
 
+// Of every picture that the level is drawn with, the baked light among them.
 Numbers textures_json(const Level& level) {
     std::set<std::string> names;
+    if (level.light && !level.light->image.empty()) names.insert(level.light->image);
     for (const Material& material : level.mesh->materials)
         if (!material.texture.empty()) names.insert(material.texture);
     Numbers textures = Numbers::object();

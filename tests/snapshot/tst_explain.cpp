@@ -156,6 +156,27 @@ TEST_F(ExplainTest, ViewSettingsAndRenderer) {
     EXPECT_EQ(renderer.findings.front().cause, Cause::renderer) << text_of(renderer);
 }
 
+// Baked light is a picture that the level is drawn with, so a new one is the level's doing and no renderer's.
+TEST_F(ExplainTest, LightMapThatChanged) {
+    auto level = load_level(folder_ / "course.obj");
+    ASSERT_TRUE(level.ok());
+    level->level.light = LevelLight{.image = "course.light.png"};
+    ASSERT_TRUE(save_level(level->level).ok());
+    Image light = make_image(4, 4, 200, 200, 200);
+    ASSERT_TRUE(save_png(folder_ / "course.light.png", light).ok());
+    approve("");
+    light.rgba[0] ^= 1;
+    ASSERT_TRUE(save_png(folder_ / "course.light.png", light).ok());
+    Image other = *load_image(folder_ / "goldens/a.png");
+    for (std::size_t i = 0; i < other.rgba.size(); ++i)
+        if (i % 4 != 3 && other.rgba[i] < 240) other.rgba[i] = static_cast<std::uint8_t>(other.rgba[i] + 6);
+    ASSERT_TRUE(save_png(folder_ / "goldens/a.png", other).ok());
+    const GoldenResult relit = check("");
+    ASSERT_FALSE(relit.findings.empty());
+    EXPECT_EQ(relit.findings.front().cause, Cause::level) << text_of(relit);
+    EXPECT_NE(text_of(relit).find("course.light.png has changed"), std::string::npos) << text_of(relit);
+}
+
 TEST_F(ExplainTest, DigestKeepsTheLevelAndRefusesDamage) {
     const auto level = load_level(folder_ / "course.obj");
     ASSERT_TRUE(level.ok());
