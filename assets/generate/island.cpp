@@ -93,6 +93,7 @@ double island_height(double x, double z) {
     blend(y, 5.4, within(x, z, 15, 30, -42.5, -27.5, 5.0));
     blend(y, -1.45, 1.0 - ramp_between(13.0, 18.0, distance(x, z, 0, -2)));
     blend(y, -1.6, within(x, z, -44, -24, -14, 12, 5.0));
+    blend(y, 1.0, within(x, z, -22.6, -17.4, -17.6, -9.9, 3.0));  // where the tower's lift waits
     return y;
 }
 

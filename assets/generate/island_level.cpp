@@ -48,10 +48,10 @@ void annotate_island(Level& level) {
     level.platforms = {
         {.name = "raft over the inlet",
          .group = "raft",
-         .path = {{Vec3(0, 0, 0), 3.0, 1.5}, {Vec3(13, 0, 0), 3.0, 1.5}}},
+         .path = {{Vec3(0, 0, 0), 3.0, 1.5}, {Vec3(9.9, 0, 0), 3.0, 1.5}}},
         {.name = "lift at the tower",
          .group = "lift",
-         .path = {{Vec3(0, 0, 0), 2.0, 2.0}, {Vec3(0, 7.1, 0), 2.0, 2.0}, {Vec3(2.6, 7.1, 0), 2.0, 1.5}}},
+         .path = {{Vec3(0, 0, 0), 2.0, 2.0}, {Vec3(0, 5.64, 0), 2.0, 2.0}, {Vec3(2.2, 5.64, 0), 2.0, 1.5}}},
         {.name = "carousel",
          .group = "carousel",
          .path = {},

@@ -412,8 +412,8 @@ void add_island_platforms(Model& model) {
             box(model, "bronze", middle + Vec3(-half_x - 0.06, -0.3, z * half_z - 0.12),
                 middle + Vec3(half_x + 0.06, -0.16, z * half_z + 0.12));
     };
-    raft("raft", {21.0, -1.1, 4.0}, 1.6, 1.6);
-    raft("lift", {-20.5, -0.6, -14}, 1.5, 1.5);
+    raft("raft", {21.9, -0.15, 4.0}, 1.6, 1.6);
+    raft("lift", {-20.5, 0.86, -14}, 1.5, 1.5);
     raft("carousel", {31.5, 1.5, 14}, 3.4, 0.9);
 }
 
