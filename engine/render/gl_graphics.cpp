@@ -21,8 +21,8 @@ struct ShownLevel {
     std::vector<std::uint32_t> parts;  // [face] its platform; empty: nothing moves
     std::optional<double> placed_s;    // for when the platforms stand where they do
     std::unique_ptr<LevelRenderer> renderer;
-    bool wanted = false;               // by the frame under way
-    bool surfaces_are_there = true;    // as the level has them now
+    bool wanted = false;             // by the frame under way
+    bool surfaces_are_there = true;  // as the level has them now
 
     // Another level at the address of one that is gone has another mesh: the old one is still held here.
     bool holds(const Level& other) const {

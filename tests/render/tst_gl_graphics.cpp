@@ -1,8 +1,7 @@
 // A World drawn through GlGraphics: the picture that LevelRenderer makes of the level, and the players in it.
-#include "slipface/render/gl_graphics.h"
-
 #include "drawing.h"
 #include "slipface/level/shown_mesh.h"
+#include "slipface/render/gl_graphics.h"
 #include "slipface/world/geometric_manager.h"
 
 namespace slipface {
