@@ -90,6 +90,7 @@ void print_audit(const AuditReport& report, double seconds, std::ostream& out) {
     for (std::size_t kind = 0; kind < finding_names.size(); ++kind)
         print_row(out, finding_names[kind], fmt::format("{}", report.counts[kind]));
     print_row(out, "hazards", fmt::format("{}", report.hazards));
+    print_row(out, "crushed", fmt::format("{}", report.crushed));
     if (!report.closed) print_row(out, "left", fmt::format("{}", report.left));
     print_row(out, "hash", hash_text(report.hash));
     if (report.findings.empty()) return;

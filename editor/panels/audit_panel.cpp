@@ -130,6 +130,7 @@ void audit_panel(Editor& editor, FrameContext& frame) {
     for (std::size_t i = 0; i < finding_names.size(); ++i)
         fact(sentence_case(finding_names[i]).c_str(), std::to_string(report.counts[i]));
     fact("Hazards", std::to_string(report.hazards));
+    if (report.crushed > 0) fact("Crushed", std::to_string(report.crushed));
     if (report.cancelled) ui::muted_text("Cancelled before the end");
     if (!job.fits(*editor.document))
         ui::muted_text("The level was changed since; run it again for its heat map");

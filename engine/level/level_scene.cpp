@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "slipface/level/shown_mesh.h"
@@ -57,12 +58,15 @@ struct LevelScene::Impl {
         Part part;
         CollisionWorld collision;  // at `pose`
         Pose pose;
+        std::vector<TriangleId> ids;                  // all of them
+        std::vector<std::array<Vec3f, 3>> corners{};  // room for a move, so that a tick allocates nothing
     };
 
     const Level* level = nullptr;
-    const CollisionWorld* fixed = nullptr;  // the borrowed one, or `own`
+    const CollisionWorld* fixed = nullptr;  // somebody else's, or null: `own`
     CollisionWorld own;
     std::vector<TriangleId> own_triangles;
+    std::span<const TriangleId> triangles;  // [triangle of what stands still] its number in the mesh
     std::vector<Moving> moving;
     std::vector<MovingPart> parts;
     std::vector<std::uint32_t> face_platforms;
@@ -74,6 +78,7 @@ struct LevelScene::Impl {
 
     void place(const MovementSettings& settings);
     Status build(const CollisionWorld* whole);
+    Status add_moving(std::size_t platform, Part part);
     void paint(CollisionWorld& world, const Part& part) const;
     bool move(Moving& moved, const Pose& pose) const;
 };
@@ -122,17 +127,28 @@ Status LevelScene::Impl::build(const CollisionWorld* whole) {
     own = std::move(*built);
     paint(own, still);
     if (something_moves) own_triangles = std::move(still.triangles);
+    triangles = own_triangles;
 
     for (std::size_t i = 0; something_moves && i < platforms.size(); ++i) {
         Part part = part_of(mesh, [&](FaceId face) { return face_platforms[face] == i; });
-        const Pose start{.offset = offset};
-        Result<CollisionWorld> collision = collision_at(part, start);
-        if (!collision) return Error{level->mesh_path.string(), collision.error().text()};
-        paint(*collision, part);
-        moving.push_back(
-            {.index = i, .part = std::move(part), .collision = std::move(*collision), .pose = start});
+        if (const Status status = add_moving(i, std::move(part)); !status) return status;
     }
     parts.resize(moving.size());
+    return {};
+}
+
+Status LevelScene::Impl::add_moving(std::size_t platform, Part part) {
+    const Pose start{.offset = offset};
+    Result<CollisionWorld> collision = collision_at(part, start);
+    if (!collision) return Error{level->mesh_path.string(), collision.error().text()};
+    paint(*collision, part);
+    std::vector<TriangleId> ids(part.corners.size());
+    std::iota(ids.begin(), ids.end(), TriangleId{0});
+    moving.push_back({.index = platform,
+                      .part = std::move(part),
+                      .collision = std::move(*collision),
+                      .pose = start,
+                      .ids = std::move(ids)});
     return {};
 }
 
@@ -146,16 +162,14 @@ void LevelScene::Impl::paint(CollisionWorld& world, const Part& part) const {
 bool LevelScene::Impl::move(Moving& moved, const Pose& pose) const {
     if (moved.pose == pose) return true;
     const Part& part = moved.part;
-    std::vector<std::array<Vec3f, 3>> corners;
-    std::vector<TriangleId> ids;
-    for (std::size_t t = 0; t < part.corners.size(); ++t) {
+    moved.corners.clear();
+    for (const auto& triangle : part.corners) {
         const auto put = [&](std::size_t k) {
-            return Vec3f(pose.apply(part.rest[part.corners[t][k]].cast<double>()).cast<float>());
+            return Vec3f(pose.apply(part.rest[triangle[k]].cast<double>()).cast<float>());
         };
-        corners.push_back({put(0), put(1), put(2)});
-        ids.push_back(static_cast<TriangleId>(t));
+        moved.corners.push_back({put(0), put(1), put(2)});
     }
-    if (!moved.collision.move_triangles(ids, corners).ok()) return false;
+    if (!moved.collision.move_triangles(moved.ids, moved.corners).ok()) return false;
     moved.pose = pose;
     return true;
 }
@@ -179,6 +193,23 @@ Result<LevelScene> LevelScene::borrow(const Level& level, const CollisionWorld& 
     impl->level = &level;
     impl->place(settings);
     if (const Status status = impl->build(&whole); !status) return status.error();
+    return LevelScene(std::move(impl));
+}
+
+LevelScene LevelScene::for_another_thread() const {
+    const Impl& from = *impl_;
+    auto impl = std::make_unique<Impl>();
+    impl->level = from.level;
+    impl->fixed = from.fixed != nullptr ? from.fixed : &from.own;
+    impl->triangles = from.triangles;
+    impl->face_platforms = from.face_platforms;
+    impl->surfaces = from.surfaces;
+    impl->heightfield = from.heightfield;
+    impl->sectors = from.sectors;
+    impl->offset = from.offset;
+    for (const Impl::Moving& moved : from.moving)
+        (void)impl->add_moving(moved.index, moved.part);  // what was built once is built again
+    impl->parts.resize(impl->moving.size());
     return LevelScene(std::move(impl));
 }
 
@@ -206,7 +237,7 @@ MovementScene LevelScene::at(double time_s, double dt) {
             .platforms = impl.parts,
             .heightfield = impl.heightfield,
             .sectors = impl.sectors,
-            .triangles = impl.own_triangles};
+            .triangles = impl.triangles};
 }
 
 void LevelScene::apply_surfaces() {

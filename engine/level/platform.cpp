@@ -76,6 +76,24 @@ double path_period(const Platform& platform) {
     return period;
 }
 
+Aabb platform_reach(const Platform& platform, const Aabb& rest) {
+    if (rest.empty()) return rest;
+    Aabb still = rest;
+    if (platform.spin_rate != 0.0) {  // a ball about the pivot holds it, however it has turned
+        const Vec3 far =
+            (rest.min - platform.spin_pivot).cwiseAbs().cwiseMax((rest.max - platform.spin_pivot).cwiseAbs());
+        const Vec3 radius = Vec3::Constant(far.norm());
+        still = {platform.spin_pivot - radius, platform.spin_pivot + radius};
+    }
+    if (platform.path.empty()) return still;
+    Aabb reach;
+    for (const PathPoint& point : platform.path) {
+        reach.add(still.min + point.offset);
+        reach.add(still.max + point.offset);
+    }
+    return reach;
+}
+
 Pose platform_pose(const Platform& platform, double time_s) {
     const double time = std::max(time_s, 0.0) + std::max(platform.phase_s, 0.0);
     return turned_about(platform.spin_pivot, platform.spin_axis, platform.spin_rate * time,

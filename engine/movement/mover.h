@@ -51,6 +51,7 @@ struct Mover : Motion {
 
     int sweeps = 0;
     int contacts = 0;
+    bool end_is_free = false;  // by the last check
 };
 
 // One contact, ready to be responded to.
@@ -158,7 +159,7 @@ void hold(Mover& mover, const PlayerState& state);
 void climb(Mover& mover, const PlayerState& state);
 void walk(Mover& mover, const PlayerState& state, bool jump_pressed);
 bool clamp_to_terrain(Mover& mover, const Vec3& from);  // false if there is no room above the terrain
-bool ends_inside(const Mover& mover, const Vec3& from);
+bool ends_inside(Mover& mover, const Vec3& from);
 
 // Parts of a walk.
 void accelerate(Mover& mover, bool slippery);

@@ -7,9 +7,11 @@
 
 namespace slipface {
 
-bool ends_inside(const Mover& mover, const Vec3& from) {
+bool ends_inside(Mover& mover, const Vec3& from) {
+    if (mover.position == from) return false;
+    mover.end_is_free = !overlaps_scene(mover, mover.position);
     // A player who began inside may be on the way out.
-    return mover.position != from && overlaps_scene(mover, mover.position) && !overlaps_scene(mover, from);
+    return !mover.end_is_free && !overlaps_scene(mover, from);
 }
 
 }  // namespace slipface

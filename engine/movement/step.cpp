@@ -132,6 +132,7 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
         result.state = part_of_step(mover, result.state, input, i == 0);
         result.sweeps += mover.sweeps;
         result.contacts += mover.contacts;
+        result.end_is_free = mover.end_is_free;
         hazard = hazard || result.state.hazard;
     }
     result.state.hazard = hazard;

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace slipface {
 namespace {
@@ -18,68 +20,121 @@ FaceId face_between(const CollisionWorld& world, const Vec3& from, const Vec3& t
     return hit && blocks(world, hit->face) ? hit->face : no_id;
 }
 
-bool polyline_is_free(const CollisionWorld& world, std::initializer_list<Vec3> points) {
-    const Vec3* previous = nullptr;
-    for (const Vec3& point : points) {
-        if (previous && face_between(world, *previous, point) != no_id) return false;
-        previous = &point;
+// The corners of the way that a step took after `before`, as its sweeps tell it; the last is `after`.
+std::vector<Vec3> traced_way(const MovementScene& scene, const MovementSettings& settings,
+                             const PlayerState& before, const PlayerInput& input, double dt,
+                             const Vec3& after) {
+    TraceRecorder trace;
+    step(scene, settings, before, input, dt, &trace);
+    std::vector<Vec3> way;
+    for (const TraceRecord& record : trace.records) {
+        if (const auto* sweep = std::get_if<SweepRecord>(&record)) {
+            way.push_back(sweep->from);
+            way.push_back(sweep->reached);
+        }
+    }
+    way.push_back(after);
+    return way;
+}
+
+bool way_is_clear(const CollisionWorld& world, Vec3 at, std::span<const Vec3> way) {
+    for (const Vec3& point : way) {
+        if (face_between(world, at, point) != no_id) return false;
+        at = point;
     }
     return true;
 }
 
-bool traced_way_is_free(const CollisionWorld& world, const std::vector<TraceRecord>& records,
-                        const Vec3& before, const Vec3& after) {
-    Vec3 at = before;
-    for (const TraceRecord& record : records) {
-        const auto* sweep = std::get_if<SweepRecord>(&record);
-        if (!sweep) continue;
-        if (face_between(world, at, sweep->from) != no_id) return false;
-        if (face_between(world, sweep->from, sweep->reached) != no_id) return false;
-        at = sweep->reached;
+// A platform is looked at only near the boxes of where it ever was. The margin outdoes all rounding.
+bool is_near(const MovingPart& part, const Vec3& a, const Vec3& b, const Vec3& radii) {
+    const Aabb reach = part.collision->bounds();
+    const Vec3 margin = radii.array() + 0.01;
+    return ((a.cwiseMax(b) + margin).array() >= reach.min.array()).all() &&
+           ((a.cwiseMin(b) - margin).array() <= reach.max.array()).all();
+}
+
+// The straight way of the centre through a part of the scene: what stands still, or a platform in its frame.
+struct Passage {
+    const CollisionWorld& world;
+    Vec3 from;
+    FaceId face;  // met on the straight way
+    bool moves;
+};
+
+bool is_excused(const Passage& passage, const MovementSettings& settings, std::span<const Vec3> way) {
+    const auto& [world, from, face, moves] = passage;
+    if (way_is_clear(world, from, way)) return true;
+    // Pushes come first in a trace and do not see the platform that pushes: in its frame all of them are one
+    // way, from where it set out to where they end, which is some corner of the way.
+    for (std::size_t pushed = 1; moves && pushed < way.size(); ++pushed) {
+        if (way_is_clear(world, from, way.subspan(pushed))) return true;
     }
-    return face_between(world, at, after) == no_id;
+    const Vec3& after = way.back();
+    const Vec3 lift = Vec3::UnitY() * settings.radii.y();
+    const Vec3 over_start(from.x(), after.y(), from.z());
+    const Vec3 over_end(after.x(), from.y(), after.z());
+    return way_is_clear(world, from, std::array{over_start, after}) ||
+           way_is_clear(world, from, std::array{over_end, after}) ||
+           way_is_clear(world, from, std::array<Vec3, 3>{from + lift, after + lift, after});
 }
 
 }  // namespace
 
 std::optional<CheckFailure> passed_through(const MovementScene& scene, const MovementSettings& settings,
                                            const PlayerState& before, const PlayerInput& input, double dt,
-                                           const Vec3& after) {
-    const CollisionWorld& world = scene.collision;
-    const FaceId face = face_between(world, before.position, after);
-    if (face == no_id) return std::nullopt;
-
-    TraceRecorder trace;
-    step(scene, settings, before, input, dt, &trace);
-    if (traced_way_is_free(world, trace.records, before.position, after)) return std::nullopt;
-
-    const Vec3 lift = Vec3::UnitY() * settings.radii.y();
-    const Vec3 over_start(before.position.x(), after.y(), before.position.z());
-    const Vec3 over_end(after.x(), before.position.y(), after.z());
-    if (polyline_is_free(world, {before.position, over_start, after}) ||
-        polyline_is_free(world, {before.position, over_end, after}) ||
-        polyline_is_free(world, {before.position, before.position + lift, after + lift, after})) {
-        return std::nullopt;
+                                           const Vec3& after, Against against) {
+    const Vec3 from = position_in_scene(scene, before);
+    std::vector<Vec3> way;
+    const auto judge = [&](const Passage& passage) -> std::optional<CheckFailure> {
+        if (passage.face == no_id) return std::nullopt;
+        if (way.empty()) way = traced_way(scene, settings, before, input, dt, after);
+        if (is_excused(passage, settings, way)) return std::nullopt;
+        return CheckFailure{(after - passage.from).norm(), passage.face};
+    };
+    if (const auto failure =
+            judge({scene.collision, from, face_between(scene.collision, from, after), false}))
+        return failure;
+    if (against == Against::what_stands_still) return std::nullopt;
+    for (const MovingPart& part : scene.platforms) {
+        const Vec3 carried = part.begin == part.end ? from : part.end.apply(part.begin.undo(from));
+        if (!is_near(part, carried, after, Vec3::Zero())) continue;
+        if (const auto failure =
+                judge({*part.collision, carried, face_between(*part.collision, carried, after), true}))
+            return failure;
     }
-    return CheckFailure{(after - before.position).norm(), face};
+    return std::nullopt;
 }
 
 std::optional<CheckFailure> overlaps_deeply(const MovementScene& scene, const MovementSettings& settings,
-                                            const Vec3& position) {
+                                            const Vec3& position, Against against) {
     const Vec3 radii = (settings.radii.array() - settings.skin).max(0.5 * settings.radii.array());
-    if (!overlaps_any(scene.collision, radii, position)) return std::nullopt;
-    std::array<Overlap, 64> overlaps;
-    const std::size_t count =
-        std::min(overlaps.size(), find_overlaps(scene.collision, radii, position, overlaps));
     std::optional<CheckFailure> deepest;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Overlap& overlap = overlaps[i];
-        if (!blocks(scene.collision, overlap.face)) continue;
-        if (!deepest || overlap.depth_sphere_space > deepest->amount) {
-            deepest = CheckFailure{overlap.depth_sphere_space, overlap.face};
+    const auto look_in = [&](const CollisionWorld& world) {
+        if (!overlaps_any(world, radii, position)) return;
+        std::array<Overlap, 64> overlaps;
+        const std::size_t count = std::min(overlaps.size(), find_overlaps(world, radii, position, overlaps));
+        for (const Overlap& overlap : std::span(overlaps).first(count)) {
+            if (!blocks(world, overlap.face)) continue;
+            if (!deepest || overlap.depth_sphere_space > deepest->amount)
+                deepest = CheckFailure{overlap.depth_sphere_space, overlap.face};
         }
+    };
+    look_in(scene.collision);
+    if (against == Against::what_stands_still) return deepest;
+    for (const MovingPart& part : scene.platforms) {
+        if (is_near(part, position, position, radii)) look_in(*part.collision);
     }
     return deepest;
+}
+
+std::optional<Contact> first_touch(const MovementScene& scene, const Vec3& radii, const Vec3& from,
+                                   const Vec3& move) {
+    std::optional<Contact> first = sweep_ellipsoid(scene.collision, radii, from, move);
+    for (const MovingPart& part : scene.platforms) {
+        const std::optional<Contact> contact = sweep_ellipsoid(*part.collision, radii, from, move);
+        if (contact && (!first || contact->t < first->t)) first = contact;
+    }
+    return first;
 }
 
 bool way_is_free(const MovementScene& scene, const MovementSettings& settings, const Vec3& position,
@@ -91,7 +146,7 @@ bool way_is_free(const MovementScene& scene, const MovementSettings& settings, c
     for (const double rise : {0.0, 0.5 * steepest, steepest}) {
         const Vec3 direction(heading.x() / length, rise, heading.y() / length);
         const Vec3 move = direction * (reach / direction.norm());
-        if (!sweep_ellipsoid(scene.collision, settings.radii, position, move)) return true;
+        if (!first_touch(scene, settings.radii, position, move)) return true;
     }
     return false;
 }

@@ -12,21 +12,29 @@ struct CheckFailure {
     FaceId face = no_id;
 };
 
-// The centre went through a solid, two-sided triangle on its way from `before` to `after`. A straight line
-// between the two that meets one is not proof yet, because a step bends at contacts and lifts over edges:
-// then the step is made again with its trace, and it passed through only if neither the traced way nor a way
-// over the top is free. Metres done.
+// What a check looks at.
+enum class Against : std::uint8_t { everything, what_stands_still };
+
+// The centre went through a solid, two-sided triangle on its way from `before` to `after` (scene
+// coordinates), of what stands still or of a platform. A platform is asked in its own frame: there the centre
+// sets out from where a rider would have been carried to. A straight line that meets a triangle is not proof
+// yet, because a step bends at contacts and lifts over edges: then the step is made again with its trace, and
+// it passed through only if neither the traced way nor a way over the top is free. Metres done.
 std::optional<CheckFailure> passed_through(const MovementScene& scene, const MovementSettings& settings,
                                            const PlayerState& before, const PlayerInput& input, double dt,
-                                           const Vec3& after);
+                                           const Vec3& after, Against against = Against::everything);
 
 // The ellipsoid, smaller by the skin, overlaps a solid, two-sided triangle. Depth in shares of the radii.
 std::optional<CheckFailure> overlaps_deeply(const MovementScene& scene, const MovementSettings& settings,
-                                            const Vec3& position);
+                                            const Vec3& position, Against against = Against::everything);
 
 // Somewhere between straight on and `max_slope` upwards the ellipsoid could move 5 cm along `heading` (x, z).
 bool way_is_free(const MovementScene& scene, const MovementSettings& settings, const Vec3& position,
                  const Vec2& heading);
+
+// The first that the ellipsoid touches on its way, standing still or a platform.
+std::optional<Contact> first_touch(const MovementScene& scene, const Vec3& radii, const Vec3& from,
+                                   const Vec3& move);
 
 // No ray from `from` leaves the level: checked in 1026 directions.
 bool level_is_closed(const CollisionWorld& world, const Vec3& from);

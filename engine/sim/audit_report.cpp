@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int version = 1;
+constexpr int version = 2;
 
 std::string hex(std::uint64_t value) {
     return fmt::format("{:016x}", value);
@@ -27,6 +27,7 @@ Json finding_json(const AuditFinding& finding) {
     json["position"] = {finding.position.x(), finding.position.y(), finding.position.z()};
     json["amount"] = finding.amount;
     if (finding.face != no_id) json["face"] = finding.face;
+    json["hash"] = hex(finding.hash);
     return json;
 }
 
@@ -129,6 +130,7 @@ Result<AuditFinding> read_finding(const nlohmann::json& json, const std::string&
         reader.fail("position", "three numbers");
     finding.amount = reader.real("amount");
     if (reader.member("face")) finding.face = reader.number<std::uint32_t>("face");
+    finding.hash = reader.hexadecimal("hash");
     if (reader.error()) return *reader.error();
     return finding;
 }
@@ -181,6 +183,7 @@ std::string audit_to_json(const AuditReport& report) {
     json["steps"] = report.steps;
     json["lives"] = report.lives;
     json["hazards"] = report.hazards;
+    json["crushed"] = report.crushed;
     json["left"] = report.left;
     for (std::size_t kind = 0; kind < finding_names.size(); ++kind)
         json[std::string("count_") + finding_names[kind]] = report.counts[kind];
@@ -220,6 +223,7 @@ Result<AuditReport> audit_from_json(std::string_view text, const std::string& pl
     report.steps = reader.number<std::uint64_t>("steps");
     report.lives = reader.number<std::uint64_t>("lives");
     report.hazards = reader.number<std::uint64_t>("hazards");
+    report.crushed = reader.number<std::uint64_t>("crushed");
     report.left = reader.number<std::uint64_t>("left");
     for (std::size_t kind = 0; kind < finding_names.size(); ++kind)
         report.counts[kind] =
@@ -261,6 +265,7 @@ Result<AuditReport> merge_audits(const std::vector<AuditReport>& parts) {
         whole.steps += part.steps;
         whole.lives += part.lives;
         whole.hazards += part.hazards;
+        whole.crushed += part.crushed;
         whole.left += part.left;
         whole.hash += part.hash;
         for (std::size_t kind = 0; kind < whole.counts.size(); ++kind)

@@ -26,7 +26,8 @@ TickResult play_tick(const MovementScene& scene, const MovementSettings& setting
     TickResult result{.state = step_result.state,
                       .stepped = step_result.state,
                       .respawn = Respawn::none,
-                      .contacts = step_result.contacts};
+                      .contacts = step_result.contacts,
+                      .end_is_free = step_result.end_is_free};
     const Aabb bounds = scene.collision.bounds();
     const double lowest = std::min(bounds.min.y(), position_in_scene(scene, spawn).y()) - fall_limit_m;
     if (result.state.hazard) {

@@ -1,7 +1,9 @@
 // Audits of small levels: a closed box that holds, a box with a hole, a box with a wall that lies.
 #include <gmock/gmock.h>
 
+#include "slipface/base/hash.h"
 #include "slipface/base/parallel.h"
+#include "slipface/level/level_scene.h"
 #include "slipface/mesh/build.h"
 #include "slipface/sim/audit.h"
 #include "slipface/sim/simulate.h"
@@ -168,6 +170,190 @@ TEST(Audit, CancelEndsEarlyAndSaysSo) {
     EXPECT_TRUE(report.cancelled);
     EXPECT_FALSE(report.clean());
     EXPECT_LT(report.steps, 7u * 240u);
+}
+
+// A closed room of 12 x 6 x 12 m with two boxes that move: a lift under the spawn point, which rises 1 m at 1
+// m/s and rests there for 10 s, and a board as wide as the room's middle that goes from x = -4 to x = 4 at 2
+// m/s, turning if asked to.
+Level moving_level(double spin_rate = 0.0) {
+    PolygonSoup soup;
+    soup.groups = {"room", "lift", "board"};
+    soup.face_first_corner = {0};
+    const auto add_box = [&](std::uint32_t group, const Vec3f& low, const Vec3f& high, bool inside) {
+        const int faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                 {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+        for (const auto& face : faces) {
+            for (int k = 0; k < 4; ++k) {
+                const int corner = face[inside ? k : 3 - k];
+                const bool right = corner % 4 == 1 || corner % 4 == 2;
+                const bool far = corner % 4 >= 2;
+                soup.corner_position.push_back(
+                    {right ? high.x() : low.x(), corner >= 4 ? high.y() : low.y(), far ? high.z() : low.z()});
+            }
+            soup.face_first_corner.push_back(static_cast<std::uint32_t>(soup.corner_position.size()));
+            soup.face_group.push_back(group);
+        }
+    };
+    add_box(0, {-6, 0, -6}, {6, 6, 6}, true);
+    add_box(1, {-1.5, -0.5, 3}, {1.5, 0.1F, 6}, false);
+    add_box(2, {-4.1F, 0.2F, -3}, {-3.9F, 2.5F, 1}, false);
+    Level level;
+    level.mesh_path = "moving.obj";
+    level.mesh = build_mesh(soup).value();
+    level.overrides.resize(level.mesh->face_count());
+    Platform lift;
+    lift.name = lift.group = "lift";
+    lift.path = {{.offset = {0, 0, 0}, .speed = 1.0}, {.offset = {0, 1, 0}, .speed = 1.0, .pause_s = 10.0}};
+    Platform board;
+    board.name = board.group = "board";
+    board.path = {{.offset = {0, 0, 0}, .speed = 2.0}, {.offset = {8, 0, 0}, .speed = 2.0}};
+    board.spin_pivot = {-4, 0, -1};
+    board.spin_rate = spin_rate;
+    level.platforms = {lift, board};
+    level.spawn = {0.0, 1.01, 4.5};
+    return level;
+}
+
+SimulationReport replay(const Level& level, const Tape& tape) {
+    MovementSettings settings = level.movement;
+    EXPECT_TRUE(apply_tape_settings(settings, tape, "tape").ok());
+    LevelScene scene = LevelScene::build(level, settings).value();
+    return simulate(TickScene(scene), settings, *tape.start, tape);
+}
+
+TEST(Audit, WalkersWalkAmongMovingPlatformsAsTapesDo) {
+    for (const double spin_rate : {0.0, 1.5}) {
+        const Level level = moving_level(spin_rate);
+        AuditOptions options = short_audit();
+        for (std::uint32_t number = 0; number < options.walkers; ++number) {
+            options.shard = {number, options.walkers};  // this one alone
+            const AuditReport report = run_audit(level, options).value();
+            ASSERT_EQ(report.lives, 1u);
+            const Tape whole = audit_tape(level, options, {.walker = number, .tick = report.steps});
+            Hasher hasher;
+            hasher.u64(0);
+            hasher.u64(replay(level, whole).end_hash);
+            EXPECT_EQ(report.hash, hasher.value()) << "walker " << number;
+        }
+        Level still = level;
+        still.platforms.clear();
+        options.shard = {};
+        EXPECT_NE(run_audit(level, options).value().hash, run_audit(still, options).value().hash);
+    }
+}
+
+TEST(Audit, ThreadsAndShardsDoNotMatterAmongMovingPlatforms) {
+    const Level level = moving_level(1.5);
+    AuditOptions options = short_audit();
+    options.walkers = 40;  // several side by side in a block
+    options.heat = true;
+    const std::string whole = audit_to_json(run_audit(level, options).value());
+    {
+        const ThreadLimit one(1);
+        EXPECT_EQ(audit_to_json(run_audit(level, options).value()), whole);
+    }
+    std::vector<AuditReport> parts;
+    for (const std::uint32_t index : {1u, 0u, 2u}) {
+        options.shard = {index, 3};
+        parts.push_back(audit_from_json(audit_to_json(run_audit(level, options).value()), "part").value());
+    }
+    EXPECT_EQ(audit_to_json(merge_audits(parts).value()), whole);
+}
+
+// Carried up for a second, and then asked to walk too slowly to be seen moving while the lift rests.
+TEST(Audit, AFindingOnALiftIsRepeatedByItsTape) {
+    const Level level = moving_level();
+    AuditOptions options = short_audit();
+    options.speeds = {1e-4};
+    Level slow = level;
+    slow.movement.jump_speed = 0.0;
+    const AuditReport report = run_audit(slow, options).value();
+    ASSERT_EQ(report.findings.size(), 7u);
+    for (const AuditFinding& finding : report.findings) {
+        EXPECT_EQ(finding.kind, FindingKind::stuck);
+        EXPECT_GE(finding.tick, 60u + 120u);
+        EXPECT_NEAR(finding.position.y(), 2.0, 0.01);
+        const Tape tape = audit_tape(slow, options, finding);
+        const SimulationReport repeated = replay(slow, parse_tape(tape_to_text(tape), "tape").value());
+        EXPECT_EQ(repeated.final_state.position, finding.position);
+        EXPECT_EQ(repeated.end_hash, finding.hash);
+        EXPECT_EQ(tape.end_hash, finding.hash);
+    }
+}
+
+TEST(Audit, ABoardThatDoesNotPushPassesThroughWalkersAndIsFound) {
+    Level level = moving_level();
+    AuditOptions options = short_audit();
+    options.duration_s = 20.0;
+    options.speeds = {6.0};
+    EXPECT_TRUE(run_audit(level, options).value().clean());
+    level.movement.platforms = false;
+    const AuditReport report = run_audit(level, options).value();
+    EXPECT_GT(report.counts[static_cast<std::size_t>(FindingKind::escape)], 0u);
+    EXPECT_GT(report.counts[static_cast<std::size_t>(FindingKind::overlap)], 0u);
+    for (const AuditFinding& finding : report.findings)
+        EXPECT_EQ(replay(level, audit_tape(level, options, finding)).end_hash, finding.hash);
+}
+
+// A platform that leaves the rest of the level behind takes its riders along without their leaving the level.
+// A lift that goes up to 0.4 m below the ceiling leaves nobody room: the level's doing, not the movement's.
+TEST(Audit, WalkersCrushedByALiftAreCountedAndAreNoFinding) {
+    Level level = moving_level();
+    EXPECT_EQ(run_audit(level, short_audit()).value().crushed, 0u);
+    level.platforms[0].path[0].speed = 4.0;
+    level.platforms[0].path[1] = {.offset = {0, 5.5, 0}, .speed = 4.0, .pause_s = 0.5};
+    const AuditReport report = run_audit(level, short_audit()).value();
+    EXPECT_GT(report.crushed, 0u);
+    EXPECT_TRUE(report.clean());
+    EXPECT_EQ(audit_from_json(audit_to_json(report), "report").value().crushed, report.crushed);
+}
+
+// The audit does not look again where the step itself found its end free.
+TEST(Audit, StepsThatCallTheirEndFreeAreRight) {
+    const Level level = moving_level(1.5);
+    LevelScene level_scene = LevelScene::build(level).value();
+    const TickScene scene(level_scene);
+    AuditOptions options = short_audit();
+    std::size_t free = 0, claimed_inside = 0;
+    for (const bool platforms : {true, false}) {
+        MovementSettings settings = level.movement;
+        settings.platforms = platforms;
+        settings.skin = 1e-3;
+        for (std::uint32_t walker = 0; walker < 20; ++walker) {
+            const Tape tape = audit_tape(level, options, {.walker = walker, .tick = 600});
+            PlayerState state = scene.player_at(level.spawn);
+            std::size_t tick = 0;
+            for (const TapeSegment& segment : tape.segments) {
+                for (int i = 0; i < segment.ticks; ++i, ++tick) {
+                    const MovementScene now = scene.at(tick, tape.dt);
+                    const StepResult result = step(now, settings, state, segment.input, tape.dt);
+                    state = result.state;
+                    if (!result.end_is_free) continue;
+                    ++free;
+                    bool inside = overlaps_any(now.collision, settings.radii, state.position);
+                    for (const MovingPart& part : now.platforms)
+                        inside = inside || overlaps_any(*part.collision, settings.radii, state.position);
+                    if (inside) ++claimed_inside;
+                }
+            }
+        }
+    }
+    EXPECT_GT(free, 10'000u);
+    EXPECT_EQ(claimed_inside, 0u);
+}
+
+TEST(Audit, APlatformsWholeWayBelongsToTheLevel) {
+    Level level = moving_level();
+    level.platforms[0].path.back().offset = {0, 60, 0};
+    level.platforms[0].path.front().speed = 10.0;
+    Aabb rest;
+    rest.add({-1.5, -0.5, 3.0});
+    rest.add({1.5, 0.1, 6.0});
+    const Aabb reach = platform_reach(level.platforms[0], rest);
+    EXPECT_EQ(reach.min, rest.min);
+    EXPECT_EQ(reach.max, Vec3(1.5, 60.1, 6.0));
+    level.platforms[0].spin_rate = 1.0;  // about the origin: a corner is at most |(1.5, 0.5, 6)| away
+    EXPECT_NEAR(platform_reach(level.platforms[0], rest).max.y(), 60.0 + std::sqrt(38.5), 1e-12);
 }
 
 TEST(Audit, RefusesWhatCannotBeRun) {

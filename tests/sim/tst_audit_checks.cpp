@@ -81,5 +81,51 @@ TEST(AuditChecks, AWallBlocksTheWayAndOpenFloorDoesNot) {
     EXPECT_FALSE(level_is_closed(wall.world, at_wall));
 }
 
+// The wall of Wall goes 2 m to the left, past a player at rest.
+struct MovingWall : Wall {
+    MovingWall() {
+        const std::vector<Vec3f> positions{Vec3f(-1, 0, -2), Vec3f(-1, 0, 2), Vec3f(-1, 3, 2),
+                                           Vec3f(-1, 3, -2)};
+        const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {0, 2, 3}};
+        const std::vector<FaceId> faces{7, 7};
+        moved = std::move(CollisionWorld::build({positions, triangles, faces}).value());
+        part = {.collision = &moved, .begin = {}, .end = {.offset = {-2, 0, 0}}};
+        floor = std::move(CollisionWorld::build(
+                              {std::vector<Vec3f>{Vec3f(-9, 0, -9), Vec3f(-9, 0, 9), Vec3f(9, 0, 9)},
+                               std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}}, std::vector<FaceId>{0}})
+                              .value());
+    }
+    MovementScene moving_scene() const {
+        return {.collision = floor, .surfaces = surfaces, .platforms = {&part, 1}};
+    }
+    CollisionWorld moved, floor;
+    MovingPart part;
+};
+
+TEST(AuditChecks, AWallThatMovedPastAPlayerPassedThroughHim) {
+    const MovingWall wall;
+    const auto check = [&](double from, double to, double z) {
+        return passed_through(wall.moving_scene(), wall.settings, Wall::standing_at(from, z), {}, 1.0 / 60,
+                              Vec3(to, 0.902, z));
+    };
+    const auto passed = check(0.0, 0.0, 0.0);
+    ASSERT_TRUE(passed);
+    EXPECT_EQ(passed->face, 7u);
+    EXPECT_DOUBLE_EQ(passed->amount, 2.0) << "in the wall's frame";
+    EXPECT_FALSE(check(0.0, -1.5, 0.0)) << "pushed along in front of it";
+    EXPECT_FALSE(check(0.0, 0.0, 2.5)) << "beside it";
+    EXPECT_FALSE(check(1.5, 1.5, 0.0)) << "behind it";
+}
+
+TEST(AuditChecks, PlatformsAreOverlappedAndBlockTheWay) {
+    const MovingWall wall;
+    const auto deep = overlaps_deeply(wall.moving_scene(), wall.settings, Vec3(-0.9, 1.5, 0.0));
+    ASSERT_TRUE(deep);
+    EXPECT_EQ(deep->face, 7u);
+    const Vec3 at_wall(-1.0 - wall.settings.radii.x() - wall.settings.skin, 0.902, 0.0);
+    EXPECT_FALSE(way_is_free(wall.moving_scene(), wall.settings, at_wall, {1.0, 0.0}));
+    EXPECT_TRUE(way_is_free(wall.moving_scene(), wall.settings, at_wall, {-1.0, 0.0}));
+}
+
 }  // namespace
 }  // namespace slipface::test

@@ -1,6 +1,7 @@
 // 64-bit FNV-1a, for fingerprints and for comparing runs bit by bit. Not for security.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -13,10 +14,17 @@ class Hasher {
     void bytes(const void* data, std::size_t size) {
         const auto* byte = static_cast<const unsigned char*>(data);
         for (std::size_t i = 0; i < size; ++i)
-            state_ = (state_ ^ byte[i]) * 0x100000001b3ULL;
+            state_ = (state_ ^ byte[i]) * prime;
     }
     void text(std::string_view text) { bytes(text.data(), text.size()); }
-    void u64(std::uint64_t value) { bytes(&value, sizeof value); }
+    // Its eight bytes, the lowest first. A byte of 0 only multiplies, so the high ones of small numbers are
+    // one product: states are hashed every tick and are full of small numbers.
+    void u64(std::uint64_t value) {
+        std::size_t left = 8;
+        for (; value != 0; value >>= 8, --left)
+            state_ = (state_ ^ (value & 0xff)) * prime;
+        state_ *= powers[left];
+    }
     // The bits of the value, with -0 counted as 0 so that equal numbers hash equally.
     void f64(double value) {
         const double canonical = value == 0.0 ? 0.0 : value;
@@ -27,6 +35,13 @@ class Hasher {
     std::uint64_t value() const { return state_; }
 
   private:
+    static constexpr std::uint64_t prime = 0x100000001b3ULL;
+    static constexpr std::array<std::uint64_t, 9> powers = [] {
+        std::array<std::uint64_t, 9> power{1};
+        for (std::size_t i = 1; i < power.size(); ++i)
+            power[i] = power[i - 1] * prime;
+        return power;
+    }();
     std::uint64_t state_ = 0xcbf29ce484222325ULL;
 };
 

@@ -23,6 +23,10 @@ class LevelScene {
     static Result<LevelScene> borrow(const Level& level, const CollisionWorld& whole,
                                      const MovementSettings& settings);
 
+    // The same scene for another thread: platforms of its own, and this one's of all that stands still. This
+    // one must outlive it and keep its surfaces.
+    LevelScene for_another_thread() const;
+
     LevelScene(LevelScene&&) noexcept;
     LevelScene& operator=(LevelScene&&) noexcept;
     ~LevelScene();

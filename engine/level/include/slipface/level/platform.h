@@ -37,6 +37,9 @@ struct Platform {
 // Times before 0 count as 0. Speeds that are not positive count as 1 mm/s, negative pauses as none.
 Pose platform_pose(const Platform& platform, double time_s);
 
+// A box that holds the platform at all times, if it lies in `rest` as modelled.
+Aabb platform_reach(const Platform& platform, const Aabb& rest);
+
 // Seconds after which the path begins anew; 0 for one that does not repeat or does not move.
 double path_period(const Platform& platform);
 

@@ -43,6 +43,9 @@ struct StepResult {
     PlayerState state;
     int sweeps = 0;  // collision queries made
     int contacts = 0;
+    // The step ended somewhere else than its platforms left the player, and its last check found nothing
+    // two-sided there that the ellipsoid overlaps. False says nothing.
+    bool end_is_free = false;
 };
 
 // The state after `dt` seconds (1e-4..0.25 s). The same arguments give the same bits. `trace` may be null,

@@ -1,4 +1,6 @@
 // A crowd of random walkers that tries to break a level: do they leave it, end inside it, or get stuck?
+// They walk through the level as tapes do: its platforms move, its sectors and terrain act, hazards send back
+// to the spawn point.
 //
 // Every walker is a pure function of (seed, its number): the report is the same for any number of threads,
 // and an audit cut into shards and merged is the same as one that ran whole, byte for byte.
@@ -45,12 +47,15 @@ inline constexpr std::array<const char*, 3> finding_names{"escape", "overlap", "
 struct AuditFinding {
     FindingKind kind = FindingKind::escape;
     std::uint32_t walker = 0;
-    std::uint32_t life = 0;  // a walker who left the level begins again at the spawn point, as its next life
-    std::uint64_t tick = 0;  // of the life; the state after this many ticks is the bad one
-    Vec3 position = Vec3::Zero();
+    // A walker who left the level begins again at the spawn point and at the level's time 0, as its next
+    // life.
+    std::uint32_t life = 0;
+    std::uint64_t tick = 0;        // of the life; the state after this many ticks is the bad one
+    Vec3 position = Vec3::Zero();  // in the level's coordinates
     double amount =
         0.0;  // escape: metres done in that tick; overlap: depth, share of the radii; stuck: metres moved
-    FaceId face = no_id;  // the one passed, overlapped or stood on
+    FaceId face = no_id;     // the one passed, overlapped or stood on
+    std::uint64_t hash = 0;  // of the life up to and with that tick, SimulationReport::end_hash of its tape
     friend bool operator==(const AuditFinding&, const AuditFinding&) = default;
 };
 
@@ -80,9 +85,10 @@ struct AuditReport {
     std::uint64_t steps = 0;
     std::uint64_t lives = 0;
     std::uint64_t hazards = 0;
+    std::uint64_t crushed = 0;              // times a platform left a walker no room (PlayerState::trapped)
     std::uint64_t left = 0;                 // walkers' lives that ended by leaving an open level
     std::array<std::uint64_t, 3> counts{};  // [FindingKind]; a life counts once a kind
-    std::uint64_t hash = 0;                 // sum over walkers of a hash of all their states
+    std::uint64_t hash = 0;                 // sum over walkers of a hash of the end hashes of their lives
     std::vector<AuditFinding> findings;     // by walker, life, tick; the first of each kind in each life
     std::vector<FaceHeat> heat;             // [face], or empty
     bool cancelled = false;
@@ -93,7 +99,7 @@ struct AuditReport {
 // Refuses a level without triangles, a spawn point inside geometry, and options out of range.
 Result<AuditReport> run_audit(const Level& level, const AuditOptions& options);
 
-// The run up to and with the tick of a finding: `simulate` repeats it bit by bit.
+// The run up to and with the tick of a finding: `simulate` repeats it bit by bit, and its `end` says so.
 Tape audit_tape(const Level& level, const AuditOptions& options, const AuditFinding& finding);
 
 // The report as JSON without anything that differs between runs of the same audit (no duration, no machine).

@@ -38,6 +38,7 @@ struct TickResult {
     PlayerState stepped;  // what step() returned
     Respawn respawn = Respawn::none;
     int contacts = 0;
+    bool end_is_free = false;  // as StepResult's, of `stepped`
 };
 TickResult play_tick(const MovementScene& scene, const MovementSettings& settings, const PlayerState& before,
                      const PlayerInput& input, double dt, const PlayerState& spawn,
