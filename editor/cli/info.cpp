@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <span>
 
 #include "cli/format.h"
 #include "cli/verbs.h"
+#include "slipface/doctor/doctor.h"
 #include "slipface/level/level_file.h"
 
 namespace slipface::cli {
@@ -21,6 +24,16 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+void add_missing_textures(LoadedLevel& loaded) {
+    constexpr std::size_t most = 100;
+    const std::vector<Problem> missing = missing_textures(loaded.level);
+    const std::string place = loaded.level.mesh_path.string();
+    for (const Problem& one : std::span(missing).first(std::min(missing.size(), most)))
+        loaded.warnings.push_back({place, one.text + ", which is not there"});
+    if (missing.size() > most)
+        loaded.warnings.push_back({place, fmt::format("{} more missing textures", missing.size() - most)});
+}
+
 Result<LevelInfo> gather(const std::filesystem::path& path) {
     LevelInfo info;
     const auto start = std::chrono::steady_clock::now();
@@ -28,6 +41,7 @@ Result<LevelInfo> gather(const std::filesystem::path& path) {
     if (!loaded) return loaded.error();
     info.load_s = seconds_since(start);
     info.loaded = std::move(*loaded);
+    add_missing_textures(info.loaded);
 
     const Level& level = info.loaded.level;
     const auto bvh_start = std::chrono::steady_clock::now();

@@ -8,7 +8,8 @@
 
 #include "checks.h"
 
-namespace slipface::doctor {
+namespace slipface {
+namespace doctor {
 namespace {
 
 constexpr double sharpest =
@@ -142,15 +143,24 @@ void find_orphans(const Patient& patient, Problems& out) {
 }
 
 void find_missing_textures(const Patient& patient, Problems& out) {
-    const Mesh& mesh = patient.mesh;
-    const std::filesystem::path folder = patient.level.mesh_path.parent_path();
+    for (Problem& problem : missing_textures(patient.level))
+        out.push_back(std::move(problem));
+}
+
+}  // namespace doctor
+
+std::vector<Problem> missing_textures(const Level& level) {
+    std::vector<Problem> out;
+    if (!level.mesh) return out;
+    const Mesh& mesh = *level.mesh;
+    const std::filesystem::path folder = level.mesh_path.parent_path();
     std::map<std::uint32_t, FaceId> first_face;
     for (FaceId face = 0; face < mesh.face_count(); ++face)
         first_face.try_emplace(mesh.face_material[face], face);
     for (std::size_t i = 0; i < mesh.materials.size(); ++i) {
         const Material& material = mesh.materials[i];
         if (material.texture.empty() || material.texture.find('\0') != std::string::npos ||
-            file_is_there(folder, material.texture))
+            doctor::file_is_there(folder, material.texture))
             continue;
         const auto face = first_face.find(static_cast<std::uint32_t>(i));
         const FaceId where = face == first_face.end() ? no_id : face->second;
@@ -158,6 +168,7 @@ void find_missing_textures(const Patient& patient, Problems& out) {
                        where == no_id ? Vec3(Vec3::Zero()) : face_centroid(mesh, where), i,
                        "Material " + material.name + " names " + material.texture});
     }
+    return out;
 }
 
-}  // namespace slipface::doctor
+}  // namespace slipface

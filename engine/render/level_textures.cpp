@@ -118,8 +118,8 @@ Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& fold
                      (path ? "; the picture of that name in the folder is used" : "; drawn as a checker"));
         if (!path && refused) return use_checker();
         if (!path) {
-            warn(place, "found no texture \"" + material.texture + "\" in " + folder.string() +
-                            "; drawn as a checker");
+            warn(place, "found no texture \"" + material.texture + "\" in " +
+                            (folder.empty() ? "." : folder.string()) + "; drawn as a checker");
             return use_checker();
         }
         Result<Image> image = load_image(*path, max_file_side);

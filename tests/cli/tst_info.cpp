@@ -48,6 +48,16 @@ TEST_F(Info, TextIsARowAFact) {
     EXPECT_TRUE(err.str().empty());
 }
 
+TEST_F(Info, ListsTexturesThatAreNotThere) {
+    write("floor.mtl", "newmtl stone\nmap_Kd here.png\nnewmtl moss\nmap_Kd gone.png\n");
+    write("here.png", "");
+    write("textured.obj",
+          "mtllib floor.mtl\nv 0 0 0\nv 0 0 1\nv 1 0 1\nusemtl stone\nf 1 2 3\nusemtl moss\nf 1 2 3\n");
+    ASSERT_EQ(run(level.parent_path() / "textured.obj", false), cli::exit_fine) << err.str();
+    EXPECT_THAT(out.str(), HasSubstr("textured.obj: Material moss names gone.png, which is not there\n"));
+    EXPECT_THAT(out.str(), testing::Not(HasSubstr("here.png")));
+}
+
 TEST_F(Info, ListsWarningsWithTheirPlace) {
     write("floor.slipface.json", R"({"slipface": 1, "studio": 1})");
     ASSERT_EQ(run(level, true), cli::exit_fine) << err.str();
