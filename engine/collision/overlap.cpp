@@ -24,7 +24,10 @@ void visit_near(const CollisionWorld::Impl& world, const EllipsoidQuery& query, 
 }
 
 bool refused(const CollisionWorld::Impl& world, const Vec3& radii, const Vec3& centre) {
-    return world.bvh.nodes.empty() || !radii.allFinite() || !(radii.minCoeff() > 0.0) || !centre.allFinite();
+    return world.bvh.nodes.empty() || !radii.allFinite() || !(radii.minCoeff() > 0.0) ||
+           !centre.allFinite() ||
+           passes_beside(world.bvh, v3(centre), V3{0.0, 0.0, 0.0}, v3(radii),
+                         larger(largest(v3(centre)), world.reach));
 }
 
 // The rule that sweeps follow: what is not solid, or one-sided and seen from behind, is not there.

@@ -46,6 +46,19 @@ inline V3 box_half_extents(const V3& radii, const V3& move, double reach) {
     return {widen(radii.x, move.x), widen(radii.y, move.y), widen(radii.z, move.z)};
 }
 
+// Whether an ellipsoid's whole way lies beside the box of all triangles: small worlds, like moving platforms,
+// are asked by everybody and met by few. `reach`: the largest coordinate of the query and the world.
+inline bool passes_beside(const Bvh& bvh, const V3& from, const V3& move, const V3& radii, double reach) {
+    const V3 half = box_half_extents(radii, move, reach);
+    const auto beside = [](double start, double step, double room, float low, float high) {
+        return larger(start, start + step) + room < double{low} ||
+               -larger(-start, -start - step) - room > double{high};
+    };
+    return beside(from.x, move.x, half.x, bvh.low[0], bvh.high[0]) ||
+           beside(from.y, move.y, half.y, bvh.low[1], bvh.high[1]) ||
+           beside(from.z, move.z, half.z, bvh.low[2], bvh.high[2]);
+}
+
 inline BoxPath box_path(const V3& from, const V3& move, const V3& half) {
     BoxPath path;
     const double f[3] = {from.x, from.y, from.z};

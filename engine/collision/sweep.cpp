@@ -56,9 +56,10 @@ std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& 
                                        const Vec3& move) {
     const CollisionWorld::Impl& impl = world.impl();
     if (refused(impl, v3(radii), v3(from), v3(move))) return std::nullopt;
+    const double reach = larger(larger(largest(v3(from)), largest(v3(move))), impl.reach);
+    if (passes_beside(impl.bvh, v3(from), v3(move), v3(radii), reach)) return std::nullopt;
     const EllipsoidQuery query(v3(from), v3(radii), v3(move));
     SweepPath path;
-    const double reach = larger(larger(largest(query.centre), largest(query.move)), impl.reach);
     const bool in_range = make_sweep_path(query, reach, path);
     Search search{impl, query, in_range};
     if (in_range) {
