@@ -310,10 +310,45 @@ TEST_F(LabTest, AnAuditRunsBesideTheEditorAndOpensWhatItFinds) {
         open_finding(editor, i);
         ASSERT_FALSE(editor.message) << editor.message->text;
         EXPECT_EQ(lab.ticks(), report.findings[i].tick);
+        EXPECT_EQ(lab.repeats(), true);
     }
     editor.document->paint(std::vector<FaceId>{0}, ice);
     EXPECT_FALSE(editor.audit->fits(*editor.document));
     EXPECT_TRUE(editor.audit->heat(*editor.document, HeatKind::visited).empty());
+}
+
+// Carried up 1 m by a lift, then asked to walk too slowly to be seen moving: the tape opens where the audit
+// was, a tick before.
+TEST_F(LabTest, AFindingOnAMovingPlatformOpensWhereTheAuditMetIt) {
+    write_text(folder / "lift.obj",
+               "g floor\nv -9 0 -9\nv -9 0 9\nv 9 0 9\nv 9 0 -9\nf 1 2 3 4\n"
+               "g lift\nv -2 0.1 -2\nv -2 0.1 2\nv 2 0.1 2\nv 2 0.1 -2\nf 5 6 7 8\n");
+    write_text(folder / "lift.slipface.json",
+               R"({"slipface": 1, "platforms": [{"name": "lift", "group": "lift", "repeat": "once",
+                   "path": [{"offset": [0, 0, 0], "speed": 1}, {"offset": [0, 1, 0], "speed": 1}]}]})");
+    open_level(editor, folder / "lift.obj");
+    ASSERT_FALSE(editor.message) << editor.message->text;
+    editor.document->set_spawn({Vec3(0, 1.01, 0), 0.0});
+    set("walk_speed=0.001");
+    set("jump_speed=0");
+    AuditSettings settings;
+    settings.walkers = 2;
+    settings.duration_s = 5;
+    editor.audit = AuditJob::start(*editor.document, settings);
+    while (editor.audit->running())
+        std::this_thread::yield();
+    ASSERT_NE(editor.audit->report(), nullptr) << editor.audit->problem();
+    const AuditReport& report = *editor.audit->report();
+    ASSERT_EQ(report.findings.size(), 2u);
+    for (std::size_t i = 0; i < report.findings.size(); ++i) {
+        const AuditFinding& finding = report.findings[i];
+        EXPECT_NEAR(finding.position.y(), 2.0, 0.01);
+        open_finding(editor, i);
+        ASSERT_FALSE(editor.message) << editor.message->text;
+        EXPECT_EQ(lab.cursor(), finding.tick - 2) << "the state before the bad one";
+        EXPECT_EQ(lab.repeats(), true);
+        EXPECT_EQ(lab.runs()[0].run.samples().back().position, finding.position);
+    }
 }
 
 TEST_F(LabTest, AnAuditIsCancelled) {
