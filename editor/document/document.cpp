@@ -103,7 +103,7 @@ void Document::change(ValueEdit<ValueOf> edit, std::string step_name) {
 
 void Document::select(std::vector<FaceId> faces, std::string step_name) {
     tidy(faces, mesh().face_count());
-    if (!hidden_.empty()) std::erase_if(faces, [this](FaceId face) { return is_hidden(face); });
+    if (!level_.hidden.empty()) std::erase_if(faces, [this](FaceId face) { return is_hidden(face); });
     if (faces == selection_) return;
     if (step_name.empty()) step_name = faces.empty() ? "Select nothing" : "Select faces";
     perform(std::move(step_name), SelectionEdit{selection_, std::move(faces)});
@@ -111,17 +111,18 @@ void Document::select(std::vector<FaceId> faces, std::string step_name) {
 
 void Document::hide(std::vector<FaceId> faces, std::string step_name) {
     tidy(faces, mesh().face_count());
-    if (faces == hidden_) return;
+    if (faces == level_.hidden) return;
     Transaction transaction(*this, std::move(step_name));
-    perform({}, HiddenEdit{hidden_, std::move(faces)});
+    perform({}, HiddenEdit{level_.hidden, std::move(faces)});
     select({selection_.begin(), selection_.end()});
     transaction.commit();
 }
 
 void Document::set_saved_selections(std::vector<SavedSelection> selections, std::string step_name) {
+    if (selections.size() > max_saved_selections) return;
     for (SavedSelection& saved : selections)
         tidy(saved.faces, mesh().face_count());
-    change(SavedSelectionsEdit{saved_selections_, std::move(selections)}, std::move(step_name));
+    change(SavedSelectionsEdit{level_.selections, std::move(selections)}, std::move(step_name));
 }
 
 void Document::set_movement(const MovementSettings& movement, std::string step_name) {
@@ -210,8 +211,11 @@ void Document::set_cameras(std::vector<CameraBookmark> cameras, std::string step
 void Document::restore(Level level, std::string step_name) {
     if (in_transaction() || level.mesh != level_.mesh) return;
     level.overrides.resize(mesh().face_count());
-    perform(std::move(step_name), LevelEdit{std::make_shared<const Level>(level_),
-                                            std::make_shared<const Level>(std::move(level))});
+    Transaction transaction(*this, std::move(step_name));
+    perform({}, LevelEdit{std::make_shared<const Level>(level_),
+                          std::make_shared<const Level>(std::move(level))});
+    select({selection_.begin(), selection_.end()});  // without what is hidden now
+    transaction.commit();
 }
 
 namespace {
@@ -245,10 +249,10 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
             self.selection_ = forward ? one.after : one.before;
         }
         void operator()(const HiddenEdit& one) const {
-            self.hidden_ = forward ? one.after : one.before;
+            self.level_.hidden = forward ? one.after : one.before;
             touched.hidden = true;
         }
-        void operator()(const SavedSelectionsEdit& one) const { self.saved_selections_ = side(one, forward); }
+        void operator()(const SavedSelectionsEdit& one) const { self.level_.selections = side(one, forward); }
         void operator()(const MovementEdit& one) const { self.level_.movement = side(one, forward); }
         void operator()(const SurfacesEdit& one) const {
             touched.types = touched.types || !same_names(one.before, one.after);
@@ -273,8 +277,8 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
             self.level_.overrides = geometry.overrides;
             self.level_.orphans = geometry.orphans;
             self.selection_ = geometry.selection;
-            self.hidden_ = geometry.hidden;
-            self.saved_selections_ = geometry.saved_selections;
+            self.level_.hidden = geometry.hidden;
+            self.level_.selections = geometry.saved_selections;
             self.warnings_ = geometry.warnings;
             self.match_ = geometry.match;
             touched.geometry = touched.types = true;
@@ -286,7 +290,7 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
             level.mesh_stamp = self.level_.mesh_stamp;
             level.import_transform = self.level_.import_transform;
             self.level_ = std::move(level);
-            touched.types = true;
+            touched.types = touched.hidden = true;
         }
     };
     std::visit(Apply{*this, forward, touched}, edit);

@@ -31,12 +31,6 @@ struct SelectionEdit {
 struct HiddenEdit {
     std::vector<FaceId> before, after;  // ascending
 };
-// A selection kept under a name.
-struct SavedSelection {
-    std::string name;
-    std::vector<FaceId> faces;  // ascending
-    friend bool operator==(const SavedSelection&, const SavedSelection&) = default;
-};
 template <class T>
 struct ValueEdit {
     T before, after;
@@ -88,7 +82,7 @@ struct HistoryStep {
     std::string name;         // "Paint ice", as menus show it
     std::vector<Edit> edits;  // at most one of each kind, so their order does not matter
 
-    bool changes_file() const;  // false: it only selects, hides or keeps selections
+    bool changes_file() const;  // false: it only selects
 };
 
 class Document {
@@ -108,9 +102,9 @@ class Document {
     MovementScene scene() const { return {collision_, level_.surfaces}; }
     const FaceFacts& facts() const { return facts_; }
     std::span<const FaceId> selection() const { return selection_; }  // ascending
-    std::span<const FaceId> hidden() const { return hidden_; }        // ascending; neither drawn nor picked
-    bool is_hidden(FaceId face) const { return !hidden_.empty() && hidden_flags_[face] != 0; }
-    std::span<const SavedSelection> saved_selections() const { return saved_selections_; }
+    std::span<const FaceId> hidden() const { return level_.hidden; }  // ascending; neither drawn nor picked
+    bool is_hidden(FaceId face) const { return !level_.hidden.empty() && hidden_flags_[face] != 0; }
+    std::span<const SavedSelection> saved_selections() const { return level_.selections; }
     SurfaceId unpainted(FaceId face) const {
         return unpainted_.surface[face];
     }  // what unsetting it would give
@@ -170,6 +164,7 @@ class Document {
     void paint(std::span<const FaceId> faces, std::optional<SurfaceId> surface);  // nothing: unset
     void select(std::vector<FaceId> faces, std::string step_name = {});  // the hidden ones are left out
     void hide(std::vector<FaceId> faces, std::string step_name);         // exactly these are hidden then
+    // More than max_saved_selections are ignored: the file could not be read again.
     void set_saved_selections(std::vector<SavedSelection> selections, std::string step_name);
     void set_movement(const MovementSettings& movement, std::string step_name);
     // Ids of kept types must not move. A table that is empty, too long, or too short for the painted faces is
@@ -245,9 +240,8 @@ class Document {
     Warnings warnings_;
     MatchSummary match_;
     FaceFacts facts_;
-    std::vector<FaceId> selection_, hidden_;
-    std::vector<std::uint8_t> hidden_flags_;  // [face]; of hidden_
-    std::vector<SavedSelection> saved_selections_;
+    std::vector<FaceId> selection_;
+    std::vector<std::uint8_t> hidden_flags_;  // [face]; of level_.hidden
     std::vector<HistoryStep> history_;
     std::size_t cursor_ = 0;
     std::optional<std::size_t> saved_cursor_ = 0;  // nothing: the saved state left the history

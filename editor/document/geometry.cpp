@@ -15,7 +15,7 @@ Status Document::rebuild_geometry() {
     neighbours_ = face_neighbours(mesh());
     facts_ = face_facts(mesh());
     hidden_flags_.assign(mesh().face_count(), 0);
-    for (const FaceId face : hidden_)
+    for (const FaceId face : level_.hidden)
         hidden_flags_[face] = 1;
     return {};
 }
@@ -36,24 +36,16 @@ Status Document::set_import_transform(const ImportTransform& transform, Progress
 Status Document::take_geometry(LoadedLevel loaded, std::string step_name) {
     if (in_transaction())
         return Error{level_.mesh_path.string(), "cannot be read again while a change is being made"};
-    Geometry before{level_.mesh,       level_.import_transform,
-                    level_.mesh_stamp, level_.overrides,
-                    level_.orphans,    selection_,
-                    hidden_,           saved_selections_,
-                    warnings_,         match_};
-    // What is selected, hidden or kept is for the moment: on another mesh it would have to be guessed.
+    Geometry before{level_.mesh, level_.import_transform, level_.mesh_stamp, level_.overrides, level_.orphans,
+                    selection_,  level_.hidden,           level_.selections, warnings_,        match_};
+    // What is selected is for the moment: on another mesh it would have to be guessed.
     const bool same_faces = loaded.level.mesh->face_first_corner == level_.mesh->face_first_corner &&
                             loaded.level.mesh_stamp == level_.mesh_stamp;
-    Geometry after{std::move(loaded.level.mesh),
-                   loaded.level.import_transform,
-                   loaded.level.mesh_stamp,
-                   std::move(loaded.level.overrides),
-                   std::move(loaded.level.orphans),
-                   same_faces ? selection_ : std::vector<FaceId>(),
-                   same_faces ? hidden_ : std::vector<FaceId>(),
-                   same_faces ? saved_selections_ : std::vector<SavedSelection>(),
-                   std::move(loaded.warnings),
-                   loaded.match};
+    Geometry after{std::move(loaded.level.mesh),    loaded.level.import_transform,
+                   loaded.level.mesh_stamp,         std::move(loaded.level.overrides),
+                   std::move(loaded.level.orphans), same_faces ? selection_ : std::vector<FaceId>(),
+                   std::move(loaded.level.hidden),  std::move(loaded.level.selections),
+                   std::move(loaded.warnings),      loaded.match};
     perform(std::move(step_name), GeometryEdit{std::move(before), std::move(after)});
     return {};
 }

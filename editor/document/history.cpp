@@ -48,10 +48,8 @@ void merge_into(Edit& earlier, Edit&& later) {
 }  // namespace
 
 bool HistoryStep::changes_file() const {
-    return std::any_of(edits.begin(), edits.end(), [](const Edit& edit) {
-        return !std::holds_alternative<SelectionEdit>(edit) && !std::holds_alternative<HiddenEdit>(edit) &&
-               !std::holds_alternative<SavedSelectionsEdit>(edit);
-    });
+    return std::any_of(edits.begin(), edits.end(),
+                       [](const Edit& edit) { return !std::holds_alternative<SelectionEdit>(edit); });
 }
 
 void Document::perform(std::string step_name, Edit edit) {

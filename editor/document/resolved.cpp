@@ -10,7 +10,7 @@ void Document::refresh(const Touched& touched) {
     ++revision_;
     if (touched.hidden) {
         std::fill(hidden_flags_.begin(), hidden_flags_.end(), std::uint8_t{0});
-        for (const FaceId face : hidden_)
+        for (const FaceId face : level_.hidden)
             hidden_flags_[face] = 1;
     }
     if (touched.types || touched.parameters || !touched.faces.empty()) ++face_revision_;

@@ -227,6 +227,10 @@ void save_selection(Editor& editor, std::string name) {
     if (name.empty()) name = free_selection_name(document);
     if (const auto found = find_selection(document, name)) return replace_selection(editor, *found);
     std::vector<SavedSelection> saved = saved_list(document);
+    if (saved.size() == max_saved_selections) {
+        editor.status = "Not saved: a level keeps " + std::to_string(max_saved_selections) + " selections";
+        return;
+    }
     saved.push_back({name, {document.selection().begin(), document.selection().end()}});
     document.set_saved_selections(std::move(saved), "Save selection " + name);
     editor.status = "Saved " + name + ", " + faces_text(document.selection().size());

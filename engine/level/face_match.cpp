@@ -34,13 +34,26 @@ bool same_plane_direction(const Vec3& a, const Vec3& b) {
     return a.dot(b) > 0.999;
 }
 
+// What is built of a mesh once, however many sets of faces are looked for in it, and how many faces were
+// looked at in all of them.
+struct Lookup {
+    Lookup(const Mesh& mesh, SurfaceTable surfaces) : index(mesh, surfaces) {}
+
+    FaceIndex index;
+    std::optional<CollisionWorld> tree;  // where a face is not where it was
+    FaceNeighbours neighbours;           // where match_union() needs them
+    std::size_t visits = 0;
+};
+
 class Matcher {
   public:
-    Matcher(const Mesh& mesh, SurfaceTable surfaces, const std::vector<StoredOverride>& stored)
+    Matcher(const Mesh& mesh, SurfaceTable surfaces, const std::vector<StoredOverride>& stored,
+            Lookup& lookup)
         : mesh_(mesh),
           surfaces_(surfaces),
           stored_(stored),
-          index_(mesh, surfaces),
+          lookup_(lookup),
+          index_(lookup.index),
           claims_(mesh.face_count()),
           found_(stored.size(), Stage::none),
           types_(stored.size()),
@@ -74,7 +87,7 @@ class Matcher {
 
     template <class Match>
     void run_stage(Stage stage, Match match) {
-        for (std::size_t i = 0; i < stored_.size() && visits_ < max_visits; ++i) {
+        for (std::size_t i = 0; i < stored_.size() && lookup_.visits < max_visits; ++i) {
             if (found_[i] == Stage::none && types_[i] && match(i)) found_[i] = stage;
         }
     }
@@ -87,9 +100,10 @@ class Matcher {
     }
 
     bool build_tree() {
+        if (lookup_.tree) return true;
         Result<CollisionWorld> built = build_mesh_collision(mesh_);
         if (!built) return false;
-        tree_ = std::move(built).value();
+        lookup_.tree = std::move(built).value();
         return true;
     }
 
@@ -103,7 +117,7 @@ class Matcher {
     bool match_hash(std::size_t i) {
         const FaceKey& key = stored_[i].key;
         std::vector<FaceId> faces = index_.with_hash(key.loop_hash);
-        visits_ += faces.size() + 1;
+        lookup_.visits += faces.size() + 1;
         const double tolerance = position_tolerance(key.centroid);
         std::erase_if(faces, [&](FaceId face) {
             return (index_.key(face).centroid - key.centroid).norm() > tolerance;
@@ -121,7 +135,7 @@ class Matcher {
         const FaceKey& key = stored_[i].key;
         const double tolerance = position_tolerance(key.centroid);
         std::vector<FaceId> faces = index_.near(key.centroid, tolerance);
-        visits_ += faces.size() + 1;
+        lookup_.visits += faces.size() + 1;
         const Vec3 normal = unit_or_zero(key.normal);
         std::erase_if(faces, [&](FaceId face) {
             if (index_.is_sliver(face, tolerance)) return false;
@@ -164,13 +178,13 @@ class Matcher {
         box.add(centroid - Vec3::Constant(reach));
         box.add(centroid + Vec3::Constant(reach));
         std::vector<FaceId> faces;
-        for (const TriangleId triangle : tree_.triangles_in(box)) {
-            ++visits_;
-            const FaceId face = tree_.triangle_face(triangle);
+        for (const TriangleId triangle : lookup_.tree->triangles_in(box)) {
+            ++lookup_.visits;
+            const FaceId face = lookup_.tree->triangle_face(triangle);
             if ((faces.empty() || faces.back() != face) && index_.base(face) == bases_[i])
                 faces.push_back(face);
         }
-        ++visits_;
+        ++lookup_.visits;
         return faces;
     }
 
@@ -221,7 +235,8 @@ class Matcher {
         const FaceKey& key = stored_[i].key;
         const Vec3 normal = unit_or_zero(key.normal);
         if (normal.isZero() || !(key.area > 0.0)) return false;
-        if (neighbours_.first.empty()) neighbours_ = face_neighbours(mesh_);
+        FaceNeighbours& neighbours = lookup_.neighbours;
+        if (neighbours.first.empty()) neighbours = face_neighbours(mesh_);
         const double reach = 1e-3 * std::sqrt(key.area) + position_tolerance(key.centroid);
         union_visits_ = 0;
         for (const FaceId face : faces_around(i, reach)) {
@@ -240,7 +255,7 @@ class Matcher {
         constexpr std::size_t most_visits = 2000;
         if (parts.size() == most_parts || ++union_visits_ > most_visits || !is_part(key, normal, face))
             return false;
-        ++visits_;
+        ++lookup_.visits;
         parts.push_back(face);
         double area = 0.0;
         for (const FaceId part : parts)
@@ -249,7 +264,7 @@ class Matcher {
             if (area <= whole_share * key.area && has_corner_mean(key, parts)) return true;
         } else {
             for (std::size_t k = 0; k < parts.size(); ++k) {
-                for (const FaceId next : neighbours_.of(parts[k])) {
+                for (const FaceId next : lookup_.neighbours.of(parts[k])) {
                     if (std::find(parts.begin(), parts.end(), next) == parts.end() &&
                         grow_union(key, normal, next, parts))
                         return true;
@@ -330,7 +345,7 @@ class Matcher {
             result_.warnings.push_back({"", fmt::format("{} more painted faces found no face",
                                                         result_.summary.orphaned - max_listed_orphans)});
         }
-        if (visits_ >= max_visits) {
+        if (lookup_.visits >= max_visits) {
             result_.warnings.push_back(
                 {"", "the search for moved faces was cut short: too many faces are not where they were"});
         }
@@ -351,14 +366,12 @@ class Matcher {
     const Mesh& mesh_;
     SurfaceTable surfaces_;
     const std::vector<StoredOverride>& stored_;
-    FaceIndex index_;
-    CollisionWorld tree_;
+    Lookup& lookup_;
+    const FaceIndex& index_;
     std::vector<Stage> claims_;                    // [face]
     std::vector<Stage> found_;                     // [stored]
     std::vector<std::optional<SurfaceId>> types_;  // [stored]
     std::vector<std::string> bases_;               // [stored]
-    FaceNeighbours neighbours_;                    // where match_union() needed them
-    std::size_t visits_ = 0;
     std::size_t union_visits_ = 0;
     MatchedOverrides result_;
 };
@@ -388,7 +401,61 @@ MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
         result.overrides.resize(mesh.face_count());
         return result;
     }
-    return Matcher(mesh, surfaces, stored).run();
+    Lookup lookup(mesh, surfaces);
+    return Matcher(mesh, surfaces, stored, lookup).run();
+}
+
+FaceKeySets kept_face_keys(const Level& level) {
+    // Keys of all sets at once, because telling copies apart looks at the whole mesh.
+    std::vector<FaceId> faces = level.hidden;
+    for (const SavedSelection& saved : level.selections)
+        faces.insert(faces.end(), saved.faces.begin(), saved.faces.end());
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    faces.erase(std::lower_bound(faces.begin(), faces.end(), level.mesh ? level.mesh->face_count() : 0),
+                faces.end());
+    const std::vector<FaceKey> keys = faces.empty() ? std::vector<FaceKey>() : face_keys(*level.mesh, faces);
+    const auto of = [&](const std::vector<FaceId>& set) {
+        std::vector<FaceKey> result;
+        result.reserve(set.size());
+        for (const FaceId face : set) {
+            const auto found = std::lower_bound(faces.begin(), faces.end(), face);
+            if (found != faces.end() && *found == face)
+                result.push_back(keys[static_cast<std::size_t>(found - faces.begin())]);
+        }
+        return result;
+    };
+    FaceKeySets sets{of(level.hidden)};
+    for (const SavedSelection& saved : level.selections)
+        sets.push_back(of(saved.faces));
+    return sets;
+}
+
+Warnings match_kept_faces(Level& level, const FaceKeySets& sets) {
+    level.hidden.clear();
+    for (SavedSelection& saved : level.selections)
+        saved.faces.clear();
+    Warnings warnings;
+    std::optional<Lookup> lookup;
+    for (std::size_t i = 0; i < sets.size() && i <= level.selections.size(); ++i) {
+        if (sets[i].empty()) continue;
+        if (!lookup) lookup.emplace(*level.mesh, level.surfaces);
+        std::vector<StoredOverride> stored;
+        stored.reserve(sets[i].size());
+        for (const FaceKey& key : sets[i])
+            stored.push_back({key, level.surfaces.front().name, {}});  // any type, the same for all
+        const MatchedOverrides matched = Matcher(*level.mesh, level.surfaces, stored, *lookup).run();
+        std::vector<FaceId>& faces = i == 0 ? level.hidden : level.selections[i - 1].faces;
+        for (FaceId face = 0; face < matched.overrides.size(); ++face)
+            if (matched.overrides[face]) faces.push_back(face);
+        if (matched.orphans.empty()) continue;
+        const std::string set = i == 0 ? std::string("hidden")
+                                       : fmt::format("of the selection \"{}\"", level.selections[i - 1].name);
+        warnings.push_back(
+            {"", fmt::format("found no face any more for {} of the {} faces {}; they are dropped",
+                             matched.orphans.size(), sets[i].size(), set)});
+    }
+    return warnings;
 }
 
 }  // namespace slipface

@@ -156,6 +156,8 @@ Result<LoadedLevel> reload_mesh(const Level& level, Progress* progress) {
             if (warning.place.empty()) warning.place = level.mesh_path.string();
             loaded.warnings.push_back(std::move(warning));
         }
+        for (Diagnostic& warning : match_kept_faces(loaded.level, kept_face_keys(level)))
+            loaded.warnings.push_back({level.mesh_path.string(), std::move(warning.message)});
         if (cancelled(progress)) return cancelled_error(level.mesh_path);
         return loaded;
     } catch (const std::exception& error) {

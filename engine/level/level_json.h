@@ -10,6 +10,8 @@
 //   "material": "stone", "faces": ["HASH CENTROID NORMAL AREA [COPY]", ...],
 //                                       "packed": [...base64, where many faces are painted...]}],
 //   "orphans": [...as overrides],
+//   "hidden": [...as overrides, without "type"],                                        (if there are any)
+//   "selections": [{"name": "stairs", "faces": [...as overrides, without "type"]}],     (if there are any)
 //   "cameras": [{"name": "door", "eye": [...], "target": [...], "fov_y": 1.0472}],
 //   "movement": {...one key a settings_table() row},
 //   "light": {"image": "easy.light.png", "geometry": "HASH", "texel": 0.25, "sun_direction": [...], ...,

@@ -63,9 +63,15 @@ class LevelReader {
             read_member(root, "rules",
                         [this](const Json& json, const std::string& path) { read_rules(json, path); });
             for (const char* key : {"overrides", "orphans"}) {
-                read_member(root, key,
-                            [this](const Json& json, const std::string& path) { read_faces(json, path); });
+                read_member(root, key, [this](const Json& json, const std::string& path) {
+                    read_faces(json, path, "faces", true, stored_);
+                });
             }
+            read_member(root, "hidden", [this](const Json& json, const std::string& path) {
+                read_kept_faces(json, path, "hidden", kept_.front());
+            });
+            read_member(root, "selections",
+                        [this](const Json& json, const std::string& path) { read_selections(json, path); });
             read_member(root, "cameras",
                         [this](const Json& json, const std::string& path) { read_cameras(json, path); });
             read_member(root, "movement",
@@ -84,7 +90,8 @@ class LevelReader {
                         [this](const Json& json, const std::string& path) { read_light_of(json, path); });
             keep_unknown(root, "/", "/",
                          {"slipface", "mesh", "scale", "up", "spawn", "surfaces", "rules", "overrides",
-                          "orphans", "cameras", "movement", "platforms", "heightfield", "sectors", "light"});
+                          "orphans", "hidden", "selections", "cameras", "movement", "platforms",
+                          "heightfield", "sectors", "light"});
         }
         if (!reader_.ok()) return reader_.error();
         if (warnings_ > most_warnings)
@@ -236,19 +243,48 @@ class LevelReader {
         }
     }
 
-    void read_faces(const Json& json, const std::string& path) {
+    // Groups of faces; `kind` says where the unknown members of a group are kept.
+    void read_faces(const Json& json, const std::string& path, const std::string& kind, bool typed,
+                    std::vector<StoredOverride>& to) {
         if (!reader_.array(json, path, max_json_values)) return;
         for (std::size_t i = 0; i < json.items.size() && reader_.ok(); ++i) {
-            read_face_group(json.items[i], fmt::format("{}/{}", path, i));
+            read_face_group(json.items[i], fmt::format("{}/{}", path, i), kind, typed, to);
         }
     }
 
-    void read_face_group(const Json& json, const std::string& path) {
+    void read_kept_faces(const Json& json, const std::string& path, const std::string& kind,
+                         std::vector<FaceKey>& keys) {
+        std::vector<StoredOverride> stored;
+        read_faces(json, path, kind, false, stored);
+        for (StoredOverride& one : stored)
+            keys.push_back(std::move(one.key));
+    }
+
+    void read_selections(const Json& json, const std::string& path) {
+        if (!reader_.array(json, path, max_saved_selections)) return;
+        for (std::size_t i = 0; i < json.items.size() && reader_.ok(); ++i) {
+            const std::string here = fmt::format("{}/{}", path, i);
+            const Json& item = json.items[i];
+            SavedSelection saved;
+            if (!reader_.object(item, here)) return;
+            const Json* name = reader_.member(item, here, "name");
+            const Json* faces = reader_.member(item, here, "faces");
+            if (name == nullptr || faces == nullptr || !reader_.text(*name, here + "/name", saved.name))
+                return;
+            read_kept_faces(*faces, here + "/faces", "selected/" + saved.name, kept_.emplace_back());
+            keep_unknown(item, here, unknown_.place("selections", saved.name), {"name", "faces"});
+            loaded_.level.selections.push_back(std::move(saved));
+        }
+    }
+
+    void read_face_group(const Json& json, const std::string& path, const std::string& kind, bool typed,
+                         std::vector<StoredOverride>& to) {
         StoredOverride stored;
         if (!reader_.object(json, path)) return;
-        const Json* type = reader_.member(json, path, "type");
+        const Json* type = typed ? reader_.member(json, path, "type") : nullptr;
         const Json* faces = reader_.member(json, path, "faces");
-        if (type == nullptr || faces == nullptr || !reader_.text(*type, path + "/type", stored.type)) return;
+        if (faces == nullptr || (typed && type == nullptr)) return;
+        if (typed && !reader_.text(*type, path + "/type", stored.type)) return;
         if (const Json* material = json.find("material")) {
             if (!reader_.text(*material, path + "/material", stored.key.material)) return;
         }
@@ -264,14 +300,18 @@ class LevelReader {
                 return;
             }
             stored.place = reader_.place(here);
-            stored_.push_back(stored);
+            to.push_back(stored);
         }
-        if (const Json* packed = json.find("packed")) read_packed(*packed, path + "/packed", stored);
-        keep_unknown(json, path, unknown_.place("faces", stored.type + "/" + stored.key.material),
-                     {"type", "material", "faces", "packed"});
+        if (const Json* packed = json.find("packed")) read_packed(*packed, path + "/packed", stored, to);
+        std::set<std::string_view> known{"material", "faces", "packed"};
+        if (typed) known.insert("type");
+        const std::string& material = stored.key.material;
+        keep_unknown(json, path, unknown_.place(kind, typed ? stored.type + "/" + material : material),
+                     known);
     }
 
-    void read_packed(const Json& json, const std::string& path, const StoredOverride& group) {
+    void read_packed(const Json& json, const std::string& path, const StoredOverride& group,
+                     std::vector<StoredOverride>& to) {
         if (!reader_.array(json, path, max_json_values)) return;
         std::vector<FaceKey> keys;
         for (std::size_t i = 0; i < json.items.size(); ++i) {
@@ -284,7 +324,7 @@ class LevelReader {
             }
             for (FaceKey& key : keys) {
                 key.material = group.key.material;
-                stored_.push_back({std::move(key), group.type, reader_.place(here)});
+                to.push_back({std::move(key), group.type, reader_.place(here)});
             }
         }
     }
@@ -355,6 +395,10 @@ class LevelReader {
             if (warning.place.empty()) warning.place = loaded_.level.file_path.string();
             loaded_.warnings.push_back(std::move(warning));
         }
+        for (Diagnostic& warning : match_kept_faces(loaded_.level, kept_)) {
+            const std::string file = loaded_.level.file_path.string();
+            loaded_.warnings.push_back({file, std::move(warning.message)});
+        }
     }
 
     JsonReader reader_;
@@ -362,6 +406,7 @@ class LevelReader {
     std::size_t warnings_ = 0;  // of what stands in the file; the first of them are listed
     UnknownMembers unknown_;
     std::vector<StoredOverride> stored_;
+    FaceKeySets kept_ = FaceKeySets(1);  // hidden faces, then selections
 };
 
 }  // namespace

@@ -88,8 +88,10 @@ std::vector<SortedFace> sorted(const PaintedFaces& faces, bool packed) {
     return order;
 }
 
-// One object for each type and material.
-Json groups_json(const PaintedFaces& faces, bool packed, UnknownMembers& unknown) {
+// One object for each type and material. Without `typed` faces have no type; `kind` says where the unknown
+// members of a group are kept.
+Json groups_json(const PaintedFaces& faces, bool packed, UnknownMembers& unknown, const std::string& kind,
+                 bool typed) {
     const std::vector<SortedFace> order = sorted(faces, packed);
     Json groups = json_array();
     for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
@@ -109,7 +111,7 @@ Json groups_json(const PaintedFaces& faces, bool packed, UnknownMembers& unknown
         const std::string& type = *faces.types[first];
         const std::string& material = faces.keys[first].material;
         Json group = json_object();
-        json_add(group, "type", json_string(type));
+        if (typed) json_add(group, "type", json_string(type));
         json_add(group, "material", json_string(material));
         json_add(group, "faces", std::move(rows));
         if (!packable.empty()) {
@@ -118,7 +120,7 @@ Json groups_json(const PaintedFaces& faces, bool packed, UnknownMembers& unknown
                 packed_rows.items.push_back(json_string(row));
             json_add(group, "packed", std::move(packed_rows));
         }
-        unknown.append_to(group, unknown.place("faces", type + "/" + material));
+        unknown.append_to(group, unknown.place(kind, typed ? type + "/" + material : material));
         groups.items.push_back(std::move(group));
     }
     return groups;
@@ -153,6 +155,33 @@ PaintedFaces orphaned_faces(const Level& level) {
         painted.type_ranks.push_back(surface ? *surface : max_surface_types);
     }
     return painted;
+}
+
+Json kept_faces_json(std::vector<FaceKey> keys, UnknownMembers& unknown, const std::string& kind) {
+    static const std::string no_type;
+    PaintedFaces faces{std::move(keys), {}, {}};
+    faces.types.resize(faces.keys.size(), &no_type);
+    faces.type_ranks.resize(faces.keys.size());
+    return groups_json(faces, faces.keys.size() > most_readable_faces, unknown, kind, false);
+}
+
+// Hidden faces and selections.
+void append_kept_faces(Json& root, const Level& level, UnknownMembers& unknown) {
+    if (level.hidden.empty() && level.selections.empty()) return;
+    FaceKeySets sets = kept_face_keys(level);
+    if (!level.hidden.empty())
+        json_add(root, "hidden", kept_faces_json(std::move(sets[0]), unknown, "hidden"));
+    if (level.selections.empty()) return;
+    Json selections = json_array();
+    for (std::size_t i = 0; i < level.selections.size(); ++i) {
+        const std::string& name = level.selections[i].name;
+        Json json = json_object();
+        json_add(json, "name", json_string(name));
+        json_add(json, "faces", kept_faces_json(std::move(sets[i + 1]), unknown, "selected/" + name));
+        unknown.append_to(json, unknown.place("selections", name));
+        selections.items.push_back(std::move(json));
+    }
+    json_add(root, "selections", std::move(selections));
 }
 
 // Relative to the level file's folder if the mesh lies in it, else absolute.
@@ -238,8 +267,10 @@ std::string level_text(const Level& level, const std::filesystem::path& file_pat
     }
     json_add(root, "rules", std::move(rules));
     const PaintedFaces painted = painted_faces(level);
-    json_add(root, "overrides", groups_json(painted, painted.keys.size() > most_readable_faces, unknown));
-    json_add(root, "orphans", groups_json(orphaned_faces(level), false, unknown));
+    json_add(root, "overrides",
+             groups_json(painted, painted.keys.size() > most_readable_faces, unknown, "faces", true));
+    json_add(root, "orphans", groups_json(orphaned_faces(level), false, unknown, "faces", true));
+    append_kept_faces(root, level, unknown);
 
     Json cameras = json_array();
     for (const CameraBookmark& camera : level.cameras) {

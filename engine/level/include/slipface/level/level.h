@@ -58,6 +58,14 @@ struct Orphan {
     friend bool operator==(const Orphan&, const Orphan&) = default;
 };
 
+// Faces kept under a name, to be selected again.
+struct SavedSelection {
+    std::string name;
+    std::vector<FaceId> faces;  // ascending
+    friend bool operator==(const SavedSelection&, const SavedSelection&) = default;
+};
+inline constexpr std::size_t max_saved_selections = 1000;  // of a level
+
 // Why a face has its type.
 enum class SurfaceSource : std::uint8_t { none, rule, suffix, override_ };
 const char* surface_source_name(SurfaceSource source);
@@ -97,6 +105,9 @@ struct Level {
     std::vector<MaterialRule> rules;
     std::vector<std::optional<SurfaceId>> overrides;  // [face]; nothing: unset, which differs from `default`
     std::vector<Orphan> orphans;
+    // Where the work on the level stands: for editors alone, a face collides whether hidden or not.
+    std::vector<FaceId> hidden;  // ascending; neither drawn nor picked
+    std::vector<SavedSelection> selections;
     Vec3 spawn = Vec3::Zero();  // centre of the player
     double spawn_yaw = 0.0;     // radians, 0 looks along -Z, counter-clockwise seen from above
     std::vector<CameraBookmark> cameras;
