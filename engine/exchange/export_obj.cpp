@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "export_parts.h"
+#include "material_blocks.h"
 #include "slipface/base/files.h"
 #include "slipface/base/parallel.h"
 
@@ -95,6 +96,11 @@ Status export_obj(const Level& level, const fs::path& path) {
     if (!materials) return materials.error();
     fs::path library = path;
     library.replace_extension(".mtl");
+    for (const fs::path& own : named_libraries(level)) {
+        std::error_code error;
+        if (fs::equivalent(library, own, error))
+            return Error{library.string(), "is the level's own material library; expected another name"};
+    }
     if (Status status = write_file_atomic(library, mtl_text(level, *materials, path.parent_path())); !status)
         return status;
     return write_file_atomic(path, obj_text(level, *materials, library.filename().string()));

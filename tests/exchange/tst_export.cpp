@@ -94,5 +94,16 @@ TEST_F(Export, NeverWritesOverTheLevel) {
     EXPECT_FALSE(export_gltf(level, path("missing/game.gltf")));
 }
 
+TEST_F(Export, NeverWritesOverTheLevelsMaterials) {
+    write("stone.mtl", "newmtl stone\n");
+    const Level level = open("mtllib stone.mtl\n" + grid_obj(2, {"stone"}));
+    const Status status = export_obj(level, path("stone.obj"));
+    ASSERT_FALSE(status);
+    EXPECT_THAT(status.error().text(), testing::HasSubstr("stone.mtl"));
+    EXPECT_EQ(read("stone.mtl"), "newmtl stone\n");
+    EXPECT_FALSE(exists("stone.obj"));
+    EXPECT_TRUE(export_obj(level, path("other.obj")));
+}
+
 }  // namespace
 }  // namespace slipface::test
