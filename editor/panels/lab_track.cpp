@@ -11,17 +11,43 @@
 
 namespace slipface {
 
+namespace {
+
+using RunColors = std::array<ImVec4, Lab::max_runs>;
+
+// Told apart without red and green (Okabe and Ito, 2008), light enough for a dark ground.
+const RunColors on_dark{{{0.93f, 0.94f, 0.96f, 1.0f},
+                         {0.945f, 0.690f, 0.330f, 1.0f},
+                         {0.34f, 0.71f, 0.91f, 1.0f},
+                         {0.80f, 0.47f, 0.65f, 1.0f},
+                         {0.00f, 0.76f, 0.58f, 1.0f},
+                         {0.94f, 0.89f, 0.26f, 1.0f},
+                         {0.90f, 0.45f, 0.15f, 1.0f},
+                         {0.45f, 0.52f, 0.95f, 1.0f}}};
+// Ink, rust, blue, plum, teal, umber, navy, violet. The grey at the foot of a light view leaves only dark
+// colours 3:1; these are as far apart as eight of them can be for eyes without one kind of cone.
+const RunColors on_light{{{0.077f, 0.077f, 0.077f, 1.0f},
+                          {0.615f, 0.231f, 0.000f, 1.0f},
+                          {0.000f, 0.231f, 1.000f, 1.0f},
+                          {0.385f, 0.000f, 0.385f, 1.0f},
+                          {0.154f, 0.385f, 0.385f, 1.0f},
+                          {0.308f, 0.231f, 0.154f, 1.0f},
+                          {0.000f, 0.000f, 0.615f, 1.0f},
+                          {0.462f, 0.231f, 0.692f, 1.0f}}};
+
+}  // namespace
+
 ImVec4 run_color(std::size_t index) {
-    // Told apart without red and green (Okabe and Ito, 2008), light enough for the dark ground of a level.
-    static const std::array<ImVec4, Lab::max_runs> colors{{{0.93f, 0.94f, 0.96f, 1.0f},
-                                                           {0.945f, 0.690f, 0.330f, 1.0f},
-                                                           {0.34f, 0.71f, 0.91f, 1.0f},
-                                                           {0.80f, 0.47f, 0.65f, 1.0f},
-                                                           {0.00f, 0.76f, 0.58f, 1.0f},
-                                                           {0.94f, 0.89f, 0.26f, 1.0f},
-                                                           {0.90f, 0.45f, 0.15f, 1.0f},
-                                                           {0.45f, 0.52f, 0.95f, 1.0f}}};
+    const RunColors& colors = ui::light_palette() ? on_light : on_dark;
     return colors[std::min(index, colors.size() - 1)];
+}
+
+ImVec4 lit_color() {
+    return ui::light_palette() ? ImVec4(0.58f, 0.24f, 0.00f, 1.0f) : ImVec4(1.0f, 0.60f, 0.18f, 1.0f);
+}
+
+ImVec4 parting_color() {
+    return ui::light_palette() ? ImVec4(0.60f, 0.07f, 0.05f, 1.0f) : ImVec4(0.937f, 0.400f, 0.361f, 1.0f);
 }
 
 std::string wrap_words(const std::string& text, float width) {

@@ -29,8 +29,11 @@ LabTrack lab_track(const Lab& lab, ImVec2 min, ImVec2 max);
 void lab_track_gestures(Editor& editor, const LabTrack& track);
 void draw_lab_cursor(const Editor& editor, const LabTrack& track);
 
-// Of run `index` of the lab, in the view as in the panels.
+// Of run `index` of the lab, in the view as in the panels; of the record that is lit in the view; of the
+// place where two runs part. At least 3:1 against the grounds of the theme in use.
 ImVec4 run_color(std::size_t index);
+ImVec4 lit_color();
+ImVec4 parting_color();
 
 // `text` with line breaks at spaces only, so that no number is cut in two.
 std::string wrap_words(const std::string& text, float width);

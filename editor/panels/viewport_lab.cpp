@@ -14,8 +14,6 @@ namespace slipface {
 namespace {
 
 constexpr std::size_t most_segments = 2500;  // of one ribbon
-constexpr Color lit_color{1.0f, 0.60f, 0.18f, 1.0f};
-constexpr Color parting_color{0.937f, 0.400f, 0.361f, 1.0f};
 
 Color to_color(const ImVec4& c, float alpha) {
     return {c.x, c.y, c.z, alpha};
@@ -54,39 +52,41 @@ void ghost(Overlay& overlay, const TapeRun& run, double time_s, const Color& col
 }
 
 void partings(Overlay& overlay, const Lab& lab) {
+    const Color color = to_color(parting_color(), 1.0f);
     for (std::size_t i = 1; i < lab.runs().size(); ++i) {
         const auto& divergence = lab.divergence(i);
         if (!lab.runs()[i].shown || !divergence) continue;
         const Vec3 at = lab.runs()[i].run.samples()[divergence->first].position;
         const Vec3 top = at + Vec3(0.0, lab.runs()[i].settings.radii.y() + 0.7, 0.0);
-        overlay.line(at, top, parting_color, 2.5f, true);
-        overlay.cross(at, 0.25, parting_color, 3.0f);
+        overlay.line(at, top, color, 2.5f, true);
+        overlay.cross(at, 0.25, color, 3.0f);
     }
 }
 
 void lit_record(Overlay& overlay, const Editor& editor, const StoryLine& line) {
     const CollisionWorld& world = editor.document->collision();
+    const Color lit = to_color(lit_color(), 1.0f);
     const auto fill = [&](TriangleId triangle, float alpha) {
         auto corners = world.triangle(triangle);
         const Vec3 off = (line.normal.isZero() ? world.triangle_normal(triangle) : line.normal) * 0.004;
         for (Vec3& corner : corners)
             corner += off;
-        Color tint = lit_color;
+        Color tint = lit;
         tint.alpha = alpha;
         overlay.triangle(corners[0], corners[1], corners[2], tint);
         for (std::size_t i = 0; i < 3; ++i)
-            overlay.line(corners[i], corners[(i + 1) % 3], lit_color, 2.0f, true);
+            overlay.line(corners[i], corners[(i + 1) % 3], lit, 2.0f, true);
     };
     if (line.triangle != no_id && line.triangle < world.triangle_count()) fill(line.triangle, 0.40f);
     if (!line.place) return;
     if (!line.normal.isZero()) {
-        Color plane = lit_color;
+        Color plane = lit;
         plane.alpha = 0.12f;
-        overlay.disc(*line.place + line.normal * 0.006, line.normal, 0.45, plane, lit_color);
-        overlay.arrow(*line.place, *line.place + line.normal * 0.6, lit_color, 3.0f, true);
+        overlay.disc(*line.place + line.normal * 0.006, line.normal, 0.45, plane, lit);
+        overlay.arrow(*line.place, *line.place + line.normal * 0.6, lit, 3.0f, true);
     }
     overlay.line(*line.place, *line.place, {0.10f, 0.09f, 0.04f, 1.0f}, 13.0f, true);
-    overlay.line(*line.place, *line.place, lit_color, 9.0f, true);
+    overlay.line(*line.place, *line.place, lit, 9.0f, true);
 }
 
 }  // namespace
