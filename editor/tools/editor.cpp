@@ -53,6 +53,7 @@ void open_level(Editor& editor, const std::filesystem::path& path) {
         return;
     }
     adopt_document(editor, std::move(opened).value(), path);
+    bring_back_tape(editor);
 }
 
 void geometry_changed(Editor& editor) {
@@ -69,6 +70,8 @@ void geometry_changed(Editor& editor) {
 }
 
 void adopt_document(Editor& editor, std::unique_ptr<Document> opened, const std::filesystem::path& path) {
+    stop_playtest(editor);
+    keep_tape(editor);
     document_is_safe(editor);
     editor.live_edit = false;
     editor.lab.close();
@@ -88,14 +91,38 @@ void adopt_document(Editor& editor, std::unique_ptr<Document> opened, const std:
         editor.view.frame(document.mesh().bounds, opening_aspect);
     editor.status = "Opened " + path.filename().string() + ", " +
                     count_text(document.mesh().face_count(), "face", "faces");
+    if (const std::size_t hidden = document.hidden().size(); hidden > 0)
+        editor.status += ", " + std::to_string(hidden) + " hidden";
+}
+
+namespace {
+
+void do_next(Editor& editor, const UnsavedDialog& next) {
+    switch (next.then) {
+        case UnsavedDialog::Then::open:
+            start_loading(editor, next.open_path);
+            break;
+        case UnsavedDialog::Then::quit:
+            editor.quit = true;
+            break;
+        case UnsavedDialog::Then::demo:
+            show_demo(editor, *next.demo);
+            break;
+    }
+}
+
+}  // namespace
+
+void leave_document(Editor& editor, const UnsavedDialog& next) {
+    finish_edits(editor);
+    if (editor.document && editor.document->dirty())
+        editor.unsaved = next;
+    else
+        do_next(editor, next);
 }
 
 void request_open(Editor& editor, const std::filesystem::path& path) {
-    finish_edits(editor);
-    if (editor.document && editor.document->dirty())
-        editor.unsaved = UnsavedDialog{UnsavedDialog::Then::open, path};
-    else
-        start_loading(editor, path);
+    leave_document(editor, {.then = UnsavedDialog::Then::open, .open_path = path});
 }
 
 void save_level(Editor& editor) {
@@ -117,11 +144,7 @@ void save_level_as(Editor& editor, const std::filesystem::path& level_file) {
 }
 
 void request_quit(Editor& editor) {
-    finish_edits(editor);
-    if (editor.document && editor.document->dirty())
-        editor.unsaved = UnsavedDialog{UnsavedDialog::Then::quit, {}};
-    else
-        editor.quit = true;
+    leave_document(editor, {.then = UnsavedDialog::Then::quit, .open_path = {}});
 }
 
 void answer_unsaved(Editor& editor, UnsavedChoice choice) {
@@ -133,10 +156,7 @@ void answer_unsaved(Editor& editor, UnsavedChoice choice) {
         save_level(editor);
         if (editor.document && editor.document->dirty()) return;  // saving failed and said why
     }
-    if (asked.then == UnsavedDialog::Then::open)
-        start_loading(editor, asked.open_path);
-    else
-        editor.quit = true;
+    do_next(editor, asked);
 }
 
 void hover(Editor& editor, const Ray& ray) {

@@ -33,13 +33,35 @@ struct MessageDialog {
     std::string text;
     Warnings details;
 };
+struct DemoInfo;
+
 // A decision about unsaved changes, before `then` is done.
 struct UnsavedDialog {
-    enum class Then { open, quit } then = Then::quit;
+    enum class Then { open, quit, demo } then = Then::quit;
     std::filesystem::path open_path;
+    const DemoInfo* demo = nullptr;
 };
 enum class UnsavedChoice { save, discard, cancel };
-enum class FileDialogKind { none, open, save_as, open_tape, save_tape, save_csv };
+enum class FileDialogKind {
+    none,
+    open,
+    save_as,
+    open_tape,
+    save_tape,
+    save_csv,
+    open_preset,
+    save_preset,
+    export_obj,
+    export_gltf,
+    export_game
+};
+
+// A run that was recorded in a level, never saved, and left behind when another level was opened.
+struct KeptTape {
+    std::filesystem::path level;  // its geometry
+    Tape tape;
+    std::string name;
+};
 
 struct Review;
 
@@ -74,6 +96,7 @@ struct Editor {
     Probe probe;
     std::optional<Playtest> playtest;       // walking while set
     Lab lab;                                // what was walked, and what would have been otherwise
+    std::vector<KeptTape> kept_tapes;       // the newest last; each comes back with its level
     std::shared_ptr<class AuditJob> audit;  // random walkers at work, or what they found
 
     // Open windows.
@@ -106,8 +129,9 @@ void open_level(Editor& editor, const std::filesystem::path& path);  // no quest
 // Shows a document that was opened elsewhere; `path` goes to the recent files.
 void adopt_document(Editor& editor, std::unique_ptr<Document> document, const std::filesystem::path& path);
 void geometry_changed(Editor& editor);  // the document has another mesh: what points into the old one goes
-void request_open(Editor& editor,
-                  const std::filesystem::path& path);  // asks first when there are unsaved changes
+// Does what `next` says; asks first when there are unsaved changes.
+void leave_document(Editor& editor, const UnsavedDialog& next);
+void request_open(Editor& editor, const std::filesystem::path& path);
 void save_level(Editor& editor);
 void save_level_as(Editor& editor, const std::filesystem::path& level_file);
 void request_quit(Editor& editor);

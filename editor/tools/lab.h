@@ -50,6 +50,7 @@ class Lab {
     bool has_tape() const { return tape_ != nullptr; }
     const Tape& tape() const { return *tape_; }
     const std::string& name() const { return name_; }
+    bool unsaved = false;  // the tape was recorded here and is in no file
     std::size_t ticks() const { return runs_.empty() ? 0 : runs_.front().run.length(); }
     // The tape with all that is needed to repeat it elsewhere, the hash of its end included.
     Tape sealed_tape() const;

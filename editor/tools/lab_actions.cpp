@@ -5,7 +5,6 @@
 
 #include "slipface/base/files.h"
 #include "slipface/level/preset.h"
-#include "slipface/scenes/demo.h"
 #include "slipface/sim/channels.h"
 #include "tools/audit_job.h"
 
@@ -21,25 +20,26 @@ void report_problem(Editor& editor, const std::string& title, const Error& error
     editor.message = MessageDialog{title, error.text(), {}};
 }
 
+bool write_text(Editor& editor, const std::filesystem::path& path, const std::string& text) {
+    const Status status = write_file_atomic(path, text);
+    if (!status)
+        report_problem(editor, "Cannot save " + path.filename().string(), status.error());
+    else
+        editor.status = "Saved " + path.filename().string();
+    return status.ok();
+}
+
+}  // namespace
+
 void show_lab(Editor& editor) {
     editor.layout.show(PanelId::timeline);
     editor.layout.show(PanelId::why);
 }
 
-void write_text(Editor& editor, const std::filesystem::path& path, const std::string& text) {
-    if (const Status status = write_file_atomic(path, text); !status)
-        report_problem(editor, "Cannot save " + path.filename().string(), status.error());
-    else
-        editor.status = "Saved " + path.filename().string();
-}
-
-// Works on the runs until they are complete; tapes that end after a few minutes take milliseconds.
 void complete_runs(Editor& editor) {
     while (editor.lab.has_tape() && !editor.lab.complete())
         editor.lab.frame(*editor.document, 0.0);
 }
-
-}  // namespace
 
 void take_playtest_tape(Editor& editor) {
     if (!editor.document || !editor.playtest) return;
@@ -51,6 +51,7 @@ void take_playtest_tape(Editor& editor) {
         editor.status = "Not kept: " + status.error().message;
         return;
     }
+    editor.lab.unsaved = true;
     editor.lab.seek(editor.lab.ticks());
     show_lab(editor);
     editor.status = "Recorded " + seconds_text(duration);
@@ -70,7 +71,7 @@ void open_tape(Editor& editor, const std::filesystem::path& path) {
 void save_tape(Editor& editor, const std::filesystem::path& path) {
     if (!editor.lab.has_tape()) return;
     complete_runs(editor);
-    write_text(editor, path, tape_to_text(editor.lab.sealed_tape()));
+    if (write_text(editor, path, tape_to_text(editor.lab.sealed_tape()))) editor.lab.unsaved = false;
 }
 
 void save_run_csv(Editor& editor, const std::filesystem::path& path) {
@@ -169,28 +170,6 @@ void open_finding(Editor& editor, std::size_t index) {
     show_lab(editor);
     look_at_cursor(editor);
     editor.status = name;
-}
-
-void open_demo(Editor& editor, const DemoInfo& info) {
-    namespace fs = std::filesystem;
-    std::error_code error;
-    const fs::path folder = fs::temp_directory_path(error) / "slipface-demos" / info.name;
-    fs::create_directories(folder, error);
-    const Result<fs::path> saved = save_demo(info, folder);
-    if (!saved)
-        return report_problem(editor, std::string("Cannot open the demo ") + info.title, saved.error());
-    if (editor.playtest) stop_playtest(editor);
-    // Unsaved changes are asked about first; the tape then waits beside the level.
-    if (editor.document && editor.document->dirty()) return request_open(editor, *saved);
-    open_level(editor, *saved);
-    if (!editor.document || editor.message) return;
-    const Demo demo = make_demo(info);
-    const Status status = editor.lab.open(*editor.document, demo.tape, info.title);
-    if (!status) return report_problem(editor, "Cannot open the demo's tape", status.error());
-    editor.lab.pin(demo.off);
-    complete_runs(editor);
-    show_lab(editor);
-    editor.status = info.look_at;
 }
 
 void use_preset(Editor& editor, const Preset& preset) {

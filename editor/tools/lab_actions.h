@@ -12,6 +12,12 @@ struct Preset;
 
 // The tape of the playtest that ends goes to the lab, its cursor at the end.
 void take_playtest_tape(Editor& editor);
+// Before another level is opened: a recorded run that is in no file goes to editor.kept_tapes.
+void keep_tape(Editor& editor);
+// After it was opened: the newest run that was kept for it, if there is one, is in the lab again.
+void bring_back_tape(Editor& editor);
+void show_lab(Editor& editor);       // its panels
+void complete_runs(Editor& editor);  // now; tapes that end after a few minutes take milliseconds
 // Each reports failure as a MessageDialog and leaves the lab as it was.
 void open_tape(Editor& editor, const std::filesystem::path& path);
 void save_tape(Editor& editor, const std::filesystem::path& path);
@@ -30,8 +36,10 @@ void look_at_cursor(Editor& editor);  // the camera to the player at the cursor
 // Opens the run of an audit's finding at the tick before it went wrong, and looks there.
 void open_finding(Editor& editor, std::size_t finding);
 
-// Opens a hack's demo scene with its tape and, as a ghost, the run with its switch off.
+// Opens a hack's demo scene with its tape and, as a ghost, the run with its switch off. Asks first when there
+// are unsaved changes; a walk that is going on goes on until that is answered.
 void open_demo(Editor& editor, const DemoInfo& info);
+void show_demo(Editor& editor, const DemoInfo& info);  // asks nothing
 
 // A whole set of settings as one step of history.
 void use_preset(Editor& editor, const Preset& preset);

@@ -8,6 +8,7 @@
 #include "slipface/base/files.h"
 #include "tools/commands.h"
 #include "tools/editor.h"
+#include "tools/lab_actions.h"
 
 namespace slipface {
 namespace {
@@ -127,6 +128,7 @@ void finish_loading(Editor& editor) {
     Result<std::unique_ptr<Document>> opened = loading.opening->take();
     if (!opened) return failed(opened.error());
     adopt_document(editor, std::move(opened).value(), loading.path);
+    bring_back_tape(editor);
     if (loading.kind != Loading::Kind::recover) return;
     editor.session.recovered = loading.autosave;
     std::erase_if(editor.session.recoverable,
@@ -248,6 +250,7 @@ void reload_annotations(Editor& editor) {
     keep_brush_valid(editor);
     document_is_safe(editor);
     editor.status = "Reloaded " + name + ": " + loaded->match.text();
+    if (!loaded->warnings.empty()) editor.status += "; " + loaded->warnings.front().message;
 }
 
 void answer_reload(Editor& editor, ReloadChoice choice) {

@@ -287,10 +287,16 @@ TEST_F(LabTest, ZoomKeepsTheTickUnderTheMouse) {
 
 TEST_F(LabTest, AnotherLevelClosesTheTape) {
     record();
-    open_level(editor, obj);
+    write_text(folder / "other.obj", read_text(obj));
+    open_level(editor, folder / "other.obj");
     EXPECT_FALSE(lab.has_tape());
     EXPECT_FALSE(run_command(editor, "lab.play"));
     EXPECT_TRUE(lab.story(*editor.document).empty());
+    open_level(editor, obj);
+    EXPECT_TRUE(lab.has_tape()) << "it was in no file";
+    lab_actions::close_tape(editor);
+    open_level(editor, obj);
+    EXPECT_FALSE(lab.has_tape()) << "what is closed by hand does not come back";
 }
 
 TEST_F(LabTest, AnAuditRunsBesideTheEditorAndOpensWhatItFinds) {

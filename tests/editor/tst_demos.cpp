@@ -1,0 +1,148 @@
+// Opening a hack's demo scene: what is unsaved, recorded or being walked is asked about or kept.
+#include <gmock/gmock.h>
+
+#include "app_fixture.h"
+#include "slipface/scenes/demo.h"
+#include "tools/lab_actions.h"
+
+namespace slipface {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+
+class DemoScenes : public AppFixture {
+  protected:
+    void SetUp() override {
+        AppFixture::SetUp();
+        if (const char* before = std::getenv("TMPDIR")) temporary_before = before;
+        setenv("TMPDIR", folder.c_str(), 1);
+        ASSERT_NE(demo, nullptr);
+    }
+    void TearDown() override {
+        if (temporary_before)
+            setenv("TMPDIR", temporary_before->c_str(), 1);
+        else
+            unsetenv("TMPDIR");
+        AppFixture::TearDown();
+    }
+    void show() {
+        open_demo(editor(), *demo);
+        host->frame();
+        host->frame();
+    }
+    std::string shown_level() { return document().level().mesh_path.parent_path().filename().string(); }
+    // A walk of half a second, recorded; how it ended.
+    std::uint64_t walk() {
+        EXPECT_EQ(run("key F5\nwait 10\nhold W 20\nkey Escape\nfinish"), "");
+        EXPECT_TRUE(editor().lab.unsaved);
+        return editor().lab.sealed_tape().end_hash.value_or(0);
+    }
+
+    const DemoInfo* demo = &demo_table().front();
+    std::optional<std::string> temporary_before;
+};
+
+TEST_F(DemoScenes, UnsavedChangesAreAskedAboutAndTheTapeComesAfterTheAnswer) {
+    ASSERT_EQ(run("select faces 0-3\nkey 2\nkey L\nexpect dirty yes"), "");
+    show();
+    ASSERT_TRUE(editor().unsaved);
+    EXPECT_EQ(document().level().mesh_path, obj);
+    ASSERT_EQ(run("click \"Unsaved/Cancel\""), "");
+    EXPECT_EQ(document().level().mesh_path, obj);
+    EXPECT_TRUE(document().dirty());
+
+    show();
+    ASSERT_EQ(run("click \"Unsaved/Save\""), "");
+    EXPECT_EQ(shown_level(), demo->name);
+    EXPECT_EQ(editor().status, demo->look_at);
+    EXPECT_EQ(editor().lab.name(), demo->title);
+    EXPECT_EQ(editor().lab.runs().size(), 3u) << "as recorded, now, and with the switch off";
+    ASSERT_EQ(run("open grid.obj\nexpect count ice 4"), "");
+
+    ASSERT_EQ(run("select faces 9\nkey 2\nkey L"), "");
+    show();
+    ASSERT_EQ(run("click \"Unsaved/Don't save\""), "");
+    EXPECT_EQ(shown_level(), demo->name);
+    ASSERT_EQ(run("open grid.obj\nexpect count ice 4"), "");
+}
+
+TEST_F(DemoScenes, ARecordedRunComesBackWithItsLevel) {
+    const std::uint64_t end = walk();
+    show();
+    EXPECT_EQ(editor().lab.name(), demo->title);
+    ASSERT_EQ(editor().kept_tapes.size(), 1u);
+    request_open(editor(), obj);
+    host->frame();
+    EXPECT_EQ(editor().lab.name(), "Playtest");
+    EXPECT_THAT(editor().status, EndsWith("the run recorded here is back in the lab"));
+    EXPECT_TRUE(editor().kept_tapes.empty());
+    EXPECT_TRUE(editor().lab.unsaved);
+    ASSERT_EQ(run("finish"), "");
+    EXPECT_EQ(editor().lab.sealed_tape().end_hash, end);
+    EXPECT_EQ(editor().lab.repeats(), true);
+}
+
+TEST_F(DemoScenes, AWalkThatIsGoingOnIsKeptToo) {
+    ASSERT_EQ(run("key F5\nhold W 20"), "");
+    const std::size_t ticks = editor().playtest->tape().tick_count();
+    ASSERT_GT(ticks, 10u);
+    editor().document->paint(std::vector<FaceId>{5}, ice);
+    show();
+    ASSERT_TRUE(editor().unsaved);
+    EXPECT_TRUE(editor().playtest) << "the question ends nothing";
+    ASSERT_EQ(run("click \"Unsaved/Save\""), "");
+    EXPECT_EQ(shown_level(), demo->name);
+    EXPECT_FALSE(editor().playtest);
+    ASSERT_EQ(editor().kept_tapes.size(), 1u);
+    EXPECT_GE(editor().kept_tapes[0].tape.tick_count(), ticks);
+    ASSERT_EQ(run("open grid.obj"), "");
+    EXPECT_EQ(editor().lab.name(), "Playtest");
+}
+
+TEST_F(DemoScenes, ARunThatIsSavedIsNotKept) {
+    walk();
+    save_tape(editor(), folder / "walk.tape");
+    EXPECT_FALSE(editor().lab.unsaved);
+    show();
+    EXPECT_TRUE(editor().kept_tapes.empty());
+}
+
+TEST_F(DemoScenes, WhatWasSavedOverADemoStays) {
+    show();
+    const auto first = document().level().mesh_path;
+    show();
+    EXPECT_EQ(document().level().mesh_path, first) << "unchanged files are used again";
+    editor().document->paint(std::vector<FaceId>{0}, ladder);
+    ASSERT_EQ(run("command file.save"), "");
+    const std::string saved = read_text(document().level().file_path);
+    show();
+    EXPECT_NE(document().level().mesh_path, first);
+    EXPECT_EQ(shown_level(), std::string(demo->name) + "-2");
+    EXPECT_EQ(read_text(level_file_for(first)), saved);
+    // Saving as the answer to the question does not lose it either.
+    editor().document->paint(std::vector<FaceId>{1}, ladder);
+    const auto second = document().level().file_path;
+    show();
+    ASSERT_EQ(run("click \"Unsaved/Save\""), "");
+    EXPECT_EQ(shown_level(), std::string(demo->name) + "-3");
+    EXPECT_THAT(read_text(second), HasSubstr("\"type\": \"ladder\""));
+    std::size_t folders = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "slipface-demos"))
+        folders += entry.is_directory() ? 1 : 0;
+    EXPECT_EQ(folders, 3u) << "nothing half made is left behind";
+}
+
+TEST_F(DemoScenes, WhereNoFilesCanBeWrittenTheLevelStays) {
+    write_text(folder / "file", "");
+    setenv("TMPDIR", (folder / "file").c_str(), 1);
+    walk();
+    show();
+    ASSERT_TRUE(editor().message);
+    EXPECT_THAT(editor().message->title, HasSubstr(demo->title));
+    EXPECT_EQ(document().level().mesh_path, obj);
+    EXPECT_EQ(editor().lab.name(), "Playtest");
+}
+
+}  // namespace
+}  // namespace slipface
