@@ -6,6 +6,7 @@
 #include "app/parts.h"
 #include "slipface/base/text.h"
 #include "slipface/level/level_file.h"
+#include "tools/exchange.h"
 #include "tools/lab_actions.h"
 #include "widgets/imgui_compat.h"
 #include "widgets/theme.h"
@@ -26,6 +27,9 @@ struct Kind {
     const char* hint;
     bool saves;
     void (*chosen)(Editor& editor, const fs::path& path);
+    const char* proposed = "";        // what follows the level's name in the name that is offered
+    const char* other_suffix = "";    // is listed and kept, too
+    const char* foreign_suffix = "";  // ends like `suffix` and is another kind of file
 };
 constexpr Kind kinds[] = {
     {FileDialogKind::open, "Open a level", "", "Path of an OBJ or a .slipface.json file", false,
@@ -35,6 +39,16 @@ constexpr Kind kinds[] = {
     {FileDialogKind::open_tape, "Open a tape", ".tape", "Path of a .tape file", false, open_tape},
     {FileDialogKind::save_tape, "Save the tape as", ".tape", "Path of a .tape file", true, save_tape},
     {FileDialogKind::save_csv, "Export the run as CSV", ".csv", "Path of a .csv file", true, save_run_csv},
+    {FileDialogKind::open_preset, "Open a preset", ".json", "Path of a preset's .json file", false,
+     open_preset, "", "", ".slipface.json"},
+    {FileDialogKind::save_preset, "Save the movement settings as a preset", ".json", "Path of a .json file",
+     true, save_preset, "-movement", "", ".slipface.json"},
+    {FileDialogKind::export_obj, "Export OBJ and MTL", ".obj", "Path of an .obj file", true, export_level_obj,
+     "-typed"},
+    {FileDialogKind::export_gltf, "Export glTF", ".gltf", "Path of a .gltf or a .glb file", true,
+     export_level_gltf, "-typed", ".glb"},
+    {FileDialogKind::export_game, "Export for a game", ".flat", "Path of a .flat file", true,
+     export_level_game},
 };
 const Kind& kind_of(FileDialogKind kind) {
     for (const Kind& row : kinds)
@@ -46,9 +60,14 @@ bool is_level_name(const std::string& name) {
     const std::string lower = to_lower(name);
     return lower.ends_with(".obj") || lower.ends_with(".slipface.json");
 }
+bool has_suffix(const std::string& name, const Kind& kind) {
+    const std::string lower = to_lower(name);
+    return lower.ends_with(kind.suffix) || (*kind.other_suffix && lower.ends_with(kind.other_suffix));
+}
 bool is_listed(const std::string& name, const Kind& kind) {
-    const bool levels = kind.kind == FileDialogKind::open || kind.kind == FileDialogKind::save_as;
-    return levels ? is_level_name(name) : to_lower(name).ends_with(kind.suffix);
+    if (kind.kind == FileDialogKind::open || kind.kind == FileDialogKind::save_as) return is_level_name(name);
+    const bool foreign = *kind.foreign_suffix && to_lower(name).ends_with(kind.foreign_suffix);
+    return has_suffix(name, kind) && !foreign;
 }
 
 bool is_folder(const fs::path& path) {
@@ -103,7 +122,15 @@ void begin(Parts& parts) {
         browser.path_text = shown_path(parts, browser.folder / editor.document->level().file_path.filename());
     else if (kind.saves)
         browser.path_text =
-            shown_path(parts, browser.folder / editor.document->level().mesh_path.stem().concat(kind.suffix));
+            shown_path(parts, browser.folder / editor.document->level().mesh_path.stem().concat(
+                                                   std::string(kind.proposed) + kind.suffix));
+}
+
+// Of what saving `target` would write, what is there already.
+std::vector<fs::path> replaced_files(const Kind& kind, const fs::path& target) {
+    std::vector<fs::path> files = files_of_export(kind.kind, target);
+    std::erase_if(files, [](const fs::path& file) { return !is_there(file); });
+    return files;
 }
 
 // The user wants `path`, by double click, Enter or the button.
@@ -125,14 +152,14 @@ void choose(Parts& parts, const fs::path& path, bool may_overwrite) {
         return;
     }
     fs::path target = path;
-    if (!to_lower(target.filename().string()).ends_with(kind.suffix)) target += kind.suffix;
+    if (!has_suffix(target.filename().string(), kind)) target += kind.suffix;
     if (!is_folder(target.parent_path())) {
         browser.problem = "No such folder: " + target.parent_path().string();
         return;
     }
     const bool own_file =
         kind.kind == FileDialogKind::save_as && target == editor.document->level().file_path;
-    if (is_there(target) && !may_overwrite && !own_file) {
+    if (!replaced_files(kind, target).empty() && !may_overwrite && !own_file) {
         browser.overwrite = target;
         return;
     }
@@ -245,7 +272,10 @@ void answer_buttons(Parts& parts) {
                     ImGui::GetStyle().ItemSpacing.x;
     if (!browser.overwrite.empty()) {
         ImGui::AlignTextToFramePadding();
-        ImGui::TextColored(ui::palette().accent, "Replace %s?", browser.overwrite.filename().c_str());
+        std::string names;
+        for (const fs::path& file : replaced_files(kind_of(browser.shown), browser.overwrite))
+            names += (names.empty() ? "" : " and ") + file.filename().string();
+        ImGui::TextColored(ui::palette().accent, "Replace %s?", names.c_str());
         ImGui::SameLine(x);
         if (ui::button("Keep it", nullptr, true, {width, 0})) browser.overwrite.clear();
         ImGui::SameLine();

@@ -44,6 +44,8 @@ bool camera_bookmark(ScriptContext& context, const Words& words);
 void verb_select(ScriptContext& context, const Words& words);
 void verb_replace(ScriptContext& context, const Words& words);
 void verb_pane(ScriptContext& context, const Words& words);
+void verb_preset(ScriptContext& context, const Words& words);
+void verb_export(ScriptContext& context, const Words& words);
 void verb_expect(ScriptContext& context, const Words& words);
 std::string expectations_markdown();
 

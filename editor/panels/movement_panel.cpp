@@ -100,7 +100,7 @@ void switch_row(Editor& editor, FrameContext& frame, const SettingInfo& info) {
     ImGui::PopID();
 }
 
-// The shipped sets of settings, and which of them is in force.
+// The shipped sets of settings, which of them is in force, and sets in files.
 void preset_row(Editor& editor) {
     const std::vector<ShippedPreset>& presets = shipped_presets();
     const MovementSettings& movement = editor.document->level().movement;
@@ -110,15 +110,17 @@ void preset_row(Editor& editor) {
         names.push_back(presets[i].preset.name.c_str());
         if (presets[i].preset.settings == movement) current = static_cast<int>(i);
     }
-    names.push_back("Own settings");
-    const char* const about = current < static_cast<int>(presets.size())
-                                  ? presets[static_cast<std::size_t>(current)].preset.about.c_str()
-                                  : "A whole set of settings at once, as one step of history";
+    const int own = static_cast<int>(presets.size());
+    names.insert(names.end(), {"Own settings", "Open preset\u2026", "Save preset\u2026"});
+    const char* const about = current < own ? presets[static_cast<std::size_t>(current)].preset.about.c_str()
+                                            : "A whole set of settings at once, as one step of history";
     int chosen = current;
     ImGui::SetNextItemWidth(-1.0f);
-    if (ui::combo("##Preset", &chosen, names.data(), static_cast<int>(names.size()), about) &&
-        chosen != current && chosen < static_cast<int>(presets.size()))
+    if (!ui::combo("##Preset", &chosen, names.data(), static_cast<int>(names.size()), about)) return;
+    if (chosen < own)
         use_preset(editor, presets[static_cast<std::size_t>(chosen)].preset);
+    else if (chosen > own)
+        run_command(editor, chosen == own + 1 ? "movement.open_preset" : "movement.save_preset");
 }
 
 void header(Editor& editor) {

@@ -24,6 +24,10 @@ bool movement_differs(const Editor& editor);
 void open_file(Editor& editor);
 void save(Editor& editor);
 void save_as(Editor& editor);
+template <FileDialogKind Which>
+void ask_for_file(Editor& editor) {
+    editor.file_dialog = Which;
+}
 void undo(Editor& editor);
 void redo(Editor& editor);
 void fill_selection(Editor& editor);

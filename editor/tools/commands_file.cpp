@@ -10,6 +10,7 @@ using namespace command_actions;
 
 void bake_types(Editor& editor) {
     if (!editor.document || editor.document->in_transaction()) return;
+    stop_playtest(editor);
     const Result<std::string> baked = editor.document->bake();
     if (!baked) {
         editor.message = MessageDialog{"Cannot bake the types", baked.error().text(), {}};
@@ -57,6 +58,36 @@ std::vector<Command> file_commands() {
          has_document,
          nullptr,
          bake_types},
+        {"file.export_obj",
+         icons::share,
+         "Export OBJ…",
+         "File/Export",
+         "Write OBJ and MTL with every face's type in its material's name, whatever gave the type",
+         "write convert blender materials suffix",
+         {},
+         has_document,
+         nullptr,
+         ask_for_file<FileDialogKind::export_obj>},
+        {"file.export_gltf",
+         icons::share,
+         "Export glTF…",
+         "File/Export",
+         "Write glTF 2.0 with the types in its extras; a name ending in .glb gives one file",
+         "write convert glb engine",
+         {},
+         has_document,
+         nullptr,
+         ask_for_file<FileDialogKind::export_gltf>},
+        {"file.export_game",
+         icons::share,
+         "Export for a game…",
+         "File/Export",
+         "Write one flat file of types and triangles that a game reads with a few lines of code",
+         "write convert flat binary engine",
+         {},
+         has_document,
+         nullptr,
+         ask_for_file<FileDialogKind::export_game>},
         {"file.quit", icons::sign_out, "Quit", "File",
          "Leave Slipface; asks first when there are unsaved changes", "exit close leave", ctrl("Q"), always,
          nullptr, request_quit},

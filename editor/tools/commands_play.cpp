@@ -55,6 +55,26 @@ std::vector<Command> play_commands() {
     };
     for (Command& row : hack_commands(std::make_index_sequence<max_settings>()))
         rows.push_back(std::move(row));
+    rows.push_back({"movement.open_preset",
+                    icons::folder_open,
+                    "Open preset…",
+                    "Playtest",
+                    "Take all movement settings from a file, as one step of history",
+                    "load settings movement hacks file",
+                    {},
+                    has_document,
+                    nullptr,
+                    ask_for_file<FileDialogKind::open_preset>});
+    rows.push_back({"movement.save_preset",
+                    icons::save,
+                    "Save preset…",
+                    "Playtest",
+                    "Write all movement settings into a file, for other levels and for --preset",
+                    "write store settings movement hacks file",
+                    {},
+                    has_document,
+                    nullptr,
+                    ask_for_file<FileDialogKind::save_preset>});
     rows.push_back({"movement.reset",
                     icons::reset,
                     "Reset movement",

@@ -87,6 +87,7 @@ inline constexpr const char* why = "\xef\x81\x99";           // f059
 inline constexpr const char* film = "\xef\x80\x88";          // f008
 inline constexpr const char* chart = "\xef\x88\x81";         // f201
 inline constexpr const char* ghost = "\xef\x84\xa6";         // f126
+inline constexpr const char* share = "\xef\x81\xa4";         // f064
 inline constexpr const char* flask = "\xef\x83\x83";         // f0c3
 inline constexpr const char* fire = "\xef\x81\xad";          // f06d
 inline constexpr const char* bulb = "\xef\x83\xab";          // f0eb
