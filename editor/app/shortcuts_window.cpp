@@ -177,8 +177,14 @@ void shortcuts_window(Editor& editor) {
         ImGuiCond_Appearing);
     ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.5f}, ImGuiCond_Appearing, {0.5f, 0.5f});
     const ui::Scope scope("Shortcuts");
-    if (ImGui::Begin("Keyboard and mouse", &editor.show_shortcuts,
-                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+    // It floats over panels of its own colour.
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0f, scale));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ui::palette().popup);
+    const bool open = ImGui::Begin("Keyboard and mouse", &editor.show_shortcuts,
+                                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    if (open) {
         static std::string filter;
         if (ImGui::IsWindowAppearing()) filter.clear();
         const std::string before = filter;
