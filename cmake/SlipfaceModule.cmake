@@ -24,32 +24,51 @@ function(slipface_compile_rules target)
     endif()
 endfunction()
 
-# Precompiling costs seconds and 100 MB, so targets of one kind, whose flags are the same, share one.
+# Precompiling costs seconds and 100 MB, so targets of one kind share one: they have the same flags and read the same
+# headers. A row: which targets (the first that matches counts), the kind, its header in cmake/, and whose headers that reads.
+set(SLIPFACE_PRECOMPILED
+    "^tests_editor$|test_editor|precompiled_test_editor.h|slipface_editor_widgets slipface_editor_tools GTest::gmock"
+    "^tests_(level|levels|doctor|exchange|world|sim|scenes|render|snapshot|cli)$|test_level|precompiled_test_level.h|slipface_level GTest::gmock"
+    "^tests_|test|precompiled_test.h|GTest::gmock"
+    "^slipface_(level|doctor|exchange|light|world|sim|scenes|render|snapshot|editor_document)$|level|precompiled_level.h|slipface_level"
+    "^slipface_editor_tools$|tools|precompiled_tools.h|slipface_editor_tools"
+    "^slipface_editor_(panels|app|snapshots)$|editor|precompiled_editor.h|slipface_editor_widgets slipface_editor_tools"
+    "^slipface_cli$|cli|precompiled_cli.h|slipface_level CLI11::CLI11"
+    "|library|precompiled.h|")
+
+# Executables have flags of their own, and a kind of their own with them.
 function(slipface_precompile target)
     get_target_property(type ${target} TYPE)
-    set(header precompiled.h)
-    if(target MATCHES "^tests_")
-        set(kind test)
-        set(header precompiled_tests.h)
-    elseif(type STREQUAL EXECUTABLE)
-        set(kind program)
-    else()
-        set(kind library)
+    foreach(row IN LISTS SLIPFACE_PRECOMPILED)
+        string(REGEX MATCH "^(.*)\\|([a-z_]+)\\|([a-z_.]+)\\|([A-Za-z0-9_: ]*)$" row "${row}")
+        set(targets "${CMAKE_MATCH_1}")
+        set(kind "${CMAKE_MATCH_2}")
+        set(header "${CMAKE_MATCH_3}")
+        separate_arguments(libraries UNIX_COMMAND "${CMAKE_MATCH_4}")
+        if(targets STREQUAL "" OR target MATCHES "${targets}")
+            break()
+        endif()
+    endforeach()
+    if(type STREQUAL EXECUTABLE AND NOT kind MATCHES "^test")
+        set(kind program_${kind})
     endif()
     set(host slipface_pch_${kind})
     if(NOT TARGET ${host})
         set(source "${PROJECT_BINARY_DIR}/${host}.cpp")
-        if(kind STREQUAL library)
-            file(CONFIGURE OUTPUT "${source}" CONTENT "namespace slipface {}\n")
-            add_library(${host} OBJECT "${source}")
-        else()
+        if(type STREQUAL EXECUTABLE)
             file(CONFIGURE OUTPUT "${source}" CONTENT "int main() { return 0; }\n")
             add_executable(${host} "${source}")
+        else()
+            file(CONFIGURE OUTPUT "${source}" CONTENT "namespace slipface {}\n")
+            add_library(${host} OBJECT "${source}")
         endif()
         target_link_libraries(${host} PRIVATE Eigen3::Eigen fmt::fmt)
-        if(kind STREQUAL test)
-            target_link_libraries(${host} PRIVATE GTest::gmock)
-        endif()
+        # Linking them would be a circle: they wait for this header.
+        foreach(library IN LISTS libraries)
+            target_include_directories(${host} PRIVATE $<TARGET_PROPERTY:${library},INTERFACE_INCLUDE_DIRECTORIES>)
+            target_include_directories(${host} SYSTEM PRIVATE
+                $<TARGET_PROPERTY:${library},INTERFACE_SYSTEM_INCLUDE_DIRECTORIES>)
+        endforeach()
         slipface_compile_rules(${host})
         target_precompile_headers(${host} PRIVATE "$<$<COMPILE_LANGUAGE:CXX>:${PROJECT_SOURCE_DIR}/cmake/${header}>")
     endif()

@@ -2,6 +2,7 @@
 // movement settings as files.
 #include "slipface/scenes/demo.h"
 
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 

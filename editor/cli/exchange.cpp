@@ -1,6 +1,7 @@
 // Verbs that exchange files with other programs: import, bake, export.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 #include <memory>

@@ -3,7 +3,6 @@
 // "slipface: PLACE: message". Each returns an exit code.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iosfwd>
 #include <optional>
@@ -14,6 +13,11 @@
 #include "slipface/base/result.h"
 #include "slipface/base/types.h"
 #include "slipface/mesh/import.h"
+
+// CLI/CLI.hpp takes a compiler seconds; only who defines options includes it.
+namespace CLI {
+class App;
+}
 
 namespace slipface::cli {
 

@@ -1,6 +1,7 @@
 // The verbs behind a command line.
 #include <gmock/gmock.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "cli/verbs.h"
