@@ -63,8 +63,12 @@ function(slipface_precompile target)
             add_library(${host} OBJECT "${source}")
         endif()
         target_link_libraries(${host} PRIVATE Eigen3::Eigen fmt::fmt)
-        # Linking them would be a circle: they wait for this header.
         foreach(library IN LISTS libraries)
+            if(library MATCHES "::")
+                target_link_libraries(${host} PRIVATE ${library})
+                continue()
+            endif()
+            # Linking our own would be a circle: they wait for this header.
             target_include_directories(${host} PRIVATE $<TARGET_PROPERTY:${library},INTERFACE_INCLUDE_DIRECTORIES>)
             target_include_directories(${host} SYSTEM PRIVATE
                 $<TARGET_PROPERTY:${library},INTERFACE_SYSTEM_INCLUDE_DIRECTORIES>)
