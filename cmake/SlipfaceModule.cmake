@@ -30,10 +30,9 @@ set(SLIPFACE_PRECOMPILED
     "^tests_editor$|test_editor|precompiled_test_editor.h|slipface_editor_widgets slipface_editor_tools GTest::gmock"
     "^tests_(level|levels|doctor|exchange|world|sim|scenes|render|snapshot|cli)$|test_level|precompiled_test_level.h|slipface_level GTest::gmock"
     "^tests_|test|precompiled_test.h|GTest::gmock"
-    "^slipface_(level|doctor|exchange|light|world|sim|scenes|render|snapshot|editor_document)$|level|precompiled_level.h|slipface_level"
+    "^slipface_(level|doctor|exchange|light|world|sim|scenes|render|snapshot|editor_document|cli)$|level|precompiled_level.h|slipface_level"
     "^slipface_editor_tools$|tools|precompiled_tools.h|slipface_editor_tools"
     "^slipface_editor_(panels|app|snapshots)$|editor|precompiled_editor.h|slipface_editor_widgets slipface_editor_tools"
-    "^slipface_cli$|cli|precompiled_cli.h|slipface_level CLI11::CLI11"
     "|library|precompiled.h|")
 
 # Executables have flags of their own, and a kind of their own with them.

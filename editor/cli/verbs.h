@@ -14,7 +14,7 @@
 #include "slipface/base/types.h"
 #include "slipface/mesh/import.h"
 
-// CLI/CLI.hpp takes a compiler seconds; only who defines options includes it.
+// CLI/CLI.hpp takes a compiler seconds wherever it is included, so only who defines options does.
 namespace CLI {
 class App;
 }
