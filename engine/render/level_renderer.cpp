@@ -287,8 +287,8 @@ void LevelRenderer::Impl::draw_lines(const LineBuffer& lines, float shortest) {
 // What draw() needs of the context, whatever was drawn before.
 void LevelRenderer::Impl::reset_state(int width, int height) {
     gl->Viewport(0, 0, width, height);
-    for (const GLenum off : {GL_SCISSOR_TEST, GL_BLEND, GL_STENCIL_TEST, GL_CULL_FACE})
-        gl->Disable(off);
+    for (const int off : {GL_SCISSOR_TEST, GL_BLEND, GL_STENCIL_TEST, GL_CULL_FACE})
+        gl->Disable(static_cast<GLenum>(off));
     gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl->DepthMask(GL_TRUE);
     gl->PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
