@@ -98,7 +98,7 @@ TEST(TapeRuns, CountsInHowManyTicksAHackActed) {
             for (const TraceRecord& record : run.trace(stripes.scene(), tick).records)
                 acted |= hacks_acted(record);
             ASSERT_EQ(acted, run.samples()[tick].acted) << tick;
-            counted += (acted >> row) & 1;
+            counted += static_cast<std::uint32_t>((acted >> row) & 1);
         }
         EXPECT_EQ(run.acted_count(row), counted) << hack_rows()[row]->name;
     }
