@@ -3,7 +3,6 @@
 // both. Each figure is the median over the rounds of processor time, and the share the median of the rounds'
 // own shares.
 #include <fmt/core.h>
-#include <time.h>
 
 #include <algorithm>
 
@@ -12,22 +11,12 @@
 #include "slipface/level/level_scene.h"
 #include "slipface/sim/audit.h"
 #include "slipface/sim/simulate.h"
+#include "timing.h"
 
 namespace slipface::bench {
 namespace {
 
 constexpr int rounds = 5;
-
-double seconds() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-double median(std::vector<double> list) {
-    std::sort(list.begin(), list.end());
-    return list[list.size() / 2];
-}
 
 using Wishes = std::vector<std::vector<PlayerInput>>;  // [walker][tick]
 

@@ -3,7 +3,6 @@
 // processor time, and each ratio the median of the rounds' own ratios.
 #include <fmt/core.h>
 #include <tbb/task_arena.h>
-#include <time.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include "bullet_level.h"
 #include "embree_scene.h"
 #include "slipface/collision/simd.h"
+#include "timing.h"
 
 namespace slipface::bench {
 namespace {
@@ -19,17 +19,6 @@ constexpr std::int64_t sizes[] = {3000, 10000, 30000, 100000, 300000, 1000000};
 constexpr double lengths[] = {0.02, 0.2, 2, 20};
 constexpr std::size_t queries_a_round = 512;
 constexpr int rounds = 8;
-
-double seconds() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-double median(std::vector<double> list) {
-    std::sort(list.begin(), list.end());
-    return list[list.size() / 2];
-}
 
 struct Pair {
     double mine;  // nanoseconds
