@@ -28,8 +28,8 @@ FaceIndex::FaceIndex(const Mesh& mesh, SurfaceTable surfaces) : mesh_(mesh) {
         by_hash_.push_back({packed_hash(keys_[face].loop_hash), face});
         by_cell_.push_back({cell_code((keys_[face].centroid / cell_size_).array().floor()), face});
     }
-    sort(by_hash_);
-    sort(by_cell_);
+    sort_by_key(by_hash_);
+    sort_by_key(by_cell_);
 }
 
 std::uint64_t FaceIndex::cell_code(const Vec3& cell) const {
@@ -39,17 +39,12 @@ std::uint64_t FaceIndex::cell_code(const Vec3& cell) const {
     return hasher.value();
 }
 
-void FaceIndex::sort(std::vector<Entry>& entries) {
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-        return a.code != b.code ? a.code < b.code : a.face < b.face;
-    });
-}
-
-void FaceIndex::append(const std::vector<Entry>& entries, std::uint64_t code, std::vector<FaceId>& faces) {
+void FaceIndex::append(const std::vector<KeyedIndex>& entries, std::uint64_t code,
+                       std::vector<FaceId>& faces) {
     auto entry = std::lower_bound(entries.begin(), entries.end(), code,
-                                  [](const Entry& a, std::uint64_t wanted) { return a.code < wanted; });
-    for (; entry != entries.end() && entry->code == code; ++entry)
-        faces.push_back(entry->face);
+                                  [](const KeyedIndex& a, std::uint64_t wanted) { return a.key < wanted; });
+    for (; entry != entries.end() && entry->key == code; ++entry)
+        faces.push_back(entry->index);
 }
 
 std::vector<FaceId> FaceIndex::with_hash(std::uint64_t loop_hash) const {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "face_match.h"
+#include "slipface/base/key_sort.h"
 
 namespace slipface {
 
@@ -28,20 +29,16 @@ class FaceIndex {
     bool is_sliver(FaceId face, double tolerance) const;
 
   private:
-    struct Entry {
-        std::uint64_t code;
-        FaceId face;
-    };
     std::uint64_t cell_code(const Vec3& cell) const;
-    static void sort(std::vector<Entry>& entries);
-    static void append(const std::vector<Entry>& entries, std::uint64_t code, std::vector<FaceId>& faces);
+    static void append(const std::vector<KeyedIndex>& entries, std::uint64_t code,
+                       std::vector<FaceId>& faces);
 
     const Mesh& mesh_;
     std::vector<FaceKey> keys_;
     std::vector<std::string> material_base_;
     double cell_size_ = 1.0;
-    std::vector<Entry> by_hash_;
-    std::vector<Entry> by_cell_;
+    std::vector<KeyedIndex> by_hash_;
+    std::vector<KeyedIndex> by_cell_;
 };
 
 }  // namespace slipface

@@ -5,6 +5,7 @@
 
 #include "face_match.h"
 #include "slipface/base/hash.h"
+#include "slipface/base/key_sort.h"
 #include "slipface/base/parallel.h"
 
 namespace slipface {
@@ -18,15 +19,16 @@ std::uint64_t corner_hash(const Vec3f& position) {
     return hasher.value();
 }
 
-// The sum over the directed edges: it has no first corner, and keeps the winding.
-std::uint64_t loop_hash(const Mesh& mesh, FaceId face) {
+// The sum over the directed edges: it has no first corner, and keeps the winding. `hash_of` gives a vertex's.
+template <class HashOf>
+std::uint64_t loop_hash(const Mesh& mesh, FaceId face, const HashOf& hash_of) {
     const std::uint32_t first = mesh.face_first_corner[face];
     const std::uint32_t count = mesh.face_corner_count(face);
     if (count == 0) return 0;
     std::uint64_t sum = count;
-    std::uint64_t previous = corner_hash(mesh.corner_position(first + count - 1));
+    std::uint64_t previous = hash_of(mesh.corner_vertex[first + count - 1]);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const std::uint64_t current = corner_hash(mesh.corner_position(first + i));
+        const std::uint64_t current = hash_of(mesh.corner_vertex[first + i]);
         Hasher edge;
         edge.u64(previous);
         edge.u64(current);
@@ -36,11 +38,63 @@ std::uint64_t loop_hash(const Mesh& mesh, FaceId face) {
     return sum;
 }
 
+// Of all faces.
+std::vector<std::uint64_t> loop_hashes(const Mesh& mesh) {
+    std::vector<std::uint64_t> vertex_hash(mesh.positions.size());
+    parallel_for(vertex_hash.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            vertex_hash[i] = corner_hash(mesh.positions[i]);
+    });
+    std::vector<std::uint64_t> hashes(mesh.face_count());
+    parallel_for(hashes.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t face = begin; face < end; ++face)
+            hashes[face] = loop_hash(mesh, static_cast<FaceId>(face),
+                                     [&](std::uint32_t vertex) { return vertex_hash[vertex]; });
+    });
+    return hashes;
+}
+
 double as_float(double value) {
     return static_cast<double>(static_cast<float>(value));
 }
 double four_decimals(double value) {
     return std::round(value * 1e4) / 1e4 + 0.0;
+}
+
+FaceKey key_of(const Mesh& mesh, FaceId face, std::uint64_t hash) {
+    FaceKey key;
+    key.loop_hash = hash;
+    key.centroid = face_centroid(mesh, face).unaryExpr(&as_float);
+    key.normal = face_normal(mesh, face).unaryExpr(&four_decimals);
+    key.area = as_float(face_area(mesh, face));
+    key.material = mesh.materials[mesh.face_material[face]].name;
+    return key;
+}
+
+// For each face, how many with the same loop and material come before it.
+std::vector<std::uint32_t> twins_before(const Mesh& mesh, const std::vector<std::uint64_t>& hashes) {
+    std::vector<KeyedIndex> order(hashes.size());
+    for (std::size_t face = 0; face < hashes.size(); ++face)
+        order[face] = {hashes[face], static_cast<FaceId>(face)};
+    sort_by_key(order);
+    std::vector<std::uint32_t> before(hashes.size(), 0);
+    const auto material = [&](FaceId face) -> const std::string& {
+        return mesh.materials[mesh.face_material[face]].name;
+    };
+    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+        for (end = begin + 1; end < order.size() && order[end].key == order[begin].key;)
+            ++end;
+        if (end == begin + 1) continue;
+        const auto at = [&](std::size_t i) { return order.begin() + static_cast<std::ptrdiff_t>(i); };
+        std::stable_sort(at(begin), at(end), [&](const KeyedIndex& a, const KeyedIndex& b) {
+            return material(a.index) < material(b.index);
+        });
+        for (std::size_t i = begin + 1; i < end; ++i) {
+            if (material(order[i].index) == material(order[i - 1].index))
+                before[order[i].index] = before[order[i - 1].index] + 1;
+        }
+    }
+    return before;
 }
 
 }  // namespace
@@ -50,48 +104,20 @@ double position_tolerance(const Vec3& position) {
 }
 
 FaceKey face_key(const Mesh& mesh, FaceId face) {
-    FaceKey key;
-    key.loop_hash = loop_hash(mesh, face);
-    key.centroid = face_centroid(mesh, face).unaryExpr(&as_float);
-    key.normal = face_normal(mesh, face).unaryExpr(&four_decimals);
-    key.area = as_float(face_area(mesh, face));
-    key.material = mesh.materials[mesh.face_material[face]].name;
-    return key;
+    return key_of(mesh, face, loop_hash(mesh, face, [&](std::uint32_t vertex) {
+                      return corner_hash(mesh.positions[vertex]);
+                  }));
 }
 
 std::vector<FaceKey> face_keys(const Mesh& mesh, const std::vector<FaceId>& faces) {
+    if (faces.empty()) return {};
+    const std::vector<std::uint64_t> hashes = loop_hashes(mesh);
     std::vector<FaceKey> keys(faces.size());
     parallel_for(faces.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            keys[i] = face_key(mesh, faces[i]);
+            keys[i] = key_of(mesh, faces[i], hashes[faces[i]]);
     });
-    if (faces.empty()) return keys;
-
-    struct Hashed {
-        std::uint64_t hash;
-        FaceId face;
-    };
-    std::vector<Hashed> all(mesh.face_count());
-    parallel_for(all.size(), 1024, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto face = static_cast<FaceId>(i);
-            all[i] = {loop_hash(mesh, face), face};
-        }
-    });
-    const auto material = [&](FaceId face) -> const std::string& {
-        return mesh.materials[mesh.face_material[face]].name;
-    };
-    std::sort(all.begin(), all.end(), [&](const Hashed& a, const Hashed& b) {
-        if (a.hash != b.hash) return a.hash < b.hash;
-        const int order = material(a.face).compare(material(b.face));
-        return order != 0 ? order < 0 : a.face < b.face;
-    });
-    std::vector<std::uint32_t> copies(all.size(), 0);
-    for (std::size_t i = 1; i < all.size(); ++i) {
-        const bool twin =
-            all[i].hash == all[i - 1].hash && material(all[i].face) == material(all[i - 1].face);
-        if (twin) copies[all[i].face] = copies[all[i - 1].face] + 1;
-    }
+    const std::vector<std::uint32_t> copies = twins_before(mesh, hashes);
     for (std::size_t i = 0; i < faces.size(); ++i)
         keys[i].copy = copies[faces[i]];
     return keys;

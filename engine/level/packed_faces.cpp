@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "slipface/base/parallel.h"
+
 namespace slipface {
 namespace {
 
@@ -19,8 +21,10 @@ constexpr double largest_centroid = 1e9;
 constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 void put(std::string& bytes, std::uint64_t value, std::size_t count) {
+    char low_first[8];
     for (std::size_t i = 0; i < count; ++i)
-        bytes.push_back(static_cast<char>(value >> (8 * i)));
+        low_first[i] = static_cast<char>(value >> (8 * i));
+    bytes.append(low_first, count);
 }
 
 std::uint64_t take(const char*& at, std::size_t count) {
@@ -80,15 +84,15 @@ double decode_area(std::uint32_t code) {
 }
 
 std::string base64(std::string_view bytes) {
-    std::string text;
-    text.reserve(bytes.size() * 4 / 3 + 3);
+    std::string text((bytes.size() * 4 + 2) / 3, '\0');
+    std::size_t out = 0;
     for (std::size_t at = 0; at < bytes.size(); at += 3) {
         const std::size_t count = std::min<std::size_t>(3, bytes.size() - at);
         std::uint32_t group = 0;
         for (std::size_t i = 0; i < 3; ++i)
             group = group << 8 | (i < count ? static_cast<unsigned char>(bytes[at + i]) : 0U);
         for (std::size_t i = 0; i <= count; ++i)
-            text.push_back(alphabet[group >> (18 - 6 * i) & 63]);
+            text[out++] = alphabet[group >> (18 - 6 * i) & 63];
     }
     return text;
 }
@@ -101,7 +105,8 @@ bool decode_base64(std::string_view text, std::string& bytes) {
             table[static_cast<unsigned char>(alphabet[i])] = static_cast<std::int8_t>(i);
         return table;
     }();
-    bytes.clear();
+    bytes.resize(text.size() * 3 / 4);
+    std::size_t out = 0;
     std::uint32_t group = 0;
     int bits = 0;
     for (const char c : text) {
@@ -111,7 +116,7 @@ bool decode_base64(std::string_view text, std::string& bytes) {
         bits += 6;
         if (bits < 8) continue;
         bits -= 8;
-        bytes.push_back(static_cast<char>(group >> bits));
+        bytes[out++] = static_cast<char>(group >> bits);
     }
     return true;
 }
@@ -138,18 +143,25 @@ bool take_face(const char*& at, FaceKey& key) {
 }  // namespace
 
 std::vector<std::string> pack_faces(std::span<const FaceKey* const> keys) {
+    if (keys.empty()) return {};
     const auto row_bits = static_cast<int>(std::bit_width(keys.size() / faces_per_row));
-    std::vector<std::string> rows;
-    std::string bytes;
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        put_face(bytes, *keys[i]);
-        const auto row_of = [&](std::size_t k) {
-            return packed_hash(keys[k]->loop_hash) >> (packed_hash_bits - row_bits);
-        };
-        if (i + 1 < keys.size() && row_of(i) == row_of(i + 1)) continue;
-        rows.push_back(base64(bytes));
-        bytes.clear();
-    }
+    const auto row_of = [&](std::size_t k) {
+        return packed_hash(keys[k]->loop_hash) >> (packed_hash_bits - row_bits);
+    };
+    std::vector<std::size_t> begin{0};
+    for (std::size_t i = 1; i < keys.size(); ++i)
+        if (row_of(i) != row_of(i - 1)) begin.push_back(i);
+    begin.push_back(keys.size());
+    std::vector<std::string> rows(begin.size() - 1);
+    parallel_for(rows.size(), 64, [&](std::size_t first, std::size_t last) {
+        std::string bytes;
+        for (std::size_t row = first; row < last; ++row) {
+            bytes.clear();
+            for (std::size_t i = begin[row]; i < begin[row + 1]; ++i)
+                put_face(bytes, *keys[i]);
+            rows[row] = base64(bytes);
+        }
+    });
     return rows;
 }
 

@@ -1,9 +1,12 @@
 #include "level_geometry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <compare>
 #include <numeric>
+
+#include "slipface/base/parallel.h"
 
 namespace slipface {
 
@@ -89,23 +92,34 @@ Vec3 drawing_origin(const Mesh& mesh) {
 
 void append_vertices(const Mesh& mesh, std::span<const TriangleId> triangles, const Vec3& origin,
                      std::vector<LevelVertex>& vertices) {
-    FaceId normal_of = no_id;
-    std::uint32_t normal = 0;
-    for (const TriangleId triangle : triangles) {
-        const FaceId face = mesh.triangle_face[triangle];
-        if (face != normal_of) normal = packed_normal(face_normal(mesh, face));
-        normal_of = face;
-        const Vec3f& diffuse = mesh.materials[mesh.face_material[face]].diffuse;
-        for (const std::uint32_t corner : mesh.triangles[triangle]) {
-            const Vec3f position = (mesh.corner_position(corner).cast<double>() - origin).cast<float>();
-            const Vec2f& uv = mesh.corner_uv[corner];
-            vertices.push_back({{position.x(), position.y(), position.z()},
-                                normal,
-                                {uv.x(), uv.y()},
-                                face,
-                                {byte_of(diffuse.x()), byte_of(diffuse.y()), byte_of(diffuse.z()), 255}});
-        }
+    std::vector<std::array<std::uint8_t, 4>> material_color;
+    for (const Material& material : mesh.materials) {
+        const Vec3f& color = material.diffuse;
+        material_color.push_back({byte_of(color.x()), byte_of(color.y()), byte_of(color.z()), 255});
     }
+    const std::size_t before = vertices.size();
+    vertices.resize(before + 3 * triangles.size());
+    parallel_for(triangles.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        FaceId normal_of = no_id;
+        std::uint32_t normal = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+            const TriangleId triangle = triangles[i];
+            const FaceId face = mesh.triangle_face[triangle];
+            if (face != normal_of) normal = packed_normal(face_normal(mesh, face));
+            normal_of = face;
+            const std::array<std::uint8_t, 4>& color = material_color[mesh.face_material[face]];
+            LevelVertex* to = vertices.data() + before + 3 * i;
+            for (const std::uint32_t corner : mesh.triangles[triangle]) {
+                const Vec3f position = (mesh.corner_position(corner).cast<double>() - origin).cast<float>();
+                const Vec2f& uv = mesh.corner_uv[corner];
+                *to++ = {{position.x(), position.y(), position.z()},
+                         normal,
+                         {uv.x(), uv.y()},
+                         face,
+                         {color[0], color[1], color[2], color[3]}};
+            }
+        }
+    });
 }
 
 void append_moved_vertices(const Mesh& mesh, std::span<const TriangleId> triangles, const Pose& pose,

@@ -9,6 +9,7 @@
 #include "face_state.h"
 #include "gl_util.h"
 #include "level_geometry.h"
+#include "level_programs.h"
 #include "level_shaders.h"
 #include "level_textures.h"
 #include "light_map.h"
@@ -25,7 +26,9 @@ constexpr float border_width = 1.2f;
 constexpr float outline_width = 2.2f;
 constexpr float shortest_border = 2.5f;  // pixels; keeps dense geometry from turning black
 constexpr double line_bias = 2.0;        // pixels by which lines lie in front of the faces they border
-constexpr std::size_t triangles_per_upload = std::size_t{1} << 18U;
+constexpr std::size_t triangles_per_draw = std::size_t{1} << 15U;
+constexpr GLuint64 longest_wait_ns = 100'000'000;
+constexpr std::size_t triangles_per_upload = std::size_t{1} << 16U;
 
 struct LineBuffer {
     unsigned vertex_array = 0, buffer = 0;
@@ -42,12 +45,14 @@ struct MovingRun {
 }  // namespace
 
 struct LevelRenderer::Impl {
-    explicit Impl(GlTable table) : gl(std::move(table)), textures(gl), face_state(gl), light_map(gl) {}
+    explicit Impl(GlTable table)
+        : gl(std::move(table)), textures(gl), face_state(gl), light_map(gl), level_programs(gl) {}
 
     GlTable gl;
     LevelTextures textures;
     FaceState face_state;
     LightMap light_map;
+    LevelPrograms level_programs;
     std::optional<LevelLight> light;
     Status status;
     MeshPtr mesh;
@@ -57,7 +62,10 @@ struct LevelRenderer::Impl {
     std::vector<std::uint32_t> parts;      // [face] that moves with it, or no_id; empty: none moves
     std::vector<MovingRun> moving;         // of parts, in drawing order
 
-    unsigned background_program = 0, level_program = 0, line_program = 0;
+    bool surfaces_shown = false;  // of some face, other than `default`
+    bool highlights_shown = false;
+
+    unsigned background_program = 0, line_program = 0;
     unsigned empty_array = 0, level_array = 0, level_buffer = 0;
     unsigned table_texture = 0, white_texture = 0;
     LineBuffer borders, selected_outline, hovered_outline;
@@ -75,7 +83,10 @@ struct LevelRenderer::Impl {
     }
     void draw_background(const Camera& camera, double aspect, const LevelStyle& style);
     void set_sky(const Camera& camera, double aspect);
+    void set_level_uniforms(unsigned program, const Camera& camera, int height, const Mat4f& clip,
+                            const LevelStyle& style);
     void draw_faces(const Camera& camera, int height, const Mat4f& clip, const LevelStyle& style);
+    void draw_in_pieces(const DrawBatch& batch);
     void draw_lines(const LineBuffer& lines, float shortest);
     void reset_state(int width, int height);
     void draw_level(const Camera& camera, int width, int height, const LevelStyle& style);
@@ -90,8 +101,7 @@ void LevelRenderer::Impl::build_programs() {
         return 0U;
     };
     background_program = link("background", background_vertex_shader, background_fragment_shader);
-    level_program = link("level", level_vertex_shader,
-                         std::string(level_fragment_shader_head) + level_fragment_shader_main);
+    if (const Result<unsigned> plain = level_programs.get(0); !plain && status) status = plain.error();
     line_program = link("line", line_vertex_shader, line_fragment_shader);
 }
 
@@ -175,6 +185,7 @@ void LevelRenderer::Impl::find_moving(std::span<const std::uint32_t> face_parts)
 void LevelRenderer::Impl::reset_faces() {
     const std::size_t faces = mesh ? mesh->face_count() : 0;
     highlights.assign(faces, 0);
+    surfaces_shown = highlights_shown = false;
     face_state.resize(faces);
     upload_lines(selected_outline, {});
     upload_lines(hovered_outline, {});
@@ -225,30 +236,33 @@ Eigen::Vector4f LevelRenderer::Impl::eye_uniform(const Camera& camera) const {
     return {e.x(), e.y(), e.z(), camera.orthographic ? 0.0f : 1.0f};
 }
 
+void LevelRenderer::Impl::set_level_uniforms(unsigned program, const Camera& camera, int height,
+                                             const Mat4f& clip, const LevelStyle& style) {
+    const double extent = mesh->bounds.empty() ? 1.0 : mesh->bounds.size().norm();
+    gl->UseProgram(program);
+    set_uniform(*gl, program, "clip_from_local", clip);
+    set_uniform(*gl, program, "overlay", std::clamp(style.overlay, 0.0f, 1.0f));
+    set_uniform(*gl, program, "face_colors", static_cast<int>(style.colors));
+    set_uniform(*gl, program, "slope_cosine", static_cast<float>(std::cos(style.max_slope)));
+    set_uniform(*gl, program, "eye", eye_uniform(camera));
+    set_uniform(*gl, program, "depth_bias", depth_bias(camera, height, 0.1));
+    const Vec3f background = 0.5f * (style.background_top + style.background_bottom);
+    set_uniform(*gl, program, "fade_color",
+                lit(style) ? Vec3f(light->sky_horizon.cast<float>().cwiseMin(1.0f).cwiseSqrt()) : background);
+    set_uniform(*gl, program, "haze", lit(style) ? static_cast<float>(light->haze_m) : 0.0f);
+    set_uniform(*gl, program, "use_color", style.textured ? 1 : 0);
+    const double fade_start = 0.8 * extent;
+    set_uniform(*gl, program, "fade_range",
+                Vec2f(static_cast<float>(fade_start), static_cast<float>(4.0 * fade_start)));
+    set_uniform(*gl, program, "material_texture", 0);
+    set_uniform(*gl, program, "face_state", 1);
+    set_uniform(*gl, program, "surface_table", 2);
+    set_uniform(*gl, program, "light_map", 3);
+    set_uniform(*gl, program, "light_charts", 4);
+}
+
 void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat4f& clip,
                                      const LevelStyle& style) {
-    const double extent = mesh->bounds.empty() ? 1.0 : mesh->bounds.size().norm();
-    const Eigen::Vector4f eye = eye_uniform(camera);
-    gl->UseProgram(level_program);
-    set_uniform(*gl, level_program, "clip_from_local", clip);
-    set_uniform(*gl, level_program, "overlay", std::clamp(style.overlay, 0.0f, 1.0f));
-    set_uniform(*gl, level_program, "face_colors", static_cast<int>(style.colors));
-    set_uniform(*gl, level_program, "slope_cosine", static_cast<float>(std::cos(style.max_slope)));
-    set_uniform(*gl, level_program, "eye", eye);
-    set_uniform(*gl, level_program, "depth_bias", depth_bias(camera, height, 0.1));
-    const Vec3f background = 0.5f * (style.background_top + style.background_bottom);
-    set_uniform(*gl, level_program, "fade_color",
-                lit(style) ? Vec3f(light->sky_horizon.cast<float>().cwiseMin(1.0f).cwiseSqrt()) : background);
-    set_uniform(*gl, level_program, "use_light", lit(style) ? 1 : 0);
-    set_uniform(*gl, level_program, "haze", lit(style) ? static_cast<float>(light->haze_m) : 0.0f);
-    set_uniform(*gl, level_program, "light_map", 3);
-    set_uniform(*gl, level_program, "light_charts", 4);
-    const double fade_start = 0.8 * extent;
-    set_uniform(*gl, level_program, "fade_range",
-                Vec2f(static_cast<float>(fade_start), static_cast<float>(4.0 * fade_start)));
-    set_uniform(*gl, level_program, "material_texture", 0);
-    set_uniform(*gl, level_program, "face_state", 1);
-    set_uniform(*gl, level_program, "surface_table", 2);
     gl->ActiveTexture(GL_TEXTURE1);
     gl->BindTexture(GL_TEXTURE_2D, face_state.texture());
     gl->ActiveTexture(GL_TEXTURE2);
@@ -267,14 +281,46 @@ void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat
         gl->FrontFace(GL_CCW);
     }
     gl->BindVertexArray(level_array);
+    const bool painted =
+        highlights_shown || style.colors != FaceColors::types || (surfaces_shown && style.overlay > 0.0f);
+    unsigned program = 0;
     for (const DrawBatch& batch : batches) {
-        const bool has_texture = batch.texture != LevelTextures::none;
-        gl->BindTexture(GL_TEXTURE_2D, has_texture ? textures.name(batch.texture) : white_texture);
-        set_uniform(*gl, level_program, "use_texture", !style.textured ? 0 : has_texture ? 2 : 1);
-        gl->DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * batch.first),
-                       static_cast<GLsizei>(3 * batch.count));
+        const bool textured = style.textured && batch.texture != LevelTextures::none;
+        unsigned variant = painted ? LevelPrograms::painted : 0;
+        if (lit(style)) variant |= LevelPrograms::lit;
+        if (textured) variant |= LevelPrograms::textured;
+        if (textured && !textures.opaque(batch.texture)) variant |= LevelPrograms::cutout;
+        const Result<unsigned> wanted = level_programs.get(variant);
+        if (!wanted) {
+            if (status) status = wanted.error();
+            continue;
+        }
+        if (*wanted != program) set_level_uniforms(*wanted, camera, height, clip, style);
+        program = *wanted;
+        gl->BindTexture(GL_TEXTURE_2D, textured ? textures.name(batch.texture) : white_texture);
+        draw_in_pieces(batch);
     }
     gl->Disable(GL_CULL_FACE);
+}
+
+// A software rasteriser keeps what it was told to draw, some hundred bytes a triangle, until it has drawn it:
+// while it draws one piece it is told the next, and no more.
+void LevelRenderer::Impl::draw_in_pieces(const DrawBatch& batch) {
+    GLsync last = nullptr;
+    for (std::size_t done = 0; done < batch.count; done += triangles_per_draw) {
+        const std::size_t count = std::min(triangles_per_draw, batch.count - done);
+        gl->DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * (batch.first + done)),
+                       static_cast<GLsizei>(3 * count));
+        if (batch.count <= triangles_per_draw) return;
+        GLsync now = gl->FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+        gl->Flush();
+        if (last != nullptr) {
+            gl->ClientWaitSync(last, 0, longest_wait_ns);
+            gl->DeleteSync(last);
+        }
+        last = now;
+    }
+    gl->DeleteSync(last);
 }
 
 void LevelRenderer::Impl::draw_lines(const LineBuffer& lines, float shortest) {
@@ -333,7 +379,7 @@ LevelRenderer::LevelRenderer(GlTable gl) : impl_(std::make_unique<Impl>(std::mov
 
 LevelRenderer::~LevelRenderer() {
     const GladGLContext& gl = *impl_->gl;
-    for (const unsigned program : {impl_->background_program, impl_->level_program, impl_->line_program}) {
+    for (const unsigned program : {impl_->background_program, impl_->line_program}) {
         gl.DeleteProgram(program);
     }
     for (const LineBuffer* lines : {&impl_->borders, &impl_->selected_outline, &impl_->hovered_outline}) {
@@ -365,11 +411,11 @@ Warnings LevelRenderer::set_mesh(MeshPtr mesh, const std::filesystem::path& fold
     impl_->borders_built = false;
     impl_->textures.clear();
     impl_->light_map.clear();
+    impl_->outlines.reset();
     if (impl_->mesh) {
         impl_->origin = drawing_origin(*impl_->mesh);
         warnings = impl_->textures.load(*impl_->mesh, folder, textures);
         impl_->upload_geometry(warnings);
-        impl_->outlines.emplace(*impl_->mesh);
     }
     impl_->reset_faces();
     assert_no_gl_error(*impl_->gl, "LevelRenderer::set_mesh");
@@ -409,6 +455,8 @@ Warnings LevelRenderer::set_light(const std::optional<LevelLight>& light, const 
 }
 
 void LevelRenderer::set_face_surfaces(std::span<const SurfaceId> surfaces) {
+    impl_->surfaces_shown =
+        std::any_of(surfaces.begin(), surfaces.end(), [](SurfaceId surface) { return surface != 0; });
     impl_->face_state.change(surfaces, FaceState::Channel::surface);
     assert_no_gl_error(*impl_->gl, "LevelRenderer::set_face_surfaces");
 }
@@ -420,9 +468,12 @@ void LevelRenderer::set_face_highlights(std::span<const std::uint8_t> highlights
         changed = static_cast<std::uint8_t>(changed | (impl_->highlights[face] ^ highlights[face]));
     if (changed == 0) return;
     std::copy_n(highlights.begin(), faces, impl_->highlights.begin());
+    impl_->highlights_shown = std::any_of(impl_->highlights.begin(), impl_->highlights.end(),
+                                          [](std::uint8_t bits) { return bits != 0; });
     impl_->face_state.change(impl_->highlights, FaceState::Channel::highlight);
     const auto outline = [&](std::uint8_t bit, const std::uint8_t(&color)[4], LineBuffer& lines) {
         if ((changed & bit) == 0) return;
+        if (!impl_->outlines) impl_->outlines.emplace(*impl_->mesh);
         impl_->upload_lines(lines, impl_->outlines->lines(*impl_->mesh, impl_->highlights, bit, impl_->origin,
                                                           color, outline_width));
     };

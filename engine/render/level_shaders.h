@@ -1,4 +1,10 @@
-// GLSL of the level's faces and of the background.
+// GLSL of the level's faces and of the background. The faces' shaders are compiled in variants, without what
+// a picture does not need (LevelPrograms): a software rasteriser runs every branch for every pixel, taken or
+// not.
+//   PAINTED   faces may have surface types or highlights, or are coloured by slope
+//   LIT       by the baked light
+//   TEXTURED  with the material's texture
+//   CUTOUT    which may be transparent
 #pragma once
 
 namespace slipface {
@@ -45,7 +51,7 @@ void main() {
 
 // face_state: red = surface type, green = highlight bits, faces in rows of the texture's width.
 // light_charts: see LightMap; three texels a face, in rows of the texture's width.
-inline constexpr const char* level_vertex_shader = R"(#version 330 core
+inline constexpr const char* level_vertex_shader = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 normal;
 layout(location = 2) in vec2 uv;
@@ -54,30 +60,29 @@ layout(location = 4) in vec4 color;
 uniform mat4 clip_from_local;
 uniform usampler2D face_state;
 uniform sampler2D light_charts;
-uniform int use_light;            // 1: baked light
 uniform vec4 eye;                 // w 1: position; w 0: direction towards an orthographic camera
 uniform float depth_bias;         // clip space, towards the eye if added
 out vec3 place;
 out vec2 texture_place;
 flat out vec3 face_normal;
 flat out vec3 face_color;
+#ifdef PAINTED
 flat out uvec2 state;
+#endif
+#ifdef LIT
 out vec2 light_place;             // texels from the chart's first texel centre
 flat out vec4 light_chart;        // first texel centre, texels to the last one
+#endif
 
 void main() {
-    int row = textureSize(face_state, 0).x;
-    light_place = vec2(0.0);
-    light_chart = vec4(0.0);
-    if (use_light == 1) {
-        int faces = textureSize(light_charts, 0).x / 3;
-        ivec2 at = ivec2(3 * (int(face) % faces), int(face) / faces);
-        vec4 u = texelFetch(light_charts, at, 0);
-        vec4 v = texelFetch(light_charts, at + ivec2(1, 0), 0);
-        light_chart = texelFetch(light_charts, at + ivec2(2, 0), 0);
-        light_place = vec2(dot(u.xyz, position) + u.w, dot(v.xyz, position) + v.w);
-    }
-    state = texelFetch(face_state, ivec2(int(face) % row, int(face) / row), 0).rg;
+#ifdef LIT
+    int faces = textureSize(light_charts, 0).x / 3;
+    ivec2 at = ivec2(3 * (int(face) % faces), int(face) / faces);
+    vec4 u = texelFetch(light_charts, at, 0);
+    vec4 v = texelFetch(light_charts, at + ivec2(1, 0), 0);
+    light_chart = texelFetch(light_charts, at + ivec2(2, 0), 0);
+    light_place = vec2(dot(u.xyz, position) + u.w, dot(v.xyz, position) + v.w);
+#endif
     place = position;
     texture_place = uv;
     face_normal = normal.xyz;
@@ -85,35 +90,41 @@ void main() {
     gl_Position = clip_from_local * vec4(position, 1.0);
     // Where two faces lie back to back in one place, the front is shown.
     if (dot(normal.xyz, eye.xyz - eye.w * position) < 0.0) gl_Position.z -= depth_bias;
+#ifdef PAINTED
+    int row = textureSize(face_state, 0).x;
+    state = texelFetch(face_state, ivec2(int(face) % row, int(face) / row), 0).rg;
     // A hidden face has all its corners in one place outside the picture.
     if ((state.y & 4u) != 0u) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+#endif
 }
 )";
 
 // Colours are squared to be lit and take the square root at the end: close to sRGB, and exact operations, so
 // that every processor gives the same pixels.
-inline constexpr const char* level_fragment_shader_head = R"(#version 330 core
+inline constexpr const char* level_fragment_shader_head = R"(
 in vec3 place;
 in vec2 texture_place;
 flat in vec3 face_normal;
 flat in vec3 face_color;
+#ifdef PAINTED
 flat in uvec2 state;
+#endif
 uniform sampler2D surface_table;  // row 0: colour, and the hatch in 255ths; row 1: cosine of the slope limit in two bytes, whether it has one
 uniform int face_colors;          // 0: types, 1: slope, 2: walkable
 uniform float slope_cosine;       // of types without a limit of their own
 uniform sampler2D material_texture;
-uniform int use_texture;          // 0: plain, 1: material colour, 2: texture
+uniform int use_color;            // 1: the material's
 uniform float overlay;
 uniform vec4 eye;
 uniform vec3 fade_color;
 uniform vec2 fade_range;          // metres
-in vec2 light_place;
-flat in vec4 light_chart;
-uniform int use_light;
 uniform sampler2D light_map;
 uniform float haze;               // metres; 0: none
 out vec4 out_color;
 
+#ifdef LIT
+in vec2 light_place;
+flat in vec4 light_chart;
 // The baked light of this place. Clamped to the face's own texels: where a pixel is drawn at the border of a face, its place
 // may lie beside it.
 vec3 baked_light() {
@@ -121,6 +132,7 @@ vec3 baked_light() {
     vec3 encoded = texture(light_map, texel / vec2(textureSize(light_map, 0))).rgb;
     return 2.0 * encoded * encoded;
 }
+#endif
 
 // Share of ink of a stripe of `width` (of period 1) at x; `change` is how far x moves from pixel to pixel. Stripes too dense
 // to be seen become their mean.
@@ -134,11 +146,11 @@ float stripe(float x, float width) { return stripe(x, width, length(vec2(dFdx(x)
 float hatch(int pattern, vec2 p, float change) {
     vec2 cell = fract(p) - 0.5;
     float seen = 1.0 - smoothstep(0.25, 0.6, change);
-    if (pattern == 1) return stripe(p.x + p.y, 0.32);
-    if (pattern == 2) return max(stripe(p.x + p.y, 0.22), stripe(p.x - p.y, 0.22));
+    float along = pattern == 4 ? p.y : pattern == 5 ? p.x : p.x + p.y;
+    float first = stripe(along, pattern == 2 ? 0.22 : 0.32);
+    if (pattern == 2) return max(first, stripe(p.x - p.y, 0.22));
+    if (pattern == 1 || pattern == 4 || pattern == 5) return first;
     if (pattern == 3) return mix(0.2, clamp((0.25 - length(cell)) / change + 0.5, 0.0, 1.0), seen);
-    if (pattern == 4) return stripe(p.y, 0.32);
-    if (pattern == 5) return stripe(p.x, 0.32);
     if (pattern == 6) {
         vec2 side = clamp((abs(cell) - 0.25) / change, -0.5, 0.5);
         return mix(0.5, 0.5 - 2.0 * side.x * side.y, seen);
@@ -208,34 +220,45 @@ void main() {
     float key = max(dot(n, vec3(0.6015, 0.7018, 0.3810)) * 0.8 + 0.2, 0.0);
     vec3 light = mix(vec3(0.20, 0.19, 0.20), vec3(0.42, 0.45, 0.50), sky) + key * vec3(0.60, 0.57, 0.52);
 
+#ifdef LIT
+    bool lit = light_chart.x > 0.0;  // terrain has no chart
+    vec3 baked = baked_light();
+#else
+    const bool lit = false;
+    const vec3 baked = vec3(1.0);
+#endif
+#ifdef TEXTURED
     vec4 texel = texture(material_texture, texture_place);
-    float grid = metre_grid(p);
-    bool lit = use_light == 1 && light_chart.x > 0.0;  // terrain has no chart
-    vec3 base;
-    if (use_texture == 2) {
-        base = texel.rgb * texel.rgb * (lit ? baked_light() : mix(vec3(1.0), light, 0.72));
-    } else {
-        vec3 albedo = use_texture == 1 ? face_color * face_color : vec3(0.46, 0.47, 0.49);
-        base = albedo * (lit ? baked_light() : light * (1.0 - 0.16 * grid));
-    }
+    vec3 base = texel.rgb * texel.rgb * (lit ? baked : mix(vec3(1.0), light, 0.72));
+#else
+    vec3 albedo = use_color == 1 ? face_color * face_color : vec3(0.46, 0.47, 0.49);
+    vec3 base = albedo * (lit ? baked : light * (1.0 - 0.16 * metre_grid(p)));
+#endif
+#ifdef CUTOUT
+#ifdef PAINTED
+    if (texel.a < 0.5 && state == uvec2(0)) discard;
+#else
+    if (texel.a < 0.5) discard;
+#endif
+#endif
 
+#ifdef PAINTED
     int surface = int(state.x);
     bool hovered = (state.y & 1u) != 0u;
     bool selected = (state.y & 2u) != 0u;
-    if (use_texture == 2 && texel.a < 0.5 && state == uvec2(0)) discard;
-
     vec4 type = texelFetch(surface_table, ivec2(surface, 0), 0);
+    float limit = slope_limit(surface);
+    bool steep = face_normal.y + 2e-5 < limit;
+    int pattern = int(type.a * 255.0 + 0.5);
+    if (face_colors != 0) pattern = !steep ? 0 : face_normal.y < -1e-4 ? 2 : 1;
+    float ink = hatch_at_distance(pattern, p);
     if (face_colors != 0) {
-        float limit = slope_limit(surface);
         vec3 paint = face_colors == 1 ? slope_color(face_normal.y, limit) : walk_color(face_normal.y, limit);
-        bool steep = face_normal.y + 2e-5 < limit;
-        float ink = steep ? hatch_at_distance(face_normal.y < -1e-4 ? 2 : 1, p) : 0.0;
         float strength = max(overlay, 0.6);
         base = mix(base, paint * paint * mix(vec3(0.95), light, 0.8), strength);
         if (face_colors == 2) base = mix(base, base * 0.45, ink * strength);
     } else if (surface != 0) {
         vec3 paint = type.rgb * type.rgb * mix(vec3(0.95), light, 0.8);
-        float ink = hatch_at_distance(int(type.a * 255.0 + 0.5), p);
         bool bright = dot(type.rgb * type.rgb, vec3(0.25, 0.6, 0.15)) > 0.22;
         vec3 stroke = bright ? paint * 0.38 : mix(paint, vec3(0.9), 0.38);
         base = mix(base, paint, min(overlay * 1.15, 1.0));
@@ -243,6 +266,7 @@ void main() {
     }
     if (selected) base = mix(base, vec3(1.0, 0.42, 0.06) * mix(vec3(0.9), light, 0.6), 0.5);
     if (hovered) base = mix(base, vec3(1.0), 0.13) * 1.12;
+#endif
     if (back) {
         float warning = stripe((gl_FragCoord.x + gl_FragCoord.y) / 14.0, 0.5, 1.0 / 14.0);
         base = base * vec3(0.42, 0.20, 0.18) + vec3(0.035, 0.004, 0.004) + warning * vec3(0.030, 0.0, 0.0);
@@ -251,7 +275,9 @@ void main() {
     vec3 shown = sqrt(clamp(base, 0.0, 1.0));
     float away = distance(eye.xyz, place) * eye.w;
     float fade = 0.30 * smoothstep(fade_range.x, fade_range.y, away);
-    if (use_light == 1) fade = haze > 0.0 ? 0.9 * away * away / (away * away + haze * haze) : 0.0;
+#ifdef LIT
+    fade = haze > 0.0 ? 0.9 * away * away / (away * away + haze * haze) : 0.0;
+#endif
     out_color = vec4(mix(shown, fade_color, fade), 1.0);
 }
 )";

@@ -71,6 +71,12 @@ FoundTexture find_texture(const std::string& authored, const std::filesystem::pa
     return found;
 }
 
+bool is_opaque(const Image& image) {
+    for (std::size_t alpha = 3; alpha < image.rgba.size(); alpha += 4)
+        if (image.rgba[alpha] != 255) return false;
+    return true;
+}
+
 }  // namespace
 
 std::vector<std::string> outside_textures(const Mesh& mesh, const std::filesystem::path& folder) {
@@ -104,7 +110,7 @@ Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& fold
     std::uint64_t total_bytes = 0;
     const auto use_checker = [&] {
         if (checker_texture == none) {
-            names_.push_back(upload(checker()));
+            add(checker());
             checker_texture = static_cast<std::uint32_t>(names_.size());
         }
         return checker_texture;
@@ -135,7 +141,7 @@ Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& fold
             return use_checker();
         }
         total_bytes += bytes;
-        names_.push_back(upload(*image));
+        add(*image);
         return static_cast<std::uint32_t>(names_.size());
     };
 
@@ -156,7 +162,7 @@ Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& fold
     return warnings;
 }
 
-unsigned LevelTextures::upload(const Image& image) {
+void LevelTextures::add(const Image& image) {
     const std::size_t row_bytes = 4 * static_cast<std::size_t>(image.width);
     std::vector<std::uint8_t> from_bottom(image.rgba.size());
     for (int y = 0; y < image.height; ++y) {
@@ -175,12 +181,14 @@ unsigned LevelTextures::upload(const Image& image) {
     gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     gl_->BindTexture(GL_TEXTURE_2D, 0);
-    return texture;
+    names_.push_back(texture);
+    opaque_.push_back(is_opaque(image));
 }
 
 void LevelTextures::clear() {
     if (!names_.empty()) gl_->DeleteTextures(static_cast<GLsizei>(names_.size()), names_.data());
     names_.clear();
+    opaque_.clear();
     material_texture_.clear();
 }
 

@@ -28,13 +28,15 @@ class LevelTextures {
     const std::vector<std::uint32_t>& material_texture() const { return material_texture_; }  // [material]
     std::size_t count() const { return names_.size() + 1; }
     unsigned name(std::uint32_t texture) const { return texture == none ? 0 : names_[texture - 1]; }
+    bool opaque(std::uint32_t texture) const { return texture == none || opaque_[texture - 1]; }
 
   private:
-    unsigned upload(const Image& image);
+    void add(const Image& image);
 
     GlTable gl_;
     std::vector<std::uint32_t> material_texture_;
     std::vector<unsigned> names_;
+    std::vector<bool> opaque_;
 };
 
 }  // namespace slipface

@@ -1,0 +1,30 @@
+// The program that draws the level's faces, in variants (level_shaders.h). Each is compiled when it is first
+// drawn with.
+#pragma once
+
+#include <array>
+
+#include "gl_util.h"
+#include "slipface/base/result.h"
+
+namespace slipface {
+
+class LevelPrograms {
+  public:
+    // Bits of a variant.
+    static constexpr unsigned painted = 1, lit = 2, textured = 4, cutout = 8;
+
+    explicit LevelPrograms(GlTable gl) : gl_(std::move(gl)) {}
+    ~LevelPrograms();
+    LevelPrograms(const LevelPrograms&) = delete;
+    LevelPrograms& operator=(const LevelPrograms&) = delete;
+
+    // Fails with a driver that refuses valid GLSL 3.30.
+    Result<unsigned> get(unsigned variant);
+
+  private:
+    GlTable gl_;
+    std::array<unsigned, 16> programs_{};
+};
+
+}  // namespace slipface
