@@ -24,6 +24,7 @@ void SceneView::upload() {
         mesh_ = document.level().mesh;
         texture_warnings_ =
             level_.set_mesh(shown_mesh(document.level()), document.level().mesh_path.parent_path());
+        level_.prepare_outlines();
         ++uploads_;
     }
     if (other_mesh || document.level().light != light_) {

@@ -473,7 +473,7 @@ void LevelRenderer::set_face_highlights(std::span<const std::uint8_t> highlights
     impl_->face_state.change(impl_->highlights, FaceState::Channel::highlight);
     const auto outline = [&](std::uint8_t bit, const std::uint8_t(&color)[4], LineBuffer& lines) {
         if ((changed & bit) == 0) return;
-        if (!impl_->outlines) impl_->outlines.emplace(*impl_->mesh);
+        prepare_outlines();
         impl_->upload_lines(lines, impl_->outlines->lines(*impl_->mesh, impl_->highlights, bit, impl_->origin,
                                                           color, outline_width));
     };
@@ -481,6 +481,10 @@ void LevelRenderer::set_face_highlights(std::span<const std::uint8_t> highlights
     outline(2, selected_color, impl_->selected_outline);
     outline(1, hovered_color, impl_->hovered_outline);
     assert_no_gl_error(*impl_->gl, "LevelRenderer::set_face_highlights");
+}
+
+void LevelRenderer::prepare_outlines() {
+    if (impl_->mesh && !impl_->outlines) impl_->outlines.emplace(*impl_->mesh);
 }
 
 void LevelRenderer::set_surface_types(SurfaceTable surfaces) {

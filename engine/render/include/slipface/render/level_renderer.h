@@ -67,6 +67,8 @@ class LevelRenderer {
     // drawn). Uploads only what changed.
     void set_face_surfaces(std::span<const SurfaceId> surfaces);
     void set_face_highlights(std::span<const std::uint8_t> highlights);
+    // Does now what the first highlight would wait for: the mesh's edges are sorted to find outlines.
+    void prepare_outlines();
     void set_surface_types(SurfaceTable surfaces);
 
     // Draws each face whose part is not no_id at poses[part] of where the mesh has it. [face] `parts`; empty:
