@@ -70,7 +70,7 @@ def main():
             if "fov_y" not in camera:
                 continue
             for key in ("level", "tape"):
-                if key in scene:
+                if key in scene and not scene[key].startswith("demo:"):
                     scene[key] = str((suite.parent / scene[key]).resolve())
             scene.pop("cameras", None)
             side = [camera["target"][2] - camera["eye"][2], 0, camera["eye"][0] - camera["target"][0]]

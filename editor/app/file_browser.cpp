@@ -37,6 +37,7 @@ constexpr Kind kinds[] = {
     {FileDialogKind::save_as, "Save the level file as", ".slipface.json",
      "Path of an OBJ or a .slipface.json file", true, save_level_as},
     {FileDialogKind::open_tape, "Open a tape", ".tape", "Path of a .tape file", false, open_tape},
+    {FileDialogKind::open_recording, "Open a recording", ".tape", "Path of a .tape file", false, open_tape},
     {FileDialogKind::save_tape, "Save the tape as", ".tape", "Path of a .tape file", true, save_tape},
     {FileDialogKind::save_csv, "Export the run as CSV", ".csv", "Path of a .csv file", true, save_run_csv},
     {FileDialogKind::open_preset, "Open a preset", ".json", "Path of a preset's .json file", false,
@@ -110,7 +111,9 @@ void begin(Parts& parts) {
     const Editor& editor = parts.editor;
     std::error_code error;
     fs::path folder = fs::current_path(error);
-    if (editor.document)
+    if (editor.file_dialog == FileDialogKind::open_recording)
+        folder = editor.session.recordings.folder();
+    else if (editor.document)
         folder = editor.document->level().file_path.parent_path();
     else if (!editor.recent.paths().empty())
         folder = editor.recent.paths().front().parent_path();

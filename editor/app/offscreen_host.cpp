@@ -54,6 +54,7 @@ void OffscreenHost::want_state_folder() {
     std::string pattern = (std::filesystem::temp_directory_path(error) / "slipface_XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr) return;
     state_ = own_state_ = pattern;
+    editor().session.recordings = Recordings(state_ / "recordings");
     editor().session.autosave = AutosaveSession(state_ / "autosave");
 }
 

@@ -103,6 +103,7 @@ void do_next(Editor& editor, const UnsavedDialog& next) {
             start_loading(editor, next.open_path);
             break;
         case UnsavedDialog::Then::quit:
+            stop_playtest(editor);  // which keeps its recording
             editor.quit = true;
             break;
         case UnsavedDialog::Then::demo:

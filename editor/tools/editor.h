@@ -47,6 +47,7 @@ enum class FileDialogKind {
     open,
     save_as,
     open_tape,
+    open_recording,
     save_tape,
     save_csv,
     open_preset,

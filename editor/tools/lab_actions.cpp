@@ -55,6 +55,9 @@ void take_playtest_tape(Editor& editor) {
     editor.lab.seek(editor.lab.ticks());
     show_lab(editor);
     editor.status = "Recorded " + seconds_text(duration);
+    const Status kept = editor.session.recordings.keep(editor.document->level().mesh_path.stem().string(),
+                                                       tape_to_text(editor.lab.sealed_tape()));
+    if (!kept) editor.status += "; not kept beyond this session: " + kept.error().text();
 }
 
 void open_tape(Editor& editor, const std::filesystem::path& path) {
@@ -204,6 +207,14 @@ bool can_pin(const Editor& editor) {
 
 void ask_open_tape(Editor& editor) {
     editor.file_dialog = FileDialogKind::open_tape;
+}
+bool has_recordings(const Editor& editor) {
+    std::error_code error;
+    return editor.document && editor.session.recordings.active() &&
+           std::filesystem::exists(editor.session.recordings.folder(), error);
+}
+void ask_open_recording(Editor& editor) {
+    editor.file_dialog = FileDialogKind::open_recording;
 }
 void ask_save_tape(Editor& editor) {
     editor.file_dialog = FileDialogKind::save_tape;

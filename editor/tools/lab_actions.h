@@ -55,6 +55,8 @@ bool loops(const Editor& editor);
 bool can_pin(const Editor& editor);
 
 void ask_open_tape(Editor& editor);
+bool has_recordings(const Editor& editor);
+void ask_open_recording(Editor& editor);
 void ask_save_tape(Editor& editor);
 void ask_save_csv(Editor& editor);
 void close_tape(Editor& editor);

@@ -83,6 +83,7 @@ void begin_session(Editor& editor, const std::filesystem::path& config, const st
     load_layout(editor);
     if (!config.empty() && !session.preferences.flag("tour.done", false)) session.tour = 0;
     if (state.empty()) return;
+    session.recordings = Recordings(state / "recordings");
     session.autosave = AutosaveSession(state / "autosave");
     session.recoverable = session.autosave.recoverable();
 }

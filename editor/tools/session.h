@@ -12,6 +12,7 @@
 #include "document/background.h"
 #include "document/file_watch.h"
 #include "document/preferences.h"
+#include "document/recordings.h"
 #include "slipface/doctor/doctor.h"
 #include "tools/keymap.h"
 
@@ -54,6 +55,7 @@ struct Session {
     int tour = -1;                    // the step that is shown; -1: none
 
     std::optional<Loading> loading;
+    Recordings recordings;
     AutosaveSession autosave;
     std::vector<AutosaveInfo> recoverable;  // asked about while there are any
     std::optional<AutosaveInfo> recovered;  // deleted when what it held is safe again

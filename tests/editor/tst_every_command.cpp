@@ -118,6 +118,8 @@ const std::map<std::string_view, Case>& cases() {
         {"tools.copy_probe_test", {"key T\nviewport click @4.5,0,4.5", "expect status \"*copied*\""}},
         {"lab.", {walk, ""}},
         {"lab.open_tape", {"", ""}},
+        {"lab.open_recording",
+         {"key 2\nkey L\nautosave\nkey F5\nwait 30\nhold W 30\nkey Escape\nfinish", ""}},
         {"lab.reach", {"", ""}},
         {"lab.copy_tape", {walk, "expect status \"Tape copied\""}},
         {"lab.copy_story", {walk, "expect status \"Story copied\""}},

@@ -1,0 +1,50 @@
+#include "document/recordings.h"
+
+#include <fmt/chrono.h>
+
+#include <algorithm>
+#include <ctime>
+#include <vector>
+
+#include "slipface/base/files.h"
+
+namespace slipface {
+namespace {
+
+namespace fs = std::filesystem;
+
+// "2026-01-31 09.05.00 easy.tape": in the order of names they are in the order of time.
+bool is_recording(const std::string& name) {
+    constexpr std::string_view shape = "dddd-dd-dd dd.dd.dd ";
+    if (name.size() <= shape.size() || !name.ends_with(".tape")) return false;
+    return std::equal(shape.begin(), shape.end(), name.begin(),
+                      [](char wanted, char c) { return wanted == 'd' ? c >= '0' && c <= '9' : c == wanted; });
+}
+
+void delete_oldest(const fs::path& folder, std::size_t most) {
+    std::vector<fs::path> kept;
+    std::error_code error;
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+        if (is_recording(it->path().filename().string())) kept.push_back(it->path());
+    std::sort(kept.begin(), kept.end());
+    for (std::size_t i = 0; i + most < kept.size(); ++i)
+        fs::remove(kept[i], error);
+}
+
+}  // namespace
+
+Status Recordings::keep(std::string_view name, std::string_view text) const {
+    if (!active()) return {};
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error) return Error{folder_.string(), "cannot be made: " + error.message()};
+    fs::path file;
+    // A second that is taken already: the next one, so that the order of names stays the order of time.
+    for (std::time_t now = std::time(nullptr); file.empty() || fs::exists(file, error); ++now)
+        file = folder_ / fmt::format("{:%Y-%m-%d %H.%M.%S} {}.tape", fmt::localtime(now), name);
+    if (Status status = write_file_atomic(file, text); !status) return status;
+    delete_oldest(folder_, most_kept);
+    return {};
+}
+
+}  // namespace slipface
