@@ -20,10 +20,20 @@ function(slipface_compile_rules target)
     if(target MATCHES "tests_|pch_test")
         target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CXX>>:-O1>)
     endif()
+    if(SLIPFACE_UNITY AND target MATCHES "${SLIPFACE_UNITY_TARGETS}")
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+        # Names of files' own meet in one translation unit; a build without SLIPFACE_UNITY is told of real shadows.
+        target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-Wno-shadow -Wno-subobject-linkage>)
+    endif()
     if(SLIPFACE_PCH AND NOT target MATCHES "slipface_pch_")
         slipface_precompile(${target})
     endif()
 endfunction()
+
+# With SLIPFACE_UNITY these are compiled eight files at a time: what every file instantiates anew is then compiled once
+# for eight of them. A build from nothing takes about half the time; one after a small change takes longer.
+set(SLIPFACE_UNITY_TARGETS
+    "^(slipface_(mesh|movement|level|doctor|exchange|light|sim|scenes|render|snapshot|editor_.*|cli|generate_levels)|tests_.*)$")
 
 # Precompiling costs seconds and 100 MB, so targets of one kind share one: they have the same flags and read the same
 # headers. A row: which targets (the first that matches counts), the kind, its header in cmake/, and whose headers that reads.

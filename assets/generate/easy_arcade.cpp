@@ -4,7 +4,7 @@
 namespace slipface::generate {
 namespace {
 
-constexpr double opening = 1.9;  // half the width of an arch
+constexpr double half_opening = 1.9;  // half the width of an arch
 const std::vector<Vec2> column_profile{{0.54, -0.75}, {0.54, -0.6}, {0.42, -0.48},
                                        {0.36, 1.25},  {0.43, 1.35}, {0.58, 1.75}};
 
@@ -23,7 +23,7 @@ void add_arch_bay(Model& model, double z0, double z1) {
                     .to = south_nave,
                     .y0 = 2.0,
                     .y1 = gallery_y,
-                    .half_width = opening,
+                    .half_width = half_opening,
                     .sill = 2.0,
                     .spring = 2.0,
                     .rise = 1.4,
@@ -39,7 +39,7 @@ void add_arch_bay(Model& model, double z0, double z1) {
                     .to = south_nave,
                     .y0 = gallery_y,
                     .y1 = springing_y,
-                    .half_width = opening,
+                    .half_width = half_opening,
                     .sill = gallery_y,
                     .spring = 6.0,
                     .rise = 1.1,

@@ -14,7 +14,7 @@ void set_surfaces(Level& level) {
 
 // What a rule by material cannot say: one iced ramp, one sticky ramp, a way of bouncy tiles, and a pedestal
 // that throws.
-const PaintedFace painted[] = {
+const PaintedFace easy_types[] = {
     {{-45, 0, 4.3}, "ramp_stone", "ice"},         // 15 degrees
     {{-47, 0.5, -8.7}, "ramp_stone", "ice"},      // 40 degrees
     {{-48, 0.5, -19.1}, "ramp_steep", "sticky"},  // 60 degrees
@@ -28,7 +28,7 @@ const PaintedFace painted[] = {
 
 void annotate_easy(Level& level) {
     set_surfaces(level);
-    paint_faces(level, painted);
+    paint_faces(level, easy_types);
     level.cameras = {
         {.name = "overview", .eye = {-5.2, 6.4, 10.2}, .target = {1.6, 1.2, -14}, .fov_y = 1.15},
         {.name = "hall", .eye = {0, 0.7, 9.4}, .target = {0, 2.2, -29}},

@@ -63,7 +63,7 @@ bool rim(double x, double z) {
     return depth_into_cave(x, z) < 0.15;
 }
 
-std::vector<ModelMaterial> materials() {
+std::vector<ModelMaterial> hard_materials() {
     return {
         {"basalt", "basalt", 3.0},
         {"roof_basalt", "basalt", 4.0},
@@ -139,7 +139,7 @@ void add_hard_cave(Model& model) {
 }
 
 Model make_hard() {
-    Model model(materials());
+    Model model(hard_materials());
     add_hard_cave(model);
     add_hard_crystals(model);
     add_hard_ways(model);

@@ -4,7 +4,7 @@
 namespace slipface::generate {
 namespace {
 
-const PaintedFace painted[] = {
+const PaintedFace hard_types[] = {
     {{44, -1, -14}, "test_floor", "ice"},    {{46, -1, -14}, "test_floor", "ice"},
     {{48, -1, -14}, "test_floor", "ice"},    {{60, -1, -9}, "test_floor", "sticky"},
     {{0, -1.6, -18}, "flagstone", "bouncy"},
@@ -18,7 +18,7 @@ void annotate_hard(Level& level) {
         if (surface.name == "conveyor") surface.velocity = Vec3(3, 0, 0);
         if (surface.name == "bouncy") surface.restitution = 0.9;
     }
-    paint_faces(level, painted);
+    paint_faces(level, hard_types);
     level.cameras = {
         {.name = "landing", .eye = {-1.6, 1.6, 5.2}, .target = {0.4, 1.6, -18}, .fov_y = 1.2},
         {.name = "heart", .eye = {8.5, 0.4, -9.5}, .target = {-0.5, 2.4, -18.5}, .fov_y = 1.2},

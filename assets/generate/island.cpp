@@ -13,7 +13,7 @@ namespace {
 // What is shown of the beach lies this far above its heightfield, so that the two do not flicker.
 constexpr double beach_lift = 0.03;
 
-std::vector<ModelMaterial> materials() {
+std::vector<ModelMaterial> island_materials() {
     return {
         {"grass", "grass", 4.0},
         {"sand", "sand", 3.0},
@@ -141,7 +141,7 @@ void add_island_ground(Model& model) {
 }
 
 Model make_island() {
-    Model model(materials());
+    Model model(island_materials());
     add_island_ground(model);
     add_island_plaza(model);
     add_island_lighthouse(model);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double lowest = -12.0, highest = 4.0;  // of the beach's picture
 
-const PaintedFace painted[] = {
+const PaintedFace island_types[] = {
     {{-9.0, -1, -6}, "flagstone", "sticky"},
 };
 
@@ -39,7 +39,7 @@ void annotate_island(Level& level) {
         if (surface.name == "conveyor") surface.velocity = Vec3(4, 0, 0);
         if (surface.name == "bouncy") surface.restitution = 0.9;
     }
-    paint_faces(level, painted);
+    paint_faces(level, island_types);
     level.heightfield = HeightfieldSource{.file = "island.heights.png",
                                           .origin = {beach.x0, 0, beach.z0},
                                           .size = {beach.x1 - beach.x0, beach.z1 - beach.z0},

@@ -5,7 +5,7 @@
 namespace slipface::generate {
 namespace {
 
-const PaintedFace painted[] = {
+const PaintedFace playground_types[] = {
     {{-35.3, 0, -0.8}, "ramp_stone", "ice"},
     {{11, -1, -14}, "test_floor", "sticky"},
     {{14, -1, -14}, "test_floor", "sticky"},
@@ -20,7 +20,7 @@ void annotate_playground(Level& level) {
         if (surface.name == "conveyor") surface.velocity = Vec3(0, 0, -3);
         if (surface.name == "bouncy") surface.restitution = 0.9;
     }
-    paint_faces(level, painted);
+    paint_faces(level, playground_types);
     level.platforms = {
         {.name = "rotating plate",
          .group = "plate",

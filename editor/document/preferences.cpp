@@ -8,12 +8,12 @@
 namespace slipface {
 namespace {
 
-constexpr std::uint64_t most_bytes = 1 << 20;
+constexpr std::uint64_t largest_file = 1 << 20;
 
 }  // namespace
 
 Preferences::Preferences(std::filesystem::path file) : file_(std::move(file)) {
-    const Result<std::string> text = read_file(file_, most_bytes);
+    const Result<std::string> text = read_file(file_, largest_file);
     if (!text) return;
     for (const std::string_view line : split(*text, '\n')) {
         const std::size_t equals = line.find('=');

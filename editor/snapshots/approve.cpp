@@ -24,11 +24,6 @@ int complain(const Error& error, int code = cli::exit_bad_input) {
     return code;
 }
 
-bool wanted(const std::vector<std::string>& only, const std::string& name) {
-    return only.empty() || std::any_of(only.begin(), only.end(),
-                                       [&](const std::string& pattern) { return glob_match(pattern, name); });
-}
-
 void count(const GoldenResult& result, Tally& tally) {
     const bool worked = result.state == GoldenState::same;
     const char* word = !worked ? "FAILED" : result.message.empty() ? "unchanged" : "approved";
@@ -90,7 +85,7 @@ int approve_from(const CheckArguments& arguments, SuiteSet set, Tally& tally) {
     for (const GoldenResult& entry : report->entries) {
         const bool possible = entry.state == GoldenState::different || entry.state == GoldenState::missing ||
                               entry.state == GoldenState::unreadable;
-        if (!possible || !wanted(arguments.only, entry.name)) continue;
+        if (!possible || !is_wanted(arguments.only, entry.name)) continue;
         ++chosen;
         count(approve_seen(studio, arguments, fs::path(arguments.from).parent_path(), entry.name), tally);
     }
@@ -102,7 +97,7 @@ int approve_from(const CheckArguments& arguments, SuiteSet set, Tally& tally) {
 int approve_rendered(const CheckArguments& arguments, const SuiteSet& set, Tally& tally) {
     std::vector<std::string> names;
     for (const std::string& name : set.names)
-        if (wanted(arguments.only, name)) names.push_back(name);
+        if (is_wanted(arguments.only, name)) names.push_back(name);
     if (names.empty()) return complain({"", "no snapshot has such a name"});
     const Result<std::string> renderer =
         do_all_work(arguments.work, set, names, [&](const GoldenResult& result) { count(result, tally); });

@@ -48,6 +48,12 @@ Result<std::vector<Scene>> scenes_of_suites(const SuiteArguments& arguments) {
 
 }  // namespace
 
+bool is_wanted(const std::vector<std::string>& patterns, const std::string& name) {
+    return patterns.empty() || std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
+               return glob_match(pattern, name);
+           });
+}
+
 std::vector<std::string> SuiteArguments::as_command_line() const {
     std::vector<std::string> line{"--goldens", goldens, "--gl", gl, "--size", size, "--style", style};
     const auto add = [&](const char* option, const std::vector<std::string>& values) {

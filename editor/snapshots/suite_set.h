@@ -33,6 +33,9 @@ struct SuiteSet {
     std::vector<std::string> names;  // scenes first; of these, levels one after the other
 };
 
+// Whether one of the patterns fits the name; without patterns every name is wanted.
+bool is_wanted(const std::vector<std::string>& patterns, const std::string& name);
+
 // Reads suites and scripts; makes no context. Errors: no such folder, a suite that is not understood.
 Result<SuiteSet> load_suite_set(const SuiteArguments& arguments);
 

@@ -26,17 +26,12 @@ int bad_input(const Error& error) {
     return cli::exit_bad_input;
 }
 
-bool wanted(const std::vector<std::string>& only, const std::string& name) {
-    return only.empty() || std::any_of(only.begin(), only.end(),
-                                       [&](const std::string& pattern) { return glob_match(pattern, name); });
-}
-
 // The names that are asked for; an error when there are none, or the shard makes no sense.
 Result<std::vector<std::string>> chosen_names(const CheckArguments& arguments,
                                               const std::vector<std::string>& names) {
     std::vector<std::string> chosen;
     for (const std::string& name : names)
-        if (wanted(arguments.only, name)) chosen.push_back(name);
+        if (is_wanted(arguments.only, name)) chosen.push_back(name);
     if (chosen.empty()) {
         std::string patterns;
         for (const std::string& pattern : arguments.only)
@@ -245,7 +240,7 @@ int snapshot_list(const CheckArguments& arguments) {
     std::error_code error;
     if (!arguments.orphans_only) {
         for (const std::string& name : set->names) {
-            if (!wanted(arguments.only, name)) continue;
+            if (!is_wanted(arguments.only, name)) continue;
             const fs::path file = goldens / (name + ".png");
             int alternates = 0;
             while (fs::exists(goldens / fmt::format("{}.alt{}.png", name, alternates + 1), error))

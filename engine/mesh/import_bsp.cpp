@@ -10,7 +10,7 @@ namespace slipface {
 namespace {
 
 constexpr std::size_t header_size = 144;
-constexpr float largest_coordinate = 1e7F;
+constexpr float largest_map_coordinate = 1e7F;
 constexpr int patch_steps = 4;  // quads along each side of a 3 x 3 patch of control points
 constexpr std::size_t most_corners = std::size_t{1} << 27;
 
@@ -175,9 +175,9 @@ class BspReader {
     }
 
     Status add_corner(const Point& corner) {
-        if (!(corner.position.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= largest_coordinate))
-            return Error{place_,
-                         fmt::format("a vertex is not within {} units of the origin", largest_coordinate)};
+        if (!(corner.position.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= largest_map_coordinate))
+            return Error{
+                place_, fmt::format("a vertex is not within {} units of the origin", largest_map_coordinate)};
         if (soup_.corner_position.size() >= most_corners) return Error{place_, "has too many faces"};
         soup_.corner_position.push_back(corner.position);
         soup_.corner_uv.push_back(corner.uv);

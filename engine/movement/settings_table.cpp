@@ -9,7 +9,7 @@ namespace {
 
 using S = MovementSettings;
 
-constexpr double degree = 0.017453292519943295;
+constexpr double radians_per_degree = 0.017453292519943295;
 
 const auto table = std::to_array<SettingInfo>({
     {"radius_x", "Radius X", "Body", "m", 0.05, 5.0,
@@ -71,7 +71,7 @@ const auto table = std::to_array<SettingInfo>({
      "is given up.",
      "With 1 the player sticks to every wall; with 2 inner corners swallow movement.",
      "Costs sweeps and changes nothing: three planes are a corner that nothing leaves.", "", &S::max_slides},
-    {"max_slope", "Maximum slope", "Collision", "deg", 0.0, 89.0 * degree,
+    {"max_slope", "Maximum slope", "Collision", "deg", 0.0, 89.0 * radians_per_degree,
      "The steepest ground that is walked and stood on. Steeper faces are walls for walking, and the player "
      "slides down "
      "them.",

@@ -10,7 +10,7 @@ namespace slipface {
 
 namespace {
 
-double standing(const MovementSettings& s, double y) {
+double standing_on_flat(const MovementSettings& s, double y) {
     return y + s.radii.y() + s.skin;
 }
 
@@ -28,7 +28,7 @@ Demo demo_coyote() {
     MovementSettings on;
     on.coyote = true;
     // From 6 m before the rim at 6 m/s the rim is passed in tick 65 or so; the jump comes 3 ticks later.
-    return demo_of(ledges(4).level(), {0, standing(on, 0), 6}, on,
+    return demo_of(ledges(4).level(), {0, standing_on_flat(on, 0), 6}, on,
                    "5 wish 0,0\n69 wish 0,-1\n30 wish 0,-1 jump\n30 wish 0,0\n", {11, 3, 1}, {0, 0, -2});
 }
 
@@ -42,7 +42,7 @@ Demo demo_jump_buffer() {
         .box({-3, 0, -10}, {3, 1, -7});
     // The first jump lasts 2 * 8 / 20 s, 48 ticks; the second press comes 4 ticks before it ends.
     return demo_of(
-        shapes.level(), {0, standing(on, 0), 5}, on,
+        shapes.level(), {0, standing_on_flat(on, 0), 5}, on,
         "10 wish 0,0\n10 wish 0,-1\n1 wish 0,-1 jump\n43 wish 0,-1\n1 wish 0,-1 jump\n60 wish 0,-1\n",
         {11, 4, 0}, {0, 1, -2});
 }
@@ -55,7 +55,7 @@ Demo demo_variable_jump() {
         .box({-4, -0.5, -12}, {4, 0, 6})
         .material("brick")
         .box({-3, 2.65, -3}, {3, 3.1, -1});
-    return demo_of(shapes.level(), {0, standing(on, 0), 4}, on,
+    return demo_of(shapes.level(), {0, standing_on_flat(on, 0), 4}, on,
                    "10 wish 0,0\n35 wish 0,-1\n6 wish 0,-1 jump\n60 wish 0,-1\n", {10, 3.5, 0},
                    {0, 1.2, -1.5});
 }
@@ -65,7 +65,7 @@ Demo demo_air_control() {
     Shapes shapes;
     shapes.material("plaster").box({-5, -4.5, -14}, {9, -4, 8}).material("stone").box({-2, -4, 0}, {2, 0, 7});
     shapes.material("brick").box({0.8, -4, -3.6}, {3.2, 0, -1.4});
-    return demo_of(shapes.level(), {0, standing(on, 0), 4}, on,
+    return demo_of(shapes.level(), {0, standing_on_flat(on, 0), 4}, on,
                    "10 wish 0,0\n38 wish 0,-1\n10 wish 0,-1 jump\n14 wish 1,0 jump\n70 wish 0,0\n",
                    {2, 11, 7}, {0.6, 0, -1});
 }
@@ -74,8 +74,8 @@ Demo demo_platforms() {
     MovementSettings on;
     Shapes shapes = ledges(6);
     shapes.group("raft").material("wood").box({-1.2, -0.3, -1.6}, {1.2, 0, 0});
-    Demo demo = demo_of(shapes.level(), {0, standing(on, 0), -0.8}, on, "210 wish 0,0\n60 wish 0,-1\n",
-                        {11, 4, -1}, {0, 0, -3.2});
+    Demo demo = demo_of(shapes.level(), {0, standing_on_flat(on, 0), -0.8}, on,
+                        "210 wish 0,0\n60 wish 0,-1\n", {11, 4, -1}, {0, 0, -3.2});
     Platform raft;
     raft.name = "raft";
     raft.group = "raft";
@@ -96,7 +96,8 @@ Demo demo_turntable() {
     }
     shapes.polygon(rim);
     shapes.material("brick").box({-0.3, 0, -4.5}, {0.3, 0.6, -2});
-    Demo demo = demo_of(shapes.level(), {3, standing(on, 0), 0}, on, "180 wish 0,0\n", {6, 9, 8}, {0, 0, 0});
+    Demo demo =
+        demo_of(shapes.level(), {3, standing_on_flat(on, 0), 0}, on, "180 wish 0,0\n", {6, 9, 8}, {0, 0, 0});
     Platform table;
     table.name = "table";
     table.group = "table";
@@ -110,8 +111,8 @@ Demo demo_heightfield() {
     constexpr int side = 33;
     Shapes shapes;
     shapes.material("stone").box({-2, 0, 6}, {2, 2.4, 9});
-    Demo demo = demo_of(shapes.level(), {0, standing(on, 2.4), 7.5}, on, "20 wish 0,0\n170 wish 0,-1\n",
-                        {13, 8, 11}, {0, 0.5, -1});
+    Demo demo = demo_of(shapes.level(), {0, standing_on_flat(on, 2.4), 7.5}, on,
+                        "20 wish 0,0\n170 wish 0,-1\n", {13, 8, 11}, {0, 0.5, -1});
     demo.level.heightfield = HeightfieldSource{.file = "heightfield-terrain.png",
                                                .origin = {-12, 0, -14},
                                                .size = {24, 28},
@@ -143,8 +144,8 @@ Demo demo_sectors() {
         for (int i = 0; i < 14; ++i)
             shapes.polygon({corner(i, k), corner(i, k + 1), corner(i + 1, k + 1), corner(i + 1, k)});
     }
-    Demo demo = demo_of(shapes.level(), {0.37, standing(on, 0), 3.1}, on, "30 wish 0,0\n120 wish 0.1,-0.9\n",
-                        {9, 5, 4}, {0, 1, -2});
+    Demo demo = demo_of(shapes.level(), {0.37, standing_on_flat(on, 0), 3.1}, on,
+                        "30 wish 0,0\n120 wish 0.1,-0.9\n", {9, 5, 4}, {0, 1, -2});
     demo.level.sectors = {.size = 1000.0, .placement = {1e6, 0, -1e6}};
     return demo;
 }

@@ -21,7 +21,7 @@ int severity(const GoldenResult& entry) {
     return rank[static_cast<std::size_t>(entry.state)];
 }
 
-Numbers json_of(const GoldenResult& entry) {
+Numbers entry_json(const GoldenResult& entry) {
     Numbers json;
     json["name"] = entry.name;
     json["state"] = golden_state_name(entry.state);
@@ -160,7 +160,7 @@ void sort_by_severity(Report& report) {
 }
 
 std::string entry_to_json(const GoldenResult& entry) {
-    return json_of(entry).dump(-1, ' ', false, Numbers::error_handler_t::replace);
+    return entry_json(entry).dump(-1, ' ', false, Numbers::error_handler_t::replace);
 }
 
 Result<GoldenResult> entry_from_json(std::string_view json, const std::string& place) try {
@@ -177,7 +177,7 @@ std::string report_to_json(const Report& report) {
     json["seconds"] = report.seconds;
     json["entries"] = Numbers::array();
     for (const GoldenResult& entry : report.entries)
-        json["entries"].push_back(json_of(entry));
+        json["entries"].push_back(entry_json(entry));
     return json.dump(1, ' ', false, Numbers::error_handler_t::replace) + "\n";
 }
 

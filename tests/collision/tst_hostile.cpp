@@ -10,7 +10,7 @@ using scenes::Random;
 using scenes::Soup;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void expect_sane(const std::optional<Contact>& contact) {
     if (!contact) return;
@@ -25,7 +25,7 @@ TEST(Hostile, QueriesThatAreNotFiniteTouchNothing) {
     const CollisionWorld world = scenes::random_soup(random, 100, 2, 1).world();
     const Vec3 fine(0.5, 0.5, 0.5);
     ASSERT_TRUE(sweep_ellipsoid(world, fine, {0, 9, 0}, {0, -18, 0}));
-    for (const double bad : {nan, inf, -inf}) {
+    for (const double bad : {nan, infinity, -infinity}) {
         for (int axis = 0; axis < 3; ++axis) {
             Vec3 v(0.5, 9, 0.5);
             v[axis] = bad;

@@ -8,7 +8,7 @@ namespace {
 
 using scenes::Soup;
 
-const Vec3 half = Vec3::Constant(0.5);
+const Vec3 half_metre = Vec3::Constant(0.5);
 
 // Face 5 at y = 1 above face 9 at y = 0; winding normals +Y.
 struct TwoFloors {
@@ -33,7 +33,7 @@ TEST(SurfaceRules, FacesStartWithTheDefaultSurface) {
     EXPECT_EQ(scene.world.face_surface(5), 3);
     EXPECT_EQ(scene.world.face_surface(6), default_surface);
     EXPECT_EQ(scene.world.face_surface(9), default_surface);
-    const auto contact = sweep_ellipsoid(scene.world, half, {0, 3, 0}, {0, -5, 0});
+    const auto contact = sweep_ellipsoid(scene.world, half_metre, {0, 3, 0}, {0, -5, 0});
     ASSERT_TRUE(contact);
     EXPECT_EQ(contact->face, 5U);
     EXPECT_EQ(contact->surface, 3);
@@ -43,14 +43,14 @@ TEST(SurfaceRules, WhatIsNotSolidIsNotThere) {
     TwoFloors scene;
     scene.world.set_face_surface(5, 7);
     scene.world.set_surface_rule(7, {.solid = false, .one_sided = false});
-    EXPECT_EQ(sweep_ellipsoid(scene.world, half, {0, 3, 0}, {0, -5, 0})->face, 9U);
+    EXPECT_EQ(sweep_ellipsoid(scene.world, half_metre, {0, 3, 0}, {0, -5, 0})->face, 9U);
     EXPECT_EQ(cast_ray(scene.world, {0, 3, 0}, {0, -1, 0})->face, 9U);
     EXPECT_EQ(closest_point(scene.world, {0, 3, 0})->face, 9U);
-    EXPECT_FALSE(overlaps_any(scene.world, half, {0, 1.2, 0}));
-    EXPECT_EQ(find_overlaps(scene.world, half, {0, 1.2, 0}, {}), 0U);
+    EXPECT_FALSE(overlaps_any(scene.world, half_metre, {0, 1.2, 0}));
+    EXPECT_EQ(find_overlaps(scene.world, half_metre, {0, 1.2, 0}, {}), 0U);
     // Solid again, without a rebuild.
     scene.world.set_surface_rule(7, {});
-    EXPECT_TRUE(overlaps_any(scene.world, half, {0, 1.2, 0}));
+    EXPECT_TRUE(overlaps_any(scene.world, half_metre, {0, 1.2, 0}));
 }
 
 struct OneSided : testing::Test {
@@ -60,7 +60,7 @@ struct OneSided : testing::Test {
         scene.world.set_surface_rule(2, {.solid = true, .one_sided = true});
     }
     std::optional<Contact> sweep(const Vec3& from, const Vec3& move) const {
-        return sweep_ellipsoid(scene.world, half, from, move);
+        return sweep_ellipsoid(scene.world, half_metre, from, move);
     }
 };
 
@@ -92,9 +92,9 @@ TEST_F(OneSided, IgnoresMotionParallelToThePlane) {
     EXPECT_TRUE(sweep({-12, 1.2, 0}, {8, 0, 0}));
 }
 TEST_F(OneSided, OverlapsOnlyFromTheFront) {
-    EXPECT_TRUE(overlaps_any(scene.world, half, {0, 1.2, 0}));
-    EXPECT_FALSE(overlaps_any(scene.world, half, {0, 0.8, 0}));
-    EXPECT_EQ(find_overlaps(scene.world, half, {0, 0.8, 0}, {}), 0U);
+    EXPECT_TRUE(overlaps_any(scene.world, half_metre, {0, 1.2, 0}));
+    EXPECT_FALSE(overlaps_any(scene.world, half_metre, {0, 0.8, 0}));
+    EXPECT_EQ(find_overlaps(scene.world, half_metre, {0, 0.8, 0}, {}), 0U);
 }
 TEST_F(OneSided, RaysAndDistancesSeeBothSides) {
     const auto hit = cast_ray(scene.world, {0, 0.5, 0}, {0, 1, 0});
@@ -107,9 +107,9 @@ TEST_F(OneSided, WithoutAreaThereIsNoSideToStopAt) {
     Soup soup;
     soup.add({-1, 0, 0}, {0, 0, 0}, {1, 0, 0});
     CollisionWorld world = soup.world();
-    EXPECT_TRUE(sweep_ellipsoid(world, half, {0, 3, 0}, {0, -5, 0}));
+    EXPECT_TRUE(sweep_ellipsoid(world, half_metre, {0, 3, 0}, {0, -5, 0}));
     world.set_surface_rule(default_surface, {.solid = true, .one_sided = true});
-    EXPECT_FALSE(sweep_ellipsoid(world, half, {0, 3, 0}, {0, -5, 0}));
+    EXPECT_FALSE(sweep_ellipsoid(world, half_metre, {0, 3, 0}, {0, -5, 0}));
 }
 
 }  // namespace

@@ -14,10 +14,10 @@ Soup slab() {
     return soup;
 }
 
-const Vec3 half = Vec3::Constant(0.5);
+const Vec3 half_radii = Vec3::Constant(0.5);
 
 TEST(SweepStart, TouchingAndMovingInIsAHitAtZero) {
-    const auto contact = sweep_ellipsoid(slab().world(), half, {0, 0.5, 0}, {0.3, -1, 0});
+    const auto contact = sweep_ellipsoid(slab().world(), half_radii, {0, 0.5, 0}, {0.3, -1, 0});
     ASSERT_TRUE(contact);
     EXPECT_EQ(contact->t, 0.0);
     EXPECT_EQ(contact->normal, Vec3(0, 1, 0));
@@ -26,9 +26,9 @@ TEST(SweepStart, TouchingAndMovingInIsAHitAtZero) {
 
 TEST(SweepStart, TouchingAndMovingAlongOrOutIsFree) {
     const CollisionWorld world = slab().world();
-    EXPECT_FALSE(sweep_ellipsoid(world, half, {0, 0.5, 0}, {3, 0, 0}));
-    EXPECT_FALSE(sweep_ellipsoid(world, half, {0, 0.5, 0}, {3, 1e-9, 0}));
-    EXPECT_TRUE(sweep_ellipsoid(world, half, {0, 0.5, 0}, {3, -1e-9, 0}));
+    EXPECT_FALSE(sweep_ellipsoid(world, half_radii, {0, 0.5, 0}, {3, 0, 0}));
+    EXPECT_FALSE(sweep_ellipsoid(world, half_radii, {0, 0.5, 0}, {3, 1e-9, 0}));
+    EXPECT_TRUE(sweep_ellipsoid(world, half_radii, {0, 0.5, 0}, {3, -1e-9, 0}));
 }
 
 TEST(SweepStart, OverlappingInteriorEdgeAndVertex) {
@@ -49,13 +49,13 @@ TEST(SweepStart, OverlappingInteriorEdgeAndVertex) {
     for (const Start& start : starts) {
         // Further in, but not head-on.
         const Vec3 sideways = start.normal.unitOrthogonal();
-        const auto contact = sweep_ellipsoid(world, half, start.from, -start.normal + sideways);
+        const auto contact = sweep_ellipsoid(world, half_radii, start.from, -start.normal + sideways);
         ASSERT_TRUE(contact);
         EXPECT_EQ(contact->t, 0.0);
         EXPECT_EQ(contact->feature, start.feature);
         EXPECT_NEAR((contact->normal - start.normal).norm(), 0, 1e-15);
-        EXPECT_FALSE(sweep_ellipsoid(world, half, start.from, start.normal + sideways));
-        EXPECT_FALSE(sweep_ellipsoid(world, half, start.from, 100 * start.normal));
+        EXPECT_FALSE(sweep_ellipsoid(world, half_radii, start.from, start.normal + sideways));
+        EXPECT_FALSE(sweep_ellipsoid(world, half_radii, start.from, 100 * start.normal));
     }
 }
 
@@ -63,7 +63,7 @@ TEST(SweepStart, FreeOfOneTriangleButNotOfTheNext) {
     // Overlapping the floor and leaving it upwards still meets the ceiling: 0.2 + 0.5 + t 4 = 3.
     Soup soup = slab();
     soup.add({-10, 3, -10}, {-10, 3, 10}, {20, 3, 0});
-    const auto contact = sweep_ellipsoid(soup.world(), half, {0, 0.2, 0}, {0, 4, 0});
+    const auto contact = sweep_ellipsoid(soup.world(), half_radii, {0, 0.2, 0}, {0, 4, 0});
     ASSERT_TRUE(contact);
     EXPECT_EQ(contact->triangle, 1U);
     EXPECT_NEAR(contact->t, 2.3 / 4, 1e-15);
@@ -72,8 +72,8 @@ TEST(SweepStart, FreeOfOneTriangleButNotOfTheNext) {
 TEST(SweepStart, CentreInThePlane) {
     // The winding normal is the way out; the other way is further in.
     const CollisionWorld world = slab().world();
-    EXPECT_FALSE(sweep_ellipsoid(world, half, {0, 0, 0}, {0, 1, 0}));
-    const auto contact = sweep_ellipsoid(world, half, {0, 0, 0}, {0, -1, 0});
+    EXPECT_FALSE(sweep_ellipsoid(world, half_radii, {0, 0, 0}, {0, 1, 0}));
+    const auto contact = sweep_ellipsoid(world, half_radii, {0, 0, 0}, {0, -1, 0});
     ASSERT_TRUE(contact);
     EXPECT_EQ(contact->t, 0.0);
     EXPECT_EQ(contact->normal, Vec3(0, 1, 0));
@@ -90,7 +90,7 @@ TEST(SweepStart, CentreOnAnEdgeAndOnACornerHasAUnitNormal) {
             const Vec3 from(0, 9.0 * static_cast<double>(i), i == 2 ? 0.0 : z);
             int hits = 0;
             for (const Vec3& move : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0)}) {
-                const auto contact = sweep_ellipsoid(world, half, from, move);
+                const auto contact = sweep_ellipsoid(world, half_radii, from, move);
                 if (!contact) continue;
                 ++hits;
                 EXPECT_EQ(contact->t, 0.0);

@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr const char* place = "easy.slipface.json";
+constexpr const char* level_place = "easy.slipface.json";
 
 Faces painted_tiles() {
     Faces faces = tiles(3);
@@ -65,7 +65,7 @@ Level rich_level() {
 }
 
 Result<LoadedLevel> load(std::string_view json) {
-    return level_from_json(json, place, mesh_of(painted_tiles()));
+    return level_from_json(json, level_place, mesh_of(painted_tiles()));
 }
 
 TEST(LevelJson, EverythingComesBack) {
@@ -396,13 +396,13 @@ TEST(LevelJson, RulesOfUnknownTypesAreKeptWithAWarning) {
 }
 
 TEST(LevelJson, WithoutGeometryIsRefused) {
-    EXPECT_FALSE(level_from_json("{\"slipface\": 1}", place, nullptr).ok());
+    EXPECT_FALSE(level_from_json("{\"slipface\": 1}", level_place, nullptr).ok());
 }
 
 TEST(LevelJson, BytesThatAreNoTextDoNotSpoilTheFile) {
     Level level = level_of(tiles(1));
     level.rules = {{"caf\xE9*", "ice"}};
-    const Result<LoadedLevel> loaded = level_from_json(level_to_json(level), place, level.mesh);
+    const Result<LoadedLevel> loaded = level_from_json(level_to_json(level), level_place, level.mesh);
     ASSERT_TRUE(loaded.ok()) << loaded.error().text();
     EXPECT_EQ(loaded->level.rules[0].pattern, "caf\xEF\xBF\xBD*");
 }
@@ -414,7 +414,7 @@ TEST(LevelJson, AHundredThousandFarAndHugeMissingFacesDoNotHang) {
         json += "\"" + std::string(16, '0') + " " + std::to_string(i % 40) + ",3,0 0,-1,0 1e12\"";
     }
     Faces faces = tiles(60);
-    const Result<LoadedLevel> loaded = level_from_json(json + "]}]}", place, mesh_of(faces));
+    const Result<LoadedLevel> loaded = level_from_json(json + "]}]}", level_place, mesh_of(faces));
     ASSERT_TRUE(loaded.ok()) << loaded.error().text();
     EXPECT_EQ(loaded->match.orphaned, 100'000u);
     EXPECT_THAT(loaded->warnings.back().message, HasSubstr("cut short"));

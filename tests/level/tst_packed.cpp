@@ -10,7 +10,7 @@ using testing::HasSubstr;
 
 constexpr int side = 110;  // 12 100 tiles; more than 10 000 are packed
 
-Faces painted_tiles() {
+Faces many_painted_tiles() {
     Faces faces = tiles(side);
     for (std::size_t i = 0; i < faces.size(); ++i) {
         faces[i].painted = static_cast<int>(i % 8);
@@ -25,7 +25,7 @@ Faces painted_tiles() {
 }
 
 TEST(PackedFaces, AreFoundAgainAfterARoundTrip) {
-    const Faces faces = painted_tiles();
+    const Faces faces = many_painted_tiles();
     const std::string json = level_to_json(level_of(faces));
     EXPECT_THAT(json, HasSubstr("\"packed\": ["));
     EXPECT_LT(json.size(), faces.size() * 32 + 12'000) << "31 characters a face, and the rest of the file";
@@ -39,7 +39,7 @@ TEST(PackedFaces, AreFoundAgainAfterARoundTrip) {
 }
 
 TEST(PackedFaces, SurviveWhatReadableOnesSurvive) {
-    const Faces faces = painted_tiles();
+    const Faces faces = many_painted_tiles();
     Faces gone = faces;
     gone.erase(gone.begin() + 40);
     const LoadedLevel loaded = rematch(faces, gone);
@@ -53,7 +53,7 @@ TEST(PackedFaces, SurviveWhatReadableOnesSurvive) {
 }
 
 TEST(PackedFaces, PaintingOneMoreFaceChangesFewRows) {
-    Faces faces = painted_tiles();
+    Faces faces = many_painted_tiles();
     faces[500].painted = -1;
     const std::string before = level_to_json(level_of(faces));
     faces[500].painted = 4;

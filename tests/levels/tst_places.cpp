@@ -14,7 +14,7 @@ namespace {
 constexpr double dt = 1.0 / 60.0;
 const Vec3 radii(0.4, 0.9, 0.4);
 
-Level load(const std::string& name) {
+Level load_shipped(const std::string& name) {
     Result<LoadedLevel> loaded =
         load_level(std::filesystem::path(SLIPFACE_SOURCE_DIR) / "assets/levels" / (name + ".obj"));
     if (!loaded) throw std::runtime_error(loaded.error().text());
@@ -95,7 +95,7 @@ class ShippedPlace : public testing::TestWithParam<const char*> {};
 
 // The player walks against the foot of the ladder and keeps the stick there.
 TEST_P(ShippedPlace, EveryLadderLeadsUp) {
-    const Level level = load(GetParam());
+    const Level level = load_shipped(GetParam());
     MovementSettings settings = level.movement;
     settings.radii = radii;
     Result<LevelScene> scene = LevelScene::build(level, settings);
@@ -131,7 +131,7 @@ TEST_P(ShippedPlace, EveryLadderLeadsUp) {
 
 // Where on the platform the player stands, in the platform's own frame, stays the same while it moves.
 TEST_P(ShippedPlace, EveryPlatformCarries) {
-    const Level level = load(GetParam());
+    const Level level = load_shipped(GetParam());
     MovementSettings settings = level.movement;
     settings.radii = radii;
     settings.platforms = true;
