@@ -16,6 +16,7 @@ namespace {
 
 constexpr double half_size = 30.0, height = 16.0;
 constexpr double free_around_spawn = 2.5;
+constexpr double floor_below_origin = 1.0;  // walkers begin at the origin; heights below are above the floor
 
 class Random {
   public:
@@ -50,7 +51,8 @@ class Obj {
         }
         std::string face = "f";
         for (const Vec3& corner : corners) {
-            vertices_ += fmt::format("v {:.4f} {:.4f} {:.4f}\n", corner.x(), corner.y(), corner.z());
+            vertices_ += fmt::format("v {:.4f} {:.4f} {:.4f}\n", corner.x(), corner.y() - floor_below_origin,
+                                     corner.z());
             face += fmt::format(" {}", ++count_);
         }
         text_ += face + "\n";
