@@ -1,4 +1,4 @@
-// Four floats side by side, for the tree's construction: minima, maxima and products, the same bits with and
+// Four floats side by side, for the tree's construction and for preparing queries: the same bits with and
 // without SIMD.
 #pragma once
 
@@ -32,6 +32,22 @@ inline Four operator-(Four a, Four b) {
 }
 inline Four operator*(Four a, Four b) {
     return {_mm_mul_ps(a.v, b.v)};
+}
+inline Four operator/(Four a, Four b) {
+    return {_mm_div_ps(a.v, b.v)};
+}
+inline Four four_abs(Four a) {
+    return {_mm_andnot_ps(_mm_set1_ps(-0.0F), a.v)};
+}
+// All bits where a < b, or a == b.
+inline Four four_less(Four a, Four b) {
+    return {_mm_cmplt_ps(a.v, b.v)};
+}
+inline Four four_equal(Four a, Four b) {
+    return {_mm_cmpeq_ps(a.v, b.v)};
+}
+inline Four four_pick(Four where, Four yes, Four no) {
+    return {_mm_or_ps(_mm_and_ps(where.v, yes.v), _mm_andnot_ps(where.v, no.v))};
 }
 // Where one of the two is not a number: the second.
 inline Four four_min(Four a, Four b) {
@@ -67,6 +83,31 @@ inline Four operator-(Four a, Four b) {
 }
 inline Four operator*(Four a, Four b) {
     return {{a.v[0] * b.v[0], a.v[1] * b.v[1], a.v[2] * b.v[2], 0.0F}};
+}
+inline Four operator/(Four a, Four b) {
+    return {{a.v[0] / b.v[0], a.v[1] / b.v[1], a.v[2] / b.v[2], 0.0F}};
+}
+inline Four four_abs(Four a) {
+    return {{__builtin_fabsf(a.v[0]), __builtin_fabsf(a.v[1]), __builtin_fabsf(a.v[2]), 0.0F}};
+}
+// 1 where a < b, or a == b.
+inline Four four_less(Four a, Four b) {
+    Four out;
+    for (int k = 0; k < 4; ++k)
+        out.v[k] = a.v[k] < b.v[k] ? 1.0F : 0.0F;
+    return out;
+}
+inline Four four_equal(Four a, Four b) {
+    Four out;
+    for (int k = 0; k < 4; ++k)
+        out.v[k] = a.v[k] == b.v[k] ? 1.0F : 0.0F;
+    return out;
+}
+inline Four four_pick(Four where, Four yes, Four no) {
+    Four out;
+    for (int k = 0; k < 4; ++k)
+        out.v[k] = where.v[k] != 0.0F ? yes.v[k] : no.v[k];
+    return out;
 }
 inline Four four_min(Four a, Four b) {
     Four out;

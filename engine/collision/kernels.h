@@ -22,19 +22,18 @@ inline constexpr float least_square = 1e-28F;
 // The path of an axis-aligned box (or a point) as slabs: an axis' nearer plane of a tree box is passed at
 // (plane - near_offset) * inverse.
 struct BoxPath {
-    float near_offset[3];  // where the path's own further side starts, rounded away from the path
-    float far_offset[3];
-    float inverse[3];  // 1 / move, +inf for none
-    int near_row[3];   // row of BvhNode::bound that is met first
-    int far_row[3];
+    float near_offset[4];  // [axis] where the path's own further side starts, rounded away from the path
+    float far_offset[4];
+    float inverse[4];  // 1 / move, +inf for none
+    int backward[4];   // 1 where the move is negative: the box's maximum is met first
 };
 
 // The same path in sphere space. A corner w is (w - centre) * inverse - rest there.
 struct SpherePath {
-    float centre[3];
-    float rest[3];
-    float inverse[3];  // 1 / radii
-    float d[3];
+    float centre[4];  // [axis]
+    float rest[4];
+    float inverse[4];  // 1 / radii
+    float d[4];
     float inverse_dd;  // 0 for no move
     bool usable;       // products of three factors stay far from float's ends
 };
@@ -46,8 +45,8 @@ struct SweepPath {
 
 struct RayPath {
     BoxPath box;
-    float centre[3];
-    float rest[3];
+    float centre[4];
+    float rest[4];
     int kx, ky, kz;
     float sx, sy;
     bool usable;

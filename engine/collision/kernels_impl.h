@@ -84,9 +84,12 @@ struct LeafRows {
 };
 
 struct LaneBoxPath {
+    static constexpr float late = 1.0F + 4.0F * time_slack;
+
     Lanes near_offset[3];
     Lanes far_offset[3];
     Lanes inverse[3];
+    Lanes far_inverse[3];
     int near_row[3];
     int far_row[3];
 
@@ -95,20 +98,22 @@ struct LaneBoxPath {
             near_offset[axis] = Lanes::all(path.near_offset[axis]);
             far_offset[axis] = Lanes::all(path.far_offset[axis]);
             inverse[axis] = Lanes::all(path.inverse[axis]);
-            near_row[axis] = path.near_row[axis];
-            far_row[axis] = path.far_row[axis];
+            // The slack of a time, on the way out, costs no product of its own.
+            far_inverse[axis] = Lanes::all(path.inverse[axis] * late);
+            near_row[axis] = axis + 3 * path.backward[axis];
+            far_row[axis] = axis + 3 - 3 * path.backward[axis];
         }
     }
     // Which of eight boxes are met no later than `limit`, and when they are entered.
     template <class Rows>
     std::uint32_t meet(const Rows& rows, float limit, Lanes& enter) const {
         enter = Lanes::all(0.0F);
-        Lanes leave = Lanes::all(limit);
+        Lanes leave = Lanes::all(limit * late);
         for (int axis = 0; axis < 3; ++axis) {
             enter = lanes_max((rows(near_row[axis]) - near_offset[axis]) * inverse[axis], enter);
-            leave = lanes_min((rows(far_row[axis]) - far_offset[axis]) * inverse[axis], leave);
+            leave = lanes_min((rows(far_row[axis]) - far_offset[axis]) * far_inverse[axis], leave);
         }
-        return lanes_not_above(enter, leave * Lanes::all(1.0F + 4.0F * time_slack) + Lanes::all(least_time));
+        return lanes_not_above(enter, leave + Lanes::all(least_time));
     }
 };
 
@@ -141,7 +146,7 @@ inline LaneVec cross(const LaneVec& a, const LaneVec& b) {
 inline Lanes size_of(const LaneVec& a) {
     return lanes_abs(a.x) + lanes_abs(a.y) + lanes_abs(a.z);
 }
-inline LaneVec all(const float (&v)[3]) {
+inline LaneVec all(const float (&v)[4]) {
     return {Lanes::all(v[0]), Lanes::all(v[1]), Lanes::all(v[2])};
 }
 inline LaneVec pick(LaneMask where, const LaneVec& yes, const LaneVec& no) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "axes.h"
 #include "kernels.h"
 #include "sphere_triangle.h"
 
@@ -28,6 +29,13 @@ inline float round_down(double value) {
     const auto nearest = static_cast<float>(value);
     return nearest - std::fabs(nearest) * 0x1.8p-23F - std::numeric_limits<float>::min();
 }
+// The same for values that were made floats already.
+inline Four round_up(Four nearest) {
+    return nearest + four_abs(nearest) * Four::all(0x1.8p-23F) + Four::all(std::numeric_limits<float>::min());
+}
+inline Four round_down(Four nearest) {
+    return nearest - four_abs(nearest) * Four::all(0x1.8p-23F) - Four::all(std::numeric_limits<float>::min());
+}
 
 // The latest float time at which something may still improve on `best`.
 inline float time_limit(double best) {
@@ -39,63 +47,52 @@ inline float time_limit(double best) {
 // Half extents of an ellipsoid's box, widened to cover what the float tests and the narrow phase round off: a
 // millionth of the radius, the rounding of float differences as long as the move, and that of double
 // coordinates.
-inline V3 box_half_extents(const V3& radii, const V3& move, double reach) {
-    const auto widen = [reach](double radius, double step) {
-        return radius * (1.0 + 1e-6) + 3e-7 * std::fabs(step) + 1e-14 * reach;
-    };
-    return {widen(radii.x, move.x), widen(radii.y, move.y), widen(radii.z, move.z)};
+inline Axes box_half_extents(const Axes& radii, const Axes& move, double reach) {
+    return radii * Axes::all(1.0 + 1e-6) + Axes::all(3e-7) * move.abs() + Axes::all(1e-14 * reach);
 }
 
 // Whether an ellipsoid's whole way lies beside the box of all triangles: small worlds, like moving platforms,
 // are asked by everybody and met by few. `reach`: the largest coordinate of the query and the world.
-inline bool passes_beside(const Bvh& bvh, const V3& from, const V3& move, const V3& radii, double reach) {
-    const V3 half = box_half_extents(radii, move, reach);
-    const auto beside = [](double start, double step, double room, float low, float high) {
-        return larger(start, start + step) + room < double{low} ||
-               -larger(-start, -start - step) - room > double{high};
-    };
-    return beside(from.x, move.x, half.x, bvh.low[0], bvh.high[0]) ||
-           beside(from.y, move.y, half.y, bvh.low[1], bvh.high[1]) ||
-           beside(from.z, move.z, half.z, bvh.low[2], bvh.high[2]);
+inline bool passes_beside(const Bvh& bvh, const V3& centre, const V3& path, const V3& radii, double reach) {
+    const Axes from(centre), move(path), to = from + move;
+    const Axes half = box_half_extents(Axes(radii), move, reach);
+    const Axes low(V3{double{bvh.low[0]}, double{bvh.low[1]}, double{bvh.low[2]}});
+    const Axes high(V3{double{bvh.high[0]}, double{bvh.high[1]}, double{bvh.high[2]}});
+    return any_less(axes_max(from, to) + half, low) || any_less(high, axes_min(from, to) - half);
 }
 
-inline BoxPath box_path(const V3& from, const V3& move, const V3& half) {
+inline void store(const Four& v, float (&to)[4]) {
+    v.store(to);
+}
+
+inline BoxPath box_path(const Axes& from, const Axes& move, const Axes& half) {
+    const Four zero = Four::all(0.0F);
+    const Four step = move.rounded();
+    const Four inverse = four_pick(four_equal(step, zero), Four::all(std::numeric_limits<float>::infinity()),
+                                   Four::all(1.0F) / step);
+    const Four backward = four_less(inverse, zero);
+    const Four up = round_up((from + half).rounded()), down = round_down((from - half).rounded());
     BoxPath path;
-    const double f[3] = {from.x, from.y, from.z};
-    const double m[3] = {move.x, move.y, move.z};
-    const double r[3] = {half.x, half.y, half.z};
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto step = static_cast<float>(m[axis]);
-        path.inverse[axis] = step == 0.0F ? std::numeric_limits<float>::infinity() : 1.0F / step;
-        // Looked up, not branched on: directions are as good as random.
-        const float sides[2] = {round_up(f[axis] + r[axis]), round_down(f[axis] - r[axis])};
-        const int backward = path.inverse[axis] < 0.0F ? 1 : 0;
-        path.near_row[axis] = axis + 3 * backward;
-        path.far_row[axis] = axis + 3 - 3 * backward;
-        path.near_offset[axis] = sides[backward];
-        path.far_offset[axis] = sides[1 - backward];
-    }
+    store(inverse, path.inverse);
+    store(four_pick(backward, down, up), path.near_offset);
+    store(four_pick(backward, up, down), path.far_offset);
+    four_pick(backward, Four::all(1.0F), zero).store_truncated(path.backward);
     return path;
 }
 
-inline void split(const V3& point, float (&centre)[3], float (&rest)[3], const V3& scale) {
-    const double p[3] = {point.x, point.y, point.z};
-    const double s[3] = {scale.x, scale.y, scale.z};
-    for (int axis = 0; axis < 3; ++axis) {
-        centre[axis] = static_cast<float>(p[axis]);
-        rest[axis] = static_cast<float>((p[axis] - double{centre[axis]}) * s[axis]);
-    }
+// The nearest floats, and what they leave.
+inline void split(const Axes& point, const Axes& scale, float (&centre)[4], float (&rest)[4]) {
+    const Four nearest = point.rounded();
+    store(nearest, centre);
+    store(((point - Axes(nearest)) * scale).rounded(), rest);
 }
 
 inline SpherePath sphere_path(const EllipsoidQuery& query, double reach) {
     SpherePath path;
-    split(query.centre, path.centre, path.rest, query.inverse);
-    const double inverse[3] = {query.inverse.x, query.inverse.y, query.inverse.z};
-    const double d[3] = {query.d.x, query.d.y, query.d.z};
-    for (int axis = 0; axis < 3; ++axis) {
-        path.inverse[axis] = static_cast<float>(inverse[axis]);
-        path.d[axis] = static_cast<float>(d[axis]);
-    }
+    const Axes inverse(query.inverse);
+    split(Axes(query.centre), inverse, path.centre, path.rest);
+    store(inverse.rounded(), path.inverse);
+    store(Axes(query.d).rounded(), path.d);
     const auto inverse_dd = static_cast<float>(1.0 / query.dd);
     path.inverse_dd = std::isfinite(inverse_dd) ? inverse_dd : 0.0F;
     path.usable = reach * largest(query.inverse) < filter_range;
@@ -108,7 +105,8 @@ inline bool make_sweep_path(const EllipsoidQuery& query, double reach, SweepPath
     for (const double radius : {query.radii.x, query.radii.y, query.radii.z}) {
         if (!in_float_range(radius)) return false;
     }
-    path.box = box_path(query.centre, query.move, box_half_extents(query.radii, query.move, reach));
+    const Axes move(query.move);
+    path.box = box_path(Axes(query.centre), move, box_half_extents(Axes(query.radii), move, reach));
     path.sphere = sphere_path(query, reach);
     return true;
 }

@@ -198,14 +198,6 @@ V3 nearest_normal(const SphereTriangle& triangle, const Nearest& nearest) {
 
 }  // namespace
 
-EllipsoidQuery::EllipsoidQuery(const V3& centre_world, const V3& radii_world, const V3& move_world)
-    : centre(centre_world),
-      radii(radii_world),
-      inverse{1.0 / radii_world.x, 1.0 / radii_world.y, 1.0 / radii_world.z},
-      move(move_world),
-      d(mul(move_world, inverse)),
-      dd(dot(d, d)) {}
-
 SphereTriangle::SphereTriangle(const LeafTriangle& triangle, const EllipsoidQuery& query) {
     const V3 w[3] = {triangle.corner(0), triangle.corner(1), triangle.corner(2)};
     const V3 edge[3] = {w[1] - w[0], w[2] - w[1], w[0] - w[2]};

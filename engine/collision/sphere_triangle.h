@@ -5,6 +5,7 @@
 // which is what makes the answer of a world independent of the order in which its tree is walked.
 #pragma once
 
+#include "axes.h"
 #include "bvh.h"
 #include "slipface/collision/contact.h"
 #include "vec.h"
@@ -20,7 +21,13 @@ struct EllipsoidQuery {
     V3 d;        // move in sphere space
     double dd;   // d . d
 
-    EllipsoidQuery(const V3& centre_world, const V3& radii_world, const V3& move_world);
+    EllipsoidQuery(const V3& centre_world, const V3& radii_world, const V3& move_world)
+        : centre(centre_world),
+          radii(radii_world),
+          inverse((Axes::all(1.0) / Axes(radii_world)).vec()),
+          move(move_world),
+          d(mul(move_world, inverse)),
+          dd(dot(d, d)) {}
     // A point of the world relative to the centre, in sphere space.
     V3 relative(const V3& world) const { return mul(world - centre, inverse); }
 };
