@@ -2,7 +2,6 @@
 // bounding volume hierarchies", 2007): a range of triangles is split in two until there are eight children,
 // opening the largest first, and each child goes on as a task of its own. Then places in memory are given out
 // in one order, and nodes and leaves are written in parallel. No step depends on which task came first.
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 
 #include "bvh.h"
 #include "four.h"
+#include "slipface/base/parallel.h"
 
 namespace slipface::detail {
 namespace {
@@ -148,8 +148,10 @@ class Builder {
             for (std::uint32_t i = 0; i < node->count; ++i)
                 finish(node->children[i]);
         } else {
-            tbb::parallel_for(std::uint32_t{0}, node->count,
-                              [&](std::uint32_t i) { finish(node->children[i]); });
+            parallel_for(node->count, 1, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i)
+                    finish(node->children[i]);
+            });
         }
         return node;
     }
@@ -433,8 +435,6 @@ class Writer {
     Bvh& bvh_;
 };
 
-using Blocks = tbb::blocked_range<std::uint32_t>;
-
 }  // namespace
 
 Bvh build_bvh(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> triangles,
@@ -443,8 +443,8 @@ Bvh build_bvh(std::span<const Vec3f> positions, std::span<const std::array<std::
     if (triangles.empty()) return bvh;
     const auto count = static_cast<std::uint32_t>(triangles.size());
     const auto items = std::make_unique_for_overwrite<Item[]>(count);
-    tbb::parallel_for(Blocks(0, count, parallel_grain), [&](const Blocks& block) {
-        for (std::uint32_t i = block.begin(); i < block.end(); ++i) {
+    parallel_for(count, parallel_grain, [&](std::size_t begin, std::size_t end) {
+        for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
             const Vec3f& a = positions[triangles[i][0]];
             const Vec3f& b = positions[triangles[i][1]];
             const Vec3f& c = positions[triangles[i][2]];
@@ -476,11 +476,10 @@ Bvh build_bvh(std::span<const Vec3f> positions, std::span<const std::array<std::
     bvh.leaves.resize(places.bytes + leaf_overread);
     bvh.slots.resize(count);
     Writer writer(items.get(), positions, triangles, bvh);
-    tbb::parallel_for(Blocks(0, static_cast<std::uint32_t>(places.nodes.size()), 64),
-                      [&](const Blocks& block) {
-                          for (std::uint32_t i = block.begin(); i < block.end(); ++i)
-                              writer.write(*places.nodes[i]);
-                      });
+    parallel_for(places.nodes.size(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            writer.write(*places.nodes[i]);
+    });
     return bvh;
 }
 
