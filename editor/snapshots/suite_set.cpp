@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/screens.h"
+#include "slipface/base/text.h"
 
 namespace slipface {
 
