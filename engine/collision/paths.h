@@ -61,10 +61,6 @@ inline bool passes_beside(const Bvh& bvh, const V3& centre, const V3& path, cons
     return any_less(axes_max(from, to) + half, low) || any_less(high, axes_min(from, to) - half);
 }
 
-inline void store(const Four& v, float (&to)[4]) {
-    v.store(to);
-}
-
 inline BoxPath box_path(const Axes& from, const Axes& move, const Axes& half) {
     const Four zero = Four::all(0.0F);
     const Four step = move.rounded();
@@ -73,9 +69,9 @@ inline BoxPath box_path(const Axes& from, const Axes& move, const Axes& half) {
     const Four backward = four_less(inverse, zero);
     const Four up = round_up((from + half).rounded()), down = round_down((from - half).rounded());
     BoxPath path;
-    store(inverse, path.inverse);
-    store(four_pick(backward, down, up), path.near_offset);
-    store(four_pick(backward, up, down), path.far_offset);
+    inverse.store(path.inverse);
+    four_pick(backward, down, up).store(path.near_offset);
+    four_pick(backward, up, down).store(path.far_offset);
     four_pick(backward, Four::all(1.0F), zero).store_truncated(path.backward);
     return path;
 }
@@ -83,16 +79,16 @@ inline BoxPath box_path(const Axes& from, const Axes& move, const Axes& half) {
 // The nearest floats, and what they leave.
 inline void split(const Axes& point, const Axes& scale, float (&centre)[4], float (&rest)[4]) {
     const Four nearest = point.rounded();
-    store(nearest, centre);
-    store(((point - Axes(nearest)) * scale).rounded(), rest);
+    nearest.store(centre);
+    ((point - Axes(nearest)) * scale).rounded().store(rest);
 }
 
 inline SpherePath sphere_path(const EllipsoidQuery& query, double reach) {
     SpherePath path;
     const Axes inverse(query.inverse);
     split(Axes(query.centre), inverse, path.centre, path.rest);
-    store(inverse.rounded(), path.inverse);
-    store(Axes(query.d).rounded(), path.d);
+    inverse.rounded().store(path.inverse);
+    Axes(query.d).rounded().store(path.d);
     const auto inverse_dd = static_cast<float>(1.0 / query.dd);
     path.inverse_dd = std::isfinite(inverse_dd) ? inverse_dd : 0.0F;
     path.usable = reach * largest(query.inverse) < filter_range;
