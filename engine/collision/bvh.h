@@ -14,13 +14,10 @@ namespace slipface::detail {
 
 // One triangle taken out of a leaf.
 struct LeafTriangle {
-    std::array<float, 9> v;  // x, y, z of the three corners
+    float at[3][4];  // [axis][corner]; the fourth means nothing
     TriangleId id;
 
-    V3 corner(int i) const {
-        const auto k = 3 * static_cast<std::size_t>(i);
-        return {double{v[k]}, double{v[k + 1]}, double{v[k + 2]}};
-    }
+    V3 corner(int k) const { return {double{at[0][k]}, double{at[1][k]}, double{at[2][k]}}; }
 };
 
 inline const float* leaf_coordinates(const Leaf& leaf) {
@@ -36,10 +33,11 @@ inline std::size_t leaf_bytes(std::size_t count, std::size_t vertices) {
 inline LeafTriangle leaf_triangle(const Leaf& leaf, std::size_t lane) {
     LeafTriangle triangle;
     const float* coordinates = leaf_coordinates(leaf);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t vertex = leaf.corner[k][lane];
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            triangle.v[3 * k + axis] = coordinates[axis * leaf.vertices + vertex];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float* table = coordinates + axis * leaf.vertices;
+        for (std::size_t k = 0; k < 3; ++k)
+            triangle.at[axis][k] = table[leaf.corner[k][lane]];
+        triangle.at[axis][3] = 0.0F;
     }
     triangle.id = leaf_ids(leaf)[lane];
     return triangle;

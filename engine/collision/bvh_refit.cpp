@@ -70,7 +70,8 @@ std::uint32_t unshare(Bvh& bvh, std::uint32_t place,
         ids[lane] = triangles[lane].id;
         bvh.slots[ids[lane]] = static_cast<std::uint32_t>(to * leaf_capacity + lane);
         for (std::size_t k = 0; k < 9; ++k)
-            coordinates_of(leaf)[(k % 3) * leaf.vertices + 3 * lane + k / 3] = triangles[lane].v[k];
+            coordinates_of(leaf)[(k % 3) * leaf.vertices + 3 * lane + k / 3] =
+                triangles[lane].at[k % 3][k / 3];
     }
     BvhNode& parent = bvh.nodes[leaf.parent];
     *std::find(parent.child, parent.child + 8, leaf_bit | place) = leaf_bit | to;
@@ -89,14 +90,14 @@ std::uint32_t move_in_leaf(Bvh& bvh, std::span<const Moved> moved, std::span<con
         const std::size_t lane = one.slot % leaf_capacity;
         lanes |= 1U << lane;
         for (std::size_t k = 0; k < 9; ++k)
-            triangles[lane].v[k] = corners[one.index][k / 3][static_cast<Eigen::Index>(k % 3)];
+            triangles[lane].at[k % 3][k / 3] = corners[one.index][k / 3][static_cast<Eigen::Index>(k % 3)];
     }
     std::uint32_t known = vertices_at_rest(leaf, lanes);
     for (std::size_t lane = 0; lane < leaf.count; ++lane) {
         if ((lanes >> lane & 1U) == 0) continue;
         Corners to;
         for (std::size_t k = 0; k < 9; ++k)
-            to[k / 3][static_cast<Eigen::Index>(k % 3)] = triangles[lane].v[k];
+            to[k / 3][static_cast<Eigen::Index>(k % 3)] = triangles[lane].at[k % 3][k / 3];
         if (!write_corners(leaf, lane, to, known)) return unshare(bvh, place, triangles);
     }
     return place;

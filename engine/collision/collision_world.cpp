@@ -143,6 +143,8 @@ SurfaceId CollisionWorld::face_surface(FaceId face) const {
 
 void CollisionWorld::set_surface_rule(SurfaceId surface, SurfaceRule rule) {
     impl_->rules[surface] = rule;
+    impl_->plain = std::all_of(impl_->rules.begin(), impl_->rules.end(),
+                               [](const SurfaceRule& any) { return any.solid && !any.one_sided; });
 }
 SurfaceRule CollisionWorld::surface_rule(SurfaceId surface) const {
     return impl_->rules[surface];

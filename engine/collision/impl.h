@@ -16,6 +16,7 @@ struct CollisionWorld::Impl {
     std::vector<std::uint32_t> face_index;  // [triangle] index into faces
     std::vector<SurfaceId> surfaces;        // [index into faces]
     std::array<SurfaceRule, 256> rules;     // [SurfaceId]
+    bool plain = true;                      // no rule says anything but solid from both sides
     Aabb bounds;                            // of all places the triangles have been
     double reach = 0.0;                     // largest coordinate
 

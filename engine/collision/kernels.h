@@ -13,6 +13,7 @@ namespace slipface::detail {
 // from exact input, under 8 ulp in all.
 inline constexpr float time_slack = 1e-6F;
 inline constexpr float least_time = 1e-37F;
+inline constexpr float late = 1.0F + 4.0F * time_slack;
 // More than all roundings of a determinant of three vectors together (fewer than 40 of 2^-24), relative
 // to the product of their lengths.
 inline constexpr float determinant_rounding = 4e-6F;
@@ -24,8 +25,10 @@ inline constexpr float least_square = 1e-28F;
 struct BoxPath {
     float near_offset[4];  // [axis] where the path's own further side starts, rounded away from the path
     float far_offset[4];
-    float inverse[4];  // 1 / move, +inf for none
-    int backward[4];   // 1 where the move is negative: the box's maximum is met first
+    float inverse[4];      // 1 / move, +inf for none
+    float far_inverse[4];  // with the slack of a time on the way out
+    int near_row[4];       // of BvhNode::bound: the maximum's where the move is negative
+    int far_row[4];
 };
 
 // The same path in sphere space. A corner w is (w - centre) * inverse - rest there.
@@ -34,14 +37,29 @@ struct SpherePath {
     float rest[4];
     float inverse[4];  // 1 / radii
     float d[4];
-    float inverse_dd;  // 0 for no move
-    bool usable;       // products of three factors stay far from float's ends
+    bool usable;  // products of three factors stay far from float's ends
 };
 
 struct SweepPath {
     BoxPath box;
     SpherePath sphere;
 };
+
+// One of the sweeps that go through the tree side by side, and the part of its way that is looked at now.
+struct WaveSweep {
+    SweepPath path;
+    float from;  // share of the move
+    float to;
+};
+inline constexpr std::uint32_t wave_sweeps = 64;
+// A triangle that one of them may touch.
+struct Candidate {
+    std::uint32_t sweep;
+    std::uint32_t leaf;  // place
+    std::uint32_t lane;
+    float after;  // not before this time
+};
+inline constexpr std::uint32_t wave_candidates = 2048;
 
 struct RayPath {
     BoxPath box;
@@ -65,6 +83,9 @@ struct Kernels {
     const char* name;
     // Triangles that the sphere may touch no later than `limit`, nearer ones roughly first.
     void (*sweep)(const TreeView& tree, const SweepPath& path, float limit, Consider consider, void* context);
+    // The same for up to wave_sweeps sweeps at a time, all usable: what waits for one of them is done for the
+    // others meanwhile. Returns how many triangles are in `out`, in no order, or more than there is room for.
+    std::uint32_t (*wave)(const TreeView& tree, const WaveSweep* sweeps, std::uint32_t count, Candidate* out);
     // Triangles that the ray may cross no later than `limit`.
     void (*ray)(const TreeView& tree, const RayPath& path, float limit, Consider consider, void* context);
     // Triangles whose squared distance may be at most `limit`.

@@ -1,7 +1,8 @@
 #include "kernels_impl.h"
+#include "wave_impl.h"
 
 namespace slipface::detail {
 
-const Kernels baseline_kernels{"baseline", sweep_kernel, ray_kernel, closest_kernel};
+const Kernels baseline_kernels{"baseline", sweep_kernel, wave_kernel, ray_kernel, closest_kernel};
 
 }  // namespace slipface::detail

@@ -2,8 +2,7 @@
 // function that another file could share: see lanes.h.
 #pragma once
 
-#include "kernels.h"
-#include "lanes.h"
+#include "leaf_filter.h"
 
 namespace slipface::detail {
 namespace {
@@ -12,20 +11,6 @@ struct StackEntry {
     float key;
     std::uint32_t child;
 };
-
-inline unsigned first_lane(std::uint32_t mask) {
-    return static_cast<unsigned>(__builtin_ctz(mask));
-}
-
-// Asks for the memory of a child that will be looked at soon.
-inline void fetch(const TreeView& tree, std::uint32_t child) {
-    const auto* at = (child & leaf_bit) != 0
-                         ? tree.leaves + std::size_t{child & leaf_place_mask} * leaf_alignment
-                         : reinterpret_cast<const std::byte*>(tree.nodes + child);
-    __builtin_prefetch(at);
-    __builtin_prefetch(at + 64);
-    __builtin_prefetch(at + 128);
-}
 
 // Visits leaves in the order of their boxes' keys. `test(node, limit, keys)` gives the mask of children to
 // visit; `visit(leaf, limit)` returns the limit from then on, below 0 to stop.
@@ -37,9 +22,7 @@ inline void walk(const TreeView& tree, float limit, Test&& test, Visit&& visit) 
     alignas(32) float keys[8];
     while (true) {
         if ((current & leaf_bit) != 0) {
-            const auto* leaf = reinterpret_cast<const Leaf*>(
-                tree.leaves + std::size_t{current & leaf_place_mask} * leaf_alignment);
-            limit = visit(*leaf, limit);
+            limit = visit(leaf_at(tree, current & leaf_place_mask), limit);
             if (limit < 0.0F) return;
         } else {
             const BvhNode& node = tree.nodes[current];
@@ -70,265 +53,12 @@ inline void walk(const TreeView& tree, float limit, Test&& test, Visit&& visit) 
     }
 }
 
-struct NodeRows {
-    const BvhNode& node;
-    Lanes operator()(int row) const { return Lanes::load(node.bound[row]); }
-};
-// The own boxes of a leaf's triangles.
-struct LeafRows {
-    const Lanes (&v)[9];
-    Lanes operator()(int row) const {
-        return row < 3 ? lanes_min(lanes_min(v[row], v[row + 3]), v[row + 6])
-                       : lanes_max(lanes_max(v[row - 3], v[row]), v[row + 3]);
-    }
-};
-
-struct LaneBoxPath {
-    static constexpr float late = 1.0F + 4.0F * time_slack;
-
-    Lanes near_offset[3];
-    Lanes far_offset[3];
-    Lanes inverse[3];
-    Lanes far_inverse[3];
-    int near_row[3];
-    int far_row[3];
-
-    explicit LaneBoxPath(const BoxPath& path) {
-        for (int axis = 0; axis < 3; ++axis) {
-            near_offset[axis] = Lanes::all(path.near_offset[axis]);
-            far_offset[axis] = Lanes::all(path.far_offset[axis]);
-            inverse[axis] = Lanes::all(path.inverse[axis]);
-            // The slack of a time, on the way out, costs no product of its own.
-            far_inverse[axis] = Lanes::all(path.inverse[axis] * late);
-            near_row[axis] = axis + 3 * path.backward[axis];
-            far_row[axis] = axis + 3 - 3 * path.backward[axis];
-        }
-    }
-    // Which of eight boxes are met no later than `limit`, and when they are entered.
-    template <class Rows>
-    std::uint32_t meet(const Rows& rows, float limit, Lanes& enter) const {
-        enter = Lanes::all(0.0F);
-        Lanes leave = Lanes::all(limit * late);
-        for (int axis = 0; axis < 3; ++axis) {
-            enter = lanes_max((rows(near_row[axis]) - near_offset[axis]) * inverse[axis], enter);
-            leave = lanes_min((rows(far_row[axis]) - far_offset[axis]) * far_inverse[axis], leave);
-        }
-        return lanes_not_above(enter, leave + Lanes::all(least_time));
-    }
-};
-
-struct LaneVec {
-    Lanes x, y, z;
-};
-inline LaneVec operator+(const LaneVec& a, const LaneVec& b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-inline LaneVec operator-(const LaneVec& a, const LaneVec& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline LaneVec operator-(const LaneVec& a) {
-    const Lanes zero = Lanes::all(0.0F);
-    return {zero - a.x, zero - a.y, zero - a.z};
-}
-inline LaneVec operator*(const LaneVec& a, const LaneVec& b) {
-    return {a.x * b.x, a.y * b.y, a.z * b.z};
-}
-inline LaneVec operator*(Lanes s, const LaneVec& a) {
-    return {s * a.x, s * a.y, s * a.z};
-}
-inline Lanes dot(const LaneVec& a, const LaneVec& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-inline LaneVec cross(const LaneVec& a, const LaneVec& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-// At least the length, at most sqrt(3) of it.
-inline Lanes size_of(const LaneVec& a) {
-    return lanes_abs(a.x) + lanes_abs(a.y) + lanes_abs(a.z);
-}
-inline LaneVec all(const float (&v)[4]) {
-    return {Lanes::all(v[0]), Lanes::all(v[1]), Lanes::all(v[2])};
-}
-inline LaneVec pick(LaneMask where, const LaneVec& yes, const LaneVec& no) {
-    return {lanes_pick(where, yes.x, no.x), lanes_pick(where, yes.y, no.y), lanes_pick(where, yes.z, no.z)};
-}
-
-struct LaneSpherePath {
-    LaneVec centre, rest, inverse, d;
-    Lanes d_size;
-    Lanes inverse_dd;
-
-    explicit LaneSpherePath(const SpherePath& path)
-        : centre(all(path.centre)),
-          rest(all(path.rest)),
-          inverse(all(path.inverse)),
-          d(all(path.d)),
-          d_size(size_of(d)),
-          inverse_dd(Lanes::all(path.inverse_dd)) {}
-};
-
-// Eight triangles against a moving sphere. Every test drops a triangle for one reason only: a plane keeps it
-// further than the radius from both ends of the path. The plane's direction u may come from anywhere; what is
-// rounded is the distances along it.
-class LeafFilter {
-  public:
-    LeafFilter(const LaneSpherePath& path, const Lanes (&v)[9])
-        : path_(path),
-          a_{relative({v[0], v[1], v[2]}), relative({v[3], v[4], v[5]}), relative({v[6], v[7], v[8]})},
-          e_{edge({v[0], v[1], v[2]}, {v[3], v[4], v[5]}), edge({v[3], v[4], v[5]}, {v[6], v[7], v[8]}),
-             edge({v[6], v[7], v[8]}, {v[0], v[1], v[2]})},
-          n_(cross(e_[0], e_[1])) {}
-
-    // The triangle's own plane, and those that contain an edge's direction and the move's.
-    std::uint32_t apart_on_axes(float limit) const {
-        const Lanes zero = Lanes::all(0.0F);
-        const Lanes one = Lanes::all(1.0F);
-        const Lanes end = Lanes::all(limit);
-        const Lanes error = Lanes::all(determinant_rounding);
-        const Lanes edges = size_of(e_[0]) + size_of(e_[1]);
-        const Lanes reach = size_of(a_[0]) + edges + end * path_.d_size + one;
-        const Lanes dn = dot(path_.d, n_);
-        const Lanes from = zero - dot(n_, a_[0]);
-        const Lanes to = from + end * dn;
-        std::uint32_t mask = beyond(lanes_max(lanes_min(from, to), zero - lanes_max(from, to)), dot(n_, n_),
-                                    error * size_of(e_[0]) * size_of(e_[1]) * reach);
-        for (int k = 0; k < 3; ++k) {
-            // On the axis e x d the edge is the point s, and the sphere's path stays at 0.
-            const LaneVec axis = cross(e_[k], path_.d);
-            const Lanes s = dot(a_[k], axis);
-            const Lanes opposite = dot(a_[k == 0 ? 2 : k - 1], axis);
-            mask |= beyond(lanes_max(lanes_min(s, opposite), zero - lanes_max(s, opposite)), dot(axis, axis),
-                           error * size_of(e_[k]) * path_.d_size * reach);
-        }
-        return mask;
-    }
-
-    // The planes across the way from the triangle's nearest point to the path: first to the path's end, then
-    // to where that is nearest to the point found. `radius` in sphere space. Returns what is left of `mask`.
-    std::uint32_t not_apart_nearest(std::uint32_t mask, float limit, float radius, int rounds) const {
-        const Lanes zero = Lanes::all(0.0F);
-        const Lanes end = Lanes::all(limit);
-        Lanes t = end;
-        for (int round = 0;; ++round) {
-            const LaneVec at = t * path_.d;
-            const LaneVec way = border_way(at);
-            mask &= ~apart_along(-way, end, radius);
-            if (mask == 0 || round + 1 >= rounds) return mask;
-            t = lanes_min(lanes_max(dot(way + at, path_.d) * path_.inverse_dd, zero), end);
-        }
-    }
-
-    // The triangle's own plane alone, for a sphere at rest.
-    std::uint32_t apart_on_plane(float radius) const {
-        const Lanes error = Lanes::all(determinant_rounding);
-        const Lanes reach = size_of(a_[0]) + size_of(e_[0]) + size_of(e_[1]) + Lanes::all(radius);
-        return beyond(lanes_abs(dot(n_, a_[0])), Lanes::all(radius * radius) * dot(n_, n_),
-                      error * size_of(e_[0]) * size_of(e_[1]) * reach);
-    }
-
-    // About when each triangle is touched; only an order.
-    Lanes order(float limit) const {
-        const Lanes zero = Lanes::all(0.0F);
-        const Lanes h = dot(n_, a_[0]);
-        const Lanes gap = lanes_abs(h) - lanes_sqrt(dot(n_, n_));
-        const Lanes speed = lanes_abs(dot(n_, path_.d));
-        const Lanes t = lanes_min(lanes_max(gap / speed, zero), Lanes::all(limit));
-        const LaneVec at = t * path_.d;
-        const LaneVec p[3] = {a_[0] - at, a_[1] - at, a_[2] - at};
-        Lanes least = dot(n_, cross(p[0], e_[0]));
-        least = lanes_min(least, dot(n_, cross(p[1], e_[1])));
-        least = lanes_min(least, dot(n_, cross(p[2], e_[2])));
-        // Outside: when the border's nearest point would be touched; never, if the path passes it.
-        const LaneVec point = border_way(at) + at;
-        const Lanes foot = dot(point, path_.d) * path_.inverse_dd;
-        const LaneVec off = point - foot * path_.d;
-        const Lanes room = Lanes::all(1.0F) - dot(off, off);
-        const Lanes touch = foot - lanes_sqrt(lanes_max(room, zero) * path_.inverse_dd);
-        const Lanes outside = lanes_pick(lanes_less(room, zero), Lanes::all(1e30F), touch);
-        return lanes_pick(lanes_less(least, zero), outside, t);
-    }
-    // Squared distance of the border from the path's start; only an order.
-    Lanes border_distance() const {
-        const LaneVec way = border_way({Lanes::all(0.0F), Lanes::all(0.0F), Lanes::all(0.0F)});
-        return dot(way, way);
-    }
-
-  private:
-    LaneVec relative(const LaneVec& world) const {
-        return (world - path_.centre) * path_.inverse - path_.rest;
-    }
-
-    LaneVec edge(const LaneVec& from, const LaneVec& to) const { return (to - from) * path_.inverse; }
-
-    // Bit k is set where distance - slack > sqrt(square).
-    static std::uint32_t beyond(Lanes distance, Lanes square, Lanes slack) {
-        const Lanes clear = lanes_max(distance - slack, Lanes::all(0.0F));
-        return lanes_above(clear * clear,
-                           square * Lanes::all(1.0F + determinant_rounding) + Lanes::all(least_square));
-    }
-
-    std::uint32_t apart_along(const LaneVec& u, Lanes end, float radius) const {
-        const Lanes zero = Lanes::all(0.0F);
-        const Lanes furthest = lanes_max(lanes_max(dot(u, a_[0]), dot(u, a_[1])), dot(u, a_[2]));
-        const Lanes path = lanes_min(end * dot(u, path_.d), zero);
-        const Lanes reach =
-            size_of(a_[0]) + size_of(e_[0]) + size_of(e_[2]) + end * path_.d_size + Lanes::all(radius);
-        return beyond(path - furthest, Lanes::all(radius * radius) * dot(u, u),
-                      Lanes::all(determinant_rounding) * size_of(u) * reach);
-    }
-
-    // From `at` to about the nearest point of the triangle's border.
-    LaneVec border_way(const LaneVec& at) const {
-        const Lanes zero = Lanes::all(0.0F);
-        const Lanes one = Lanes::all(1.0F);
-        LaneVec best{zero, zero, zero};
-        Lanes best_square = zero;
-        for (int k = 0; k < 3; ++k) {
-            const LaneVec p = a_[k] - at;
-            const Lanes ee = lanes_max(dot(e_[k], e_[k]), Lanes::all(least_square));
-            // A quotient that is no number becomes 0.
-            const Lanes s = lanes_min(lanes_max((zero - dot(p, e_[k])) / ee, zero), one);
-            const LaneVec way = p + s * e_[k];
-            const Lanes square = dot(way, way);
-            if (k == 0) {
-                best = way;
-                best_square = square;
-                continue;
-            }
-            const LaneMask nearer = lanes_less(square, best_square);
-            best = pick(nearer, way, best);
-            best_square = lanes_min(square, best_square);
-        }
-        return best;
-    }
-
-    const LaneSpherePath& path_;
-    LaneVec a_[3];
-    LaneVec e_[3];
-    LaneVec n_;
-};
-
-inline std::uint32_t present(const Leaf& leaf) {
-    return (1U << leaf.count) - 1;
-}
-
-inline unsigned least_lane(std::uint32_t mask, Lanes keys) {
-    alignas(32) float key[8];
-    keys.store(key);
-    unsigned best = first_lane(mask);
-    for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
-        const unsigned lane = first_lane(mask);
-        if (key[lane] < key[best]) best = lane;
-    }
-    return best;
-}
-
 float sweep_leaf(const LaneBoxPath& box, const LaneSpherePath& sphere, bool usable, const Leaf& leaf,
                  float limit, Consider consider, void* context) {
     Lanes v[9];
     lanes_of_leaf(leaf, v);
     Lanes enter;
-    std::uint32_t mask = box.meet(LeafRows{v}, limit, enter) & present(leaf);
+    std::uint32_t mask = box.meet(LeafRows(v), 0.0F, limit, enter) & present(leaf);
     if (mask == 0) return limit;
     if (!usable) {
         for (; mask != 0 && limit >= 0.0F; mask &= mask - 1)
@@ -336,23 +66,16 @@ float sweep_leaf(const LaneBoxPath& box, const LaneSpherePath& sphere, bool usab
         return limit;
     }
     const LeafFilter filter(sphere, v);
-    mask &= ~filter.apart_on_axes(limit);
+    mask &= ~filter.apart_beside(limit);
     if (mask == 0) return limit;
-    // A third round would drop few that these two kept.
-    mask = filter.not_apart_nearest(mask, limit, 1.0F, 2);
-    if (mask == 0) return limit;
-    const bool several = (mask & (mask - 1)) != 0;
-    const Lanes order = several ? filter.order(limit) : enter;
+    const Lanes after = filter.apart_until(limit);
     while (true) {
-        const unsigned lane = several ? least_lane(mask, order) : first_lane(mask);
-        const float before = limit;
+        mask &= ~lanes_above(after, Lanes::all(limit));
+        if (mask == 0) return limit;
+        const unsigned lane = least_lane(mask, after);
         limit = consider(context, leaf, lane);
+        if (limit < 0.0F) return limit;
         mask &= ~(1U << lane);
-        if (mask == 0 || limit < 0.0F) return limit;
-        if (limit < before) {
-            mask = filter.not_apart_nearest(mask, limit, 1.0F, 1);
-            if (mask == 0) return limit;
-        }
     }
 }
 
@@ -364,7 +87,7 @@ void sweep_kernel(const TreeView& tree, const SweepPath& path, float limit, Cons
         tree, limit,
         [&](const BvhNode& node, float now, float* keys) {
             Lanes enter;
-            const std::uint32_t mask = box.meet(NodeRows{node}, now, enter);
+            const std::uint32_t mask = box.meet(NodeRows{node}, 0.0F, now, enter);
             enter.store(keys);
             return mask;
         },
@@ -415,7 +138,7 @@ void ray_kernel(const TreeView& tree, const RayPath& path, float limit, Consider
         tree, limit,
         [&](const BvhNode& node, float now, float* keys) {
             Lanes enter;
-            const std::uint32_t mask = box.meet(NodeRows{node}, now, enter);
+            const std::uint32_t mask = box.meet(NodeRows{node}, 0.0F, now, enter);
             enter.store(keys);
             return mask;
         },
@@ -428,7 +151,7 @@ void ray_kernel(const TreeView& tree, const RayPath& path, float limit, Consider
                 if (mask == 0) return now;
             }
             Lanes enter;
-            mask &= box.meet(LeafRows{v}, now, enter);
+            mask &= box.meet(LeafRows(v), 0.0F, now, enter);
             for (; mask != 0 && now >= 0.0F; mask &= mask - 1)
                 now = consider(context, leaf, first_lane(mask));
             return now;
@@ -476,7 +199,7 @@ void closest_kernel(const TreeView& tree, const PointBoxes& point, float limit, 
             Lanes v[9];
             lanes_of_leaf(leaf, v);
             Lanes square;
-            std::uint32_t mask = boxes.within(LeafRows{v}, now, square) & present(leaf);
+            std::uint32_t mask = boxes.within(LeafRows(v), now, square) & present(leaf);
             if (mask == 0) return now;
             if (!point.sphere.usable) {
                 for (; mask != 0 && now >= 0.0F; mask &= mask - 1)
@@ -488,8 +211,7 @@ void closest_kernel(const TreeView& tree, const PointBoxes& point, float limit, 
             for (float tested = -1.0F; mask != 0 && now >= 0.0F;) {
                 if (now != tested && now < 1e12F) {
                     const float radius = __builtin_sqrtf(now) * (1.0F + time_slack) + least_time;
-                    mask &= ~filter.apart_on_plane(radius);
-                    if (mask != 0) mask = filter.not_apart_nearest(mask, 0.0F, radius, 1);
+                    mask &= ~filter.apart_at_rest(mask, radius);
                     tested = now;
                     continue;
                 }

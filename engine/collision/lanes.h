@@ -66,6 +66,13 @@ inline std::uint32_t lanes_above(Lanes a, Lanes b) {
     return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)));
 }
 
+// Bit k is set where child k is a leaf.
+inline std::uint32_t leaf_children(const BvhNode& node) {
+    static_assert(leaf_bit == 0x80000000U);
+    return static_cast<std::uint32_t>(
+        _mm256_movemask_ps(_mm256_load_ps(reinterpret_cast<const float*>(node.child))));
+}
+
 inline __m256i lane_vertices(const std::uint8_t* corner) {
     return _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(corner)));
 }
@@ -110,6 +117,13 @@ inline void lanes_of_leaf(const Leaf& leaf, Lanes (&to)[9]) {
 }
 
 #else
+
+inline std::uint32_t leaf_children(const BvhNode& node) {
+    std::uint32_t mask = 0;
+    for (int k = 0; k < 8; ++k)
+        mask |= (node.child[k] / leaf_bit) << k;
+    return mask;
+}
 
 #if defined(__SSE2__)
 
@@ -254,6 +268,24 @@ inline void lanes_of_leaf(const Leaf& leaf, Lanes (&to)[9]) {
 }
 
 #endif
+
+// Puts the children of `mask` behind the first `size` of a list that has room for eight more; returns its new
+// size.
+inline std::uint32_t append_children(const BvhNode& node, std::uint32_t mask, std::uint32_t* list,
+                                     std::uint32_t size) {
+#if defined(__AVX512VL__)
+    const __m256i children = _mm256_load_si256(reinterpret_cast<const __m256i*>(node.child));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(list + size),
+                        _mm256_maskz_compress_epi32(static_cast<__mmask8>(mask), children));
+    return size + static_cast<std::uint32_t>(__builtin_popcount(mask));
+#else
+    for (int k = 0; k < 8; ++k) {
+        list[size] = node.child[k];
+        size += mask >> k & 1U;
+    }
+    return size;
+#endif
+}
 
 }  // namespace
 }  // namespace slipface::detail

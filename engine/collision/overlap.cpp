@@ -10,12 +10,12 @@ using namespace detail;
 // Calls visit(triangle) for the triangles that the ellipsoid at rest may overlap, until it returns false.
 template <class Visit>
 void visit_near(const CollisionWorld::Impl& world, const EllipsoidQuery& query, Visit visit) {
-    SweepPath path;
-    if (make_sweep_path(query, larger(largest(query.centre), world.reach), path)) {
+    const double reach = larger(largest(query.centre), world.reach);
+    if (in_float_range(query.radii, query.centre, query.move, world)) {
         const auto consider = [](void* context, const Leaf& leaf, std::uint32_t lane) {
             return (*static_cast<Visit*>(context))(leaf_triangle(leaf, lane)) ? 1.0F : -1.0F;
         };
-        kernels().sweep(world.bvh.view(), path, 1.0F, consider, &visit);
+        kernels().sweep(world.bvh.view(), sweep_path(query, reach), 1.0F, consider, &visit);
         return;
     }
     for (TriangleId id = 0; id < world.triangle_count(); ++id) {
@@ -94,8 +94,8 @@ std::vector<TriangleId> CollisionWorld::triangles_in(const Aabb& box) const {
             const LeafTriangle triangle = leaf_triangle(leaf, lane);
             bool met = true;
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                const auto [low, high] =
-                    std::minmax({triangle.v[axis], triangle.v[axis + 3], triangle.v[axis + 6]});
+                const auto& at = triangle.at[axis];
+                const auto [low, high] = std::minmax({at[0], at[1], at[2]});
                 met = met && meets(static_cast<int>(axis), low, high);
             }
             if (met) found.push_back(triangle.id);

@@ -4,18 +4,16 @@
 #include <cmath>
 #include <limits>
 
-#include "axes.h"
+#include "impl.h"
 #include "kernels.h"
 #include "sphere_triangle.h"
+#include "three.h"
 
 namespace slipface::detail {
 
 // Coordinates, radii and moves within this range leave the float box tests free of overflow and underflow.
 // Queries outside it look at every triangle instead.
 inline constexpr double float_range = 1e15;
-inline bool in_float_range(double radius) {
-    return radius >= 1.0 / float_range && radius <= float_range;
-}
 // Products of three factors up to this, and of a rounding each, stay far from float's ends.
 inline constexpr double filter_range = 1e9;
 
@@ -47,21 +45,21 @@ inline float time_limit(double best) {
 // Half extents of an ellipsoid's box, widened to cover what the float tests and the narrow phase round off: a
 // millionth of the radius, the rounding of float differences as long as the move, and that of double
 // coordinates.
-inline Axes box_half_extents(const Axes& radii, const Axes& move, double reach) {
-    return radii * Axes::all(1.0 + 1e-6) + Axes::all(3e-7) * move.abs() + Axes::all(1e-14 * reach);
+inline Three box_half_extents(const Three& radii, const Three& move, double reach) {
+    return radii * Three::all(1.0 + 1e-6) + Three::all(3e-7) * move.abs() + Three::all(1e-14 * reach);
 }
 
 // Whether an ellipsoid's whole way lies beside the box of all triangles: small worlds, like moving platforms,
 // are asked by everybody and met by few. `reach`: the largest coordinate of the query and the world.
 inline bool passes_beside(const Bvh& bvh, const V3& centre, const V3& path, const V3& radii, double reach) {
-    const Axes from(centre), move(path), to = from + move;
-    const Axes half = box_half_extents(Axes(radii), move, reach);
-    const Axes low(V3{double{bvh.low[0]}, double{bvh.low[1]}, double{bvh.low[2]}});
-    const Axes high(V3{double{bvh.high[0]}, double{bvh.high[1]}, double{bvh.high[2]}});
-    return any_less(axes_max(from, to) + half, low) || any_less(high, axes_min(from, to) - half);
+    const Three from(centre), move(path), to = from + move;
+    const Three half = box_half_extents(Three(radii), move, reach);
+    const Three low(V3{double{bvh.low[0]}, double{bvh.low[1]}, double{bvh.low[2]}});
+    const Three high(V3{double{bvh.high[0]}, double{bvh.high[1]}, double{bvh.high[2]}});
+    return any_less(three_max(from, to) + half, low) || any_less(high, three_min(from, to) - half);
 }
 
-inline BoxPath box_path(const Axes& from, const Axes& move, const Axes& half) {
+inline BoxPath box_path(const Three& from, const Three& move, const Three& half) {
     const Four zero = Four::all(0.0F);
     const Four step = move.rounded();
     const Four inverse = four_pick(four_equal(step, zero), Four::all(std::numeric_limits<float>::infinity()),
@@ -70,41 +68,52 @@ inline BoxPath box_path(const Axes& from, const Axes& move, const Axes& half) {
     const Four up = round_up((from + half).rounded()), down = round_down((from - half).rounded());
     BoxPath path;
     inverse.store(path.inverse);
+    (inverse * Four::all(late)).store(path.far_inverse);
     four_pick(backward, down, up).store(path.near_offset);
     four_pick(backward, up, down).store(path.far_offset);
-    four_pick(backward, Four::all(1.0F), zero).store_truncated(path.backward);
+    constexpr float low_rows[4] = {0.0F, 1.0F, 2.0F, 0.0F};
+    constexpr float high_rows[4] = {3.0F, 4.0F, 5.0F, 3.0F};
+    const Four low = Four::load(low_rows), high = Four::load(high_rows);
+    four_pick(backward, high, low).store_truncated(path.near_row);
+    four_pick(backward, low, high).store_truncated(path.far_row);
     return path;
 }
 
 // The nearest floats, and what they leave.
-inline void split(const Axes& point, const Axes& scale, float (&centre)[4], float (&rest)[4]) {
+inline void split(const Three& point, const Three& scale, float (&centre)[4], float (&rest)[4]) {
     const Four nearest = point.rounded();
     nearest.store(centre);
-    ((point - Axes(nearest)) * scale).rounded().store(rest);
+    ((point - Three(nearest)) * scale).rounded().store(rest);
 }
 
 inline SpherePath sphere_path(const EllipsoidQuery& query, double reach) {
     SpherePath path;
-    const Axes inverse(query.inverse);
-    split(Axes(query.centre), inverse, path.centre, path.rest);
+    const Three inverse(query.inverse);
+    split(Three(query.centre), inverse, path.centre, path.rest);
     inverse.rounded().store(path.inverse);
-    Axes(query.d).rounded().store(path.d);
-    const auto inverse_dd = static_cast<float>(1.0 / query.dd);
-    path.inverse_dd = std::isfinite(inverse_dd) ? inverse_dd : 0.0F;
+    Three(query.d).rounded().store(path.d);
     path.usable = reach * largest(query.inverse) < filter_range;
     return path;
 }
 
-// The sweep of a query whose coordinates are at most `reach`; nothing if it is beyond the floats.
-inline bool make_sweep_path(const EllipsoidQuery& query, double reach, SweepPath& path) {
-    if (!(reach <= float_range)) return false;
-    for (const double radius : {query.radii.x, query.radii.y, query.radii.z}) {
-        if (!in_float_range(radius)) return false;
-    }
-    const Axes move(query.move);
-    path.box = box_path(Axes(query.centre), move, box_half_extents(Axes(query.radii), move, reach));
-    path.sphere = sphere_path(query, reach);
-    return true;
+// Whether floats can hold a query: so it is finite, and its radii are above 0.
+inline bool in_float_range(const V3& radii, const V3& from, const V3& move,
+                           const CollisionWorld::Impl& world) {
+    const Three most = Three::all(float_range), axes(radii);
+    const ThreeMask held = three_not_above(Three(from).abs(), most) &
+                           three_not_above(Three(move).abs(), most) & three_not_above(axes, most) &
+                           three_not_above(Three::all(1.0 / float_range), axes);
+    return held.bits() == 7 && world.reach <= float_range;
+}
+inline bool is_zero(const V3& v) {
+    return v.x == 0.0 && v.y == 0.0 && v.z == 0.0;
+}
+
+// For a query in float range.
+inline SweepPath sweep_path(const EllipsoidQuery& query, double reach) {
+    const Three move(query.move);
+    return {box_path(Three(query.centre), move, box_half_extents(Three(query.radii), move, reach)),
+            sphere_path(query, reach)};
 }
 
 }  // namespace slipface::detail

@@ -82,8 +82,8 @@ float consider_lane(void* context, const Leaf& leaf, std::uint32_t lane) {
 RayPath ray_path(const ShearedRay& ray, const V3& direction, double reach) {
     RayPath path;
     const double half = 1e-14 * reach;
-    path.box = box_path(Axes(ray.origin), Axes(direction), Axes::all(half));
-    split(Axes(ray.origin), Axes::all(1.0), path.centre, path.rest);
+    path.box = box_path(Three(ray.origin), Three(direction), Three::all(half));
+    split(Three(ray.origin), Three::all(1.0), path.centre, path.rest);
     path.kx = ray.kx;
     path.ky = ray.ky;
     path.kz = ray.kz;

@@ -35,101 +35,120 @@ V3 face_vector(const V3& e1, const V3& e2) {
 }
 
 // Whether x, a point of the plane, lies in the triangle. `corner_from_x` are the corners relative to x.
-bool inside(const SphereTriangle& triangle, const V3 (&corner_from_x)[3]) {
-    return dot(triangle.n, cross(corner_from_x[0], triangle.e[0])) >= 0.0 &&
-           dot(triangle.n, cross(corner_from_x[1], triangle.e[1])) >= 0.0 &&
-           dot(triangle.n, cross(corner_from_x[2], triangle.e[2])) >= 0.0;
+bool inside(const SphereTriangle& triangle, const Threes& corner_from_x) {
+    const Three side = dot(Threes::all(triangle.n), cross(corner_from_x, triangle.e));
+    return three_not_above(Three::all(0.0), side).bits() == 7;
 }
 
-// An edge seen from the centre: from its nearer end p along e. Neighbours name a shared edge in either
+bool lexicographic(const V3& l, const V3& r) {
+    return std::tie(l.x, l.y, l.z) <= std::tie(r.x, r.y, r.z);
+}
+
+// The edges seen from the centre: from their nearer ends p along e. Neighbours name a shared edge in either
 // direction; the choice of the end makes their arithmetic, and so their bits, the same.
-struct Edge {
-    V3 p;
-    V3 e;
-    double ee;
-    int from;  // corner numbers
-    int to;
+struct Edges {
+    Threes p;
+    Threes e;
+    Three ee;
+    unsigned forward;  // bit k: from corner k to the next one
+
+    explicit Edges(const SphereTriangle& triangle)
+        : Edges(triangle, triangle.a.next(), dot(triangle.a, triangle.a)) {}
+    int from(int k) const { return (forward >> k & 1U) != 0 ? k : following(k); }
+    int to(int k) const { return (forward >> k & 1U) != 0 ? following(k) : k; }
+
+  private:
+    static int following(int k) { return k == 2 ? 0 : k + 1; }
+
+    Edges(const SphereTriangle& triangle, const Threes& end, const Three& square)
+        : p(end), e(-triangle.e), ee(dot(triangle.e, triangle.e)), forward(0) {
+        ThreeMask first = three_less(square, square.next());
+        if (const unsigned tied = three_equal(square, square.next()).bits(); tied != 0) {
+            double yes[3];
+            for (int k = 0; k < 3; ++k)
+                yes[k] = (tied >> k & 1U) != 0 && lexicographic(triangle.a.vec(k), end.vec(k)) ? 1.0 : 0.0;
+            first = first | three_less(Three::all(0.0), Three(V3{yes[0], yes[1], yes[2]}));
+        }
+        forward = first.bits();
+        p = three_pick(first, triangle.a, p);
+        e = three_pick(first, triangle.e, e);
+    }
 };
 
-Edge edge_of(const SphereTriangle& triangle, int k) {
-    const int next = k == 2 ? 0 : k + 1;
-    const V3& p = triangle.a[k];
-    const V3& q = triangle.a[next];
-    const V3& e = triangle.e[k];
-    const double pp = dot(p, p);
-    const double qq = dot(q, q);
-    const auto lexicographic = [](const V3& l, const V3& r) {
-        return std::tie(l.x, l.y, l.z) <= std::tie(r.x, r.y, r.z);
-    };
-    if (pp < qq || (pp == qq && lexicographic(p, q))) return {p, e, dot(e, e), k, next};
-    return {q, -e, dot(e, e), next, k};
-}
+// The move against the lines of the edges.
+struct EdgePaths {
+    Threes w;   // the centre as seen from the line's foot at t = 0
+    Threes dw;  // its change with t; both perpendicular to the edge
+    Three s;    // the foot's place on the edge at t = 0
+    Three ds;
 
-// The move against the line of an edge.
-struct EdgePath {
-    V3 w;      // the centre as seen from the line's foot at t = 0
-    V3 dw;     // its change with t; both perpendicular to the edge
-    double s;  // the foot's place on the edge at t = 0
-    double ds;
+    EdgePaths(const Edges& edges, const V3& move) : EdgePaths(edges, Threes::all(move)) {}
+
+  private:
+    EdgePaths(const Edges& edges, const Threes& d)
+        : w(-edges.p), dw(d), s(-dot(edges.p, edges.e) / edges.ee), ds(dot(d, edges.e) / edges.ee) {
+        w = w - s * edges.e;
+        dw = dw - ds * edges.e;
+    }
 };
-
-EdgePath edge_path(const Edge& edge, const V3& d) {
-    const double s = -dot(edge.p, edge.e) / edge.ee;
-    const double ds = dot(d, edge.e) / edge.ee;
-    return {-edge.p - s * edge.e, d - ds * edge.e, s, ds};
-}
 
 // Smallest t >= lower at which |w + t dw| falls to 1, in the form that starts from the foot point of the
-// perpendicular: nothing large is subtracted. False if it never does, or if it is not approaching at t = 0.
-bool first_root(const V3& w, const V3& dw, double lower, double& t) {
-    const double aa = dot(dw, dw);
-    if (!(aa > 0.0)) return false;
-    const double foot = -dot(w, dw) / aa;
-    if (!(foot > 0.0)) return false;
-    const V3 closest = w + foot * dw;
-    const double disc = 1.0 - dot(closest, closest);
-    if (!(disc > 0.0)) return false;
-    t = foot - std::sqrt(disc / aa);
+// perpendicular: nothing large is subtracted. Not where it never does, or is not approaching at t = 0.
+ThreeMask first_root(const Threes& w, const Threes& dw, double lower, Three& t) {
+    const Three zero = Three::all(0.0);
+    const Three aa = dot(dw, dw);
+    const Three foot = -dot(w, dw) / aa;
+    const Threes closest = w + foot * dw;
+    const Three disc = Three::all(1.0) - dot(closest, closest);
+    t = foot - (disc / aa).sqrt();
     // Below `lower` only by rounding: the caller knows that nothing is touched before it.
-    if (!(t >= lower)) t = lower;
-    return true;
-}
-
-void keep_first(TriangleHit& best, const TriangleHit& hit) {
-    if (hit.t < best.t || (hit.t == best.t && hit.feature < best.feature)) best = hit;
+    t = three_max(t, Three::all(lower));
+    return three_less(zero, aa) & three_less(zero, foot) & three_less(zero, disc);
 }
 
 // The first touch of an edge or a corner at or after `lower`; t = 2 if there is none.
 TriangleHit first_border_touch(const SphereTriangle& triangle, const EllipsoidQuery& query, double lower) {
+    const Three zero = Three::all(0.0);
+    const Edges edges(triangle);
+    const EdgePaths path(edges, query.d);
+    Three edge_t = zero;
+    Three corner_t = zero;
+    ThreeMask on_edge = first_root(path.w, path.dw, lower, edge_t) & three_less(zero, edges.ee);
+    const Three s = path.s + edge_t * path.ds;
+    on_edge = on_edge & three_not_above(zero, s) & three_not_above(s, Three::all(1.0));
+    const ThreeMask on_corner = first_root(-triangle.a, Threes::all(query.d), lower, corner_t);
+
     TriangleHit best{2.0, Feature::vertex, 0, false};
-    for (int k = 0; k < 3; ++k) {
-        const Edge edge = edge_of(triangle, k);
-        if (!(edge.ee > 0.0)) continue;
-        const EdgePath path = edge_path(edge, query.d);
-        double t = 0.0;
-        if (!first_root(path.w, path.dw, lower, t)) continue;
-        const double s = path.s + t * path.ds;
-        if (s >= 0.0 && s <= 1.0) keep_first(best, {t, Feature::edge, k, false});
-    }
-    for (int k = 0; k < 3; ++k) {
-        double t = 0.0;
-        if (first_root(-triangle.a[k], query.d, lower, t)) keep_first(best, {t, Feature::vertex, k, false});
-    }
+    const auto keep_first = [&best](unsigned which, const Three& times, Feature feature) {
+        double t[4];
+        times.store(t);
+        for (int k = 0; k < 3; ++k) {
+            if ((which >> k & 1U) == 0) continue;
+            if (t[k] < best.t || (t[k] == best.t && feature < best.feature)) best = {t[k], feature, k, false};
+        }
+    };
+    keep_first(on_edge.bits(), edge_t, Feature::edge);
+    keep_first(on_corner.bits(), corner_t, Feature::vertex);
     return best;
 }
 
 Nearest nearest_border(const SphereTriangle& triangle) {
+    const Three zero = Three::all(0.0);
+    const Edges edges(triangle);
+    const Three place = -dot(edges.p, edges.e) / edges.ee;
+    const Threes point = edges.p + place * edges.e;
+    const unsigned beside =
+        (three_less(zero, edges.ee) & three_less(zero, place) & three_less(place, Three::all(1.0))).bits();
+    double end2[4];
+    double foot2[4];
+    double s[4];
+    dot(edges.p, edges.p).store(end2);
+    dot(point, point).store(foot2);
+    place.store(s);
     Nearest best{0.0, Feature::vertex, -1, 0.0};
     for (int k = 0; k < 3; ++k) {
-        const Edge edge = edge_of(triangle, k);
-        Nearest here{dot(edge.p, edge.p), Feature::vertex, edge.from, 0.0};
-        if (edge.ee > 0.0) {
-            const double s = -dot(edge.p, edge.e) / edge.ee;
-            if (s > 0.0 && s < 1.0) {
-                const V3 q = edge.p + s * edge.e;
-                here = {dot(q, q), Feature::edge, k, s};
-            }
-        }
+        const Nearest here = (beside >> k & 1U) != 0 ? Nearest{foot2[k], Feature::edge, k, s[k]}
+                                                     : Nearest{end2[k], Feature::vertex, edges.from(k), 0.0};
         if (best.part < 0 || here.distance2 < best.distance2 ||
             (here.distance2 == best.distance2 && here.feature < best.feature)) {
             best = here;
@@ -140,9 +159,9 @@ Nearest nearest_border(const SphereTriangle& triangle) {
 
 // The nearest point itself; not for the interior.
 V3 border_point(const SphereTriangle& triangle, const Nearest& nearest) {
-    if (nearest.feature == Feature::vertex) return triangle.a[nearest.part];
-    const Edge edge = edge_of(triangle, nearest.part);
-    return edge.p + nearest.s * edge.e;
+    if (nearest.feature == Feature::vertex) return triangle.a.vec(nearest.part);
+    const Edges edges(triangle);
+    return edges.p.vec(nearest.part) + nearest.s * edges.e.vec(nearest.part);
 }
 
 // a / b for each component, times the power of two that brings the largest to about 1.
@@ -173,17 +192,18 @@ V3 world_normal(const V3& sphere, const EllipsoidQuery& query) {
     return unit(size > 1e-100 && size < 1e100 ? world : scaled_quotient(sphere, query.radii));
 }
 
-V3 edge_point_world(const LeafTriangle& leaf, const Edge& edge, double s) {
-    const V3 from = leaf.corner(edge.from);
-    return from + s * (leaf.corner(edge.to) - from);
+V3 edge_point_world(const LeafTriangle& leaf, const Edges& edges, int k, double s) {
+    const V3 from = leaf.corner(edges.from(k));
+    return from + s * (leaf.corner(edges.to(k)) - from);
 }
 
 // Some direction away from a triangle whose border passes exactly through the centre.
 V3 direction_without_distance(const SphereTriangle& triangle) {
     if (triangle.nn > 0.0) return unit(triangle.n);
-    V3 longest = triangle.e[0];
+    V3 longest = triangle.e.vec(0);
     for (int k = 1; k < 3; ++k) {
-        if (dot(triangle.e[k], triangle.e[k]) > dot(longest, longest)) longest = triangle.e[k];
+        const V3 edge = triangle.e.vec(k);
+        if (dot(edge, edge) > dot(longest, longest)) longest = edge;
     }
     const V3 across = unit(V3{-longest.y, longest.x, 0.0});
     return dot(across, across) > 0.0 ? across : V3{0.0, 1.0, 0.0};
@@ -198,18 +218,19 @@ V3 nearest_normal(const SphereTriangle& triangle, const Nearest& nearest) {
 
 }  // namespace
 
-SphereTriangle::SphereTriangle(const LeafTriangle& triangle, const EllipsoidQuery& query) {
-    const V3 w[3] = {triangle.corner(0), triangle.corner(1), triangle.corner(2)};
-    const V3 edge[3] = {w[1] - w[0], w[2] - w[1], w[0] - w[2]};
-    for (int k = 0; k < 3; ++k) {
-        a[k] = query.relative(w[k]);
-        e[k] = mul(edge[k], query.inverse);
-    }
+SphereTriangle::SphereTriangle(const LeafTriangle& triangle, const EllipsoidQuery& query)
+    : SphereTriangle(Threes{Three(Four::load(triangle.at[0])), Three(Four::load(triangle.at[1])),
+                            Three(Four::load(triangle.at[2]))},
+                     query) {}
+
+SphereTriangle::SphereTriangle(const Threes& world, const EllipsoidQuery& query)
+    : a(mul(world - Threes::all(query.centre), Threes::all(query.inverse))), e(world.next() - world) {
     // (S e1) x (S e2) is proportional to S^-1 (e1 x e2) for the scaling S: the cross product is taken before
     // the radii blur the edges, so a triangle without area has exactly none in every sphere space.
-    n = mul(face_vector(edge[0], -edge[2]), query.radii);
+    n = mul(face_vector(e.vec(0), -e.vec(2)), query.radii);
     nn = dot(n, n);
-    h = dot(n, a[0]);
+    h = dot(n, a.vec(0));
+    e = mul(e, Threes::all(query.inverse));
 }
 
 Nearest nearest_part(const SphereTriangle& triangle) {
@@ -235,9 +256,7 @@ bool sweep_triangle(const SphereTriangle& triangle, const EllipsoidQuery& query,
             plane_t = gap / -speed;
             if (!(plane_t <= t_max)) return false;
         }
-        const V3 path = plane_t * query.d;
-        const V3 from_centre[3] = {triangle.a[0] - path, triangle.a[1] - path, triangle.a[2] - path};
-        if (inside(triangle, from_centre)) {
+        if (inside(triangle, triangle.a - Threes::all(plane_t * query.d))) {
             if (!(speed < 0.0)) return false;
             hit = {plane_t, Feature::interior, 0, !apart};
             return true;
@@ -270,7 +289,7 @@ Touch touch_of(const SphereTriangle& triangle, const LeafTriangle& leaf, const E
     if (nearest.feature == Feature::interior) {
         touch.point = query.centre + mul((triangle.h / triangle.nn) * triangle.n, query.radii);
     } else if (nearest.feature == Feature::edge) {
-        touch.point = edge_point_world(leaf, edge_of(triangle, nearest.part), nearest.s);
+        touch.point = edge_point_world(leaf, Edges(triangle), nearest.part, nearest.s);
     } else {
         touch.point = leaf.corner(nearest.part);
     }
@@ -286,12 +305,14 @@ Touch touch_of(const SphereTriangle& triangle, const LeafTriangle& leaf, const E
         touch.normal = world_normal(normal, query);
         touch.point = query.centre + mul(hit.t * query.d - normal, query.radii);
     } else if (hit.feature == Feature::edge) {
-        const Edge edge = edge_of(triangle, hit.part);
-        const EdgePath path = edge_path(edge, query.d);
-        touch.normal = world_normal(unit(path.w + hit.t * path.dw), query);
-        touch.point = edge_point_world(leaf, edge, path.s + hit.t * path.ds);
+        const Edges edges(triangle);
+        const EdgePaths path(edges, query.d);
+        double place[4];
+        (path.s + Three::all(hit.t) * path.ds).store(place);
+        touch.normal = world_normal(unit(path.w.vec(hit.part) + hit.t * path.dw.vec(hit.part)), query);
+        touch.point = edge_point_world(leaf, edges, hit.part, place[hit.part]);
     } else {
-        touch.normal = world_normal(unit(hit.t * query.d - triangle.a[hit.part]), query);
+        touch.normal = world_normal(unit(hit.t * query.d - triangle.a.vec(hit.part)), query);
         touch.point = leaf.corner(hit.part);
     }
     return touch;

@@ -5,9 +5,9 @@
 // which is what makes the answer of a world independent of the order in which its tree is walked.
 #pragma once
 
-#include "axes.h"
 #include "bvh.h"
 #include "slipface/collision/contact.h"
+#include "three.h"
 #include "vec.h"
 
 namespace slipface::detail {
@@ -24,7 +24,7 @@ struct EllipsoidQuery {
     EllipsoidQuery(const V3& centre_world, const V3& radii_world, const V3& move_world)
         : centre(centre_world),
           radii(radii_world),
-          inverse((Axes::all(1.0) / Axes(radii_world)).vec()),
+          inverse((Three::all(1.0) / Three(radii_world)).vec()),
           move(move_world),
           d(mul(move_world, inverse)),
           dd(dot(d, d)) {}
@@ -34,14 +34,17 @@ struct EllipsoidQuery {
 
 // A triangle relative to a query's centre, in sphere space.
 struct SphereTriangle {
-    V3 a[3];    // corners
-    V3 e[3];    // edge k runs from a[k] to a[(k + 1) % 3]; taken from the world's corners, so exact up to one
-                // rounding
+    Threes a;  // corners
+    Threes e;  // edge k runs from corner k to corner (k + 1) % 3; taken from the world's corners, so exact up
+               // to one rounding
     V3 n;       // winding normal, any length
     double nn;  // n . n; 0 exactly if the triangle counts as its edges only
-    double h;   // n . a[0]: the plane is n . x = h
+    double h;   // n . a for corner 0: the plane is n . x = h
 
     SphereTriangle(const LeafTriangle& triangle, const EllipsoidQuery& query);
+
+  private:
+    SphereTriangle(const Threes& world, const EllipsoidQuery& query);
 };
 
 // The point of a triangle nearest to the centre.

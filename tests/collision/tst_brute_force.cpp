@@ -72,6 +72,19 @@ class EverySimdPath : public testing::Test {
 
 using BruteForceAgreement = EverySimdPath;
 
+// On every path, with answers in their places whatever was there before.
+void expect_same_in_a_batch(const CollisionWorld& world, std::span<const Sweep> sweeps,
+                            std::span<const std::optional<Contact>> contacts) {
+    for (const std::string_view path : simd_paths()) {
+        SCOPED_TRACE(path);
+        ASSERT_TRUE(set_simd_path(path));
+        std::vector<std::optional<Contact>> out(sweeps.size(), Contact{});
+        sweep_ellipsoids(world, sweeps, out);
+        for (std::size_t i = 0; i < sweeps.size(); ++i)
+            ASSERT_TRUE(same(out[i], contacts[i])) << i;
+    }
+}
+
 TEST_F(BruteForceAgreement, SweepsRaysPointsAndOverlaps) {
     for (const Scene& scene : scenes_to_try()) {
         SCOPED_TRACE(scene.name);
@@ -79,6 +92,8 @@ TEST_F(BruteForceAgreement, SweepsRaysPointsAndOverlaps) {
         const BruteForce brute(scene.soup);
         Random random(12);
         int hits = 0;
+        std::vector<Sweep> sweeps;
+        std::vector<std::optional<Contact>> contacts;
         for (int i = 0; i < 400; ++i) {
             Vec3 from = scene.middle + random.in_box(scene.half);
             // Drawn one by one: compilers evaluate the arguments of a call in different orders.
@@ -98,6 +113,8 @@ TEST_F(BruteForceAgreement, SweepsRaysPointsAndOverlaps) {
             const auto closest = brute.closest(from, limit);
             const auto overlaps = brute.overlaps(radii, from);
             hits += contact.has_value();
+            sweeps.push_back({radii, from, move});
+            contacts.push_back(contact);
             for (const std::string_view path : simd_paths()) {
                 SCOPED_TRACE(path);
                 ASSERT_TRUE(set_simd_path(path));
@@ -120,7 +137,64 @@ TEST_F(BruteForceAgreement, SweepsRaysPointsAndOverlaps) {
         }
         EXPECT_GT(hits, 20);
         EXPECT_LT(hits, 400);
+        expect_same_in_a_batch(world, sweeps, contacts);
     }
+}
+
+// Those that cannot go side by side with others must not disturb them.
+TEST_F(BruteForceAgreement, BatchesWithQueriesOfEveryKind) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    Random random(19);
+    Soup soup = scenes::terrain(random, 30, 0.7);
+    const CollisionWorld world = soup.world();
+    std::vector<Sweep> sweeps;
+    for (int i = 0; i < 300; ++i) {
+        const Vec3 from(random.uniform(2, 19), random.uniform(1.5, 3), random.uniform(2, 19));
+        const Vec3 direction = random.direction();
+        Sweep sweep{Vec3(0.4, 0.9, 0.4), from, random.uniform(0.1, 30) * direction};
+        switch (i % 12) {
+            case 0:
+                sweep.move = Vec3::Zero();
+                break;
+            case 1:
+                sweep.move.x() = nan;
+                break;
+            case 2:
+                sweep.from.y() = std::numeric_limits<double>::infinity();
+                break;
+            case 3:
+                sweep.radii.z() = 0.0;
+                break;
+            case 4:
+                sweep.radii = Vec3(1e-16, 1e-16, 1e-16);
+                break;
+            case 5:
+                sweep.from.y() = 1e17;
+                sweep.move = Vec3(0, -2e17, 0);
+                break;
+            case 6:
+                sweep.radii = Vec3(1e-9, 1e-9, 1e-9);
+                break;
+            case 7:
+                sweep.from.y() = 1e6;
+                sweep.move = Vec3(0, -2e6, 0);
+                break;
+            default:
+                break;
+        }
+        sweeps.push_back(sweep);
+    }
+    std::vector<std::optional<Contact>> contacts;
+    for (const Sweep& sweep : sweeps)
+        contacts.push_back(sweep_ellipsoid(world, sweep.radii, sweep.from, sweep.move));
+    EXPECT_GT(std::ranges::count_if(contacts, [](const auto& contact) { return contact.has_value(); }), 100);
+    expect_same_in_a_batch(world, sweeps, contacts);
+    // More than a wave has room for: every sweep meets nearly every leaf.
+    for (std::size_t i = 0; i < sweeps.size(); ++i) {
+        sweeps[i].radii = Vec3(9, 2, 9);
+        contacts[i] = sweep_ellipsoid(world, sweeps[i].radii, sweeps[i].from, sweeps[i].move);
+    }
+    expect_same_in_a_batch(world, sweeps, contacts);
 }
 
 TEST_F(BruteForceAgreement, RefusesAnUnknownPath) {

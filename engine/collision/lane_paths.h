@@ -1,0 +1,124 @@
+// The paths of a query, spread over all lanes, against eight boxes. Part of the kernels: see lanes.h.
+#pragma once
+
+#include "kernels.h"
+#include "lanes.h"
+
+namespace slipface::detail {
+namespace {
+
+inline unsigned first_lane(std::uint32_t mask) {
+    return static_cast<unsigned>(__builtin_ctz(mask));
+}
+
+inline const Leaf& leaf_at(const TreeView& tree, std::uint32_t place) {
+    return *reinterpret_cast<const Leaf*>(tree.leaves + std::size_t{place} * leaf_alignment);
+}
+
+// Asks for the memory of a child that will be looked at soon.
+inline void fetch(const TreeView& tree, std::uint32_t child) {
+    const auto* at = (child & leaf_bit) != 0
+                         ? reinterpret_cast<const std::byte*>(&leaf_at(tree, child & leaf_place_mask))
+                         : reinterpret_cast<const std::byte*>(tree.nodes + child);
+    __builtin_prefetch(at);
+    __builtin_prefetch(at + 64);
+    __builtin_prefetch(at + 128);
+    __builtin_prefetch(at + 192);
+}
+
+struct NodeRows {
+    const BvhNode& node;
+    Lanes operator()(int row) const { return Lanes::load(node.bound[row]); }
+};
+// The own boxes of a leaf's triangles. All rows are made, and read like a node's: which of them a path asks
+// for first depends on its direction, which no processor guesses.
+struct LeafRows {
+    alignas(32) float bound[6][8];
+
+    explicit LeafRows(const Lanes (&v)[9]) {
+        for (int axis = 0; axis < 3; ++axis) {
+            lanes_min(lanes_min(v[axis], v[axis + 3]), v[axis + 6]).store(bound[axis]);
+            lanes_max(lanes_max(v[axis], v[axis + 3]), v[axis + 6]).store(bound[axis + 3]);
+        }
+    }
+    Lanes operator()(int row) const { return Lanes::load(bound[row]); }
+};
+
+struct LaneBoxPath {
+    const BoxPath& path;
+    Lanes near_offset[3];
+    Lanes far_offset[3];
+    Lanes inverse[3];
+    Lanes far_inverse[3];
+
+    explicit LaneBoxPath(const BoxPath& one) : path(one) {
+        for (int axis = 0; axis < 3; ++axis) {
+            near_offset[axis] = Lanes::all(path.near_offset[axis]);
+            far_offset[axis] = Lanes::all(path.far_offset[axis]);
+            inverse[axis] = Lanes::all(path.inverse[axis]);
+            far_inverse[axis] = Lanes::all(path.far_inverse[axis]);
+        }
+    }
+    // Which of eight boxes are met between two times, and when they are entered.
+    template <class Rows>
+    std::uint32_t meet(const Rows& rows, float from, float limit, Lanes& enter) const {
+        enter = Lanes::all(from);
+        Lanes leave = Lanes::all(limit * late);
+        for (int axis = 0; axis < 3; ++axis) {
+            enter = lanes_max((rows(path.near_row[axis]) - near_offset[axis]) * inverse[axis], enter);
+            leave = lanes_min((rows(path.far_row[axis]) - far_offset[axis]) * far_inverse[axis], leave);
+        }
+        return lanes_not_above(enter, leave + Lanes::all(least_time));
+    }
+};
+
+struct LaneVec {
+    Lanes x, y, z;
+};
+inline LaneVec operator+(const LaneVec& a, const LaneVec& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline LaneVec operator-(const LaneVec& a, const LaneVec& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline LaneVec operator-(const LaneVec& a) {
+    const Lanes zero = Lanes::all(0.0F);
+    return {zero - a.x, zero - a.y, zero - a.z};
+}
+inline LaneVec operator*(const LaneVec& a, const LaneVec& b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+inline LaneVec operator*(Lanes s, const LaneVec& a) {
+    return {s * a.x, s * a.y, s * a.z};
+}
+inline Lanes dot(const LaneVec& a, const LaneVec& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline LaneVec cross(const LaneVec& a, const LaneVec& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+// At least the length, at most sqrt(3) of it.
+inline Lanes size_of(const LaneVec& a) {
+    return lanes_abs(a.x) + lanes_abs(a.y) + lanes_abs(a.z);
+}
+inline LaneVec all(const float (&v)[4]) {
+    return {Lanes::all(v[0]), Lanes::all(v[1]), Lanes::all(v[2])};
+}
+inline LaneVec pick(LaneMask where, const LaneVec& yes, const LaneVec& no) {
+    return {lanes_pick(where, yes.x, no.x), lanes_pick(where, yes.y, no.y), lanes_pick(where, yes.z, no.z)};
+}
+
+struct LaneSpherePath {
+    LaneVec centre, rest, inverse, d;
+    Lanes d_size;
+
+    explicit LaneSpherePath(const SpherePath& path)
+        : centre(all(path.centre)),
+          rest(all(path.rest)),
+          inverse(all(path.inverse)),
+          d(all(path.d)),
+          d_size(size_of(d)) {}
+};
+
+}  // namespace
+}  // namespace slipface::detail

@@ -1,0 +1,157 @@
+// The triangles of a leaf against a sphere that moves or rests, and which of them it certainly does not
+// touch. Part of the kernels: see lanes.h.
+#pragma once
+
+#include "lane_paths.h"
+
+namespace slipface::detail {
+namespace {
+
+// Eight triangles against a moving sphere. Every test keeps a triangle away for one reason only: a plane has
+// all of it on one side and the sphere on the other. The plane's direction u may come from anywhere; what is
+// rounded is the distances along it.
+class LeafFilter {
+  public:
+    LeafFilter(const LaneSpherePath& path, const Lanes (&v)[9])
+        : path_(path),
+          a_{relative({v[0], v[1], v[2]}), relative({v[3], v[4], v[5]}), relative({v[6], v[7], v[8]})},
+          e_{edge({v[0], v[1], v[2]}, {v[3], v[4], v[5]}), edge({v[3], v[4], v[5]}, {v[6], v[7], v[8]}),
+             edge({v[6], v[7], v[8]}, {v[0], v[1], v[2]})},
+          n_(cross(e_[0], e_[1])),
+          edges_(size_of(e_[0]) + size_of(e_[1])) {}
+
+    // The planes that contain an edge's direction and the move's: the sphere's whole way stays beside them.
+    std::uint32_t apart_beside(float limit) const {
+        const Lanes zero = Lanes::all(0.0F);
+        const Lanes slack = rounding(limit) * path_.d_size;
+        std::uint32_t mask = 0;
+        for (int k = 0; k < 3; ++k) {
+            // On the axis e x d the edge is the point s, and the sphere's path stays at 0.
+            const LaneVec axis = cross(e_[k], path_.d);
+            const Lanes s = dot(a_[k], axis);
+            const Lanes opposite = dot(a_[k == 0 ? 2 : k - 1], axis);
+            mask |= beyond(lanes_max(lanes_min(s, opposite), zero - lanes_max(s, opposite)), dot(axis, axis),
+                           slack * size_of(e_[k]));
+        }
+        return mask;
+    }
+
+    // A time before which each triangle is not touched: by its own plane, and by the plane across the way
+    // from where the sphere is then to the nearest point of the border, a step of Newton's method for the
+    // touch. More than `limit` where nothing is touched up to it. A second step would spare few a look in
+    // double.
+    Lanes apart_until(float limit) const {
+        const Lanes zero = Lanes::all(0.0F);
+        const Lanes end = Lanes::all(limit);
+        const Lanes slack = rounding(limit);
+        const Lanes h = dot(n_, a_[0]);
+        const Lanes speed = dot(n_, path_.d);
+        const Lanes t = apart_until(lanes_abs(h), lanes_pick(lanes_less(h, zero), zero - speed, speed),
+                                    dot(n_, n_), slack * size_of(e_[0]) * size_of(e_[1]));
+        const LaneVec u = border_way(lanes_min(t, end) * path_.d);
+        return lanes_max(apart_until(least_along(u), dot(u, path_.d), dot(u, u), slack * size_of(u)), t);
+    }
+
+    // Those that a sphere of that radius does not touch at rest.
+    std::uint32_t apart_at_rest(std::uint32_t mask, float radius) const {
+        const Lanes reach = Lanes::all(radius);
+        const Lanes slack = Lanes::all(determinant_rounding) * (size_of(a_[0]) + edges_ + reach);
+        const Lanes square = reach * reach;
+        std::uint32_t apart =
+            beyond(lanes_abs(dot(n_, a_[0])), square * dot(n_, n_), slack * size_of(e_[0]) * size_of(e_[1]));
+        if ((mask & ~apart) == 0) return apart;
+        const Lanes zero = Lanes::all(0.0F);
+        const LaneVec u = border_way({zero, zero, zero});
+        return apart | beyond(least_along(u), square * dot(u, u), slack * size_of(u));
+    }
+
+    // Squared distance of the border from the path's start; only an order.
+    Lanes border_distance() const {
+        const LaneVec way = border_way({Lanes::all(0.0F), Lanes::all(0.0F), Lanes::all(0.0F)});
+        return dot(way, way);
+    }
+
+  private:
+    LaneVec relative(const LaneVec& world) const {
+        return (world - path_.centre) * path_.inverse - path_.rest;
+    }
+
+    // Of the corners.
+    Lanes least_along(const LaneVec& u) const {
+        return lanes_min(lanes_min(dot(u, a_[0]), dot(u, a_[1])), dot(u, a_[2]));
+    }
+
+    LaneVec edge(const LaneVec& from, const LaneVec& to) const { return (to - from) * path_.inverse; }
+
+    // Times |u|: how much the distances along u between the triangle and the path's ends may be off.
+    Lanes rounding(float limit) const {
+        const Lanes reach = size_of(a_[0]) + edges_ + Lanes::all(limit) * path_.d_size + Lanes::all(1.0F);
+        return Lanes::all(determinant_rounding) * reach;
+    }
+
+    // Bit k is set where distance - slack > sqrt(square).
+    static std::uint32_t beyond(Lanes distance, Lanes square, Lanes slack) {
+        const Lanes clear = lanes_max(distance - slack, Lanes::all(0.0F));
+        return lanes_above(clear * clear,
+                           square * Lanes::all(1.0F + determinant_rounding) + Lanes::all(least_square));
+    }
+
+    // When a sphere that comes nearer by `speed` has covered `distance` - sqrt(square), at least 0; very late
+    // if it does not come nearer. What is no number becomes 0.
+    static Lanes apart_until(Lanes distance, Lanes speed, Lanes square, Lanes slack) {
+        const Lanes radius =
+            lanes_sqrt(square * Lanes::all(1.0F + determinant_rounding) + Lanes::all(least_square));
+        const Lanes clear = distance - slack - radius;
+        const Lanes t = clear / lanes_max(speed, Lanes::all(least_time));
+        return lanes_max(t * Lanes::all(1.0F - time_slack), Lanes::all(0.0F));
+    }
+
+    // From `at` to about the nearest point of the triangle's border.
+    LaneVec border_way(const LaneVec& at) const {
+        const Lanes zero = Lanes::all(0.0F);
+        const Lanes one = Lanes::all(1.0F);
+        LaneVec best{zero, zero, zero};
+        Lanes best_square = zero;
+        for (int k = 0; k < 3; ++k) {
+            const LaneVec p = a_[k] - at;
+            const Lanes ee = lanes_max(dot(e_[k], e_[k]), Lanes::all(least_square));
+            // A quotient that is no number becomes 0.
+            const Lanes s = lanes_min(lanes_max((zero - dot(p, e_[k])) / ee, zero), one);
+            const LaneVec way = p + s * e_[k];
+            const Lanes square = dot(way, way);
+            if (k == 0) {
+                best = way;
+                best_square = square;
+                continue;
+            }
+            const LaneMask nearer = lanes_less(square, best_square);
+            best = pick(nearer, way, best);
+            best_square = lanes_min(square, best_square);
+        }
+        return best;
+    }
+
+    const LaneSpherePath& path_;
+    LaneVec a_[3];
+    LaneVec e_[3];
+    LaneVec n_;
+    Lanes edges_;
+};
+
+inline std::uint32_t present(const Leaf& leaf) {
+    return (1U << leaf.count) - 1;
+}
+
+inline unsigned least_lane(std::uint32_t mask, Lanes keys) {
+    alignas(32) float key[8];
+    keys.store(key);
+    unsigned best = first_lane(mask);
+    for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
+        const unsigned lane = first_lane(mask);
+        if (key[lane] < key[best]) best = lane;
+    }
+    return best;
+}
+
+}  // namespace
+}  // namespace slipface::detail

@@ -1,0 +1,56 @@
+// What a sweep has found so far.
+#pragma once
+
+#include "impl.h"
+#include "sphere_triangle.h"
+
+namespace slipface::detail {
+
+// Sphere space can overflow for radii and coordinates at the ends of double's range. A triangle without an
+// answer there must not hide one that has.
+inline bool well_formed(const Touch& touch) {
+    return finite(touch.point) && dot(touch.normal, touch.normal) > 0.0;
+}
+
+// A sweep under way: the first touch so far.
+struct Search {
+    const CollisionWorld::Impl& world;
+    const EllipsoidQuery& query;
+    bool in_range;  // of the floats, where every answer is finite
+    TriangleHit hit{1.0, Feature::vertex, 0, false};
+    LeafTriangle triangle{{}, no_id};
+
+    bool beaten_by(const TriangleHit& other, TriangleId id) const {
+        if (triangle.id == no_id || other.t != hit.t) return triangle.id == no_id || other.t < hit.t;
+        if (other.feature != hit.feature) return other.feature < hit.feature;
+        return id < triangle.id;
+    }
+    void consider(const LeafTriangle& leaf) {
+        const SphereTriangle sphere(leaf, query);
+        TriangleHit other{};
+        if (!sweep_triangle(sphere, query, hit.t, other) || !beaten_by(other, leaf.id)) return;
+        if (!world.plain) {
+            const SurfaceRule& rule = world.rule_of(leaf.id);
+            if (!rule.solid || (rule.one_sided && passes_one_sided(sphere, query))) return;
+        }
+        if (!in_range && !well_formed(touch_of(sphere, leaf, query, other))) return;
+        hit = other;
+        triangle = leaf;
+    }
+
+    std::optional<Contact> contact() const {
+        if (triangle.id == no_id) return std::nullopt;
+        const Touch touch = touch_of(SphereTriangle(triangle, query), triangle, query, hit);
+        return Contact{hit.t,       vec(touch.normal),          vec(touch.point),
+                       triangle.id, world.face_of(triangle.id), world.surface_of(triangle.id),
+                       hit.feature};
+    }
+};
+
+// A query beyond the floats that has no answer, or is none.
+inline bool refused(const V3& radii, const V3& from, const V3& move) {
+    return !(radii.x > 0.0 && radii.y > 0.0 && radii.z > 0.0) || !finite(radii) || !finite(from) ||
+           !finite(move);
+}
+
+}  // namespace slipface::detail

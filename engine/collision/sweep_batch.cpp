@@ -1,0 +1,138 @@
+// Many sweeps at once: on several threads, and on each of them side by side through the tree (wave_impl.h).
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "paths.h"
+#include "search.h"
+#include "slipface/base/parallel.h"
+
+namespace slipface {
+namespace {
+
+using namespace detail;
+
+struct Flight {
+    std::size_t sweep;  // its number in the batch
+    EllipsoidQuery query;
+    Search search;
+
+    Flight(const CollisionWorld::Impl& world, const Sweep& of, std::size_t number)
+        : sweep(number), query(v3(of.from), v3(of.radii), v3(of.move)), search{world, query, true} {}
+    Flight(const Flight&) = delete;
+    Flight& operator=(const Flight&) = delete;
+};
+
+// Up to wave_sweeps sweeps that are under way. Each looks at a part of its way at a time, so that what lies
+// behind the first touch costs little.
+class Wave {
+  public:
+    Wave(const CollisionWorld& world, std::span<const Sweep> sweeps, std::span<std::optional<Contact>> out)
+        : world_(world), sweeps_(sweeps), out_(out) {}
+
+    // Goes with the others, if that is possible.
+    void add(std::size_t number) {
+        const Sweep& sweep = sweeps_[number];
+        const V3 radii = v3(sweep.radii), from = v3(sweep.from), move = v3(sweep.move);
+        const CollisionWorld::Impl& world = world_.impl();
+        out_[number].reset();
+        if (world.bvh.nodes.empty() || is_zero(move)) return;
+        const double reach = larger(larger(largest(from), largest(move)), world.reach);
+        const bool in_range = in_float_range(radii, from, move, world);
+        if (in_range && passes_beside(world.bvh, from, move, radii, reach)) return;
+        WaveSweep& part = parts_[count_];
+        if (in_range) {
+            const Flight& flight = flights_[count_].emplace(world, sweep, number);
+            part.path = sweep_path(flight.query, reach);
+        }
+        if (!in_range || !part.path.sphere.usable) {
+            out_[number] = sweep_alone(number);
+            return;
+        }
+        // At first what stands around the body.
+        part.from = 0.0F;
+        part.to = std::min(static_cast<float>(2.0 * largest(radii) / largest(move)), time_limit(1.0));
+        of_[count_] = count_;
+        if (++count_ == wave_sweeps) finish();
+    }
+
+    void finish() {
+        std::uint32_t under_way = count_;
+        count_ = 0;
+        while (under_way != 0) {
+            const std::uint32_t found =
+                kernels().wave(world_.impl().bvh.view(), parts_.data(), under_way, candidates_.data());
+            if (found > wave_candidates) {
+                for (std::uint32_t k = 0; k < under_way; ++k) {
+                    const std::size_t number = flights_[of_[k]]->sweep;
+                    out_[number] = sweep_alone(number);
+                }
+                return;
+            }
+            consider(std::span(candidates_).first(found), under_way);
+            std::uint32_t left = 0;
+            for (std::uint32_t k = 0; k < under_way; ++k) {
+                const Flight& flight = *flights_[of_[k]];
+                const float end = time_limit(flight.search.hit.t);
+                if (end <= parts_[k].to) {
+                    out_[flight.sweep] = flight.search.contact();
+                    continue;
+                }
+                const float to = parts_[k].to;
+                if (left != k) parts_[left] = parts_[k];
+                parts_[left].from = to;
+                parts_[left].to = std::min(2.0F * to, end);
+                of_[left++] = of_[k];
+            }
+            under_way = left;
+        }
+    }
+
+  private:
+    std::optional<Contact> sweep_alone(std::size_t number) const {
+        return sweep_ellipsoid(world_, sweeps_[number].radii, sweeps_[number].from, sweeps_[number].move);
+    }
+
+    // The most promising triangle of each sweep first: it makes most others too late.
+    void consider(std::span<const Candidate> candidates, std::uint32_t under_way) {
+        std::array<const Candidate*, wave_sweeps> first{};
+        for (const Candidate& candidate : candidates) {
+            const Candidate*& best = first[candidate.sweep];
+            if (best == nullptr || candidate.after < best->after) best = &candidate;
+        }
+        const auto consider = [this](const Candidate& candidate) {
+            Search& search = flights_[of_[candidate.sweep]]->search;
+            if (candidate.after > time_limit(search.hit.t)) return;
+            search.consider(leaf_triangle(search.world.bvh.leaf_at(candidate.leaf), candidate.lane));
+        };
+        for (std::uint32_t k = 0; k < under_way; ++k) {
+            if (first[k] != nullptr) consider(*first[k]);
+        }
+        for (const Candidate& candidate : candidates) {
+            if (&candidate != first[candidate.sweep]) consider(candidate);
+        }
+    }
+
+    const CollisionWorld& world_;
+    std::span<const Sweep> sweeps_;
+    std::span<std::optional<Contact>> out_;
+    std::uint32_t count_ = 0;
+    std::array<std::optional<Flight>, wave_sweeps> flights_;
+    std::array<WaveSweep, wave_sweeps> parts_;     // of the sweeps under way
+    std::array<std::uint32_t, wave_sweeps> of_{};  // their flights
+    std::array<Candidate, wave_candidates> candidates_;
+};
+
+}  // namespace
+
+void sweep_ellipsoids(const CollisionWorld& world, std::span<const Sweep> sweeps,
+                      std::span<std::optional<Contact>> out) {
+    parallel_for(std::min(sweeps.size(), out.size()), 128, [&](std::size_t begin, std::size_t end) {
+        Wave wave(world, sweeps, out);
+        for (std::size_t i = begin; i < end; ++i)
+            wave.add(i);
+        wave.finish();
+    });
+}
+
+}  // namespace slipface
