@@ -55,6 +55,26 @@ void print_warnings(const Warnings& warnings) {
         fmt::print(stderr, "slipface: warning: {}\n", warning.text());
 }
 
+// The warnings of every level that is opened, once each time.
+class WarningPrinter {
+  public:
+    explicit WarningPrinter(const Editor& editor) : editor_(editor) {}
+    void print_new() {
+        print_changed(editor_.document ? editor_.document->warnings() : Warnings{}, of_level_);
+        print_changed(editor_.texture_warnings, of_textures_);
+    }
+
+  private:
+    static void print_changed(const Warnings& now, Warnings& before) {
+        if (now == before) return;
+        print_warnings(now);
+        before = now;
+    }
+    const Editor& editor_;
+    Warnings of_level_;
+    Warnings of_textures_;
+};
+
 struct EditArguments {
     std::string level, script, screenshot, state, size = "1280x720";
     double scale = 0.0;
@@ -74,15 +94,15 @@ int edit_headless(const EditArguments& arguments) {
     Result<std::unique_ptr<OffscreenHost>> host = OffscreenHost::make(options);
     if (!host) return complain(host.error(), cli::exit_bad_input);
     Editor& editor = (*host)->editor();
+    WarningPrinter warnings(editor);
     if (!arguments.level.empty()) {
         open_level(editor, arguments.level);
         if (editor.message) return complain({"", editor.message->text}, cli::exit_bad_input);
         (*host)->frame();
-        print_warnings(editor.document->warnings());
-        print_warnings(editor.texture_warnings);
+        warnings.print_new();
     }
     if (!arguments.script.empty()) {
-        const ScriptResult result = run_script_file(**host, arguments.script);
+        const ScriptResult result = run_script_file(**host, arguments.script, [&] { warnings.print_new(); });
         if (!result)
             return complain(result.error, result.failure == ScriptFailure::expectation
                                               ? cli::exit_check_failed

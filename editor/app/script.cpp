@@ -323,7 +323,7 @@ Result<std::vector<ScriptLine>> parse_script(std::string_view text, const std::s
 }
 
 ScriptResult run_script(OffscreenHost& host, std::string_view text, const std::string& place,
-                        const std::filesystem::path& folder) {
+                        const std::filesystem::path& folder, const std::function<void()>& after_line) {
     ScriptResult result;
     const Result<std::vector<ScriptLine>> lines = parse_script(text, place);
     if (!lines) return {ScriptFailure::bad_input, lines.error(), 0};
@@ -336,16 +336,19 @@ ScriptResult run_script(OffscreenHost& host, std::string_view text, const std::s
             return result;
         }
         ++result.lines_done;
+        if (after_line) after_line();
     }
     host.settle();
     return result;
 }
 
-ScriptResult run_script_file(OffscreenHost& host, const std::filesystem::path& file) {
+ScriptResult run_script_file(OffscreenHost& host, const std::filesystem::path& file,
+                             const std::function<void()>& after_line) {
     const Result<std::string> text = read_file(file, most_script_bytes);
     if (!text) return {ScriptFailure::bad_input, text.error(), 0};
     std::error_code error;
-    return run_script(host, *text, file.filename().string(), std::filesystem::current_path(error));
+    return run_script(host, *text, file.filename().string(), std::filesystem::current_path(error),
+                      after_line);
 }
 
 }  // namespace slipface

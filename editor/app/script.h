@@ -31,10 +31,12 @@ struct ScriptResult {
     explicit operator bool() const { return failure == ScriptFailure::none; }
 };
 
-// Runs `text`; relative paths in it start at `folder`. Stops at the first failure.
+// Runs `text`; relative paths in it start at `folder`. Stops at the first failure. `after_line` is called
+// after each line that was done.
 ScriptResult run_script(OffscreenHost& host, std::string_view text, const std::string& place,
-                        const std::filesystem::path& folder);
-ScriptResult run_script_file(OffscreenHost& host, const std::filesystem::path& file);
+                        const std::filesystem::path& folder, const std::function<void()>& after_line = {});
+ScriptResult run_script_file(OffscreenHost& host, const std::filesystem::path& file,
+                             const std::function<void()>& after_line = {});
 
 // One row a verb; the interpreter, its errors and docs/scripting.md are made from these.
 struct ScriptContext;

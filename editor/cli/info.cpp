@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <span>
+#include <set>
 
 #include "cli/format.h"
 #include "cli/verbs.h"
-#include "slipface/doctor/doctor.h"
+#include "slipface/image/image.h"
 #include "slipface/level/level_file.h"
+#include "slipface/mesh/texture_file.h"
 
 namespace slipface::cli {
 namespace {
@@ -24,14 +25,33 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void add_missing_textures(LoadedLevel& loaded) {
+// Every picture once, as the editor's drawing would find it.
+void add_texture_warnings(LoadedLevel& loaded) {
     constexpr std::size_t most = 100;
-    const std::vector<Problem> missing = missing_textures(loaded.level);
-    const std::string place = loaded.level.mesh_path.string();
-    for (const Problem& one : std::span(missing).first(std::min(missing.size(), most)))
-        loaded.warnings.push_back({place, one.text + ", which is not there"});
-    if (missing.size() > most)
-        loaded.warnings.push_back({place, fmt::format("{} more missing textures", missing.size() - most)});
+    Warnings found;
+    const std::filesystem::path folder = loaded.level.mesh_path.parent_path();
+    std::set<std::string> known;
+    for (const Material& material : loaded.level.mesh->materials) {
+        if (material.texture.empty() || !known.insert(material.texture).second) continue;
+        const std::string place = fmt::format("material \"{}\"", material.name);
+        const auto [path, refused] = find_texture(material.texture, folder, TextureAccess::folder);
+        if (refused) {
+            found.push_back(
+                {place, fmt::format("the texture \"{}\" lies outside the level's folder: not read",
+                                    material.texture)});
+        } else if (!path) {
+            found.push_back({place, fmt::format("found no texture \"{}\" in {}", material.texture,
+                                                folder.empty() ? "." : folder.string())});
+        } else if (const Result<Image> image = load_image(*path); !image) {
+            found.push_back({place, image.error().text()});
+        }
+    }
+    const std::size_t listed = std::min(found.size(), most);
+    loaded.warnings.insert(loaded.warnings.end(), found.begin(),
+                           found.begin() + static_cast<std::ptrdiff_t>(listed));
+    if (found.size() > listed)
+        loaded.warnings.push_back({loaded.level.mesh_path.string(),
+                                   fmt::format("{} more textures cannot be used", found.size() - listed)});
 }
 
 Result<LevelInfo> gather(const std::filesystem::path& path) {
@@ -41,7 +61,7 @@ Result<LevelInfo> gather(const std::filesystem::path& path) {
     if (!loaded) return loaded.error();
     info.load_s = seconds_since(start);
     info.loaded = std::move(*loaded);
-    add_missing_textures(info.loaded);
+    add_texture_warnings(info.loaded);
 
     const Level& level = info.loaded.level;
     const auto bvh_start = std::chrono::steady_clock::now();

@@ -37,7 +37,7 @@ struct SphereTriangle {
     Threes a;  // corners
     Threes e;  // edge k runs from corner k to corner (k + 1) % 3; taken from the world's corners, so exact up
                // to one rounding
-    V3 n;       // winding normal, any length
+    V3 n;      // winding normal, any length
     double nn;  // n . n; 0 exactly if the triangle counts as its edges only
     double h;   // n . a for corner 0: the plane is n . x = h
 

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "checks.h"
+#include "slipface/mesh/texture_file.h"
 
 namespace slipface {
 namespace doctor {
@@ -52,14 +53,6 @@ bool player_fits(const Patient& patient, const Vec3& centre, FaceId a, FaceId b)
 
 double slope_of(const Vec3& normal) {
     return std::acos(std::clamp(normal.y(), -1.0, 1.0));
-}
-
-bool file_is_there(const std::filesystem::path& folder, std::string authored) {
-    std::replace(authored.begin(), authored.end(), '\\', '/');
-    const std::filesystem::path path(authored);
-    std::error_code error;
-    return std::filesystem::is_regular_file(folder / path, error) ||
-           std::filesystem::is_regular_file(folder / path.filename(), error);
 }
 
 }  // namespace
@@ -143,24 +136,14 @@ void find_orphans(const Patient& patient, Problems& out) {
 }
 
 void find_missing_textures(const Patient& patient, Problems& out) {
-    for (Problem& problem : missing_textures(patient.level))
-        out.push_back(std::move(problem));
-}
-
-}  // namespace doctor
-
-std::vector<Problem> missing_textures(const Level& level) {
-    std::vector<Problem> out;
-    if (!level.mesh) return out;
-    const Mesh& mesh = *level.mesh;
-    const std::filesystem::path folder = level.mesh_path.parent_path();
+    const Mesh& mesh = patient.mesh;
+    const std::filesystem::path folder = patient.level.mesh_path.parent_path();
     std::map<std::uint32_t, FaceId> first_face;
     for (FaceId face = 0; face < mesh.face_count(); ++face)
         first_face.try_emplace(mesh.face_material[face], face);
     for (std::size_t i = 0; i < mesh.materials.size(); ++i) {
         const Material& material = mesh.materials[i];
-        if (material.texture.empty() || material.texture.find('\0') != std::string::npos ||
-            doctor::file_is_there(folder, material.texture))
+        if (material.texture.empty() || find_texture(material.texture, folder, TextureAccess::anywhere).path)
             continue;
         const auto face = first_face.find(static_cast<std::uint32_t>(i));
         const FaceId where = face == first_face.end() ? no_id : face->second;
@@ -168,7 +151,8 @@ std::vector<Problem> missing_textures(const Level& level) {
                        where == no_id ? Vec3(Vec3::Zero()) : face_centroid(mesh, where), i,
                        "Material " + material.name + " names " + material.texture});
     }
-    return out;
 }
+
+}  // namespace doctor
 
 }  // namespace slipface

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "slipface/image/image.h"
+#include "slipface/mesh/texture_file.h"
 
 namespace slipface {
 namespace {
@@ -18,7 +19,9 @@ Vec3 squared(const Vec3& color) {
 Vec3 mean_color(const Material& material, const std::filesystem::path& folder) {
     const Vec3 own = squared(material.diffuse.cast<double>());
     if (material.texture.empty()) return own;
-    const Result<Image> image = load_image(folder / material.texture);
+    const FoundTexture file = find_texture(material.texture, folder, TextureAccess::folder);
+    if (!file.path) return own;
+    const Result<Image> image = load_image(*file.path);
     if (!image) return own;
     Vec3 sum = Vec3::Zero();
     for (std::size_t i = 0; i < image->pixel_count(); ++i) {

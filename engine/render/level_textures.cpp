@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
-#include <optional>
-#include <set>
 
-#include "slipface/base/files.h"
+#include "slipface/mesh/texture_file.h"
 
 namespace slipface {
 
@@ -45,32 +43,6 @@ Image halved(const Image& image) {
     return half;
 }
 
-struct FoundTexture {
-    std::optional<std::filesystem::path> path;
-    bool refused = false;  // the picture that was meant lies outside the folder
-};
-
-// Windows tools write backslashes, and many write the path of the machine they ran on: then the file's name
-// alone is tried beside the level.
-FoundTexture find_texture(const std::string& authored, const std::filesystem::path& folder,
-                          TextureAccess access) {
-    FoundTexture found;
-    if (authored.find('\0') != std::string::npos || authored.size() > 4096) return found;
-    std::string portable = authored;
-    std::replace(portable.begin(), portable.end(), '\\', '/');
-    const std::filesystem::path path(portable);
-    for (const auto& candidate : {folder / path, folder / path.filename()}) {
-        std::error_code error;
-        if (!std::filesystem::is_regular_file(candidate, error)) continue;
-        if (access == TextureAccess::anywhere || lies_within(candidate, folder)) {
-            found.path = candidate;
-            break;
-        }
-        found.refused = true;
-    }
-    return found;
-}
-
 bool is_opaque(const Image& image) {
     for (std::size_t alpha = 3; alpha < image.rgba.size(); alpha += 4)
         if (image.rgba[alpha] != 255) return false;
@@ -78,18 +50,6 @@ bool is_opaque(const Image& image) {
 }
 
 }  // namespace
-
-std::vector<std::string> outside_textures(const Mesh& mesh, const std::filesystem::path& folder) {
-    std::vector<std::string> textures;
-    for (const Material& material : mesh.materials) {
-        if (material.texture.empty() ||
-            !find_texture(material.texture, folder, TextureAccess::folder).refused ||
-            std::find(textures.begin(), textures.end(), material.texture) != textures.end())
-            continue;
-        textures.push_back(material.texture);
-    }
-    return textures;
-}
 
 Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& folder, TextureAccess access) {
     clear();

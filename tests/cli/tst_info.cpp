@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -5,6 +6,7 @@
 
 #include "cli/verbs.h"
 #include "scratch.h"
+#include "slipface/image/image.h"
 
 namespace slipface::test {
 namespace {
@@ -48,14 +50,31 @@ TEST_F(Info, TextIsARowAFact) {
     EXPECT_TRUE(err.str().empty());
 }
 
-TEST_F(Info, ListsTexturesThatAreNotThere) {
-    write("floor.mtl", "newmtl stone\nmap_Kd here.png\nnewmtl moss\nmap_Kd gone.png\n");
-    write("here.png", "");
-    write("textured.obj",
-          "mtllib floor.mtl\nv 0 0 0\nv 0 0 1\nv 1 0 1\nusemtl stone\nf 1 2 3\nusemtl moss\nf 1 2 3\n");
-    ASSERT_EQ(run(level.parent_path() / "textured.obj", false), cli::exit_fine) << err.str();
-    EXPECT_THAT(out.str(), HasSubstr("textured.obj: Material moss names gone.png, which is not there\n"));
-    EXPECT_THAT(out.str(), testing::Not(HasSubstr("here.png")));
+TEST_F(Info, ListsTexturesThatCannotBeUsed) {
+    const std::filesystem::path folder = level.parent_path();
+    std::filesystem::create_directory(folder / "inner");
+    const Image grey = make_image(2, 2, 90, 90, 90);
+    ASSERT_TRUE(save_png(folder / "outside.png", grey).ok());
+    ASSERT_TRUE(save_png(folder / "inner/here.png", grey).ok());
+    write("inner/broken.png", "no picture");
+    write("inner/floor.mtl",
+          "newmtl stone\nmap_Kd here.png\nnewmtl moss\nmap_Kd gone.png\nnewmtl mud\nmap_Kd broken.png\n"
+          "newmtl gravel\nmap_Kd broken.png\nnewmtl secret\nmap_Kd ../outside.png\n");
+    std::string text = "mtllib floor.mtl\nv 0 0 0\nv 0 0 1\nv 1 0 1\n";
+    for (const char* material : {"stone", "moss", "mud", "gravel", "secret"})
+        text += fmt::format("usemtl {}\nf 1 2 3\n", material);
+    write("inner/textured.obj", text);
+    ASSERT_EQ(run(folder / "inner/textured.obj", true), cli::exit_fine) << err.str();
+    std::vector<std::string> found;
+    const auto json = nlohmann::json::parse(out.str());
+    for (const auto& warning : json["warnings"])
+        found.push_back(warning["place"].get<std::string>() + ": " + warning["message"].get<std::string>());
+    ASSERT_EQ(found.size(), 3u) << out.str();
+    EXPECT_THAT(found[0], testing::StartsWith("material \"moss\": found no texture \"gone.png\" in "));
+    EXPECT_THAT(found[1], testing::AllOf(testing::StartsWith("material \"mud\": "), HasSubstr("broken.png")));
+    EXPECT_EQ(
+        found[2],
+        "material \"secret\": the texture \"../outside.png\" lies outside the level's folder: not read");
 }
 
 TEST_F(Info, ListsWarningsWithTheirPlace) {

@@ -127,9 +127,9 @@ struct Sweep {
     Vec3 move = Vec3::Zero();
 };
 
-// out[i] = the answer to sweeps[i]; the same bits as one by one. On as many threads as there are, and on each of
-// them dozens side by side, which is up to twice as fast as asking for one after the other. As many as the shorter
-// of the two spans.
+// out[i] = the answer to sweeps[i]; the same bits as one by one. On as many threads as there are, and on each
+// of them dozens side by side, which is up to twice as fast as asking for one after the other. As many as the
+// shorter of the two spans.
 void sweep_ellipsoids(const CollisionWorld& world, std::span<const Sweep> sweeps,
                       std::span<std::optional<Contact>> out);
 

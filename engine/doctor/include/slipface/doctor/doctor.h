@@ -66,10 +66,6 @@ struct DoctorReport {
 // soon.
 using DoctorProgress = std::function<bool(double)>;
 
-// The materials that name a texture which is not in the mesh file's folder, each with the first face that has
-// it: of examine() the part that takes no time. What is there is not read; drawing tells whether it can be.
-std::vector<Problem> missing_textures(const Level& level);
-
 // Examines the level's mesh for a player with the level's settings. Reads the texture folder, nothing else.
 // Time about linear in the mesh; the same report for any number of threads.
 DoctorReport examine(const Level& level, const DoctorProgress& progress = {});

@@ -10,6 +10,7 @@
 #include "slipface/base/pose.h"
 #include "slipface/level/level_light.h"
 #include "slipface/mesh/mesh.h"
+#include "slipface/mesh/texture_file.h"
 #include "slipface/movement/surface_type.h"
 #include "slipface/render/camera.h"
 #include "slipface/render/gl_context.h"
@@ -35,12 +36,6 @@ struct LevelStyle {
     Vec3f background_top{0.16f, 0.18f, 0.21f};  // sRGB
     Vec3f background_bottom{0.09f, 0.10f, 0.12f};
 };
-
-enum class TextureAccess : std::uint8_t { folder, anywhere };
-
-// The pictures that the mesh's materials name outside `folder` and that are there, each once, in the order of
-// the materials.
-std::vector<std::string> outside_textures(const Mesh& mesh, const std::filesystem::path& folder);
 
 class LevelRenderer {
   public:
