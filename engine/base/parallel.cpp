@@ -45,6 +45,11 @@ void parallel_for(std::size_t count, std::size_t grain,
     split_range(0, count, grain, 2, body);
 }
 
+int parallel_threads() {
+    using oneapi::tbb::global_control;
+    return static_cast<int>(global_control::active_value(global_control::max_allowed_parallelism));
+}
+
 struct ThreadLimit::Impl {
     oneapi::tbb::global_control control;
 };

@@ -48,6 +48,13 @@ std::uint32_t vertices_at_rest(const Leaf& leaf, std::uint32_t moved_lanes) {
     return mask;
 }
 
+LeafTriangle placed(TriangleId id, std::span<const Corners> corners) {
+    LeafTriangle triangle{{}, id};
+    for (std::size_t k = 0; k < 9; ++k)
+        triangle.at[k % 3][k / 3] = corners[id][k / 3][static_cast<Eigen::Index>(k % 3)];
+    return triangle;
+}
+
 // The leaf again at the end of all leaves, with corners of its own for each triangle. Returns its place.
 std::uint32_t unshare(Bvh& bvh, std::uint32_t place,
                       const std::array<LeafTriangle, leaf_capacity>& triangles) {
@@ -128,6 +135,34 @@ Bounds node_bounds(const BvhNode& node) {
     return bounds;
 }
 
+// Every triangle, in the order of their numbers: nothing has to be looked for.
+void move_all(Bvh& bvh, std::span<const Corners> corners) {
+    const auto move_leaf = [&](std::uint32_t place) {
+        Leaf& leaf = bvh.leaf_at(place);
+        std::uint32_t known = 0;
+        for (std::size_t lane = 0; lane < leaf.count; ++lane) {
+            if (write_corners(leaf, lane, corners[leaf_ids(leaf)[lane]], known)) continue;
+            std::array<LeafTriangle, leaf_capacity> triangles;
+            for (std::size_t i = 0; i < leaf.count; ++i)
+                triangles[i] = placed(leaf_ids(leaf)[i], corners);
+            return unshare(bvh, place, triangles);
+        }
+        return place;
+    };
+    // Parents come before their children.
+    for (std::size_t n = bvh.nodes.size(); n-- > 0;) {
+        for (std::size_t k = 0; k < 8; ++k) {
+            const std::uint32_t child = bvh.nodes[n].child[k];
+            if (bvh.nodes[n].bound[0][k] > bvh.nodes[n].bound[3][k]) continue;  // missing
+            const Bounds bounds = (child & leaf_bit) != 0
+                                      ? leaf_bounds(bvh.leaf_at(move_leaf(child & leaf_place_mask)))
+                                      : node_bounds(bvh.nodes[child]);
+            for (std::size_t row = 0; row < 6; ++row)
+                bvh.nodes[n].bound[row][k] = bounds.b[row];
+        }
+    }
+}
+
 // Fits the box of a node's child; false if it fitted already.
 bool fit(BvhNode& node, std::uint32_t link, const Bounds& bounds) {
     const auto k = static_cast<std::size_t>(std::find(node.child, node.child + 8, link) - node.child);
@@ -144,9 +179,7 @@ void keep_once(std::vector<std::uint32_t>& list) {
     list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-}  // namespace
-
-void move_bvh_triangles(Bvh& bvh, std::span<const TriangleId> triangles, std::span<const Corners> corners) {
+void move_some(Bvh& bvh, std::span<const TriangleId> triangles, std::span<const Corners> corners) {
     std::vector<Moved> moved(triangles.size());
     for (std::uint32_t i = 0; i < moved.size(); ++i)
         moved[i] = {bvh.slots[triangles[i]], i};
@@ -174,6 +207,19 @@ void move_bvh_triangles(Bvh& bvh, std::span<const TriangleId> triangles, std::sp
             if (fit(bvh.nodes[parent], node, node_bounds(bvh.nodes[node]))) above.push_back(parent);
         }
         nodes = std::move(above);
+    }
+}
+
+}  // namespace
+
+void move_bvh_triangles(Bvh& bvh, std::span<const TriangleId> triangles, std::span<const Corners> corners) {
+    bool all = triangles.size() == bvh.slots.size();
+    for (std::size_t i = 0; all && i < triangles.size(); ++i)
+        all = triangles[i] == i;
+    if (all) {
+        move_all(bvh, corners);
+    } else {
+        move_some(bvh, triangles, corners);
     }
     if (!bvh.nodes.empty()) {
         const Bounds bounds = node_bounds(bvh.nodes[0]);

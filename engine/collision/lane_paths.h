@@ -62,12 +62,15 @@ struct LaneBoxPath {
     // Which of eight boxes are met between two times, and when they are entered.
     template <class Rows>
     std::uint32_t meet(const Rows& rows, float from, float limit, Lanes& enter) const {
-        enter = Lanes::all(from);
-        Lanes leave = Lanes::all(limit * late);
-        for (int axis = 0; axis < 3; ++axis) {
-            enter = lanes_max((rows(path.near_row[axis]) - near_offset[axis]) * inverse[axis], enter);
-            leave = lanes_min((rows(path.far_row[axis]) - far_offset[axis]) * far_inverse[axis], leave);
-        }
+        const auto near = [&](int axis) {
+            return (rows(path.near_row[axis]) - near_offset[axis]) * inverse[axis];
+        };
+        const auto far = [&](int axis) {
+            return (rows(path.far_row[axis]) - far_offset[axis]) * far_inverse[axis];
+        };
+        // In pairs: every node on the way down waits for this. A time that is no number says nothing.
+        enter = lanes_max(lanes_max(near(0), near(1)), lanes_max(near(2), Lanes::all(from)));
+        const Lanes leave = lanes_min(lanes_min(far(0), far(1)), lanes_min(far(2), Lanes::all(limit * late)));
         return lanes_not_above(enter, leave + Lanes::all(least_time));
     }
 };

@@ -102,15 +102,18 @@ std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, 
         !(max_t >= 0.0)) {
         return std::nullopt;
     }
-    // A power of two brings the direction near unit size without a rounding, whatever its length.
+    // A power of two brings the direction near unit size without a rounding, whatever its length; where that
+    // is far from float's ends it changes no bit and is left out.
+    V3 d = v3(direction);
     int exponent = 0;
-    std::frexp(largest(v3(direction)), &exponent);
-    const V3 d{std::ldexp(direction.x(), -exponent), std::ldexp(direction.y(), -exponent),
-               std::ldexp(direction.z(), -exponent)};
+    if (const double size = largest(d); !(size > 1e-6 && size < 1e6)) {
+        std::frexp(size, &exponent);
+        d = {std::ldexp(d.x, -exponent), std::ldexp(d.y, -exponent), std::ldexp(d.z, -exponent)};
+    }
     const V3 start = v3(origin);
     const ShearedRay ray(start, d);
 
-    Search search{impl, ray, {std::ldexp(max_t, exponent), {0.0, 0.0, 0.0}}};
+    Search search{impl, ray, {exponent == 0 ? max_t : std::ldexp(max_t, exponent), {0.0, 0.0, 0.0}}};
     const double reach = larger(largest(start), impl.reach);
     if (reach <= float_range) {
         kernels().ray(impl.bvh.view(), ray_path(ray, d, reach), time_limit(search.touch.t), consider_lane,
@@ -119,7 +122,7 @@ std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, 
         for (TriangleId id = 0; id < impl.triangle_count(); ++id)
             search.consider(impl.bvh.triangle(id));
     }
-    const double t = std::ldexp(search.touch.t, -exponent);
+    const double t = exponent == 0 ? search.touch.t : std::ldexp(search.touch.t, -exponent);
     if (search.triangle.id == no_id || !std::isfinite(t)) return std::nullopt;
 
     const LeafTriangle& leaf = search.triangle;

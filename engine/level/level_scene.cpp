@@ -58,8 +58,10 @@ struct LevelScene::Impl {
         Part part;
         CollisionWorld collision;  // at `pose`
         Pose pose;
-        std::vector<TriangleId> ids;                  // all of them
-        std::vector<std::array<Vec3f, 3>> corners{};  // room for a move, so that a tick allocates nothing
+        std::vector<TriangleId> ids;  // all of them
+        // Room for a move, so that a tick allocates nothing.
+        std::vector<Vec3f> placed{};
+        std::vector<std::array<Vec3f, 3>> corners{};
     };
 
     const Level* level = nullptr;
@@ -162,13 +164,12 @@ void LevelScene::Impl::paint(CollisionWorld& world, const Part& part) const {
 bool LevelScene::Impl::move(Moving& moved, const Pose& pose) const {
     if (moved.pose == pose) return true;
     const Part& part = moved.part;
+    moved.placed.clear();
+    for (const Vec3f& rest : part.rest)
+        moved.placed.emplace_back(pose.apply(rest.cast<double>()).cast<float>());
     moved.corners.clear();
-    for (const auto& triangle : part.corners) {
-        const auto put = [&](std::size_t k) {
-            return Vec3f(pose.apply(part.rest[triangle[k]].cast<double>()).cast<float>());
-        };
-        moved.corners.push_back({put(0), put(1), put(2)});
-    }
+    for (const auto& [a, b, c] : part.corners)
+        moved.corners.push_back({moved.placed[a], moved.placed[b], moved.placed[c]});
     if (!moved.collision.move_triangles(moved.ids, moved.corners).ok()) return false;
     moved.pose = pose;
     return true;

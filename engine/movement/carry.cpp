@@ -18,6 +18,7 @@ Vec3 carry_velocity(const Mover& mover, const PlayerState& state) {
 }
 
 void carry(Mover& mover, const SurfaceType& support) {
+    if (support.angular_velocity == 0.0 && support.velocity.isZero(0.0)) return;
     const double angle = support.angular_velocity * mover.dt;
     constexpr double most = 1e3;  // radians a step; no table turns that fast, and it bounds the work
     if (!(std::abs(angle) <= most) || !support.velocity.allFinite()) return;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "audit_checks.h"
@@ -76,9 +77,15 @@ Aabb level_bounds(const Level& level, const TickScene& scene, bool closed) {
     return bounds;
 }
 
-// As many walkers as walk side by side where something moves: moving the platforms then costs each of them
-// little, and small audits still keep many threads busy. Where nothing moves, one after another is fastest.
-constexpr std::size_t crowd = 32;
+// How many walkers walk side by side. Where something moves, many: moving the platforms then costs each of
+// them little. Fewer where that would leave a thread without work. Where nothing moves, one after another is
+// fastest. No result depends on it.
+std::size_t crowd_of(const LevelScene& scene, std::size_t walkers) {
+    constexpr std::size_t least = 32, most = 256;
+    if (scene.is_static()) return 1;
+    const auto threads = static_cast<std::size_t>(parallel_threads());
+    return std::clamp((walkers + threads - 1) / threads, least, most);
+}
 
 }  // namespace
 
@@ -125,7 +132,7 @@ Result<AuditReport> run_audit(const Level& level, const AuditOptions& options) {
         runs.emplace_back(arena, settings, number);
     }
     // Heat is summed a block of walkers at a time: sums of whole numbers do not depend on the blocks.
-    const std::size_t side_by_side = level_scene->is_static() ? 1 : crowd;
+    const std::size_t side_by_side = crowd_of(*level_scene, count);
     const std::size_t blocks = std::min<std::size_t>((count + side_by_side - 1) / side_by_side, 16);
     std::vector<std::vector<FaceHeat>> heats(options.heat ? blocks : 0);
     parallel_for(blocks, 1, [&](std::size_t begin, std::size_t end) {

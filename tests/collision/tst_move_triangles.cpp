@@ -22,13 +22,15 @@ struct Moving {
         if (!built) throw std::runtime_error(built.error().text());
         world = std::move(built).value();
     }
-    // Every corner of a body's triangles goes through `map`.
+    static constexpr std::uint32_t everything = 3;
+
+    // Every corner of a body's triangles, or of all, goes through `map`.
     template <class Map>
     Status move(std::uint32_t body, Map&& map) {
         std::vector<TriangleId> ids;
         std::vector<std::array<Vec3f, 3>> corners;
         for (std::size_t i = 0; i < bodies.size(); ++i) {
-            if (bodies[i] != body) continue;
+            if (body != everything && bodies[i] != body) continue;
             ids.push_back(static_cast<TriangleId>(i));
             auto& c = corners.emplace_back();
             for (std::size_t k = 0; k < 3; ++k) {
@@ -73,6 +75,22 @@ TEST(MoveTriangles, AnswersAsAWorldBuiltAnew) {
         ASSERT_TRUE(moving.move(body, [&](const Vec3f& p) { return Vec3f(turn * p + offset); }));
         expect_same_answers(moving, random, 60);
     }
+}
+
+// As platforms do. At the end no triangle keeps a corner in common with its neighbours.
+TEST(MoveTriangles, WholeWorldsMoveAndTearApart) {
+    Random random(25);
+    Moving moving(scenes::ball(2, 3));
+    for (int tick = 0; tick < 5; ++tick) {
+        const Vec3f offset = random.in_box(1).cast<float>();
+        ASSERT_TRUE(moving.move(Moving::everything, [&](const Vec3f& p) { return Vec3f(p + offset); }));
+        expect_same_answers(moving, random, 60);
+    }
+    ASSERT_TRUE(moving.move(Moving::everything,
+                            [&](const Vec3f& p) { return Vec3f(p + random.in_box(0.5).cast<float>()); }));
+    expect_same_answers(moving, random, 200);
+    ASSERT_TRUE(moving.move(Moving::everything, [&](const Vec3f& p) { return Vec3f(2.0F * p); }));
+    expect_same_answers(moving, random, 100);
 }
 
 // Neighbours share corners; one of them leaves.

@@ -50,6 +50,14 @@ void check(const std::optional<Contact>& contact, const CollisionWorld& world) {
     require(contact->triangle < world.triangle_count());
 }
 
+void check_batch(const CollisionWorld& world, std::span<const Sweep> sweeps,
+                 std::span<const std::optional<Contact>> contacts) {
+    std::vector<std::optional<Contact>> out(sweeps.size());
+    sweep_ellipsoids(world, sweeps, out);
+    for (std::size_t i = 0; i < out.size(); ++i)
+        require(scenes::same(out[i], contacts[i]));
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
@@ -67,15 +75,30 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     auto built = CollisionWorld::build({soup.positions, soup.triangles, soup.faces, bodies});
     if (!built) return 0;
     CollisionWorld& world = *built;
+    std::vector<Sweep> sweeps;
+    std::vector<std::optional<Contact>> contacts;
     while (!bytes.empty()) {
-        if (count > 0 && bytes.take<std::uint8_t>() < 32) {
-            const auto moved = static_cast<TriangleId>(bytes.take<std::uint8_t>() % count);
-            std::array<Vec3f, 3> corners;
-            for (Vec3f& corner : corners)
-                corner = bytes.vector().cast<float>();
-            if (world.move_triangles({&moved, 1}, {&corners, 1})) {
-                for (std::size_t k = 0; k < 3; ++k)
-                    soup.positions[soup.triangles[moved][k]] = corners[k];
+        const auto what = count > 0 ? bytes.take<std::uint8_t>() : 255;
+        if (what < 48) {
+            check_batch(world, sweeps, contacts);
+            sweeps.clear();
+            contacts.clear();
+            // One triangle, or all of them.
+            const auto first = static_cast<TriangleId>(what < 32 ? bytes.take<std::uint8_t>() % count : 0);
+            const auto end = what < 32 ? first + 1 : static_cast<TriangleId>(count);
+            std::vector<TriangleId> moved;
+            std::vector<std::array<Vec3f, 3>> corners;
+            for (TriangleId i = first; i < end; ++i) {
+                moved.push_back(i);
+                std::array<Vec3f, 3>& to = corners.emplace_back();
+                for (Vec3f& corner : to)
+                    corner = bytes.vector().cast<float>();
+            }
+            if (world.move_triangles(moved, corners)) {
+                for (std::size_t i = 0; i < moved.size(); ++i) {
+                    for (std::size_t k = 0; k < 3; ++k)
+                        soup.positions[soup.triangles[moved[i]][k]] = corners[i][k];
+                }
             }
         }
         const Vec3 radii = bytes.vector().cwiseAbs();
@@ -84,6 +107,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const scenes::BruteForce brute(soup);
         const auto contact = sweep_ellipsoid(world, radii, from, move);
         check(contact, world);
+        sweeps.push_back({radii, from, move});
+        contacts.push_back(contact);
         require(scenes::same(contact, brute.sweep(radii, from, move)));
         require(scenes::same(cast_ray(world, from, move), brute.ray(from, move, HUGE_VAL)));
         // Squares that differ may have the same root, so two triangles may share a distance.
@@ -93,5 +118,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         require(!closest || closest->distance == expected->distance);
         require(overlaps_any(world, radii, from) == !brute.overlaps(radii, from).empty());
     }
+    check_batch(world, sweeps, contacts);
     return 0;
 }

@@ -12,6 +12,9 @@ namespace slipface {
 void parallel_for(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)>& body);
 
+// How many threads parallel_for may use now. For sharing out work; no result may depend on it.
+int parallel_threads();
+
 // While it lives, parallel_for uses at most `threads` threads (at least 1). The smallest of several limits
 // counts.
 class ThreadLimit {
