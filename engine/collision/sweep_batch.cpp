@@ -49,9 +49,10 @@ class Wave {
             out_[number] = sweep_alone(number);
             return;
         }
-        // At first what stands around the body.
+        // At first what stands around the body, and not so little that many parts follow.
         part.from = 0.0F;
-        part.to = std::min(static_cast<float>(2.0 * largest(radii) / largest(move)), time_limit(1.0));
+        part.to =
+            std::clamp(static_cast<float>(2.0 * largest(radii) / largest(move)), 1e-3F, time_limit(1.0));
         of_[count_] = count_;
         if (++count_ == wave_sweeps) finish();
     }
