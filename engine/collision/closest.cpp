@@ -11,6 +11,7 @@ struct Search {
     const CollisionWorld::Impl& world;
     const EllipsoidQuery& query;  // a unit sphere at rest
     double distance2;
+    double rounding;  // of distances, metres: a triangle this much further off may be given the smaller one
     Nearest nearest{};
     LeafTriangle triangle{{}, no_id};
 
@@ -24,16 +25,18 @@ struct Search {
     }
 };
 
-float distance_limit(double distance2) {
-    constexpr float most = std::numeric_limits<float>::max();
-    const float limit = time_limit(distance2 < double{most} / 2 ? distance2 : double{most} / 2);
-    return limit < most ? limit : most;
+// The squared distance of a box that may still hold something nearer.
+float distance_limit(const Search& search) {
+    constexpr double most = std::numeric_limits<float>::max() / 2;
+    const double distance = std::sqrt(search.distance2) + search.rounding;
+    const float limit = time_limit(distance * distance < most ? distance * distance : most);
+    return limit < std::numeric_limits<float>::max() ? limit : std::numeric_limits<float>::max();
 }
 
 float consider_lane(void* context, const Leaf& leaf, std::uint32_t lane) {
     Search& search = *static_cast<Search*>(context);
     search.consider(leaf_triangle(leaf, lane));
-    return distance_limit(search.distance2);
+    return distance_limit(search);
 }
 
 PointBoxes point_boxes(const EllipsoidQuery& query, double reach) {
@@ -54,11 +57,11 @@ std::optional<ClosestPoint> closest_point(const CollisionWorld& world, const Vec
     const CollisionWorld::Impl& impl = world.impl();
     if (impl.bvh.nodes.empty() || !point.allFinite() || !(max_distance >= 0.0)) return std::nullopt;
     const EllipsoidQuery query(v3(point), V3{1.0, 1.0, 1.0}, V3{0.0, 0.0, 0.0});
-    Search search{impl, query, max_distance * max_distance};
     const double reach = larger(largest(query.centre), impl.reach);
+    Search search{impl, query, max_distance * max_distance, 1e-14 * reach};
     if (reach <= float_range) {
-        kernels().closest(impl.bvh.view(), point_boxes(query, reach), distance_limit(search.distance2),
-                          consider_lane, &search);
+        kernels().closest(impl.bvh.view(), point_boxes(query, reach), distance_limit(search), consider_lane,
+                          &search);
     } else {
         for (TriangleId id = 0; id < impl.triangle_count(); ++id)
             search.consider(impl.bvh.triangle(id));

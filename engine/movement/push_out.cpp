@@ -52,9 +52,11 @@ void add_planes(const Mover& mover, const Vec3& start, const Overlaps& found, st
     for (std::size_t i = 0; i < count; ++i) {
         if (found[i].feature == Feature::interior) candidates[interior++] = plane_of(mover, start, found[i]);
     }
-    // Deepest first, for where there are more than are kept.
-    std::stable_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(interior),
-                     [](const Plane& a, const Plane& b) { return a.distance > b.distance; });
+    // Deepest first, for where there are more than are kept; std::stable_sort would allocate.
+    const auto deeper = [](const Plane& a, const Plane& b) { return a.distance > b.distance; };
+    for (auto end = candidates.begin(); end != candidates.begin() + static_cast<std::ptrdiff_t>(interior);
+         ++end)
+        std::rotate(std::upper_bound(candidates.begin(), end, *end, deeper), end, end + 1);
     for (std::size_t i = 0; i < interior && planes.count < Planes::capacity; ++i) {
         const Vec3& normal = candidates[i].normal;
         const auto end = planes.plane.begin() + static_cast<std::ptrdiff_t>(planes.count);

@@ -141,6 +141,31 @@ TEST_F(BruteForceAgreement, SweepsRaysPointsAndOverlaps) {
     }
 }
 
+// Found by a fuzzer: nearer to the corner of one triangle than a double tells from another's plane.
+TEST_F(BruteForceAgreement, PointsNearerThanRounding) {
+    const double hair = double{-4.40823822e-18F};
+    Soup soup;
+    soup.add({0.375, -15.5, 2.375}, {0, 0, 0}, {8, 0.125, 0});
+    soup.add({2.875, 0, 0}, {0.25, 0, 15.625}, {hair, hair, hair});
+    // So many that the two are in leaves of their own.
+    Random random(20);
+    for (int i = 0; i < 60; ++i) {
+        const double side = i % 2 == 0 ? 1.0 : -1.0;
+        const Vec3 at(2 + random.uniform(0, 4), side * random.uniform(1, 12), random.uniform(0, 12));
+        soup.add(at, at + Vec3(0.1, 0, 0), at + Vec3(0, 0, 0.1));
+    }
+    const CollisionWorld world = soup.world();
+    const BruteForce brute(soup);
+    const double everywhere = std::numeric_limits<double>::infinity();
+    for (const double at : {hair, -4.40824e-18, 1e-17, -1e-17, 0.0, 3e-19}) {
+        const Vec3 point(at, at, at);
+        for (const std::string_view path : simd_paths()) {
+            ASSERT_TRUE(set_simd_path(path));
+            EXPECT_TRUE(same(closest_point(world, point), brute.closest(point, everywhere))) << at;
+        }
+    }
+}
+
 // Those that cannot go side by side with others must not disturb them.
 TEST_F(BruteForceAgreement, BatchesWithQueriesOfEveryKind) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
