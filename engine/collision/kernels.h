@@ -13,6 +13,7 @@ namespace slipface::detail {
 // from exact input, under 8 ulp in all.
 inline constexpr float time_slack = 1e-6F;
 inline constexpr float least_time = 1e-37F;
+// What a time on the way out of a box is multiplied by, to cover the rounding of both ends.
 inline constexpr float late = 1.0F + 4.0F * time_slack;
 // More than all roundings of a determinant of three vectors together (fewer than 40 of 2^-24), relative
 // to the product of their lengths.

@@ -84,10 +84,6 @@ inline LaneVec operator+(const LaneVec& a, const LaneVec& b) {
 inline LaneVec operator-(const LaneVec& a, const LaneVec& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-inline LaneVec operator-(const LaneVec& a) {
-    const Lanes zero = Lanes::all(0.0F);
-    return {zero - a.x, zero - a.y, zero - a.z};
-}
 inline LaneVec operator*(const LaneVec& a, const LaneVec& b) {
     return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
