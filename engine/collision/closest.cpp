@@ -39,17 +39,6 @@ float consider_lane(void* context, const Leaf& leaf, std::uint32_t lane) {
     return distance_limit(search);
 }
 
-PointBoxes point_boxes(const EllipsoidQuery& query, double reach) {
-    PointBoxes boxes;
-    const double p[3] = {query.centre.x, query.centre.y, query.centre.z};
-    for (int axis = 0; axis < 3; ++axis) {
-        boxes.up[axis] = round_up(p[axis]);
-        boxes.down[axis] = round_down(p[axis]);
-    }
-    boxes.sphere = sphere_path(query, reach);
-    return boxes;
-}
-
 }  // namespace
 
 std::optional<ClosestPoint> closest_point(const CollisionWorld& world, const Vec3& point,

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "bvh_layout.h"
+#include "slipface/collision/near_triangles.h"
 
 namespace slipface::detail {
 
@@ -74,7 +75,13 @@ struct RayPath {
 struct PointBoxes {
     float up[3];  // the point, rounded up
     float down[3];
-    SpherePath sphere;  // radii of 1 and no move
+    SpherePath sphere;  // no move; for closest points radii of 1
+};
+
+// A triangle of a neighbourhood that a sweep may touch.
+struct NearCandidate {
+    std::uint32_t place;
+    float after;  // not before this time
 };
 
 // Called with a triangle that may matter; returns the limit from now on, and below 0 to stop.
@@ -92,6 +99,13 @@ struct Kernels {
     // Triangles whose squared distance may be at most `limit`.
     void (*closest)(const TreeView& tree, const PointBoxes& point, float limit, Consider consider,
                     void* context);
+    // Triangles that a body at rest, all usable, may touch within `reach` of itself; false if they are too
+    // many.
+    bool (*near)(const TreeView& tree, const PointBoxes& body, float reach, NearTriangles& out);
+    // Those of them that are near enough and that the sphere may touch no later than `limit`. Returns how
+    // many.
+    std::uint32_t (*near_sweep)(const NearTriangles& near, float clear_limit, const SpherePath& path,
+                                float limit, NearCandidate* out);
 };
 
 extern const Kernels baseline_kernels;

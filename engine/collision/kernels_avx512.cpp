@@ -1,10 +1,12 @@
 #if defined(__x86_64__)
 #include "kernels_impl.h"
+#include "near_impl.h"
 #include "wave_impl.h"
 
 namespace slipface::detail {
 
-const Kernels avx512_kernels{"avx512", sweep_kernel, wave_kernel, ray_kernel, closest_kernel};
+const Kernels avx512_kernels{"avx512",       sweep_kernel, wave_kernel,      ray_kernel,
+                             closest_kernel, near_kernel,  near_sweep_kernel};
 
 }  // namespace slipface::detail
 

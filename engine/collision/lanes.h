@@ -287,5 +287,27 @@ inline std::uint32_t append_children(const BvhNode& node, std::uint32_t mask, st
 #endif
 }
 
+// Puts the lanes of `mask` at `to`, which has room for eight.
+inline void append(Lanes lanes, std::uint32_t mask, float* to) {
+#if defined(__AVX512VL__)
+    _mm256_storeu_ps(to, _mm256_maskz_compress_ps(static_cast<__mmask8>(mask), lanes.v));
+#else
+    float all[8];
+    lanes.store(all);
+    for (; mask != 0; mask &= mask - 1)
+        *to++ = all[__builtin_ctz(mask)];
+#endif
+}
+inline void append(const std::uint32_t* numbers, std::uint32_t mask, std::uint32_t* to) {
+#if defined(__AVX512VL__)
+    const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(numbers));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
+                        _mm256_maskz_compress_epi32(static_cast<__mmask8>(mask), all));
+#else
+    for (; mask != 0; mask &= mask - 1)
+        *to++ = numbers[__builtin_ctz(mask)];
+#endif
+}
+
 }  // namespace
 }  // namespace slipface::detail

@@ -1,4 +1,5 @@
 #include "impl.h"
+#include "near.h"
 #include "paths.h"
 #include "sphere_triangle.h"
 
@@ -36,51 +37,99 @@ bool stands(const CollisionWorld::Impl& world, const SphereTriangle& triangle, T
     return rule.solid && !(rule.one_sided && is_behind(triangle));
 }
 
+// Takes every triangle that the ellipsoid overlaps, in any order.
+class Overlaps {
+  public:
+    Overlaps(const CollisionWorld::Impl& world, const EllipsoidQuery& query, std::span<Overlap> out)
+        : world_(world), query_(query), out_(out) {}
+
+    void consider(const LeafTriangle& leaf) {
+        const SphereTriangle triangle(leaf, query_);
+        const Nearest nearest = nearest_part(triangle);
+        if (!(nearest.distance2 < 1.0) || !stands(world_, triangle, leaf.id)) return;
+        ++found_;
+        // `out` is a heap with the highest triangle on top, so that the lowest ones stay whatever the
+        // visiting order.
+        if (kept_ == out_.size()) {
+            if (kept_ == 0 || leaf.id > out_[0].triangle) return;
+            std::ranges::pop_heap(out_.first(kept_--), {}, &Overlap::triangle);
+        }
+        const Touch touch = touch_of(triangle, leaf, query_, nearest);
+        out_[kept_++] = {
+            leaf.id,          world_.face_of(leaf.id), world_.surface_of(leaf.id),        nearest.feature,
+            vec(touch.point), vec(touch.normal),       1.0 - std::sqrt(nearest.distance2)};
+        std::ranges::push_heap(out_.first(kept_), {}, &Overlap::triangle);
+    }
+    std::size_t finish() {
+        std::ranges::sort_heap(out_.first(kept_), {}, &Overlap::triangle);
+        return found_;
+    }
+
+  private:
+    const CollisionWorld::Impl& world_;
+    const EllipsoidQuery& query_;
+    std::span<Overlap> out_;
+    std::size_t found_ = 0;
+    std::size_t kept_ = 0;
+};
+
+bool overlaps(const CollisionWorld::Impl& world, const EllipsoidQuery& query, const LeafTriangle& leaf) {
+    const SphereTriangle triangle(leaf, query);
+    return nearest_part(triangle).distance2 < 1.0 && stands(world, triangle, leaf.id);
+}
+
+EllipsoidQuery at_rest(const Vec3& radii, const Vec3& centre) {
+    return {v3(centre), v3(radii), V3{0.0, 0.0, 0.0}};
+}
+
 }  // namespace
 
 std::size_t find_overlaps(const CollisionWorld& world, const Vec3& radii, const Vec3& centre,
                           std::span<Overlap> out) {
     const CollisionWorld::Impl& impl = world.impl();
     if (refused(impl, radii, centre)) return 0;
-    const EllipsoidQuery query(v3(centre), v3(radii), V3{0.0, 0.0, 0.0});
-    const auto by_triangle = [](const Overlap& a, const Overlap& b) { return a.triangle < b.triangle; };
-    std::size_t found = 0;
-    std::size_t kept = 0;
+    const EllipsoidQuery query = at_rest(radii, centre);
+    Overlaps found(impl, query, out);
     visit_near(impl, query, [&](const LeafTriangle& leaf) {
-        const SphereTriangle triangle(leaf, query);
-        const Nearest nearest = nearest_part(triangle);
-        if (!(nearest.distance2 < 1.0) || !stands(impl, triangle, leaf.id)) return true;
-        ++found;
-        // `out` is a heap with the highest triangle on top, so that the lowest ones stay whatever the
-        // visiting order.
-        const auto end = out.begin() + static_cast<std::ptrdiff_t>(kept);
-        if (kept == out.size()) {
-            if (kept == 0 || leaf.id > out[0].triangle) return true;
-            std::pop_heap(out.begin(), end, by_triangle);
-            --kept;
-        }
-        const Touch touch = touch_of(triangle, leaf, query, nearest);
-        out[kept++] = {
-            leaf.id,          impl.face_of(leaf.id), impl.surface_of(leaf.id),          nearest.feature,
-            vec(touch.point), vec(touch.normal),     1.0 - std::sqrt(nearest.distance2)};
-        std::push_heap(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(kept), by_triangle);
+        found.consider(leaf);
         return true;
     });
-    std::sort_heap(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(kept), by_triangle);
-    return found;
+    return found.finish();
 }
 
 bool overlaps_any(const CollisionWorld& world, const Vec3& radii, const Vec3& centre) {
     const CollisionWorld::Impl& impl = world.impl();
     if (refused(impl, radii, centre)) return false;
-    const EllipsoidQuery query(v3(centre), v3(radii), V3{0.0, 0.0, 0.0});
+    const EllipsoidQuery query = at_rest(radii, centre);
     bool found = false;
     visit_near(impl, query, [&](const LeafTriangle& leaf) {
-        const SphereTriangle triangle(leaf, query);
-        found = nearest_part(triangle).distance2 < 1.0 && stands(impl, triangle, leaf.id);
+        found = overlaps(impl, query, leaf);
         return !found;
     });
     return found;
+}
+
+std::size_t find_overlaps(const Neighbourhood& near, const Vec3& radii, const Vec3& centre,
+                          std::span<Overlap> out) {
+    const float clear_limit = near.clear_limit(radii, centre, Vec3::Zero());
+    if (std::isinf(clear_limit)) return find_overlaps(near.world(), radii, centre, out);
+    const EllipsoidQuery query = at_rest(radii, centre);
+    Overlaps found(near.world().impl(), query, out);
+    NearCandidates candidates(near, clear_limit, query);
+    for (; const NearCandidate* next = candidates.take();)
+        found.consider(near_triangle(near.triangles(), next->place));
+    return found.finish();
+}
+
+bool overlaps_any(const Neighbourhood& near, const Vec3& radii, const Vec3& centre) {
+    const float clear_limit = near.clear_limit(radii, centre, Vec3::Zero());
+    if (std::isinf(clear_limit)) return overlaps_any(near.world(), radii, centre);
+    const EllipsoidQuery query = at_rest(radii, centre);
+    NearCandidates candidates(near, clear_limit, query);
+    for (; const NearCandidate* next = candidates.take();) {
+        if (overlaps(near.world().impl(), query, near_triangle(near.triangles(), next->place))) return true;
+    }
+    return false;
 }
 
 std::vector<TriangleId> CollisionWorld::triangles_in(const Aabb& box) const {

@@ -96,6 +96,17 @@ inline SpherePath sphere_path(const EllipsoidQuery& query, double reach) {
     return path;
 }
 
+inline PointBoxes point_boxes(const EllipsoidQuery& query, double reach) {
+    PointBoxes boxes;
+    const double p[3] = {query.centre.x, query.centre.y, query.centre.z};
+    for (int axis = 0; axis < 3; ++axis) {
+        boxes.up[axis] = round_up(p[axis]);
+        boxes.down[axis] = round_down(p[axis]);
+    }
+    boxes.sphere = sphere_path(query, reach);
+    return boxes;
+}
+
 // Whether floats can hold a query: so it is finite, and its radii are above 0.
 inline bool in_float_range(const V3& radii, const V3& from, const V3& move,
                            const CollisionWorld::Impl& world) {

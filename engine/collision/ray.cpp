@@ -41,17 +41,48 @@ struct RayTouch {
     V3 weights;  // barycentric
 };
 
+// Seen along the ray, a triangle whose sides are less than this share of its size apart is as good as in line
+// with it: rounding decides on which side of them the ray passes.
+constexpr double in_line = 0x1p-40;
+
+// Whether the ray passes between the ends of the longest edge. A needle's two long sides part too little to
+// say where it ends. The slack is for rays through a corner, which all triangles around it must see alike.
+bool between_ends(const ShearedRay& ray, const LeafTriangle& triangle, const V3& a, const V3& b,
+                  const V3& c) {
+    const V3 corner[3] = {a, b, c};
+    double longest = -1.0;
+    double place = 0.0;  // along that edge, times its length
+    double away = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        const V3& from = corner[k];
+        const V3& to = corner[k == 2 ? 0 : k + 1];
+        const double x = to.x - from.x;
+        const double y = to.y - from.y;
+        if (const double square = x * x + y * y; square > longest) {
+            longest = square;
+            place = -(from.x * x + from.y * y);
+        }
+        away = larger(away, largest(triangle.corner(k) - ray.origin));
+    }
+    const double slack = 4e-15 * away * std::sqrt(longest);
+    return place >= -slack && place <= longest + slack;
+}
+
 bool meet(const ShearedRay& ray, const LeafTriangle& triangle, RayTouch& touch) {
     const V3 a = ray.shear(triangle.corner(0));
     const V3 b = ray.shear(triangle.corner(1));
     const V3 c = ray.shear(triangle.corner(2));
-    const double u = c.x * b.y - c.y * b.x;
-    const double v = a.x * c.y - a.y * c.x;
-    const double w = b.x * a.y - b.y * a.x;
+    const double products[6] = {c.x * b.y, c.y * b.x, a.x * c.y, a.y * c.x, b.x * a.y, b.y * a.x};
+    const double u = products[0] - products[1];
+    const double v = products[2] - products[3];
+    const double w = products[4] - products[5];
     if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)) return false;
     const double determinant = u + v + w;
     // The ray lies in the triangle's plane: its neighbours or nothing stop it.
-    if (!(std::fabs(determinant) > 0.0)) return false;
+    double size = 0.0;
+    for (const double product : products)
+        size += std::fabs(product);
+    if (!(std::fabs(determinant) > in_line * size) || !between_ends(ray, triangle, a, b, c)) return false;
     touch.weights = {u / determinant, v / determinant, w / determinant};
     touch.t = touch.weights.x * a.z + touch.weights.y * b.z + touch.weights.z * c.z;
     return touch.t >= 0.0;

@@ -36,8 +36,15 @@ V3 face_vector(const V3& e1, const V3& e2) {
 
 // Whether x, a point of the plane, lies in the triangle. `corner_from_x` are the corners relative to x.
 bool inside(const SphereTriangle& triangle, const Threes& corner_from_x) {
+    const Three zero = Three::all(0.0);
     const Three side = dot(Threes::all(triangle.n), cross(corner_from_x, triangle.e));
-    return three_not_above(Three::all(0.0), side).bits() == 7;
+    if (three_not_above(zero, side).bits() != 7) return false;
+    // The two long sides of a needle part too little to say where it ends; its longest edge does.
+    const Three square = dot(triangle.e, triangle.e);
+    const Three place = -dot(corner_from_x, triangle.e);  // along each edge, times its length
+    const Three longest = three_max(three_max(square, square.next()), square.next().next());
+    const unsigned along = (three_not_above(zero, place) & three_not_above(place, square)).bits();
+    return (along & three_equal(square, longest).bits()) != 0;
 }
 
 bool lexicographic(const V3& l, const V3& r) {

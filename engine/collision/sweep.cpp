@@ -1,3 +1,4 @@
+#include "near.h"
 #include "paths.h"
 #include "search.h"
 
@@ -31,6 +32,20 @@ std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& 
         for (TriangleId id = 0; id < impl.triangle_count(); ++id)
             search.consider(impl.bvh.triangle(id));
     }
+    return search.contact();
+}
+
+std::optional<Contact> sweep_ellipsoid(const Neighbourhood& near, const Vec3& radii, const Vec3& from,
+                                       const Vec3& move) {
+    const float clear_limit = near.clear_limit(radii, from, move);
+    if (std::isinf(clear_limit)) return sweep_ellipsoid(near.world(), radii, from, move);
+    const V3 way = v3(move);
+    if (near.triangles().count == 0 || is_zero(way)) return std::nullopt;
+    const EllipsoidQuery query(v3(from), v3(radii), way);
+    Search search{near.world().impl(), query, true};
+    NearCandidates candidates(near, clear_limit, query);
+    for (; const NearCandidate* next = candidates.take(time_limit(search.hit.t));)
+        search.consider(near_triangle(near.triangles(), next->place));
     return search.contact();
 }
 

@@ -24,6 +24,9 @@ struct Three {
     Three sqrt() const { return {_mm_sqrt_pd(xy), _mm_sqrt_pd(zw)}; }
     // The second, the third and the first.
     Three next() const { return {_mm_shuffle_pd(xy, zw, 1), xy}; }
+    double sum() const {
+        return _mm_cvtsd_f64(xy) + _mm_cvtsd_f64(_mm_unpackhi_pd(xy, xy)) + _mm_cvtsd_f64(zw);
+    }
     V3 vec() const { return {_mm_cvtsd_f64(xy), _mm_cvtsd_f64(_mm_unpackhi_pd(xy, xy)), _mm_cvtsd_f64(zw)}; }
     void store(double (&to)[4]) const {
         _mm_storeu_pd(to, xy);
@@ -96,6 +99,7 @@ struct Three {
     Three abs() const { return Three(V3{std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
     Three sqrt() const { return Three(V3{std::sqrt(v.x), std::sqrt(v.y), std::sqrt(v.z)}); }
     Three next() const { return Three(V3{v.y, v.z, v.x}); }
+    double sum() const { return v.x + v.y + v.z; }
     V3 vec() const { return v; }
     void store(double (&to)[4]) const {
         to[0] = v.x;

@@ -44,6 +44,10 @@ inline V3 cross(const V3& a, const V3& b) {
 inline double larger(double a, double b) {
     return a > b ? a : b;
 }
+inline double least(const V3& a) {
+    const double two = a.x < a.y ? a.x : a.y;
+    return two < a.z ? two : a.z;
+}
 inline double largest(const V3& a) {
     return larger(larger(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z));
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "slipface/collision/neighbourhood.h"
 #include "slipface/movement/step.h"
 
 namespace slipface {
@@ -28,15 +29,28 @@ struct Motion {
     std::uint32_t support_platform = no_id;
 };
 
+// How far from where it begins a step that covers `way` metres asks what is there, in radii. What it asks
+// beyond that takes longer.
+double reach_of_step(const MovementSettings& settings, double way);
+
 struct Mover : Motion {
-    Mover(const MovementScene& in_scene, const MovementSettings& by_settings, TraceSink* sink, double seconds)
-        : scene(in_scene), settings(by_settings), trace(sink), dt(seconds) {}
+    // `speed`: about how fast it will go, m/s, which decides only what is kept at hand.
+    Mover(const MovementScene& in_scene, const MovementSettings& by_settings, TraceSink* sink, double seconds,
+          const Vec3& from, double speed)
+        : scene(in_scene),
+          settings(by_settings),
+          trace(sink),
+          dt(seconds),
+          near(in_scene.collision, by_settings.radii, from, reach_of_step(by_settings, speed * seconds)) {
+        position = from;
+    }
     Motion& motion() { return *this; }
 
     const MovementScene& scene;
     const MovementSettings& settings;
     TraceSink* trace = nullptr;
     double dt = 1.0;
+    Neighbourhood near;            // of what stands still, around where the step begins
     double walkable_cosine = 1.0;  // of settings.max_slope
     Vec2 wish = Vec2::Zero();      // at most 1 long
     bool jump_held = false;        // the button, this step

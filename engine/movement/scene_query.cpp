@@ -7,10 +7,11 @@ namespace slipface {
 
 namespace {
 
-// Calls visit(world, platform, triangles) for everything that is collided with.
+// Calls visit(world, platform, triangles) for everything that is collided with; what stands still is a
+// Neighbourhood.
 template <class Visit>
 void each_world(const Mover& mover, Visit&& visit) {
-    visit(mover.scene.collision, no_id, mover.scene.triangles);
+    visit(mover.near, no_id, mover.scene.triangles);
     for (std::uint32_t i = 0; i < mover.scene.platforms.size(); ++i) {
         const MovingPart& part = mover.scene.platforms[i];
         if (i != mover.ignored_platform) visit(*part.collision, i, part.triangles);
@@ -38,8 +39,7 @@ const CollisionWorld& world_of(const Mover& mover, std::uint32_t platform) {
 std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Vec3& move) {
     ++mover.sweeps;
     std::optional<SceneContact> best;
-    each_world(mover, [&](const CollisionWorld& world, std::uint32_t platform,
-                          std::span<const TriangleId> triangles) {
+    each_world(mover, [&](const auto& world, std::uint32_t platform, std::span<const TriangleId> triangles) {
         std::optional<Contact> contact = sweep_ellipsoid(world, mover.settings.radii, from, move);
         if (!contact) return;
         // The numbers in the world are wanted by the seam filter, those of the mesh by everybody else.
@@ -54,7 +54,7 @@ std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Ve
 
 std::size_t overlaps_in_scene(const Mover& mover, const Vec3& centre, std::span<Overlap> out) {
     std::size_t count = 0;
-    each_world(mover, [&](const CollisionWorld& world, std::uint32_t, std::span<const TriangleId> triangles) {
+    each_world(mover, [&](const auto& world, std::uint32_t, std::span<const TriangleId> triangles) {
         const std::span<Overlap> room = out.subspan(count);
         const std::size_t found =
             std::min(find_overlaps(world, mover.settings.radii, centre, room), room.size());
@@ -68,21 +68,23 @@ std::size_t overlaps_in_scene(const Mover& mover, const Vec3& centre, std::span<
 // One-sided faces let the player through from behind, so being across one is legal.
 bool overlaps_scene(const Mover& mover, const Vec3& centre) {
     bool found = false;
-    each_world(mover, [&](const CollisionWorld& world, std::uint32_t, std::span<const TriangleId>) {
+    each_world(mover, [&](const auto& world, std::uint32_t platform, std::span<const TriangleId>) {
         if (found || !overlaps_any(world, mover.settings.radii, centre)) return;
         std::array<Overlap, 64> overlaps;
         const std::size_t count = find_overlaps(world, mover.settings.radii, centre, overlaps);
         found = count > overlaps.size() ||
                 std::any_of(overlaps.begin(), overlaps.begin() + static_cast<std::ptrdiff_t>(count),
-                            [&](const Overlap& o) { return !world.surface_rule(o.surface).one_sided; });
+                            [&](const Overlap& o) {
+                                return !world_of(mover, platform).surface_rule(o.surface).one_sided;
+                            });
     });
     return found;
 }
 
 std::optional<RayHit> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& way) {
     std::optional<RayHit> best;
-    each_world(mover, [&](const CollisionWorld& world, std::uint32_t, std::span<const TriangleId> triangles) {
-        std::optional<RayHit> hit = cast_ray(world, from, way, best ? best->t : 1.0);
+    each_world(mover, [&](const auto&, std::uint32_t platform, std::span<const TriangleId> triangles) {
+        std::optional<RayHit> hit = cast_ray(world_of(mover, platform), from, way, best ? best->t : 1.0);
         if (!hit || (best && !(hit->t < best->t))) return;
         hit->triangle = number_in_mesh(hit->triangle, triangles);
         best = hit;

@@ -33,8 +33,10 @@ double rise_above(const std::array<Vec3, 3>& corners, const Vec3& point, const V
 double filter_seam(const Mover& mover, const Vec3& centre, std::uint32_t platform, Contact& contact) {
     const CollisionWorld& world = world_of(mover, platform);
     std::array<Overlap, 16> around;
-    const std::size_t count =
-        std::min(find_overlaps(world, Vec3::Constant(meeting), contact.point, around), around.size());
+    const Vec3 ball = Vec3::Constant(meeting);
+    const std::size_t found = platform == no_id ? find_overlaps(mover.near, ball, contact.point, around)
+                                                : find_overlaps(world, ball, contact.point, around);
+    const std::size_t count = std::min(found, around.size());
     Vec3 normal = Vec3::Zero();
     double alignment = 0.0;
     double rise = 0.0;

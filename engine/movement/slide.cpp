@@ -56,9 +56,8 @@ Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move) {
 SlideResult slide_move(const MovementScene& scene, const MovementSettings& settings, const Vec3& from,
                        const Vec3& move, TraceSink* trace) {
     if (!from.allFinite() || !move.allFinite()) return {.position = from, .leftover = Vec3::Zero()};
-    Mover mover(scene, settings, trace, 1.0);
+    Mover mover(scene, settings, trace, 1.0, from, move.norm());
     mover.walkable_cosine = slope_cosine(settings.max_slope);
-    mover.position = from;
     mover.velocity = move;
     mover.velocity_before = move;
     const Vec3 leftover = collide_and_slide(mover, move.y() == 0.0 ? Pass::horizontal : Pass::slide, move);

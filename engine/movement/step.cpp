@@ -92,7 +92,6 @@ PlayerState part_of_step(Mover& mover, const PlayerState& state, const PlayerInp
     mover.wish = at_most_one(input.wish);
     mover.jump_held = input.jump;
     mover.jumping = state.jumping;
-    mover.position = state.position;
     mover.trapped = state.trapped && !first;
     if (first) {
         leave_geometry(mover);
@@ -128,7 +127,8 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
     result.state.position = position_in_scene(scene, state);
     bool hazard = false;
     for (int i = 0; i < parts; ++i) {
-        Mover mover(scene, settings, trace, dt / parts);
+        const double speed = std::max(result.state.velocity.norm(), settings.walk_speed);
+        Mover mover(scene, settings, trace, dt / parts, result.state.position, speed);
         result.state = part_of_step(mover, result.state, input, i == 0);
         result.sweeps += mover.sweeps;
         result.contacts += mover.contacts;

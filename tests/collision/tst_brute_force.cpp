@@ -3,6 +3,7 @@
 #include <tbb/task_arena.h>
 
 #include "brute_force.h"
+#include "slipface/collision/neighbourhood.h"
 #include "slipface/collision/simd.h"
 
 namespace slipface {
@@ -96,6 +97,8 @@ TEST_F(BruteForceAgreement, SweepsRaysPointsAndOverlaps) {
         const BruteForce brute(scene.soup);
         Random random(12);
         int hits = 0;
+        int stayed = 0;
+        int empty = 0;
         std::vector<Sweep> sweeps;
         for (int i = 0; i < 400; ++i) {
             Vec3 from = scene.middle + random.in_box(scene.half);
@@ -111,6 +114,10 @@ TEST_F(BruteForceAgreement, SweepsRaysPointsAndOverlaps) {
                     radii[axis] = random.uniform(0.05, 1);
             const double max_t = random.below(2) == 0 ? 1.0 : std::numeric_limits<double>::infinity();
             const double limit = random.below(2) == 0 ? 0.5 : std::numeric_limits<double>::infinity();
+            // A body nearby, now larger and now smaller than the one that asks.
+            const Vec3 near_from = from + 0.2 * random.in_box(1);
+            const Vec3 body = random.below(2) == 0 ? radii : Vec3(random.uniform(0.3, 3) * radii);
+            const double reach = random.uniform(0, 2);
             const auto contact = brute.sweep(radii, from, move);
             const auto ray = brute.ray(from, move, max_t);
             const auto closest = brute.closest(from, limit);
@@ -135,9 +142,20 @@ TEST_F(BruteForceAgreement, SweepsRaysPointsAndOverlaps) {
                 ASSERT_EQ(find_overlaps(world, radii, from, few), count);
                 for (std::size_t k = 0; k < std::min(count, few.size()); ++k)
                     ASSERT_TRUE(same(few[k], overlaps[k])) << i;
+
+                const Neighbourhood near(world, body, near_from, reach);
+                if (std::isfinite(near.clear_limit(radii, from, move)))
+                    ++(near.triangles().count > 0 ? stayed : empty);
+                ASSERT_TRUE(same(sweep_ellipsoid(near, radii, from, move), contact)) << i;
+                ASSERT_EQ(find_overlaps(near, radii, from, found), count) << i;
+                for (std::size_t k = 0; k < count; ++k)
+                    ASSERT_TRUE(same(found[k], overlaps[k])) << i;
+                ASSERT_EQ(overlaps_any(near, radii, from), count > 0) << i;
             }
         }
         EXPECT_GT(hits, 20);
+        EXPECT_GT(stayed, 50);
+        EXPECT_GT(empty, 10);
         EXPECT_LT(hits, 400);
         EXPECT_EQ(expect_same_in_a_batch(world, sweeps), hits);
     }

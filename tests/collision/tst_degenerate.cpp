@@ -84,6 +84,22 @@ TEST(Degenerate, ANeedleNeverTilts) {
     }
 }
 
+TEST(Degenerate, ANeedleEndsAtItsTip) {
+    // So thin that the tests for its two long sides round to zero wherever they are asked.
+    for (const float width : {2.5e-29F, 1e-20F, 1e-16F, 1e-14F}) {
+        Soup soup;
+        soup.add({0, 0, 0}, {0, width, 0}, {3.25, 3.25, 3.25});
+        const CollisionWorld world = soup.world();
+        const Vec3 beyond(6, 6, 6);
+        const auto closest = closest_point(world, beyond);
+        ASSERT_TRUE(closest);
+        EXPECT_NEAR(closest->distance, 2.75 * std::sqrt(3.0), 1e-14);
+        EXPECT_FALSE(overlaps_any(world, half, beyond));
+        EXPECT_FALSE(sweep_ellipsoid(world, half, beyond + Vec3(2, 0, 0), {-4, 0, 0}));
+        EXPECT_FALSE(sweep_ellipsoid(world, half, {-2, -2, -2}, {0.5, 0.5, -2}));
+    }
+}
+
 TEST(Degenerate, OverlapAndDistance) {
     Soup soup;
     soup.add({-2, 0, 0}, {0, 0, 0}, {2, 0, 0});

@@ -130,6 +130,43 @@ TEST(Ray, InThePlaneOfATriangleOrAcrossADegenerateOneMisses) {
     EXPECT_FALSE(cast_ray(world, {5, 1, 0.5}, {0, -1, 0}));
 }
 
+// A triangle so far out that boxes say nothing about the others any more.
+void add_far_out(Soup& soup) {
+    soup.add(Vec3(8e14, 8e14, 8e14), Vec3(9e14, 8e14, 8e14), Vec3(8e14, 9e14, 8e14));
+}
+
+TEST(Ray, StartingInLineWithADegenerateTriangleMissesIt) {
+    // All sheared corners lie on a line through the ray, so rounding alone says on which side it passes. The
+    // triangle is 17 m away where the ray would be beside it.
+    Soup soup;
+    soup.add({8.375F, 8.375F, 8.875F}, {8.375F, 8.375F, 8.375F}, {8.375F, 8.375F, 195.264633F});
+    add_far_out(soup);
+    const CollisionWorld world = soup.world();
+    const Vec3 from(8.375, 8.375, 0);
+    scenes::Random random(5);
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 way(random.uniform(-20, 20), random.uniform(-20, 20), 195.26274108886719);
+        EXPECT_FALSE(cast_ray(world, from, way, 10.0)) << way.transpose();
+    }
+}
+
+TEST(Ray, ANeedleEndsAtItsTip) {
+    // So thin that the tests for its two long sides round to zero beyond it, too.
+    scenes::Random random(6);
+    for (const double width : {1e-12, 1e-14, 1e-16}) {
+        Soup soup;
+        soup.add(Vec3(0, 0, 0), Vec3(0, width, 0), Vec3(3, 3, 0));
+        add_far_out(soup);
+        const CollisionWorld world = soup.world();
+        for (int i = 0; i < 1000; ++i) {
+            const double place = random.below(2) == 0 ? random.uniform(1.001, 3) : random.uniform(-3, -0.001);
+            const Vec3 beyond(3 * place, 3 * place, 0);
+            const Vec3 above(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.5, 4));
+            EXPECT_FALSE(cast_ray(world, beyond + above, -above, 10.0)) << place;
+        }
+    }
+}
+
 TEST(Ray, RefusesWhatIsNoRay) {
     Random random(9);
     const CollisionWorld world = scenes::random_soup(random, 50, 2, 1).world();

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "collision/brute_force.h"
+#include "slipface/collision/neighbourhood.h"
 
 namespace {
 
@@ -116,7 +117,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const auto expected = brute.closest(from, HUGE_VAL);
         require(closest.has_value() == expected.has_value());
         require(!closest || closest->distance == expected->distance);
-        require(overlaps_any(world, radii, from) == !brute.overlaps(radii, from).empty());
+        const auto overlaps = brute.overlaps(radii, from);
+        require(overlaps_any(world, radii, from) == !overlaps.empty());
+        // Around another place for another body, which mostly holds what the query needs and sometimes not.
+        const auto larger = static_cast<double>(what % 5 + 1) / 2;
+        const Neighbourhood near(world, larger * radii, from + (larger - 1) * move, larger);
+        require(scenes::same(sweep_ellipsoid(near, radii, from, move), contact));
+        require(overlaps_any(near, radii, from) == !overlaps.empty());
+        require(find_overlaps(near, radii, from, {}) == overlaps.size());
     }
     check_batch(world, sweeps, contacts);
     return 0;

@@ -1,0 +1,47 @@
+// Queries among the triangles of a neighbourhood.
+#pragma once
+
+#include <array>
+
+#include "kernels.h"
+#include "paths.h"
+#include "slipface/collision/neighbourhood.h"
+
+namespace slipface::detail {
+
+inline LeafTriangle near_triangle(const NearTriangles& near, std::uint32_t place) {
+    LeafTriangle triangle;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t k = 0; k < 3; ++k)
+            triangle.at[axis][k] = near.corner[3 * k + axis][place];
+        triangle.at[axis][3] = 0.0F;
+    }
+    triangle.id = near.id[place];
+    return triangle;
+}
+
+// The triangles that a query may touch, the most promising one first.
+class NearCandidates {
+  public:
+    NearCandidates(const Neighbourhood& near, float clear_limit, const EllipsoidQuery& query)
+        : count_(kernels().near_sweep(near.triangles(), clear_limit,
+                                      sphere_path(query, near.world().impl().reach), time_limit(1.0),
+                                      list_.data())) {}
+
+    // The next one that may be touched no later than `limit`, or null.
+    const NearCandidate* take(float limit = std::numeric_limits<float>::infinity()) {
+        if (count_ == 0) return nullptr;
+        NearCandidate* best = list_.data();
+        for (NearCandidate* one = best + 1; one < list_.data() + count_; ++one) {
+            if (one->after < best->after) best = one;
+        }
+        std::swap(*best, list_[--count_]);
+        return list_[count_].after > limit ? nullptr : &list_[count_];
+    }
+
+  private:
+    std::array<NearCandidate, near_capacity> list_;
+    std::uint32_t count_;
+};
+
+}  // namespace slipface::detail
