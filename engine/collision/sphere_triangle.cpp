@@ -216,6 +216,12 @@ V3 direction_without_distance(const SphereTriangle& triangle) {
     return dot(across, across) > 0.0 ? across : V3{0.0, 1.0, 0.0};
 }
 
+// Of a radius no larger than the rounding of the way, nothing is left of the distance at the touch.
+V3 direction_or(const V3& away, const V3& otherwise) {
+    const V3 direction = unit(away);
+    return dot(direction, direction) > 0.0 ? direction : unit(otherwise);
+}
+
 // Sphere-space normal at the nearest part, unit, towards the centre.
 V3 nearest_normal(const SphereTriangle& triangle, const Nearest& nearest) {
     if (nearest.feature == Feature::interior) return unit(triangle.h > 0.0 ? -triangle.n : triangle.n);
@@ -316,10 +322,12 @@ Touch touch_of(const SphereTriangle& triangle, const LeafTriangle& leaf, const E
         const EdgePaths path(edges, query.d);
         double place[4];
         (path.s + Three::all(hit.t) * path.ds).store(place);
-        touch.normal = world_normal(unit(path.w.vec(hit.part) + hit.t * path.dw.vec(hit.part)), query);
+        const V3 way = path.dw.vec(hit.part);
+        touch.normal = world_normal(direction_or(path.w.vec(hit.part) + hit.t * way, -way), query);
         touch.point = edge_point_world(leaf, edges, hit.part, place[hit.part]);
     } else {
-        touch.normal = world_normal(unit(hit.t * query.d - triangle.a.vec(hit.part)), query);
+        touch.normal =
+            world_normal(direction_or(hit.t * query.d - triangle.a.vec(hit.part), -query.d), query);
         touch.point = leaf.corner(hit.part);
     }
     return touch;

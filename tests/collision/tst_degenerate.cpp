@@ -100,6 +100,19 @@ TEST(Degenerate, ANeedleEndsAtItsTip) {
     }
 }
 
+TEST(Degenerate, ARadiusBelowTheRoundingOfTheWayHasANormal) {
+    Soup soup;
+    soup.add({5.125F, 5.125F, 0}, {5.125F, 5.125F, 5.125F}, {5.125F, 5.125F, 5.125F});
+    const CollisionWorld world = soup.world();
+    const Vec3 thin(1.1563734029980703e-15, 10, 10);
+    for (const double z : {5.125, 9.0}) {
+        const auto contact = sweep_ellipsoid(world, thin, {10, 5.125, z}, {-6.375, 0, 0});
+        ASSERT_TRUE(contact);
+        EXPECT_NEAR(contact->t, 4.875 / 6.375, 1e-15);
+        EXPECT_NEAR(contact->normal.norm(), 1.0, 1e-15);
+    }
+}
+
 TEST(Degenerate, OverlapAndDistance) {
     Soup soup;
     soup.add({-2, 0, 0}, {0, 0, 0}, {2, 0, 0});
