@@ -60,6 +60,7 @@ struct Mover : Motion {
         Vec3::Zero();  // at the start of the step: what a bounce gives back lies between the two
     bool was_grounded = false;
     bool jumped = false;
+    bool began_free = false;  // touches nothing where it began, not even from behind
     bool on_ladder = false;                  // the move climbs: ladders are slid along instead of grabbed
     std::uint32_t ignored_platform = no_id;  // the one that carries the player now, or pushes
 
@@ -124,6 +125,7 @@ std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Ve
 // At most out.size() are kept; returns how many are in `out`.
 std::size_t overlaps_in_scene(const Mover& mover, const Vec3& centre, std::span<Overlap> out);
 bool overlaps_scene(const Mover& mover, const Vec3& centre);
+bool is_free(const Mover& mover, const Vec3& centre);  // of one-sided faces, too
 std::optional<RayHit> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& way);
 const CollisionWorld& world_of(const Mover& mover, std::uint32_t platform);
 

@@ -44,7 +44,7 @@ std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Ve
         if (!contact) return;
         // The numbers in the world are wanted by the seam filter, those of the mesh by everybody else.
         double depth = 0.0;
-        if (mover.settings.seam_filter && contact->feature != Feature::interior)
+        if (mover.settings.seam_filter && !mover.began_free && contact->feature != Feature::interior)
             depth = filter_seam(mover, from + contact->t * move, platform, *contact);
         contact->triangle = number_in_mesh(contact->triangle, triangles);
         if (!best || earlier(*contact, best->contact)) best = SceneContact{*contact, platform, depth};
@@ -63,6 +63,14 @@ std::size_t overlaps_in_scene(const Mover& mover, const Vec3& centre, std::span<
         count += found;
     });
     return count;
+}
+
+bool is_free(const Mover& mover, const Vec3& centre) {
+    bool free = true;
+    each_world(mover, [&](const auto& world, std::uint32_t, std::span<const TriangleId>) {
+        free = free && !overlaps_any(world, mover.settings.radii, centre);
+    });
+    return free;
 }
 
 // One-sided faces let the player through from behind, so being across one is legal.

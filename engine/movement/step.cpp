@@ -57,7 +57,8 @@ PlayerState state_after(const Mover& mover, const PlayerState& before, const Pla
 void leave_geometry(Mover& mover) {
     const MovementSettings& settings = mover.settings;
     if (settings.push_out == PushOut::off && !settings.nudge) return;
-    if (!overlaps_scene(mover, mover.position)) {
+    mover.began_free = is_free(mover, mover.position);
+    if (mover.began_free || !overlaps_scene(mover, mover.position)) {
         decide(mover, settings.nudge ? "nudge" : "push_out", false, "overlaps", 0.0, 0.0,
                "refused: nothing to be freed from");
         return;
@@ -95,7 +96,9 @@ PlayerState part_of_step(Mover& mover, const PlayerState& state, const PlayerInp
     mover.trapped = state.trapped && !first;
     if (first) {
         leave_geometry(mover);
+        const Vec3 began = mover.position;
         if (mover.settings.platforms) move_with_platforms(mover, state);
+        mover.began_free = mover.began_free && mover.position == began;
     }
     const Motion safe = mover;
     move(mover, state, input);

@@ -1,0 +1,78 @@
+// What a LevelRenderer keeps: buffers, textures and programs of one context, and what is drawn with them.
+#pragma once
+
+#include <optional>
+
+#include "face_state.h"
+#include "level_geometry.h"
+#include "level_programs.h"
+#include "level_textures.h"
+#include "light_map.h"
+#include "slipface/render/level_renderer.h"
+
+namespace slipface {
+
+struct LevelRenderer::Impl {
+    struct LineBuffer {
+        unsigned vertex_array = 0, buffer = 0;
+        GLsizei count = 0;
+    };
+    // Triangles of one moving part, side by side in the vertex buffer.
+    struct MovingRun {
+        std::uint32_t part = no_id;
+        std::size_t first = 0;
+        std::vector<TriangleId> triangles;
+    };
+
+    explicit Impl(GlTable table)
+        : gl(std::move(table)), textures(gl), face_state(gl), light_map(gl), level_programs(gl) {}
+
+    GlTable gl;
+    LevelTextures textures;
+    FaceState face_state;
+    LightMap light_map;
+    LevelPrograms level_programs;
+    std::optional<LevelLight> light;
+    Status status;
+    MeshPtr mesh;
+    Vec3 origin = Vec3::Zero();
+    std::vector<DrawBatch> batches;
+    std::vector<std::uint8_t> highlights;  // [face]
+    std::vector<std::uint32_t> parts;      // [face] that moves with it, or no_id; empty: none moves
+    std::vector<MovingRun> moving;         // of parts, in drawing order
+
+    bool surfaces_shown = false;  // of some face, other than `default`
+    bool highlights_shown = false;
+
+    unsigned background_program = 0, line_program = 0;
+    unsigned empty_array = 0, level_array = 0, level_buffer = 0;
+    unsigned table_texture = 0, white_texture = 0;
+    LineBuffer borders, selected_outline, hovered_outline;
+    bool borders_built = false;
+    std::optional<OutlineFinder> outlines;
+
+    // level_buffers.cpp
+    void build_programs();
+    void build_objects();
+    bool upload_geometry(Warnings& warnings);
+    void find_moving(std::span<const std::uint32_t> face_parts);
+    void reset_faces();
+    void upload_lines(LineBuffer& lines, const std::vector<LineInstance>& instances);
+
+    // level_drawing.cpp
+    bool lit(const LevelStyle& style) const {
+        return style.textured && style.baked_light && light_map.loaded();
+    }
+    void draw_background(const Camera& camera, double aspect, const LevelStyle& style);
+    void set_sky(const Camera& camera, double aspect);
+    void set_level_uniforms(unsigned program, const Camera& camera, int height, const Mat4f& clip,
+                            const LevelStyle& style);
+    void draw_faces(const Camera& camera, int height, const Mat4f& clip, const LevelStyle& style);
+    void draw_in_pieces(const DrawBatch& batch);
+    void draw_lines(const LineBuffer& lines, float shortest);
+    void reset_state(int width, int height);
+    void draw_level(const Camera& camera, int width, int height, const LevelStyle& style);
+    Eigen::Vector4f eye_uniform(const Camera& camera) const;
+};
+
+}  // namespace slipface
