@@ -25,12 +25,13 @@ for regime in "6 1/60" "20 1/30" "60 1/60"; do
     walkers=$((steps / 3 / ${#levels[@]} / (seconds * rate) + 1))
     for level in "${levels[@]}"; do
         report=$(build/release/editor/slipface audit "$level" --walkers "$walkers" --seconds "$seconds" --seed "$seed" \
-            --speeds "$speed" --dt "$dt" --json 2>/dev/null) || failed=1
+            --speeds "$speed" --dt "$dt" --json 2>/dev/null) || true  # stuck walkers fail an audit, and no promise
         printf '%s' "$report" | python3 -c '
 import json, sys
 r = json.load(sys.stdin)
 print("| {} | {} | {} | {} | {} | {} |".format(sys.argv[1], sys.argv[2], r["steps"], r["count_escape"], r["count_overlap"], r["count_stuck"]))
-' "$(basename "$level" .obj)" "$speed m/s, $rate Hz"
+sys.exit(1 if r["count_escape"] + r["count_overlap"] > 0 else 0)
+' "$(basename "$level" .obj)" "$speed m/s, $rate Hz" || failed=1
     done
 done
 exit "$failed"

@@ -33,15 +33,25 @@ struct Motion {
 // beyond that takes longer.
 double reach_of_step(const MovementSettings& settings, double way);
 
+// The platforms around where a step begins.
+struct NearPlatforms {
+    static constexpr std::size_t capacity = 16;
+    Aabb box;                                  // who stays in it can touch no others
+    std::array<std::uint32_t, capacity> list;  // ascending
+    std::size_t count = 0;                     // above the capacity: not listed
+};
+NearPlatforms platforms_near(const MovementScene& scene, const Vec3& radii, const Vec3& from, double reach);
+
 struct Mover : Motion {
-    // `speed`: about how fast it will go, m/s, which decides only what is kept at hand.
+    // `reach`: as reach_of_step says; decides only what is kept at hand.
     Mover(const MovementScene& in_scene, const MovementSettings& by_settings, TraceSink* sink, double seconds,
-          const Vec3& from, double speed)
+          const Vec3& from, double reach)
         : scene(in_scene),
           settings(by_settings),
           trace(sink),
           dt(seconds),
-          near(in_scene.collision, by_settings.radii, from, reach_of_step(by_settings, speed * seconds)) {
+          near(in_scene.collision, by_settings.radii, from, reach),
+          near_platforms(platforms_near(in_scene, by_settings.radii, from, reach)) {
         position = from;
     }
     Motion& motion() { return *this; }
@@ -50,7 +60,8 @@ struct Mover : Motion {
     const MovementSettings& settings;
     TraceSink* trace = nullptr;
     double dt = 1.0;
-    Neighbourhood near;            // of what stands still, around where the step begins
+    Neighbourhood near;  // of what stands still, around where the step begins
+    NearPlatforms near_platforms;
     double walkable_cosine = 1.0;  // of settings.max_slope
     Vec2 wish = Vec2::Zero();      // at most 1 long
     bool jump_held = false;        // the button, this step
@@ -60,7 +71,7 @@ struct Mover : Motion {
         Vec3::Zero();  // at the start of the step: what a bounce gives back lies between the two
     bool was_grounded = false;
     bool jumped = false;
-    bool began_free = false;  // touches nothing where it began, not even from behind
+    bool began_free = false;                 // touches nothing where it began, not even from behind
     bool on_ladder = false;                  // the move climbs: ladders are slid along instead of grabbed
     std::uint32_t ignored_platform = no_id;  // the one that carries the player now, or pushes
 

@@ -7,12 +7,28 @@ namespace slipface {
 
 namespace {
 
-// Calls visit(world, platform, triangles) for everything that is collided with; what stands still is a
-// Neighbourhood.
+// Rounding of boxes and sweeps, as a share of the lengths involved; far above both.
+constexpr double box_slack = 1e-5;
+
+bool holds(const Aabb& box, const Vec3& radii, const Vec3& from, const Vec3& to) {
+    const Vec3 half = radii * (1.0 + box_slack);
+    return ((from.cwiseMin(to) - half).array() >= box.min.array()).all() &&
+           ((from.cwiseMax(to) + half).array() <= box.max.array()).all();
+}
+
+// Calls visit(world, platform, triangles) for everything that a player can touch on its way from `from` by
+// `move`; what stands still is a Neighbourhood.
 template <class Visit>
-void each_world(const Mover& mover, Visit&& visit) {
+void each_world(const Mover& mover, const Vec3& from, const Vec3& move, Visit&& visit) {
     visit(mover.near, no_id, mover.scene.triangles);
-    for (std::uint32_t i = 0; i < mover.scene.platforms.size(); ++i) {
+    const auto platforms = static_cast<std::uint32_t>(mover.scene.platforms.size());
+    if (platforms == 0) return;
+    const NearPlatforms& near = mover.near_platforms;
+    const bool listed =
+        near.count <= NearPlatforms::capacity && holds(near.box, mover.settings.radii, from, from + move);
+    const auto count = listed ? static_cast<std::uint32_t>(near.count) : platforms;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const std::uint32_t i = listed ? near.list[k] : k;
         const MovingPart& part = mover.scene.platforms[i];
         if (i != mover.ignored_platform) visit(*part.collision, i, part.triangles);
     }
@@ -31,6 +47,23 @@ bool earlier(const Contact& a, const Contact& b) {
 
 }  // namespace
 
+NearPlatforms platforms_near(const MovementScene& scene, const Vec3& radii, const Vec3& from, double reach) {
+    NearPlatforms near;
+    const Vec3 half = radii * (1.0 + reach);
+    near.box.min = from - half;
+    near.box.max = from + half;
+    const Vec3 slack = box_slack * half + 1e-12 * from.cwiseAbs();
+    for (std::uint32_t i = 0; i < scene.platforms.size(); ++i) {
+        const Aabb bounds = scene.platforms[i].collision->bounds();
+        const bool beside = ((near.box.min - slack).array() > bounds.max.array()).any() ||
+                            ((near.box.max + slack).array() < bounds.min.array()).any();
+        if (beside) continue;
+        if (near.count < NearPlatforms::capacity) near.list[near.count] = i;
+        ++near.count;
+    }
+    return near;
+}
+
 const CollisionWorld& world_of(const Mover& mover, std::uint32_t platform) {
     return platform < mover.scene.platforms.size() ? *mover.scene.platforms[platform].collision
                                                    : mover.scene.collision;
@@ -39,64 +72,71 @@ const CollisionWorld& world_of(const Mover& mover, std::uint32_t platform) {
 std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Vec3& move) {
     ++mover.sweeps;
     std::optional<SceneContact> best;
-    each_world(mover, [&](const auto& world, std::uint32_t platform, std::span<const TriangleId> triangles) {
-        std::optional<Contact> contact = sweep_ellipsoid(world, mover.settings.radii, from, move);
-        if (!contact) return;
-        // The numbers in the world are wanted by the seam filter, those of the mesh by everybody else.
-        double depth = 0.0;
-        if (mover.settings.seam_filter && !mover.began_free && contact->feature != Feature::interior)
-            depth = filter_seam(mover, from + contact->t * move, platform, *contact);
-        contact->triangle = number_in_mesh(contact->triangle, triangles);
-        if (!best || earlier(*contact, best->contact)) best = SceneContact{*contact, platform, depth};
-    });
+    each_world(
+        mover, from, move,
+        [&](const auto& world, std::uint32_t platform, std::span<const TriangleId> triangles) {
+            std::optional<Contact> contact = sweep_ellipsoid(world, mover.settings.radii, from, move);
+            if (!contact) return;
+            // The numbers in the world are wanted by the seam filter, those of the mesh by everybody else.
+            double depth = 0.0;
+            if (mover.settings.seam_filter && !mover.began_free && contact->feature != Feature::interior)
+                depth = filter_seam(mover, from + contact->t * move, platform, *contact);
+            contact->triangle = number_in_mesh(contact->triangle, triangles);
+            if (!best || earlier(*contact, best->contact)) best = SceneContact{*contact, platform, depth};
+        });
     return best;
 }
 
 std::size_t overlaps_in_scene(const Mover& mover, const Vec3& centre, std::span<Overlap> out) {
     std::size_t count = 0;
-    each_world(mover, [&](const auto& world, std::uint32_t, std::span<const TriangleId> triangles) {
-        const std::span<Overlap> room = out.subspan(count);
-        const std::size_t found =
-            std::min(find_overlaps(world, mover.settings.radii, centre, room), room.size());
-        for (Overlap& overlap : room.first(found))
-            overlap.triangle = number_in_mesh(overlap.triangle, triangles);
-        count += found;
-    });
+    each_world(mover, centre, Vec3::Zero(),
+               [&](const auto& world, std::uint32_t, std::span<const TriangleId> triangles) {
+                   const std::span<Overlap> room = out.subspan(count);
+                   const std::size_t found =
+                       std::min(find_overlaps(world, mover.settings.radii, centre, room), room.size());
+                   for (Overlap& overlap : room.first(found))
+                       overlap.triangle = number_in_mesh(overlap.triangle, triangles);
+                   count += found;
+               });
     return count;
 }
 
 bool is_free(const Mover& mover, const Vec3& centre) {
     bool free = true;
-    each_world(mover, [&](const auto& world, std::uint32_t, std::span<const TriangleId>) {
-        free = free && !overlaps_any(world, mover.settings.radii, centre);
-    });
+    each_world(mover, centre, Vec3::Zero(),
+               [&](const auto& world, std::uint32_t, std::span<const TriangleId>) {
+                   free = free && !overlaps_any(world, mover.settings.radii, centre);
+               });
     return free;
 }
 
 // One-sided faces let the player through from behind, so being across one is legal.
 bool overlaps_scene(const Mover& mover, const Vec3& centre) {
     bool found = false;
-    each_world(mover, [&](const auto& world, std::uint32_t platform, std::span<const TriangleId>) {
-        if (found || !overlaps_any(world, mover.settings.radii, centre)) return;
-        std::array<Overlap, 64> overlaps;
-        const std::size_t count = find_overlaps(world, mover.settings.radii, centre, overlaps);
-        found = count > overlaps.size() ||
-                std::any_of(overlaps.begin(), overlaps.begin() + static_cast<std::ptrdiff_t>(count),
-                            [&](const Overlap& o) {
-                                return !world_of(mover, platform).surface_rule(o.surface).one_sided;
-                            });
-    });
+    each_world(mover, centre, Vec3::Zero(),
+               [&](const auto& world, std::uint32_t platform, std::span<const TriangleId>) {
+                   if (found || !overlaps_any(world, mover.settings.radii, centre)) return;
+                   std::array<Overlap, 64> overlaps;
+                   const std::size_t count = find_overlaps(world, mover.settings.radii, centre, overlaps);
+                   found =
+                       count > overlaps.size() ||
+                       std::any_of(overlaps.begin(), overlaps.begin() + static_cast<std::ptrdiff_t>(count),
+                                   [&](const Overlap& o) {
+                                       return !world_of(mover, platform).surface_rule(o.surface).one_sided;
+                                   });
+               });
     return found;
 }
 
 std::optional<RayHit> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& way) {
     std::optional<RayHit> best;
-    each_world(mover, [&](const auto&, std::uint32_t platform, std::span<const TriangleId> triangles) {
-        std::optional<RayHit> hit = cast_ray(world_of(mover, platform), from, way, best ? best->t : 1.0);
-        if (!hit || (best && !(hit->t < best->t))) return;
-        hit->triangle = number_in_mesh(hit->triangle, triangles);
-        best = hit;
-    });
+    each_world(
+        mover, from, way, [&](const auto&, std::uint32_t platform, std::span<const TriangleId> triangles) {
+            std::optional<RayHit> hit = cast_ray(world_of(mover, platform), from, way, best ? best->t : 1.0);
+            if (!hit || (best && !(hit->t < best->t))) return;
+            hit->triangle = number_in_mesh(hit->triangle, triangles);
+            best = hit;
+        });
     return best;
 }
 

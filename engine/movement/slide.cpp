@@ -56,7 +56,7 @@ Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move) {
 SlideResult slide_move(const MovementScene& scene, const MovementSettings& settings, const Vec3& from,
                        const Vec3& move, TraceSink* trace) {
     if (!from.allFinite() || !move.allFinite()) return {.position = from, .leftover = Vec3::Zero()};
-    Mover mover(scene, settings, trace, 1.0, from, move.norm());
+    Mover mover(scene, settings, trace, 1.0, from, reach_of_step(settings, move.norm()));
     mover.walkable_cosine = slope_cosine(settings.max_slope);
     mover.velocity = move;
     mover.velocity_before = move;

@@ -6,7 +6,7 @@
 
 namespace slipface {
 
-inline constexpr std::uint32_t near_capacity = 64;
+inline constexpr std::uint32_t near_capacity = 128;
 
 // A triangle is a column. Rows are read eight at a time, so they go on behind the last one.
 struct NearTriangles {

@@ -9,7 +9,7 @@ namespace slipface {
 
 // Answers as its world does, bit for bit. It refers to the world, which must not change meanwhile. A query
 // that leads out of the neighbourhood is asked of the world itself: one too small is slower, never wrong.
-// Allocates nothing; about 3 KB on the stack.
+// Allocates nothing; about 6 KB on the stack.
 class Neighbourhood {
   public:
     // What an ellipsoid `radii` that starts at `centre` could touch while its centre moves by up to `reach`
