@@ -65,17 +65,6 @@ class LeafFilter {
         return apart | beyond(least_along(u), square * dot(u, u), slack * size_of(u));
     }
 
-    // How far away the triangles are at least, less 1: by the same two planes.
-    Lanes clearance() const {
-        const Lanes slack = rounding(0.0F);
-        const Lanes zero = Lanes::all(0.0F);
-        const LaneVec u = border_way({zero, zero, zero});
-        const Lanes by_plane =
-            at_least(lanes_abs(dot(n_, a_[0])), dot(n_, n_), slack * size_of(e_[0]) * size_of(e_[1]));
-        const Lanes by_border = at_least(least_along(u), dot(u, u), slack * size_of(u));
-        return lanes_max(by_plane, by_border) * Lanes::all(1.0F - time_slack) - Lanes::all(1.0F);
-    }
-
     // Squared distance of the border from the path's start; only an order.
     Lanes border_distance() const {
         const LaneVec way = border_way({Lanes::all(0.0F), Lanes::all(0.0F), Lanes::all(0.0F)});
@@ -105,13 +94,6 @@ class LeafFilter {
         const Lanes clear = lanes_max(distance - slack, Lanes::all(0.0F));
         return lanes_above(clear * clear,
                            square * Lanes::all(1.0F + determinant_rounding) + Lanes::all(least_square));
-    }
-
-    // (distance - slack) / sqrt(square), at least 0. What is no number becomes 0.
-    static Lanes at_least(Lanes distance, Lanes square, Lanes slack) {
-        const Lanes length =
-            lanes_sqrt(square * Lanes::all(1.0F + determinant_rounding) + Lanes::all(least_square));
-        return lanes_max((distance - slack) / length, Lanes::all(0.0F));
     }
 
     // When a sphere that comes nearer by `speed` has covered `distance` - sqrt(square), at least 0; very late

@@ -19,23 +19,24 @@ struct LaneBody {
             inverse[axis] = Lanes::all(body.sphere.inverse[axis]);
         }
     }
-    std::uint32_t within(const BvhNode& node, Lanes square_limit) const {
-        const NodeRows rows{node};
+    // A lower bound.
+    template <class Rows>
+    Lanes distance(const Rows& rows) const {
         Lanes square = Lanes::all(0.0F);
         for (int axis = 0; axis < 3; ++axis) {
-            const Lanes distance =
+            const Lanes along =
                 lanes_max(lanes_max(rows(axis) - up[axis], down[axis] - rows(axis + 3)), Lanes::all(0.0F)) *
                 inverse[axis];
-            square = square + distance * distance;
+            square = square + along * along;
         }
-        // Six roundings on the way; the slack is larger than their sum.
-        return lanes_not_above(square * Lanes::all(1.0F - 2.0F * time_slack), square_limit);
+        // Seven roundings on the way; the slack is larger than their sum.
+        return lanes_sqrt(square) * Lanes::all(1.0F - time_slack);
     }
 };
 
 bool near_kernel(const TreeView& tree, const PointBoxes& path, float reach, NearTriangles& out) {
     const LaneBody body(path);
-    const Lanes square_limit = Lanes::all((1.0F + reach) * (1.0F + reach) * (1.0F + time_slack));
+    const Lanes limit = Lanes::all(1.0F + reach);
     std::uint32_t nodes[traversal_stack];
     std::uint32_t leaves[near_capacity + 8];
     std::uint32_t node_count = 1;
@@ -43,26 +44,25 @@ bool near_kernel(const TreeView& tree, const PointBoxes& path, float reach, Near
     nodes[0] = 0;
     while (node_count != 0) {
         const BvhNode& node = tree.nodes[nodes[--node_count]];
-        const std::uint32_t near = body.within(node, square_limit);
+        const std::uint32_t near = lanes_not_above(body.distance(NodeRows{node}), limit);
         const std::uint32_t ends = leaf_children(node);
         leaf_count = append_children(node, near & ends, leaves, leaf_count);
         node_count = append_children(node, near & ~ends, nodes, node_count);
         if (leaf_count > near_capacity) return false;
     }
-    const LaneSpherePath sphere(path.sphere);
     out.count = 0;
     for (std::uint32_t i = 0; i < leaf_count; ++i) {
         const Leaf& leaf = leaf_at(tree, leaves[i] & leaf_place_mask);
         Lanes v[9];
         lanes_of_leaf(leaf, v);
-        const Lanes clear = LeafFilter(sphere, v).clearance();
-        const std::uint32_t mask = lanes_not_above(clear, Lanes::all(reach)) & present(leaf);
+        const Lanes away = body.distance(LeafRows(v));
+        const std::uint32_t mask = lanes_not_above(away, limit) & present(leaf);
         const auto more = static_cast<std::uint32_t>(__builtin_popcount(mask));
         if (out.count + more > near_capacity) return false;
         const auto* ids = reinterpret_cast<const std::uint32_t*>(&leaf + 1) + std::size_t{3} * leaf.vertices;
         for (int row = 0; row < 9; ++row)
             append(v[row], mask, out.corner[row] + out.count);
-        append(clear, mask, out.clear + out.count);
+        append(away - Lanes::all(1.0F), mask, out.clear + out.count);
         append(ids, mask, out.id + out.count);
         out.count += more;
     }
