@@ -80,9 +80,22 @@ bool is_excused(const Passage& passage, const MovementSettings& settings, std::s
 
 }  // namespace
 
-std::optional<CheckFailure> passed_through(const MovementScene& scene, const MovementSettings& settings,
-                                           const PlayerState& before, const PlayerInput& input, double dt,
-                                           const Vec3& after, Against against) {
+std::vector<Pose> rides_of(std::span<const MovingPart> platforms) {
+    std::vector<Pose> rides;
+    for (const MovingPart& part : platforms) {
+        Pose& ride = rides.emplace_back();
+        if (part.begin == part.end) continue;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            ride.columns[axis] = part.end.turn(part.begin.turn_back(ride.columns[axis]));
+        ride.offset = part.end.apply(part.begin.undo(Vec3::Zero()));
+    }
+    return rides;
+}
+
+std::optional<CheckFailure> passed_through(const MovementScene& scene, std::span<const Pose> rides,
+                                           const MovementSettings& settings, const PlayerState& before,
+                                           const PlayerInput& input, double dt, const Vec3& after,
+                                           Against against) {
     const Vec3 from = position_in_scene(scene, before);
     std::vector<Vec3> way;
     const auto judge = [&](const Passage& passage) -> std::optional<CheckFailure> {
@@ -95,8 +108,9 @@ std::optional<CheckFailure> passed_through(const MovementScene& scene, const Mov
             judge({scene.collision, from, face_between(scene.collision, from, after), false}))
         return failure;
     if (against == Against::what_stands_still) return std::nullopt;
-    for (const MovingPart& part : scene.platforms) {
-        const Vec3 carried = part.begin == part.end ? from : part.end.apply(part.begin.undo(from));
+    for (std::size_t i = 0; i < scene.platforms.size(); ++i) {
+        const MovingPart& part = scene.platforms[i];
+        const Vec3 carried = rides[i].apply(from);
         if (!is_near(part, carried, after, Vec3::Zero())) continue;
         if (const auto failure =
                 judge({*part.collision, carried, face_between(*part.collision, carried, after), true}))

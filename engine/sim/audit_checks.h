@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "slipface/movement/step.h"
 
@@ -15,14 +17,19 @@ struct CheckFailure {
 // What a check looks at.
 enum class Against : std::uint8_t { everything, what_stands_still };
 
+// Where each platform of a tick takes who rides it. The same for all walkers, so it is asked once a tick.
+std::vector<Pose> rides_of(std::span<const MovingPart> platforms);
+
 // The centre went through a solid, two-sided triangle on its way from `before` to `after` (scene
 // coordinates), of what stands still or of a platform. A platform is asked in its own frame: there the centre
 // sets out from where a rider would have been carried to. A straight line that meets a triangle is not proof
 // yet, because a step bends at contacts and lifts over edges: then the step is made again with its trace, and
-// it passed through only if neither the traced way nor a way over the top is free. Metres done.
-std::optional<CheckFailure> passed_through(const MovementScene& scene, const MovementSettings& settings,
-                                           const PlayerState& before, const PlayerInput& input, double dt,
-                                           const Vec3& after, Against against = Against::everything);
+// it passed through only if neither the traced way nor a way over the top is free. `rides`: rides_of the
+// scene's platforms. Metres done.
+std::optional<CheckFailure> passed_through(const MovementScene& scene, std::span<const Pose> rides,
+                                           const MovementSettings& settings, const PlayerState& before,
+                                           const PlayerInput& input, double dt, const Vec3& after,
+                                           Against against = Against::everything);
 
 // The ellipsoid, smaller by the skin, overlaps a solid, two-sided triangle. Depth in shares of the radii.
 std::optional<CheckFailure> overlaps_deeply(const MovementScene& scene, const MovementSettings& settings,

@@ -92,8 +92,9 @@ void AuditRun::find(FindingKind kind, const Vec3& position, double amount, FaceI
         {kind, number_, static_cast<std::uint32_t>(lives_ - 1), tick_, position, amount, face, life_hash_});
 }
 
-void AuditRun::check(const TickScene& level, const MovementScene& scene, const PlayerState& before,
-                     const TickResult& result, const PlayerInput& input) {
+void AuditRun::check(const AuditTick& now, const PlayerState& before, const TickResult& result,
+                     const PlayerInput& input) {
+    const auto& [level, scene, rides] = now;
     const PlayerState& after = result.stepped;
     const Vec3 at = position_in_scene(scene, after);
     const Vec3 from = position_in_scene(scene, before);
@@ -105,7 +106,7 @@ void AuditRun::check(const TickScene& level, const MovementScene& scene, const P
     // Nothing can have gone wrong where nothing moved.
     if (at != from || !scene.platforms.empty()) {
         if (const auto passed =
-                passed_through(scene, settings_, before, input, arena_->options.dt, at, against))
+                passed_through(scene, rides, settings_, before, input, arena_->options.dt, at, against))
             find(FindingKind::escape, level.to_level(after), passed->amount, passed->face);
         // The step's last check asked the same question of the same worlds with the whole ellipsoid. What it
         // found free holds nothing for a smaller one to overlap; tst_audit.cpp holds it to its word.
@@ -134,7 +135,8 @@ void AuditRun::add_heat(std::vector<FaceHeat>& heat, const MovementScene& scene,
     }
 }
 
-bool AuditRun::tick(const TickScene& level, const MovementScene& scene, std::vector<FaceHeat>* heat) {
+bool AuditRun::tick(const AuditTick& now, std::vector<FaceHeat>* heat) {
+    const auto& [level, scene, rides] = now;
     const AuditOptions& options = arena_->options;
     std::optional<HeatSink> sink;
     if (heat) sink.emplace(*heat, options.dt);
@@ -146,7 +148,7 @@ bool AuditRun::tick(const TickScene& level, const MovementScene& scene, std::vec
     life_hash_ = state_hash(state_, life_hash_);
     ++steps_;
     ++tick_;
-    check(level, scene, before, result, input);
+    check(now, before, result, input);
     if (heat) add_heat(*heat, scene, before, result.stepped, input);
 
     if (result.respawn == Respawn::hazard) {
@@ -196,9 +198,9 @@ void walk_side_by_side(const TickScene& level, const AuditArena& arena, std::spa
         if (walking.empty()) return;
         for (std::size_t tick = 0; !walking.empty(); ++tick) {
             const MovementScene scene = level.at(tick, arena.options.dt);
+            const AuditTick now{level, scene, rides_of(scene.platforms)};
             if (arena.stopped) return;
-            std::erase_if(walking,
-                          [&](AuditRun* run) { return !run->tick(level, scene, heat) || run->complete(); });
+            std::erase_if(walking, [&](AuditRun* run) { return !run->tick(now, heat) || run->complete(); });
         }
     }
 }

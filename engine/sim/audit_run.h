@@ -37,6 +37,13 @@ class StuckWatch {
     bool was_free_ = false;
 };
 
+// The level at a tick, for all walkers.
+struct AuditTick {
+    const TickScene& level;
+    MovementScene scene;
+    std::vector<Pose> rides;  // rides_of its platforms
+};
+
 class AuditRun {
   public:
     AuditRun(AuditArena& arena, const MovementSettings& settings, std::uint32_t number);
@@ -44,14 +51,14 @@ class AuditRun {
     bool complete() const { return steps_ == arena_->ticks; }
     // The next tick, in the scene that the level is at that time of the life. False if the life is over: the
     // next one begins with the level, at time 0. `heat` may be null.
-    bool tick(const TickScene& level, const MovementScene& scene, std::vector<FaceHeat>* heat);
+    bool tick(const AuditTick& now, std::vector<FaceHeat>* heat);
 
     void add_to(AuditReport& report) const;
 
   private:
     void begin_life();
-    void check(const TickScene& level, const MovementScene& scene, const PlayerState& before,
-               const TickResult& result, const PlayerInput& input);
+    void check(const AuditTick& now, const PlayerState& before, const TickResult& result,
+               const PlayerInput& input);
     void find(FindingKind kind, const Vec3& position, double amount, FaceId face);
     void add_heat(std::vector<FaceHeat>& heat, const MovementScene& scene, const PlayerState& before,
                   const PlayerState& after, const PlayerInput& input) const;

@@ -32,7 +32,7 @@ struct Wall {
 TEST(AuditChecks, ACentreOnTheOtherSideOfAWallPassedThroughIt) {
     const Wall wall;
     const PlayerInput input{.wish = {1.0, 0.0}};
-    const auto passed = passed_through(wall.scene(), wall.settings, Wall::standing_at(0.5, 0.0), input,
+    const auto passed = passed_through(wall.scene(), {}, wall.settings, Wall::standing_at(0.5, 0.0), input,
                                        1.0 / 60, Vec3(1.5, 0.902, 0.0));
     ASSERT_TRUE(passed);
     EXPECT_EQ(passed->face, 1u);
@@ -42,21 +42,21 @@ TEST(AuditChecks, ACentreOnTheOtherSideOfAWallPassedThroughIt) {
 TEST(AuditChecks, AStepBesideTheWallOrOverItIsFine) {
     const Wall wall;
     const PlayerInput input;
-    const auto beside = passed_through(wall.scene(), wall.settings, Wall::standing_at(0.5, 2.1), input,
+    const auto beside = passed_through(wall.scene(), {}, wall.settings, Wall::standing_at(0.5, 2.1), input,
                                        1.0 / 60, Vec3(1.5, 0.902, 2.1));
     EXPECT_FALSE(beside);
     // The straight line from the foot of the wall to its top's other side cuts it; the way over the top does
     // not.
     PlayerState low = Wall::standing_at(0.9, 0.0);
     low.position.y() = 2.6;
-    EXPECT_FALSE(passed_through(wall.scene(), wall.settings, low, input, 1.0 / 60, Vec3(1.1, 3.2, 0.0)));
+    EXPECT_FALSE(passed_through(wall.scene(), {}, wall.settings, low, input, 1.0 / 60, Vec3(1.1, 3.2, 0.0)));
 }
 
 TEST(AuditChecks, AFaceThatDoesNotBlockIsNoWall) {
     Wall wall;
     wall.world.set_face_surface(1, 2);
     wall.world.set_surface_rule(2, {.solid = true, .one_sided = true});
-    EXPECT_FALSE(passed_through(wall.scene(), wall.settings, Wall::standing_at(0.5, 0.0), {}, 1.0 / 60,
+    EXPECT_FALSE(passed_through(wall.scene(), {}, wall.settings, Wall::standing_at(0.5, 0.0), {}, 1.0 / 60,
                                 Vec3(1.5, 0.902, 0.0)));
     EXPECT_FALSE(overlaps_deeply(wall.scene(), wall.settings, Vec3(0.9, 1.5, 0.0)));
 }
@@ -105,8 +105,8 @@ struct MovingWall : Wall {
 TEST(AuditChecks, AWallThatMovedPastAPlayerPassedThroughHim) {
     const MovingWall wall;
     const auto check = [&](double from, double to, double z) {
-        return passed_through(wall.moving_scene(), wall.settings, Wall::standing_at(from, z), {}, 1.0 / 60,
-                              Vec3(to, 0.902, z));
+        return passed_through(wall.moving_scene(), rides_of(wall.moving_scene().platforms), wall.settings,
+                              Wall::standing_at(from, z), {}, 1.0 / 60, Vec3(to, 0.902, z));
     };
     const auto passed = check(0.0, 0.0, 0.0);
     ASSERT_TRUE(passed);
