@@ -1,12 +1,12 @@
 // slipface_characters LEVEL.obj...: one full step of a walking character, beside Bullet's
-// btKinematicCharacterController on the same level with the same inputs, in the same run; with and without a
-// trace; and many characters on threads.
+// btKinematicCharacterController on the same level with the same inputs, in turns, so that what slows the
+// machine slows both; with and without a trace; and many characters on threads. Each figure is the median
+// over the rounds of processor time, and each ratio the median of the rounds' own ratios.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <memory>
 
 #ifdef SLIPFACE_BULLET
@@ -18,30 +18,36 @@
 #include "slipface/base/parallel.h"
 #include "slipface/level/level_file.h"
 #include "slipface/level/level_scene.h"
+#include "timing.h"
 
-namespace slipface {
+namespace slipface::bench {
 namespace {
 
 constexpr double dt = 1.0 / 60.0;
-constexpr int ticks = 600;
+constexpr std::size_t ticks = 600;
+constexpr int rounds = 5;
+
+using Wishes = std::vector<std::vector<Vec2>>;  // [walker][tick]
 
 double seconds_now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Of this process: what one thread needs, however busy the machine is.
-double processor_seconds() {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
 // Headings that change twice a second; the same for every engine.
-Vec2 wish_of(std::uint64_t walker, int tick) {
-    std::uint64_t state =
-        (walker + 1) * 0x9e3779b97f4a7c15ULL + static_cast<std::uint64_t>(tick / 30) * 0xbf58476d1ce4e5b9ULL;
-    state ^= state >> 31;
-    state *= 0x94d049bb133111ebULL;
-    const double angle = static_cast<double>(state >> 40) / static_cast<double>(1 << 24) * 6.283185307179586;
-    return {std::cos(angle), std::sin(angle)};
+Wishes wishes_of(std::size_t walkers) {
+    Wishes wishes;
+    for (std::uint64_t walker = 0; walker < walkers; ++walker) {
+        std::vector<Vec2>& list = wishes.emplace_back();
+        for (std::uint64_t tick = 0; tick < ticks; ++tick) {
+            std::uint64_t state = (walker + 1) * 0x9e3779b97f4a7c15ULL + tick / 30 * 0xbf58476d1ce4e5b9ULL;
+            state ^= state >> 31;
+            state *= 0x94d049bb133111ebULL;
+            const double angle =
+                static_cast<double>(state >> 40) / static_cast<double>(1 << 24) * 6.283185307179586;
+            list.emplace_back(std::cos(angle), std::sin(angle));
+        }
+    }
+    return wishes;
 }
 
 MovementSettings every_hack() {
@@ -76,37 +82,36 @@ std::vector<Vec3> spawns(LevelScene& scene, const MovementSettings& s, std::size
 
 struct Timing {
     double step_us = 0.0;
-    double lost = 0.0;  // share that fell out of the level
+    double lost = 0.0;    // share that fell out of the level
+    double sweeps = 0.0;  // a step
 };
 
+// `sink` may be null.
 Timing time_steps(const MovementScene& scene, const MovementSettings& s, const std::vector<Vec3>& starts,
-                  bool traced) {
+                  const Wishes& wishes, TraceRecorder* sink) {
     const double floor = scene.collision.bounds().min.y() - 5.0;
     std::size_t lost = 0;
     double sweeps = 0.0;
-    TraceRecorder recorder;
-    const double begin = processor_seconds();
+    const double begin = seconds();
     for (std::size_t w = 0; w < starts.size(); ++w) {
         PlayerState state;
         state.position = starts[w];
-        for (int tick = 0; tick < ticks; ++tick) {
-            recorder.records.clear();
-            const StepResult result =
-                step(scene, s, state, {.wish = wish_of(w, tick)}, dt, traced ? &recorder : nullptr);
+        for (const Vec2& wish : wishes[w]) {
+            if (sink) sink->records.clear();
+            const StepResult result = step(scene, s, state, {.wish = wish}, dt, sink);
             state = result.state;
             sweeps += result.sweeps;
         }
         lost += state.position.y() < floor ? 1 : 0;
     }
-    const double count = static_cast<double>(starts.size()) * ticks;
-    fmt::print("    {:.2f} sweeps a step\n", sweeps / count);
-    return {(processor_seconds() - begin) / count * 1e6,
-            static_cast<double>(lost) / static_cast<double>(starts.size())};
+    const auto walkers = static_cast<double>(starts.size());
+    const double count = walkers * ticks;
+    return {(seconds() - begin) / count * 1e6, static_cast<double>(lost) / walkers, sweeps / count};
 }
 
 #ifdef SLIPFACE_BULLET
 Timing time_bullet(const Mesh& mesh, const MovementSettings& s, const std::vector<Vec3>& starts,
-                   bool capsule) {
+                   const Wishes& wishes, bool capsule) {
     std::vector<int> indices;
     for (const auto& triangle : mesh.triangles) {
         for (const std::uint32_t corner : triangle)
@@ -149,25 +154,26 @@ Timing time_bullet(const Mesh& mesh, const MovementSettings& s, const std::vecto
         const Vec3 p = starts[w];
         controller.warp(btVector3(static_cast<btScalar>(p.x()), static_cast<btScalar>(p.y()),
                                   static_cast<btScalar>(p.z())));
-        const double begin = processor_seconds();
-        for (int tick = 0; tick < ticks; ++tick) {
-            const Vec2 way = wish_of(w, tick) * s.walk_speed * dt;
+        const double begin = seconds();
+        for (const Vec2& wish : wishes[w]) {
+            const Vec2 way = wish * s.walk_speed * dt;
             controller.setWalkDirection(
                 btVector3(static_cast<btScalar>(way.x()), 0, static_cast<btScalar>(way.y())));
             controller.preStep(&world);
             controller.playerStep(&world, static_cast<btScalar>(dt));
         }
-        time += processor_seconds() - begin;
+        time += seconds() - begin;
         lost += static_cast<double>(ghost.getWorldTransform().getOrigin().y()) < floor ? 1 : 0;
     }
     world.removeCollisionObject(&ghost);
     world.removeCollisionObject(&level);
     const double count = static_cast<double>(starts.size()) * ticks;
-    return {time / count * 1e6, static_cast<double>(lost) / static_cast<double>(starts.size())};
+    return {time / count * 1e6, static_cast<double>(lost) / static_cast<double>(starts.size()), 0.0};
 }
 #endif
 
-void time_threads(const MovementScene& scene, const MovementSettings& s, const std::vector<Vec3>& starts) {
+void time_threads(const MovementScene& scene, const MovementSettings& s, const std::vector<Vec3>& starts,
+                  const Wishes& wishes) {
     double one = 0.0;
     for (const int threads : {1, 2, 4, 8}) {
         const ThreadLimit limit(threads);
@@ -177,8 +183,8 @@ void time_threads(const MovementScene& scene, const MovementSettings& s, const s
             for (std::size_t w = first; w < last; ++w) {
                 PlayerState state;
                 state.position = starts[w];
-                for (int tick = 0; tick < ticks; ++tick)
-                    state = step(scene, s, state, {.wish = wish_of(w, tick)}, dt).state;
+                for (const Vec2& wish : wishes[w])
+                    state = step(scene, s, state, {.wish = wish}, dt).state;
                 states[w] = state;
             }
         });
@@ -205,35 +211,51 @@ int run(const char* path) {
         MovementSettings plain = loaded->level.movement;
         all.radii = plain.radii = sphere ? Vec3(0.5, 0.5, 0.5) : Vec3(0.4, 0.9, 0.4);
         const std::vector<Vec3> starts = spawns(*built, all, 60);
+        const Wishes wishes = wishes_of(starts.size());
         fmt::print("  {}, {} walkers, {} ticks\n", sphere ? "sphere 0.5" : "ellipsoid 0.4 0.9 0.4",
                    starts.size(), ticks);
-        const Timing full = time_steps(scene, all, starts, false);
-        const Timing traced = time_steps(scene, all, starts, true);
-        const Timing few = time_steps(scene, plain, starts, false);
-        fmt::print(
-            "    every hack {:.3f} us a step ({:.2f} M/s), with a trace {:.3f}, the level's settings {:.3f}; "
-            "lost {:.1f} %\n",
-            full.step_us, 1.0 / full.step_us, traced.step_us, few.step_us, 100 * full.lost);
+        TraceRecorder recorder;
+        Timing full, bullet;
+        std::vector<double> fulls, traces, fews, bullets, trace_costs, ratios;
+        for (int round = 0; round <= rounds; ++round) {
+            full = time_steps(scene, all, starts, wishes, nullptr);
+            const Timing traced = time_steps(scene, all, starts, wishes, &recorder);
+            const Timing few = time_steps(scene, plain, starts, wishes, nullptr);
 #ifdef SLIPFACE_BULLET
-        const std::vector<Vec3> some(
-            starts.begin(),
-            starts.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(starts.size(), 20)));
-        const Timing bullet = time_bullet(*loaded->level.mesh, all, some, !sphere);
-        fmt::print("    Bullet, {} {:.2f} us a step, lost {:.1f} %: {:.1f} times\n",
-                   sphere ? "sphere" : "capsule", bullet.step_us, 100 * bullet.lost,
-                   bullet.step_us / full.step_us);
+            const std::size_t some = std::min<std::size_t>(starts.size(), 20);
+            bullet =
+                time_bullet(*loaded->level.mesh, all, {starts.data(), starts.data() + some}, wishes, !sphere);
 #endif
-        if (!sphere) time_threads(scene, all, starts);
+            if (round == 0) continue;  // warms the caches
+            fulls.push_back(full.step_us);
+            traces.push_back(traced.step_us);
+            fews.push_back(few.step_us);
+            bullets.push_back(bullet.step_us);
+            trace_costs.push_back(traced.step_us / full.step_us);
+            ratios.push_back(bullet.step_us / full.step_us);
+        }
+        fmt::print(
+            "    every hack {:.2f} us a step ({:.2f} M/s) of {:.2f} sweeps, with a trace {:.2f} ({:.2f} "
+            "times), "
+            "the level's settings {:.2f}; lost {:.1f} %\n",
+            median(fulls), 1.0 / median(fulls), full.sweeps, median(traces), median(trace_costs),
+            median(fews), 100 * full.lost);
+#ifdef SLIPFACE_BULLET
+        fmt::print("    Bullet, {} {:.2f} us a step, lost {:.1f} %: {:.1f} times\n",
+                   sphere ? "sphere" : "capsule", median(bullets), 100 * bullet.lost, median(ratios));
+#endif
+        if (!sphere) time_threads(scene, all, starts, wishes);
+        std::fflush(stdout);
     }
     return 0;
 }
 
 }  // namespace
-}  // namespace slipface
+}  // namespace slipface::bench
 
 int main(int count, char** arguments) {
     int failed = 0;
     for (int i = 1; i < count; ++i)
-        failed |= slipface::run(arguments[i]);
+        failed |= slipface::bench::run(arguments[i]);
     return failed;
 }

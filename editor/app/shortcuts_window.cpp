@@ -16,7 +16,8 @@ bool matches(const Editor& editor, const Command& command, const std::string& fi
     if (filter.empty()) return true;
     const std::string text = to_lower(std::string(command.label) + " " + command.search + " " + command.menu +
                                       " " + shortcut_text(editor, command));
-    for (const std::string_view word : split(to_lower(filter), ' '))
+    const std::string wanted = to_lower(filter);
+    for (const std::string_view word : split(wanted, ' '))
         if (text.find(word) == std::string::npos) return false;
     return true;
 }

@@ -36,20 +36,23 @@ class LeafFilter {
         return mask;
     }
 
-    // A time before which each triangle is not touched: by its own plane, and by the plane across the way
-    // from where the sphere is then to the nearest point of the border, a step of Newton's method for the
-    // touch. More than `limit` where nothing is touched up to it. A second step would spare few a look in
-    // double.
-    Lanes apart_until(float limit) const {
+    // A time before which each triangle is not touched: more than `limit` where nothing is touched up to it.
+    Lanes apart_until(float limit) const { return apart_by_border(apart_by_plane(limit), limit); }
+    // By its own plane.
+    Lanes apart_by_plane(float limit) const {
         const Lanes zero = Lanes::all(0.0F);
-        const Lanes end = Lanes::all(limit);
-        const Lanes slack = rounding(limit);
         const Lanes h = dot(n_, a_[0]);
         const Lanes speed = dot(n_, path_.d);
-        const Lanes t = apart_until(lanes_abs(h), lanes_pick(lanes_less(h, zero), zero - speed, speed),
-                                    dot(n_, n_), slack * size_of(e_[0]) * size_of(e_[1]));
-        const LaneVec u = border_way(lanes_min(t, end) * path_.d);
-        return lanes_max(apart_until(least_along(u), dot(u, path_.d), dot(u, u), slack * size_of(u)), t);
+        return apart_until(lanes_abs(h), lanes_pick(lanes_less(h, zero), zero - speed, speed), dot(n_, n_),
+                           rounding(limit) * size_of(e_[0]) * size_of(e_[1]));
+    }
+    // By the plane across the way from where the sphere is at `t`, when it touches nothing yet, to the
+    // nearest point of the border, a step of Newton's method for the touch; at least `t`. A second step would
+    // spare few a look in double.
+    Lanes apart_by_border(Lanes t, float limit) const {
+        const LaneVec u = border_way(lanes_min(t, Lanes::all(limit)) * path_.d);
+        return lanes_max(
+            apart_until(least_along(u), dot(u, path_.d), dot(u, u), rounding(limit) * size_of(u)), t);
     }
 
     // Those that a sphere of that radius does not touch at rest.

@@ -83,7 +83,11 @@ std::uint32_t near_sweep_kernel(const NearTriangles& near, float clear_limit, co
         for (int row = 0; row < 9; ++row)
             v[row] = Lanes::load(near.corner[row] + first);
         const LeafFilter filter(sphere, v);
-        const Lanes after = filter.apart_until(limit);
+        // Along the ground nothing gets past the planes.
+        const Lanes plane = filter.apart_by_plane(limit);
+        mask &= ~lanes_above(plane, Lanes::all(limit));
+        if (mask == 0) continue;
+        const Lanes after = filter.apart_by_border(plane, limit);
         mask &= ~filter.apart_beside(limit) & ~lanes_above(after, Lanes::all(limit));
         alignas(32) float times[8];
         after.store(times);

