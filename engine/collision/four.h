@@ -17,6 +17,7 @@ struct Four {
 
     static Four all(float value) { return {_mm_set1_ps(value)}; }
     static Four load(const float* from) { return {_mm_loadu_ps(from)}; }
+    static Four of(float a, float b, float c) { return {_mm_setr_ps(a, b, c, 0.0F)}; }
     void store(float* to) const { _mm_storeu_ps(to, v); }
     void store_truncated(std::int32_t* to) const {
         _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm_cvttps_epi32(v));
@@ -65,6 +66,7 @@ struct Four {
     static Four all(float value) { return {{value, value, value, value}}; }
     // Three numbers and four bytes of anything.
     static Four load(const float* from) { return {{from[0], from[1], from[2], from[3]}}; }
+    static Four of(float a, float b, float c) { return {{a, b, c, 0.0F}}; }
     void store(float* to) const {
         for (int k = 0; k < 4; ++k)
             to[k] = v[k];

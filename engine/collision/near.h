@@ -12,9 +12,8 @@ namespace slipface::detail {
 inline LeafTriangle near_triangle(const NearTriangles& near, std::uint32_t place) {
     LeafTriangle triangle;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (std::size_t k = 0; k < 3; ++k)
-            triangle.at[axis][k] = near.corner[3 * k + axis][place];
-        triangle.at[axis][3] = 0.0F;
+        Four::of(near.corner[axis][place], near.corner[3 + axis][place], near.corner[6 + axis][place])
+            .store(triangle.at[axis]);
     }
     triangle.id = near.id[place];
     return triangle;

@@ -12,11 +12,11 @@ using namespace detail;
 // changes exactly its sign with the edge's direction, so neighbours agree about a ray through their border;
 // zero counts as inside for both.
 struct ShearedRay {
-    V3 origin;
     int kx, ky, kz;
     double sx, sy, sz;
+    double origin[3];
 
-    ShearedRay(const V3& start, const V3& direction) : origin(start) {
+    ShearedRay(const V3& start, const V3& direction) : origin{start.x, start.y, start.z} {
         const double d[3] = {direction.x, direction.y, direction.z};
         kz = 0;
         for (int axis = 1; axis < 3; ++axis) {
@@ -29,10 +29,13 @@ struct ShearedRay {
         sz = 1.0 / d[kz];
     }
 
-    V3 shear(const V3& world) const {
-        const V3 r = world - origin;
-        const double c[3] = {r.x, r.y, r.z};
-        return {c[kx] - sx * c[kz], c[ky] - sy * c[kz], sz * c[kz]};
+    // The corners.
+    Threes shear(const LeafTriangle& triangle) const {
+        const auto along = [&](int axis) {
+            return Three(Four::load(triangle.at[axis])) - Three::all(origin[axis]);
+        };
+        const Three z = along(kz);
+        return {along(kx) - Three::all(sx) * z, along(ky) - Three::all(sy) * z, Three::all(sz) * z};
     }
 };
 
@@ -47,44 +50,38 @@ constexpr double in_line = 0x1p-40;
 
 // Whether the ray passes between the ends of the longest edge. A needle's two long sides part too little to
 // say where it ends. The slack is for rays through a corner, which all triangles around it must see alike.
-bool between_ends(const ShearedRay& ray, const LeafTriangle& triangle, const V3& a, const V3& b,
-                  const V3& c) {
-    const V3 corner[3] = {a, b, c};
-    double longest = -1.0;
-    double place = 0.0;  // along that edge, times its length
+bool between_ends(const ShearedRay& ray, const LeafTriangle& triangle, const Threes& sheared) {
+    const Threes edge = sheared.next() - sheared;
+    double square[4], place[4];  // of each edge: the length's square; how far along it the ray is, times that
+    (edge.x * edge.x + edge.y * edge.y).store(square);
+    (-(sheared.x * edge.x + sheared.y * edge.y)).store(place);
+    int longest = square[1] > square[0] ? 1 : 0;
+    if (square[2] > square[longest]) longest = 2;
+    if (place[longest] >= 0.0 && place[longest] <= square[longest]) return true;
     double away = 0.0;
-    for (int k = 0; k < 3; ++k) {
-        const V3& from = corner[k];
-        const V3& to = corner[k == 2 ? 0 : k + 1];
-        const double x = to.x - from.x;
-        const double y = to.y - from.y;
-        if (const double square = x * x + y * y; square > longest) {
-            longest = square;
-            place = -(from.x * x + from.y * y);
-        }
-        away = larger(away, largest(triangle.corner(k) - ray.origin));
+    for (int axis = 0; axis < 3; ++axis) {
+        const Three way = Three(Four::load(triangle.at[axis])) - Three::all(ray.origin[axis]);
+        away = larger(away, largest(way.vec()));
     }
-    const double slack = 4e-15 * away * std::sqrt(longest);
-    return place >= -slack && place <= longest + slack;
+    const double slack = 4e-15 * away * std::sqrt(square[longest]);
+    return place[longest] >= -slack && place[longest] <= square[longest] + slack;
 }
 
 bool meet(const ShearedRay& ray, const LeafTriangle& triangle, RayTouch& touch) {
-    const V3 a = ray.shear(triangle.corner(0));
-    const V3 b = ray.shear(triangle.corner(1));
-    const V3 c = ray.shear(triangle.corner(2));
-    const double products[6] = {c.x * b.y, c.y * b.x, a.x * c.y, a.y * c.x, b.x * a.y, b.y * a.x};
-    const double u = products[0] - products[1];
-    const double v = products[2] - products[3];
-    const double w = products[4] - products[5];
-    if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)) return false;
-    const double determinant = u + v + w;
+    const Threes corners = ray.shear(triangle);
+    const Threes second = corners.next(), third = second.next();
+    // The edge functions of the sides opposite to each corner.
+    const Three left = third.x * second.y, right = third.y * second.x;
+    const Three side = left - right;
+    const Three zero = Three::all(0.0);
+    if (any_less(side, zero) && any_less(zero, side)) return false;
+    const double determinant = side.sum();
     // The ray lies in the triangle's plane: its neighbours or nothing stop it.
-    double size = 0.0;
-    for (const double product : products)
-        size += std::fabs(product);
-    if (!(std::fabs(determinant) > in_line * size) || !between_ends(ray, triangle, a, b, c)) return false;
-    touch.weights = {u / determinant, v / determinant, w / determinant};
-    touch.t = touch.weights.x * a.z + touch.weights.y * b.z + touch.weights.z * c.z;
+    const double size = (left.abs() + right.abs()).sum();
+    if (!(std::fabs(determinant) > in_line * size) || !between_ends(ray, triangle, corners)) return false;
+    const Three weights = side / Three::all(determinant);
+    touch.weights = weights.vec();
+    touch.t = (weights * corners.z).sum();
     return touch.t >= 0.0;
 }
 
@@ -110,11 +107,11 @@ float consider_lane(void* context, const Leaf& leaf, std::uint32_t lane) {
     return time_limit(search.touch.t);
 }
 
-RayPath ray_path(const ShearedRay& ray, const V3& direction, double reach) {
+RayPath ray_path(const ShearedRay& ray, const V3& origin, const V3& direction, double reach) {
     RayPath path;
     const double half = 1e-14 * reach;
-    path.box = box_path(Three(ray.origin), Three(direction), Three::all(half));
-    split(Three(ray.origin), Three::all(1.0), path.centre, path.rest);
+    path.box = box_path(Three(origin), Three(direction), Three::all(half));
+    split(Three(origin), Three::all(1.0), path.centre, path.rest);
     path.kx = ray.kx;
     path.ky = ray.ky;
     path.kz = ray.kz;
@@ -147,8 +144,8 @@ std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, 
     Search search{impl, ray, {exponent == 0 ? max_t : std::ldexp(max_t, exponent), {0.0, 0.0, 0.0}}};
     const double reach = larger(largest(start), impl.reach);
     if (reach <= float_range) {
-        kernels().ray(impl.bvh.view(), ray_path(ray, d, reach), time_limit(search.touch.t), consider_lane,
-                      &search);
+        kernels().ray(impl.bvh.view(), ray_path(ray, start, d, reach), time_limit(search.touch.t),
+                      consider_lane, &search);
     } else {
         for (TriangleId id = 0; id < impl.triangle_count(); ++id)
             search.consider(impl.bvh.triangle(id));
