@@ -244,9 +244,8 @@ int run(const char* path) {
             ratios.push_back(bullet.step_us / full.step_us);
         }
         fmt::print(
-            "    every hack {:.2f} us a step ({:.2f} M/s) of {:.2f} sweeps, with a trace {:.2f} ({:.2f} "
-            "times), "
-            "the level's settings {:.2f}; {:.1f} falls a walker\n",
+            "    every hack {:.2f} us a step ({:.2f} M/s) of {:.2f} sweeps, with a trace {:.2f} "
+            "({:.2f} times), the level's settings {:.2f}; {:.1f} falls a walker\n",
             median(fulls), 1.0 / median(fulls), full.sweeps, median(traces), median(trace_costs),
             median(fews), full.falls);
 #ifdef SLIPFACE_BULLET

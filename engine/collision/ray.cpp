@@ -29,13 +29,14 @@ struct ShearedRay {
         sz = 1.0 / d[kz];
     }
 
-    // The corners.
+    // The corners from the origin, along an axis of the world.
+    Three along(int axis, const LeafTriangle& triangle) const {
+        return Three(Four::load(triangle.at[axis])) - Three::all(origin[axis]);
+    }
     Threes shear(const LeafTriangle& triangle) const {
-        const auto along = [&](int axis) {
-            return Three(Four::load(triangle.at[axis])) - Three::all(origin[axis]);
-        };
-        const Three z = along(kz);
-        return {along(kx) - Three::all(sx) * z, along(ky) - Three::all(sy) * z, Three::all(sz) * z};
+        const Three z = along(kz, triangle);
+        return {along(kx, triangle) - Three::all(sx) * z, along(ky, triangle) - Three::all(sy) * z,
+                Three::all(sz) * z};
     }
 };
 
@@ -59,10 +60,8 @@ bool between_ends(const ShearedRay& ray, const LeafTriangle& triangle, const Thr
     if (square[2] > square[longest]) longest = 2;
     if (place[longest] >= 0.0 && place[longest] <= square[longest]) return true;
     double away = 0.0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const Three way = Three(Four::load(triangle.at[axis])) - Three::all(ray.origin[axis]);
-        away = larger(away, largest(way.vec()));
-    }
+    for (int axis = 0; axis < 3; ++axis)
+        away = larger(away, largest(ray.along(axis, triangle).vec()));
     const double slack = 4e-15 * away * std::sqrt(square[longest]);
     return place[longest] >= -slack && place[longest] <= square[longest] + slack;
 }

@@ -40,7 +40,7 @@ class StuckWatch {
 // The level at a tick, for all walkers.
 struct AuditTick {
     const TickScene& level;
-    MovementScene scene;
+    const MovementScene& scene;
     std::vector<Pose> rides;  // rides_of its platforms
 };
 

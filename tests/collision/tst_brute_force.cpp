@@ -18,7 +18,8 @@ struct Scene {
     const char* name;
     Soup soup;
     Vec3 middle;
-    double half;  // where queries start
+    double half;           // where queries start
+    bool crowded = false;  // boxes of triangles are everywhere: no neighbourhood is empty
 };
 
 std::vector<Scene> scenes_to_try() {
@@ -58,7 +59,7 @@ std::vector<Scene> scenes_to_try() {
         const Vec3 far = tip + random.uniform(1, 60) * random.direction();
         needles.add(tip, far, far + random.uniform(1e-4, 2e-2) * random.direction());
     }
-    list.push_back({"needles", needles, Vec3::Zero(), 6});
+    list.push_back({"needles", needles, Vec3::Zero(), 6, true});
     return list;
 }
 
@@ -91,7 +92,6 @@ std::ptrdiff_t expect_same_in_a_batch(const CollisionWorld& world, std::span<con
 }
 
 TEST_F(BruteForceAgreement, SweepsRaysPointsAndOverlaps) {
-    int empty = 0;
     for (const Scene& scene : scenes_to_try()) {
         SCOPED_TRACE(scene.name);
         const CollisionWorld world = scene.soup.world();
@@ -99,6 +99,7 @@ TEST_F(BruteForceAgreement, SweepsRaysPointsAndOverlaps) {
         Random random(12);
         int hits = 0;
         int stayed = 0;
+        int empty = 0;
         std::vector<Sweep> sweeps;
         for (int i = 0; i < 400; ++i) {
             Vec3 from = scene.middle + random.in_box(scene.half);
@@ -155,10 +156,10 @@ TEST_F(BruteForceAgreement, SweepsRaysPointsAndOverlaps) {
         }
         EXPECT_GT(hits, 20);
         EXPECT_GT(stayed, 50);
+        EXPECT_TRUE(scene.crowded || empty > 10) << empty;
         EXPECT_LT(hits, 400);
         EXPECT_EQ(expect_same_in_a_batch(world, sweeps), hits);
     }
-    EXPECT_GT(empty, 100);
 }
 
 // Found by a fuzzer: nearer to the corner of one triangle than a double tells from another's plane.

@@ -14,6 +14,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// For one file, twice; what takes longer hangs. The address sanitizer slows the longest to 6 s.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr double longest_s = 60.0;
+#else
+constexpr double longest_s = 5.0;
+#endif
+
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 0 -1\nv 0 0 -1\n";
 const std::string good_obj = square + "usemtl a\nf 1 2 3 4\n";
 
@@ -194,7 +201,7 @@ TEST_F(BadFiles, EachIsRefusedInADialogAndTheOpenLevelStaysAsItIs) {
         ASSERT_EQ(run("open " + bad.open), "");
         expect_dialog(bad);
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-        EXPECT_LT(took.count(), 60.0) << "a hang; under sanitizers the slowest takes 6 s";
+        EXPECT_LT(took.count(), longest_s);
         EXPECT_EQ(kept(document()), before);
         EXPECT_FALSE(fs::exists(level_file)) << "nothing was saved that nobody asked for";
         for (const char* name : {"bad.obj", "bad.slipface.json"})
