@@ -1,63 +1,30 @@
-// Top-down construction by binned surface area heuristic (I. Wald, "On fast construction of SAH-based
-// bounding volume hierarchies", 2007): a range of triangles is split in two until there are eight children,
-// opening the largest first, and each child goes on as a task of its own. Then places in memory are given out
-// in one order, and nodes and leaves are written in parallel. No step depends on which task came first.
+// Top-down construction: a range of triangles is split in two until there are eight children, opening the
+// largest first, and each child goes on as a task of its own. Then places in memory are given out in one
+// order, and nodes and leaves are written in parallel. No step depends on which task came first.
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <memory>
 
 #include "bvh.h"
-#include "four.h"
+#include "bvh_cells.h"
+#include "bvh_split.h"
 #include "slipface/base/parallel.h"
 
 namespace slipface::detail {
 namespace {
 
-constexpr float inf = std::numeric_limits<float>::infinity();
 constexpr std::uint32_t parallel_grain = 4096;
-
-// x, y, z; the fourth number means nothing.
-struct Box {
-    Four min = Four::all(inf);
-    Four max = Four::all(-inf);
-
-    void add(const Box& other) {
-        min = four_min(min, other.min);
-        max = four_max(max, other.max);
-    }
-    // Half the surface; not finite where floats overflow, 0 for an empty box.
-    float area() const {
-        alignas(16) float d[4];
-        (max - min).store(d);
-        return d[0] >= 0.0F ? d[0] * d[1] + d[1] * d[2] + d[2] * d[0] : 0.0F;
-    }
-};
-
-struct alignas(16) Item {
-    float min[3];
-    std::uint32_t triangle;
-    float max[3];
-    std::uint32_t body;
-
-    // The fourth number is an integer's bits, which must not meet arithmetic: it could be a denormal, and
-    // slow.
-    Box box() const { return {Four::load(min).first_three(), Four::load(max).first_three()}; }
-    // Half of the sum would overflow for the largest floats if it were summed first.
-    Four centre() const {
-        const Four half = Four::all(0.5F);
-        return half * Four::load(min).first_three() + half * Four::load(max).first_three();
-    }
-};
+constexpr std::uint32_t cells_from = 8192;  // triangles
 
 struct Range {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
     int depth = 0;       // of the binary tree
-    Box box;             // of the items
-    Box centres;         // of their centres
     bool mixed = false;  // more than one body
+    // Where its items still lie sorted by cell, and not in their place: the cells, at least cells_worth_it.
+    std::span<Cell> cells;
+    Box box;      // of the items
+    Box centres;  // of the items' centres, or the cells'
 };
 
 struct Node;
@@ -74,50 +41,25 @@ struct Node {
     std::uint32_t parent = 0;
 };
 
-std::uint32_t blocks(std::uint32_t count) {
-    return (count + leaf_capacity - 1) / leaf_capacity;
-}
-
-constexpr std::size_t max_bins = 16;
-struct Binning {
-    Four origin;
-    Four scale;  // 0 for an axis along which centres do not differ
-    int bins;
-
-    Binning(const Box& centres, std::uint32_t count) : origin(centres.min), bins(count < 96 ? 8 : 16) {
-        alignas(16) float size[4];
-        (centres.max - centres.min).first_three().store(size);
-        alignas(16) float factor[4] = {};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const float quotient = static_cast<float>(bins) / size[axis];
-            factor[axis] = quotient > 0.0F && std::isfinite(quotient) ? quotient : 0.0F;
-        }
-        scale = Four::load(factor);
-    }
-    Four place(const Item& item) const {
-        return four_min(four_max((item.centre() - origin) * scale, Four::all(0.0F)),
-                        Four::all(static_cast<float>(bins - 1)));
-    }
-    bool usable(std::size_t axis) const {
-        alignas(16) float factor[4];
-        scale.store(factor);
-        return factor[axis] > 0.0F;
-    }
-};
-
-struct Split {
-    std::size_t axis = 0;
-    int bin = 0;  // items of this bin and above go right
-    float cost = inf;
-};
-
 class Builder {
   public:
-    Builder(Item* items, std::span<const std::array<std::uint32_t, 3>> triangles)
-        : items_(items), triangles_(triangles) {}
+    Builder(std::span<Item> items, std::span<const std::array<std::uint32_t, 3>> triangles)
+        : items_(items), triangles_(triangles) {
+        if (items.size() >= cells_from) by_cell_ = std::make_unique_for_overwrite<Item[]>(items.size());
+    }
 
     // The tree over a range of more than leaf_capacity triangles, or the root over any.
-    std::unique_ptr<Node> build(const Range& root) {
+    std::unique_ptr<Node> build(Range root) {
+        std::vector<Cell> cells;
+        if (root.count >= cells_from && !root.mixed && root.cells.empty()) {
+            cells = sort_into_cells(items_of(root), root.centres, {&by_cell_[root.first], root.count});
+            if (!cells.empty()) root.centres = Box();
+            for (Cell& cell : cells) {
+                cell.first += root.first;
+                root.centres.add(centre_of(cell));
+            }
+            root.cells = cells;
+        }
         auto node = std::make_unique<Node>();
         node->children[0].range = root;
         node->count = 1;
@@ -161,17 +103,20 @@ class Builder {
         range.box = Box();
         range.centres = Box();
         range.mixed = false;
-        for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
-            range.box.add(items_[i].box());
-            const Four centre = items_[i].centre();
-            range.centres.add({centre, centre});
-            range.mixed = range.mixed || items_[i].body != items_[range.first].body;
+        for (const Item& item : items_of(range)) {
+            range.box.add(box_of(item));
+            range.centres.add(centre_of(item));
+            range.mixed = range.mixed || item.body != items_[range.first].body;
         }
     }
 
   private:
+    std::span<Item> items_of(const Range& range) const { return items_.subspan(range.first, range.count); }
+
     // A leaf is tested eight at a time, so one that is not full saves nothing.
-    static bool is_leaf(const Range& range) { return range.count <= leaf_capacity && !range.mixed; }
+    static bool is_leaf(const Range& range) {
+        return range.count <= leaf_capacity && !range.mixed && range.cells.empty();
+    }
 
     // Two leaves side by side become one if that makes it less likely that a query looks at one of them.
     static void join_leaves(Node& node) {
@@ -197,25 +142,17 @@ class Builder {
     }
 
     // Parts the items of a range; returns the left part.
-    Range divide(const Range& range, Range& right) {
-        std::uint32_t left_count = 0;
+    Range divide(Range range, Range& right) {
         Range left;
-        if (range.mixed) {
-            left_count = part_bodies(range);
-        } else if (range.depth < cost_split_depth) {
-            const Binning bins(range.centres, range.count);
-            const Split best = best_split(range, bins);
-            if (best.cost < inf) {
-                part(range, bins, best, left, right);
-                left.depth = right.depth = range.depth + 1;
-                return left;
-            }
+        if (!range.cells.empty()) {
+            if (divide_by_cost(range, range.cells, left, right)) return left;
+            put_in_place(range);
         }
-        if (left_count == 0) left_count = halve(range);
+        if (!range.mixed && divide_by_cost(range, items_of(range), left, right)) return left;
         left.first = range.first;
-        left.count = left_count;
-        right.first = range.first + left_count;
-        right.count = range.count - left_count;
+        left.count = range.mixed ? part_bodies(range) : halve(range);
+        right.first = range.first + left.count;
+        right.count = range.count - left.count;
         measure(left);
         measure(right);
         // Halvings of bodies do not count against the splits by cost below them.
@@ -223,73 +160,43 @@ class Builder {
         return left;
     }
 
-    Split best_split(const Range& range, const Binning& bins) const {
-        struct Bin {
-            Box box;
-            std::uint32_t count = 0;
+    // `list`: the range's items or its cells.
+    template <class Boxed>
+    bool divide_by_cost(const Range& range, std::span<Boxed> list, Range& left, Range& right) {
+        if (range.depth >= cost_split_depth) return false;
+        const Grid grid = bin_grid(range.centres, list.size());
+        const Split split = best_split(std::span<const Boxed>(list), grid);
+        if (!(split.cost < std::numeric_limits<float>::infinity())) return false;
+        const auto sides = part(list, grid, split);
+        const auto fill = [&](Range& half, const Side& side, const Box& box, std::uint32_t first) {
+            half = Range();
+            half.first = first;
+            half.count = side.weight;
+            half.depth = range.depth + 1;
+            half.box = box;
+            half.centres = side.centres;
         };
-        std::array<std::array<Bin, max_bins>, 3> table;
-        for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
-            const Box box = items_[i].box();
-            alignas(16) std::int32_t place[4];
-            bins.place(items_[i]).store_truncated(place);
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                Bin& bin = table[axis][static_cast<std::size_t>(place[axis])];
-                bin.box.add(box);
-                ++bin.count;
-            }
+        fill(left, sides.first, split.left, range.first);
+        fill(right, sides.second, split.right, range.first + left.count);
+        if constexpr (std::is_same_v<Boxed, Cell>) {
+            take_cells(left, list.first(sides.first.size));
+            take_cells(right, list.last(sides.second.size));
         }
-        Split best;
-        const auto used = static_cast<std::size_t>(bins.bins);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            if (!bins.usable(axis)) continue;
-            std::array<float, max_bins> right_cost{};
-            Box box;
-            std::uint32_t count = 0;
-            for (std::size_t bin = used - 1; bin > 0; --bin) {
-                box.add(table[axis][bin].box);
-                count += table[axis][bin].count;
-                right_cost[bin] = box.area() * static_cast<float>(blocks(count));
-            }
-            box = Box();
-            count = 0;
-            for (std::size_t bin = 1; bin < used; ++bin) {
-                box.add(table[axis][bin - 1].box);
-                count += table[axis][bin - 1].count;
-                const float cost = box.area() * static_cast<float>(blocks(count)) + right_cost[bin];
-                if (count > 0 && count < range.count && cost < best.cost) {
-                    best = {axis, static_cast<int>(bin), cost};
-                }
-            }
-        }
-        return best;
+        return true;
     }
 
-    void part(const Range& range, const Binning& bins, const Split& split, Range& left, Range& right) {
-        const auto goes_left = [&](const Item& item) {
-            alignas(16) std::int32_t place[4];
-            bins.place(item).store_truncated(place);
-            return place[split.axis] < split.bin;
-        };
-        const auto take = [](Range& side, const Item& item) {
-            const Four centre = item.centre();
-            side.box.add(item.box());
-            side.centres.add({centre, centre});
-            ++side.count;
-        };
-        left = right = Range();
-        std::uint32_t low = range.first;
-        std::uint32_t high = range.first + range.count;
-        while (true) {
-            while (low < high && goes_left(items_[low]))
-                take(left, items_[low++]);
-            while (low < high && !goes_left(items_[high - 1]))
-                take(right, items_[--high]);
-            if (low >= high) break;
-            std::swap(items_[low], items_[high - 1]);
-        }
-        left.first = range.first;
-        right.first = low;
+    void take_cells(Range& range, std::span<Cell> cells) {
+        range.cells = cells;
+        if (cells.size() < cells_worth_it) put_in_place(range);
+    }
+
+    // Brings the items of a range together out of its cells.
+    void put_in_place(Range& range) {
+        Item* to = &items_[range.first];
+        for (const Cell& cell : range.cells)
+            to = std::copy_n(&by_cell_[cell.first], cell.count, to);
+        range.cells = {};
+        measure(range);
     }
 
     std::uint32_t halve(const Range& range) {
@@ -299,7 +206,7 @@ class Builder {
         for (std::size_t i = 1; i < 3; ++i) {
             if (size[i] > size[axis]) axis = i;
         }
-        Item* begin = items_ + range.first;
+        Item* begin = &items_[range.first];
         const std::uint32_t half = range.count / 2;
         std::nth_element(begin, begin + half, begin + range.count, [axis](const Item& a, const Item& b) {
             const float ca = 0.5F * a.min[axis] + 0.5F * a.max[axis];
@@ -311,7 +218,7 @@ class Builder {
 
     // Sorts by body, and cuts between bodies near the middle of their number.
     std::uint32_t part_bodies(const Range& range) {
-        Item* begin = items_ + range.first;
+        Item* begin = &items_[range.first];
         Item* end = begin + range.count;
         const auto by_body = [](const Item& a, const Item& b) {
             return a.body < b.body || (a.body == b.body && a.triangle < b.triangle);
@@ -326,7 +233,7 @@ class Builder {
 
     // Brings a leaf's triangles into order and counts their vertices.
     std::uint32_t sort_leaf(const Range& range) {
-        Item* begin = items_ + range.first;
+        Item* begin = &items_[range.first];
         std::sort(begin, begin + range.count,
                   [](const Item& a, const Item& b) { return a.triangle < b.triangle; });
         std::array<std::uint32_t, 3 * leaf_capacity> seen;
@@ -340,8 +247,9 @@ class Builder {
         return count;
     }
 
-    Item* items_;
+    std::span<Item> items_;
     std::span<const std::array<std::uint32_t, 3>> triangles_;
+    std::unique_ptr<Item[]> by_cell_;  // a range's place here is that of its items
 };
 
 // Gives out places: nodes before the nodes below them, leaves in the order in which a walk meets them.
@@ -456,7 +364,7 @@ Bvh build_bvh(std::span<const Vec3f> positions, std::span<const std::array<std::
             items[i].body = bodies.empty() ? 0 : bodies[i];
         }
     });
-    Builder builder(items.get(), triangles);
+    Builder builder({items.get(), count}, triangles);
     Range all;
     all.count = count;
     builder.measure(all);

@@ -2,6 +2,7 @@
 // without SIMD.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #if defined(__SSE2__)
@@ -21,6 +22,13 @@ struct Four {
     void store(float* to) const { _mm_storeu_ps(to, v); }
     void store_truncated(std::int32_t* to) const {
         _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm_cvttps_epi32(v));
+    }
+    // Of the first three, which are at least 0 and fit.
+    std::array<std::uint32_t, 3> truncated() const {
+        const __m128i whole = _mm_cvttps_epi32(v);
+        return {static_cast<std::uint32_t>(_mm_cvtsi128_si32(whole)),
+                static_cast<std::uint32_t>(_mm_cvtsi128_si32(_mm_shuffle_epi32(whole, 1))),
+                static_cast<std::uint32_t>(_mm_cvtsi128_si32(_mm_shuffle_epi32(whole, 2)))};
     }
     // The fourth becomes 0.
     Four first_three() const { return {_mm_and_ps(v, _mm_castsi128_ps(_mm_setr_epi32(-1, -1, -1, 0)))}; }
@@ -57,6 +65,13 @@ inline Four four_min(Four a, Four b) {
 inline Four four_max(Four a, Four b) {
     return {_mm_max_ps(a.v, b.v)};
 }
+// The first numbers of the three, then their second, then their third.
+inline std::array<Four, 3> transposed(Four a, Four b, Four c) {
+    const __m128 low = _mm_unpacklo_ps(a.v, b.v);
+    const __m128 high = _mm_unpackhi_ps(a.v, b.v);
+    return {Four{_mm_movelh_ps(low, c.v)}, Four{_mm_shuffle_ps(low, c.v, _MM_SHUFFLE(1, 1, 3, 2))},
+            Four{_mm_shuffle_ps(high, c.v, _MM_SHUFFLE(2, 2, 1, 0))}};
+}
 
 #else
 
@@ -74,6 +89,10 @@ struct Four {
     void store_truncated(std::int32_t* to) const {
         for (int k = 0; k < 3; ++k)
             to[k] = static_cast<std::int32_t>(v[k]);
+    }
+    std::array<std::uint32_t, 3> truncated() const {
+        return {static_cast<std::uint32_t>(v[0]), static_cast<std::uint32_t>(v[1]),
+                static_cast<std::uint32_t>(v[2])};
     }
     Four first_three() const { return {{v[0], v[1], v[2], 0.0F}}; }
 };
@@ -122,6 +141,10 @@ inline Four four_max(Four a, Four b) {
     for (int k = 0; k < 4; ++k)
         out.v[k] = a.v[k] > b.v[k] ? a.v[k] : b.v[k];
     return out;
+}
+inline std::array<Four, 3> transposed(Four a, Four b, Four c) {
+    return {Four::of(a.v[0], b.v[0], c.v[0]), Four::of(a.v[1], b.v[1], c.v[1]),
+            Four::of(a.v[2], b.v[2], c.v[2])};
 }
 
 #endif

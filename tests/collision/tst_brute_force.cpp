@@ -1,6 +1,5 @@
 // The tree must not change any answer: worlds of many triangles against worlds of one, bit for bit.
 #include <gtest/gtest.h>
-#include <tbb/task_arena.h>
 
 #include "brute_force.h"
 #include "slipface/collision/neighbourhood.h"
@@ -240,18 +239,6 @@ TEST_F(BruteForceAgreement, BatchesWithQueriesOfEveryKind) {
 TEST_F(BruteForceAgreement, RefusesAnUnknownPath) {
     EXPECT_FALSE(set_simd_path("mmx"));
     EXPECT_EQ(simd_paths().front(), "baseline");
-}
-
-// The tree's shape is not to be seen from outside but by its statistics and the order of equal work.
-TEST(BuildAgreement, AnyNumberOfThreadsBuildsTheSameTree) {
-    Random random(16);
-    const Soup soup = scenes::terrain(random, 90, 1);
-    const BvhStatistics all = soup.world().statistics();
-    const BvhStatistics one = tbb::task_arena(1).execute([&] { return soup.world().statistics(); });
-    EXPECT_EQ(all.nodes, one.nodes);
-    EXPECT_EQ(all.depth, one.depth);
-    EXPECT_EQ(all.bytes, one.bytes);
-    EXPECT_LE(static_cast<double>(all.bytes) / static_cast<double>(all.triangles), 48.0);
 }
 
 TEST_F(BruteForceAgreement, TrianglesInBoxes) {
