@@ -8,18 +8,10 @@
 
 #include "bvh_layout.h"
 #include "four.h"
+#include "leaf_triangle.h"
 #include "slipface/base/types.h"
-#include "vec.h"
 
 namespace slipface::detail {
-
-// One triangle taken out of a leaf.
-struct LeafTriangle {
-    float at[3][4];  // [axis][corner]; the fourth means nothing
-    TriangleId id;
-
-    V3 corner(int k) const { return {double{at[0][k]}, double{at[1][k]}, double{at[2][k]}}; }
-};
 
 inline const float* leaf_coordinates(const Leaf& leaf) {
     return reinterpret_cast<const float*>(&leaf + 1);

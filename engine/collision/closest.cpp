@@ -1,6 +1,6 @@
 #include "impl.h"
+#include "kernels.h"
 #include "paths.h"
-#include "sphere_triangle.h"
 
 namespace slipface {
 namespace {
@@ -16,7 +16,7 @@ struct Search {
     LeafTriangle triangle{{}, no_id};
 
     void consider(const LeafTriangle& leaf) {
-        const Nearest other = nearest_part(SphereTriangle(leaf, query));
+        const Nearest other = kernels().nearest_part(leaf, query);
         if (!(other.distance2 < distance2 || (other.distance2 == distance2 && leaf.id < triangle.id))) return;
         if (!world.rule_of(leaf.id).solid) return;
         nearest = other;
@@ -45,8 +45,8 @@ std::optional<ClosestPoint> closest_point(const CollisionWorld& world, const Vec
                                           double max_distance) {
     const CollisionWorld::Impl& impl = world.impl();
     if (impl.bvh.nodes.empty() || !point.allFinite() || !(max_distance >= 0.0)) return std::nullopt;
-    const EllipsoidQuery query(v3(point), V3{1.0, 1.0, 1.0}, V3{0.0, 0.0, 0.0});
-    const double reach = larger(largest(query.centre), impl.reach);
+    const EllipsoidQuery query = ellipsoid_query(v3(point), V3{1.0, 1.0, 1.0}, V3{0.0, 0.0, 0.0});
+    const double reach = larger(largest(query.centre), impl.extent.reach);
     Search search{impl, query, max_distance * max_distance, 1e-14 * reach};
     if (reach <= float_range) {
         kernels().closest(impl.bvh.view(), point_boxes(query, reach), distance_limit(search), consider_lane,
@@ -57,7 +57,7 @@ std::optional<ClosestPoint> closest_point(const CollisionWorld& world, const Vec
     }
     const LeafTriangle& leaf = search.triangle;
     if (leaf.id == no_id) return std::nullopt;
-    const Touch touch = touch_of(SphereTriangle(leaf, query), leaf, query, search.nearest);
+    const Touch touch = kernels().touch_of_nearest(leaf, query, search.nearest);
     return ClosestPoint{std::sqrt(search.distance2), vec(touch.point), leaf.id, impl.face_of(leaf.id)};
 }
 

@@ -70,10 +70,12 @@ void index_faces(const TriangleSoup& soup, CollisionWorld::Impl& impl) {
 // Takes in the box of the tree.
 void grow_bounds(CollisionWorld::Impl& impl) {
     if (impl.triangle_count() == 0) return;
+    std::ranges::copy(impl.bvh.low, impl.extent.low);
+    std::ranges::copy(impl.bvh.high, impl.extent.high);
     for (const auto& corner : {impl.bvh.low, impl.bvh.high}) {
         impl.bounds.add(Vec3(double{corner[0]}, double{corner[1]}, double{corner[2]}));
         for (const float coordinate : corner)
-            impl.reach = std::max(impl.reach, std::fabs(double{coordinate}));
+            impl.extent.reach = std::max(impl.extent.reach, std::fabs(double{coordinate}));
     }
 }
 
@@ -156,7 +158,7 @@ std::size_t CollisionWorld::triangle_count() const {
 
 std::array<Vec3, 3> CollisionWorld::triangle(TriangleId triangle) const {
     const detail::LeafTriangle leaf = impl_->bvh.triangle(triangle);
-    return {vec(leaf.corner(0)), vec(leaf.corner(1)), vec(leaf.corner(2))};
+    return {vec(corner(leaf, 0)), vec(corner(leaf, 1)), vec(corner(leaf, 2))};
 }
 
 FaceId CollisionWorld::triangle_face(TriangleId triangle) const {

@@ -5,11 +5,14 @@
 #include <array>
 #include <cstdint>
 
+#include "isa.h"
+
 #if defined(__SSE2__)
 #include <emmintrin.h>
 #endif
 
 namespace slipface::detail {
+inline namespace SLIPFACE_ISA {
 
 #if defined(__SSE2__)
 
@@ -149,4 +152,5 @@ inline std::array<Four, 3> transposed(Four a, Four b, Four c) {
 
 #endif
 
+}  // namespace SLIPFACE_ISA
 }  // namespace slipface::detail

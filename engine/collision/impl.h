@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "bvh.h"
+#include "eigen_vec.h"
+#include "kernels.h"
 #include "slipface/collision/collision_world.h"
-#include "vec.h"
 
 namespace slipface {
 
@@ -18,7 +19,7 @@ struct CollisionWorld::Impl {
     std::array<SurfaceRule, 256> rules;     // [SurfaceId]
     bool plain = true;                      // no rule says anything but solid from both sides
     Aabb bounds;                            // of all places the triangles have been
-    double reach = 0.0;                     // largest coordinate
+    detail::WorldExtent extent{};
 
     std::size_t triangle_count() const { return face_index.size(); }
     FaceId face_of(TriangleId triangle) const {

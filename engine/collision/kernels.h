@@ -1,12 +1,14 @@
-// The float part of every query: walks the tree, drops what certainly does not matter, and hands the rest to
-// a callback that decides in double. It errs on the side of keeping, so no answer depends on which of the
-// compiled kernels runs. docs/sweep.md, "Boxes" and "The float filter", bounds the errors.
+// What every query spends its time in. The float part walks the tree, drops what certainly does not matter,
+// and hands the rest to a callback, which decides by the narrow phase in double. The first errs on the side
+// of keeping and the second rounds alike everywhere, so no answer depends on which of the compiled kernels
+// runs. docs/sweep.md, "Boxes" and "The float filter", bounds the errors.
 //
 // Compiled once for each instruction set; everything passed is plain data.
 #pragma once
 
 #include "bvh_layout.h"
 #include "slipface/collision/near_triangles.h"
+#include "sphere_triangle.h"
 
 namespace slipface::detail {
 
@@ -84,11 +86,27 @@ struct NearCandidate {
     float after;  // not before this time
 };
 
+// What a query has to know of the world.
+struct WorldExtent {
+    float low[3];  // the box of all triangles
+    float high[3];
+    double reach;  // the largest coordinate that a triangle ever had
+};
+
+enum class Prepared : std::uint8_t {
+    beside,        // the whole way lies beside the world: nothing is touched
+    in_floats,     // finite, radii above 0; the kernels find what may be touched
+    beyond_floats  // perhaps not even finite
+};
+
 // Called with a triangle that may matter; returns the limit from now on, and below 0 to stop.
 using Consider = float (*)(void* context, const Leaf& leaf, std::uint32_t lane);
 
 struct Kernels {
     const char* name;
+    // What a sweep needs, unless it is beside. `move` may be 0.
+    Prepared (*prepare_sweep)(const WorldExtent& world, const V3& radii, const V3& from, const V3& move,
+                              EllipsoidQuery& query, SweepPath& path);
     // Triangles that the sphere may touch no later than `limit`, nearer ones roughly first.
     void (*sweep)(const TreeView& tree, const SweepPath& path, float limit, Consider consider, void* context);
     // The same for up to wave_sweeps sweeps at a time, all usable: what waits for one of them is done for the
@@ -102,10 +120,23 @@ struct Kernels {
     // Triangles that a body at rest, all usable, may touch within `reach` of itself; false if they are too
     // many.
     bool (*near)(const TreeView& tree, const PointBoxes& body, float reach, NearTriangles& out);
-    // Those of them that are near enough and that the sphere may touch no later than `limit`. Returns how
-    // many.
-    std::uint32_t (*near_sweep)(const NearTriangles& near, float clear_limit, const SpherePath& path,
-                                float limit, NearCandidate* out);
+    // Those of them that are near enough and that a sweep, which is in floats, may touch on its way. Returns
+    // how many.
+    std::uint32_t (*near_sweep)(const NearTriangles& near, float clear_limit, const EllipsoidQuery& query,
+                                double reach, NearCandidate* out);
+
+    // The first touch of a triangle; false if there is none with t <= t_max.
+    bool (*sweep_triangle)(const LeafTriangle& triangle, const EllipsoidQuery& query, double t_max,
+                           TriangleHit& hit);
+    Nearest (*nearest_part)(const LeafTriangle& triangle, const EllipsoidQuery& query);
+    // Whether the centre is behind the plane of the winding, or there is none.
+    bool (*is_behind)(const LeafTriangle& triangle, const EllipsoidQuery& query);
+    // Whether a one-sided triangle lets the query pass: its centre is behind it, or the move does not go
+    // against the winding normal.
+    bool (*passes_one_sided)(const LeafTriangle& triangle, const EllipsoidQuery& query);
+    Touch (*touch_of_hit)(const LeafTriangle& triangle, const EllipsoidQuery& query, const TriangleHit& hit);
+    Touch (*touch_of_nearest)(const LeafTriangle& triangle, const EllipsoidQuery& query,
+                              const Nearest& nearest);
 };
 
 extern const Kernels baseline_kernels;

@@ -1,12 +1,9 @@
 #if defined(__x86_64__)
-#include "kernels_impl.h"
-#include "near_impl.h"
-#include "wave_impl.h"
+#include "kernel_table.h"
 
 namespace slipface::detail {
 
-const Kernels avx512_kernels{"avx512",       sweep_kernel, wave_kernel,      ray_kernel,
-                             closest_kernel, near_kernel,  near_sweep_kernel};
+constinit const Kernels avx512_kernels = kernel_table("avx512");
 
 }  // namespace slipface::detail
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "leaf_filter.h"
+#include "paths.h"
 
 namespace slipface::detail {
 namespace {
@@ -53,6 +54,17 @@ inline void walk(const TreeView& tree, float limit, Test&& test, Visit&& visit) 
     }
 }
 
+Prepared prepare_sweep_kernel(const WorldExtent& world, const V3& radii, const V3& from, const V3& move,
+                              EllipsoidQuery& query, SweepPath& path) {
+    const bool in_floats = in_float_range(radii, from, move, world);
+    const double reach = larger(larger(largest(from), largest(move)), world.reach);
+    if (in_floats && passes_beside(world, from, move, radii, reach)) return Prepared::beside;
+    query = ellipsoid_query(from, radii, move);
+    if (!in_floats) return Prepared::beyond_floats;
+    path = sweep_path(query, reach);
+    return Prepared::in_floats;
+}
+
 float sweep_leaf(const LaneBoxPath& box, const LaneSpherePath& sphere, bool usable, const Leaf& leaf,
                  float limit, Consider consider, void* context) {
     Lanes v[9];
@@ -66,9 +78,13 @@ float sweep_leaf(const LaneBoxPath& box, const LaneSpherePath& sphere, bool usab
         return limit;
     }
     const LeafFilter filter(sphere, v);
-    mask &= ~filter.apart_beside(limit);
+    const Lanes until = Lanes::all(limit);
+    const Lanes plane = filter.apart_by_plane(until);
+    mask &= ~lanes_above(plane, until);
     if (mask == 0) return limit;
-    const Lanes after = filter.apart_until(limit);
+    mask &= ~filter.apart_beside(until);
+    if (mask == 0) return limit;
+    const Lanes after = filter.apart_by_border(plane, until);
     while (true) {
         mask &= ~lanes_above(after, Lanes::all(limit));
         if (mask == 0) return limit;

@@ -111,12 +111,11 @@ struct LaneSpherePath {
     LaneVec centre, rest, inverse, d;
     Lanes d_size;
 
+    LaneSpherePath(const LaneVec& its_centre, const LaneVec& its_rest, const LaneVec& its_inverse,
+                   const LaneVec& its_d)
+        : centre(its_centre), rest(its_rest), inverse(its_inverse), d(its_d), d_size(size_of(its_d)) {}
     explicit LaneSpherePath(const SpherePath& path)
-        : centre(all(path.centre)),
-          rest(all(path.rest)),
-          inverse(all(path.inverse)),
-          d(all(path.d)),
-          d_size(size_of(d)) {}
+        : LaneSpherePath(all(path.centre), all(path.rest), all(path.inverse), all(path.d)) {}
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ class LeafFilter {
           edges_(size_of(e_[0]) + size_of(e_[1])) {}
 
     // The planes that contain an edge's direction and the move's: the sphere's whole way stays beside them.
-    std::uint32_t apart_beside(float limit) const {
+    std::uint32_t apart_beside(Lanes limit) const {
         const Lanes zero = Lanes::all(0.0F);
         const Lanes slack = rounding(limit) * path_.d_size;
         std::uint32_t mask = 0;
@@ -36,10 +36,9 @@ class LeafFilter {
         return mask;
     }
 
-    // A time before which each triangle is not touched: more than `limit` where nothing is touched up to it.
-    Lanes apart_until(float limit) const { return apart_by_border(apart_by_plane(limit), limit); }
-    // By its own plane.
-    Lanes apart_by_plane(float limit) const {
+    // A time before which each triangle is not touched, by its own plane: more than `limit` where nothing is
+    // touched up to it.
+    Lanes apart_by_plane(Lanes limit) const {
         const Lanes zero = Lanes::all(0.0F);
         const Lanes h = dot(n_, a_[0]);
         const Lanes speed = dot(n_, path_.d);
@@ -49,8 +48,8 @@ class LeafFilter {
     // By the plane across the way from where the sphere is at `t`, when it touches nothing yet, to the
     // nearest point of the border, a step of Newton's method for the touch; at least `t`. A second step would
     // spare few a look in double.
-    Lanes apart_by_border(Lanes t, float limit) const {
-        const LaneVec u = border_way(lanes_min(t, Lanes::all(limit)) * path_.d);
+    Lanes apart_by_border(Lanes t, Lanes limit) const {
+        const LaneVec u = border_way(lanes_min(t, limit) * path_.d);
         return lanes_max(
             apart_until(least_along(u), dot(u, path_.d), dot(u, u), rounding(limit) * size_of(u)), t);
     }
@@ -87,8 +86,8 @@ class LeafFilter {
     LaneVec edge(const LaneVec& from, const LaneVec& to) const { return (to - from) * path_.inverse; }
 
     // Times |u|: how much the distances along u between the triangle and the path's ends may be off.
-    Lanes rounding(float limit) const {
-        const Lanes reach = size_of(a_[0]) + edges_ + Lanes::all(limit) * path_.d_size + Lanes::all(1.0F);
+    Lanes rounding(Lanes limit) const {
+        const Lanes reach = size_of(a_[0]) + edges_ + limit * path_.d_size + Lanes::all(1.0F);
         return Lanes::all(determinant_rounding) * reach;
     }
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "kernels.h"
+#include "impl.h"
 #include "paths.h"
 #include "slipface/collision/neighbourhood.h"
 
@@ -23,8 +23,7 @@ inline LeafTriangle near_triangle(const NearTriangles& near, std::uint32_t place
 class NearCandidates {
   public:
     NearCandidates(const Neighbourhood& near, float clear_limit, const EllipsoidQuery& query)
-        : count_(kernels().near_sweep(near.triangles(), clear_limit,
-                                      sphere_path(query, near.world().impl().reach), time_limit(1.0),
+        : count_(kernels().near_sweep(near.triangles(), clear_limit, query, near.world().impl().extent.reach,
                                       list_.data())) {}
 
     // The next one that may be touched no later than `limit`, or null.

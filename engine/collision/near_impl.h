@@ -2,6 +2,7 @@
 #pragma once
 
 #include "leaf_filter.h"
+#include "paths.h"
 
 namespace slipface::detail {
 namespace {
@@ -72,9 +73,10 @@ bool near_kernel(const TreeView& tree, const PointBoxes& path, float reach, Near
     return true;
 }
 
-std::uint32_t near_sweep_kernel(const NearTriangles& near, float clear_limit, const SpherePath& path,
-                                float limit, NearCandidate* out) {
-    const LaneSpherePath sphere(path);
+std::uint32_t near_sweep_kernel(const NearTriangles& near, float clear_limit, const EllipsoidQuery& query,
+                                double reach, NearCandidate* out) {
+    const LaneSpherePath sphere(sphere_path(query, reach));
+    const Lanes until = Lanes::all(time_limit(1.0));
     std::uint32_t found = 0;
     for (std::uint32_t first = 0; first < near.count; first += 8) {
         std::uint32_t mask = lanes_not_above(Lanes::load(near.clear + first), Lanes::all(clear_limit));
@@ -84,11 +86,11 @@ std::uint32_t near_sweep_kernel(const NearTriangles& near, float clear_limit, co
             v[row] = Lanes::load(near.corner[row] + first);
         const LeafFilter filter(sphere, v);
         // Along the ground nothing gets past the planes.
-        const Lanes plane = filter.apart_by_plane(limit);
-        mask &= ~lanes_above(plane, Lanes::all(limit));
+        const Lanes plane = filter.apart_by_plane(until);
+        mask &= ~lanes_above(plane, until);
         if (mask == 0) continue;
-        const Lanes after = filter.apart_by_border(plane, limit);
-        mask &= ~filter.apart_beside(limit) & ~lanes_above(after, Lanes::all(limit));
+        const Lanes after = filter.apart_by_border(plane, until);
+        mask &= ~filter.apart_beside(until) & ~lanes_above(after, until);
         alignas(32) float times[8];
         after.store(times);
         for (; mask != 0; mask &= mask - 1) {

@@ -19,9 +19,9 @@ Neighbourhood::Neighbourhood(const CollisionWorld& world, const Vec3& radii, con
     : world_(&world) {
     const CollisionWorld::Impl& impl = world.impl();
     const V3 at = v3(centre), axes = v3(radii), still{0.0, 0.0, 0.0};
-    if (!(reach >= 0.0 && reach <= most_reach) || !in_float_range(axes, at, still, impl)) return;
-    const double coordinate = larger(largest(at) + reach * largest(axes), impl.reach);
-    const EllipsoidQuery body(at, axes, still);
+    if (!(reach >= 0.0 && reach <= most_reach) || !in_float_range(axes, at, still, impl.extent)) return;
+    const double coordinate = larger(largest(at) + reach * largest(axes), impl.extent.reach);
+    const EllipsoidQuery body = ellipsoid_query(at, axes, still);
     const PointBoxes boxes = point_boxes(body, coordinate);
     if (!boxes.sphere.usable) return;
     if (!impl.bvh.nodes.empty() &&

@@ -1,52 +1,50 @@
-#include "impl.h"
 #include "near.h"
-#include "paths.h"
-#include "sphere_triangle.h"
+#include "search.h"
 
 namespace slipface {
 namespace {
 
 using namespace detail;
 
-// Calls visit(triangle) for the triangles that the ellipsoid at rest may overlap, until it returns false.
+// Calls visit(query, triangle) for the triangles that the ellipsoid at rest may overlap, until it returns
+// false.
 template <class Visit>
-void visit_near(const CollisionWorld::Impl& world, const EllipsoidQuery& query, Visit visit) {
-    const double reach = larger(largest(query.centre), world.reach);
-    if (in_float_range(query.radii, query.centre, query.move, world)) {
+void visit_near(const CollisionWorld::Impl& world, const Vec3& radii, const Vec3& centre, Visit decide) {
+    if (world.bvh.nodes.empty()) return;
+    EllipsoidQuery query;
+    SweepPath path;
+    const Prepared prepared =
+        kernels().prepare_sweep(world.extent, v3(radii), v3(centre), V3{0.0, 0.0, 0.0}, query, path);
+    if (prepared == Prepared::beside) return;
+    auto visit = [&](const LeafTriangle& leaf) { return decide(query, leaf); };
+    if (prepared == Prepared::in_floats) {
+        using Bound = decltype(visit);
         const auto consider = [](void* context, const Leaf& leaf, std::uint32_t lane) {
-            return (*static_cast<Visit*>(context))(leaf_triangle(leaf, lane)) ? 1.0F : -1.0F;
+            return (*static_cast<Bound*>(context))(leaf_triangle(leaf, lane)) ? 1.0F : -1.0F;
         };
-        kernels().sweep(world.bvh.view(), sweep_path(query, reach), 1.0F, consider, &visit);
+        kernels().sweep(world.bvh.view(), path, 1.0F, consider, &visit);
         return;
     }
+    if (refused(v3(radii), v3(centre), V3{0.0, 0.0, 0.0})) return;
     for (TriangleId id = 0; id < world.triangle_count(); ++id) {
         if (!visit(world.bvh.triangle(id))) return;
     }
 }
 
-bool refused(const CollisionWorld::Impl& world, const Vec3& radii, const Vec3& centre) {
-    return world.bvh.nodes.empty() || !radii.allFinite() || !(radii.minCoeff() > 0.0) ||
-           !centre.allFinite() ||
-           passes_beside(world.bvh, v3(centre), V3{0.0, 0.0, 0.0}, v3(radii),
-                         larger(largest(v3(centre)), world.reach));
-}
-
 // The rule that sweeps follow: what is not solid, or one-sided and seen from behind, is not there.
-bool stands(const CollisionWorld::Impl& world, const SphereTriangle& triangle, TriangleId id) {
-    const SurfaceRule& rule = world.rule_of(id);
-    return rule.solid && !(rule.one_sided && is_behind(triangle));
+bool stands(const CollisionWorld::Impl& world, const EllipsoidQuery& query, const LeafTriangle& leaf) {
+    const SurfaceRule& rule = world.rule_of(leaf.id);
+    return rule.solid && !(rule.one_sided && kernels().is_behind(leaf, query));
 }
 
 // Takes every triangle that the ellipsoid overlaps, in any order.
 class Overlaps {
   public:
-    Overlaps(const CollisionWorld::Impl& world, const EllipsoidQuery& query, std::span<Overlap> out)
-        : world_(world), query_(query), out_(out) {}
+    Overlaps(const CollisionWorld::Impl& world, std::span<Overlap> out) : world_(world), out_(out) {}
 
-    void consider(const LeafTriangle& leaf) {
-        const SphereTriangle triangle(leaf, query_);
-        const Nearest nearest = nearest_part(triangle);
-        if (!(nearest.distance2 < 1.0) || !stands(world_, triangle, leaf.id)) return;
+    void consider(const EllipsoidQuery& query, const LeafTriangle& leaf) {
+        const Nearest nearest = kernels().nearest_part(leaf, query);
+        if (!(nearest.distance2 < 1.0) || !stands(world_, query, leaf)) return;
         ++found_;
         // `out` is a heap with the highest triangle on top, so that the lowest ones stay whatever the
         // visiting order.
@@ -54,7 +52,7 @@ class Overlaps {
             if (kept_ == 0 || leaf.id > out_[0].triangle) return;
             std::ranges::pop_heap(out_.first(kept_--), {}, &Overlap::triangle);
         }
-        const Touch touch = touch_of(triangle, leaf, query_, nearest);
+        const Touch touch = kernels().touch_of_nearest(leaf, query, nearest);
         out_[kept_++] = {
             leaf.id,          world_.face_of(leaf.id), world_.surface_of(leaf.id),        nearest.feature,
             vec(touch.point), vec(touch.normal),       1.0 - std::sqrt(nearest.distance2)};
@@ -67,43 +65,35 @@ class Overlaps {
 
   private:
     const CollisionWorld::Impl& world_;
-    const EllipsoidQuery& query_;
     std::span<Overlap> out_;
     std::size_t found_ = 0;
     std::size_t kept_ = 0;
 };
 
 bool overlaps(const CollisionWorld::Impl& world, const EllipsoidQuery& query, const LeafTriangle& leaf) {
-    const SphereTriangle triangle(leaf, query);
-    return nearest_part(triangle).distance2 < 1.0 && stands(world, triangle, leaf.id);
+    return kernels().nearest_part(leaf, query).distance2 < 1.0 && stands(world, query, leaf);
 }
 
 EllipsoidQuery at_rest(const Vec3& radii, const Vec3& centre) {
-    return {v3(centre), v3(radii), V3{0.0, 0.0, 0.0}};
+    return ellipsoid_query(v3(centre), v3(radii), V3{0.0, 0.0, 0.0});
 }
 
 }  // namespace
 
 std::size_t find_overlaps(const CollisionWorld& world, const Vec3& radii, const Vec3& centre,
                           std::span<Overlap> out) {
-    const CollisionWorld::Impl& impl = world.impl();
-    if (refused(impl, radii, centre)) return 0;
-    const EllipsoidQuery query = at_rest(radii, centre);
-    Overlaps found(impl, query, out);
-    visit_near(impl, query, [&](const LeafTriangle& leaf) {
-        found.consider(leaf);
+    Overlaps found(world.impl(), out);
+    visit_near(world.impl(), radii, centre, [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
+        found.consider(query, leaf);
         return true;
     });
     return found.finish();
 }
 
 bool overlaps_any(const CollisionWorld& world, const Vec3& radii, const Vec3& centre) {
-    const CollisionWorld::Impl& impl = world.impl();
-    if (refused(impl, radii, centre)) return false;
-    const EllipsoidQuery query = at_rest(radii, centre);
     bool found = false;
-    visit_near(impl, query, [&](const LeafTriangle& leaf) {
-        found = overlaps(impl, query, leaf);
+    visit_near(world.impl(), radii, centre, [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
+        found = overlaps(world.impl(), query, leaf);
         return !found;
     });
     return found;
@@ -114,10 +104,10 @@ std::size_t find_overlaps(const Neighbourhood& near, const Vec3& radii, const Ve
     const float clear_limit = near.clear_limit(radii, centre, Vec3::Zero());
     if (std::isinf(clear_limit)) return find_overlaps(near.world(), radii, centre, out);
     const EllipsoidQuery query = at_rest(radii, centre);
-    Overlaps found(near.world().impl(), query, out);
+    Overlaps found(near.world().impl(), out);
     NearCandidates candidates(near, clear_limit, query);
     for (; const NearCandidate* next = candidates.take();)
-        found.consider(near_triangle(near.triangles(), next->place));
+        found.consider(query, near_triangle(near.triangles(), next->place));
     return found.finish();
 }
 

@@ -1,15 +1,13 @@
 // The float paths that the kernels walk with, made from a query in double.
 #pragma once
 
+#include <cfloat>
 #include <cmath>
-#include <limits>
 
-#include "impl.h"
 #include "kernels.h"
-#include "sphere_triangle.h"
-#include "three.h"
 
 namespace slipface::detail {
+inline namespace SLIPFACE_ISA {
 
 // Coordinates, radii and moves within this range leave the float box tests free of overflow and underflow.
 // Queries outside it look at every triangle instead.
@@ -21,24 +19,24 @@ inline constexpr double filter_range = 1e9;
 // last place or two, without asking which way the conversion went.
 inline float round_up(double value) {
     const auto nearest = static_cast<float>(value);
-    return nearest + std::fabs(nearest) * 0x1.8p-23F + std::numeric_limits<float>::min();
+    return nearest + __builtin_fabsf(nearest) * 0x1.8p-23F + FLT_MIN;
 }
 inline float round_down(double value) {
     const auto nearest = static_cast<float>(value);
-    return nearest - std::fabs(nearest) * 0x1.8p-23F - std::numeric_limits<float>::min();
+    return nearest - __builtin_fabsf(nearest) * 0x1.8p-23F - FLT_MIN;
 }
 // The same for values that were made floats already.
 inline Four round_up(Four nearest) {
-    return nearest + four_abs(nearest) * Four::all(0x1.8p-23F) + Four::all(std::numeric_limits<float>::min());
+    return nearest + four_abs(nearest) * Four::all(0x1.8p-23F) + Four::all(FLT_MIN);
 }
 inline Four round_down(Four nearest) {
-    return nearest - four_abs(nearest) * Four::all(0x1.8p-23F) - Four::all(std::numeric_limits<float>::min());
+    return nearest - four_abs(nearest) * Four::all(0x1.8p-23F) - Four::all(FLT_MIN);
 }
 
 // The latest float time at which something may still improve on `best`.
 inline float time_limit(double best) {
     constexpr double most = 1e38;
-    if (!(best < most)) return std::numeric_limits<float>::infinity();
+    if (!(best < most)) return HUGE_VALF;
     return round_up(best) * (1.0F + 2.0F * time_slack) + least_time;
 }
 
@@ -51,19 +49,19 @@ inline Three box_half_extents(const Three& radii, const Three& move, double reac
 
 // Whether an ellipsoid's whole way lies beside the box of all triangles: small worlds, like moving platforms,
 // are asked by everybody and met by few. `reach`: the largest coordinate of the query and the world.
-inline bool passes_beside(const Bvh& bvh, const V3& centre, const V3& path, const V3& radii, double reach) {
+inline bool passes_beside(const WorldExtent& world, const V3& centre, const V3& path, const V3& radii,
+                          double reach) {
     const Three from(centre), move(path), to = from + move;
     const Three half = box_half_extents(Three(radii), move, reach);
-    const Three low(V3{double{bvh.low[0]}, double{bvh.low[1]}, double{bvh.low[2]}});
-    const Three high(V3{double{bvh.high[0]}, double{bvh.high[1]}, double{bvh.high[2]}});
+    const Three low(V3{double{world.low[0]}, double{world.low[1]}, double{world.low[2]}});
+    const Three high(V3{double{world.high[0]}, double{world.high[1]}, double{world.high[2]}});
     return any_less(three_max(from, to) + half, low) || any_less(high, three_min(from, to) - half);
 }
 
 inline BoxPath box_path(const Three& from, const Three& move, const Three& half) {
     const Four zero = Four::all(0.0F);
     const Four step = move.rounded();
-    const Four inverse = four_pick(four_equal(step, zero), Four::all(std::numeric_limits<float>::infinity()),
-                                   Four::all(1.0F) / step);
+    const Four inverse = four_pick(four_equal(step, zero), Four::all(HUGE_VALF), Four::all(1.0F) / step);
     const Four backward = four_less(inverse, zero);
     const Four up = round_up((from + half).rounded()), down = round_down((from - half).rounded());
     BoxPath path;
@@ -108,8 +106,7 @@ inline PointBoxes point_boxes(const EllipsoidQuery& query, double reach) {
 }
 
 // Whether floats can hold a query: so it is finite, and its radii are above 0.
-inline bool in_float_range(const V3& radii, const V3& from, const V3& move,
-                           const CollisionWorld::Impl& world) {
+inline bool in_float_range(const V3& radii, const V3& from, const V3& move, const WorldExtent& world) {
     const Three most = Three::all(float_range), axes(radii);
     const ThreeMask held = three_not_above(Three(from).abs(), most) &
                            three_not_above(Three(move).abs(), most) & three_not_above(axes, most) &
@@ -127,4 +124,5 @@ inline SweepPath sweep_path(const EllipsoidQuery& query, double reach) {
             sphere_path(query, reach)};
 }
 
+}  // namespace SLIPFACE_ISA
 }  // namespace slipface::detail

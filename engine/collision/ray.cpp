@@ -141,7 +141,7 @@ std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, 
     const ShearedRay ray(start, d);
 
     Search search{impl, ray, {exponent == 0 ? max_t : std::ldexp(max_t, exponent), {0.0, 0.0, 0.0}}};
-    const double reach = larger(largest(start), impl.reach);
+    const double reach = larger(largest(start), impl.extent.reach);
     if (reach <= float_range) {
         kernels().ray(impl.bvh.view(), ray_path(ray, start, d, reach), time_limit(search.touch.t),
                       consider_lane, &search);
@@ -158,7 +158,7 @@ std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, 
     const bool back_face = dot(winding, d) > 0.0;
     V3 normal = back_face ? -winding : winding;
     if (!(dot(normal, normal) > 0.0)) normal = unit(-d);
-    const V3 point = weights.x * leaf.corner(0) + weights.y * leaf.corner(1) + weights.z * leaf.corner(2);
+    const V3 point = weights.x * corner(leaf, 0) + weights.y * corner(leaf, 1) + weights.z * corner(leaf, 2);
     return RayHit{t, vec(point), vec(normal), leaf.id, impl.face_of(leaf.id), back_face};
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "impl.h"
-#include "sphere_triangle.h"
+#include "kernels.h"
 
 namespace slipface::detail {
 
@@ -16,9 +16,10 @@ inline bool well_formed(const Touch& touch) {
 struct Search {
     const CollisionWorld::Impl& world;
     const EllipsoidQuery& query;
-    bool in_range;  // of the floats, where every answer is finite
+    bool in_floats;  // where every answer is finite
     TriangleHit hit{1.0, Feature::vertex, 0, false};
     LeafTriangle triangle{{}, no_id};
+    const Kernels& kernels = detail::kernels();
 
     bool beaten_by(const TriangleHit& other, TriangleId id) const {
         if (triangle.id == no_id || other.t != hit.t) return triangle.id == no_id || other.t < hit.t;
@@ -26,21 +27,20 @@ struct Search {
         return id < triangle.id;
     }
     void consider(const LeafTriangle& leaf) {
-        const SphereTriangle sphere(leaf, query);
         TriangleHit other{};
-        if (!sweep_triangle(sphere, query, hit.t, other) || !beaten_by(other, leaf.id)) return;
+        if (!kernels.sweep_triangle(leaf, query, hit.t, other) || !beaten_by(other, leaf.id)) return;
         if (!world.plain) {
             const SurfaceRule& rule = world.rule_of(leaf.id);
-            if (!rule.solid || (rule.one_sided && passes_one_sided(sphere, query))) return;
+            if (!rule.solid || (rule.one_sided && kernels.passes_one_sided(leaf, query))) return;
         }
-        if (!in_range && !well_formed(touch_of(sphere, leaf, query, other))) return;
+        if (!in_floats && !well_formed(kernels.touch_of_hit(leaf, query, other))) return;
         hit = other;
         triangle = leaf;
     }
 
     std::optional<Contact> contact() const {
         if (triangle.id == no_id) return std::nullopt;
-        const Touch touch = touch_of(SphereTriangle(triangle, query), triangle, query, hit);
+        const Touch touch = kernels.touch_of_hit(triangle, query, hit);
         return Contact{hit.t,       vec(touch.normal),          vec(touch.point),
                        triangle.id, world.face_of(triangle.id), world.surface_of(triangle.id),
                        hit.feature};

@@ -20,14 +20,15 @@ std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& 
     const CollisionWorld::Impl& impl = world.impl();
     const V3 start = v3(from), way = v3(move), axes = v3(radii);
     if (impl.bvh.nodes.empty() || is_zero(way)) return std::nullopt;
-    const bool in_range = in_float_range(axes, start, way, impl);
-    if (!in_range && refused(axes, start, way)) return std::nullopt;
-    const double reach = larger(larger(largest(start), largest(way)), impl.reach);
-    if (passes_beside(impl.bvh, start, way, axes, reach)) return std::nullopt;
-    const EllipsoidQuery query(start, axes, way);
-    Search search{impl, query, in_range};
-    if (in_range) {
-        kernels().sweep(impl.bvh.view(), sweep_path(query, reach), time_limit(1.0), consider_lane, &search);
+    EllipsoidQuery query;
+    SweepPath path;
+    const Prepared prepared = kernels().prepare_sweep(impl.extent, axes, start, way, query, path);
+    if (prepared == Prepared::beside) return std::nullopt;
+    const bool in_floats = prepared == Prepared::in_floats;
+    if (!in_floats && refused(axes, start, way)) return std::nullopt;
+    Search search{impl, query, in_floats};
+    if (in_floats) {
+        kernels().sweep(impl.bvh.view(), path, time_limit(1.0), consider_lane, &search);
     } else {
         for (TriangleId id = 0; id < impl.triangle_count(); ++id)
             search.consider(impl.bvh.triangle(id));
@@ -41,7 +42,7 @@ std::optional<Contact> sweep_ellipsoid(const Neighbourhood& near, const Vec3& ra
     if (std::isinf(clear_limit)) return sweep_ellipsoid(near.world(), radii, from, move);
     const V3 way = v3(move);
     if (near.triangles().count == 0 || is_zero(way)) return std::nullopt;
-    const EllipsoidQuery query(v3(from), v3(radii), way);
+    const EllipsoidQuery query = ellipsoid_query(v3(from), v3(radii), way);
     Search search{near.world().impl(), query, true};
     NearCandidates candidates(near, clear_limit, query);
     for (; const NearCandidate* next = candidates.take(time_limit(search.hit.t));)

@@ -17,8 +17,8 @@ struct Flight {
     EllipsoidQuery query;
     Search search;
 
-    Flight(const CollisionWorld::Impl& world, const Sweep& of, std::size_t number)
-        : sweep(number), query(v3(of.from), v3(of.radii), v3(of.move)), search{world, query, true} {}
+    Flight(const CollisionWorld::Impl& world, const EllipsoidQuery& of, std::size_t number)
+        : sweep(number), query(of), search{world, query, true} {}
     Flight(const Flight&) = delete;
     Flight& operator=(const Flight&) = delete;
 };
@@ -37,22 +37,18 @@ class Wave {
         const CollisionWorld::Impl& world = world_.impl();
         out_[number].reset();
         if (world.bvh.nodes.empty() || is_zero(move)) return;
-        const double reach = larger(larger(largest(from), largest(move)), world.reach);
-        const bool in_range = in_float_range(radii, from, move, world);
-        if (in_range && passes_beside(world.bvh, from, move, radii, reach)) return;
         WaveSweep& part = parts_[count_];
-        if (in_range) {
-            const Flight& flight = flights_[count_].emplace(world, sweep, number);
-            part.path = sweep_path(flight.query, reach);
-        }
-        if (!in_range || !part.path.sphere.usable) {
+        EllipsoidQuery query;
+        const Prepared prepared = kernels().prepare_sweep(world.extent, radii, from, move, query, part.path);
+        if (prepared == Prepared::beside) return;
+        if (prepared != Prepared::in_floats || !part.path.sphere.usable) {
             out_[number] = sweep_alone(number);
             return;
         }
+        flights_[count_].emplace(world, query, number);
         // At first what stands around the body, and not so little that many parts follow.
         part.from = 0.0F;
-        part.to =
-            std::clamp(static_cast<float>(2.0 * largest(radii) / largest(move)), 1e-3F, time_limit(1.0));
+        part.to = std::clamp(static_cast<float>(largest(radii) / largest(move)), 1e-3F, time_limit(1.0));
         of_[count_] = count_;
         if (++count_ == wave_sweeps) finish();
     }

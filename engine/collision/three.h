@@ -5,9 +5,83 @@
 #include "four.h"
 #include "vec.h"
 
-namespace slipface::detail {
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
 
-#if defined(__SSE2__)
+namespace slipface::detail {
+inline namespace SLIPFACE_ISA {
+
+#if defined(__AVX2__)
+
+struct Three {
+    __m256d v;
+
+    explicit Three(const V3& from) : v(_mm256_setr_pd(from.x, from.y, from.z, 1.0)) {}
+    explicit Three(__m256d value) : v(value) {}
+    static Three all(double value) { return Three(_mm256_set1_pd(value)); }
+    explicit Three(Four from) : v(_mm256_cvtps_pd(from.v)) {}
+    Four rounded() const { return {_mm256_cvtpd_ps(v)}; }
+    Three abs() const { return Three(_mm256_andnot_pd(_mm256_set1_pd(-0.0), v)); }
+    Three sqrt() const { return Three(_mm256_sqrt_pd(v)); }
+    Three next() const { return Three(_mm256_permute4x64_pd(v, 0xC9)); }
+    double sum() const {
+        const __m128d xy = _mm256_castpd256_pd128(v);
+        return _mm_cvtsd_f64(xy) + _mm_cvtsd_f64(_mm_unpackhi_pd(xy, xy)) +
+               _mm_cvtsd_f64(_mm256_extractf128_pd(v, 1));
+    }
+    V3 vec() const {
+        const __m128d xy = _mm256_castpd256_pd128(v);
+        return {_mm_cvtsd_f64(xy), _mm_cvtsd_f64(_mm_unpackhi_pd(xy, xy)),
+                _mm_cvtsd_f64(_mm256_extractf128_pd(v, 1))};
+    }
+    void store(double (&to)[4]) const { _mm256_storeu_pd(to, v); }
+};
+inline Three operator+(const Three& a, const Three& b) {
+    return Three(_mm256_add_pd(a.v, b.v));
+}
+inline Three operator-(const Three& a, const Three& b) {
+    return Three(_mm256_sub_pd(a.v, b.v));
+}
+inline Three operator-(const Three& a) {
+    return Three(_mm256_xor_pd(a.v, _mm256_set1_pd(-0.0)));
+}
+inline Three operator*(const Three& a, const Three& b) {
+    return Three(_mm256_mul_pd(a.v, b.v));
+}
+inline Three operator/(const Three& a, const Three& b) {
+    return Three(_mm256_div_pd(a.v, b.v));
+}
+inline Three three_min(const Three& a, const Three& b) {
+    return Three(_mm256_min_pd(a.v, b.v));
+}
+inline Three three_max(const Three& a, const Three& b) {
+    return Three(_mm256_max_pd(a.v, b.v));
+}
+struct ThreeMask {
+    __m256d v;
+    unsigned bits() const { return static_cast<unsigned>(_mm256_movemask_pd(v)) & 7U; }
+};
+inline ThreeMask three_less(const Three& a, const Three& b) {
+    return {_mm256_cmp_pd(a.v, b.v, _CMP_LT_OS)};
+}
+inline ThreeMask three_not_above(const Three& a, const Three& b) {
+    return {_mm256_cmp_pd(a.v, b.v, _CMP_LE_OS)};
+}
+inline ThreeMask three_equal(const Three& a, const Three& b) {
+    return {_mm256_cmp_pd(a.v, b.v, _CMP_EQ_OQ)};
+}
+inline ThreeMask operator&(const ThreeMask& a, const ThreeMask& b) {
+    return {_mm256_and_pd(a.v, b.v)};
+}
+inline ThreeMask operator|(const ThreeMask& a, const ThreeMask& b) {
+    return {_mm256_or_pd(a.v, b.v)};
+}
+inline Three three_pick(const ThreeMask& where, const Three& yes, const Three& no) {
+    return Three(_mm256_blendv_pd(no.v, yes.v, where.v));
+}
+
+#elif defined(__SSE2__)
 
 struct Three {
     __m128d xy, zw;
@@ -203,4 +277,5 @@ inline Threes three_pick(const ThreeMask& where, const Threes& yes, const Threes
     return {three_pick(where, yes.x, no.x), three_pick(where, yes.y, no.y), three_pick(where, yes.z, no.z)};
 }
 
+}  // namespace SLIPFACE_ISA
 }  // namespace slipface::detail

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "slipface/base/types.h"
+#include "isa.h"
 
 namespace slipface::detail {
 
@@ -12,12 +12,7 @@ struct V3 {
     double x, y, z;
 };
 
-inline V3 v3(const Vec3& v) {
-    return {v.x(), v.y(), v.z()};
-}
-inline Vec3 vec(const V3& v) {
-    return {v.x, v.y, v.z};
-}
+inline namespace SLIPFACE_ISA {
 
 inline V3 operator+(const V3& a, const V3& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
@@ -59,10 +54,11 @@ inline bool finite(const V3& a) {
 // Unit length without overflow or underflow on the way; zero for zero and for what is not finite.
 inline V3 unit(const V3& a) {
     const double scale = largest(a);
-    if (!(scale > 0.0) || !std::isfinite(scale)) return {0.0, 0.0, 0.0};
+    if (!(scale > 0.0) || !(scale < HUGE_VAL)) return {0.0, 0.0, 0.0};
     const V3 b{a.x / scale, a.y / scale, a.z / scale};
     const double length = std::sqrt(dot(b, b));
     return {b.x / length, b.y / length, b.z / length};
 }
 
+}  // namespace SLIPFACE_ISA
 }  // namespace slipface::detail

@@ -51,46 +51,97 @@ inline bool wave_leaves(const TreeView& tree, const WaveSweep* sweeps, std::uint
     return true;
 }
 
+// Triangles whose own boxes are met, and the paths that meet them. Of a leaf's eight it is two or three: side
+// by side with those of other leaves and other sweeps they leave no lane idle in the tests that follow.
+struct WavePairs {
+    static constexpr std::uint32_t capacity = 128;
+    std::uint32_t size = 0;
+    alignas(32) float corner[9][capacity + 8];  // [3 * corner + axis]
+    alignas(32) float path[12][capacity + 8];   // [axis] of centre, rest, inverse and d
+    alignas(32) float until[capacity + 8];
+    std::uint32_t sweep[capacity + 8];
+    std::uint32_t leaf[capacity + 8];
+    std::uint32_t lane[capacity + 8];
+
+    bool full() const { return size > capacity - 8; }
+    // Not when full. Keeps what belongs to the sweep in all eight places that could be its own.
+    void append(const Lanes (&v)[9], std::uint32_t mask, const WaveSweep& its, std::uint32_t number,
+                std::uint32_t place) {
+        constexpr std::uint32_t lanes[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+        for (int row = 0; row < 9; ++row)
+            detail::append(v[row], mask, corner[row] + size);
+        detail::append(lanes, mask, lane + size);
+        for (int axis = 0; axis < 3; ++axis) {
+            Lanes::all(its.path.sphere.centre[axis]).store(path[axis] + size);
+            Lanes::all(its.path.sphere.rest[axis]).store(path[3 + axis] + size);
+            Lanes::all(its.path.sphere.inverse[axis]).store(path[6 + axis] + size);
+            Lanes::all(its.path.sphere.d[axis]).store(path[9 + axis] + size);
+        }
+        Lanes::all(its.to).store(until + size);
+        for (std::uint32_t k = 0; k < 8; ++k)
+            sweep[size + k] = number;
+        for (std::uint32_t k = 0; k < 8; ++k)
+            leaf[size + k] = place;
+        size += static_cast<std::uint32_t>(__builtin_popcount(mask));
+    }
+    LaneVec path_row(int row, std::uint32_t first) const {
+        return {Lanes::load(path[row] + first), Lanes::load(path[row + 1] + first),
+                Lanes::load(path[row + 2] + first)};
+    }
+};
+
+// Adds those pairs that may touch to the first `found` of `out`; returns how many there are then, or more
+// than there is room for.
+inline std::uint32_t wave_filter(const WavePairs& pairs, Candidate* out, std::uint32_t found) {
+    for (std::uint32_t first = 0; first < pairs.size; first += 8) {
+        const std::uint32_t left = pairs.size - first;
+        std::uint32_t mask = left < 8 ? (1U << left) - 1 : 0xffU;
+        Lanes v[9];
+        for (int row = 0; row < 9; ++row)
+            v[row] = Lanes::load(pairs.corner[row] + first);
+        const LaneSpherePath path(pairs.path_row(0, first), pairs.path_row(3, first),
+                                  pairs.path_row(6, first), pairs.path_row(9, first));
+        const LeafFilter filter(path, v);
+        const Lanes until = Lanes::load(pairs.until + first);
+        const Lanes plane = filter.apart_by_plane(until);
+        mask &= ~lanes_above(plane, until);
+        if (mask == 0) continue;
+        mask &= ~filter.apart_beside(until);
+        if (mask == 0) continue;
+        const Lanes after = filter.apart_by_border(plane, until);
+        mask &= ~lanes_above(after, until);
+        if (found + 8 > wave_candidates) return wave_candidates + 1;
+        alignas(32) float times[8];
+        after.store(times);
+        for (; mask != 0; mask &= mask - 1) {
+            const unsigned k = first_lane(mask);
+            out[found++] = {pairs.sweep[first + k], pairs.leaf[first + k], pairs.lane[first + k], times[k]};
+        }
+    }
+    return found;
+}
+
 std::uint32_t wave_kernel(const TreeView& tree, const WaveSweep* sweeps, std::uint32_t count,
                           Candidate* out) {
     WaveList leaves;
     if (!wave_leaves(tree, sweeps, count, leaves)) return wave_candidates + 1;
-
-    // Leaves of which some triangle's own box is met.
-    std::uint32_t met[WaveList::capacity + 8];
-    std::uint32_t met_lanes[WaveList::capacity + 8];
-    std::uint32_t met_count = 0;
+    WavePairs pairs;
+    std::uint32_t found = 0;
     for (std::uint32_t i = 0; i < leaves.size; ++i) {
         if (i + wave_look_ahead < leaves.size) fetch(tree, leaves.child[i + wave_look_ahead]);
         const WaveSweep& sweep = sweeps[leaves.sweep[i]];
-        const Leaf& leaf = leaf_at(tree, leaves.child[i] & leaf_place_mask);
+        const std::uint32_t place = leaves.child[i] & leaf_place_mask;
+        const Leaf& leaf = leaf_at(tree, place);
         Lanes v[9];
         lanes_of_leaf(leaf, v);
         Lanes enter;
-        met[met_count] = i;
-        met_lanes[met_count] =
+        const std::uint32_t mask =
             LaneBoxPath(sweep.path.box).meet(LeafRows(v), sweep.from, sweep.to, enter) & present(leaf);
-        met_count += met_lanes[met_count] != 0 ? 1U : 0U;
-    }
-
-    std::uint32_t found = 0;
-    for (std::uint32_t k = 0; k < met_count; ++k) {
-        const std::uint32_t i = met[k];
-        const WaveSweep& sweep = sweeps[leaves.sweep[i]];
-        const std::uint32_t place = leaves.child[i] & leaf_place_mask;
-        Lanes v[9];
-        lanes_of_leaf(leaf_at(tree, place), v);
-        const LaneSpherePath path(sweep.path.sphere);
-        const LeafFilter filter(path, v);
-        const Lanes after = filter.apart_until(sweep.to);
-        std::uint32_t mask =
-            met_lanes[k] & ~filter.apart_beside(sweep.to) & ~lanes_above(after, Lanes::all(sweep.to));
-        alignas(32) float times[8];
-        after.store(times);
-        for (; mask != 0; mask &= mask - 1) {
-            const unsigned lane = first_lane(mask);
-            if (found == wave_candidates) return wave_candidates + 1;
-            out[found++] = {leaves.sweep[i], place, lane, times[lane]};
+        if (mask != 0) pairs.append(v, mask, sweep, leaves.sweep[i], place);
+        if (pairs.full() || i + 1 == leaves.size) {
+            found = wave_filter(pairs, out, found);
+            if (found > wave_candidates) return found;
+            pairs.size = 0;
         }
     }
     return found;

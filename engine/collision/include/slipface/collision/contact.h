@@ -2,14 +2,9 @@
 #pragma once
 
 #include "slipface/base/types.h"
+#include "slipface/collision/feature.h"
 
 namespace slipface {
-
-// The part of the triangle that was touched first. The order is the order of preference when several are
-// touched at the same time.
-enum class Feature : std::uint8_t { interior, edge, vertex };
-
-const char* feature_name(Feature feature);
 
 // First touch of a moving ellipsoid. All vectors are in world space.
 struct Contact {

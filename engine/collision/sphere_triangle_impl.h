@@ -1,38 +1,39 @@
-#include "sphere_triangle.h"
+// The narrow phase's code (sphere_triangle.h), included by one file for each instruction set. It calls no
+// function that another file could share: see isa.h and lanes.h.
+#pragma once
 
-#include <algorithm>
-#include <limits>
-#include <tuple>
+#include <climits>
+
+#include "sphere_triangle.h"
 
 namespace slipface::detail {
 namespace {
 
-// a b - c d with one rounding in effect (W. Kahan): the products' own rounding errors are put back.
-double difference_of_products(double a, double b, double c, double d) {
-    const double cd = c * d;
-    return std::fma(a, b, -cd) + std::fma(-c, d, cd);
-}
+// A triangle relative to a query's centre, in sphere space.
+struct SphereTriangle {
+    Threes a;  // corners
+    Threes e;  // edge k runs from corner k to corner (k + 1) % 3; taken from the world's corners, so exact up
+               // to one rounding
+    V3 n;      // winding normal, any length
+    double nn;  // n . n; 0 exactly if the triangle counts as its edges only
+    double h;   // n . a for corner 0: the plane is n . x = h
 
-V3 exact_cross(const V3& a, const V3& b) {
-    return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
-            difference_of_products(a.x, b.y, a.y, b.x)};
-}
+    SphereTriangle(const LeafTriangle& triangle, const EllipsoidQuery& query)
+        : SphereTriangle(Threes{Three(Four::load(triangle.at[0])), Three(Four::load(triangle.at[1])),
+                                Three(Four::load(triangle.at[2]))},
+                         query) {}
 
-// Squared sines between two edges, free of scale: below the first the plain cross product loses too much,
-// below the second the corners' own precision does not say where the plane is.
-constexpr double plane_sine2 = 1e-8;
-constexpr double flat_sine2 = 1e-18;
-
-// e1 x e2 of a triangle's edges in world space, zero if the edges are parallel to within what the corners'
-// own precision resolves.
-V3 face_vector(const V3& e1, const V3& e2) {
-    const V3 plain = cross(e1, e2);
-    const double product = dot(e1, e1) * dot(e2, e2);
-    if (dot(plain, plain) > plane_sine2 * product) return plain;
-    const V3 careful = exact_cross(e1, e2);
-    if (dot(careful, careful) > flat_sine2 * product) return careful;
-    return {0.0, 0.0, 0.0};
-}
+  private:
+    SphereTriangle(const Threes& world, const EllipsoidQuery& query)
+        : a(mul(world - Threes::all(query.centre), Threes::all(query.inverse))), e(world.next() - world) {
+        // (S e1) x (S e2) is proportional to S^-1 (e1 x e2) for the scaling S: the cross product is taken
+        // before the radii blur the edges, so a triangle without area has exactly none in every sphere space.
+        n = mul(face_vector(e.vec(0), -e.vec(2)), query.radii);
+        nn = dot(n, n);
+        h = dot(n, a.vec(0));
+        e = mul(e, Threes::all(query.inverse));
+    }
+};
 
 // Whether x, a point of the plane, lies in the triangle. `corner_from_x` are the corners relative to x.
 bool inside(const SphereTriangle& triangle, const Threes& corner_from_x) {
@@ -48,7 +49,7 @@ bool inside(const SphereTriangle& triangle, const Threes& corner_from_x) {
 }
 
 bool lexicographic(const V3& l, const V3& r) {
-    return std::tie(l.x, l.y, l.z) <= std::tie(r.x, r.y, r.z);
+    return l.x != r.x ? l.x < r.x : l.y != r.y ? l.y < r.y : l.z <= r.z;
 }
 
 // The edges seen from the centre: from their nearer ends p along e. Neighbours name a shared edge in either
@@ -177,13 +178,13 @@ V3 scaled_quotient(const V3& a, const V3& b) {
     const double bottom[3] = {b.x, b.y, b.z};
     double quotient[3];
     int exponent[3];
-    int largest_exponent = std::numeric_limits<int>::min();
+    int largest_exponent = INT_MIN;
     for (int i = 0; i < 3; ++i) {
         int above = 0;
         int below = 0;
         quotient[i] = std::frexp(top[i], &above) / std::frexp(bottom[i], &below);
         exponent[i] = above - below;
-        if (quotient[i] != 0.0) largest_exponent = std::max(largest_exponent, exponent[i]);
+        if (quotient[i] != 0.0 && exponent[i] > largest_exponent) largest_exponent = exponent[i];
     }
     for (int i = 0; i < 3; ++i) {
         quotient[i] = quotient[i] == 0.0 ? 0.0 : std::ldexp(quotient[i], exponent[i] - largest_exponent);
@@ -200,8 +201,8 @@ V3 world_normal(const V3& sphere, const EllipsoidQuery& query) {
 }
 
 V3 edge_point_world(const LeafTriangle& leaf, const Edges& edges, int k, double s) {
-    const V3 from = leaf.corner(edges.from(k));
-    return from + s * (leaf.corner(edges.to(k)) - from);
+    const V3 from = corner(leaf, edges.from(k));
+    return from + s * (corner(leaf, edges.to(k)) - from);
 }
 
 // Some direction away from a triangle whose border passes exactly through the centre.
@@ -229,23 +230,6 @@ V3 nearest_normal(const SphereTriangle& triangle, const Nearest& nearest) {
     return dot(away, away) > 0.0 ? away : direction_without_distance(triangle);
 }
 
-}  // namespace
-
-SphereTriangle::SphereTriangle(const LeafTriangle& triangle, const EllipsoidQuery& query)
-    : SphereTriangle(Threes{Three(Four::load(triangle.at[0])), Three(Four::load(triangle.at[1])),
-                            Three(Four::load(triangle.at[2]))},
-                     query) {}
-
-SphereTriangle::SphereTriangle(const Threes& world, const EllipsoidQuery& query)
-    : a(mul(world - Threes::all(query.centre), Threes::all(query.inverse))), e(world.next() - world) {
-    // (S e1) x (S e2) is proportional to S^-1 (e1 x e2) for the scaling S: the cross product is taken before
-    // the radii blur the edges, so a triangle without area has exactly none in every sphere space.
-    n = mul(face_vector(e.vec(0), -e.vec(2)), query.radii);
-    nn = dot(n, n);
-    h = dot(n, a.vec(0));
-    e = mul(e, Threes::all(query.inverse));
-}
-
 Nearest nearest_part(const SphereTriangle& triangle) {
     if (triangle.nn > 0.0 && inside(triangle, triangle.a)) {
         return {triangle.h * (triangle.h / triangle.nn), Feature::interior, 0, 0.0};
@@ -253,6 +237,7 @@ Nearest nearest_part(const SphereTriangle& triangle) {
     return nearest_border(triangle);
 }
 
+// False if there is no touch with t <= t_max.
 bool sweep_triangle(const SphereTriangle& triangle, const EllipsoidQuery& query, double t_max,
                     TriangleHit& hit) {
     double plane_t = 0.0;
@@ -287,10 +272,13 @@ bool sweep_triangle(const SphereTriangle& triangle, const EllipsoidQuery& query,
     return hit.t <= t_max;
 }
 
+// The centre is behind the plane of the winding, or there is none.
 bool is_behind(const SphereTriangle& triangle) {
     return !(triangle.nn > 0.0) || triangle.h > 0.0;
 }
 
+// Whether a one-sided triangle lets the query pass: its centre is behind the plane, the move does not go
+// against the winding normal, or there is no winding normal.
 bool passes_one_sided(const SphereTriangle& triangle, const EllipsoidQuery& query) {
     return is_behind(triangle) || !(dot(triangle.n, query.d) < 0.0);
 }
@@ -304,7 +292,7 @@ Touch touch_of(const SphereTriangle& triangle, const LeafTriangle& leaf, const E
     } else if (nearest.feature == Feature::edge) {
         touch.point = edge_point_world(leaf, Edges(triangle), nearest.part, nearest.s);
     } else {
-        touch.point = leaf.corner(nearest.part);
+        touch.point = corner(leaf, nearest.part);
     }
     return touch;
 }
@@ -328,14 +316,30 @@ Touch touch_of(const SphereTriangle& triangle, const LeafTriangle& leaf, const E
     } else {
         touch.normal =
             world_normal(direction_or(hit.t * query.d - triangle.a.vec(hit.part), -query.d), query);
-        touch.point = leaf.corner(hit.part);
+        touch.point = corner(leaf, hit.part);
     }
     return touch;
 }
 
-V3 winding_normal(const LeafTriangle& triangle) {
-    const V3 a = triangle.corner(0);
-    return unit(face_vector(triangle.corner(1) - a, triangle.corner(2) - a));
+bool sweep_triangle_kernel(const LeafTriangle& leaf, const EllipsoidQuery& query, double t_max,
+                           TriangleHit& hit) {
+    return sweep_triangle(SphereTriangle(leaf, query), query, t_max, hit);
+}
+Nearest nearest_part_kernel(const LeafTriangle& leaf, const EllipsoidQuery& query) {
+    return nearest_part(SphereTriangle(leaf, query));
+}
+bool is_behind_kernel(const LeafTriangle& leaf, const EllipsoidQuery& query) {
+    return is_behind(SphereTriangle(leaf, query));
+}
+bool passes_one_sided_kernel(const LeafTriangle& leaf, const EllipsoidQuery& query) {
+    return passes_one_sided(SphereTriangle(leaf, query), query);
+}
+Touch touch_of_hit_kernel(const LeafTriangle& leaf, const EllipsoidQuery& query, const TriangleHit& hit) {
+    return touch_of(SphereTriangle(leaf, query), leaf, query, hit);
+}
+Touch touch_of_nearest_kernel(const LeafTriangle& leaf, const EllipsoidQuery& query, const Nearest& nearest) {
+    return touch_of(SphereTriangle(leaf, query), leaf, query, nearest);
 }
 
+}  // namespace
 }  // namespace slipface::detail

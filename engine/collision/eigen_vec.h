@@ -1,0 +1,16 @@
+// Between the vectors of the public headers and those that the collision code computes with.
+#pragma once
+
+#include "slipface/base/types.h"
+#include "vec.h"
+
+namespace slipface::detail {
+
+inline V3 v3(const Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+inline Vec3 vec(const V3& v) {
+    return {v.x, v.y, v.z};
+}
+
+}  // namespace slipface::detail
