@@ -55,7 +55,7 @@ struct WaveSweep {
     float from;  // share of the move
     float to;
 };
-inline constexpr std::uint32_t wave_sweeps = 64;
+inline constexpr std::uint32_t wave_sweeps = 128;
 // A triangle that one of them may touch.
 struct Candidate {
     std::uint32_t sweep;
@@ -63,7 +63,7 @@ struct Candidate {
     std::uint32_t lane;
     float after;  // not before this time
 };
-inline constexpr std::uint32_t wave_candidates = 2048;
+inline constexpr std::uint32_t wave_candidates = 4096;
 
 struct RayPath {
     BoxPath box;

@@ -10,7 +10,7 @@ namespace {
 
 // Which sweep meets what.
 struct WaveList {
-    static constexpr std::uint32_t capacity = 2048;
+    static constexpr std::uint32_t capacity = 4096;
     std::uint32_t size = 0;
     std::uint32_t sweep[capacity + 8];
     std::uint32_t child[capacity + 8];
