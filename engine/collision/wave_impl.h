@@ -51,8 +51,8 @@ inline bool wave_leaves(const TreeView& tree, const WaveSweep* sweeps, std::uint
     return true;
 }
 
-// Triangles whose own boxes are met, and the paths that meet them. Of a leaf's eight it is three or four: side
-// by side with those of other leaves and other sweeps they leave no lane idle in the tests that follow.
+// Triangles whose own boxes are met, and the paths that meet them. Of a leaf's eight it is three or four:
+// side by side with those of other leaves and other sweeps they leave no lane idle in the tests that follow.
 struct WavePairs {
     static constexpr std::uint32_t capacity = 128;
     std::uint32_t size = 0;
