@@ -86,6 +86,8 @@ struct NearCandidate {
     float after;  // not before this time
 };
 
+inline constexpr std::uint32_t leads_out = ~0U;
+
 // What a query has to know of the world.
 struct WorldExtent {
     float low[3];  // the box of all triangles
@@ -117,13 +119,14 @@ struct Kernels {
     // Triangles whose squared distance may be at most `limit`.
     void (*closest)(const TreeView& tree, const PointBoxes& point, float limit, Consider consider,
                     void* context);
-    // Triangles that a body at rest, all usable, may touch within `reach` of itself; false if they are too
-    // many.
-    bool (*near)(const TreeView& tree, const PointBoxes& body, float reach, NearTriangles& out);
-    // Those of them that are near enough and that a sweep, which is in floats, may touch on its way. Returns
-    // how many.
-    std::uint32_t (*near_sweep)(const NearTriangles& near, float clear_limit, const EllipsoidQuery& query,
-                                double reach, NearCandidate* out);
+    // Triangles that a body can touch while its centre is no further than `reach` from `centre` along any
+    // axis. Leaves `out` as it is where that is out of range, and with nowhere to be where they are too many.
+    void (*near)(const TreeView& tree, const WorldExtent& world, const V3& radii, const V3& centre,
+                 const V3& reach, NearTriangles& out);
+    // Makes the query of a sweep, which may rest, and finds those of them that it may touch on its way.
+    // Returns how many, or leads_out.
+    std::uint32_t (*near_sweep)(const NearTriangles& near, const V3& radii, const V3& from, const V3& move,
+                                EllipsoidQuery& query, NearCandidate* out);
 
     // The first touch of a triangle; false if there is none with t <= t_max.
     bool (*sweep_triangle)(const LeafTriangle& triangle, const EllipsoidQuery& query, double t_max,

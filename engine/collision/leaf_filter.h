@@ -7,6 +7,26 @@
 namespace slipface::detail {
 namespace {
 
+// The planes of eight triangles, kept for many paths of one sphere that start near each other.
+struct LanePlane {
+    LaneVec normal;  // unit, or shorter
+    Lanes offset;
+    Lanes slack;
+    Lanes slack_per_way;
+
+    // As LeafFilter::apart_by_plane for the path from `at` by `along`; `ways`: their sizes.
+    Lanes apart_until(const LaneVec& at, const LaneVec& along, Lanes ways) const {
+        const Lanes zero = Lanes::all(0.0F);
+        const Lanes h = offset - dot(normal, at);
+        const Lanes speed = dot(normal, along);
+        const Lanes clear =
+            lanes_abs(h) - (slack + slack_per_way * ways) - Lanes::all(1.0F + determinant_rounding);
+        const Lanes t =
+            clear / lanes_max(lanes_pick(lanes_less(h, zero), zero - speed, speed), Lanes::all(least_time));
+        return lanes_max(t * Lanes::all(1.0F - time_slack), zero);
+    }
+};
+
 // Eight triangles against a moving sphere. Every test keeps a triangle away for one reason only: a plane has
 // all of it on one side and the sphere on the other. The plane's direction u may come from anywhere; what is
 // rounded is the distances along it.
@@ -15,10 +35,22 @@ class LeafFilter {
     LeafFilter(const LaneSpherePath& path, const Lanes (&v)[9])
         : path_(path),
           a_{relative({v[0], v[1], v[2]}), relative({v[3], v[4], v[5]}), relative({v[6], v[7], v[8]})},
-          e_{edge({v[0], v[1], v[2]}, {v[3], v[4], v[5]}), edge({v[3], v[4], v[5]}, {v[6], v[7], v[8]}),
-             edge({v[6], v[7], v[8]}, {v[0], v[1], v[2]})},
+          e_{edge_between({v[0], v[1], v[2]}, {v[3], v[4], v[5]}),
+             edge_between({v[3], v[4], v[5]}, {v[6], v[7], v[8]}),
+             edge_between({v[6], v[7], v[8]}, {v[0], v[1], v[2]})},
           n_(cross(e_[0], e_[1])),
           edges_(size_of(e_[0]) + size_of(e_[1])) {}
+    // Of corners and edges that were seen from elsewhere: from where the path starts at `at`.
+    LeafFilter(const LaneSpherePath& path, const LaneVec& at, const LaneVec (&seen)[3],
+               const LaneVec (&edges)[3])
+        : path_(path),
+          a_{seen[0] - at, seen[1] - at, seen[2] - at},
+          e_{edges[0], edges[1], edges[2]},
+          n_(cross(e_[0], e_[1])),
+          edges_(size_of(e_[0]) + size_of(e_[1]) + size_of(at)) {}
+
+    const LaneVec& corner(int k) const { return a_[k]; }
+    const LaneVec& edge(int k) const { return e_[k]; }
 
     // The planes that contain an edge's direction and the move's: the sphere's whole way stays beside them.
     std::uint32_t apart_beside(Lanes limit) const {
@@ -54,6 +86,17 @@ class LeafFilter {
             apart_until(least_along(u), dot(u, path_.d), dot(u, u), rounding(limit) * size_of(u)), t);
     }
 
+    // Its roundings are fewer than those of a determinant, and so are those of the normal's length, which is
+    // at most 1 but for them.
+    LanePlane plane() const {
+        const Lanes inverse = Lanes::all(1.0F) / lanes_sqrt(dot(n_, n_) + Lanes::all(least_square));
+        const LaneVec normal = inverse * n_;
+        const Lanes slack_per_way =
+            Lanes::all(determinant_rounding) * size_of(e_[0]) * size_of(e_[1]) * inverse;
+        return {normal, dot(normal, a_[0]), slack_per_way * (size_of(a_[0]) + edges_ + Lanes::all(1.0F)),
+                slack_per_way};
+    }
+
     // Those that a sphere of that radius does not touch at rest.
     std::uint32_t apart_at_rest(std::uint32_t mask, float radius) const {
         const Lanes reach = Lanes::all(radius);
@@ -83,7 +126,7 @@ class LeafFilter {
         return lanes_min(lanes_min(dot(u, a_[0]), dot(u, a_[1])), dot(u, a_[2]));
     }
 
-    LaneVec edge(const LaneVec& from, const LaneVec& to) const { return (to - from) * path_.inverse; }
+    LaneVec edge_between(const LaneVec& from, const LaneVec& to) const { return (to - from) * path_.inverse; }
 
     // Times |u|: how much the distances along u between the triangle and the path's ends may be off.
     Lanes rounding(Lanes limit) const {
@@ -137,7 +180,7 @@ class LeafFilter {
     LaneVec a_[3];
     LaneVec e_[3];
     LaneVec n_;
-    Lanes edges_;
+    Lanes edges_;  // their sizes, and that of the way from where the corners were seen from
 };
 
 inline std::uint32_t present(const Leaf& leaf) {

@@ -22,9 +22,13 @@ inline LeafTriangle near_triangle(const NearTriangles& near, std::uint32_t place
 // The triangles that a query may touch, the most promising one first.
 class NearCandidates {
   public:
-    NearCandidates(const Neighbourhood& near, float clear_limit, const EllipsoidQuery& query)
-        : count_(kernels().near_sweep(near.triangles(), clear_limit, query, near.world().impl().extent.reach,
-                                      list_.data())) {}
+    NearCandidates(const Neighbourhood& near, const Vec3& radii, const Vec3& from, const Vec3& move)
+        : count_(
+              kernels().near_sweep(near.triangles(), v3(radii), v3(from), v3(move), query_, list_.data())) {}
+
+    // Whether the query is none for the neighbourhood; then there is nothing else here.
+    bool lead_out() const { return count_ == leads_out; }
+    const EllipsoidQuery& query() const { return query_; }
 
     // The next one that may be touched no later than `limit`, or null.
     const NearCandidate* take(float limit = std::numeric_limits<float>::infinity()) {
@@ -38,6 +42,7 @@ class NearCandidates {
     }
 
   private:
+    EllipsoidQuery query_;
     std::array<NearCandidate, near_capacity> list_;
     std::uint32_t count_;
 };

@@ -7,90 +7,169 @@
 namespace slipface::detail {
 namespace {
 
-// Boxes against a point, in sphere space.
-struct LaneBody {
-    Lanes up[3];
-    Lanes down[3];
-    Lanes inverse[3];
+// In radii. Further away floats say too little.
+inline constexpr double most_reach = 1e3;
+// Boxes of the tree that are looked at for one neighbourhood.
+inline constexpr std::uint32_t near_nodes = 256;
 
-    explicit LaneBody(const PointBoxes& body) {
+// Boxes against a box.
+struct LaneBox {
+    Lanes low[3];
+    Lanes high[3];
+
+    LaneBox(const Three& centre, const Three& half) {
+        float lows[4];
+        float highs[4];
+        round_down((centre - half).rounded()).store(lows);
+        round_up((centre + half).rounded()).store(highs);
         for (int axis = 0; axis < 3; ++axis) {
-            up[axis] = Lanes::all(body.up[axis]);
-            down[axis] = Lanes::all(body.down[axis]);
-            inverse[axis] = Lanes::all(body.sphere.inverse[axis]);
+            low[axis] = Lanes::all(lows[axis]);
+            high[axis] = Lanes::all(highs[axis]);
         }
     }
-    // A lower bound.
     template <class Rows>
-    Lanes distance(const Rows& rows) const {
-        Lanes square = Lanes::all(0.0F);
-        for (int axis = 0; axis < 3; ++axis) {
-            const Lanes along =
-                lanes_max(lanes_max(rows(axis) - up[axis], down[axis] - rows(axis + 3)), Lanes::all(0.0F)) *
-                inverse[axis];
-            square = square + along * along;
-        }
-        // Seven roundings on the way; the slack is larger than their sum.
-        return lanes_sqrt(square) * Lanes::all(1.0F - time_slack);
+    std::uint32_t meet(const Rows& rows) const {
+        const auto gap = [&](int axis) {
+            return lanes_max(rows(axis) - high[axis], low[axis] - rows(axis + 3));
+        };
+        return lanes_not_above(lanes_max(lanes_max(gap(0), gap(1)), gap(2)), Lanes::all(0.0F));
     }
 };
 
-bool near_kernel(const TreeView& tree, const PointBoxes& path, float reach, NearTriangles& out) {
-    const LaneBody body(path);
-    const Lanes limit = Lanes::all(1.0F + reach);
-    std::uint32_t nodes[traversal_stack];
+using NearRow = float[near_capacity + 8];
+
+inline LaneVec load_vec(const NearRow* rows, std::uint32_t first) {
+    return {Lanes::load(rows[0] + first), Lanes::load(rows[1] + first), Lanes::load(rows[2] + first)};
+}
+inline void store_vec(const LaneVec& v, NearRow* rows, std::uint32_t first) {
+    v.x.store(rows[0] + first);
+    v.y.store(rows[1] + first);
+    v.z.store(rows[2] + first);
+}
+
+inline LanePlane load_plane(const NearTriangles& near, std::uint32_t first) {
+    return {load_vec(near.normal, first), Lanes::load(near.offset + first), Lanes::load(near.slack + first),
+            Lanes::load(near.slack_per_way + first)};
+}
+
+// What sphere space has to know of eight of them.
+inline void look_at(NearTriangles& near, std::uint32_t first, const LaneSpherePath& body) {
+    Lanes v[9];
+    for (int row = 0; row < 9; ++row)
+        v[row] = Lanes::load(near.corner[row] + first);
+    const LeafFilter seen(body, v);
+    for (int k = 0; k < 3; ++k) {
+        store_vec(seen.corner(k), near.seen + 3 * k, first);
+        store_vec(seen.edge(k), near.edge + 3 * k, first);
+    }
+    const LanePlane plane = seen.plane();
+    store_vec(plane.normal, near.normal, first);
+    plane.offset.store(near.offset + first);
+    plane.slack.store(near.slack + first);
+    plane.slack_per_way.store(near.slack_per_way + first);
+}
+
+inline Three three_at(const double (&v)[4]) {
+    return Three(V3{v[0], v[1], v[2]});
+}
+
+// Takes the triangles that meet the box out of the tree; false if they are too many.
+bool gather(const TreeView& tree, const LaneBox& box, NearTriangles& out) {
+    std::uint32_t nodes[near_nodes + 8];
     std::uint32_t leaves[near_capacity + 8];
     std::uint32_t node_count = 1;
     std::uint32_t leaf_count = 0;
     nodes[0] = 0;
-    while (node_count != 0) {
-        const BvhNode& node = tree.nodes[nodes[--node_count]];
-        const std::uint32_t near = lanes_not_above(body.distance(NodeRows{node}), limit);
-        const std::uint32_t ends = leaf_children(node);
-        leaf_count = append_children(node, near & ends, leaves, leaf_count);
-        node_count = append_children(node, near & ~ends, nodes, node_count);
-        if (leaf_count > near_capacity) return false;
-    }
     out.count = 0;
+    // First come, first served: the next box does not wait for this one's children.
+    for (std::uint32_t i = 0; i < node_count; ++i) {
+        const BvhNode& node = tree.nodes[nodes[i]];
+        const std::uint32_t met = box.meet(NodeRows{node});
+        const std::uint32_t ends = leaf_children(node);
+        leaf_count = append_children(node, met & ends, leaves, leaf_count);
+        node_count = append_children(node, met & ~ends, nodes, node_count);
+        if (leaf_count > near_capacity || node_count > near_nodes) return false;
+    }
     for (std::uint32_t i = 0; i < leaf_count; ++i) {
         const Leaf& leaf = leaf_at(tree, leaves[i] & leaf_place_mask);
         Lanes v[9];
         lanes_of_leaf(leaf, v);
-        const Lanes away = body.distance(LeafRows(v));
-        const std::uint32_t mask = lanes_not_above(away, limit) & present(leaf);
+        const std::uint32_t mask = box.meet(LeafRows(v)) & present(leaf);
         const auto more = static_cast<std::uint32_t>(__builtin_popcount(mask));
         if (out.count + more > near_capacity) return false;
         const auto* ids = reinterpret_cast<const std::uint32_t*>(&leaf + 1) + std::size_t{3} * leaf.vertices;
         for (int row = 0; row < 9; ++row)
             append(v[row], mask, out.corner[row] + out.count);
-        append(away - Lanes::all(1.0F), mask, out.clear + out.count);
         append(ids, mask, out.id + out.count);
         out.count += more;
     }
     for (auto& row : out.corner)
         Lanes::all(0.0F).store(row + out.count);
-    Lanes::all(__builtin_inff()).store(out.clear + out.count);
     return true;
 }
 
-std::uint32_t near_sweep_kernel(const NearTriangles& near, float clear_limit, const EllipsoidQuery& query,
-                                double reach, NearCandidate* out) {
-    const LaneSpherePath sphere(sphere_path(query, reach));
+void near_kernel(const TreeView& tree, const WorldExtent& world, const V3& radii, const V3& centre,
+                 const V3& reach, NearTriangles& out) {
+    const Three at(centre), axes(radii), around(reach);
+    const ThreeMask fair =
+        three_not_above(Three::all(0.0), around) & three_not_above(around, axes * Three::all(most_reach));
+    if (fair.bits() != 7 || !in_float_range(radii, centre, reach, world)) return;
+    const double coordinate = larger(largest(centre) + largest(reach), world.reach);
+    const EllipsoidQuery body = ellipsoid_query(centre, radii, V3{0.0, 0.0, 0.0});
+    const SpherePath sphere = sphere_path(body, coordinate);
+    if (!sphere.usable) return;
+    // No move within the neighbourhood is longer than two reaches.
+    const Three half = box_half_extents(axes, around + around, coordinate) + around;
+    if (!gather(tree, LaneBox(at, half), out)) {
+        out.count = 0;
+        return;
+    }
+    const LaneSpherePath path(sphere);
+    for (std::uint32_t first = 0; first < out.count; first += 8)
+        look_at(out, first, path);
+    at.store(out.centre);
+    axes.store(out.radii);
+    Three(body.inverse).store(out.inverse);
+    around.store(out.reach);
+}
+
+std::uint32_t near_sweep_kernel(const NearTriangles& near, const V3& radii, const V3& from, const V3& move,
+                                EllipsoidQuery& query, NearCandidate* out) {
+    if (radii.x != near.radii[0] || radii.y != near.radii[1] || radii.z != near.radii[2]) return leads_out;
+    const Three inverse = three_at(near.inverse);
+    const Three begin = Three(from) - three_at(near.centre);
+    const Three end = begin + Three(move);
+    const Three reach = three_at(near.reach);
+    if ((three_not_above(begin.abs(), reach) & three_not_above(end.abs(), reach)).bits() != 7)
+        return leads_out;
+    const Three start = begin * inverse;
+    const Three d = Three(move) * inverse;
+    query = {from, radii, inverse.vec(), move, d.vec()};
+
+    float p[4];
+    float way[4];
+    start.rounded().store(p);
+    d.rounded().store(way);
+    const LaneVec at = all(p);
+    const LaneVec zero = all({0.0F, 0.0F, 0.0F, 0.0F});
+    const LaneSpherePath path(zero, zero, zero, all(way));
     const Lanes until = Lanes::all(time_limit(1.0));
+    const Lanes ways = size_of(at) + until * path.d_size;
     std::uint32_t found = 0;
     for (std::uint32_t first = 0; first < near.count; first += 8) {
-        std::uint32_t mask = lanes_not_above(Lanes::load(near.clear + first), Lanes::all(clear_limit));
-        if (mask == 0) continue;
-        Lanes v[9];
-        for (int row = 0; row < 9; ++row)
-            v[row] = Lanes::load(near.corner[row] + first);
-        const LeafFilter filter(sphere, v);
         // Along the ground nothing gets past the planes.
-        const Lanes plane = filter.apart_by_plane(until);
-        mask &= ~lanes_above(plane, until);
+        const Lanes plane = load_plane(near, first).apart_until(at, path.d, ways);
+        const std::uint32_t left = near.count - first;
+        std::uint32_t mask = (left < 8 ? (1U << left) - 1 : 0xFFU) & ~lanes_above(plane, until);
         if (mask == 0) continue;
+        const LeafFilter filter(
+            path, at,
+            {load_vec(near.seen, first), load_vec(near.seen + 3, first), load_vec(near.seen + 6, first)},
+            {load_vec(near.edge, first), load_vec(near.edge + 3, first), load_vec(near.edge + 6, first)});
         const Lanes after = filter.apart_by_border(plane, until);
-        mask &= ~filter.apart_beside(until) & ~lanes_above(after, until);
+        mask &= ~lanes_above(after, until);
+        if (mask == 0) continue;
+        mask &= ~filter.apart_beside(until);
         alignas(32) float times[8];
         after.store(times);
         for (; mask != 0; mask &= mask - 1) {

@@ -74,10 +74,6 @@ bool overlaps(const CollisionWorld::Impl& world, const EllipsoidQuery& query, co
     return kernels().nearest_part(leaf, query).distance2 < 1.0 && stands(world, query, leaf);
 }
 
-EllipsoidQuery at_rest(const Vec3& radii, const Vec3& centre) {
-    return ellipsoid_query(v3(centre), v3(radii), V3{0.0, 0.0, 0.0});
-}
-
 }  // namespace
 
 std::size_t find_overlaps(const CollisionWorld& world, const Vec3& radii, const Vec3& centre,
@@ -101,23 +97,20 @@ bool overlaps_any(const CollisionWorld& world, const Vec3& radii, const Vec3& ce
 
 std::size_t find_overlaps(const Neighbourhood& near, const Vec3& radii, const Vec3& centre,
                           std::span<Overlap> out) {
-    const float clear_limit = near.clear_limit(radii, centre, Vec3::Zero());
-    if (std::isinf(clear_limit)) return find_overlaps(near.world(), radii, centre, out);
-    const EllipsoidQuery query = at_rest(radii, centre);
+    NearCandidates candidates(near, radii, centre, Vec3::Zero());
+    if (candidates.lead_out()) return find_overlaps(near.world(), radii, centre, out);
     Overlaps found(near.world().impl(), out);
-    NearCandidates candidates(near, clear_limit, query);
     for (; const NearCandidate* next = candidates.take();)
-        found.consider(query, near_triangle(near.triangles(), next->place));
+        found.consider(candidates.query(), near_triangle(near.triangles(), next->place));
     return found.finish();
 }
 
 bool overlaps_any(const Neighbourhood& near, const Vec3& radii, const Vec3& centre) {
-    const float clear_limit = near.clear_limit(radii, centre, Vec3::Zero());
-    if (std::isinf(clear_limit)) return overlaps_any(near.world(), radii, centre);
-    const EllipsoidQuery query = at_rest(radii, centre);
-    NearCandidates candidates(near, clear_limit, query);
+    NearCandidates candidates(near, radii, centre, Vec3::Zero());
+    if (candidates.lead_out()) return overlaps_any(near.world(), radii, centre);
     for (; const NearCandidate* next = candidates.take();) {
-        if (overlaps(near.world().impl(), query, near_triangle(near.triangles(), next->place))) return true;
+        if (overlaps(near.world().impl(), candidates.query(), near_triangle(near.triangles(), next->place)))
+            return true;
     }
     return false;
 }

@@ -38,13 +38,10 @@ std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& 
 
 std::optional<Contact> sweep_ellipsoid(const Neighbourhood& near, const Vec3& radii, const Vec3& from,
                                        const Vec3& move) {
-    const float clear_limit = near.clear_limit(radii, from, move);
-    if (std::isinf(clear_limit)) return sweep_ellipsoid(near.world(), radii, from, move);
-    const V3 way = v3(move);
-    if (near.triangles().count == 0 || is_zero(way)) return std::nullopt;
-    const EllipsoidQuery query = ellipsoid_query(v3(from), v3(radii), way);
-    Search search{near.world().impl(), query, true};
-    NearCandidates candidates(near, clear_limit, query);
+    NearCandidates candidates(near, radii, from, move);
+    if (candidates.lead_out()) return sweep_ellipsoid(near.world(), radii, from, move);
+    if (is_zero(v3(move))) return std::nullopt;
+    Search search{near.world().impl(), candidates.query(), true};
     for (; const NearCandidate* next = candidates.take(time_limit(search.hit.t));)
         search.consider(near_triangle(near.triangles(), next->place));
     return search.contact();

@@ -29,23 +29,24 @@ struct Motion {
     std::uint32_t support_platform = no_id;
 };
 
-// How far from where it begins a step that covers `way` metres asks what is there, in radii. What it asks
-// beyond that takes longer.
-double reach_of_step(const MovementSettings& settings, double way);
+// How far from where it begins, along each axis, a step that covers `way` metres asks what is there. What it
+// asks beyond that takes longer.
+Vec3 reach_of_step(const MovementSettings& settings, double way);
 
 // The platforms around where a step begins.
 struct NearPlatforms {
     static constexpr std::size_t capacity = 16;
-    Aabb box;                                  // who stays in it can touch no others
+    Aabb room;                                 // whose centre stays in it can touch no others
     std::array<std::uint32_t, capacity> list;  // ascending
     std::size_t count = 0;                     // above the capacity: not listed
 };
-NearPlatforms platforms_near(const MovementScene& scene, const Vec3& radii, const Vec3& from, double reach);
+NearPlatforms platforms_near(const MovementScene& scene, const Vec3& radii, const Vec3& from,
+                             const Vec3& reach);
 
 struct Mover : Motion {
     // `reach`: as reach_of_step says; decides only what is kept at hand.
     Mover(const MovementScene& in_scene, const MovementSettings& by_settings, TraceSink* sink, double seconds,
-          const Vec3& from, double reach)
+          const Vec3& from, const Vec3& reach)
         : scene(in_scene),
           settings(by_settings),
           trace(sink),

@@ -93,7 +93,8 @@ void move_with_platforms(Mover& mover, const PlayerState& state) {
     for (std::uint32_t i = 0; i < mover.scene.platforms.size(); ++i) {
         if (moves(mover.scene.platforms[i])) give_way(mover, i, before);
     }
-    mover.trapped = overlaps_scene(mover, mover.position);
+    const bool still_free = mover.began_free && mover.position == before;
+    mover.trapped = !still_free && overlaps_scene(mover, mover.position);
     if (mover.trapped) {
         decide(mover, "platforms", false, "overlaps", 1.0, 0.0, "crushed: no room to give way to");
     }

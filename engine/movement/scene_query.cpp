@@ -10,10 +10,8 @@ namespace {
 // Rounding of boxes and sweeps, as a share of the lengths involved; far above both.
 constexpr double box_slack = 1e-5;
 
-bool holds(const Aabb& box, const Vec3& radii, const Vec3& from, const Vec3& to) {
-    const Vec3 half = radii * (1.0 + box_slack);
-    return ((from.cwiseMin(to) - half).array() >= box.min.array()).all() &&
-           ((from.cwiseMax(to) + half).array() <= box.max.array()).all();
+bool holds(const Aabb& box, const Vec3& point) {
+    return (point.array() >= box.min.array()).all() && (point.array() <= box.max.array()).all();
 }
 
 // Calls visit(world, platform, triangles) for everything that a player can touch on its way from `from` by
@@ -25,7 +23,7 @@ void each_world(const Mover& mover, const Vec3& from, const Vec3& move, Visit&& 
     if (platforms == 0) return;
     const NearPlatforms& near = mover.near_platforms;
     const bool listed =
-        near.count <= NearPlatforms::capacity && holds(near.box, mover.settings.radii, from, from + move);
+        near.count <= NearPlatforms::capacity && holds(near.room, from) && holds(near.room, from + move);
     const auto count = listed ? static_cast<std::uint32_t>(near.count) : platforms;
     for (std::uint32_t k = 0; k < count; ++k) {
         const std::uint32_t i = listed ? near.list[k] : k;
@@ -47,16 +45,16 @@ bool earlier(const Contact& a, const Contact& b) {
 
 }  // namespace
 
-NearPlatforms platforms_near(const MovementScene& scene, const Vec3& radii, const Vec3& from, double reach) {
+NearPlatforms platforms_near(const MovementScene& scene, const Vec3& radii, const Vec3& from,
+                             const Vec3& reach) {
     NearPlatforms near;
-    const Vec3 half = radii * (1.0 + reach);
-    near.box.min = from - half;
-    near.box.max = from + half;
-    const Vec3 slack = box_slack * half + 1e-12 * from.cwiseAbs();
+    near.room.min = from - reach;
+    near.room.max = from + reach;
+    const Vec3 slack = radii + box_slack * (radii + reach) + 1e-12 * from.cwiseAbs();
     for (std::uint32_t i = 0; i < scene.platforms.size(); ++i) {
         const Aabb bounds = scene.platforms[i].collision->bounds();
-        const bool beside = ((near.box.min - slack).array() > bounds.max.array()).any() ||
-                            ((near.box.max + slack).array() < bounds.min.array()).any();
+        const bool beside = ((near.room.min - slack).array() > bounds.max.array()).any() ||
+                            ((near.room.max + slack).array() < bounds.min.array()).any();
         if (beside) continue;
         if (near.count < NearPlatforms::capacity) near.list[near.count] = i;
         ++near.count;

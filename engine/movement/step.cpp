@@ -131,7 +131,7 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
     bool hazard = false;
     for (int i = 0; i < parts; ++i) {
         const double speed = std::max(result.state.velocity.norm(), settings.walk_speed);
-        const double reach = reach_of_step(settings, speed * dt / parts);
+        const Vec3 reach = reach_of_step(settings, speed * dt / parts);
         Mover mover(scene, settings, trace, dt / parts, result.state.position, reach);
         result.state = part_of_step(mover, result.state, input, i == 0);
         result.sweeps += mover.sweeps;

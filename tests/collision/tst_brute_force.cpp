@@ -143,9 +143,8 @@ TEST_F(BruteForceAgreement, SweepsRaysPointsAndOverlaps) {
                 for (std::size_t k = 0; k < std::min(count, few.size()); ++k)
                     ASSERT_TRUE(same(few[k], overlaps[k])) << i;
 
-                const Neighbourhood near(world, body, near_from, reach);
-                if (std::isfinite(near.clear_limit(radii, from, move)))
-                    ++(near.triangles().count > 0 ? stayed : empty);
+                const Neighbourhood near(world, body, near_from, reach * body);
+                if (near.holds(radii, from, move)) ++(near.triangles().count > 0 ? stayed : empty);
                 ASSERT_TRUE(same(sweep_ellipsoid(near, radii, from, move), contact)) << i;
                 ASSERT_EQ(find_overlaps(near, radii, from, found), count) << i;
                 for (std::size_t k = 0; k < count; ++k)

@@ -121,7 +121,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         require(overlaps_any(world, radii, from) == !overlaps.empty());
         // Around another place for another body, which mostly holds what the query needs and sometimes not.
         const auto larger = static_cast<double>(what % 5 + 1) / 2;
-        const Neighbourhood near(world, larger * radii, from + (larger - 1) * move, larger);
+        const Vec3 body = what % 2 == 0 ? radii : larger * radii;
+        const Neighbourhood near(world, body, from + (larger - 1) * move, larger * radii);
         require(scenes::same(sweep_ellipsoid(near, radii, from, move), contact));
         require(overlaps_any(near, radii, from) == !overlaps.empty());
         require(find_overlaps(near, radii, from, {}) == overlaps.size());
