@@ -18,10 +18,13 @@ std::span<const DemoInfo> demo_table() {
          "Off: the half-pipe takes speed at every face, and the far rim is not reached. On: it is.",
          demo_keep_energy},
         {"push-out", "push_out", "Push-out",
-         "Off: who begins inside both walls of the wedge stays there. On: is put before them at once.",
+         "Off: who begins inside both walls of the wedge and pushes across it stays there. On: is put before "
+         "them at once and walks past.",
          demo_push_out},
         {"nudge", "nudge", "Nudge",
-         "Off: who spawned in the pillar cannot leave it. On: is put beside it and walks off.", demo_nudge},
+         "Off: who spawned between posts that stand too close cannot leave. On: is put beside them and walks "
+         "off.",
+         demo_nudge},
         {"step-up", "step_up", "Step up", "Off: the stairs are a wall. On: they are climbed.", demo_step_up},
         {"heightfield", "heightfield", "Heightfield", "Off: falls through the terrain. On: walks over it.",
          demo_heightfield},

@@ -124,31 +124,41 @@ Demo demo_seam_filter() {
     return demo;
 }
 
+// Walking straight out of the wedge is free with the switch off, too; the stick pushes across it, past the
+// end of the right wall. Each part of that leads further into one wall or the other.
 Demo demo_push_out() {
     MovementSettings on;
     on.push_out = PushOut::analytic;
     const double half = pi / 18;
-    const Vec3 apex(0, 0, -5);
+    const Vec3 apex(0, 0, -3);
     const auto rim = [&](double side) {
-        return Vec3(apex + 9.0 * Vec3(side * std::sin(half), 0, std::cos(half)));
+        return Vec3(apex + 1.7 * Vec3(side * std::sin(half), 0, std::cos(half)));
     };
-    const Vec3 up(0, 2.5, 0);
+    const Vec3 up(0, 2.0, 0);
     Shapes shapes;
-    shapes.material("plaster").box({-6, -0.5, -8}, {6, 0, 8}).material("brick");
+    shapes.material("plaster").box({-2.5, -0.5, -4}, {4.5, 0, 0.6}).material("brick");
     shapes.polygon({apex, rim(-1), rim(-1) + up, apex + up});
     shapes.polygon({rim(1), apex, apex + up, rim(1) + up});
-    return demo_of(shapes.level(), {0, standing(on, 0), -3.6}, on, "20 wish 0,0\n40 wish 0,1\n", {0, 9, 5},
-                   {0, 0.5, -1.5});
+    Demo demo = demo_of(shapes.level(), {0, standing(on, 0), -1.6}, on, "20 wish 0,0\n40 wish 0.9,-0.43\n",
+                        {1, 15, 4}, {1, 0.5, -1.5});
+    demo.camera.fov_y = 0.35;
+    return demo;
 }
 
+// Four posts that leave less room between them than the player is wide: whoever stands inside touches all of
+// them, and every direction leads further into one.
 Demo demo_nudge() {
     MovementSettings on;
     on.nudge = true;
-    on.nudge_distance = 0.5;
+    on.nudge_distance = 0.8;
     Shapes shapes;
-    shapes.material("plaster").box({-6, -0.5, -6}, {6, 0, 6}).material("brick").box({-1, 0, -1}, {1, 2.2, 1});
-    return demo_of(shapes.level(), {1.15, standing(on, 0), 0}, on, "20 wish 0,0\n60 wish 0,1\n", {7, 6, 6},
-                   {0.8, 0.6, 0.8});
+    shapes.material("plaster").box({-2, -0.5, -2}, {4.5, 0, 4}).material("brick");
+    for (const double x : {-0.33, 0.33}) {
+        for (const double z : {-0.33, 0.33})
+            shapes.box({x - 0.06, 0, z - 0.06}, {x + 0.06, 2.2, z + 0.06});
+    }
+    return demo_of(shapes.level(), {0, standing(on, 0), 0}, on, "20 wish 0,0\n20 wish 1,0\n20 wish 0,1\n",
+                   {3.6, 3.6, 3.8}, {1.1, 0.7, 0.5});
 }
 
 Demo demo_bounce() {

@@ -94,19 +94,45 @@ TEST(Demos, keep_energy_reaches_the_far_rim) {
     EXPECT_GT(risen(pair.on), risen(pair.off) + 1.0);
 }
 
+double moved(const Trip& trip) {
+    return (trip.end().position - trip.start.position).norm();
+}
+
+// The same demo with the stick held in one direction, in the plane, at `angle` from +X.
+Trip run_towards(Demo demo, const MovementSettings& settings, double angle) {
+    demo.tape.segments = {{.ticks = 60, .input = {.wish = 0.99 * Vec2(std::cos(angle), std::sin(angle))}}};
+    return run(demo, settings);
+}
+
 TEST(Demos, push_out_frees_from_the_wedge) {
     const Pair pair = pair_of("push-out");
     const Result<CollisionWorld> world = build_collision_world(pair.demo.level);
-    EXPECT_TRUE(overlaps_any(*world, pair.demo.on.radii, pair.off.states[5].position));
-    EXPECT_FALSE(overlaps_any(*world, pair.demo.on.radii, pair.on.states[0].position));
+    const Vec3& radii = pair.demo.on.radii;
+    EXPECT_LT(moved(pair.off), 1e-6);
+    EXPECT_TRUE(overlaps_any(*world, radii, pair.off.end().position));
+    EXPECT_FALSE(overlaps_any(*world, radii, pair.on.states[0].position));
+    EXPECT_FALSE(overlaps_any(*world, radii, pair.on.end().position));
+    EXPECT_GT(pair.on.end().position.x(), 2.5);  // past the wall, 40 ticks at 5.4 m/s less 6 to start
+
+    MovementSettings iterative = pair.demo.on;
+    iterative.push_out = PushOut::iterative;
+    EXPECT_LT((run(pair.demo, iterative).end().position - pair.on.end().position).norm(), 1e-5);
 }
 
-TEST(Demos, nudge_frees_from_the_pillar) {
+TEST(Demos, nudge_frees_from_between_the_posts) {
     const Pair pair = pair_of("nudge");
-    EXPECT_FALSE(pair.on.states[0].trapped);
-    EXPECT_GT(pair.on.end().position.z(), 4.0);
     const Result<CollisionWorld> world = build_collision_world(pair.demo.level);
-    EXPECT_TRUE(overlaps_any(*world, pair.demo.on.radii, pair.off.states[19].position));
+    const Vec3& radii = pair.demo.on.radii;
+    EXPECT_LT(moved(pair.off), 1e-6);
+    EXPECT_TRUE(overlaps_any(*world, radii, pair.off.end().position));
+    EXPECT_FALSE(pair.on.states[0].trapped);
+    EXPECT_FALSE(overlaps_any(*world, radii, pair.on.states[0].position));
+    EXPECT_FALSE(overlaps_any(*world, radii, pair.on.end().position));
+    EXPECT_GT(moved(pair.on), 2.5);
+    for (int i = 0; i < 16; ++i) {  // no direction of the stick leads out
+        const double angle = 2.0 * 3.141592653589793 * i / 16;
+        EXPECT_LT(moved(run_towards(pair.demo, pair.demo.off, angle)), 1e-6) << angle;
+    }
 }
 
 TEST(Demos, step_up_climbs_the_stairs) {
