@@ -1,5 +1,8 @@
 // Demos of walking on ground that does not move.
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "demos.h"
 #include "shapes.h"
@@ -53,13 +56,36 @@ Demo demo_ground_velocity() {
                    {17, 7, -2}, {0, 3, -3});
 }
 
+// A stripe along the heading is painted over floor and ramp, and the camera looks straight down: what leaves
+// the stripe has been turned.
 Demo demo_straight_ahead() {
     MovementSettings on;
+    constexpr double left = -12, right = 10, near = 7, far = -8;
+    const double slope = std::tan(pi / 6), half = 0.35;
+    // Where the stripe's middle crosses a line of constant z: from the spawn at (-6, 5) at 45 degrees.
+    const auto middle = [](double z) { return -1.0 - z; };
     Shapes shapes;
-    shapes.material("plaster").box({-14, -0.5, -18}, {16, 0, 10}).material("brick");
-    shapes.ramp({-14, 0, 0}, 30, 14, 14 * std::tan(pi / 6));
-    return demo_of(shapes.level(), {-6, standing(on, 0), 5}, on,
-                   "10 wish 0,0\n150 wish 0.70710678,-0.70710678\n", {2, 17, 13}, {1, 1.5, -4});
+    const auto strip = [&](double from, double to, double x0_from, double x1_from, double x0_to,
+                           double x1_to) {
+        const double low = std::max(0.0, -from) * slope, high = std::max(0.0, -to) * slope;
+        shapes.polygon({{x0_from, low, from}, {x1_from, low, from}, {x1_to, high, to}, {x0_to, high, to}});
+    };
+    for (const auto& [from, to] : {std::pair{near, 0.0}, std::pair{0.0, far}}) {
+        const double a = middle(from), b = middle(to);
+        shapes.material("plaster");
+        strip(from, to, left, a - half, left, b - half);
+        strip(from, to, a + half, right, b + half, right);
+        shapes.material("plaster__stripe");
+        strip(from, to, a - half, a + half, b - half, b + half);
+    }
+    Demo demo = demo_of(shapes.level(), {-6, standing(on, 0), 5}, on,
+                        "10 wish 0,0\n150 wish 0.70710678,-0.70710678\n", {-1, 60, -0.5}, {-1, 1.5, -0.5});
+    demo.camera.fov_y = 0.3;
+    SurfaceType stripe;
+    stripe.name = "stripe";
+    stripe.color = {0.30F, 0.55F, 0.85F};
+    demo.level.surfaces.push_back(stripe);
+    return demo;
 }
 
 Demo demo_keep_energy() {

@@ -79,6 +79,12 @@ TEST(Demos, straight_ahead_keeps_the_heading) {
     };
     EXPECT_NEAR(heading(pair.on), 0.25 * 3.141592653589793, 1e-4);
     EXPECT_GT(std::abs(heading(pair.off) - 0.25 * 3.141592653589793), 0.05);
+    // The stripe, 0.7 m wide, has its middle on x + z = -1.
+    const auto aside = [](const Trip& r) {
+        return std::abs(r.end().position.x() + r.end().position.z() + 1.0);
+    };
+    EXPECT_LT(aside(pair.on), 0.01);
+    EXPECT_GT(aside(pair.off), 0.35 + pair.demo.on.radii.x());
 }
 
 TEST(Demos, keep_energy_reaches_the_far_rim) {
