@@ -28,8 +28,8 @@ std::span<const DemoInfo> demo_table() {
         {"heightfield", "heightfield", "Heightfield", "Off: falls through the terrain. On: walks over it.",
          demo_heightfield},
         {"sectors", "sectors", "Sectors",
-         "A million metres out. Off: coordinates are 6 cm apart, and the tiles are a washboard. On: as at "
-         "the origin.",
+         "A million metres out. Off: coordinates are 6 cm apart, and the posts of the gate have moved too "
+         "close. On: walks through as at the origin.",
          demo_sectors},
         {"bounce", "surface_types", "Bounce",
          "Off: the pad is a floor. On: each rebound is 0.8 times as fast.", demo_bounce},

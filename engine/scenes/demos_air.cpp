@@ -136,16 +136,26 @@ Demo demo_sectors() {
     // A tilted floor of small tiles: every corner that is moved sideways is also too high or too low.
     Shapes shapes;
     shapes.material("stone");
-    const auto corner = [](int i, int k) {
+    const auto height = [](double x, double z) { return 0.25 * x - 0.15 * z; };
+    const auto corner = [&](int i, int k) {
         const double x = 0.57 * i - 4.0, z = 0.57 * k - 12.0;
-        return Vec3(x, 0.25 * x - 0.15 * z, z);
+        return Vec3(x, height(x, z), z);
     };
     for (int k = 0; k < 32; ++k) {
         for (int i = 0; i < 14; ++i)
             shapes.polygon({corner(i, k), corner(i, k + 1), corner(i + 1, k + 1), corner(i + 1, k)});
     }
-    Demo demo = demo_of(shapes.level(), {0.37, standing_on_flat(on, 0), 3.1}, on,
-                        "30 wish 0,0\n120 wish 0.1,-0.9\n", {9, 5, 4}, {0, 1, -2});
+    // Gates 0.81 m wide for a player of 0.8 m. A million metres out their posts stand on multiples of 0.0625
+    // m: 0.75 m apart.
+    constexpr double gate = 0.405;
+    shapes.material("brick");
+    for (const double z : {0.0, -3.0, -6.0}) {
+        const double low = height(0, z) - 0.8, high = height(0, z) + 2.4;
+        shapes.box({-gate - 0.3, low, z - 0.2}, {-gate, high, z + 0.2});
+        shapes.box({gate, low, z - 0.2}, {gate + 0.3, high, z + 0.2});
+    }
+    Demo demo = demo_of(shapes.level(), {0, standing_on_flat(on, 0), 3.1}, on,
+                        "30 wish 0,0\n120 wish 0,-0.9\n", {6, 4.5, 5}, {0.5, 1, -1.5});
     demo.level.sectors = {.size = 1000.0, .placement = {1e6, 0, -1e6}};
     return demo;
 }
