@@ -36,7 +36,8 @@ std::span<const DemoInfo> demo_table() {
         {"snap-down", "snap_down", "Snap to floor",
          "Off: flies off the stairs on the way down. On: the path follows them.", demo_snap_down},
         {"seam-filter", "seam_filter", "Seam filter",
-         "A floor rises into the player. Off: the edges of its triangles stop the walk. On: nothing does.",
+         "A floor rises into the player. Off: the edges of its triangles hold the player fast. On: the walk "
+         "goes on.",
          demo_seam_filter},
         {"coyote", "coyote", "Coyote time",
          "Jump is pressed 3 ticks after the ledge. Off: falls into the gap. On: reaches the other side.",

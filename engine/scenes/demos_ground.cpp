@@ -131,21 +131,28 @@ Demo demo_snap_down() {
                    {0, 1.8, -1});
 }
 
+// The floor is drawn where its rise ends.
 Demo demo_seam_filter() {
     MovementSettings on;
     on.seam_filter = true;
     // A floor that rises into the player, as in a game that moves its geometry by itself.
     on.platforms = false;
+    constexpr double rise = 0.8, x = 3, front = 5, back = -11;
     Shapes shapes;
-    shapes.material("plaster").box({-4, -0.5, -14}, {4, -0.2, 6}).group("lift").material("stone");
-    shapes.floor({-3, 0, -12}, {3, 0, 4}, 0.8);
-    Demo demo = demo_of(shapes.level(), {0.1, standing(on, 0), 3}, on, "120 wish 0.05,-0.998\n", {9, 6, 6},
-                        {0, 2, -3});
+    shapes.material("plaster").box({-6, -1.4, -13}, {6, -rise - 0.1, 8}).group("lift").material("stone");
+    shapes.floor({-x, 0, back}, {x, 0, front}, 0.8);
+    const std::array<Vec3, 4> rim{{{-x, 0, front}, {x, 0, front}, {x, 0, back}, {-x, 0, back}}};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec3 &a = rim.at(i), &b = rim.at((i + 1) % 4), down(0, -rise, 0);
+        shapes.polygon({a, a + down, b + down, b});
+    }
+    Demo demo = demo_of(shapes.level(), {0.1, standing(on, -rise), 3}, on, "120 wish 0.05,-0.998\n",
+                        {9, 4, 5}, {0, 0, -3});
     Platform lift;
     lift.name = "lift";
     lift.group = "lift";
     lift.repeat = PathRepeat::once;
-    lift.path = {{.offset = {0, 0, 0}, .speed = 2.0}, {.offset = {0, 4, 0}, .speed = 2.0}};
+    lift.path = {{.offset = {0, -rise, 0}, .speed = 2.0}, {.offset = {0, 0, 0}, .speed = 2.0}};
     demo.level.platforms = {lift};
     return demo;
 }

@@ -200,8 +200,10 @@ TEST(Demos, snap_down_follows_the_stairs) {
 TEST(Demos, seam_filter_passes_triangle_edges) {
     const Pair pair = pair_of("seam-filter");
     const double ideal = 6.0 * 2.0;
-    EXPECT_LT(pair.off.start.position.z() - pair.off.end().position.z(), 0.7 * ideal);
-    EXPECT_GT(pair.on.start.position.z() - pair.on.end().position.z(), 0.9 * ideal);
+    EXPECT_LT(std::abs(pair.off.start.position.z() - pair.off.end().position.z()), 0.1);
+    EXPECT_LT(pair.off.end().position.y(), 0.5);  // sunk to the waist in the floor at y = 0
+    EXPECT_GT(pair.on.start.position.z() - pair.on.end().position.z(), 0.95 * ideal);
+    EXPECT_NEAR(pair.on.end().position.y(), pair.demo.on.radii.y() + pair.demo.on.skin, 1e-5);
 }
 
 TEST(Demos, jumps_are_forgiving) {
