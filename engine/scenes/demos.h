@@ -29,4 +29,7 @@ Demo demo_surface_types();
 Demo demo_of(Level level, const Vec3& spawn, const MovementSettings& on, const char* inputs, const Vec3& eye,
              const Vec3& target);
 
+// Plain ground in another colour, for what should be seen: faces of a material "NAME__name" are of it.
+SurfaceType painted(const char* name, const std::array<float, 3>& color);
+
 }  // namespace slipface

@@ -88,7 +88,7 @@ Demo demo_platforms() {
 Demo demo_turntable() {
     MovementSettings on;
     Shapes shapes;
-    shapes.material("plaster").box({-7, -1, -7}, {7, -0.5, 7}).group("table").material("wood");
+    shapes.material("plaster").box({-7, -1, -7}, {7, -0.5, 7}).group("table").material("wood__disc");
     std::vector<Vec3> rim;
     for (int i = 0; i < 24; ++i) {
         const double angle = -2.0 * 3.141592653589793 * i / 24;
@@ -103,6 +103,7 @@ Demo demo_turntable() {
     table.group = "table";
     table.spin_rate = 1.2;
     demo.level.platforms = {table};
+    demo.level.surfaces.push_back(painted("disc", {0.72F, 0.56F, 0.36F}));
     return demo;
 }
 

@@ -33,6 +33,13 @@ Demo demo_of(Level level, const Vec3& spawn, const MovementSettings& on, const c
     return demo;
 }
 
+SurfaceType painted(const char* name, const std::array<float, 3>& color) {
+    SurfaceType type;
+    type.name = name;
+    type.color = color;
+    return type;
+}
+
 Demo demo_static_friction() {
     MovementSettings on;
     const double angle = pi / 6;
@@ -81,10 +88,7 @@ Demo demo_straight_ahead() {
     Demo demo = demo_of(shapes.level(), {-6, standing(on, 0), 5}, on,
                         "10 wish 0,0\n150 wish 0.70710678,-0.70710678\n", {-1, 60, -0.5}, {-1, 1.5, -0.5});
     demo.camera.fov_y = 0.3;
-    SurfaceType stripe;
-    stripe.name = "stripe";
-    stripe.color = {0.30F, 0.55F, 0.85F};
-    demo.level.surfaces.push_back(stripe);
+    demo.level.surfaces.push_back(painted("stripe", {0.30F, 0.55F, 0.85F}));
     return demo;
 }
 
