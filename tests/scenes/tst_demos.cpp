@@ -135,6 +135,11 @@ TEST(Demos, nudge_frees_from_between_the_posts) {
     EXPECT_FALSE(overlaps_any(*world, radii, pair.on.states[0].position));
     EXPECT_FALSE(overlaps_any(*world, radii, pair.on.end().position));
     EXPECT_GT(moved(pair.on), 2.5);
+    for (const PushOut kind : {PushOut::iterative, PushOut::analytic}) {  // there is no plane to leave
+        MovementSettings pushed = pair.demo.off;
+        pushed.push_out = kind;
+        EXPECT_LT(moved(run(pair.demo, pushed)), 1e-6);
+    }
     for (int i = 0; i < 16; ++i) {  // no direction of the stick leads out
         const double angle = 2.0 * 3.141592653589793 * i / 16;
         EXPECT_LT(moved(run_towards(pair.demo, pair.demo.off, angle)), 1e-6) << angle;
