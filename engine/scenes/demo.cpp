@@ -6,7 +6,7 @@ namespace slipface {
 
 // A new demo is one function in a file of demos and one row here.
 std::span<const DemoInfo> demo_table() {
-    static const std::array<DemoInfo, 19> table{{
+    static const std::array<DemoInfo, 20> table{{
         {"static-friction", "static_friction", "Static friction",
          "Off: who stands on the 30 degree ramp creeps down it. On: stands still.", demo_static_friction},
         {"ground-velocity", "ground_velocity", "Ground velocity",
@@ -33,6 +33,8 @@ std::span<const DemoInfo> demo_table() {
          demo_sectors},
         {"bounce", "surface_types", "Bounce",
          "Off: the pad is a floor. On: each rebound is 0.8 times as fast.", demo_bounce},
+        {"sticky", "surface_types", "Sticky",
+         "Off: slides down the wall. On: hangs on it, stick or no stick.", demo_sticky},
         {"snap-down", "snap_down", "Snap to floor",
          "Off: flies off the stairs on the way down. On: the path follows them.", demo_snap_down},
         {"seam-filter", "seam_filter", "Seam filter",

@@ -22,6 +22,7 @@ Demo demo_variable_jump();
 Demo demo_air_control();
 Demo demo_platforms();
 Demo demo_turntable();
+Demo demo_sticky();
 Demo demo_surface_types();
 
 // What demos are put together from: a level, where the player starts, what the stick does ("60 wish 0,-1"

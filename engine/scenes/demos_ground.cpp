@@ -208,6 +208,17 @@ Demo demo_bounce() {
     return demo_of(shapes.level(), {-4, 5, 0}, on, "300 wish 0.35,0\n", {2, 3.5, 14}, {2, 2, 0});
 }
 
+Demo demo_sticky() {
+    MovementSettings on;
+    Shapes shapes;
+    shapes.material("plaster").box({-5, -0.5, -6}, {5, 0, 5}).material("stone").box({-3, 0, -4}, {3, 4, -2});
+    shapes.material("stone__sticky").polygon({{-3, 0, -1.98}, {3, 0, -1.98}, {3, 4, -1.98}, {-3, 4, -1.98}});
+    // The jump meets the wall near its highest point, 2.4 m on; the stick goes on pushing.
+    return demo_of(shapes.level(), {0, standing(on, 0), 2.6}, on,
+                   "10 wish 0,0\n20 wish 0,-1\n30 wish 0,-1 jump\n60 wish 0,-1\n", {8, 4, 3.5},
+                   {0, 1.6, -0.8});
+}
+
 Demo demo_surface_types() {
     MovementSettings on;
     Shapes shapes;

@@ -196,6 +196,15 @@ TEST(Demos, bounce_gives_back) {
     EXPECT_GT(pair.on.highest(80), 2.5);
 }
 
+TEST(Demos, sticky_walls_hold) {
+    const Pair pair = pair_of("sticky");
+    EXPECT_TRUE(pair.off.end().grounded);
+    EXPECT_LT(pair.off.end().position.y(), 1.0);
+    EXPECT_TRUE(pair.on.end().stuck);
+    EXPECT_GT(pair.on.end().position.y(), 2.0);
+    EXPECT_EQ(pair.on.end().position, pair.on.states[pair.on.states.size() - 30].position);  // bit by bit
+}
+
 TEST(Demos, snap_down_follows_the_stairs) {
     const Pair pair = pair_of("snap-down");
     EXPECT_GT(pair.off.airborne(20, 110), 10U);
