@@ -64,10 +64,12 @@ Demo demo_air_control() {
     MovementSettings on;
     Shapes shapes;
     shapes.material("plaster").box({-5, -4.5, -14}, {9, -4, 8}).material("stone").box({-2, -4, 0}, {2, 0, 7});
-    shapes.material("brick").box({0.8, -4, -3.6}, {3.2, 0, -1.4});
-    return demo_of(shapes.level(), {0, standing_on_flat(on, 0), 4}, on,
-                   "10 wish 0,0\n38 wish 0,-1\n10 wish 0,-1 jump\n14 wish 1,0 jump\n70 wish 0,0\n",
-                   {2, 11, 7}, {0.6, 0, -1});
+    shapes.material("brick__pillar").box({0.8, -4, -3.6}, {3.2, 0, -1.4});
+    Demo demo = demo_of(shapes.level(), {0, standing_on_flat(on, 0), 4}, on,
+                        "10 wish 0,0\n38 wish 0,-1\n10 wish 0,-1 jump\n14 wish 1,0 jump\n70 wish 0,0\n",
+                        {-9, 6, 3.5}, {0.5, -1, -1});
+    demo.level.surfaces.push_back(painted("pillar", {0.30F, 0.55F, 0.85F}));
+    return demo;
 }
 
 Demo demo_platforms() {
