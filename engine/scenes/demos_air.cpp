@@ -114,8 +114,11 @@ Demo demo_heightfield() {
     constexpr int side = 33;
     Shapes shapes;
     shapes.material("stone").box({-2, 0, 6}, {2, 2.4, 9});
+    // Posts at the far corners, so that the mesh's bounds, by which pictures are taken, reach as far as the
+    // hills.
+    shapes.box({-11.9, -1, -13.9}, {-11.5, 2.6, -13.5}).box({11.5, -1, -13.9}, {11.9, 2.6, -13.5});
     Demo demo = demo_of(shapes.level(), {0, standing_on_flat(on, 2.4), 7.5}, on,
-                        "20 wish 0,0\n170 wish 0,-1\n", {13, 8, 11}, {0, 0.5, -1});
+                        "20 wish 0,0\n145 wish 0,-1\n", {13, 8, 11}, {0, 0.5, -1});
     demo.level.heightfield = HeightfieldSource{.file = "heightfield-terrain.png",
                                                .origin = {-12, 0, -14},
                                                .size = {24, 28},
