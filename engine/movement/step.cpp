@@ -155,13 +155,15 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
     }
     result.state.hazard = hazard;
     place_in_scene(scene, result.state.position, result.state);
-    if (trace != nullptr && result.state.sector != state.sector) {
+    if (trace != nullptr && scene.sectors.size > 0.0) {
+        const bool stays = result.state.sector == state.sector;
         trace->add(DecisionRecord{.hack = "sectors",
                                   .acted = true,
                                   .quantity = "from its middle, m",
                                   .value = result.state.position.cwiseAbs().maxCoeff(),
                                   .limit = 0.5 * scene.sectors.size,
-                                  .outcome = "enters another sector, and gets its coordinates"});
+                                  .outcome = stays ? "in the coordinates of its sector"
+                                                   : "enters another sector, and gets its coordinates"});
     }
     return result;
 }

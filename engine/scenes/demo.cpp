@@ -31,9 +31,9 @@ std::span<const DemoInfo> demo_table() {
          "A million metres out. Off: coordinates are 6 cm apart, and the posts of the gate have moved too "
          "close. On: walks through as at the origin.",
          demo_sectors},
-        {"bounce", "surface_types", "Bounce",
+        {"bounce", "bounce", "Bounce",
          "Off: the pad is a floor. On: each rebound is 0.8 times as fast.", demo_bounce},
-        {"sticky", "surface_types", "Sticky",
+        {"sticky", "stick", "Sticky",
          "Off: slides down the wall. On: hangs on it, stick or no stick.", demo_sticky},
         {"snap-down", "snap_down", "Snap to floor",
          "Off: flies off the stairs on the way down. On: the path follows them.", demo_snap_down},

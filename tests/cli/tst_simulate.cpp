@@ -65,7 +65,8 @@ TEST_F(Simulate, APresetComesBeforeTheTapesSettings) {
         cli::run_simulate({.level = level, .tape = path, .json = true, .preset = "simulation"}, out, err),
         cli::exit_fine)
         << err.str();
-    EXPECT_EQ(result()["final_state"]["velocity"][1], slower) << "gravity of that preset: 9.81";
+    EXPECT_NEAR(result()["final_state"]["velocity"][1].get<double>(), slower, 1e-9)
+        << "gravity of that preset: 9.81";
     EXPECT_NE(slower, fallen);
     err.str("");
     EXPECT_EQ(cli::run_simulate({.level = level, .tape = path, .preset = ""}, out, err), cli::exit_bad_input);

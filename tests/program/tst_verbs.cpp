@@ -64,10 +64,12 @@ TEST(Simulate, TheSameTapeGivesTheSameHashes) {
     EXPECT_EQ(run_program(arguments + " --set walk_sped=5").exit_code, 2);
 }
 
-// An open floor: walkers leave it, which is no finding.
+// Two metres below the spawn point, which is the origin. Walkers leave it, which is no finding.
+const std::string low_floor_obj = "v -10 -2 10\nv 10 -2 10\nv 10 -2 -10\nv -10 -2 -10\nf 1 2 3 4\n";
+
 TEST(Audit, IsTheSameForAnyNumberOfThreads) {
     const ScratchFolder folder;
-    const std::string level = folder.write("floor.obj", floor_obj);
+    const std::string level = folder.write("floor.obj", low_floor_obj);
     const std::string arguments = "audit " + level + " --walkers 6 --seconds 3 --seed 7 --json --threads ";
     const ProgramRun one = run_program(arguments + "1"), two = run_program(arguments + "2");
     ASSERT_EQ(one.exit_code, 0) << one.output;
@@ -79,7 +81,7 @@ TEST(Audit, IsTheSameForAnyNumberOfThreads) {
 
 TEST(Audit, ItsPartsMakeTheWhole) {
     const ScratchFolder folder;
-    const std::string level = folder.write("floor.obj", floor_obj);
+    const std::string level = folder.write("floor.obj", low_floor_obj);
     const std::string arguments = "audit " + level + " --walkers 6 --seconds 2 --json";
     const std::string first = (folder / "first.json").string(), second = (folder / "second.json").string();
     const ProgramRun whole = run_program(arguments);
@@ -92,7 +94,7 @@ TEST(Audit, ItsPartsMakeTheWhole) {
 
 TEST(Audit, RefusesWhatItCannotDo) {
     const ScratchFolder folder;
-    const std::string level = folder.write("floor.obj", floor_obj);
+    const std::string level = folder.write("floor.obj", low_floor_obj);
     const auto code = [&](const std::string& rest) { return run_program("audit " + level + rest).exit_code; };
     EXPECT_EQ(code(" --seed -1"), 64);
     EXPECT_EQ(code(" --seed 18446744073709551616"), 64);
@@ -107,7 +109,7 @@ TEST(Audit, RefusesWhatItCannotDo) {
 
 TEST(Output, ThatCannotBeWrittenIsAFailure) {
     const ScratchFolder folder;
-    const std::string level = folder.write("floor.obj", floor_obj);
+    const std::string level = folder.write("floor.obj", low_floor_obj);
     EXPECT_EQ(run_program("info " + level + " > /dev/full").exit_code, 2);
     EXPECT_EQ(run_program("audit " + level + " --walkers 1 --seconds 0.1 --json > /dev/full").exit_code, 2);
 }
