@@ -163,7 +163,7 @@ TEST(PushOutCone, faces_that_are_nearly_one_plane_count_once) {
 }
 
 TEST(PushOutCone, a_slot_with_nearly_parallel_sides_is_not_left) {
-    // Two walls 0.6 m apart whose planes meet 0.3 / tilt away, at least 30 km: with no line worth going to,
+    // Two walls 0.6 m apart whose planes meet 0.6 / tilt away, at least 60 km: with no line worth going to,
     // nothing is free, and the player stays.
     for (const double tilt : {0.0, 1e-9, 1e-7, 1e-5}) {
         Lab lab;

@@ -68,8 +68,8 @@ Evenness walk_in_circles(const Lab& lab, const MovementSettings& s, double slope
 
 TEST(SeamFilter, no_bumps_in_10_to_the_5_ticks_over_random_triangulations_of_a_plane) {
     // Five level planes, whose corners floats hold exactly in height, and five of 10 degrees, whose corners
-    // are rounded by up to 2e-7 m: seams that do rise. The rim of a triangle 0.1 m across may so lean by
-    // 4e-6.
+    // are rounded by up to 2.4e-7 m in height and 1e-6 m along: seams that do rise, by up to 4e-7 m. A
+    // thousandth of the skin, 2e-6 m, may be missing without a push.
     Random random(3);
     for (const double slope : {0.0, std::tan(radians(10))}) {
         for (int plane = 0; plane < 5; ++plane) {
