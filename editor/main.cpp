@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
+#include <iostream>
 #include <string>
 
 #include "app/glfw_host.h"
@@ -185,7 +186,14 @@ int run(int argument_count, char** arguments) {
 
 int main(int argument_count, char** arguments) {
     try {
-        return slipface::run(argument_count, arguments);
+        const int code = slipface::run(argument_count, arguments);
+        // A full disk or a closed pipe must not pass for a result.
+        std::cout.flush();
+        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout) {
+            std::fprintf(stderr, "slipface: the output could not be written\n");
+            return 2;
+        }
+        return code;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "slipface: %s\n", error.what());
         return 2;

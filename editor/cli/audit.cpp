@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <iostream>
@@ -67,6 +68,8 @@ Status write_tapes(const std::filesystem::path& folder, const Level& level, cons
                    const AuditReport& report) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
+    if (!std::filesystem::is_directory(folder))
+        return Error{folder.string(), error ? error.message() : "is no folder"};
     for (const AuditFinding& finding : report.findings) {
         const std::string name =
             fmt::format("{}-{}-{}-{}.tape", level.mesh_path.stem().string(),
@@ -162,6 +165,15 @@ int guarded(const std::function<int()>& body) {
     }
 }
 
+// The parser alone would take -1 for the largest number.
+std::string seed_number(const std::string& text) {
+    std::uint64_t number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, number);
+    if (error == std::errc() && rest == end) return {};
+    return fmt::format("found {}, expected a whole number from 0 to 18446744073709551615", text);
+}
+
 void add_report_options(CLI::App& verb, AuditWords& words) {
     verb.add_flag("--json", words.json, "Print JSON: the same bytes for any number of threads and shards");
     verb.add_option("--out", words.out, "Write the JSON to a file, too")->type_name("FILE");
@@ -176,7 +188,9 @@ void add_audit_verb(CLI::App& app, int& exit_code) {
     CLI::Option* level = verb->add_option("LEVEL", words->level, "OBJ or level file");
     verb->add_option("--walkers", words->walkers, "How many")->capture_default_str();
     verb->add_option("--seconds", words->seconds, "Simulated time of each")->capture_default_str();
-    verb->add_option("--seed", words->seed, "Another seed, other walks")->capture_default_str();
+    verb->add_option("--seed", words->seed, "Another seed, other walks")
+        ->check(seed_number)
+        ->capture_default_str();
     verb->add_option("--speeds", words->speeds, "Running speeds in m/s, taken in turn; else the level's")
         ->type_name("6,20,60");
     verb->add_option("--dt", words->dt, "Seconds a step")->capture_default_str();

@@ -22,7 +22,8 @@ void print_json(std::ostream& out, const OutputJson& json) {
 }
 
 void print_row(std::ostream& out, std::string_view name, std::string_view value) {
-    out << fmt::format("{:<16}{}\n", name, value);
+    constexpr std::size_t column = 16;
+    out << fmt::format("{:<16}{}{}\n", name, name.size() < column ? "" : "  ", value);
 }
 
 std::string vector_text(const Vec3& vector) {

@@ -83,6 +83,11 @@ std::size_t painted_count(const Level& level) {
     return count;
 }
 
+double bytes_a_triangle(const LevelInfo& info) {
+    const std::size_t triangles = info.loaded.level.mesh->triangle_count();
+    return triangles == 0 ? 0.0 : static_cast<double>(info.bvh.bytes) / static_cast<double>(triangles);
+}
+
 void print_info_json(const LevelInfo& info, std::ostream& out) {
     const Level& level = info.loaded.level;
     const Mesh& mesh = *level.mesh;
@@ -103,6 +108,7 @@ void print_info_json(const LevelInfo& info, std::ostream& out) {
     json["load_s"] = info.load_s;
     json["bvh_s"] = info.bvh_s;
     json["bvh_bytes"] = info.bvh.bytes;
+    json["bvh_bytes_a_triangle"] = bytes_a_triangle(info);
     json["bvh_nodes"] = info.bvh.nodes;
     json["bvh_depth"] = info.bvh.depth;
     json["warnings"] = OutputJson::array();
@@ -123,7 +129,8 @@ void print_info_text(const LevelInfo& info, std::ostream& out) {
     print_row(out, "bounds max", vector_text(mesh.bounds.max) + "  m");
     print_row(out, "loaded in", duration_text(info.load_s));
     print_row(out, "BVH built in",
-              fmt::format("{}, {}", duration_text(info.bvh_s), bytes_text(info.bvh.bytes)));
+              fmt::format("{}, {}, {:.1f} bytes a triangle", duration_text(info.bvh_s),
+                          bytes_text(info.bvh.bytes), bytes_a_triangle(info)));
     print_row(out, "painted faces", fmt::format("{} ({})", painted_count(level), info.loaded.match.text()));
     out << "\nfaces per type\n";
     for (std::size_t i = 0; i < level.surfaces.size(); ++i) {

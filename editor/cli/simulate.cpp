@@ -8,6 +8,7 @@
 #include "slipface/level/level_file.h"
 #include "slipface/level/preset.h"
 #include "slipface/sim/channels.h"
+#include "slipface/sim/story.h"
 
 namespace slipface::cli {
 namespace {
@@ -16,7 +17,7 @@ struct Run {
     LoadedLevel loaded;
     Tape tape;
     SimulationReport report;
-    std::string csv;  // if it was asked for
+    std::string text;  // instead of the report, if it was asked for
     Warnings warnings;
     bool as_recorded = true;  // nothing was changed on the command line
 };
@@ -39,13 +40,13 @@ Result<Run> run_tape(const SimulateOptions& options) {
                                                 hash_text(*recorded), hash_text(level.mesh->fingerprint))});
     }
     MovementSettings settings = level.movement;
-    if (!options.preset.empty()) {
-        const Result<Preset> preset = find_preset(options.preset);
-        if (!preset) return Error{"--preset", preset.error().text()};
-        settings = preset->settings;
-    }
     if (Status status = apply_tape_settings(settings, run.tape, options.tape.string()); !status.ok()) {
         return status.error();
+    }
+    if (options.preset) {
+        const Result<Preset> preset = find_preset(*options.preset);
+        if (!preset) return Error{"--preset", preset.error().text()};
+        settings = preset->settings;
     }
     for (const std::string& assignment : options.settings) {
         if (Status status = set_setting(settings, assignment); !status.ok()) {
@@ -61,17 +62,25 @@ Result<Run> run_tape(const SimulateOptions& options) {
             {options.tape.string(),
              "was recorded with other surface types, or with other faces painted; the run may differ"});
     }
-    run.as_recorded = options.settings.empty() && options.preset.empty();
+    run.as_recorded = options.settings.empty() && !options.preset;
     const Vec3 start = run.tape.start.value_or(level.spawn);
     run.report = simulate(scene, settings, start, run.tape);
-    if (options.csv) {
+    if (options.csv || options.tell) {
         TapeRun samples(std::make_shared<const Tape>(run.tape), settings, start);
         if (run.tape.tick_count() > TapeRun::max_ticks) {
-            return Error{options.tape.string(), fmt::format("found {} ticks, expected at most {} for CSV",
-                                                            run.tape.tick_count(), TapeRun::max_ticks)};
+            return Error{options.tape.string(),
+                         fmt::format("found {} ticks, expected at most {} for --csv and --tell",
+                                     run.tape.tick_count(), TapeRun::max_ticks)};
         }
         samples.advance(scene, TapeRun::max_ticks);
-        run.csv = run_csv(samples, level.surfaces);
+        if (options.csv) run.text = run_csv(samples, level.surfaces);
+        if (options.tell) {
+            const std::size_t ticks = samples.samples().size();
+            if (*options.tell >= ticks)
+                return Error{"--tell", fmt::format("found tick {}, expected one from 0 to {}", *options.tell,
+                                                   ticks == 0 ? 0 : ticks - 1)};
+            run.text = story_text(tell(samples.trace(scene, *options.tell), level.surfaces));
+        }
     }
     return run;
 }
@@ -142,8 +151,8 @@ int run_simulate(const SimulateOptions& options, std::ostream& out, std::ostream
         return exit_bad_input;
     }
     print_warnings(err, run->warnings);
-    if (options.csv)
-        out << run->csv;
+    if (options.csv || options.tell)
+        out << run->text;
     else
         options.json ? print_report_json(*run, out) : print_report_text(*run, out);
     if (run->tape.end_hash && run->as_recorded && *run->tape.end_hash != run->report.end_hash) {

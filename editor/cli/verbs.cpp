@@ -99,13 +99,20 @@ void add_simulate(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<SimulateOptions>();
     verb->add_option("LEVEL", options->level, "OBJ or level file")->required();
     verb->add_option("--tape", options->tape, "Inputs, tick by tick")->required()->type_name("FILE");
-    verb->add_option("--preset", options->preset, "Settings instead of the level's own; a name or a file")
+    verb->add_option("--preset", options->preset,
+                     "Settings instead of the level's and the tape's; a name or a file")
         ->type_name("PRESET");
     verb->add_option("--set", options->settings, "Change a movement setting; may be repeated")
         ->type_name("name=value")
         ->allow_extra_args(false);
     CLI::Option* json = verb->add_flag("--json", options->json, "Print JSON");
-    verb->add_flag("--csv", options->csv, "Print the run's numbers, a row a tick")->excludes(json);
+    CLI::Option* csv = verb->add_flag("--csv", options->csv, "Print the run's numbers, a row a tick");
+    csv->excludes(json);
+    verb->add_option("--tell", options->tell, "Print what happened in that tick, and why; the first is 0")
+        ->type_name("TICK")
+        ->check(CLI::NonNegativeNumber)
+        ->excludes(json)
+        ->excludes(csv);
     verb->callback([options, &exit_code] {
         exit_code = guarded([&] { return run_simulate(*options, std::cout, std::cerr); });
     });

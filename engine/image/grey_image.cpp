@@ -29,6 +29,18 @@ Result<GreyImage> decode(std::string_view bytes, const std::string& place, int m
         return Error{place, fmt::format("is {} x {} pixels; at most {} x {} are read", header->width,
                                         header->height, max_side, max_side)};
     }
+    // Behind signature, chunk header and size: depth and colour type. Eight bits would make terraces, and
+    // colours no heights.
+    constexpr std::size_t depth_at = 24;
+    const int depth = static_cast<unsigned char>(bytes[depth_at]);
+    const int colour = static_cast<unsigned char>(bytes[depth_at + 1]);
+    if (depth != 16 || (colour != 0 && colour != 4)) {
+        const bool grey = colour == 0 || colour == 4;
+        return Error{place, fmt::format("has {} bits of {}; expected 16-bit grey", depth,
+                                        grey          ? "grey"
+                                        : colour == 3 ? "a palette"
+                                                      : "colour")};
+    }
     if (!png_data_fits_header(bytes)) return Error{place, "is corrupt: its data do not fit its size"};
     int width = 0;
     int height = 0;

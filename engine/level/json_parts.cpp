@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "slipface/base/text.h"
+
 namespace slipface {
 
 namespace {
@@ -97,6 +99,10 @@ HeightfieldSource read_heightfield(JsonReader& reader, const Json& json, const s
     }
     maybe_number(reader, json, path, "low", -1e6, 1e6, source.low);
     maybe_number(reader, json, path, "high", -1e6, 1e6, source.high);
+    if (reader.ok() && !(source.low < source.high)) {
+        reader.fail(path + "/high", to_text(source.high),
+                    fmt::format("more than \"low\", {}", to_text(source.low)));
+    }
     return source;
 }
 

@@ -55,11 +55,8 @@ MovementSettings momentum() {
 MovementSettings simulation() {
     MovementSettings s;
     for (const SettingInfo& info : settings_table()) {
-        const bool is_switch = std::holds_alternative<bool MovementSettings::*>(info.member);
-        if (is_switch && std::string_view(info.name) != "heightfield" &&
-            std::string_view(info.name) != "sectors") {
+        if (std::holds_alternative<bool MovementSettings::*>(info.member))
             static_cast<void>(set_setting(s, info, 0.0).ok());
-        }
     }
     s.gravity = 9.81;
     return s;
@@ -75,7 +72,10 @@ const std::vector<ShippedPreset>& shipped_presets() {
           precise_platformer()}},
         {"momentum",
          {"Momentum", "Speed is earned on slopes and kept on ice; the stick steers little.", momentum()}},
-        {"simulation", {"Simulation", "Every hack off: nothing but sweeping and sliding.", simulation()}}};
+        {"simulation",
+         {"Simulation",
+          "Every switch off: nothing but sweeping and sliding. Terrain without triangles is fallen through.",
+          simulation()}}};
     return presets;
 }
 

@@ -17,9 +17,10 @@ std::optional<Turn> bounce(Mover& mover, const Hit& hit) {
     if (!(restitution > 0.0)) return std::nullopt;
     const Vec3& normal = hit.contact.normal;
     const auto refuse = [&](double value, double limit, const char* why) {
-        decide(mover, "surface_types", false, "rebound, m/s", value, limit, why, hit.contact.face);
+        decide(mover, "bounce", false, "rebound, m/s", value, limit, why, hit.contact.face);
         return std::nullopt;
     };
+    if (!mover.settings.bounce) return refuse(0.0, 0.0, "switched off: no bounce");
     if (hit.pass == Pass::horizontal && hit.walkable && mover.was_grounded) {
         return refuse(0.0, 0.0, "no bounce: walked onto, not fallen onto");
     }
@@ -40,7 +41,7 @@ std::optional<Turn> bounce(Mover& mover, const Hit& hit) {
     const double friction = hit.surface.friction;
     mover.bounced = true;
     mover.grounded = false;
-    decide(mover, "surface_types", true, "rebound, m/s", rebound, rest, "bounces", hit.contact.face);
+    decide(mover, "bounce", true, "rebound, m/s", rebound, rest, "bounces", hit.contact.face);
     return Turn{.rule = Rule::bounce,
                 .leftover = friction * (hit.leftover - normal * into) + normal * risen,
                 .velocity = friction * (mover.velocity - normal * after) + normal * leaving,

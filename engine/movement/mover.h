@@ -124,6 +124,14 @@ inline bool is_walkable(const Mover& mover, const Vec3& normal, const SurfaceTyp
     return normal.y() >= walkable_limit(mover, surface);
 }
 
+// What a surface type does, as far as it is not switched off.
+inline bool sticks(const Mover& mover, const SurfaceType& surface) {
+    return surface.sticky && mover.settings.stick;
+}
+inline double restitution_of(const Mover& mover, const SurfaceType& surface) {
+    return mover.settings.bounce ? surface.restitution : 0.0;
+}
+
 void decide(const Mover& mover, const char* hack, bool acted, const char* quantity, double value,
             double limit, const char* outcome, FaceId face = no_id);
 
@@ -191,6 +199,7 @@ bool ends_inside(Mover& mover, const Vec3& from);
 
 // Parts of a walk.
 void accelerate(Mover& mover, bool slippery);
+double steering_in_air(const Mover& mover);  // m/s2
 void coast(Mover& mover, const Vec3& from, const Vec3& driven_velocity);
 // How far `along`, a displacement or a velocity, leads down on ground of that normal; 0 going up.
 double descent(const Vec3& ground_normal, const Vec3& along);
@@ -205,7 +214,12 @@ bool on_rim(Mover& mover, const Contact& contact);
 void cap_energy(Mover& mover, const Vec3& from, const Vec3& driven_velocity);
 Vec3 carry_velocity(const Mover& mover, const PlayerState& state);  // m/s at the mover's position
 
-// Jumping.
+// Jumping. Windows are counted down in the state, so they are exact to the tick at every rate: one of w
+// seconds holds for the w / dt steps after it opened. Repeated subtraction may leave a little of one that has
+// run out.
+inline bool is_open(double window_s, double dt) {
+    return window_s > 1e-6 * dt;
+}
 bool wants_jump(const Mover& mover, const PlayerState& state, bool pressed);  // pressed now, or remembered
 bool may_jump(const Mover& mover, const PlayerState& state);  // held by something, or just left it
 void cut_jump(Mover& mover);

@@ -89,6 +89,12 @@ void move_with_platforms(Mover& mover, const PlayerState& state) {
     if (mover.scene.platforms.empty()) return;
     const Vec3 before = mover.position;
     const bool rides = state.ground_platform < mover.scene.platforms.size();
+    if (!mover.settings.platforms) {
+        if (rides)
+            decide(mover, "platforms", false, "carried, m", 0.0, 0.0, "switched off: does not ride along",
+                   state.ground_face);
+        return;
+    }
     if (rides) ride(mover, state);
     for (std::uint32_t i = 0; i < mover.scene.platforms.size(); ++i) {
         if (moves(mover.scene.platforms[i])) give_way(mover, i, before);

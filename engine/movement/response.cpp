@@ -14,7 +14,13 @@ constexpr std::array<Response, 7> responses{stick,       grab_ladder,   hold_by_
 }  // namespace
 
 void touch(Mover& mover, const Hit& hit) {
+    if (hit.surface.hazardous && !mover.hazard)
+        decide(mover, "surface_types", true, "hazardous", 1.0, 0.0, "touches a hazard", hit.contact.face);
     mover.hazard = mover.hazard || hit.surface.hazardous;
+    if (!mover.settings.surface_types && hit.contact.surface != default_surface) {
+        decide(mover, "surface_types", false, "type", hit.contact.surface, default_surface,
+               "switched off: plain ground", hit.contact.face);
+    }
     // The horizontal part of a move meets ramps that the vertical part may then leave; only the latter knows
     // the ground.
     const bool ground = hit.walkable && hit.pass != Pass::horizontal;

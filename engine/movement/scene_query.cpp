@@ -70,18 +70,19 @@ const CollisionWorld& world_of(const Mover& mover, std::uint32_t platform) {
 std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Vec3& move) {
     ++mover.sweeps;
     std::optional<SceneContact> best;
-    each_world(
-        mover, from, move,
-        [&](const auto& world, std::uint32_t platform, std::span<const TriangleId> triangles) {
-            std::optional<Contact> contact = sweep_ellipsoid(world, mover.settings.radii, from, move);
-            if (!contact) return;
-            // The numbers in the world are wanted by the seam filter, those of the mesh by everybody else.
-            double depth = 0.0;
-            if (mover.settings.seam_filter && !mover.began_free && contact->feature != Feature::interior)
-                depth = filter_seam(mover, from + contact->t * move, platform, *contact);
-            contact->triangle = number_in_mesh(contact->triangle, triangles);
-            if (!best || earlier(*contact, best->contact)) best = SceneContact{*contact, platform, depth};
-        });
+    each_world(mover, from, move,
+               [&](const auto& world, std::uint32_t platform, std::span<const TriangleId> triangles) {
+                   std::optional<Contact> contact = sweep_ellipsoid(world, mover.settings.radii, from, move);
+                   if (!contact) return;
+                   // The numbers in the world are wanted by the seam filter, those of the mesh by everybody
+                   // else.
+                   double depth = 0.0;
+                   if (!mover.began_free && contact->feature != Feature::interior)
+                       depth = filter_seam(mover, from + contact->t * move, platform, *contact);
+                   contact->triangle = number_in_mesh(contact->triangle, triangles);
+                   if (!best || earlier(*contact, best->contact))
+                       best = SceneContact{*contact, platform, depth};
+               });
     return best;
 }
 

@@ -31,6 +31,11 @@ double rise_above(const std::array<Vec3, 3>& corners, const Vec3& point, const V
 }  // namespace
 
 double filter_seam(const Mover& mover, const Vec3& centre, std::uint32_t platform, Contact& contact) {
+    if (!mover.settings.seam_filter) {
+        decide(mover, "seam_filter", false, "filtered", 0.0, 0.0, "switched off: the edge counts as it is",
+               contact.face);
+        return 0.0;
+    }
     const CollisionWorld& world = world_of(mover, platform);
     std::array<Overlap, 16> around;
     const Vec3 ball = Vec3::Constant(meeting);
@@ -40,8 +45,10 @@ double filter_seam(const Mover& mover, const Vec3& centre, std::uint32_t platfor
     Vec3 normal = Vec3::Zero();
     double alignment = 0.0;
     double rise = 0.0;
+    double highest = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
         const double above = rise_above(world.triangle(around[i].triangle), contact.point, contact.normal);
+        highest = std::max(highest, above);
         if (above <= rounding) continue;
         Vec3 face = world.triangle_normal(around[i].triangle);
         if (face.dot(centre - contact.point) < 0.0) face = -face;
@@ -51,7 +58,11 @@ double filter_seam(const Mover& mover, const Vec3& centre, std::uint32_t platfor
         normal = face;
         rise = above;
     }
-    if (normal.isZero(0.0)) return 0.0;
+    if (normal.isZero(0.0)) {
+        decide(mover, "seam_filter", false, "rises above the contact plane by", highest, rounding,
+               "refused: the edge stands out", contact.face);
+        return 0.0;
+    }
     decide(mover, "seam_filter", true, "rises above the contact plane by", rise, rounding,
            "an edge inside the surface: the face's normal counts", contact.face);
     contact.normal = normal;

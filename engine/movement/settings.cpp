@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -81,7 +82,9 @@ std::string unknown_name(std::string_view name) {
             nearest_distance = distance;
         }
     }
-    if (nearest != nullptr) text += fmt::format("; did you mean '{}'?", nearest->name);
+    constexpr std::size_t likely = 4;  // letters changed
+    if (nearest != nullptr && nearest_distance <= std::min(likely, name.size() / 2))
+        text += fmt::format("; did you mean '{}'?", nearest->name);
     return text;
 }
 
@@ -114,6 +117,31 @@ const SettingInfo* find_setting(std::string_view name) {
     return nullptr;
 }
 
+namespace {
+
+// The table's numbers alone, to be asked at every step.
+struct Numbers {
+    std::array<double MovementSettings::*, 64> list{};
+    std::size_t count = 0;
+
+    Numbers() {
+        for (const SettingInfo& info : settings_table()) {
+            if (const auto* number = std::get_if<double MovementSettings::*>(&info.member))
+                list.at(count++) = *number;
+        }
+    }
+};
+
+}  // namespace
+
+bool is_finite(const MovementSettings& settings) {
+    static const Numbers numbers;
+    bool finite = settings.radii.allFinite();
+    for (std::size_t i = 0; i < numbers.count; ++i)
+        finite = finite && std::isfinite(settings.*numbers.list[i]);
+    return finite;
+}
+
 double get_setting(const MovementSettings& settings, const SettingInfo& info) {
     return std::visit(
         Overloaded{
@@ -131,7 +159,7 @@ Status set_setting(MovementSettings& settings, const SettingInfo& info, double v
                         std::holds_alternative<Vec3 MovementSettings::*>(info.member);
     const bool fits = std::isfinite(value) && value >= info.minimum && value <= info.maximum &&
                       (number || value == std::floor(value));
-    if (!fits) return Error{info.name, fmt::format("{} is not {}", to_text(value), allowed(info))};
+    if (!fits) return Error{info.name, fmt::format("found {}, expected {}", to_text(value), allowed(info))};
     std::visit(Overloaded{
                    [&](bool MovementSettings::*member) { settings.*member = value != 0.0; },
                    [&](int MovementSettings::*member) { settings.*member = static_cast<int>(value); },
@@ -155,8 +183,12 @@ Status set_setting(MovementSettings& settings, std::string_view assignment) {
     const SettingInfo* info = find_setting(name);
     if (info == nullptr) return Error{"", unknown_name(name)};
     const std::optional<double> value = parse_value(*info, text);
-    if (!value) return Error{info->name, fmt::format("'{}' is not {}", excerpt(text), allowed(*info))};
-    return set_setting(settings, *info, *value);
+    if (!value)
+        return Error{info->name, fmt::format("found '{}', expected {}", excerpt(text), allowed(*info))};
+    // Told as it was written, degrees and all.
+    if (!set_setting(settings, *info, *value))
+        return Error{info->name, fmt::format("found {}, expected {}", excerpt(text), allowed(*info))};
+    return {};
 }
 
 std::string setting_text(const MovementSettings& settings, const SettingInfo& info) {

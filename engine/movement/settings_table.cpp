@@ -117,6 +117,13 @@ const auto table = std::to_array<SettingInfo>({
     {"surface_types", "Surface types", "Hacks", "", 0.0, 1.0,
      "Ladders, ice, sticky, bouncy and moving surfaces and hazards act. Off: every face is plain ground.", "",
      "", "", &S::surface_types},
+    {"bounce", "Bounce", "Hacks", "", 0.0, 1.0,
+     "Bouncy surfaces give back a share of the speed that hits them. Off: they are landed on like any other.",
+     "", "", "", &S::bounce},
+    {"stick", "Stick", "Hacks", "", 0.0, 1.0,
+     "Sticky surfaces hold whoever touches them, walls and ceilings too, until a jump. Off: they are plain "
+     "ground.",
+     "", "", "", &S::stick},
     {"push_out", "Push-out", "Hacks", "", 0.0, 2.0,
      "What happens to a player who is inside geometry at the start of a step, by a bad spawn point or a "
      "moved wall. Off: "

@@ -50,6 +50,10 @@ Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move) {
         corner.planes[slot] = turn.plane;
         corner.constrains_velocity[slot] = turn.constrains_velocity;
     }
+    if (leftover.norm() > negligible) {
+        decide(mover, "max_slides", true, "left, m", leftover.norm(), 0.0, "the rest of the move is given up",
+               mover.support_face);
+    }
     return leftover;
 }
 

@@ -7,6 +7,10 @@ namespace slipface {
 
 void snap_down(Mover& mover) {
     const double distance = mover.settings.snap_distance;
+    if (!mover.settings.snap_down) {
+        decide(mover, "snap_down", false, "grounded", 0.0, 1.0, "switched off: leaves the ground");
+        return;
+    }
     const Swept swept = sweep_with_skin(mover, Pass::snap, 0, Vec3(0.0, -distance, 0.0));
     const auto say = [&](bool acted, const char* quantity, double value, double limit, const char* outcome) {
         decide(mover, "snap_down", acted, quantity, value, limit, outcome,
@@ -17,7 +21,7 @@ void snap_down(Mover& mover) {
     const Contact& contact = *swept.contact;
     const SurfaceType& surface = surface_of(mover, contact.surface);
     const bool walkable = is_walkable(mover, contact.normal, surface);
-    if (surface.sticky || surface.restitution > 0.0 || surface.keeps_energy) {
+    if (sticks(mover, surface) || restitution_of(mover, surface) > 0.0 || surface.keeps_energy) {
         return say(false, "plain ground", 0.0, 1.0, "refused: the floor has its own response");
     }
     const Vec3 before = mover.position;

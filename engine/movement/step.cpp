@@ -10,11 +10,7 @@ namespace slipface {
 namespace {
 
 bool usable(const MovementSettings& s) {
-    const double sum = s.gravity + s.walk_speed + s.ground_acceleration + s.slippery_acceleration +
-                       s.air_acceleration + s.terminal_speed + s.jump_speed + s.max_slope + s.ground_speed +
-                       s.keep_energy_limit + s.nudge_distance + s.step_height + s.snap_distance +
-                       s.coyote_time + s.jump_buffer_time + s.jump_cut + s.sub_step;
-    return s.radii.allFinite() && s.radii.minCoeff() > 0.0 && s.skin > 0.0 && std::isfinite(s.skin + sum);
+    return is_finite(s) && s.radii.minCoeff() > 0.0 && s.skin > 0.0;
 }
 
 bool usable(const PlayerState& state, const PlayerInput& input, double dt) {
@@ -48,29 +44,47 @@ PlayerState state_after(const Mover& mover, const PlayerState& before, const Pla
         after.ground_surface = mover.support_surface;
         after.ground_platform = mover.support_platform;
     }
-    if (mover.settings.coyote) after.coyote_s = coyote_after(mover, before);
-    if (mover.settings.jump_buffer) after.jump_buffer_s = jump_buffer_after(mover, before, pressed);
+    after.coyote_s = coyote_after(mover, before);
+    after.jump_buffer_s = jump_buffer_after(mover, before, pressed);
     return after;
 }
 
 // A player inside geometry is put outside before anything else.
 void leave_geometry(Mover& mover) {
     const MovementSettings& settings = mover.settings;
-    if (settings.push_out == PushOut::off && !settings.nudge) return;
+    const bool pushes = settings.push_out != PushOut::off;
+    const auto inside = [&](const char* hack, const char* outcome) {
+        decide(mover, hack, false, "overlaps", 1.0, 0.0, outcome);
+    };
+    if (!pushes && !settings.nudge) {
+        // Asked only by who wants to know why.
+        if (mover.trace == nullptr || !overlaps_scene(mover, mover.position)) return;
+        inside("push_out", "switched off: begins inside geometry");
+        inside("nudge", "switched off: begins inside geometry");
+        return;
+    }
     mover.began_free = is_free(mover, mover.position);
     if (mover.began_free || !overlaps_scene(mover, mover.position)) {
         decide(mover, settings.nudge ? "nudge" : "push_out", false, "overlaps", 0.0, 0.0,
                "refused: nothing to be freed from");
         return;
     }
-    if (settings.push_out != PushOut::off) push_out(mover);
-    if (settings.nudge) mover.trapped = !nudge(mover);
+    if (pushes) {
+        push_out(mover);
+    } else {
+        inside("push_out", "switched off: begins inside geometry");
+    }
+    if (settings.nudge) {
+        mover.trapped = !nudge(mover);
+    } else if (mover.trace != nullptr && overlaps_scene(mover, mover.position)) {
+        inside("nudge", "switched off: still inside geometry");
+    }
 }
 
 // What holds the player decides how the rest of the step goes.
 void move(Mover& mover, const PlayerState& state, const PlayerInput& input) {
     const SurfaceType& support = support_of(mover, state);
-    const bool held = state.stuck && support.sticky;
+    const bool held = state.stuck && sticks(mover, support);
     const bool on_ladder = state.climbing && support.climbable;
     const bool pressed = input.jump && !state.jump_held;
     const bool stays = (held || on_ladder) && !wants_jump(mover, state, pressed);
@@ -97,12 +111,12 @@ PlayerState part_of_step(Mover& mover, const PlayerState& state, const PlayerInp
     if (first) {
         leave_geometry(mover);
         const Vec3 began = mover.position;
-        if (mover.settings.platforms) move_with_platforms(mover, state);
+        move_with_platforms(mover, state);
         mover.began_free = mover.began_free && mover.position == began;
     }
     const Motion safe = mover;
     move(mover, state, input);
-    const bool room = !mover.settings.heightfield || clamp_to_terrain(mover, safe.position);
+    const bool room = clamp_to_terrain(mover, safe.position);
 
     const bool finite = mover.position.allFinite() && mover.velocity.allFinite();
     if (finite && room && !ends_inside(mover, safe.position)) return state_after(mover, state, input);
@@ -141,6 +155,16 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
     }
     result.state.hazard = hazard;
     place_in_scene(scene, result.state.position, result.state);
+    if (trace != nullptr && scene.sectors.size > 0.0) {
+        const bool stays = result.state.sector == state.sector;
+        trace->add(DecisionRecord{.hack = "sectors",
+                                  .acted = true,
+                                  .quantity = "from its middle, m",
+                                  .value = result.state.position.cwiseAbs().maxCoeff(),
+                                  .limit = 0.5 * scene.sectors.size,
+                                  .outcome = stays ? "in the coordinates of its sector"
+                                                   : "enters another sector, and gets its coordinates"});
+    }
     return result;
 }
 

@@ -34,6 +34,13 @@ bool on_rim(Mover& mover, const Contact& contact) {
 bool step_up(Mover& mover, const Motion& before, const Vec3& level) {
     const double height = mover.settings.step_height;
     const Motion plain = mover;
+    if (!mover.settings.step_up || !mover.was_grounded) {
+        decide(mover, "step_up", false, "grounded", mover.was_grounded ? 1.0 : 0.0, 1.0,
+               mover.settings.step_up ? "refused: steps up from the ground only"
+                                      : "switched off: whatever is in the way is a wall",
+               plain.support_face);
+        return false;
+    }
     const auto refuse = [&](const char* quantity, double value, double limit, const char* why) {
         decide(mover, "step_up", false, quantity, value, limit, why, plain.support_face);
         mover.motion() = plain;
@@ -57,7 +64,7 @@ bool step_up(Mover& mover, const Motion& before, const Vec3& level) {
     if (!landing.contact) return refuse("dropped, m", drop, drop, "refused: no ground up there");
     const Contact& contact = *landing.contact;
     const SurfaceType& surface = surface_of(mover, contact.surface);
-    if (surface.sticky || surface.restitution > 0.0)
+    if (sticks(mover, surface) || restitution_of(mover, surface) > 0.0)
         return refuse("plain ground", 0.0, 1.0, "refused: the surface up there has its own response");
     mover.position = landing.reached;
     const bool walkable = is_walkable(mover, contact.normal, surface);

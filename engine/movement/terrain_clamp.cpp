@@ -15,6 +15,12 @@ bool clamp_to_terrain(Mover& mover, const Vec3& from) {
     if (!ground) return true;
     const double least = ground->height + mover.settings.radii.y();
     const double missing = least - mover.position.y();
+    if (!mover.settings.heightfield) {
+        if (missing > 0.0)
+            decide(mover, "heightfield", false, "below the terrain, m", missing, 0.0,
+                   "switched off: falls through the terrain");
+        return true;
+    }
     const bool walkable = ground->normal.y() >= mover.walkable_cosine;
     const auto stand = [&](const char* outcome) {
         if (mover.grounded || mover.climbing || mover.stuck) return;

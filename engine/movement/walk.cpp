@@ -3,7 +3,6 @@
 // The displacement is the mean of the velocities before and after the step's acceleration times dt. For
 // constant acceleration that is exact, so jumps are as high at 30 Hz as at 360.
 #include <algorithm>
-#include <cmath>
 
 #include "mover.h"
 
@@ -18,13 +17,13 @@ void move_split(Mover& mover, const PlayerState& state, const Vec3& move) {
     const Motion before = mover;
     if (!level.isZero(0.0)) collide_and_slide(mover, Pass::horizontal, level);
     if (mover.stuck || mover.climbing) return;
-    if (mover.settings.step_up && mover.walled && mover.was_grounded && step_up(mover, before, level)) return;
+    if (mover.walled && step_up(mover, before, level)) return;
 
     const double height = mover.position.y();
     const int contacts = mover.contacts;
     collide_and_slide(mover, Pass::vertical, Vec3(0.0, rise, 0.0));
     if (mover.grounded || mover.stuck || mover.climbing || mover.bounced) return;
-    if (mover.was_grounded && mover.settings.snap_down) snap_down(mover);
+    if (mover.was_grounded) snap_down(mover);
     if (mover.grounded) return;
     // Two faces, each too steep to stand on, hold a player who is wedged between them; without this there
     // would be no jumping out of a ditch.
@@ -69,7 +68,10 @@ void move_whole(Mover& mover, const PlayerState& state, const Vec3& move, bool t
 void fall(Mover& mover, const Vec3& surface_normal) {
     const Vec3 pull = slide_along(Vec3(0.0, -mover.settings.gravity, 0.0), surface_normal);
     mover.velocity += pull * mover.dt;
-    mover.velocity.y() = std::max(mover.velocity.y(), -mover.settings.terminal_speed);
+    const double fastest = mover.settings.terminal_speed;
+    if (!(mover.velocity.y() < -fastest)) return;
+    decide(mover, "terminal_speed", true, "down, m/s", -mover.velocity.y(), fastest, "falls no faster");
+    mover.velocity.y() = -fastest;
 }
 
 Vec3 jump_velocity(const Mover& mover, const PlayerState& state) {
@@ -83,47 +85,6 @@ Vec3 jump_velocity(const Mover& mover, const PlayerState& state) {
 }
 
 }  // namespace
-
-void accelerate(Mover& mover, bool slippery) {
-    const MovementSettings& settings = mover.settings;
-    const bool idle = mover.wish.isZero(0.0);
-    if (idle && (slippery || !mover.was_grounded)) return;
-    if (!mover.was_grounded && !slippery && !settings.air_control) {
-        if (!idle)
-            decide(mover, "air_control", false, "stick", mover.wish.norm(), 0.0,
-                   "switched off: nothing steers in the air");
-        return;
-    }
-    const double acceleration = slippery             ? settings.slippery_acceleration
-                                : mover.was_grounded ? settings.ground_acceleration
-                                                     : settings.air_acceleration;
-    const Vec3 target = Vec3(mover.wish.x(), 0.0, mover.wish.y()) * settings.walk_speed;
-    const Vec3 missing = target - horizontal(mover.velocity);
-    const double most = acceleration * mover.dt;
-    const double length = missing.norm();
-    if (length <= most) {
-        mover.velocity.x() = target.x();
-        mover.velocity.z() = target.z();
-    } else {
-        mover.velocity += missing * (most / length);
-    }
-}
-
-// On the ground the horizontal speed is what the stick asks for, uphill and over crests. With the stick let
-// go nobody asks, and a coasting player pays for the height gained and for the turn into a descent; low
-// braking would otherwise lift it for nothing.
-void coast(Mover& mover, const Vec3& from, const Vec3& driven_velocity) {
-    const Vec3 level = horizontal(mover.velocity);
-    const double down = mover.settings.ground_velocity ? descent(mover.support_normal, level) : 0.0;
-    const double square = level.squaredNorm() + down * down;
-    const double climbed = mover.position.y() - from.y();
-    const double allowed =
-        std::max(0.0, driven_velocity.squaredNorm() - 2.0 * mover.settings.gravity * climbed);
-    if (!(square > allowed)) return;
-    const double share = std::sqrt(allowed / square);
-    mover.velocity.x() *= share;
-    mover.velocity.z() *= share;
-}
 
 void walk(Mover& mover, const PlayerState& state, bool jump_pressed) {
     const MovementSettings& settings = mover.settings;
@@ -155,10 +116,10 @@ void walk(Mover& mover, const PlayerState& state, bool jump_pressed) {
     if (split) {
         move_split(mover, state, move);
     } else {
-        if (slippery && settings.static_friction) {
-            decide(mover, "static_friction", false, "keeps energy", 1.0, 0.0,
-                   "refused: no static friction here, the whole move slides", state.ground_face);
-        }
+        decide(mover, "static_friction", false, "keeps energy", slippery ? 1.0 : 0.0, 0.0,
+               settings.static_friction ? "refused: no static friction here, the whole move slides"
+                                        : "switched off: the whole move slides",
+               state.ground_face);
         move_whole(mover, state, move, touching && !jumps);
     }
 
@@ -174,7 +135,13 @@ void walk(Mover& mover, const PlayerState& state, bool jump_pressed) {
     const bool flying = !mover.was_grounded && !mover.grounded && mover.contacts > 0;
     if (!split || flying || mover.kept_energy || mover.bounced) cap_energy(mover, from, driven);
     if (mover.was_grounded && !mover.grounded && !mover.stuck && !mover.climbing) {
-        mover.velocity += carry_velocity(mover, state);
+        const Vec3 carried = carry_velocity(mover, state);
+        if (!carried.isZero(0.0)) {
+            const bool platform = state.ground_platform != no_id;
+            decide(mover, platform ? "platforms" : "surface_types", true, "carried, m/s", carried.norm(), 0.0,
+                   "takes the velocity of what it left along", state.ground_face);
+        }
+        mover.velocity += carried;
     }
 }
 

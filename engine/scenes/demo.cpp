@@ -6,35 +6,40 @@ namespace slipface {
 
 // A new demo is one function in a file of demos and one row here.
 std::span<const DemoInfo> demo_table() {
-    static const std::array<DemoInfo, 19> table{{
+    static const std::array<DemoInfo, 20> table{{
         {"static-friction", "static_friction", "Static friction",
          "Off: who stands on the 30 degree ramp creeps down it. On: stands still.", demo_static_friction},
         {"ground-velocity", "ground_velocity", "Ground velocity",
          "Off: running down the ramp is a row of hops. On: the path follows the ramp.", demo_ground_velocity},
         {"straight-ahead", "straight_ahead", "Straight ahead on ramps",
-         "Off: the ramp turns the path sideways. On: it goes on in the direction it had.",
-         demo_straight_ahead},
+         "Off: the ramp turns the path off the stripe. On: it goes on along it.", demo_straight_ahead},
         {"keep-energy", "keep_energy", "Keep energy",
          "Off: the half-pipe takes speed at every face, and the far rim is not reached. On: it is.",
          demo_keep_energy},
         {"push-out", "push_out", "Push-out",
-         "Off: who begins inside both walls of the wedge stays there. On: is put before them at once.",
+         "Off: who begins inside both walls of the wedge and pushes across it stays there. On: is put before "
+         "them at once and walks past.",
          demo_push_out},
         {"nudge", "nudge", "Nudge",
-         "Off: who spawned in the pillar cannot leave it. On: is put beside it and walks off.", demo_nudge},
+         "Off: who spawned between posts that stand too close cannot leave. On: is put beside them and walks "
+         "off.",
+         demo_nudge},
         {"step-up", "step_up", "Step up", "Off: the stairs are a wall. On: they are climbed.", demo_step_up},
         {"heightfield", "heightfield", "Heightfield", "Off: falls through the terrain. On: walks over it.",
          demo_heightfield},
         {"sectors", "sectors", "Sectors",
-         "A million metres out. Off: coordinates are 6 cm apart, and the tiles are a washboard. On: as at "
-         "the origin.",
+         "A million metres out. Off: coordinates are 6 cm apart, and the posts of the gate have moved too "
+         "close. On: walks through as at the origin.",
          demo_sectors},
-        {"bounce", "surface_types", "Bounce",
+        {"bounce", "bounce", "Bounce",
          "Off: the pad is a floor. On: each rebound is 0.8 times as fast.", demo_bounce},
+        {"sticky", "stick", "Sticky",
+         "Off: slides down the wall. On: hangs on it, stick or no stick.", demo_sticky},
         {"snap-down", "snap_down", "Snap to floor",
          "Off: flies off the stairs on the way down. On: the path follows them.", demo_snap_down},
         {"seam-filter", "seam_filter", "Seam filter",
-         "A floor rises into the player. Off: the edges of its triangles stop the walk. On: nothing does.",
+         "A floor rises into the player. Off: the edges of its triangles hold the player fast. On: the walk "
+         "goes on.",
          demo_seam_filter},
         {"coyote", "coyote", "Coyote time",
          "Jump is pressed 3 ticks after the ledge. Off: falls into the gap. On: reaches the other side.",

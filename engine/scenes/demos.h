@@ -22,11 +22,15 @@ Demo demo_variable_jump();
 Demo demo_air_control();
 Demo demo_platforms();
 Demo demo_turntable();
+Demo demo_sticky();
 Demo demo_surface_types();
 
 // What demos are put together from: a level, where the player starts, what the stick does ("60 wish 0,-1"
 // lines of a tape), and a camera.
 Demo demo_of(Level level, const Vec3& spawn, const MovementSettings& on, const char* inputs, const Vec3& eye,
              const Vec3& target);
+
+// Plain ground in another colour, for what should be seen: faces of a material "NAME__name" are of it.
+SurfaceType painted(const char* name, const std::array<float, 3>& color);
 
 }  // namespace slipface

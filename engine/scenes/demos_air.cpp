@@ -64,10 +64,12 @@ Demo demo_air_control() {
     MovementSettings on;
     Shapes shapes;
     shapes.material("plaster").box({-5, -4.5, -14}, {9, -4, 8}).material("stone").box({-2, -4, 0}, {2, 0, 7});
-    shapes.material("brick").box({0.8, -4, -3.6}, {3.2, 0, -1.4});
-    return demo_of(shapes.level(), {0, standing_on_flat(on, 0), 4}, on,
-                   "10 wish 0,0\n38 wish 0,-1\n10 wish 0,-1 jump\n14 wish 1,0 jump\n70 wish 0,0\n",
-                   {2, 11, 7}, {0.6, 0, -1});
+    shapes.material("brick__pillar").box({0.8, -4, -3.6}, {3.2, 0, -1.4});
+    Demo demo = demo_of(shapes.level(), {0, standing_on_flat(on, 0), 4}, on,
+                        "10 wish 0,0\n38 wish 0,-1\n10 wish 0,-1 jump\n14 wish 1,0 jump\n70 wish 0,0\n",
+                        {-9, 6, 3.5}, {0.5, -1, -1});
+    demo.level.surfaces.push_back(painted("pillar", {0.30F, 0.55F, 0.85F}));
+    return demo;
 }
 
 Demo demo_platforms() {
@@ -88,7 +90,7 @@ Demo demo_platforms() {
 Demo demo_turntable() {
     MovementSettings on;
     Shapes shapes;
-    shapes.material("plaster").box({-7, -1, -7}, {7, -0.5, 7}).group("table").material("wood");
+    shapes.material("plaster").box({-7, -1, -7}, {7, -0.5, 7}).group("table").material("wood__disc");
     std::vector<Vec3> rim;
     for (int i = 0; i < 24; ++i) {
         const double angle = -2.0 * 3.141592653589793 * i / 24;
@@ -103,6 +105,7 @@ Demo demo_turntable() {
     table.group = "table";
     table.spin_rate = 1.2;
     demo.level.platforms = {table};
+    demo.level.surfaces.push_back(painted("disc", {0.72F, 0.56F, 0.36F}));
     return demo;
 }
 
@@ -111,8 +114,11 @@ Demo demo_heightfield() {
     constexpr int side = 33;
     Shapes shapes;
     shapes.material("stone").box({-2, 0, 6}, {2, 2.4, 9});
+    // Posts at the far corners, so that the mesh's bounds, by which pictures are taken, reach as far as the
+    // hills.
+    shapes.box({-11.9, -1, -13.9}, {-11.5, 2.6, -13.5}).box({11.5, -1, -13.9}, {11.9, 2.6, -13.5});
     Demo demo = demo_of(shapes.level(), {0, standing_on_flat(on, 2.4), 7.5}, on,
-                        "20 wish 0,0\n170 wish 0,-1\n", {13, 8, 11}, {0, 0.5, -1});
+                        "20 wish 0,0\n145 wish 0,-1\n", {13, 8, 11}, {0, 0.5, -1});
     demo.level.heightfield = HeightfieldSource{.file = "heightfield-terrain.png",
                                                .origin = {-12, 0, -14},
                                                .size = {24, 28},
@@ -136,16 +142,26 @@ Demo demo_sectors() {
     // A tilted floor of small tiles: every corner that is moved sideways is also too high or too low.
     Shapes shapes;
     shapes.material("stone");
-    const auto corner = [](int i, int k) {
+    const auto height = [](double x, double z) { return 0.25 * x - 0.15 * z; };
+    const auto corner = [&](int i, int k) {
         const double x = 0.57 * i - 4.0, z = 0.57 * k - 12.0;
-        return Vec3(x, 0.25 * x - 0.15 * z, z);
+        return Vec3(x, height(x, z), z);
     };
     for (int k = 0; k < 32; ++k) {
         for (int i = 0; i < 14; ++i)
             shapes.polygon({corner(i, k), corner(i, k + 1), corner(i + 1, k + 1), corner(i + 1, k)});
     }
-    Demo demo = demo_of(shapes.level(), {0.37, standing_on_flat(on, 0), 3.1}, on,
-                        "30 wish 0,0\n120 wish 0.1,-0.9\n", {9, 5, 4}, {0, 1, -2});
+    // Gates 0.81 m wide for a player of 0.8 m. A million metres out their posts stand on multiples of 0.0625
+    // m: 0.75 m apart.
+    constexpr double gate = 0.405;
+    shapes.material("brick");
+    for (const double z : {0.0, -3.0, -6.0}) {
+        const double low = height(0, z) - 0.8, high = height(0, z) + 2.4;
+        shapes.box({-gate - 0.3, low, z - 0.2}, {-gate, high, z + 0.2});
+        shapes.box({gate, low, z - 0.2}, {gate + 0.3, high, z + 0.2});
+    }
+    Demo demo = demo_of(shapes.level(), {0, standing_on_flat(on, 0), 3.1}, on,
+                        "30 wish 0,0\n120 wish 0,-0.9\n", {6, 4.5, 5}, {0.5, 1, -1.5});
     demo.level.sectors = {.size = 1000.0, .placement = {1e6, 0, -1e6}};
     return demo;
 }

@@ -1,5 +1,8 @@
 // Demos of walking on ground that does not move.
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "demos.h"
 #include "shapes.h"
@@ -30,6 +33,13 @@ Demo demo_of(Level level, const Vec3& spawn, const MovementSettings& on, const c
     return demo;
 }
 
+SurfaceType painted(const char* name, const std::array<float, 3>& color) {
+    SurfaceType type;
+    type.name = name;
+    type.color = color;
+    return type;
+}
+
 Demo demo_static_friction() {
     MovementSettings on;
     const double angle = pi / 6;
@@ -53,13 +63,33 @@ Demo demo_ground_velocity() {
                    {17, 7, -2}, {0, 3, -3});
 }
 
+// A stripe along the heading is painted over floor and ramp, and the camera looks straight down: what leaves
+// the stripe has been turned.
 Demo demo_straight_ahead() {
     MovementSettings on;
+    constexpr double left = -12, right = 10, near = 7, far = -8;
+    const double slope = std::tan(pi / 6), half = 0.35;
+    // Where the stripe's middle crosses a line of constant z: from the spawn at (-6, 5) at 45 degrees.
+    const auto middle = [](double z) { return -1.0 - z; };
     Shapes shapes;
-    shapes.material("plaster").box({-14, -0.5, -18}, {16, 0, 10}).material("brick");
-    shapes.ramp({-14, 0, 0}, 30, 14, 14 * std::tan(pi / 6));
-    return demo_of(shapes.level(), {-6, standing(on, 0), 5}, on,
-                   "10 wish 0,0\n150 wish 0.70710678,-0.70710678\n", {2, 17, 13}, {1, 1.5, -4});
+    const auto strip = [&](double from, double to, double x0_from, double x1_from, double x0_to,
+                           double x1_to) {
+        const double low = std::max(0.0, -from) * slope, high = std::max(0.0, -to) * slope;
+        shapes.polygon({{x0_from, low, from}, {x1_from, low, from}, {x1_to, high, to}, {x0_to, high, to}});
+    };
+    for (const auto& [from, to] : {std::pair{near, 0.0}, std::pair{0.0, far}}) {
+        const double a = middle(from), b = middle(to);
+        shapes.material("plaster");
+        strip(from, to, left, a - half, left, b - half);
+        strip(from, to, a + half, right, b + half, right);
+        shapes.material("plaster__stripe");
+        strip(from, to, a - half, a + half, b - half, b + half);
+    }
+    Demo demo = demo_of(shapes.level(), {-6, standing(on, 0), 5}, on,
+                        "10 wish 0,0\n150 wish 0.70710678,-0.70710678\n", {-1, 60, -0.5}, {-1, 1.5, -0.5});
+    demo.camera.fov_y = 0.3;
+    demo.level.surfaces.push_back(painted("stripe", {0.30F, 0.55F, 0.85F}));
+    return demo;
 }
 
 Demo demo_keep_energy() {
@@ -105,50 +135,67 @@ Demo demo_snap_down() {
                    {0, 1.8, -1});
 }
 
+// The floor is drawn where its rise ends.
 Demo demo_seam_filter() {
     MovementSettings on;
     on.seam_filter = true;
     // A floor that rises into the player, as in a game that moves its geometry by itself.
     on.platforms = false;
+    constexpr double rise = 0.8, x = 3, front = 5, back = -11;
     Shapes shapes;
-    shapes.material("plaster").box({-4, -0.5, -14}, {4, -0.2, 6}).group("lift").material("stone");
-    shapes.floor({-3, 0, -12}, {3, 0, 4}, 0.8);
-    Demo demo = demo_of(shapes.level(), {0.1, standing(on, 0), 3}, on, "120 wish 0.05,-0.998\n", {9, 6, 6},
-                        {0, 2, -3});
+    shapes.material("plaster").box({-6, -1.4, -13}, {6, -rise - 0.1, 8}).group("lift").material("stone");
+    shapes.floor({-x, 0, back}, {x, 0, front}, 0.8);
+    const std::array<Vec3, 4> rim{{{-x, 0, front}, {x, 0, front}, {x, 0, back}, {-x, 0, back}}};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec3 &a = rim.at(i), &b = rim.at((i + 1) % 4), down(0, -rise, 0);
+        shapes.polygon({a, a + down, b + down, b});
+    }
+    Demo demo = demo_of(shapes.level(), {0.1, standing(on, -rise), 3}, on, "120 wish 0.05,-0.998\n",
+                        {9, 4, 5}, {0, 0, -3});
     Platform lift;
     lift.name = "lift";
     lift.group = "lift";
     lift.repeat = PathRepeat::once;
-    lift.path = {{.offset = {0, 0, 0}, .speed = 2.0}, {.offset = {0, 4, 0}, .speed = 2.0}};
+    lift.path = {{.offset = {0, -rise, 0}, .speed = 2.0}, {.offset = {0, 0, 0}, .speed = 2.0}};
     demo.level.platforms = {lift};
     return demo;
 }
 
+// Walking straight out of the wedge is free with the switch off, too; the stick pushes across it, past the
+// end of the right wall. Each part of that leads further into one wall or the other.
 Demo demo_push_out() {
     MovementSettings on;
     on.push_out = PushOut::analytic;
     const double half = pi / 18;
-    const Vec3 apex(0, 0, -5);
+    const Vec3 apex(0, 0, -3);
     const auto rim = [&](double side) {
-        return Vec3(apex + 9.0 * Vec3(side * std::sin(half), 0, std::cos(half)));
+        return Vec3(apex + 1.7 * Vec3(side * std::sin(half), 0, std::cos(half)));
     };
-    const Vec3 up(0, 2.5, 0);
+    const Vec3 up(0, 2.0, 0);
     Shapes shapes;
-    shapes.material("plaster").box({-6, -0.5, -8}, {6, 0, 8}).material("brick");
+    shapes.material("plaster").box({-2.5, -0.5, -4}, {4.5, 0, 0.6}).material("brick");
     shapes.polygon({apex, rim(-1), rim(-1) + up, apex + up});
     shapes.polygon({rim(1), apex, apex + up, rim(1) + up});
-    return demo_of(shapes.level(), {0, standing(on, 0), -3.6}, on, "20 wish 0,0\n40 wish 0,1\n", {0, 9, 5},
-                   {0, 0.5, -1.5});
+    Demo demo = demo_of(shapes.level(), {0, standing(on, 0), -1.6}, on, "20 wish 0,0\n40 wish 0.9,-0.43\n",
+                        {1, 15, 4}, {1, 0.5, -1.5});
+    demo.camera.fov_y = 0.35;
+    return demo;
 }
 
+// Four posts that leave less room between them than the player is wide: whoever stands inside touches all of
+// them, and every direction leads further into one.
 Demo demo_nudge() {
     MovementSettings on;
     on.nudge = true;
-    on.nudge_distance = 0.5;
+    on.nudge_distance = 0.8;
     Shapes shapes;
-    shapes.material("plaster").box({-6, -0.5, -6}, {6, 0, 6}).material("brick").box({-1, 0, -1}, {1, 2.2, 1});
-    return demo_of(shapes.level(), {1.15, standing(on, 0), 0}, on, "20 wish 0,0\n60 wish 0,1\n", {7, 6, 6},
-                   {0.8, 0.6, 0.8});
+    shapes.material("plaster").box({-2, -0.5, -2}, {4.5, 0, 4}).material("brick");
+    for (const double x : {-0.33, 0.33}) {
+        for (const double z : {-0.33, 0.33})
+            shapes.box({x - 0.06, 0, z - 0.06}, {x + 0.06, 2.2, z + 0.06});
+    }
+    return demo_of(shapes.level(), {0, standing(on, 0), 0}, on, "20 wish 0,0\n20 wish 1,0\n20 wish 0,1\n",
+                   {3.6, 3.6, 3.8}, {1.1, 0.7, 0.5});
 }
 
 Demo demo_bounce() {
@@ -159,6 +206,17 @@ Demo demo_bounce() {
         .material("wood__bouncy")
         .box({-5, 0, -2}, {10, 0.2, 2});
     return demo_of(shapes.level(), {-4, 5, 0}, on, "300 wish 0.35,0\n", {2, 3.5, 14}, {2, 2, 0});
+}
+
+Demo demo_sticky() {
+    MovementSettings on;
+    Shapes shapes;
+    shapes.material("plaster").box({-5, -0.5, -6}, {5, 0, 5}).material("stone").box({-3, 0, -4}, {3, 4, -2});
+    shapes.material("stone__sticky").polygon({{-3, 0, -1.98}, {3, 0, -1.98}, {3, 4, -1.98}, {-3, 4, -1.98}});
+    // The jump meets the wall near its highest point, 2.4 m on; the stick goes on pushing.
+    return demo_of(shapes.level(), {0, standing(on, 0), 2.6}, on,
+                   "10 wish 0,0\n20 wish 0,-1\n30 wish 0,-1 jump\n60 wish 0,-1\n", {8, 4, 3.5},
+                   {0, 1.6, -0.8});
 }
 
 Demo demo_surface_types() {

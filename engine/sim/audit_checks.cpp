@@ -1,5 +1,6 @@
 #include "audit_checks.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -20,20 +21,36 @@ FaceId face_between(const CollisionWorld& world, const Vec3& from, const Vec3& t
     return hit && blocks(world, hit->face) ? hit->face : no_id;
 }
 
-// The corners of the way that a step took after `before`, as its sweeps tell it; the last is `after`.
+// The corners of the way that a step took from `from`, as its sweeps tell it; the last is `after`. Hacks try
+// moves and take them back, so each sweep goes on from the latest corner that lies where it begins.
 std::vector<Vec3> traced_way(const MovementScene& scene, const MovementSettings& settings,
-                             const PlayerState& before, const PlayerInput& input, double dt,
+                             const PlayerState& before, const PlayerInput& input, double dt, const Vec3& from,
                              const Vec3& after) {
     TraceRecorder trace;
     step(scene, settings, before, input, dt, &trace);
-    std::vector<Vec3> way;
+    struct Corner {
+        Vec3 place;
+        std::size_t previous;
+    };
+    std::vector<Corner> corners{{from, 0}};
+    const auto latest_at = [&](const Vec3& place) {
+        for (std::size_t i = corners.size(); i-- > 0;)
+            if (corners[i].place == place) return i;
+        // Moved without a sweep, by a push-out or onto terrain: straight from where it was last.
+        corners.push_back({place, corners.size() - 1});
+        return corners.size() - 1;
+    };
     for (const TraceRecord& record : trace.records) {
-        if (const auto* sweep = std::get_if<SweepRecord>(&record)) {
-            way.push_back(sweep->from);
-            way.push_back(sweep->reached);
-        }
+        const auto* sweep = std::get_if<SweepRecord>(&record);
+        if (sweep == nullptr) continue;
+        const std::size_t begin = latest_at(sweep->from);
+        corners.push_back({sweep->reached, begin});
     }
-    way.push_back(after);
+    std::vector<Vec3> way;
+    for (std::size_t i = latest_at(after); i != 0; i = corners[i].previous)
+        way.push_back(corners[i].place);
+    std::reverse(way.begin(), way.end());
+    if (way.empty()) way.push_back(after);
     return way;
 }
 
@@ -61,7 +78,7 @@ struct Passage {
     bool moves;
 };
 
-bool is_excused(const Passage& passage, const MovementSettings& settings, std::span<const Vec3> way) {
+bool is_excused(const Passage& passage, std::span<const Vec3> way) {
     const auto& [world, from, face, moves] = passage;
     if (way_is_clear(world, from, way)) return true;
     // Pushes come first in a trace and do not see the platform that pushes: in its frame all of them are one
@@ -69,13 +86,7 @@ bool is_excused(const Passage& passage, const MovementSettings& settings, std::s
     for (std::size_t pushed = 1; moves && pushed < way.size(); ++pushed) {
         if (way_is_clear(world, from, way.subspan(pushed))) return true;
     }
-    const Vec3& after = way.back();
-    const Vec3 lift = Vec3::UnitY() * settings.radii.y();
-    const Vec3 over_start(from.x(), after.y(), from.z());
-    const Vec3 over_end(after.x(), from.y(), after.z());
-    return way_is_clear(world, from, std::array{over_start, after}) ||
-           way_is_clear(world, from, std::array{over_end, after}) ||
-           way_is_clear(world, from, std::array<Vec3, 3>{from + lift, after + lift, after});
+    return false;
 }
 
 }  // namespace
@@ -100,8 +111,8 @@ std::optional<CheckFailure> passed_through(const MovementScene& scene, std::span
     std::vector<Vec3> way;
     const auto judge = [&](const Passage& passage) -> std::optional<CheckFailure> {
         if (passage.face == no_id) return std::nullopt;
-        if (way.empty()) way = traced_way(scene, settings, before, input, dt, after);
-        if (is_excused(passage, settings, way)) return std::nullopt;
+        if (way.empty()) way = traced_way(scene, settings, before, input, dt, from, after);
+        if (is_excused(passage, way)) return std::nullopt;
         return CheckFailure{(after - passage.from).norm(), passage.face};
     };
     if (const auto failure =

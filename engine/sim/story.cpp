@@ -45,8 +45,15 @@ class Writer {
             say(axis == 0 ? "" : ", ").number(v[axis], "", 2);
         return say(")");
     }
-    // Of a ratio or an unknown quantity.
-    Writer& plain(double value) { return number(value, "", 3); }
+    // Of a ratio or an unknown quantity. What three decimals would not show is told by its order of
+    // magnitude.
+    Writer& plain(double value) {
+        if (value == 0.0 || !(std::abs(value) < 5e-3)) return number(value, "", 3);
+        std::string text = fmt::format("{:.2g}", value);
+        line_.text += text;
+        line_.numbers.push_back({value, std::move(text)});
+        return *this;
+    }
 
   private:
     StoryLine& line_;

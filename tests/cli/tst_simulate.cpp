@@ -52,6 +52,43 @@ TEST_F(Simulate, TheSameTapeGivesTheSameText) {
     EXPECT_NE(out.str(), first);
 }
 
+// A preset is asked for by name, so it counts before what a tape that names all its settings recorded.
+TEST_F(Simulate, APresetComesBeforeTheTapesSettings) {
+    const std::string tape = "settings defaults\nstart 0,5,0\n30\n";
+    const std::string path = write("preset.tape", "slipface-tape 1\n" + tape);
+    ASSERT_EQ(run(tape), cli::exit_fine) << err.str();
+    const double fallen = result()["final_state"]["velocity"][1];
+    ASSERT_EQ(run(tape, {"gravity=9.81"}), cli::exit_fine) << err.str();
+    const double slower = result()["final_state"]["velocity"][1];
+    out.str("");
+    ASSERT_EQ(
+        cli::run_simulate({.level = level, .tape = path, .json = true, .preset = "simulation"}, out, err),
+        cli::exit_fine)
+        << err.str();
+    EXPECT_NEAR(result()["final_state"]["velocity"][1].get<double>(), slower, 1e-9)
+        << "gravity of that preset: 9.81";
+    EXPECT_NE(slower, fallen);
+    err.str("");
+    EXPECT_EQ(cli::run_simulate({.level = level, .tape = path, .preset = ""}, out, err), cli::exit_bad_input);
+    EXPECT_THAT(err.str(), HasSubstr("found no preset"));
+}
+
+TEST_F(Simulate, TellsWhatHappenedInATick) {
+    const std::string path = write("tell.tape", "slipface-tape 1\ndt 1/60\n60\n1 jump\n9\n");
+    const auto tell = [&](std::size_t tick) {
+        out.str("");
+        err.str("");
+        return cli::run_simulate({.level = level, .tape = path, .tell = tick}, out, err);
+    };
+    ASSERT_EQ(tell(60), cli::exit_fine) << err.str();
+    EXPECT_THAT(out.str(), HasSubstr("Begins: standing on"));
+    EXPECT_THAT(out.str(), HasSubstr("jump pressed"));
+    EXPECT_THAT(out.str(), HasSubstr("Jump speed: jumps"));
+    EXPECT_THAT(out.str(), HasSubstr("Ends: in the air"));
+    EXPECT_EQ(tell(70), cli::exit_bad_input);
+    EXPECT_THAT(err.str(), HasSubstr("--tell: found tick 70, expected one from 0 to 69"));
+}
+
 TEST_F(Simulate, ATapeThatNamesItsEndIsATest) {
     const std::string tape = "settings defaults\n60 wish 1,0\n";
     ASSERT_EQ(run(tape), cli::exit_fine) << err.str();

@@ -97,6 +97,14 @@ inline double centre_height(const MovementSettings& s, const Vec3& n) {
     return (s.radii.cwiseProduct(n).norm() + s.skin) / n.y();
 }
 
+// Everything that helps a player at once.
+inline MovementSettings every_hack() {
+    MovementSettings s;
+    s.push_out = PushOut::analytic;
+    s.nudge = s.step_up = s.snap_down = s.seam_filter = s.coyote = s.jump_buffer = s.variable_jump = true;
+    return s;
+}
+
 inline Vec3 slope_normal(double angle) {
     return {-std::sin(angle), std::cos(angle), 0.0};
 }

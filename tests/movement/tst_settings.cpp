@@ -94,8 +94,8 @@ TEST(SetSetting, refuses_bad_input_and_leaves_the_settings_alone) {
     };
     EXPECT_THAT(error("walk_sped=3"), HasSubstr("did you mean 'walk_speed'?"));
     EXPECT_THAT(error("Keep_Energi=on"), HasSubstr("did you mean 'keep_energy'?"));
-    EXPECT_THAT(error("walk_speed=900"), HasSubstr("900 is not a number from 0 to 100 m/s"));
-    EXPECT_THAT(error("walk_speed=fast"), HasSubstr("'fast' is not a number"));
+    EXPECT_THAT(error("walk_speed=900"), HasSubstr("found 900, expected a number from 0 to 100 m/s"));
+    EXPECT_THAT(error("walk_speed=fast"), HasSubstr("found 'fast', expected a number"));
     EXPECT_THAT(error("walk_speed="), HasSubstr("walk_speed"));
     EXPECT_THAT(error("walk_speed"), HasSubstr("is not name=value"));
     EXPECT_THAT(error("max_slope=95deg"), HasSubstr("0deg to 89deg"));

@@ -1,6 +1,8 @@
 // The trace: complete, in order, readable, and free when nobody listens.
 #include <gmock/gmock.h>
 
+#include <set>
+
 #include "allocation_counter.h"
 #include "test_geometry.h"
 
@@ -27,6 +29,104 @@ TEST(Trace, without_a_sink_a_step_allocates_nothing) {
     TraceRecorder trace;
     step(scene, s, state, wish(1, 0), tick, &trace);
     EXPECT_GT(allocation_count(), before);
+}
+
+// A floor, a ramp, stairs, ice, a wedge, a lift, hills and sectors: something for every hack to do.
+struct Everything {
+    Lab lab, lift;
+    Heightfield hills;
+    std::vector<MovingPart> parts;
+
+    Everything() {
+        lab.floor(0.0, plain, 12.0);
+        lab.polygon({{3, 0, -3}, {3, 0, 3}, {8, 2.5, 3}, {8, 2.5, -3}});
+        for (int i = 0; i < 4; ++i) {
+            const double z = -4.0 - 0.4 * i, low = 0.25 * i, high = low + 0.25;
+            lab.polygon({{-2, low, z}, {2, low, z}, {2, high, z}, {-2, high, z}});
+            lab.polygon({{-2, high, z}, {2, high, z}, {2, high, z - 0.4}, {-2, high, z - 0.4}});
+        }
+        lab.polygon({{-6, 0.01, 2}, {-6, 0.01, 6}, {-3, 0.01, 6}, {-3, 0.01, 2}}, ice);
+        lab.polygon({{-9, 0.01, 2}, {-9, 0.01, 6}, {-6, 0.01, 6}, {-6, 0.01, 2}}, bouncy);
+        lab.wall({10, -9}, {10, 9});
+        lab.wall({10, 9}, {6, 8}, 0, 5);
+        lab.wall({-10, -9}, {-10, 9}, -5, 20, ladder);
+        lab.wall({-9, -10}, {9, -10}, -5, 20, sticky);
+        lab.ready();
+        lift.polygon({{-1, 0.5, 4}, {-1, 0.5, 7}, {2, 0.5, 7}, {2, 0.5, 4}});
+        lift.wall({-1, 4}, {2, 4}, 0.0, 0.5);
+        lift.ready();
+        hills.columns = hills.rows = 9;
+        hills.origin = Vec3(-12, 0, -12);
+        hills.size = Vec2(24, 24);
+        for (int i = 0; i < 81; ++i)
+            hills.heights.push_back(0.3 * std::sin(1.7 * i) - 0.1);
+    }
+    // The lift rises by 1 m/s, as this tick sees it; its faces stay where they are, which is all the same
+    // here.
+    MovementScene scene(double dt) {
+        const Vec3 rise(0.0, 1.0, 0.0);
+        MovingPart part{.collision = &lift.world(), .begin = {}, .end = {}, .velocity = rise};
+        part.begin.offset = -dt * rise;
+        parts = {part};
+        MovementScene all = lab.scene();
+        all.platforms = parts;
+        all.heightfield = &hills;
+        all.sectors.size = 8.0;
+        return all;
+    }
+};
+
+TEST(Trace, without_a_sink_a_step_with_every_hack_allocates_nothing) {
+    Everything world;
+    const MovementScene scene = world.scene(tick);
+    std::set<std::string> acted;
+    std::array<bool, 6> seen{};  // on the ground, on the lift, climbing, stuck, on ice, in another sector
+    long allocated = 0;
+    // Where push-out is off, the nudge has something to do.
+    for (const PushOut kind : {PushOut::off, PushOut::iterative, PushOut::analytic}) {
+        MovementSettings s = every_hack();
+        s.push_out = kind;
+        s.sub_step = 1.0 / 240;
+        for (const SettingInfo& info : settings_table()) {
+            const bool is_switch = std::holds_alternative<bool MovementSettings::*>(info.member);
+            EXPECT_TRUE(!is_switch || get_setting(s, info) == 1.0) << info.name << " is not on";
+        }
+        Random random(41);
+        for (int walker = 0; walker < 40; ++walker) {
+            // Some begin inside the floor or a wall.
+            PlayerState state;
+            const Vec3 place(random.between(-10, 10), random.between(0.3, 3.0), random.between(-10, 10));
+            place_in_scene(scene, place, state);
+            const Vec2 way(random.between(-1, 1), random.between(-1, 1));
+            for (int i = 0; i < 150; ++i) {
+                const PlayerInput input = wish(way.x(), way.y(), i % 70 == 60);
+                // The same step with somebody listening says what acts.
+                TraceRecorder trace;
+                step(scene, s, state, input, tick, &trace);
+                for (const TraceRecord& record : trace.records) {
+                    const auto* decision = std::get_if<DecisionRecord>(&record);
+                    if (decision != nullptr && decision->acted) acted.insert(decision->hack);
+                    if (std::holds_alternative<PushOutRecord>(record)) acted.insert("push_out");
+                }
+                const long before = allocation_count();
+                state = step(scene, s, state, input, tick).state;
+                allocated += allocation_count() - before;
+                seen[0] = seen[0] || state.grounded;
+                seen[1] = seen[1] || state.ground_platform == 0;
+                seen[2] = seen[2] || state.climbing;
+                seen[3] = seen[3] || state.stuck;
+                seen[4] = seen[4] || state.ground_surface == ice;
+                seen[5] = seen[5] || state.sector != std::array<std::int32_t, 3>{0, 0, 0};
+            }
+        }
+    }
+    EXPECT_EQ(allocated, 0);
+    EXPECT_THAT(seen, ::testing::Each(true));
+    for (const char* hack : {"coyote", "ground_velocity", "heightfield", "keep_energy", "nudge", "platforms",
+                             "push_out", "seam_filter", "snap_down", "static_friction", "step_up",
+                             "straight_ahead", "surface_types", "variable_jump"}) {
+        EXPECT_EQ(acted.count(hack), 1u) << hack << " never acted";
+    }
 }
 
 TEST(Trace, tells_the_steps_of_a_slide_in_order) {

@@ -64,5 +64,55 @@ TEST(Simulate, TheSameTapeGivesTheSameHashes) {
     EXPECT_EQ(run_program(arguments + " --set walk_sped=5").exit_code, 2);
 }
 
+// Two metres below the spawn point, which is the origin. Walkers leave it, which is no finding.
+const std::string low_floor_obj = "v -10 -2 10\nv 10 -2 10\nv 10 -2 -10\nv -10 -2 -10\nf 1 2 3 4\n";
+
+TEST(Audit, IsTheSameForAnyNumberOfThreads) {
+    const ScratchFolder folder;
+    const std::string level = folder.write("floor.obj", low_floor_obj);
+    const std::string arguments = "audit " + level + " --walkers 6 --seconds 3 --seed 7 --json --threads ";
+    const ProgramRun one = run_program(arguments + "1"), two = run_program(arguments + "2");
+    ASSERT_EQ(one.exit_code, 0) << one.output;
+    EXPECT_EQ(one.output, two.output);
+    const auto json = nlohmann::json::parse(one.output);
+    EXPECT_EQ(json.at("steps"), 6 * 3 * 60);
+    EXPECT_EQ(json.at("seed"), 7);
+}
+
+TEST(Audit, ItsPartsMakeTheWhole) {
+    const ScratchFolder folder;
+    const std::string level = folder.write("floor.obj", low_floor_obj);
+    const std::string arguments = "audit " + level + " --walkers 6 --seconds 2 --json";
+    const std::string first = (folder / "first.json").string(), second = (folder / "second.json").string();
+    const ProgramRun whole = run_program(arguments);
+    ASSERT_EQ(run_program(arguments + " --shard 0/2 --out " + first).exit_code, 0);
+    ASSERT_EQ(run_program(arguments + " --shard 1/2 --out " + second).exit_code, 0);
+    const ProgramRun merged = run_program("audit merge " + first + " " + second + " --json");
+    ASSERT_EQ(merged.exit_code, 0) << merged.output;
+    EXPECT_EQ(merged.output, whole.output);
+}
+
+TEST(Audit, RefusesWhatItCannotDo) {
+    const ScratchFolder folder;
+    const std::string level = folder.write("floor.obj", low_floor_obj);
+    const auto code = [&](const std::string& rest) { return run_program("audit " + level + rest).exit_code; };
+    EXPECT_EQ(code(" --seed -1"), 64);
+    EXPECT_EQ(code(" --seed 18446744073709551616"), 64);
+    EXPECT_EQ(code(" --walkers -1"), 64);
+    EXPECT_EQ(code(" --speeds fast"), 64);
+    EXPECT_EQ(code(" --dt 0/0"), 64);
+    EXPECT_EQ(code(" --shard 2/2"), 64);
+    EXPECT_EQ(code(" --set nothing=1"), 2);
+    EXPECT_EQ(code(" --walkers 1 --seconds 0.1 --tapes " + level + "/below"), 2);
+    EXPECT_EQ(run_program("audit " + level + ".missing").exit_code, 2);
+}
+
+TEST(Output, ThatCannotBeWrittenIsAFailure) {
+    const ScratchFolder folder;
+    const std::string level = folder.write("floor.obj", low_floor_obj);
+    EXPECT_EQ(run_program("info " + level + " > /dev/full").exit_code, 2);
+    EXPECT_EQ(run_program("audit " + level + " --walkers 1 --seconds 0.1 --json > /dev/full").exit_code, 2);
+}
+
 }  // namespace
 }  // namespace slipface::test

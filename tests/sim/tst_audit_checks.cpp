@@ -1,5 +1,5 @@
 // Each check of the audit against a state that must trip it and one that must not. The scene is a floor at y
-// = 0 and a wall in the plane x = 1 from z = -2 to 2, 3 m high.
+// = 0 and a wall in the plane x = 1 from z = -2 to 2, as a rule 3 m high.
 #include <gtest/gtest.h>
 
 #include "audit_checks.h"
@@ -8,10 +8,10 @@ namespace slipface::test {
 namespace {
 
 struct Wall {
-    Wall() {
-        const std::vector<Vec3f> positions{Vec3f(-9, 0, -9), Vec3f(-9, 0, 9), Vec3f(9, 0, 9),
-                                           Vec3f(9, 0, -9),  Vec3f(1, 0, -2), Vec3f(1, 0, 2),
-                                           Vec3f(1, 3, 2),   Vec3f(1, 3, -2)};
+    explicit Wall(float height = 3.0F) {
+        const std::vector<Vec3f> positions{Vec3f(-9, 0, -9),    Vec3f(-9, 0, 9),     Vec3f(9, 0, 9),
+                                           Vec3f(9, 0, -9),     Vec3f(1, 0, -2),     Vec3f(1, 0, 2),
+                                           Vec3f(1, height, 2), Vec3f(1, height, -2)};
         const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
         const std::vector<FaceId> faces{0, 0, 1, 1};
         world = std::move(CollisionWorld::build({positions, triangles, faces}).value());
@@ -39,17 +39,39 @@ TEST(AuditChecks, ACentreOnTheOtherSideOfAWallPassedThroughIt) {
     EXPECT_DOUBLE_EQ(passed->amount, 1.0);
 }
 
-TEST(AuditChecks, AStepBesideTheWallOrOverItIsFine) {
+TEST(AuditChecks, AStepBesideTheWallIsFine) {
     const Wall wall;
-    const PlayerInput input;
-    const auto beside = passed_through(wall.scene(), {}, wall.settings, Wall::standing_at(0.5, 2.1), input,
-                                       1.0 / 60, Vec3(1.5, 0.902, 2.1));
-    EXPECT_FALSE(beside);
-    // The straight line from the foot of the wall to its top's other side cuts it; the way over the top does
-    // not.
-    PlayerState low = Wall::standing_at(0.9, 0.0);
-    low.position.y() = 2.6;
-    EXPECT_FALSE(passed_through(wall.scene(), {}, wall.settings, low, input, 1.0 / 60, Vec3(1.1, 3.2, 0.0)));
+    EXPECT_FALSE(passed_through(wall.scene(), {}, wall.settings, Wall::standing_at(0.5, 2.1), {}, 1.0 / 60,
+                                Vec3(1.5, 0.902, 2.1)));
+}
+
+// Nobody is taken to have gone over it: only sweeps of the step itself lead around a face.
+TEST(AuditChecks, AWallJustAboveTheCentreCountsLikeAnyOther) {
+    for (const float height : {0.92F, 1.2F, 1.5F, 1.75F, 1.85F}) {
+        const Wall wall(height);
+        EXPECT_TRUE(passed_through(wall.scene(), {}, wall.settings, Wall::standing_at(0.5, 0.0), {}, 1.0 / 60,
+                                   Vec3(1.5, 0.902, 0.0)))
+            << height;
+    }
+    const Wall low(0.85F);
+    EXPECT_FALSE(passed_through(low.scene(), {}, low.settings, Wall::standing_at(0.5, 0.0), {}, 1.0 / 60,
+                                Vec3(1.5, 0.902, 0.0)));
+}
+
+// On the way up onto a shelf the centre passes over its edge; the straight way would lead through it.
+TEST(AuditChecks, TheWayThatASweepTookIsFine) {
+    Wall wall(1.0F);
+    wall.settings.step_up = true;
+    wall.settings.step_height = 1.5;
+    wall.settings.walk_speed = 60.0;
+    wall.settings.ground_acceleration = 1000.0;
+    const PlayerInput input{.wish = {1.0, 0.0}};
+    PlayerState before = Wall::standing_at(0.55, 0.0);
+    before.velocity = {60.0, 0.0, 0.0};
+    const PlayerState after = step(wall.scene(), wall.settings, before, input, 1.0 / 60, nullptr).state;
+    ASSERT_GT(after.position.x(), 1.0);
+    ASSERT_LT(after.position.y(), 0.91);
+    EXPECT_FALSE(passed_through(wall.scene(), {}, wall.settings, before, input, 1.0 / 60, after.position));
 }
 
 TEST(AuditChecks, AFaceThatDoesNotBlockIsNoWall) {

@@ -105,7 +105,7 @@ TEST(TapeRuns, CountsInHowManyTicksAHackActed) {
     EXPECT_GT(run.acted_count(*hack_row("static_friction")), 20u);
     TapeRun held(std::make_shared<const Tape>(tape_of({{60, {}}})), {}, Vec3(0, 1.5, 35));
     held.advance(stripes.scene(), 60);
-    EXPECT_GT(held.acted_count(*hack_row("surface_types")), 20u) << "the sticky stripe holds to the end";
+    EXPECT_GT(held.acted_count(*hack_row("stick")), 20u) << "the sticky stripe holds to the end";
     EXPECT_EQ(run.acted_count(*hack_row("push_out")), 0u);
     EXPECT_FALSE(hack_row("gravity"));
 }

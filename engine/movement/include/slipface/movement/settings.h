@@ -37,6 +37,8 @@ struct MovementSettings {
     bool keep_energy = true;
     double keep_energy_limit = -0.5;  // N.V / |V| must be above this
     bool surface_types = true;        // ladders, sticky, bouncy, conveyors act at all
+    bool bounce = true;
+    bool stick = true;
     PushOut push_out = PushOut::off;
     bool nudge = false;
     double nudge_distance = 0.1;
@@ -80,6 +82,9 @@ struct SettingInfo {
 
 std::span<const SettingInfo> settings_table();
 const SettingInfo* find_setting(std::string_view name);
+
+// Whether all numbers are.
+bool is_finite(const MovementSettings& settings);
 
 // A setting as a number: switches 0 or 1, choices their index.
 double get_setting(const MovementSettings& settings, const SettingInfo& info);

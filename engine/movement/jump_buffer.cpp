@@ -1,0 +1,30 @@
+// Problem: a press of jump one tick before landing is lost. Hack: the press is remembered for a short time,
+// and the jump starts on landing.
+#include <algorithm>
+
+#include "mover.h"
+
+namespace slipface {
+
+bool wants_jump(const Mover& mover, const PlayerState& state, bool pressed) {
+    if (pressed) return true;
+    if (!mover.settings.jump_buffer || !is_open(state.jump_buffer_s, mover.dt)) return false;
+    const bool held = state.grounded || state.climbing || state.stuck;
+    decide(mover, "jump_buffer", held, "left, s", state.jump_buffer_s, 0.0,
+           held ? "jumps: pressed before landing" : "refused: still in the air, the press is remembered",
+           state.ground_face);
+    return held;
+}
+
+double jump_buffer_after(const Mover& mover, const PlayerState& state, bool pressed) {
+    if (mover.jumped) return 0.0;
+    if (!mover.settings.jump_buffer) {
+        if (pressed)
+            decide(mover, "jump_buffer", false, "pressed", 1.0, 0.0, "switched off: the press is lost");
+        return 0.0;
+    }
+    if (pressed) return mover.settings.jump_buffer_time;
+    return std::max(0.0, state.jump_buffer_s - mover.dt);
+}
+
+}  // namespace slipface

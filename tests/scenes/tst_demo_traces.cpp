@@ -1,0 +1,56 @@
+// A trace must name the switch that would have helped: whoever asks why a player did that reads it there.
+#include <gtest/gtest.h>
+
+#include "slipface/scenes/demo.h"
+#include "slipface/sim/run.h"
+
+namespace slipface::test {
+namespace {
+
+struct DemoRun {
+    LevelScene level;
+    TickScene scene;
+    TapeRun run;
+
+    DemoRun(const Demo& demo, const MovementSettings& settings)
+        : level(std::move(LevelScene::build(demo.level, settings).value())),
+          scene(level),
+          run(std::make_shared<const Tape>(demo.tape), settings, demo.tape.start.value_or(demo.level.spawn)) {
+        run.advance(scene, TapeRun::max_ticks);
+    }
+    bool says_switched_off(std::string_view hack) const {
+        for (std::size_t tick = 0; tick < run.samples().size(); ++tick) {
+            for (const TraceRecord& record : run.trace(scene, tick).records) {
+                const auto* decision = std::get_if<DecisionRecord>(&record);
+                if (decision != nullptr && decision->hack == hack && !decision->acted &&
+                    std::string_view(decision->outcome).starts_with("switched off"))
+                    return true;
+            }
+        }
+        return false;
+    }
+};
+
+class DemoTraces : public testing::TestWithParam<DemoInfo> {};
+
+TEST_P(DemoTraces, NameTheirSwitch) {
+    const DemoInfo& info = GetParam();
+    const Demo demo = make_demo(info);
+    const DemoRun on(demo, demo.on);
+    const auto row = hack_row(info.hack);
+    ASSERT_TRUE(row);
+    EXPECT_GT(on.run.acted_count(*row), 0U);
+    // Without sectors a scene is built in one piece, and no step knows that there could have been some.
+    if (std::string_view(info.hack) == "sectors") return;
+    EXPECT_TRUE(DemoRun(demo, demo.off).says_switched_off(info.hack));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, DemoTraces, testing::ValuesIn(demo_table().begin(), demo_table().end()),
+                         [](const auto& info) {
+                             std::string name = info.param.name;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+}  // namespace
+}  // namespace slipface::test
