@@ -6,21 +6,19 @@
 namespace slipface::bench {
 namespace {
 
-const BulletLevel& bullet_level(std::int64_t triangles) {
-    static std::map<std::int64_t, BulletLevel> levels;
-    return levels.try_emplace(triangles, level(triangles).soup).first->second;
+const BulletLevel& bullet_level(const Level& level) {
+    static std::map<const Level*, BulletLevel> levels;
+    return levels.try_emplace(&level, level.soup).first->second;
 }
 
 void bullet_sweep(benchmark::State& state) {
-    const BulletLevel& bullet = bullet_level(state.range(0));
-    const bool ellipsoid = state.range(2) != 0;
-    const auto list =
-        queries(level(state.range(0)), radii_of(ellipsoid), static_cast<double>(state.range(1)) / 1000);
-    const auto shape = bullet_shape(ellipsoid);
+    const SweepTask task(state);
+    const BulletLevel& bullet = bullet_level(task.scene);
+    const auto shape = bullet_shape(state.range(2) != 0);
     std::size_t i = 0;
     std::size_t hits = 0;
     for (auto _ : state)
-        hits += bullet.sweep(*shape, list[i++ & 4095]);
+        hits += bullet.sweep(*shape, task.list[i++ & 4095]);
     state.counters["hits"] = static_cast<double>(hits) / static_cast<double>(state.iterations());
 }
 BENCHMARK(bullet_sweep)->Apply(sweep_arguments);

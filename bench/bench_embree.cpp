@@ -14,21 +14,16 @@ void embree_ray(benchmark::State& state) {
     for (auto _ : state)
         benchmark::DoNotOptimize(embree.ray(list[i++ & 4095]));
 }
-BENCHMARK(embree_ray)->ArgNames({"triangles", "mm"})->ArgsProduct({{30000, 1000000}, {200, 2000, 20000}});
+BENCHMARK(embree_ray)->Apply(ray_arguments);
 
 void embree_build(benchmark::State& state) {
     const Level& scene = level(state.range(0));
     for (auto _ : state) {
-        const EmbreeScene embree(scene.soup);
+        const EmbreeScene embree(scene.soup, false, static_cast<int>(state.range(1)));
         benchmark::DoNotOptimize(&embree);
     }
 }
-BENCHMARK(embree_build)
-    ->ArgName("triangles")
-    ->Arg(30000)
-    ->Arg(1000000)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+BENCHMARK(embree_build)->Apply(build_arguments)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace slipface::bench

@@ -10,11 +10,16 @@ namespace slipface::bench {
 // Of the same density at every size: a building of furnished rooms, or rolling ground with boxes on it.
 enum class Kind { rooms, ground };
 
+// What the tables of docs/performance.md are made of: about how many triangles, and moves in metres.
+inline constexpr std::int64_t sizes[] = {3000, 10000, 30000, 100000, 300000, 1000000};
+inline constexpr double lengths[] = {0.02, 0.2, 2, 20};
+
 struct Level {
     scenes::Soup soup;
     CollisionWorld world;
 };
 
+// A building has at least so many triangles, ground a few per cent more or fewer.
 inline scenes::Soup make_soup(Kind kind, std::int64_t triangles) {
     scenes::Random random(1);
     const auto count = static_cast<double>(triangles);
@@ -24,7 +29,7 @@ inline scenes::Soup make_soup(Kind kind, std::int64_t triangles) {
     }
     const std::size_t floors = triangles < 100000 ? 2 : 5;
     const double rooms = std::sqrt(count / (242.0 * static_cast<double>(floors)));
-    return std::move(scenes::Rooms(random, static_cast<std::size_t>(std::lround(rooms)), floors).soup);
+    return std::move(scenes::Rooms(random, static_cast<std::size_t>(std::ceil(rooms)), floors).soup);
 }
 
 inline const Level& level(std::int64_t triangles, Kind kind = Kind::rooms) {
@@ -63,16 +68,41 @@ inline std::vector<Query> queries(const Level& level, const Vec3& radii, double 
     return list;
 }
 
-// Arguments of a sweep benchmark: triangles, length in millimetres, ellipsoid or sphere.
+// The arguments of the Google Benchmark programs, from the tables' own sizes and lengths.
+inline std::vector<std::int64_t> size_arguments() {
+    return {std::begin(sizes), std::end(sizes)};
+}
+inline std::vector<std::int64_t> length_arguments() {
+    std::vector<std::int64_t> list;
+    for (const double length : lengths)
+        list.push_back(std::lround(1000 * length));
+    return list;
+}
 template <class Benchmark>
 void sweep_arguments(Benchmark* benchmark) {
-    benchmark->ArgNames({"triangles", "mm", "ellipsoid"});
-    for (const std::int64_t triangles : {1000, 10000, 30000, 100000, 1000000}) {
-        for (const std::int64_t length : {20, 200, 2000, 20000}) {
-            for (const std::int64_t ellipsoid : {0, 1})
-                benchmark->Args({triangles, length, ellipsoid});
-        }
-    }
+    benchmark->ArgNames({"triangles", "mm", "ellipsoid", "ground"})
+        ->ArgsProduct({size_arguments(), length_arguments(), {0, 1}, {0, 1}});
 }
+template <class Benchmark>
+void ray_arguments(Benchmark* benchmark) {
+    benchmark->ArgNames({"triangles", "mm"})->ArgsProduct({size_arguments(), length_arguments()});
+}
+template <class Benchmark>
+void build_arguments(Benchmark* benchmark) {
+    benchmark->ArgNames({"triangles", "threads"})->ArgsProduct({size_arguments(), {1, 2}});
+}
+
+// What the arguments of a sweep benchmark say.
+struct SweepTask {
+    const Level& scene;
+    Vec3 radii;
+    std::vector<Query> list;  // 4096
+
+    template <class State>
+    explicit SweepTask(const State& state)
+        : scene(level(state.range(0), state.range(3) != 0 ? Kind::ground : Kind::rooms)),
+          radii(radii_of(state.range(2) != 0)),
+          list(queries(scene, radii, static_cast<double>(state.range(1)) / 1000)) {}
+};
 
 }  // namespace slipface::bench

@@ -1,7 +1,9 @@
-// A level in Embree 3: medium quality, one thread.
+// A level in Embree 3: medium quality.
 #pragma once
 
 #include <embree3/rtcore.h>
+
+#include <string>
 
 #include "bench_scenes.h"
 
@@ -9,9 +11,10 @@ namespace slipface::bench {
 
 class EmbreeScene {
   public:
-    // `robust`: no ray slips between two triangles that share an edge, as none of ours does.
-    explicit EmbreeScene(const scenes::Soup& soup, bool robust = false)
-        : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_)) {
+    // `robust`: no ray slips between two triangles that share an edge, as none of ours does. `threads` build.
+    explicit EmbreeScene(const scenes::Soup& soup, bool robust = false, int threads = 1)
+        : device_(rtcNewDevice(("threads=" + std::to_string(threads)).c_str())),
+          scene_(rtcNewScene(device_)) {
         if (robust) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
         RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
         auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(

@@ -15,6 +15,13 @@ inline double seconds() {
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+// For work on several threads.
+inline double wall_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 // Of a list that is not empty.
 inline double median(std::vector<double> list) {
     std::sort(list.begin(), list.end());

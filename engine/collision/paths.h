@@ -40,11 +40,17 @@ inline float time_limit(double best) {
     return round_up(best) * (1.0F + 2.0F * time_slack) + least_time;
 }
 
-// Half extents of an ellipsoid's box, widened to cover what the float tests and the narrow phase round off: a
-// millionth of the radius, the rounding of float differences as long as the move, and that of double
-// coordinates.
+// How much wider than the ellipsoid its box is, to cover what the float tests and the narrow phase round off:
+// shares of the radius, of the move along the axis (five roundings of 2^-24 of a float difference), and of
+// the largest coordinate (ninety of 2^-53).
+inline constexpr double radius_margin = 1e-6;
+inline constexpr double move_margin = 3e-7;
+inline constexpr double coordinate_margin = 1e-14;
+
+// `reach`: the largest coordinate of the query and the world.
 inline Three box_half_extents(const Three& radii, const Three& move, double reach) {
-    return radii * Three::all(1.0 + 1e-6) + Three::all(3e-7) * move.abs() + Three::all(1e-14 * reach);
+    return radii * Three::all(1.0 + radius_margin) + Three::all(move_margin) * move.abs() +
+           Three::all(coordinate_margin * reach);
 }
 
 // Whether an ellipsoid's whole way lies beside the box of all triangles: small worlds, like moving platforms,

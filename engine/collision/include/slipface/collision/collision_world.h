@@ -24,7 +24,7 @@ struct SurfaceRule {
 };
 
 struct TriangleSoup {
-    std::span<const Vec3f> positions;
+    std::span<const Vec3f> positions;                         // world space, metres
     std::span<const std::array<std::uint32_t, 3>> triangles;  // indices into positions
     std::span<const FaceId> faces;                            // [triangle] the face it belongs to
     // [triangle] number of the body that it moves with; empty: all belong to one. Bodies share no leaf of the
@@ -74,8 +74,10 @@ class CollisionWorld {
     CollisionWorld(CollisionWorld&&) noexcept;
     CollisionWorld& operator=(CollisionWorld&&) noexcept;
 
-    // Refuses indices out of range, spans of unequal length and coordinates that are not finite. Degenerate
-    // triangles are kept: they collide as the edges and points that they are.
+    // Refuses more than 2^25 triangles, indices out of range, `faces` that are not one a triangle, `bodies`
+    // that are neither none nor one a triangle, and coordinates that are not finite; an error, too, if memory
+    // runs out. No triangles are an empty world. Degenerate triangles are kept: they collide as the edges and
+    // points that they are.
     static Result<CollisionWorld> build(const TriangleSoup& soup);
 
     // Gives triangles[i] the corners corners[i] and fits the tree around them (moving platforms). Every
@@ -92,14 +94,15 @@ class CollisionWorld {
     SurfaceRule surface_rule(SurfaceId surface) const;
 
     std::size_t triangle_count() const;
+    // Of a triangle below triangle_count(); for any other number the behaviour is undefined.
     std::array<Vec3, 3> triangle(TriangleId triangle) const;  // corners, world space
     FaceId triangle_face(TriangleId triangle) const;
     Vec3 triangle_normal(TriangleId triangle) const;  // winding normal, unit; zero for a degenerate one
+
     Aabb bounds() const;
     BvhStatistics statistics() const;
 
-    // Calls visit(triangle) for every triangle whose box meets `box`, in ascending order of triangle. For
-    // debug views and tests.
+    // Every triangle whose box meets `box`, ascending, solid or not. Allocates. For tools and tests.
     std::vector<TriangleId> triangles_in(const Aabb& box) const;
 
     struct Impl;
@@ -133,18 +136,24 @@ struct Sweep {
 void sweep_ellipsoids(const CollisionWorld& world, std::span<const Sweep> sweeps,
                       std::span<std::optional<Contact>> out);
 
-// First solid triangle, from either side, that the ray from `origin` along `direction` (any length) meets
-// with t in [0, max_t].
+// First solid triangle, from either side, that the ray from `origin` along `direction` (any length above 0)
+// meets with t in [0, max_t]; of several at the same t the lowest triangle. A ray in a triangle's plane does
+// not meet it, nor does any ray meet a triangle without area: what stops it are their neighbours, or nothing.
+// docs/sweep.md, "Rays", says how thin a triangle may be. Nothing for an origin or direction that is not
+// finite, a direction of 0, and a max_t that is negative or NaN.
 std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
                                double max_t = std::numeric_limits<double>::infinity());
 
-// The solid triangle nearest to `point` within `max_distance`, or nothing.
+// The solid triangle nearest to `point` within `max_distance` (metres, that distance included), or nothing;
+// of several at the same squared distance the lowest. Nothing for a point that is not finite, and a
+// max_distance that is negative or NaN.
 std::optional<ClosestPoint> closest_point(const CollisionWorld& world, const Vec3& point,
                                           double max_distance = std::numeric_limits<double>::infinity());
 
 // The solid triangles that the ellipsoid at `centre` overlaps (distance in sphere space < 1), ascending by
 // triangle, as many as `out` holds. Returns how many there are in all, which may be more. A one-sided
-// triangle counts only while the centre is not behind its plane, as for sweeps.
+// triangle counts only while the centre is not behind its plane, as for sweeps. Non-finite input, or radii
+// that are not positive, overlap nothing.
 std::size_t find_overlaps(const CollisionWorld& world, const Vec3& radii, const Vec3& centre,
                           std::span<Overlap> out);
 
