@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 install_packages "${packages[@]}" "${test_packages[@]}" valgrind
 configure release
 build release tests_collision tests_movement
-# Left out, of collision: the 113-bit oracle (its arithmetic takes minutes, and is not the engine's), the two largest
+# Left out, of collision: the 113-bit oracles (their arithmetic takes minutes, and is not the engine's), the two largest
 # trees, properties (RapidCheck reads what it never wrote when it shows an assertion's bool), and a count that wants
 # three instruction sets. Of movement: counts of allocations, for valgrind replaces `new` itself, and the
 # longest runs, each as long as all the others together.

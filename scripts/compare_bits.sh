@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # compare_bits.sh [BUILD...]: runs every demo and its walkers in each build under build/, on one thread and on four, and
-# compares every hash. Without arguments: release (gcc -O2), clang and debug (-O0), as far as they are configured.
+# compares every hash. Without arguments: release (gcc -O2), clang, debug (-O0), o3 and clang-o3, as far as
+# they are built.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 builds=("$@")
 if [ ${#builds[@]} -eq 0 ]; then
-    for build in release clang debug asan; do
+    for build in release clang debug o3 clang-o3 asan; do
         if [ -x "build/$build/tests/slipface_bits" ]; then builds+=("$build"); fi
     done
 fi

@@ -19,8 +19,7 @@ bool wants_jump(const Mover& mover, const PlayerState& state, bool pressed) {
 double jump_buffer_after(const Mover& mover, const PlayerState& state, bool pressed) {
     if (mover.jumped) return 0.0;
     if (!mover.settings.jump_buffer) {
-        if (pressed)
-            decide(mover, "jump_buffer", false, "pressed", 1.0, 0.0, "switched off: the press is lost");
+        if (pressed) decide(mover, "jump_buffer", false, "", 0.0, 0.0, "switched off: the press is lost");
         return 0.0;
     }
     if (pressed) return mover.settings.jump_buffer_time;

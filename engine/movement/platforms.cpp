@@ -91,7 +91,7 @@ void move_with_platforms(Mover& mover, const PlayerState& state) {
     const bool rides = state.ground_platform < mover.scene.platforms.size();
     if (!mover.settings.platforms) {
         if (rides)
-            decide(mover, "platforms", false, "carried, m", 0.0, 0.0, "switched off: does not ride along",
+            decide(mover, "platforms", false, "", 0.0, 0.0, "switched off: does not ride along",
                    state.ground_face);
         return;
     }

@@ -113,12 +113,14 @@ Vec3 shift_out_of(const Planes& planes) {
 // Out of the plane that is overlapped deepest, again and again, each from the side on which the player began.
 // Between two faces of an acute wedge the steps shrink by the square of the cosine between them, which takes
 // thousands of rounds at 5 degrees; so every fifth round the rest of such a row is added at once (Aitken's
-// extrapolation).
+// extrapolation). Between three faces of an acute corner the steps are no such row: who is still inside
+// after half of the rounds is put into the point of the last three.
 Vec3 iterate_out_of(const Planes& planes) {
     constexpr int rounds = 200;
     constexpr int leap = 5;
     Vec3 shift = Vec3::Zero();
     std::array<Vec3, leap> last;
+    std::array<std::size_t, 3> latest{};  // planes, the last one first; no two alike where there were three
     for (int round = 0; round < rounds; ++round) {
         const Plane* worst = nullptr;
         double missing = 1e-9;
@@ -131,8 +133,17 @@ Vec3 iterate_out_of(const Planes& planes) {
         }
         if (worst == nullptr) return shift;
         shift += worst->normal * missing;
+        const auto number = static_cast<std::size_t>(worst - planes.plane.data());
+        if (number != latest[0]) latest = {number, latest[0], number == latest[1] ? latest[2] : latest[1]};
         last[static_cast<std::size_t>(round % leap)] = shift;
         if (round % leap != leap - 1) continue;
+        if (round >= rounds / 2) {
+            const auto& p = planes.plane;
+            if (const auto end = corner(p[latest[0]], p[latest[1]], p[latest[2]])) {
+                shift = *end;
+                continue;
+            }
+        }
         // The first, the third and the last since a leap lie on the same face of a wedge.
         const Vec3 older = last[2] - last[0];
         const Vec3 newer = last[4] - last[2];

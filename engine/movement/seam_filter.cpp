@@ -32,7 +32,7 @@ double rise_above(const std::array<Vec3, 3>& corners, const Vec3& point, const V
 
 double filter_seam(const Mover& mover, const Vec3& centre, std::uint32_t platform, Contact& contact) {
     if (!mover.settings.seam_filter) {
-        decide(mover, "seam_filter", false, "filtered", 0.0, 0.0, "switched off: the edge counts as it is",
+        decide(mover, "seam_filter", false, "", 0.0, 0.0, "switched off: the edge counts as it is",
                contact.face);
         return 0.0;
     }

@@ -8,7 +8,7 @@ namespace slipface {
 void snap_down(Mover& mover) {
     const double distance = mover.settings.snap_distance;
     if (!mover.settings.snap_down) {
-        decide(mover, "snap_down", false, "grounded", 0.0, 1.0, "switched off: leaves the ground");
+        decide(mover, "snap_down", false, "", 0.0, 0.0, "switched off: leaves the ground");
         return;
     }
     const Swept swept = sweep_with_skin(mover, Pass::snap, 0, Vec3(0.0, -distance, 0.0));

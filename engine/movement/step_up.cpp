@@ -34,18 +34,14 @@ bool on_rim(Mover& mover, const Contact& contact) {
 bool step_up(Mover& mover, const Motion& before, const Vec3& level) {
     const double height = mover.settings.step_height;
     const Motion plain = mover;
-    if (!mover.settings.step_up || !mover.was_grounded) {
-        decide(mover, "step_up", false, "grounded", mover.was_grounded ? 1.0 : 0.0, 1.0,
-               mover.settings.step_up ? "refused: steps up from the ground only"
-                                      : "switched off: whatever is in the way is a wall",
-               plain.support_face);
-        return false;
-    }
     const auto refuse = [&](const char* quantity, double value, double limit, const char* why) {
         decide(mover, "step_up", false, quantity, value, limit, why, plain.support_face);
         mover.motion() = plain;
         return false;
     };
+    if (!mover.settings.step_up)
+        return refuse("", 0.0, 0.0, "switched off: whatever is in the way is a wall");
+    if (!mover.was_grounded) return refuse("grounded", 0.0, 1.0, "refused: steps up from the ground only");
     mover.motion() = before;
     mover.position = sweep_with_skin(mover, Pass::step, 0, Vec3(0.0, height, 0.0)).reached;
     const double lifted = mover.position.y() - before.position.y();

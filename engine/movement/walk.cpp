@@ -116,10 +116,13 @@ void walk(Mover& mover, const PlayerState& state, bool jump_pressed) {
     if (split) {
         move_split(mover, state, move);
     } else {
-        decide(mover, "static_friction", false, "keeps energy", slippery ? 1.0 : 0.0, 0.0,
-               settings.static_friction ? "refused: no static friction here, the whole move slides"
-                                        : "switched off: the whole move slides",
-               state.ground_face);
+        if (settings.static_friction) {
+            decide(mover, "static_friction", false, "keeps energy", 1.0, 0.0,
+                   "refused: no static friction here, the whole move slides", state.ground_face);
+        } else {
+            decide(mover, "static_friction", false, "", 0.0, 0.0, "switched off: the whole move slides",
+                   state.ground_face);
+        }
         move_whole(mover, state, move, touching && !jumps);
     }
 

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
+#include <string>
 
 #include "oracle.h"
 #include "scenes.h"
@@ -154,6 +156,15 @@ inline constexpr std::array<Family, 12> all{{
     {"overlapping at the start", overlapping},
     {"radius under 1 mm", tiny_radius},
 }};
+
+// Of a testing::TestParamInfo<Family>: as much of the name as a test may be called.
+inline constexpr auto test_name = [](const auto& family) {
+    std::string name;
+    for (const char* c = family.param.name; *c != '\0'; ++c) {
+        if (std::isalnum(static_cast<unsigned char>(*c)) != 0) name += *c;
+    }
+    return name;
+};
 
 // Worst of a family. Depths are in radii (sphere space).
 struct Worst {

@@ -127,7 +127,7 @@ class Sweep {
         Quad at_low = value(low);
         Quad at_end = value(end);
         int kept = 0;  // which end stayed last: -1 low, 1 end
-        for (int i = 0; i < 150 && end - low > Quad(0x1p-75); ++i) {
+        for (int i = 0; i < 150 && end - low > Quad(0x1p-90); ++i) {
             const bool halve = i % 3 == 2 || !(at_low > at_end);
             Quad middle = halve ? (low + end) / 2 : low + (end - low) * (at_low / (at_low - at_end));
             if (!(middle > low && middle < end)) middle = (low + end) / 2;

@@ -48,6 +48,13 @@ struct Soup {
     }
 };
 
+// A right triangle in the plane y = 0 with legs of 4 on the axes, winding normal +Y.
+inline Soup corner_triangle() {
+    Soup soup;
+    soup.add({0, 0, 0}, {0, 0, 4}, {4, 0, 0});
+    return soup;
+}
+
 class Random {
   public:
     explicit Random(std::uint64_t seed) : state_(seed) {}

@@ -5,13 +5,8 @@
 namespace slipface {
 namespace {
 
+using scenes::corner_triangle;
 using scenes::Soup;
-
-Soup corner_triangle() {
-    Soup soup;
-    soup.add({0, 0, 0}, {0, 0, 4}, {4, 0, 0});
-    return soup;
-}
 
 Overlap only(const CollisionWorld& world, const Vec3& radii, const Vec3& centre) {
     std::array<Overlap, 2> found;

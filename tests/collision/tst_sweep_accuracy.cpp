@@ -8,14 +8,6 @@ namespace {
 
 class SweepAccuracy : public testing::TestWithParam<families::Family> {};
 
-std::string test_name(const testing::TestParamInfo<families::Family>& family) {
-    std::string name;
-    for (const char* c = family.param.name; *c != '\0'; ++c) {
-        if (std::isalnum(static_cast<unsigned char>(*c)) != 0) name += *c;
-    }
-    return name;
-}
-
 TEST_P(SweepAccuracy, StaysWithinItsBounds) {
     const families::Worst worst = families::run(GetParam(), 1000, 2);
     // A family that hardly ever touches, or always does, would test nothing.
@@ -28,7 +20,7 @@ TEST_P(SweepAccuracy, StaysWithinItsBounds) {
     EXPECT_LT(worst.point_error, 1e-6);
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, SweepAccuracy, testing::ValuesIn(families::all), test_name);
+INSTANTIATE_TEST_SUITE_P(Families, SweepAccuracy, testing::ValuesIn(families::all), families::test_name);
 
 // The comparison itself: an answer that is off by what the bounds forbid must be seen.
 TEST(SweepAccuracyCheck, SeesWrongAnswers) {

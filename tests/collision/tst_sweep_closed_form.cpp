@@ -8,6 +8,7 @@
 namespace slipface {
 namespace {
 
+using scenes::corner_triangle;
 using scenes::Soup;
 
 constexpr double tight = 1e-14;
@@ -16,13 +17,6 @@ Soup floor_at(double y, double half = 10.0) {
     Soup soup;
     // Winding normal +Y.
     soup.add_quad({-half, y, -half}, {-half, y, half}, {half, y, half}, {half, y, -half});
-    return soup;
-}
-
-// A right triangle in the plane y = 0 with legs on the axes, winding normal +Y.
-Soup corner_triangle() {
-    Soup soup;
-    soup.add({0, 0, 0}, {0, 0, 4}, {4, 0, 0});
     return soup;
 }
 
