@@ -35,8 +35,11 @@ TEST_P(Oracles, Agree) {
         const oracle::Sweep search(c.triangle, c.radii, c.from, c.move);
         const ClosedForm closed = closed_form(c);
         const double rounding = quad_rounding(closed);
-        for (const Quad t : {Quad(0), Quad(random.uniform(0, 1))})
-            ASSERT_LE(oracle::length(search.gap(t) - closed.gap(t)), rounding) << i;
+        // The distance: along a needle's plane the nearest point itself is known less well, and matters less.
+        for (const Quad t : {Quad(0), Quad(random.uniform(0, 1))}) {
+            const Quad difference = oracle::length(search.gap(t)) - oracle::length(closed.gap(t));
+            ASSERT_LE(std::abs(static_cast<double>(difference)), rounding) << i;
+        }
         if (search.clearance(0) <= 0) continue;
         ++apart;
         const Quad lowest = search.nearest_time();
@@ -53,8 +56,8 @@ TEST_P(Oracles, Agree) {
         ASSERT_LE(error, 0x1p-90 - rounding / static_cast<double>(search.slope(found))) << i;
         ASSERT_LE(error, 1e-25) << i;
     }
-    // Families that start within reach are here for the distances.
-    EXPECT_GT(touches, apart > 100 ? 100 : -1);
+    // A family that hardly ever touches would test nothing; short moves do so least.
+    EXPECT_GE(touches, apart / 40);
 }
 
 TEST_P(Oracles, EngineAnswersWithinRounding) {
