@@ -63,6 +63,7 @@ TEST_P(Oracles, Agree) {
 TEST_P(Oracles, EngineAnswersWithinRounding) {
     scenes::Random random(4);
     int hits = 0;
+    int corners = 0;  // that answer for a place beside them
     for (int i = 0; i < 2000; ++i) {
         const Case c = GetParam().make(random);
         const ClosedForm closed = closed_form(c);
@@ -76,7 +77,13 @@ TEST_P(Oracles, EngineAnswersWithinRounding) {
         if (distance > 1 + rounding) {
             ASSERT_TRUE(is_answer(closed, contact, rounding)) << i;
             if (!contact) continue;
-            ASSERT_LE(oracle::normal_error(closed, c.radii, contact->normal, contact->t), rounding) << i;
+            const double error = oracle::normal_error(closed, c.radii, contact->normal, contact->t);
+            if (error <= rounding) continue;
+            // A place e beside a corner is nearer than the corner by e^2 / 2 only: below rounding the
+            // corner may answer.
+            ++corners;
+            ASSERT_EQ(contact->feature, Feature::vertex) << i;
+            ASSERT_LE(error, std::sqrt(4 * rounding)) << i;
         } else {
             // No start is so near to a touch that it could count as either.
             ASSERT_LT(distance, 1 - rounding) << i;
@@ -95,6 +102,7 @@ TEST_P(Oracles, EngineAnswersWithinRounding) {
         }
     }
     EXPECT_GT(hits, 500);
+    EXPECT_LE(corners, 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, Oracles, testing::ValuesIn(families::all), families::test_name);
