@@ -35,8 +35,11 @@ TEST_P(Oracles, Agree) {
         const oracle::Sweep search(c.triangle, c.radii, c.from, c.move);
         const ClosedForm closed = closed_form(c);
         const double rounding = quad_rounding(closed);
-        for (const Quad t : {Quad(0), Quad(random.uniform(0, 1))})
-            ASSERT_LE(oracle::length(search.gap(t) - closed.gap(t)), rounding) << i;
+        // The distance: along a needle's plane the nearest point itself is known less well, and matters less.
+        for (const Quad t : {Quad(0), Quad(random.uniform(0, 1))}) {
+            const Quad difference = oracle::length(search.gap(t)) - oracle::length(closed.gap(t));
+            ASSERT_LE(std::abs(static_cast<double>(difference)), rounding) << i;
+        }
         if (search.clearance(0) <= 0) continue;
         ++apart;
         const Quad lowest = search.nearest_time();
@@ -53,13 +56,14 @@ TEST_P(Oracles, Agree) {
         ASSERT_LE(error, 0x1p-90 - rounding / static_cast<double>(search.slope(found))) << i;
         ASSERT_LE(error, 1e-25) << i;
     }
-    // Families that start within reach are here for the distances.
-    EXPECT_GT(touches, apart > 100 ? 100 : -1);
+    // A family that hardly ever touches would test nothing; short moves do so least.
+    EXPECT_GE(touches, apart / 40);
 }
 
 TEST_P(Oracles, EngineAnswersWithinRounding) {
     scenes::Random random(4);
     int hits = 0;
+    int corners = 0;  // that answer for a place beside them
     for (int i = 0; i < 2000; ++i) {
         const Case c = GetParam().make(random);
         const ClosedForm closed = closed_form(c);
@@ -73,7 +77,13 @@ TEST_P(Oracles, EngineAnswersWithinRounding) {
         if (distance > 1 + rounding) {
             ASSERT_TRUE(is_answer(closed, contact, rounding)) << i;
             if (!contact) continue;
-            ASSERT_LE(oracle::normal_error(closed, c.radii, contact->normal, contact->t), rounding) << i;
+            const double error = oracle::normal_error(closed, c.radii, contact->normal, contact->t);
+            if (error <= rounding) continue;
+            // A place e beside a corner is nearer than the corner by e^2 / 2 only: below rounding the
+            // corner may answer.
+            ++corners;
+            ASSERT_EQ(contact->feature, Feature::vertex) << i;
+            ASSERT_LE(error, std::sqrt(4 * rounding)) << i;
         } else {
             // No start is so near to a touch that it could count as either.
             ASSERT_LT(distance, 1 - rounding) << i;
@@ -92,6 +102,7 @@ TEST_P(Oracles, EngineAnswersWithinRounding) {
         }
     }
     EXPECT_GT(hits, 500);
+    EXPECT_LE(corners, 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, Oracles, testing::ValuesIn(families::all), families::test_name);
