@@ -75,7 +75,7 @@ TEST_F(Neighbourhoods, TellAsMuchAtTheirEndsAsTheirWorld) {
     EXPECT_GT(overlaps, 500);
     EXPECT_GT(misses, 500);
     EXPECT_GT(hits, 500);
-    EXPECT_GT(stayed, 3000);
+    EXPECT_GT(stayed, 1200 * static_cast<int>(simd_paths().size()));
 }
 
 // Further away, and for other bodies, the world is asked.

@@ -222,8 +222,9 @@ TEST(Trace, every_decision_of_a_hack_names_a_setting) {
         EXPECT_TRUE(find_setting(decision->hack) != nullptr || std::string(decision->hack) == "never_inside")
             << decision->hack;
         EXPECT_STRNE(decision->outcome, "");
-        if (!std::string_view(decision->outcome).starts_with("switched off"))
+        if (!std::string_view(decision->outcome).starts_with("switched off")) {
             EXPECT_STRNE(decision->quantity, "") << decision->outcome;
+        }
         EXPECT_TRUE(std::isfinite(decision->value));
     }
     EXPECT_GT(decisions, 100);
