@@ -211,8 +211,19 @@ class Teller {
 std::vector<StoryLine> tell(std::span<const TraceRecord> records, SurfaceTable surfaces) {
     std::vector<StoryLine> lines;
     Teller teller(surfaces, lines);
-    for (std::size_t i = 0; i < records.size(); ++i)
-        teller.tell(i, records[i]);
+    // What the seam filter says of a touch is recorded before the sweep that touched, and told after it.
+    const auto of_next_sweep = [&](std::size_t i) {
+        const auto* decision = std::get_if<DecisionRecord>(&records[i]);
+        return decision != nullptr && std::string_view(decision->hack) == "seam_filter";
+    };
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        std::size_t sweep = i;
+        while (sweep < records.size() && of_next_sweep(sweep))
+            ++sweep;
+        if (sweep < records.size()) teller.tell(sweep, records[sweep]);
+        for (; i < sweep; ++i)
+            teller.tell(i, records[i]);
+    }
     return lines;
 }
 
