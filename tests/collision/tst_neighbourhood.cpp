@@ -1,7 +1,7 @@
 // A neighbourhood answers as its world does, also as far out as it reaches and where floats cannot tell.
 #include <gtest/gtest.h>
 
-#include "scenes.h"
+#include "brute_force.h"
 #include "slipface/collision/neighbourhood.h"
 #include "slipface/collision/simd.h"
 
