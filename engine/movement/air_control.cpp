@@ -5,7 +5,6 @@
 namespace slipface {
 
 double steering_in_air(const Mover& mover) {
-    if (mover.wish.isZero(0.0)) return 0.0;
     const bool acts = mover.settings.air_control;
     decide(mover, "air_control", acts, "stick", mover.wish.norm(), 0.0,
            acts ? "the stick steers in the air" : "switched off: nothing steers in the air");

@@ -199,7 +199,7 @@ bool ends_inside(Mover& mover, const Vec3& from);
 
 // Parts of a walk.
 void accelerate(Mover& mover, bool slippery);
-double steering_in_air(const Mover& mover);  // m/s2
+double steering_in_air(const Mover& mover);  // m/s2; the stick is not let go
 void coast(Mover& mover, const Vec3& from, const Vec3& driven_velocity);
 // How far `along`, a displacement or a velocity, leads down on ground of that normal; 0 going up.
 double descent(const Vec3& ground_normal, const Vec3& along);

@@ -39,9 +39,7 @@ double filter_seam(const Mover& mover, const Vec3& centre, std::uint32_t platfor
     const CollisionWorld& world = world_of(mover, platform);
     std::array<Overlap, 16> around;
     const Vec3 ball = Vec3::Constant(meeting);
-    const std::size_t found = platform == no_id ? find_overlaps(mover.near, ball, contact.point, around)
-                                                : find_overlaps(world, ball, contact.point, around);
-    const std::size_t count = std::min(found, around.size());
+    const std::size_t count = std::min(find_overlaps(world, ball, contact.point, around), around.size());
     Vec3 normal = Vec3::Zero();
     double alignment = 0.0;
     double rise = 0.0;

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "brute_force.h"
+#include "every_simd_path.h"
 #include "slipface/collision/neighbourhood.h"
-#include "slipface/collision/simd.h"
 
 namespace slipface {
 namespace {
@@ -61,15 +61,6 @@ std::vector<Scene> scenes_to_try() {
     list.push_back({"needles", needles, Vec3::Zero(), 6, true});
     return list;
 }
-
-// Every instruction set that this processor has, one after the other, and then the one that was chosen.
-class EverySimdPath : public testing::Test {
-  protected:
-    void TearDown() override { set_simd_path(before_); }
-
-  private:
-    std::string before_{simd_path()};
-};
 
 using BruteForceAgreement = EverySimdPath;
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "brute_force.h"
+#include "every_simd_path.h"
 #include "slipface/collision/neighbourhood.h"
-#include "slipface/collision/simd.h"
 
 namespace slipface {
 namespace {
@@ -12,13 +12,7 @@ using scenes::Random;
 using scenes::same;
 using scenes::Soup;
 
-class Neighbourhoods : public testing::Test {
-  protected:
-    void TearDown() override { set_simd_path(before_); }
-
-  private:
-    std::string before_{simd_path()};
-};
+using Neighbourhoods = EverySimdPath;
 
 // A vector of -1, 0 and 1, mostly not 0.
 Vec3 towards_an_end(Random& random) {
