@@ -7,7 +7,7 @@ cd "$(dirname "$0")"
 . scripts/common.sh
 
 install_packages "${packages[@]}"
-configure release
-build release slipface
+configure program
+build program slipface
 say "Starting the editor"
 exec build/release/editor/slipface "${level:-assets/levels/easy.obj}"

@@ -51,7 +51,7 @@ Wishes wishes_of(std::size_t walkers) {
 }
 
 MovementSettings every_hack() {
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.push_out = PushOut::analytic;
     for (const char* name :
          {"nudge", "step_up", "snap_down", "seam_filter", "coyote", "jump_buffer", "variable_jump"})

@@ -1,11 +1,35 @@
-# cmake --install puts the engine where find_package(Slipface) finds it.
+# cmake --install puts the engine where find_package(Slipface) and pkg-config find it, and the program with its levels,
+# manual pages and entry in the desktop's menu beside it.
 include(CMakePackageConfigHelpers)
 
 get_property(modules GLOBAL PROPERTY SLIPFACE_MODULES)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Slipface)
 install(TARGETS ${modules} EXPORT SlipfaceTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(EXPORT SlipfaceTargets NAMESPACE Slipface:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Slipface)
-configure_package_config_file(cmake/SlipfaceConfig.cmake.in SlipfaceConfig.cmake
-    INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Slipface)
+install(EXPORT SlipfaceTargets NAMESPACE Slipface:: DESTINATION ${package_folder})
+configure_package_config_file(cmake/SlipfaceConfig.cmake.in SlipfaceConfig.cmake INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(SlipfaceConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/SlipfaceConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/SlipfaceConfigVersion.cmake"
-    DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Slipface)
+    cmake/SlipfaceLibraries.cmake DESTINATION ${package_folder})
+
+# Static libraries in an order that the linker resolves: those that use others first. The floors are listed ground first.
+list(REVERSE modules)
+list(TRANSFORM modules PREPEND "-l")
+list(JOIN modules " " libraries)
+file(RELATIVE_PATH prefix_from_here "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
+string(REGEX REPLACE "/$" "" prefix_from_here "${prefix_from_here}")
+configure_file(cmake/slipface.pc.in slipface.pc @ONLY)
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/slipface.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+if(TARGET slipface)
+    install(TARGETS slipface DESTINATION ${CMAKE_INSTALL_BINDIR})
+    install(DIRECTORY assets/levels assets/presets assets/tapes DESTINATION ${CMAKE_INSTALL_DATADIR}/slipface)
+    install(FILES editor/desktop/slipface.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+    install(FILES editor/desktop/slipface.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)
+    install(FILES editor/desktop/slipface.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+    # The program writes these from its tables, so they are made when it is there for certain.
+    install(CODE "
+        set(share \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}\")
+        file(MAKE_DIRECTORY \"\${share}/man/man1\" \"\${share}/bash-completion/completions\")
+        execute_process(COMMAND \"$<TARGET_FILE:slipface>\" docs --man \"\${share}/man/man1\"
+            --completion \"\${share}/bash-completion/completions/slipface\" COMMAND_ERROR_IS_FATAL ANY)")
+endif()

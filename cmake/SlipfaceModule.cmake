@@ -25,7 +25,8 @@ function(slipface_compile_rules target)
         # Names of files' own meet in one translation unit; a build without SLIPFACE_UNITY is told of real shadows.
         target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-Wno-shadow -Wno-subobject-linkage>)
     endif()
-    if(SLIPFACE_PCH AND NOT target MATCHES "slipface_pch_")
+    # The program's own two files would wait longer for a header of their kind than they gain by it.
+    if(SLIPFACE_PCH AND NOT target MATCHES "^slipface$|slipface_pch_")
         slipface_precompile(${target})
     endif()
 endfunction()
@@ -41,8 +42,7 @@ set(SLIPFACE_PRECOMPILED
     "^tests_editor$|test_editor|precompiled_test_editor.h|slipface_editor_widgets slipface_editor_tools GTest::gmock"
     "^tests_(level|levels|doctor|exchange|world|sim|scenes|render|snapshot|cli)$|test_level|precompiled_test_level.h|slipface_level GTest::gmock"
     "^tests_|test|precompiled_test.h|GTest::gmock"
-    "^slipface_(level|doctor|exchange|light|world|sim|scenes|render|snapshot|editor_document|cli)$|level|precompiled_level.h|slipface_level"
-    "^slipface_editor_tools$|tools|precompiled_tools.h|slipface_editor_tools"
+    "^slipface_(level|doctor|exchange|light|world|sim|scenes|render|snapshot|editor_document|editor_tools|cli)$|level|precompiled_level.h|slipface_level"
     "^slipface_editor_(panels|app|snapshots)$|editor|precompiled_editor.h|slipface_editor_widgets slipface_editor_tools"
     "|library|precompiled.h|")
 

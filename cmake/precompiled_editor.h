@@ -1,5 +1,6 @@
 // What nearly everything that the editor draws reads.
 #pragma once
 
-#include "precompiled_tools.h"
+#include "precompiled_level.h"
+#include "tools/editor.h"
 #include "widgets/ui.h"

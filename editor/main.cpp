@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <iostream>
 #include <string>
+#include <vector>
 
 #include "app/glfw_host.h"
 #include "app/screens.h"
 #include "app/script.h"
+#include "cli/manual.h"
 #include "cli/verbs.h"
-#include "document/recent_files.h"
+#include "document/folders.h"
 #include "slipface/base/files.h"
 #include "snapshot_verb.h"
 #include "tools/docs.h"
@@ -43,8 +45,7 @@ int open_editor(const fs::path& level, float scale) {
     if (!level.empty()) {
         std::error_code error;
         if (!fs::exists(level, error))
-            return complain({level.string(), "no such file; expected an OBJ or a level file"},
-                            cli::exit_bad_input);
+            return complain({level.string(), "no such file; expected a level"}, cli::exit_bad_input);
     }
     const Status status =
         run_window({.level = level, .config = config_folder(), .state = state_folder(), .scale = scale});
@@ -123,7 +124,7 @@ int edit_headless(const EditArguments& arguments) {
 void add_edit_verb(CLI::App& app, int& exit_code) {
     auto arguments = std::make_shared<EditArguments>();
     CLI::App* const verb = app.add_subcommand("edit", "Open the editor, or drive it off-screen by a script");
-    verb->add_option("level", arguments->level, "OBJ or level file");
+    verb->add_option("level", arguments->level, cli::level_help());
     verb->add_flag("--headless", arguments->headless, "Draw off-screen, without a window");
     verb->add_option("--script", arguments->script, "Script to run (docs/scripting.md); implies --headless");
     verb->add_option("--screenshot", arguments->screenshot, "PNG to write at the end; implies --headless");
@@ -141,19 +142,54 @@ void add_edit_verb(CLI::App& app, int& exit_code) {
     });
 }
 
-// The pages of docs/ that are made from tables; a test holds the files against them.
+struct DocsArguments {
+    std::string folder = "docs", man, completion;
+};
+
+Status write_docs(const DocsArguments& arguments, const CLI::App& app) {
+    std::vector<std::pair<fs::path, std::string>> files;
+    if (!arguments.man.empty())
+        for (const cli::ManualPage& page : cli::manual_pages(app, SLIPFACE_VERSION))
+            files.emplace_back(fs::path(arguments.man) / page.file, page.text);
+    if (!arguments.completion.empty()) files.emplace_back(arguments.completion, cli::bash_completion(app));
+    if (files.empty()) {
+        const fs::path folder = arguments.folder;
+        files = {{folder / "commands.md", commands_markdown()},
+                 {folder / "settings.md", settings_markdown()},
+                 {folder / "scripting.md", script_verbs_markdown()}};
+    }
+    for (const auto& [file, text] : files)
+        if (Status status = write_file_atomic(file, text); !status) return status;
+    return {};
+}
+
+// What is made from tables: the pages of docs/, which a test holds against them, and what an installation
+// adds.
 void add_docs_verb(CLI::App& app, int& exit_code) {
-    auto folder = std::make_shared<std::string>("docs");
+    auto arguments = std::make_shared<DocsArguments>();
     CLI::App* const verb = app.add_subcommand("docs", "Write commands.md, settings.md and scripting.md");
-    verb->add_option("folder", *folder, "Where to")->capture_default_str();
-    verb->callback([folder, &exit_code] {
-        const std::pair<const char*, std::string> pages[] = {{"commands.md", commands_markdown()},
-                                                             {"settings.md", settings_markdown()},
-                                                             {"scripting.md", script_verbs_markdown()}};
-        for (const auto& [name, text] : pages) {
-            if (const Status status = write_file_atomic(fs::path(*folder) / name, text); !status)
-                exit_code = complain(status.error(), cli::exit_bad_input);
-        }
+    verb->add_option("folder", arguments->folder, "Where to")->capture_default_str();
+    verb->add_option("--man", arguments->man, "Write manual pages to this folder instead")->type_name("DIR");
+    verb->add_option("--completion", arguments->completion,
+                     "Write the completion for bash to this file instead")
+        ->type_name("FILE");
+    verb->callback([arguments, &app, &exit_code] {
+        if (const Status status = write_docs(*arguments, app); !status)
+            exit_code = complain(status.error(), cli::exit_bad_input);
+    });
+}
+
+void add_samples_verb(CLI::App& app, int& exit_code) {
+    CLI::App* const verb = app.add_subcommand("samples", "List the levels that come with the program");
+    verb->callback([&exit_code] {
+        const std::vector<fs::path> levels = sample_levels();
+        for (const fs::path& level : levels)
+            fmt::print("{}\n", level.string());
+        if (levels.empty())
+            exit_code = complain({"samples",
+                                  "found no share/slipface/levels beside the program's bin folder, and "
+                                  "no source tree around it"},
+                                 cli::exit_bad_input);
     });
 }
 
@@ -164,10 +200,11 @@ int run(int argument_count, char** arguments) {
         "Exit codes: 0 fine, 1 a check failed, 2 bad input, 64 bad usage.\n"
         "A level named like a verb is opened as ./NAME.");
     std::string level;
-    app.add_option("level", level, "OBJ or level file to open in the editor");
+    app.add_option("level", level, cli::level_help());
     int exit_code = cli::exit_fine;
     add_edit_verb(app, exit_code);
     add_snapshot_verb(app, exit_code);
+    add_samples_verb(app, exit_code);
     add_docs_verb(app, exit_code);
     cli::add_data_verbs(app, exit_code);
     app.require_subcommand(0, 1);

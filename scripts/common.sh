@@ -21,7 +21,7 @@ packages=(
 # What the tests need besides.
 test_packages=(libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev)
 # What the checks of .ci/run need besides.
-check_packages=(clang clang-format clang-tidy libclang-rt-14-dev)
+check_packages=(clang clang-format clang-tidy libclang-rt-14-dev mmdebstrap)
 
 # install_packages NAME...: those that are missing, through apt; nothing at all when none is.
 install_packages() {
@@ -40,9 +40,15 @@ install_packages() {
         "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
-# configure PRESET and build PRESET [TARGET...]: only what is out of date.
+# configure PRESET and build PRESET [TARGET...]: only what is out of date. `program` is `release` without its tests, in the
+# same folder, so that ./test.sh after ./run.sh builds nothing twice, and ./run.sh after ./test.sh leaves the tests in.
 configure() {
-    [ -f "build/$1/build.ninja" ] || step "Configuring ($1)" cmake --preset "$1" --log-level=WARNING
+    local cache=build/$1/CMakeCache.txt
+    [ "$1" != program ] || cache=build/release/CMakeCache.txt
+    if [ -f "${cache%/*}/build.ninja" ]; then
+        [ "$1" = release ] && grep -q '^SLIPFACE_TESTS:BOOL=OFF' "$cache" || return 0
+    fi
+    step "Configuring ($1)" cmake --preset "$1" --log-level=WARNING
 }
 build() {
     local preset=$1

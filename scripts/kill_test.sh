@@ -64,6 +64,7 @@ for ((run = 1; run <= runs; run++)); do
     wait "$pid" 2>/dev/null || true
     if [ "$how" = autosave ]; then
         cat >"$work/recover.script" <<'S'
+command file.recover
 click "Recover/floor.obj/Recover"
 expect no_widget "Recover/floor.obj/Recover"
 expect dirty yes

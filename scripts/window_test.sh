@@ -115,6 +115,29 @@ start
 size=$(xdotool getwindowgeometry --shell "$window" | awk -F= '/WIDTH/ {print $2}')
 [ "$size" = 1100 ] || fail "the window is $size wide, expected 1100"
 import -window "$window" "$out/reopened.png"
+step "opens by a path that Tab completes, and by a part of the name"
+cp assets/levels/hard.* "$work/"
+key ctrl+o
+xdotool type --delay 60 "$work/ha"
+sleep 0.5
+key Tab
+import -window "$window" "$out/completed.png"
+key Return
+wait_title "hard.obj*"
+key ctrl+o
+xdotool type --delay 60 eas
+sleep 0.5
+import -window "$window" "$out/filtered.png"
+key Return
+wait_title "easy.obj*"
+step "reads a file again that is written slowly, and stays saved"
+cp "$work/easy.obj" "$work/whole"
+echo "# written again" >>"$work/whole"
+size=$(stat -c %s "$work/whole")
+for part in $(seq 40); do head -c $((size * part / 40)) "$work/whole" >"$work/easy.obj"; sleep 0.05; done
+sleep 4
+wait_title "easy.obj — Slipface"
+import -window "$window" "$out/reloaded.png"
 step "asks before unsaved changes are lost; a kill leaves them for recovery"
 key b
 xdotool mousemove --window "$window" 480 320

@@ -60,6 +60,7 @@ Status write_level(const Recipe& recipe, const Arguments& arguments) {
     if (!imported.ok()) return imported.error();
     if (!imported->warnings.empty()) return imported->warnings.front();
     Level level;
+    level.movement = basic_settings();
     level.mesh_path = obj;
     level.file_path = level_file_for(obj);
     level.mesh = imported->mesh;

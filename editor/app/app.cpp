@@ -23,9 +23,11 @@ struct App::Impl {
         : options(given),
           scene(given.gl, editor),
           preview(given.gl, editor.session),
+          thumbnails(given.gl, editor.session),
           pictures(given.gl),
           parts(editor, frame) {
         parts.preview = &preview;
+        parts.thumbnails = &thumbnails;
         parts.deterministic = given.deterministic;
         parts.hidden_folder = given.hidden_folder;
     }
@@ -62,6 +64,7 @@ struct App::Impl {
     FrameContext frame;
     SceneView scene;
     LevelPreview preview;
+    LevelThumbnails thumbnails;
     PictureShelf pictures;
     Parts parts;
     std::unique_ptr<UiRenderer> renderer;
@@ -132,6 +135,10 @@ void App::key_pressed(const KeyPress& press) {
             return;
         }
         if (!GImGui->OpenPopupStack.empty()) return;
+        if (editor.show_shortcuts && !GImGui->ActiveId) {
+            editor.show_shortcuts = false;
+            return;
+        }
     }
     // Letters belong to a text box while one is edited, and so do its own undo, clipboard and selection keys.
     const bool plain = !key.ctrl && !key.alt &&
@@ -155,6 +162,7 @@ void App::drop_file(const std::filesystem::path& path) {
 
 double App::tick(double now_s, bool& shown_changed) {
     const double wait = tick_session(impl_->editor, now_s, shown_changed);
+    if (impl_->preview.ready() || impl_->thumbnails.ready()) shown_changed = true;
     if (!ImGui::GetIO().MouseDown[0]) store_preferences(impl_->editor);
     return wait;
 }
@@ -179,6 +187,7 @@ void App::build_frame(int width, int height, double seconds) {
     ui::begin_widget_frame();
     self.scene.begin_frame();
     self.preview.begin_frame();
+    self.thumbnails.begin_frame();
     ImGui::NewFrame();
     layout(self.parts, size);
     if (self.editor.clipboard) ImGui::SetClipboardText(std::exchange(self.editor.clipboard, {})->c_str());
@@ -194,6 +203,7 @@ void App::build_frame(int width, int height, double seconds) {
     hasher.u64(hash_draw_data(*ImGui::GetDrawData()));
     hasher.u64(self.scene.wanted_hash());
     hasher.u64(self.preview.hash());
+    hasher.u64(self.thumbnails.hash());
     self.built_hash = hasher.value();
 }
 
@@ -215,6 +225,7 @@ void App::draw_frame() {
     gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &window_framebuffer);
     self.scene.draw();
     self.preview.draw();
+    self.thumbnails.draw();
     gl.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(window_framebuffer));
     const ImDrawData& data = *ImGui::GetDrawData();
     gl.Viewport(0, 0, static_cast<GLsizei>(data.DisplaySize.x * data.FramebufferScale.x),

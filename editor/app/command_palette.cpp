@@ -52,11 +52,12 @@ bool draw_row(const Editor& editor, const Command& command, bool chosen) {
     const float icon_room = 34 * scale, top = at.y + 5 * scale;
     list.AddText({at.x + 10 * scale, at.y + 0.5f * (height - line)}, chosen ? ui::packed(p.accent) : muted,
                  command.icon);
-    list.AddText({at.x + icon_room, top}, text, command.label);
+    const std::string name = command_name(editor, command);
+    list.AddText({at.x + icon_room, top}, text, name.c_str());
     std::string menu = command.menu;
     if (const std::size_t slash = menu.find('/'); slash != std::string::npos)
         menu.replace(slash, 1, " \u203a ");
-    const float label_width = ImGui::CalcTextSize(command.label).x;
+    const float label_width = ImGui::CalcTextSize(name.c_str()).x;
     list.AddText({at.x + icon_room + label_width + 10 * scale, top}, muted, menu.c_str());
     const std::string shortcut = shortcut_text(editor, command);
     const float key_width = ImGui::CalcTextSize(shortcut.c_str()).x;

@@ -3,19 +3,19 @@
 
 #include "app/dialog_parts.h"
 #include "app/parts.h"
+#include "document/path_text.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 
 namespace slipface {
 namespace {
 
-enum class DialogKind { none, message, loading, unsaved, reload, recover, file };
+enum class DialogKind { none, message, loading, unsaved, recover, file };
 
 DialogKind dialog_kind(const Editor& editor) {
     if (editor.message) return DialogKind::message;
     if (editor.session.loading) return DialogKind::loading;
     if (editor.unsaved) return DialogKind::unsaved;
-    if (editor.session.reload) return DialogKind::reload;
     if (!editor.session.recoverable.empty()) return DialogKind::recover;
     if (editor.file_dialog != FileDialogKind::none) return DialogKind::file;
     return DialogKind::none;
@@ -36,7 +36,7 @@ void dialog_title(const char* icon, const ImVec4& color, const char* text) {
         ImGui::TextColored(color, "%s", icon);
         ImGui::SameLine(0, 10 * ui::scale());
     }
-    ImGui::TextUnformatted(text);
+    wrapped(printable(text));
     ImGui::PopFont();
     ImGui::Dummy({0, 4 * ui::scale()});
 }
@@ -102,7 +102,7 @@ void unsaved_dialog(Parts& parts) {
 namespace {
 
 float design_width(DialogKind kind) {
-    if (kind == DialogKind::file) return 860.0f;
+    if (kind == DialogKind::file) return 960.0f;
     return kind == DialogKind::recover ? 620.0f : 480.0f;
 }
 
@@ -122,9 +122,6 @@ void close_dialog(Editor& editor) {
             break;
         case DialogKind::unsaved:
             editor.unsaved.reset();
-            break;
-        case DialogKind::reload:
-            answer_reload(editor, ReloadChoice::keep);
             break;
         case DialogKind::recover:
             editor.session.recoverable.clear();
@@ -147,7 +144,7 @@ void dialogs(Parts& parts) {
     const float scale = ui::scale();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float width = std::min(design_width(kind) * scale, screen.x * 0.94f);
-    const float height = kind == DialogKind::file ? std::min(520 * scale, screen.y * 0.92f) : 0.0f;
+    const float height = kind == DialogKind::file ? std::min(560 * scale, screen.y * 0.92f) : 0.0f;
     ImGui::SetNextWindowSize({width, height});
     ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20 * scale, 18 * scale});
@@ -167,9 +164,6 @@ void dialogs(Parts& parts) {
         case DialogKind::unsaved:
             unsaved_dialog(parts);
             break;
-        case DialogKind::reload:
-            reload_dialog(parts);
-            break;
         case DialogKind::recover:
             recover_dialog(parts);
             break;
@@ -181,37 +175,6 @@ void dialogs(Parts& parts) {
     }
     if (!dialog_is_open(parts.editor)) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
-}
-
-void welcome(Parts& parts) {
-    const ui::Scope scope("Welcome");
-    const float scale = ui::scale();
-    const ImVec2 size = ImGui::GetWindowSize();
-    const float width = std::min(420 * scale, size.x - 40 * scale);
-    ImGui::SetCursorPos({(size.x - width) * 0.5f, std::max(20 * scale, size.y * 0.22f)});
-    ImGui::BeginChild("welcome", {width, 0}, false, ImGuiWindowFlags_NoSavedSettings);
-    ImGui::PushFont(ui::fonts().title);
-    ImGui::TextUnformatted("Slipface");
-    ImGui::PopFont();
-    ui::muted_text("Paint what surfaces do, walk the level, and see why every step went where it went");
-    ImGui::Dummy({0, 14 * scale});
-    if (ui::primary_button("\uf07c  Open a level\u2026###Open", true, {180 * scale, 34 * scale}))
-        run_command(parts.editor, "file.open");
-    ImGui::Dummy({0, 10 * scale});
-    const std::vector<std::filesystem::path> recent = parts.editor.recent.paths();
-    if (!recent.empty()) ui::heading("Recent");
-    for (std::size_t i = 0; i < recent.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        const std::string name = recent[i].filename().string();
-        const bool chosen = ImGui::Selectable(("\uf15b  " + name).c_str());
-        ui::record_last_item(name);
-        ui::tooltip(recent[i].c_str());
-        ImGui::PopID();
-        if (chosen) request_open(parts.editor, recent[i]);
-    }
-    if (recent.empty())
-        ui::muted_text("Drop an OBJ file anywhere on this window, or pass it on the command line");
-    ImGui::EndChild();
 }
 
 }  // namespace slipface

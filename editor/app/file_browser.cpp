@@ -1,13 +1,16 @@
-// Choosing a file: a path box and a list, the same on every machine.
+// Choosing a file: places, a path box, a filter and a list, the same on every machine.
+#include "app/file_browser.h"
+
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
 #include <algorithm>
 #include <system_error>
+#include <utility>
 
-#include "app/dialog_parts.h"
-#include "app/parts.h"
+#include "document/path_text.h"
+#include "slipface/base/files.h"
 #include "slipface/base/text.h"
-#include "slipface/level/level_file.h"
-#include "tools/exchange.h"
-#include "tools/lab_actions.h"
 #include "widgets/imgui_compat.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
@@ -17,93 +20,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_entries = 5000;
-
-// What is asked for, a row a kind.
-struct Kind {
-    FileDialogKind kind;
-    const char* title;
-    const char* suffix;  // of what is listed, and added to a name that is saved without it
-    const char* hint;
-    bool saves;
-    void (*chosen)(Editor& editor, const fs::path& path);
-    const char* proposed = "";        // what follows the level's name in the name that is offered
-    const char* other_suffix = "";    // is listed and kept, too
-    const char* foreign_suffix = "";  // ends like `suffix` and is another kind of file
-};
-constexpr Kind kinds[] = {
-    {FileDialogKind::open, "Open a level", "", "Path of an OBJ or a .slipface.json file", false,
-     request_open},
-    {FileDialogKind::save_as, "Save the level file as", ".slipface.json",
-     "Path of an OBJ or a .slipface.json file", true, save_level_as},
-    {FileDialogKind::open_tape, "Open a tape", ".tape", "Path of a .tape file", false, open_tape},
-    {FileDialogKind::open_recording, "Open a recording", ".tape", "Path of a .tape file", false, open_tape},
-    {FileDialogKind::save_tape, "Save the tape as", ".tape", "Path of a .tape file", true, save_tape},
-    {FileDialogKind::save_csv, "Export the run as CSV", ".csv", "Path of a .csv file", true, save_run_csv},
-    {FileDialogKind::open_preset, "Open a preset", ".json", "Path of a preset's .json file", false,
-     open_preset, "", "", ".slipface.json"},
-    {FileDialogKind::save_preset, "Save the movement settings as a preset", ".json", "Path of a .json file",
-     true, save_preset, "-movement", "", ".slipface.json"},
-    {FileDialogKind::export_obj, "Export OBJ and MTL", ".obj", "Path of an .obj file", true, export_level_obj,
-     "-typed"},
-    {FileDialogKind::export_gltf, "Export glTF", ".gltf", "Path of a .gltf or a .glb file", true,
-     export_level_gltf, "-typed", ".glb"},
-    {FileDialogKind::export_game, "Export for a game", ".flat", "Path of a .flat file", true,
-     export_level_game},
-};
-const Kind& kind_of(FileDialogKind kind) {
-    for (const Kind& row : kinds)
-        if (row.kind == kind) return row;
-    return kinds[0];
-}
-
-bool is_level_name(const std::string& name) {
-    const std::string lower = to_lower(name);
-    return lower.ends_with(".obj") || lower.ends_with(".slipface.json");
-}
-bool has_suffix(const std::string& name, const Kind& kind) {
-    const std::string lower = to_lower(name);
-    return lower.ends_with(kind.suffix) || (*kind.other_suffix && lower.ends_with(kind.other_suffix));
-}
-bool is_listed(const std::string& name, const Kind& kind) {
-    if (kind.kind == FileDialogKind::open || kind.kind == FileDialogKind::save_as) return is_level_name(name);
-    const bool foreign = *kind.foreign_suffix && to_lower(name).ends_with(kind.foreign_suffix);
-    return has_suffix(name, kind) && !foreign;
-}
-
 bool is_folder(const fs::path& path) {
     std::error_code error;
     return fs::is_directory(path, error);
 }
 
-bool is_there(const fs::path& path) {
-    std::error_code error;
-    return fs::exists(path, error);
+FolderWants wants_of(const FileBrowser& browser) {
+    const FileKind& kind = file_kind(browser.shown);
+    return {[&kind](const std::string& name) { return is_listed(kind, name); }, browser.hidden,
+            browser.shown == FileDialogKind::open};
 }
 
-// Paths below the hidden folder are shown and typed relative to it.
-std::string shown_path(const Parts& parts, const fs::path& path) {
-    std::string text = path.string();
-    if (!parts.hidden_folder.empty() && text.starts_with(parts.hidden_folder))
-        text.erase(0, parts.hidden_folder.size());
-    return text;
+void list_again(FileBrowser& browser) {
+    browser.listing = list_folder(browser.folder, wants_of(browser));
+    sort_rows(browser);
 }
 
-fs::path typed_path(const Parts& parts) {
-    const fs::path path(parts.browser.path_text);
-    if (path.is_absolute()) return path;
-    return (parts.hidden_folder.empty() ? parts.browser.folder : fs::path(parts.hidden_folder)) / path;
-}
-
-void show_folder(Parts& parts, const fs::path& folder) {
-    FileBrowser& browser = parts.browser;
-    std::error_code error;
-    const fs::path absolute = fs::weakly_canonical(folder, error);
-    browser.folder = error ? folder : absolute;
-    browser.entries = list_folder(browser.folder, kind_of(browser.shown).kind);
-    browser.path_text = shown_path(parts, browser.folder / "");
-    browser.problem.clear();
-    browser.overwrite.clear();
+// A folder that was renamed or taken away since: the nearest one that is still there.
+fs::path nearest_folder(fs::path folder) {
+    while (!is_folder(folder) && folder.has_relative_path())
+        folder = folder.parent_path();
+    return folder;
 }
 
 void begin(Parts& parts) {
@@ -118,9 +55,17 @@ void begin(Parts& parts) {
     else if (!editor.recent.paths().empty())
         folder = editor.recent.paths().front().parent_path();
     browser.shown = editor.file_dialog;
-    show_folder(parts, folder.empty() ? fs::path(".") : folder);
+    browser.filter.clear();
+    browser.format = 0;
+    browser.wants_typing = FileBrowser::Box::none;
+    browser.caret_to_end = false;
+    // What is mounted differs from machine to machine.
+    const Result<std::string> mounts =
+        parts.deterministic ? Result<std::string>("") : read_file("/proc/self/mounts", 1u << 20);
+    browser.places = usual_places(mounts ? *mounts : std::string());
+    show_folder(parts, folder.empty() ? fs::path(".") : nearest_folder(folder));
     if (!editor.document) return;
-    const Kind& kind = kind_of(editor.file_dialog);
+    const FileKind& kind = file_kind(editor.file_dialog);
     if (kind.kind == FileDialogKind::save_as)
         browser.path_text = shown_path(parts, browser.folder / editor.document->level().file_path.filename());
     else if (kind.saves)
@@ -129,14 +74,297 @@ void begin(Parts& parts) {
                                                    std::string(kind.proposed) + kind.suffix));
 }
 
-// Of what saving `target` would write, what is there already.
-std::vector<fs::path> replaced_files(const Kind& kind, const fs::path& target) {
-    std::vector<fs::path> files = files_of_export(kind.kind, target);
-    std::erase_if(files, [](const fs::path& file) { return !is_there(file); });
-    return files;
+// The list follows the folder of the path that is being typed.
+void follow_typing(Parts& parts) {
+    FileBrowser& browser = parts.browser;
+    browser.chosen.clear();
+    browser.candidates.clear();
+    browser.problem.clear();
+    const std::size_t slash = browser.path_text.rfind('/');
+    if (slash == std::string::npos) return;
+    const fs::path folder = typed_path(parts, browser.path_text.substr(0, slash + 1)).lexically_normal();
+    if (!is_folder(folder) || folder == browser.folder / "") return;
+    std::error_code error;
+    const fs::path absolute = fs::weakly_canonical(folder, error);
+    browser.folder = error ? folder : absolute;
+    list_again(browser);
 }
 
-// The user wants `path`, by double click, Enter or the button.
+// Typing goes to the filter, or, with the beginning of a path, to the path box.
+void take_typing(Parts& parts) {
+    FileBrowser& browser = parts.browser;
+    ImVector<ImWchar>& typed = ImGui::GetIO().InputQueueCharacters;
+    // The box that was begun with gets the focus some frames later.
+    const bool goes_on = browser.caret_to_end || browser.wants_typing != FileBrowser::Box::none;
+    std::string text;
+    for (const ImWchar c : typed) {
+        char utf8[5] = {};
+        ImTextCharToUtf8(utf8, c);
+        const bool blank = static_cast<unsigned char>(utf8[0]) <= ' ';
+        if (!blank || goes_on || !text.empty()) text += utf8;
+    }
+    if (text.empty()) return;
+    typed.resize(0);
+    if (!goes_on) {
+        const bool path = text[0] == '/' || text[0] == '~';
+        browser.typed_into = path ? FileBrowser::Box::path : FileBrowser::Box::filter;
+        if (path) browser.path_text.clear();
+    }
+    browser.wants_typing = browser.typed_into;
+    if (browser.typed_into == FileBrowser::Box::path) {
+        browser.path_text += text;
+        follow_typing(parts);
+    } else {
+        browser.filter += text;
+        filter_rows(browser);
+    }
+}
+
+// Keys that work while the path box is not being edited.
+void keyboard(Parts& parts) {
+    FileBrowser& browser = parts.browser;
+    const bool in_filter = browser.edited == FileBrowser::Box::filter;
+    const bool typing = ImGui::GetIO().WantTextInput;
+    if (!browser.overwrite.empty() || (typing && !in_filter)) return;
+    if (!typing) take_typing(parts);
+    if (browser.filter.empty() && ui::key_pressed(ImGuiKey_Backspace))
+        return show_folder(parts, browser.folder.parent_path());
+    if (browser.rows.empty()) return;
+    const auto pressed = [&](ImGuiKey key, int rows) { return ui::key_pressed(key) ? rows : 0; };
+    constexpr int page = 12;
+    int step = pressed(ImGuiKey_DownArrow, 1) - pressed(ImGuiKey_UpArrow, 1) +
+               pressed(ImGuiKey_PageDown, page) - pressed(ImGuiKey_PageUp, page);
+    const int last = static_cast<int>(browser.rows.size()) - 1;
+    if (!typing) step += pressed(ImGuiKey_End, last) - pressed(ImGuiKey_Home, last);
+    if (step == 0) return;
+    int row = step > 0 ? -1 : last + 1;
+    for (int i = 0; i <= last; ++i)
+        if (browser.listing.entries[browser.rows[static_cast<std::size_t>(i)]].name == browser.chosen &&
+            !browser.chosen.empty())
+            row = i;
+    row = std::clamp(row + step, 0, last);
+    choose_row(parts, static_cast<std::size_t>(row));
+    browser.scroll_to = row;
+}
+
+int path_box_event(ImGuiInputTextCallbackData* data) {
+    Parts& parts = *static_cast<Parts*>(data->UserData);
+    FileBrowser& browser = parts.browser;
+    if (data->EventFlag == ImGuiInputTextFlags_CallbackAlways && browser.caret_to_end) {
+        data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
+        browser.caret_to_end = false;
+    }
+    if (data->EventFlag != ImGuiInputTextFlags_CallbackCompletion) return 0;
+    const fs::path base = parts.hidden_folder.empty() ? browser.folder : fs::path(parts.hidden_folder);
+    PathCompletion completion = complete_path(
+        std::string_view(data->Buf, static_cast<std::size_t>(data->BufTextLen)), base, wants_of(browser));
+    data->DeleteChars(0, data->BufTextLen);
+    data->InsertChars(0, completion.text.c_str());
+    browser.completed = std::move(completion.others);
+    return 0;
+}
+
+int filter_box_event(ImGuiInputTextCallbackData* data) {
+    FileBrowser& browser = *static_cast<FileBrowser*>(data->UserData);
+    if (data->EventFlag == ImGuiInputTextFlags_CallbackAlways && browser.caret_to_end) {
+        data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
+        browser.caret_to_end = false;
+    }
+    return 0;  // Up and Down are the list's; asking for them keeps them from moving the focus
+}
+
+bool enter_pressed() {
+    return ui::key_pressed(ImGuiKey_Enter) || ui::key_pressed(ui::key_pad_enter);
+}
+
+// Puts the keyboard's focus where the user began to type. True for the box it is.
+void focus_if_wanted(FileBrowser& browser, FileBrowser::Box box) {
+    if (browser.wants_typing != box) return;
+    ImGui::SetKeyboardFocusHere();
+    browser.wants_typing = FileBrowser::Box::none;
+    browser.caret_to_end = true;
+}
+
+// True: Enter was pressed in it.
+bool path_box(Parts& parts) {
+    FileBrowser& browser = parts.browser;
+    focus_if_wanted(browser, FileBrowser::Box::path);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    constexpr int flags = ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackAlways;
+    if (ImGui::InputTextWithHint("##Path", file_kind(browser.shown).hint, &browser.path_text, flags,
+                                 path_box_event, &parts))
+        follow_typing(parts);
+    if (browser.completed) browser.candidates = *std::exchange(browser.completed, {});
+    ui::record_last_item("Path");
+    if (ImGui::IsItemActive()) browser.edited = FileBrowser::Box::path;
+    return ImGui::IsItemDeactivated() && enter_pressed();
+}
+
+bool filter_row(Parts& parts) {
+    FileBrowser& browser = parts.browser;
+    const float scale = ui::scale();
+    const bool opens = browser.shown == FileDialogKind::open;
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float hidden_width = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
+                               ImGui::CalcTextSize("Hidden files").x;
+    const float format_width = opens ? 150 * scale + gap : 0.0f;
+    focus_if_wanted(browser, FileBrowser::Box::filter);
+    ImGui::SetNextItemWidth(
+        std::max(60 * scale, ImGui::GetContentRegionAvail().x - hidden_width - format_width - gap));
+    constexpr int flags = ImGuiInputTextFlags_CallbackHistory | ImGuiInputTextFlags_CallbackAlways;
+    const bool changed = ImGui::InputTextWithHint("##Filter", "Filter: type a part of the name",
+                                                  &browser.filter, flags, filter_box_event, &browser);
+    ui::record_last_item("Filter");
+    if (ImGui::IsItemActive()) browser.edited = FileBrowser::Box::filter;
+    const bool entered = ImGui::IsItemDeactivated() && enter_pressed();
+    // Escape takes the filter away first.
+    if (ImGui::IsItemDeactivated() && ui::key_pressed(ImGuiKey_Escape)) browser.filter.clear();
+    if (changed || ImGui::IsItemDeactivated()) filter_rows(browser);
+    if (opens) {
+        ImGui::SameLine();
+        ImGui::SetNextItemWidth(format_width - gap);
+        const std::vector<std::string>& formats = level_formats();
+        const bool open = ImGui::BeginCombo("##Format", formats[browser.format].c_str());
+        open ? ui::record_again("Format") : ui::record_last_item("Format");
+        if (open) {
+            const ui::Scope scope("Format");
+            for (std::size_t i = 0; i < formats.size(); ++i) {
+                if (!ui::selectable(formats[i].c_str(), i == browser.format)) continue;
+                browser.format = i;
+                filter_rows(browser);
+            }
+            ImGui::EndCombo();
+        }
+    }
+    ImGui::SameLine();
+    if (ui::checkbox("Hidden files", &browser.hidden, "List names that begin with a dot, too"))
+        list_again(browser);
+    return entered;
+}
+
+// At the left of the buttons, no longer than there is room for.
+void footer_text(const ImVec4& color, const std::string& text, float right) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::PushClipRect(at, {ImGui::GetWindowPos().x + right, at.y + ImGui::GetFrameHeight()}, true);
+    ImGui::TextColored(color, "%s", text.c_str());
+    ImGui::PopClipRect();
+    ui::tooltip(text.c_str());
+}
+
+void answer_buttons(Parts& parts) {
+    FileBrowser& browser = parts.browser;
+    const float width = 110 * ui::scale();
+    const float x = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - 2 * width -
+                    ImGui::GetStyle().ItemSpacing.x;
+    ImGui::AlignTextToFramePadding();
+    const float text_end = x - ImGui::GetStyle().ItemSpacing.x;
+    if (!browser.overwrite.empty()) {
+        std::string names;
+        for (const fs::path& file : replaced_files(file_kind(browser.shown), browser.overwrite))
+            names += (names.empty() ? "" : " and ") + printable(file.filename().string());
+        footer_text(ui::palette().accent, "Replace " + names + "?", text_end);
+        ImGui::SameLine(x);
+        if (ui::button("Keep it", nullptr, true, {width, 0})) browser.overwrite.clear();
+        ImGui::SameLine();
+        if (ui::primary_button("Replace", true, {width, 0})) choose(parts, fs::path(browser.overwrite), true);
+        return;
+    }
+    if (!browser.problem.empty()) {
+        footer_text(ui::palette().bad, browser.problem, text_end);
+        ui::record_last_item("Problem");
+    } else {
+        std::string names;
+        for (std::size_t i = 0; i < browser.candidates.size() && i < 30; ++i)
+            names += (i > 0 ? "   " : "") + browser.candidates[i];
+        footer_text(ui::palette().muted, names, text_end);
+        if (!names.empty()) ui::record_last_item("Candidates");
+    }
+    ImGui::SameLine(x);
+    if (ui::button("Cancel", nullptr, true, {width, 0})) parts.editor.file_dialog = FileDialogKind::none;
+    ImGui::SameLine();
+    if (ui::primary_button(file_kind(browser.shown).saves ? "Save" : "Open", !browser.path_text.empty(),
+                           {width, 0}))
+        choose(parts, typed_path(parts), false);
+}
+
+void columns(Parts& parts, float height) {
+    const float scale = ui::scale();
+    const bool narrow = ImGui::GetContentRegionAvail().x < 740 * scale;
+    if (!ImGui::BeginTable("columns", narrow ? 2 : 3, ImGuiTableFlags_SizingFixedFit)) return;
+    ImGui::TableSetupColumn("places", ImGuiTableColumnFlags_WidthFixed, 138 * scale);
+    ImGui::TableSetupColumn("here", ImGuiTableColumnFlags_WidthStretch);
+    if (!narrow) ImGui::TableSetupColumn("recent", ImGuiTableColumnFlags_WidthFixed, 230 * scale);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    place_list(parts, height);
+    ImGui::TableNextColumn();
+    entry_list(parts, height);
+    if (!narrow) {
+        ImGui::TableNextColumn();
+        recent_list(parts, height * 0.5f);
+        level_preview(parts, height * 0.5f);
+    }
+    ImGui::EndTable();
+}
+
+}  // namespace
+
+std::string shown_path(const Parts& parts, const fs::path& path) {
+    std::string text = path.string();
+    if (!parts.hidden_folder.empty() && text.starts_with(parts.hidden_folder))
+        text.erase(0, parts.hidden_folder.size());
+    return printable(text);
+}
+
+fs::path typed_path(const Parts& parts, const std::string& text) {
+    const fs::path path = expand_tilde(text);
+    if (path.is_absolute()) return path;
+    return (parts.hidden_folder.empty() ? parts.browser.folder : fs::path(parts.hidden_folder)) / path;
+}
+
+fs::path typed_path(const Parts& parts) {
+    const FileBrowser& browser = parts.browser;
+    return browser.chosen.empty() ? typed_path(parts, browser.path_text) : browser.folder / browser.chosen;
+}
+
+void filter_rows(FileBrowser& browser) {
+    browser.rows.clear();
+    const std::string wanted = to_lower(browser.filter);
+    for (std::size_t i = 0; i < browser.listing.entries.size(); ++i) {
+        const FolderEntry& entry = browser.listing.entries[i];
+        if (!entry.folder && !is_of_format(browser.format, entry.name)) continue;
+        if (to_lower(entry.name).find(wanted) != std::string::npos) browser.rows.push_back(i);
+    }
+}
+
+void sort_rows(FileBrowser& browser) {
+    sort_listing(browser.listing.entries, browser.order, browser.descending);
+    filter_rows(browser);
+}
+
+void show_folder(Parts& parts, const fs::path& folder) {
+    FileBrowser& browser = parts.browser;
+    std::error_code error;
+    const fs::path absolute = fs::weakly_canonical(folder, error);
+    browser.folder = error ? folder : absolute;
+    browser.filter.clear();
+    list_again(browser);
+    browser.path_text = shown_path(parts, browser.folder / "");
+    browser.chosen.clear();
+    browser.candidates.clear();
+    browser.problem.clear();
+    browser.overwrite.clear();
+    browser.scroll_to = 0;
+}
+
+void choose_row(Parts& parts, std::size_t row) {
+    FileBrowser& browser = parts.browser;
+    browser.chosen = browser.listing.entries[browser.rows[row]].name;
+    browser.path_text = shown_path(parts, browser.folder / browser.chosen);
+    browser.problem.clear();
+    browser.candidates.clear();
+}
+
 void choose(Parts& parts, const fs::path& path, bool may_overwrite) {
     FileBrowser& browser = parts.browser;
     Editor& editor = parts.editor;
@@ -144,10 +372,12 @@ void choose(Parts& parts, const fs::path& path, bool may_overwrite) {
         show_folder(parts, path);
         return;
     }
-    const Kind& kind = kind_of(browser.shown);
+    std::error_code error;
+    const FileKind& kind = file_kind(browser.shown);
     if (!kind.saves) {
-        if (!is_there(path)) {
-            browser.problem = "No such file: " + path.filename().string();
+        if (!fs::exists(path, error)) {
+            browser.problem = (error ? "Cannot look at it (" + error.message() + "): " : "No such file: ") +
+                              printable(path.filename().string());
             return;
         }
         editor.file_dialog = FileDialogKind::none;
@@ -155,9 +385,9 @@ void choose(Parts& parts, const fs::path& path, bool may_overwrite) {
         return;
     }
     fs::path target = path;
-    if (!has_suffix(target.filename().string(), kind)) target += kind.suffix;
+    if (!has_suffix(kind, target.filename().string())) target += kind.suffix;
     if (!is_folder(target.parent_path())) {
-        browser.problem = "No such folder: " + target.parent_path().string();
+        browser.problem = "No such folder: " + printable(target.parent_path().string());
         return;
     }
     const bool own_file =
@@ -170,185 +400,33 @@ void choose(Parts& parts, const fs::path& path, bool may_overwrite) {
     kind.chosen(editor, target);
 }
 
-void entry_list(Parts& parts, float height) {
-    FileBrowser& browser = parts.browser;
-    const ui::Scope scope("List");
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, ui::palette().panel);
-    ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, 6 * ui::scale());
-    ImGui::BeginChild("list", {0, height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
-    fs::path chosen;
-    if (browser.scroll_to >= 0)
-        ImGui::SetScrollY(static_cast<float>(browser.scroll_to) * ImGui::GetTextLineHeightWithSpacing() -
-                          0.5f * height);
-    browser.scroll_to = -1;
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(browser.entries.size()));
-    while (clipper.Step()) {
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            const FileBrowser::Entry& entry = browser.entries[static_cast<std::size_t>(i)];
-            const fs::path path = browser.folder / entry.name;
-            const std::string label = (entry.folder ? "\uf07b  " : "\uf15b  ") + entry.name;
-            const bool selected = typed_path(parts) == path;
-            if (ImGui::Selectable(label.c_str(), selected, ImGuiSelectableFlags_AllowDoubleClick)) {
-                if (entry.folder || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-                    chosen = path;
-                else
-                    browser.path_text = shown_path(parts, path);
-                browser.problem.clear();
-            }
-            ui::record_last_item(entry.name, true, selected);
-        }
-    }
-    if (browser.entries.empty()) ui::muted_text("No such files here");
-    ImGui::EndChild();
-    ImGui::PopStyleVar();
-    ImGui::PopStyleColor();
-    if (!chosen.empty()) choose(parts, chosen, false);
-}
-
-void recent_list(Parts& parts, float height) {
-    const ui::Scope scope("Recent");
-    ImGui::BeginChild("recent", {0, height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
-    ui::heading("Recent");
-    const std::vector<fs::path> paths = parts.editor.recent.paths();
-    fs::path chosen;
-    for (std::size_t i = 0; i < paths.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        if (ui::selectable(paths[i].filename().c_str(), false)) chosen = paths[i];
-        ui::tooltip(paths[i].c_str());
-        ImGui::PopID();
-    }
-    if (paths.empty()) ui::muted_text("Nothing yet");
-    ImGui::EndChild();
-    if (!chosen.empty()) choose(parts, chosen, false);
-}
-
-// The level that is chosen in the list, as a picture.
-void preview(Parts& parts, float height) {
-    FileBrowser& browser = parts.browser;
-    const fs::path typed = typed_path(parts);
-    if (is_level_name(typed.filename().string()) && is_there(typed)) browser.previewed = typed;
-    if (browser.previewed.empty() || !parts.preview) return;
-    const float width = ImGui::GetContentRegionAvail().x;
-    const float picture = std::min(width / 1.5f, height - 2.0f * ImGui::GetTextLineHeightWithSpacing());
-    if (picture < 40 * ui::scale()) return;
-    const LevelPreview::Shown shown =
-        parts.preview->show(browser.previewed, static_cast<int>(picture * 1.5f), static_cast<int>(picture));
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const ImVec2 end{at.x + picture * 1.5f, at.y + picture};
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (shown.texture != 0)
-        list.AddImageRounded(ui::texture_id(shown.texture), at, end, {0, 1}, {1, 0}, IM_COL32_WHITE,
-                             6 * ui::scale());
-    else
-        list.AddRectFilled(at, end, ui::packed(ui::palette().panel), 6 * ui::scale());
-    ImGui::Dummy({width, picture});
-    ui::record_last_item("Preview");
-    ImGui::TextUnformatted(browser.previewed.filename().c_str());
-    ui::muted_text(shown_text(parts, shown.facts).c_str());
-}
-
-// The arrow keys move the choice in the list, while the path box is not being edited.
-void keyboard(Parts& parts) {
-    FileBrowser& browser = parts.browser;
-    const bool back = ui::key_pressed(ImGuiKey_Backspace);
-    if (ImGui::GetIO().WantTextInput || !browser.overwrite.empty()) return;
-    if (back) return show_folder(parts, browser.folder.parent_path());
-    const int step =
-        (ui::key_pressed(ImGuiKey_DownArrow) ? 1 : 0) - (ui::key_pressed(ImGuiKey_UpArrow) ? 1 : 0);
-    if (step == 0 || browser.entries.empty()) return;
-    const fs::path typed = typed_path(parts);
-    int row = step > 0 ? -1 : static_cast<int>(browser.entries.size());
-    for (std::size_t i = 0; i < browser.entries.size(); ++i)
-        if (browser.folder / browser.entries[i].name == typed) row = static_cast<int>(i);
-    row = std::clamp(row + step, 0, static_cast<int>(browser.entries.size()) - 1);
-    browser.path_text =
-        shown_path(parts, browser.folder / browser.entries[static_cast<std::size_t>(row)].name);
-    browser.problem.clear();
-    browser.scroll_to = row;
-}
-
-void answer_buttons(Parts& parts) {
-    FileBrowser& browser = parts.browser;
-    const float width = 110 * ui::scale();
-    const float x = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - 2 * width -
-                    ImGui::GetStyle().ItemSpacing.x;
-    if (!browser.overwrite.empty()) {
-        ImGui::AlignTextToFramePadding();
-        std::string names;
-        for (const fs::path& file : replaced_files(kind_of(browser.shown), browser.overwrite))
-            names += (names.empty() ? "" : " and ") + file.filename().string();
-        ImGui::TextColored(ui::palette().accent, "Replace %s?", names.c_str());
-        ImGui::SameLine(x);
-        if (ui::button("Keep it", nullptr, true, {width, 0})) browser.overwrite.clear();
-        ImGui::SameLine();
-        if (ui::primary_button("Replace", true, {width, 0})) choose(parts, fs::path(browser.overwrite), true);
-        return;
-    }
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextColored(ui::palette().bad, "%s", browser.problem.c_str());
-    if (!browser.problem.empty()) ui::record_last_item("Problem");
-    ImGui::SameLine(x);
-    if (ui::button("Cancel", nullptr, true, {width, 0})) parts.editor.file_dialog = FileDialogKind::none;
-    ImGui::SameLine();
-    if (ui::primary_button(kind_of(browser.shown).saves ? "Save" : "Open", !browser.path_text.empty(),
-                           {width, 0}))
-        choose(parts, typed_path(parts), false);
-}
-
-}  // namespace
-
-std::vector<FileBrowser::Entry> list_folder(const fs::path& folder, FileDialogKind kind) {
-    std::vector<FileBrowser::Entry> entries;
-    std::error_code error;
-    for (fs::directory_iterator it(folder, error), end; !error && it != end && entries.size() < most_entries;
-         it.increment(error)) {
-        const std::string name = it->path().filename().string();
-        std::error_code unreadable;
-        const bool is_dir = it->is_directory(unreadable);
-        if (name.starts_with('.') || (!is_dir && !is_listed(name, kind_of(kind)))) continue;
-        entries.push_back({name, is_dir});
-    }
-    std::sort(entries.begin(), entries.end(), [](const FileBrowser::Entry& a, const FileBrowser::Entry& b) {
-        return a.folder != b.folder ? a.folder : a.name < b.name;
-    });
-    return entries;
-}
-
 void file_browser(Parts& parts) {
     FileBrowser& browser = parts.browser;
     if (browser.shown != parts.editor.file_dialog) begin(parts);
     const ui::Scope scope("File dialog");
     const float scale = ui::scale();
     ImGui::PushFont(ui::fonts().semibold);
-    ImGui::TextUnformatted(kind_of(browser.shown).title);
+    ImGui::TextUnformatted(file_kind(browser.shown).title);
     ImGui::PopFont();
     ImGui::Dummy({0, 2 * scale});
 
     keyboard(parts);
-    if (ui::button("\uf062###Up", "To the folder above")) show_folder(parts, browser.folder.parent_path());
+    browser.edited = FileBrowser::Box::none;
+    if (ui::button("\uf062###Up", "To the folder above (Backspace)"))
+        show_folder(parts, browser.folder.parent_path());
     ImGui::SameLine();
-    const bool typing_before = ImGui::GetIO().WantTextInput;
-    ui::input_text("##Path", &browser.path_text, kind_of(browser.shown).hint);
-    const bool entered = typing_before && ImGui::IsItemDeactivated() &&
-                         (ui::key_pressed(ImGuiKey_Enter) || ui::key_pressed(ui::key_pad_enter));
+    const bool path_entered = path_box(parts);
+    const bool filter_entered = filter_row(parts);
 
-    const float footer = ImGui::GetFrameHeightWithSpacing() + 10 * scale;
-    const float height = std::max(60 * scale, ImGui::GetContentRegionAvail().y - footer);
-    if (ImGui::BeginTable("lists", 2, ImGuiTableFlags_SizingStretchProp)) {
-        ImGui::TableSetupColumn("here", ImGuiTableColumnFlags_WidthStretch, 1.7f);
-        ImGui::TableSetupColumn("recent", ImGuiTableColumnFlags_WidthStretch, 1.0f);
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        entry_list(parts, height - 8 * scale);
-        ImGui::TableNextColumn();
-        recent_list(parts, (height - 8 * scale) * 0.42f);
-        preview(parts, (height - 8 * scale) * 0.58f);
-        ImGui::EndTable();
-    }
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float footer =
+        ImGui::GetFrameHeight() + 2 * (style.ItemSpacing.y + style.CellPadding.y) + 2 * scale;
+    columns(parts, std::max(60 * scale, ImGui::GetContentRegionAvail().y - footer));
     if (parts.editor.file_dialog == FileDialogKind::none) return;
     answer_buttons(parts);
-    if (entered && parts.editor.file_dialog != FileDialogKind::none) choose(parts, typed_path(parts), false);
+    if (parts.editor.file_dialog == FileDialogKind::none) return;
+    if (filter_entered && browser.chosen.empty() && !browser.rows.empty()) choose_row(parts, 0);
+    if (path_entered || (filter_entered && !browser.chosen.empty())) choose(parts, typed_path(parts), false);
 }
 
 }  // namespace slipface

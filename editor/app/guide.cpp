@@ -228,7 +228,9 @@ void hint_rows(const char* title, const std::vector<Hint>& hints) {
         key_cap(hint.keys);
         ImGui::SameLine();
         ImGui::SetCursorPosX(x + 128 * scale);
+        ImGui::PushTextWrapPos(0.0f);
         ImGui::TextUnformatted(hint.what.c_str());
+        ImGui::PopTextWrapPos();
     }
 }
 
@@ -239,7 +241,7 @@ std::vector<Hint> commands_of(const Editor& editor, std::string_view menu, std::
         if (its.substr(0, its.find('/')) != menu || hints.size() == most || !command.enabled(editor))
             continue;
         if (const std::string key = shortcut_text(editor, command); !key.empty())
-            hints.push_back({key, command.label});
+            hints.push_back({key, command_name(editor, command)});
     }
     return hints;
 }
@@ -258,9 +260,13 @@ void help_overlay(Editor& editor) {
     ImGui::PushFont(ui::fonts().semibold);
     ImGui::TextUnformatted(editor.playtest ? "While you walk" : "What you can do here");
     ImGui::PopFont();
-    if (ImGui::BeginTable("columns", 3, ImGuiTableFlags_SizingFixedFit)) {
-        for (int i = 0; i < 3; ++i)
-            ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 300 * scale);
+    // As many columns as the window has room for; the rest goes below and scrolls.
+    const float column = 300 * scale;
+    const int columns =
+        std::clamp(static_cast<int>((screen.x * 0.96f - 70 * scale) / (column + 8 * scale)), 1, 3);
+    if (ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingFixedFit)) {
+        for (int i = 0; i < columns; ++i)
+            ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, column);
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         const std::vector<Hint> now = hints_of(viewport_hint(editor));
@@ -287,7 +293,8 @@ void help_overlay(Editor& editor) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(ui::palette().muted, "%s lists and changes every key",
                        all ? shortcut_text(editor, *all).c_str() : "");
-    ImGui::SameLine(ImGui::GetWindowWidth() - width - 20 * scale);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
     if (ui::primary_button("Close", true, {width, 0})) editor.session.help = false;
     ImGui::End();
 }

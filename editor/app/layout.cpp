@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "app/parts.h"
 #include "panels/review_view.h"
@@ -71,31 +72,32 @@ void tab_menu(Editor& editor, PanelId panel) {
     ImGui::EndPopup();
 }
 
+// As many lines as they need: every panel of the dock can be seen and pressed, however narrow it is.
+void tabs(Editor& editor, Dock dock, PanelId front) {
+    const ui::Scope scope("Tabs");
+    const float scale = ui::scale();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2 * scale, 2 * scale});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8 * scale, 4 * scale});
+    bool first = true;
+    for (const PanelInfo& info : panel_table()) {
+        if (!editor.layout.shown(info.id) || editor.layout.dock(info.id) != dock) continue;
+        if (!std::exchange(first, false)) ui::flow(ui::button_width(info.label));
+        if (ui::tab(info.label, front == info.id)) editor.layout.show(info.id);
+        tab_menu(editor, info.id);
+    }
+    ImGui::PopStyleVar(2);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + ImGui::GetContentRegionAvail().x, at.y + scale},
+                                              ui::packed(ui::palette().hairline));
+    ImGui::Dummy({1, 2 * scale});
+}
+
 // The panels of a dock as tabs, and the open one under them.
 void dock_panels(Parts& parts, Dock dock) {
     Editor& editor = parts.editor;
     const std::optional<PanelId> front = editor.layout.front_of(dock);
     if (!front) return;
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {4 * ui::scale(), 4 * ui::scale()});
-    if (ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_FittingPolicyScroll | ImGuiTabBarFlags_NoTooltip)) {
-        const ui::Scope scope("Tabs");
-        std::optional<PanelId>& opened = parts.opened_tabs[static_cast<std::size_t>(dock)];
-        for (const PanelInfo& info : panel_table()) {
-            if (!editor.layout.shown(info.id) || editor.layout.dock(info.id) != dock) continue;
-            // ImGui keeps which tab is open; it is told when the layout wants another.
-            const bool wanted = *front == info.id && opened != *front;
-            const bool open =
-                ImGui::BeginTabItem(info.label, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
-            ui::record_last_item(info.label, true, *front == info.id);
-            // Opened by the mouse or by keys.
-            if (open && *front != info.id && opened == front) editor.layout.show(info.id);
-            tab_menu(editor, info.id);
-            if (open) ImGui::EndTabItem();
-        }
-        opened = front;
-        ImGui::EndTabBar();
-    }
-    ImGui::PopStyleVar();
+    tabs(editor, dock, *front);
     // The rows scroll, the tabs stay.
     ImGui::BeginChild(panel_info(*front).name, {0, 0}, false, ImGuiWindowFlags_NoSavedSettings);
     draw_panel(*front, editor, parts.frame);
@@ -141,7 +143,7 @@ void layout(Parts& parts, ImVec2 size) {
     const float scale = ui::scale();
     const float gap = std::round(4.0f * scale);
     const float menu_height = menu_bar(parts);
-    const float toolbar_height = std::round(46.0f * scale);
+    const float toolbar_height = toolbar_height_in(editor, size.x);
     const float status_height = std::round(30.0f * scale);
     const bool walking = editor.playtest.has_value();
     if (editor.tool != parts.last_tool) {
@@ -160,6 +162,10 @@ void layout(Parts& parts, ImVec2 size) {
     const float view_left = left_shown ? left_width + gap : 0.0f;
     const float view_right = right_shown ? size.x - right_width - gap : size.x;
     const float view_bottom = low_shown ? bottom - low_height - gap : bottom;
+    // A timeline is no use in a strip: where the view is narrow, the lower dock takes the left column's width
+    // too.
+    const bool low_is_wide = low_shown && view_right - view_left < 440.0f * scale;
+    const float left_bottom = low_is_wide ? view_bottom : bottom, low_left = low_is_wide ? 0.0f : view_left;
 
     const ui::Palette& p = ui::palette();
     const ImVec2 panel_padding{std::round(12 * scale), std::round(8 * scale)};
@@ -169,9 +175,9 @@ void layout(Parts& parts, ImVec2 size) {
     ImGui::End();
 
     if (left_shown) {
-        left_column(parts, {{0, top}, {left_width, bottom}}, panel_padding, gap);
+        left_column(parts, {{0, top}, {left_width, left_bottom}}, panel_padding, gap);
         sizes.left +=
-            splitter("##Left border", {{left_width, top}, {left_width + gap, bottom}}, true) / scale;
+            splitter("##Left border", {{left_width, top}, {left_width + gap, left_bottom}}, true) / scale;
         sizes.left = std::clamp(sizes.left, 160.0f, 520.0f);
     }
     if (right_shown) {
@@ -183,12 +189,12 @@ void layout(Parts& parts, ImVec2 size) {
         sizes.right = std::clamp(sizes.right, 200.0f, 640.0f);
     }
     if (low_shown) {
-        begin_region("##bottom", {{view_left, view_bottom + gap}, {view_right, bottom}}, panel_padding,
+        begin_region("##bottom", {{low_left, view_bottom + gap}, {view_right, bottom}}, panel_padding,
                      p.panel);
         dock_panels(parts, Dock::bottom);
         ImGui::End();
         sizes.bottom -=
-            splitter("##Bottom border", {{view_left, view_bottom}, {view_right, view_bottom + gap}}, false) /
+            splitter("##Bottom border", {{low_left, view_bottom}, {view_right, view_bottom + gap}}, false) /
             scale;
         sizes.bottom = std::clamp(sizes.bottom, 90.0f, 700.0f);
     }
@@ -202,7 +208,7 @@ void layout(Parts& parts, ImVec2 size) {
         welcome(parts);
     ImGui::End();
 
-    begin_region("##status", {{0, bottom}, {size.x, size.y}}, {12 * scale, 5 * scale}, p.window);
+    begin_region("##status", {{0, bottom}, {size.x, size.y}}, {12 * scale, 2 * scale}, p.window);
     status_bar(parts);
     ImGui::End();
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "document/inside_out.h"
 #include "widgets/theme.h"
 
 namespace slipface {
@@ -38,12 +39,16 @@ void LevelPreview::take(Result<LoadedLevel> loaded) {
     static_cast<void>(renderer_->set_mesh(level.mesh, level.mesh_path.parent_path()));
     renderer_->set_surface_types(level.surfaces);
     renderer_->set_face_surfaces(resolve_surfaces(level).surface);
+    // Rooms are looked into.
+    const Result<CollisionWorld> world = build_collision_world(level);
+    back_faces_ = !world || !is_made_of_rooms(*world);
     camera_ = named_view("iso", level.mesh->bounds, 1.5);
     drawn_ = false;
     ++pictures_;
 }
 
 LevelPreview::Shown LevelPreview::show(const std::filesystem::path& file, int width, int height) {
+    asked_ = true;
     if (file != file_) {
         file_ = file;
         camera_.reset();
@@ -77,6 +82,7 @@ LevelPreview::Shown LevelPreview::show(const std::filesystem::path& file, int wi
 void LevelPreview::draw() {
     if (!wanted_ || drawn_ || !camera_ || !target_) return;
     LevelStyle style;
+    style.back_faces = back_faces_;
     const auto color = [](const ImVec4& c) { return Vec3f(c.x, c.y, c.z); };
     style.background_top = color(ui::palette().view_top);
     style.background_bottom = color(ui::palette().view_bottom);

@@ -24,8 +24,9 @@ class LevelPreview {
     Shown show(const std::filesystem::path& file, int width, int height);
 
     std::uint64_t hash() const { return wanted_ ? pictures_ : 0; }
-    void begin_frame() { wanted_ = false; }
-    bool reading() const { return job_ != nullptr; }
+    void begin_frame() { wanted_ = asked_ = false; }
+    // show(), which was called in this frame, has something new for the next.
+    bool ready() const { return asked_ && job_ && job_->ready(); }
     void draw();
 
   private:
@@ -39,7 +40,8 @@ class LevelPreview {
     std::optional<Camera> camera_;  // nothing: no picture
     std::unique_ptr<LevelRenderer> renderer_;
     std::unique_ptr<Framebuffer> target_;
-    bool wanted_ = false, drawn_ = false;
+    bool asked_ = false, wanted_ = false, drawn_ = false;
+    bool back_faces_ = true;
     std::uint64_t pictures_ = 0;
 };
 

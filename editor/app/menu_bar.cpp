@@ -3,6 +3,7 @@
 #include <string>
 
 #include "app/parts.h"
+#include "document/path_text.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 
@@ -18,9 +19,11 @@ void recent_menu(Editor& editor) {
     if (!ui::begin_menu("Open recent")) return;
     if (editor.recent.paths().empty()) ui::menu_item("Nothing yet", "", false, false, nullptr);
     const std::vector<std::filesystem::path> paths = editor.recent.paths();
+    const std::vector<std::string> folders = telling_folders(paths);
     for (std::size_t i = 0; i < paths.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        if (ui::menu_item(paths[i].filename().c_str(), "", false, true, paths[i].c_str()))
+        const std::string name = printable(paths[i].filename().string());
+        if (ui::menu_item(name.c_str(), folders[i].c_str(), false, true, with_tilde(paths[i]).c_str()))
             request_open(editor, paths[i]);
         ImGui::PopID();
     }
@@ -50,7 +53,8 @@ void menu(Editor& editor, const std::string& name) {
         }
         if (before && family(*before) != family(command)) ImGui::Separator();
         const bool checked = command.checked && command.checked(editor);
-        if (ui::menu_item(command.label, shortcut_text(editor, command).c_str(), checked,
+        const std::string label = command_name(editor, command) + "###" + command.label;
+        if (ui::menu_item(label.c_str(), shortcut_text(editor, command).c_str(), checked,
                           command.enabled(editor), command.description, command.icon))
             run_command(editor, command.id);
         if (std::string_view(command.id) == "file.open") recent_menu(editor);
@@ -62,7 +66,8 @@ void menu(Editor& editor, const std::string& name) {
 }  // namespace
 
 std::string document_name(const Editor& editor) {
-    return editor.document ? editor.document->level().mesh_path.filename().string() : std::string();
+    return editor.document ? printable(editor.document->level().mesh_path.filename().string())
+                           : std::string();
 }
 
 std::string window_title(const Editor& editor) {

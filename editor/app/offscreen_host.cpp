@@ -78,7 +78,7 @@ void OffscreenHost::crash() {
     session.autosave.abandon();
     editor().document.reset();
     session.autosave = AutosaveSession(state_ / "autosave");
-    session.recoverable = session.autosave.recoverable();
+    session.left_behind = session.autosave.recoverable();
 }
 
 int OffscreenHost::settle(int most) {

@@ -91,11 +91,13 @@ unsigned SceneView::render(std::size_t pane, const Camera& camera, const Overlay
     }
     picture.camera = camera;
     picture.overlay = overlay;
+    picture.style = editor_.style;
+    picture.style.back_faces = draws_back_faces(editor_, camera);
     picture.wanted = true;
     Hasher hasher;
     hash_camera(hasher, camera);
     hash_overlay(hasher, overlay);
-    hash_style(hasher, editor_.style);
+    hash_style(hasher, picture.style);
     hasher.u64(uploads_);
     hasher.u64(static_cast<std::uint64_t>(width));
     hasher.u64(static_cast<std::uint64_t>(height));
@@ -139,7 +141,7 @@ void SceneView::draw() {
         if (!picture.wanted || !picture.target || picture.wanted_hash == picture.drawn_hash) continue;
         const int width = picture.target->width(), height = picture.target->height();
         picture.target->bind();
-        level_.draw(picture.camera, width, height, editor_.style);
+        level_.draw(picture.camera, width, height, picture.style);
         overlay_renderer_.draw(picture.overlay, picture.camera, width, height);
         picture.target->resolve();
         picture.drawn_hash = picture.wanted_hash;

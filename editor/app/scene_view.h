@@ -44,6 +44,7 @@ class SceneView final : public ViewportServices {
     struct Picture {
         std::unique_ptr<Framebuffer> target;
         Camera camera;
+        LevelStyle style;
         Overlay overlay;
         bool wanted = false;
         std::uint64_t wanted_hash = 0, drawn_hash = 0;

@@ -9,6 +9,7 @@
 #include "app/script.h"
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
+#include "slipface/level/find_start.h"
 #include "slipface/render/gl_graphics.h"
 #include "slipface/snapshot/screen.h"
 #include "slipface/snapshot/suite.h"
@@ -155,7 +156,10 @@ Result<Image> game_picture(const GlTable& gl, const Editor& editor) {
     auto& geometry = static_cast<GeometricManager&>(world.add_manager(std::move(*made)));
     auto& player = world.make_entity<Character>();
     player.settings = geometry.level().movement;
-    player.state = geometry.player_at(geometry.level().spawn);
+    const TickScene scene = editor.lab.scene(*editor.document);
+    const Result<Start> start =
+        find_start(geometry.level(), scene.at(0, 0.0), scene.offset(), player.settings);
+    player.state = geometry.player_at(start ? start->position : geometry.level().spawn);
 
     Framebuffer target(gl, 1280, 720);
     GlGraphics graphics(gl);

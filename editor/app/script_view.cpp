@@ -85,10 +85,13 @@ std::optional<ui::WidgetRect> find_widget(ScriptContext& context, const std::str
         return std::nullopt;
     }
     if (!found->second.visible) {
-        ui::bring_into_view(path);
-        for (int i = 0; i < 3; ++i)
-            context.host.frame();
-        found = ui::widgets().find(path);
+        // One try may fall short of a row that is far away.
+        for (int i = 0; i < 4 && found != ui::widgets().end() && !found->second.visible; ++i) {
+            ui::bring_into_view(path);
+            for (int frame = 0; frame < 3; ++frame)
+                context.host.frame();
+            found = ui::widgets().find(path);
+        }
         if (found == ui::widgets().end() || !found->second.visible) {
             context.fail("widget \"" + path + "\" cannot be brought into view");
             return std::nullopt;

@@ -1,11 +1,14 @@
 // Dialogs about what goes on beside the editing: opening, recovering, files that changed on disk.
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 
 #include "app/dialog_parts.h"
 #include "app/parts.h"
+#include "document/path_text.h"
 #include "tools/icons.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
@@ -38,10 +41,18 @@ std::string steps_text(const std::vector<std::string>& steps) {
     return text.empty() ? "Changes without a name" : text;
 }
 
+// "23 Nov 10:35, 5 min ago"
+std::string time_text(std::int64_t written_s) {
+    const auto time = static_cast<std::time_t>(written_s);
+    std::tm local{};
+    localtime_r(&time, &local);
+    return fmt::format("{:%d %b %H:%M}, {}", local, age_text(written_s));
+}
+
 void recoverable_row(Parts& parts, const AutosaveInfo& info, std::size_t row) {
     Editor& editor = parts.editor;
     const float scale = ui::scale();
-    const std::string name = info.mesh_path.filename().string();
+    const std::string name = printable(info.mesh_path.filename().string());
     ImGui::PushID(static_cast<int>(row));
     const ui::Scope scope(name);
     const float width = 92 * scale;
@@ -51,12 +62,10 @@ void recoverable_row(Parts& parts, const AutosaveInfo& info, std::size_t row) {
     ImGui::TextUnformatted(name.c_str());
     ImGui::PopFont();
     ImGui::SameLine();
-    const std::size_t count = info.steps.size();
-    std::string facts = fmt::format("{} step{}", count, count == 1 ? "" : "s");
-    if (!parts.deterministic) facts += ", " + age_text(info.written_s);
-    ImGui::TextColored(ui::palette().muted, "%s", facts.c_str());
+    ImGui::TextColored(ui::palette().muted, "%s", autosave_facts(parts, info).c_str());
     const float text_width = ImGui::GetContentRegionAvail().x - 2 * width - 24 * scale;
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + std::max(80 * scale, text_width));
+    ImGui::TextColored(ui::palette().muted, "%s", shown_folder(parts, info.mesh_path).c_str());
     ImGui::TextColored(ui::palette().muted, "%s", steps_text(info.steps).c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndGroup();
@@ -69,11 +78,23 @@ void recoverable_row(Parts& parts, const AutosaveInfo& info, std::size_t row) {
     take = ui::primary_button("Recover", true, {width, 0});
     ImGui::SetCursorPosY(std::max(bottom, ImGui::GetCursorPosY()) + 8 * scale);
     ImGui::PopID();
-    if (drop) discard_recoverable(editor, row);
-    if (take) recover(editor, row);
+    if (drop) discard_autosave(editor, info);
+    if (take) request_recovery(editor, info);
 }
 
 }  // namespace
+
+std::string autosave_facts(const Parts& parts, const AutosaveInfo& info) {
+    const std::size_t count = info.steps.size();
+    const std::string facts = fmt::format("{} step{}", count, count == 1 ? "" : "s");
+    return parts.deterministic ? facts : facts + ", " + time_text(info.written_s);
+}
+
+std::string shown_folder(const Parts& parts, const std::filesystem::path& file) {
+    const std::string whole = file.parent_path().string() + "/";
+    const std::string text = shown_text(parts, whole);
+    return text == whole ? with_tilde(file.parent_path()) : printable(text);
+}
 
 void loading_dialog(Parts& parts) {
     const ui::Scope scope("Loading");
@@ -95,12 +116,11 @@ void recover_dialog(Parts& parts) {
     dialog_title(icons::life_ring, ui::palette().accent, "Unsaved changes were found");
     wrapped(
         "Slipface ended before these were saved. Recovering opens the level with its changes as one step, "
-        "which "
-        "undo takes back.");
+        "which undo takes back.");
     ImGui::Dummy({0, 8 * scale});
     const std::vector<AutosaveInfo> rows = parts.editor.session.recoverable;
     const float height =
-        std::min(static_cast<float>(rows.size()) * 66 * scale, ImGui::GetIO().DisplaySize.y * 0.5f);
+        std::min(static_cast<float>(rows.size()) * 84 * scale, ImGui::GetIO().DisplaySize.y * 0.5f);
     ImGui::BeginChild("rows", {0, height});
     for (std::size_t i = 0; i < rows.size(); ++i)
         recoverable_row(parts, rows[i], i);
@@ -108,29 +128,6 @@ void recover_dialog(Parts& parts) {
     align_buttons(1, 110 * scale);
     if (ui::button("Not now", "Keep them; File > Recover autosaves lists them again", true, {110 * scale, 0}))
         parts.editor.session.recoverable.clear();
-}
-
-void reload_dialog(Parts& parts) {
-    const ui::Scope scope("Reload");
-    Editor& editor = parts.editor;
-    const float scale = ui::scale();
-    const ReloadQuestion question = *editor.session.reload;
-    const std::string mesh = document_name(editor);
-    const std::string file = editor.document ? editor.document->level().file_path.filename().string() : "";
-    dialog_title(icons::refresh, ui::palette().accent,
-                 ((question.level_file ? file : mesh) + " has changed on disk").c_str());
-    wrapped(question.level_file ? "Another program wrote the level file, and there are unsaved changes here. "
-                                  "Reloading takes over "
-                                  "what is on disk; undo brings your changes back. Keeping yours overwrites "
-                                  "the file at the next save."
-                                : "Another program wrote the geometry. Reloading finds your painted faces on "
-                                  "the new one, saved or "
-                                  "not, and lists what has no face any more; undo takes it back.");
-    const float width = 130 * scale;
-    align_buttons(2, width);
-    if (ui::button("Keep mine", nullptr, true, {width, 0})) answer_reload(editor, ReloadChoice::keep);
-    ImGui::SameLine();
-    if (ui::primary_button("Reload", true, {width, 0})) answer_reload(editor, ReloadChoice::reload);
 }
 
 }  // namespace slipface

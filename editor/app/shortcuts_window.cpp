@@ -14,8 +14,8 @@ namespace {
 
 bool matches(const Editor& editor, const Command& command, const std::string& filter) {
     if (filter.empty()) return true;
-    const std::string text = to_lower(std::string(command.label) + " " + command.search + " " + command.menu +
-                                      " " + shortcut_text(editor, command));
+    const std::string text = to_lower(command_name(editor, command) + " " + command.search + " " +
+                                      command.menu + " " + shortcut_text(editor, command));
     const std::string wanted = to_lower(filter);
     for (const std::string_view word : split(wanted, ' '))
         if (text.find(word) == std::string::npos) return false;
@@ -23,10 +23,11 @@ bool matches(const Editor& editor, const Command& command, const std::string& fi
 }
 
 // What else has the same key.
-std::string conflict_text(const Keymap& keymap, const Command& command) {
+std::string conflict_text(const Editor& editor, const Command& command) {
+    const Keymap& keymap = editor.session.keymap;
     std::string names;
     for (const Command* other : keymap.users_of(keymap.shortcut(command)))
-        if (other != &command) names += (names.empty() ? "" : ", ") + std::string(other->label);
+        if (other != &command) names += (names.empty() ? "" : ", ") + command_name(editor, *other);
     return names;
 }
 
@@ -50,7 +51,7 @@ void row_menu(Editor& editor, const Command& command) {
     Keymap& keymap = editor.session.keymap;
     const float side = ImGui::GetFrameHeight();
     const ui::Scope scope(command.id);
-    const std::string conflict = conflict_text(keymap, command);
+    const std::string conflict = conflict_text(editor, command);
     if (!conflict.empty()) {
         if (ui::icon_button("\uf00c", "Only here", ("Also on: " + conflict + ". Take it from there").c_str(),
                             true))
@@ -94,15 +95,21 @@ void section(Editor& editor, std::string_view menu, const std::string& filter) {
                             3 * ImGui::GetFrameHeight() + 12 * scale);
     for (const Command& command : commands()) {
         if (command.menu != menu || !matches(editor, command, filter)) continue;
-        const bool conflict = !conflict_text(editor.session.keymap, command).empty();
+        const std::string conflict = conflict_text(editor, command);
         ImGui::PushID(command.id);
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(command.label);
+        ImGui::PushTextWrapPos(0.0f);
+        ImGui::TextUnformatted(command_name(editor, command).c_str());
         ui::tooltip(command.description);
+        if (!conflict.empty()) {
+            ImGui::TextColored(ui::palette().bad, "Same key as %s", conflict.c_str());
+            ui::record_last_item((std::string(command.id) + "/Conflict").c_str());
+        }
+        ImGui::PopTextWrapPos();
         ImGui::TableNextColumn();
-        key_button(editor, command, conflict);
+        key_button(editor, command, !conflict.empty());
         ImGui::TableNextColumn();
         row_menu(editor, command);
         ImGui::PopID();
@@ -136,10 +143,10 @@ void mouse_section() {
     ImGui::EndTable();
 }
 
-std::size_t conflicts_in(const Keymap& keymap) {
+std::size_t conflicts_in(const Editor& editor) {
     std::size_t count = 0;
     for (const Command& command : commands())
-        count += conflict_text(keymap, command).empty() ? 0 : 1;
+        count += conflict_text(editor, command).empty() ? 0 : 1;
     return count;
 }
 
@@ -149,7 +156,7 @@ void head(Editor& editor, std::string& filter) {
         editor.session.keymap.reset_all();
     ImGui::SameLine();
     ui::input_text("##Filter", &filter, "Find a command or a key");
-    if (const std::size_t conflicts = conflicts_in(editor.session.keymap); conflicts > 0)
+    if (const std::size_t conflicts = conflicts_in(editor); conflicts > 0)
         ImGui::TextColored(ui::palette().bad,
                            "\uf071  %zu commands share a key; the check mark beside one decides", conflicts);
 }
@@ -163,6 +170,9 @@ bool take_key_for_rebinding(Editor& editor, const Shortcut& key) {
     session.rebinding = nullptr;
     if (!command || key == Shortcut{.key = "Escape"}) return true;
     session.keymap.bind(*command, key);
+    const std::string conflict = conflict_text(editor, *command);
+    editor.status = command_name(editor, *command) + " has " + key.text() +
+                    (conflict.empty() ? "" : " now, and so has " + conflict);
     return true;
 }
 

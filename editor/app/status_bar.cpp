@@ -1,7 +1,10 @@
 // One line: what the mouse would do, what was done last, and what lies under the mouse.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/parts.h"
+#include "document/path_text.h"
 #include "panels/viewport_panel.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
@@ -32,20 +35,21 @@ void status_bar(Parts& parts) {
     const float right_width = ImGui::CalcTextSize(right.c_str()).x;
     const float end = ImGui::GetWindowWidth() - right_width - ImGui::GetStyle().WindowPadding.x * 2;
 
-    ImGui::AlignTextToFramePadding();
-    const ImVec2 min = ImGui::GetWindowPos();
-    ImGui::PushClipRect(min, {min.x + end - 20 * ui::scale(), min.y + ImGui::GetWindowHeight()}, true);
-    if (editor.document)
-        ImGui::TextColored(p.muted, "%s", viewport_hint(editor).c_str());
-    else
-        ImGui::TextColored(p.muted, "Open a level, or drop an OBJ file onto the window");
-    if (!editor.status.empty()) {
-        ImGui::SameLine(0, 24 * ui::scale());
-        ImGui::TextColored(p.text, "%s", editor.status.c_str());
-    }
-    ImGui::PopClipRect();
+    // What was done last matters more than the hint: it gets up to two thirds of the room.
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float y = at.y + ImGui::GetStyle().FramePadding.y, gap = 24 * ui::scale();
+    const float room = ImGui::GetWindowPos().x + end - 20 * ui::scale() - at.x;
+    const std::string hint =
+        editor.document ? viewport_hint(editor) : "Open a level, or drop its file onto the window";
+    const std::string done = printable(editor.status);
+    const float status =
+        done.empty() ? 0.0f : std::min(ImGui::CalcTextSize(done.c_str()).x + 1.0f + gap, room * 0.66f);
+    const float hint_width = std::min(ImGui::CalcTextSize(hint.c_str()).x + 1.0f, room - status);
+    ui::ellipsis({at.x, y}, at.x + hint_width, p.muted, hint);
+    if (status > 0.0f) ui::ellipsis({at.x + hint_width + gap, y}, at.x + hint_width + status, p.text, done);
     if (right.empty()) return;
-    ImGui::SameLine(end);
+    ImGui::SetCursorPosX(end);
+    ImGui::AlignTextToFramePadding();
     ImGui::TextColored(p.muted, "%s", right.c_str());
     if (editor.texture_warnings.empty()) return;
     std::string list;

@@ -1,5 +1,7 @@
 // The commands used most, as icons, and the options of the tool in hand.
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -32,8 +34,11 @@ constexpr const char* shown_commands[] = {
     "help.command_palette",
 };
 
+constexpr const char* select_options[] = {"select.box", "select.lasso", "select.brush", "select.through",
+                                          "select.whole"};
+
 std::string tooltip_text(const Editor& editor, const Command& command) {
-    std::string text = command.label;
+    std::string text = command_name(editor, command);
     if (const std::string shortcut = shortcut_text(editor, command); !shortcut.empty())
         text += "  (" + shortcut + ")";
     return text + "\n" + command.description;
@@ -58,13 +63,36 @@ void command_button(Editor& editor, const Command& command) {
         run_command(editor, command.id);
 }
 
+constexpr float play_width = 92, slider_width = 120, name_width = 130, window_padding = 10;  // design pixels
+constexpr float line_height = 46;
+
+// All icons, their groups and the play button beside each other.
+float icons_width() {
+    const auto groups = std::count(std::begin(shown_commands), std::end(shown_commands), std::string_view());
+    const auto icons = static_cast<float>(std::size(shown_commands)) - static_cast<float>(groups);
+    return icons * (ui::icon_button_side() + 3 * ui::scale()) +
+           (21 * static_cast<float>(groups) + play_width + 3 * window_padding) * ui::scale();
+}
+
+// What the widest tool's options need.
+float options_width() {
+    const float icons =
+        static_cast<float>(std::size(select_options)) * (ui::icon_button_side() + 3 * ui::scale());
+    return icons + ImGui::CalcTextSize("Brush").x + (21 + 12 + 8 + slider_width) * ui::scale();
+}
+
+bool has_two_lines(const Editor& editor, float width) {
+    return editor.document && !editor.playtest && width < icons_width() + options_width();
+}
+
 // What the tool in hand can be set to.
-void tool_options(Editor& editor) {
+void tool_options(Editor& editor, bool own_line) {
     const float scale = ui::scale();
-    const float room = ImGui::GetContentRegionAvail().x - 120 * scale;
-    if (room < 260 * scale || !editor.document || editor.playtest) return;
-    if (editor.tool == Tool::probe) return;
-    group_line();
+    if (!editor.document || editor.playtest || editor.tool == Tool::probe) return;
+    if (own_line)
+        ImGui::SetCursorPos({window_padding * scale, (5 + line_height - 6) * scale});
+    else
+        group_line();
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 2 * scale);
     const ui::Scope scope("Options");
     const auto brush = [&] {
@@ -77,8 +105,12 @@ void tool_options(Editor& editor) {
                         surfaces[*editor.brush], 3 * scale);
         ImGui::Dummy({unset ? 0 : side, side});
         ImGui::SameLine(0, 8 * scale);
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(unset ? "unset" : surfaces[*editor.brush].name.c_str());
+        const std::string name = unset ? "unset" : surfaces[*editor.brush].name;
+        const ImVec2 text = ImGui::GetCursorScreenPos();
+        const float width = std::min(ImGui::CalcTextSize(name.c_str()).x, name_width * scale);
+        ui::ellipsis({text.x, text.y + ImGui::GetStyle().FramePadding.y}, text.x + width, ui::palette().text,
+                     name);
+        ImGui::Dummy({width, ImGui::GetFrameHeight()});
         ImGui::SameLine(0, 18 * scale);
     };
     const auto number = [&](const char* label, double* value, double maximum, const char* format,
@@ -86,18 +118,14 @@ void tool_options(Editor& editor) {
         ImGui::AlignTextToFramePadding();
         ImGui::TextColored(ui::palette().muted, "%s", label);
         ImGui::SameLine();
-        ImGui::PushItemWidth(120 * scale);
-        const double minimum = 0.0;
-        const std::string id = std::string("##") + label;
-        ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, value, &minimum, &maximum, format,
-                            ImGuiSliderFlags_AlwaysClamp);
-        ImGui::PopItemWidth();
+        ImGui::SetNextItemWidth(slider_width * scale);
+        ui::number_slider((std::string("##") + label).c_str(), value, 0.0, maximum, format);
         ui::record_last_item(label);
         ui::tooltip(tip);
     };
     if (editor.tool == Tool::select) {
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() - 2 * scale);
-        for (const char* id : {"select.box", "select.lasso", "select.brush", "select.through"}) {
+        for (const char* id : select_options) {
             command_button(editor, *find_command(id));
             ImGui::SameLine();
         }
@@ -125,8 +153,9 @@ void play_button(Editor& editor) {
     const Command* const command = find_command(walking ? "playtest.stop" : "playtest.start");
     if (!command) return;
     const char* const label = walking ? "\uf04d  Stop###Play" : "\uf04b  Play###Play";
-    const float width = 92 * scale;
-    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - width - 10 * scale));
+    const float width = play_width * scale;
+    ImGui::SetCursorPosX(
+        std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - width - window_padding * scale));
     ImGui::SetCursorPosY(5 * scale);
     const ImVec2 size{width, ImGui::GetFrameHeight() + 4 * scale};
     const bool enabled = command->enabled(editor);
@@ -140,10 +169,13 @@ void play_button(Editor& editor) {
 
 }  // namespace
 
+float toolbar_height_in(const Editor& editor, float width) {
+    return std::round((has_two_lines(editor, width) ? 2 * line_height - 6 : line_height) * ui::scale());
+}
+
 void toolbar(Parts& parts) {
     const ui::Scope scope("Toolbar");
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {3 * ui::scale(), 4 * ui::scale()});
-    bool any = false;
     for (const std::string_view id : shown_commands) {
         if (id.empty()) {
             group_line();
@@ -153,11 +185,12 @@ void toolbar(Parts& parts) {
         if (!command) continue;
         command_button(parts.editor, *command);
         ImGui::SameLine();
-        any = true;
     }
-    if (any) tool_options(parts.editor);
+    const bool two_lines = has_two_lines(parts.editor, ImGui::GetWindowWidth());
+    if (!two_lines) tool_options(parts.editor, false);
     ImGui::SameLine();
     play_button(parts.editor);
+    if (two_lines) tool_options(parts.editor, true);
     ImGui::PopStyleVar();
 }
 

@@ -11,17 +11,20 @@
 #include <mutex>
 
 #include "cli/format.h"
+#include "cli/guarded.h"
 #include "cli/verbs.h"
 #include "slipface/base/files.h"
 #include "slipface/base/parallel.h"
 #include "slipface/base/text.h"
+#include "slipface/level/find_start.h"
 #include "slipface/level/level_file.h"
+#include "slipface/level/preset.h"
 
 namespace slipface::cli {
 namespace {
 
 struct AuditWords {
-    std::string level, speeds, shard, dt = "1/60", tapes, out;
+    std::string level, preset, spawn, speeds, shard, dt = "1/60", tapes, out;
     std::uint32_t walkers = 100;
     double seconds = 60.0;
     std::uint64_t seed = 1;
@@ -53,13 +56,9 @@ Result<AuditOptions> audit_options(const AuditWords& words) {
         }
     }
     if (!words.shard.empty()) {
-        const auto parts = split(words.shard, '/');
-        const auto index = parse_int(parts[0]);
-        const auto count = parts.size() == 2 ? parse_int(parts[1]) : std::nullopt;
-        if (!index || !count || *index < 0 || *count < 1 || *index >= *count || *count > 100'000)
-            return Error{"--shard",
-                         fmt::format("found {}, expected INDEX/COUNT, the index from 0", words.shard)};
-        options.shard = {static_cast<std::uint32_t>(*index), static_cast<std::uint32_t>(*count)};
+        const Result<Shard> shard = parse_shard(words.shard, "--shard");
+        if (!shard) return shard.error();
+        options.shard = *shard;
     }
     return options;
 }
@@ -71,9 +70,8 @@ Status write_tapes(const std::filesystem::path& folder, const Level& level, cons
     if (!std::filesystem::is_directory(folder))
         return Error{folder.string(), error ? error.message() : "is no folder"};
     for (const AuditFinding& finding : report.findings) {
-        const std::string name =
-            fmt::format("{}-{}-{}-{}.tape", level.mesh_path.stem().string(),
-                        finding_names[static_cast<std::size_t>(finding.kind)], finding.walker, finding.life);
+        const std::string name = fmt::format("{}-{}-{}-{}.tape", level.mesh_path.stem().string(),
+                                             info_of(finding.kind).name, finding.walker, finding.life);
         const std::string text = tape_to_text(audit_tape(level, options, finding));
         if (Status status = write_file_atomic(folder / name, text); !status.ok()) return status;
     }
@@ -85,25 +83,28 @@ void print_audit(const AuditReport& report, double seconds, std::ostream& out) {
     print_row(out, "walkers",
               fmt::format("{} of {} s at {} s a step, seed {}", report.walkers, report.duration_s,
                           report.dt_text, report.seed));
-    if (report.shards.size() < report.shard_count)
-        print_row(out, "shards", fmt::format("{} of {}", report.shards.size(), report.shard_count));
+    if (!report.shard.whole()) print_row(out, "shard", shard_text(report.shard));
     print_row(out, "steps", fmt::format("{}", report.steps));
     if (seconds > 0.0)
         print_row(out, "rate",
                   fmt::format("{:.0f} steps a second", static_cast<double>(report.steps) / seconds));
-    for (std::size_t kind = 0; kind < finding_names.size(); ++kind)
-        print_row(out, finding_names[kind], fmt::format("{}", report.counts[kind]));
+    for (std::size_t kind = 0; kind < finding_kind_count; ++kind)
+        print_row(out, info_of(static_cast<FindingKind>(kind)).label, fmt::format("{}", report.counts[kind]));
     print_row(out, "hazards", fmt::format("{}", report.hazards));
     print_row(out, "crushed", fmt::format("{}", report.crushed));
     if (!report.closed) print_row(out, "left", fmt::format("{}", report.left));
     print_row(out, "hash", hash_text(report.hash));
     if (report.findings.empty()) return;
-    out << "\nfindings\n";
-    for (const AuditFinding& finding : report.findings) {
-        out << fmt::format("  {:<8} walker {} life {} tick {}  at {}{}\n",
-                           finding_names[static_cast<std::size_t>(finding.kind)], finding.walker,
-                           finding.life, finding.tick, vector_text(finding.position),
-                           finding.face == no_id ? "" : fmt::format("  face {}", finding.face));
+    for (std::size_t kind = 0; kind < finding_kind_count; ++kind) {
+        if (report.counts[kind] == 0) continue;
+        const FindingKindInfo& info = info_of(static_cast<FindingKind>(kind));
+        out << fmt::format("\n{}: {}\n  {}\n", info.label, report.counts[kind], info.meaning);
+        for (const AuditFinding& finding : report.findings) {
+            if (static_cast<std::size_t>(finding.kind) != kind) continue;
+            out << fmt::format("    {}  (tick {}, at {})\n", finding.text, finding.tick,
+                               vector_text(finding.position));
+        }
+        out << fmt::format("  {}\n", info.remedy);
     }
 }
 
@@ -126,10 +127,20 @@ int run(const AuditWords& words) {
     Result<LoadedLevel> loaded = load_level(words.level);
     if (!loaded) return print_error(std::cerr, loaded.error()), exit_bad_input;
     print_warnings(std::cerr, loaded->warnings);
+    if (!words.preset.empty()) {
+        const Result<Preset> preset = find_preset(words.preset);
+        if (!preset) return print_error(std::cerr, {"--preset", preset.error().text()}), exit_bad_input;
+        loaded->level.movement = preset->settings;
+    }
     for (const std::string& assignment : words.settings) {
         if (const Status status = set_setting(loaded->level.movement, assignment); !status.ok())
             return print_error(std::cerr, {"--set " + assignment, status.error().message}), exit_bad_input;
     }
+    const Result<Start> start = settle_start(loaded->level, words.spawn);
+    if (!start) return print_error(std::cerr, {"--spawn", start.error().message}), exit_bad_input;
+    if (!start->stands)
+        return print_error(std::cerr, {loaded->level.mesh_path.string(), start->note}), exit_bad_input;
+    if (!start->note.empty()) print_warnings(std::cerr, {{loaded->level.mesh_path.string(), start->note}});
     std::optional<ThreadLimit> limit;
     if (words.threads > 0) limit.emplace(words.threads);
     const auto begin = std::chrono::steady_clock::now();
@@ -144,25 +155,17 @@ int run(const AuditWords& words) {
 }
 
 int merge(const std::vector<std::string>& files, const AuditWords& words) {
-    std::vector<AuditReport> parts;
+    std::vector<AuditPart> parts;
     for (const std::string& file : files) {
         const Result<std::string> text = read_file(file);
         if (!text) return print_error(std::cerr, text.error()), exit_bad_input;
         Result<AuditReport> part = audit_from_json(*text, file);
         if (!part) return print_error(std::cerr, part.error()), exit_bad_input;
-        parts.push_back(std::move(*part));
+        parts.push_back({file, std::move(*part)});
     }
     const Result<AuditReport> whole = merge_audits(parts);
     if (!whole) return print_error(std::cerr, whole.error()), exit_bad_input;
     return deliver(*whole, words.json, words.out, 0.0);
-}
-
-int guarded(const std::function<int()>& body) {
-    try {
-        return body();
-    } catch (const std::exception& error) {
-        return print_error(std::cerr, {"", error.what()}), exit_bad_input;
-    }
 }
 
 // The parser alone would take -1 for the largest number.
@@ -185,7 +188,7 @@ void add_audit_verb(CLI::App& app, int& exit_code) {
     CLI::App* verb =
         app.add_subcommand("audit", "Let random walkers try to leave, enter or stick in a level");
     auto words = std::make_shared<AuditWords>();
-    CLI::Option* level = verb->add_option("LEVEL", words->level, "OBJ or level file");
+    CLI::Option* level = verb->add_option("LEVEL", words->level, level_help());
     verb->add_option("--walkers", words->walkers, "How many")->capture_default_str();
     verb->add_option("--seconds", words->seconds, "Simulated time of each")->capture_default_str();
     verb->add_option("--seed", words->seed, "Another seed, other walks")
@@ -194,12 +197,15 @@ void add_audit_verb(CLI::App& app, int& exit_code) {
     verb->add_option("--speeds", words->speeds, "Running speeds in m/s, taken in turn; else the level's")
         ->type_name("6,20,60");
     verb->add_option("--dt", words->dt, "Seconds a step")->capture_default_str();
+    verb->add_option("--preset", words->preset,
+                     "A preset, or a preset file, instead of the level's settings");
+    verb->add_option("--spawn", words->spawn, "Start at this spawn of the level")->type_name("NAME");
     verb->add_option("--set", words->settings, "Change a movement setting; may be repeated")
         ->type_name("name=value")
         ->allow_extra_args(false);
     verb->add_option("--threads", words->threads, "At most this many; 0: as many as there are")
         ->check(CLI::Range(0, 4096));
-    verb->add_option("--shard", words->shard, "Only this part of the walkers, from 0/N to N-1/N")
+    verb->add_option("--shard", words->shard, "Only this part of the walkers, from 1/N to N/N")
         ->type_name("I/N");
     verb->add_option("--tapes", words->tapes, "Folder for a tape of each finding")->type_name("FOLDER");
     verb->add_flag("--heat", words->heat, "Add up what happened on each face");

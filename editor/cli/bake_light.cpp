@@ -32,7 +32,7 @@ Result<std::filesystem::path> bake(const BakeLightOptions& options, Warnings& wa
 void add_bake_light_verb(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand("bake-light", "Bake a level's light and shadow into a picture");
     auto options = std::make_shared<BakeLightOptions>();
-    verb->add_option("LEVEL", options->level, "OBJ or level file")->required();
+    verb->add_option("LEVEL", options->level, level_help())->required();
     verb->add_option("--rays", options->rays, "Rays a texel")
         ->capture_default_str()
         ->check(CLI::Range(1, 4096));

@@ -32,7 +32,7 @@ void add_bake(CLI::App& app, int& exit_code) {
     CLI::App* verb =
         app.add_subcommand("bake", "Write painted types into the material names of a level's OBJ file");
     auto level = std::make_shared<std::string>();
-    verb->add_option("LEVEL", *level, "OBJ or level file")->required();
+    verb->add_option("LEVEL", *level, level_help())->required();
     verb->callback([level, &exit_code] { exit_code = run_bake(*level, std::cout, std::cerr); });
 }
 
@@ -42,7 +42,7 @@ void add_export(CLI::App& app, int& exit_code) {
         std::string level, obj, gltf, flat;
     };
     auto words = std::make_shared<Words>();
-    verb->add_option("LEVEL", words->level, "Level file, OBJ or other geometry")->required();
+    verb->add_option("LEVEL", words->level, level_help())->required();
     auto* targets = verb->add_option_group("targets", "At least one of");
     targets->add_option("--obj", words->obj, "OBJ and MTL, types in material names")->type_name("OUT.obj");
     targets->add_option("--gltf", words->gltf, "glTF 2.0, types in extras")->type_name("OUT.gltf|OUT.glb");
@@ -63,7 +63,7 @@ void add_import(CLI::App& app, int& exit_code) {
         double scale = 1.0;
     };
     auto words = std::make_shared<Words>();
-    verb->add_option("LEVEL", words->level, "Level file, OBJ or other geometry")->required();
+    verb->add_option("LEVEL", words->level, level_help())->required();
     verb->add_option("--rules", words->rules,
                      "Quake 3 shaders or map, another level file, or lines PATTERN TYPE; may be repeated")
         ->type_name("FILE.shader|.bsp|.json|.txt")
@@ -71,13 +71,14 @@ void add_import(CLI::App& app, int& exit_code) {
     CLI::Option* scale = verb->add_option("--scale", words->scale, "Metres a unit of the geometry's file")
                              ->check(CLI::Range(smallest_import_scale, largest_import_scale));
     verb->add_option("--up", words->up, "Upward axis of the geometry's file")
-        ->check(CLI::IsMember({"y", "z"}));
+        ->check(CLI::IsMember(std::vector<std::string>(std::begin(up_axis_names), std::end(up_axis_names))));
     verb->callback([words, scale, &exit_code] {
         ImportVerbOptions options;
         options.level = words->level;
         options.rules.assign(words->rules.begin(), words->rules.end());
         if (scale->count() > 0) options.scale = words->scale;
-        if (!words->up.empty()) options.up = words->up == "z" ? UpAxis::z : UpAxis::y;
+        const auto* const up = std::find(std::begin(up_axis_names), std::end(up_axis_names), words->up);
+        if (up != std::end(up_axis_names)) options.up = static_cast<UpAxis>(up - std::begin(up_axis_names));
         exit_code = run_import(options, std::cout, std::cerr);
     });
 }
@@ -120,8 +121,8 @@ int run_import(const ImportVerbOptions& options, std::ostream& out, std::ostream
     if (!loaded) return fail(err, loaded.error());
     print_warnings(err, loaded->warnings);
     ImportTransform transform = loaded->level.import_transform;
-    transform.scale = options.scale.value_or(transform.scale);
-    transform.up = options.up.value_or(transform.up);
+    if (options.scale) transform.scale = options.scale;
+    if (options.up) transform.up = options.up;
     if (transform != loaded->level.import_transform) {
         loaded = reload_mesh(loaded->level, transform);
         if (!loaded) return fail(err, loaded.error());

@@ -7,7 +7,10 @@
 #include "cli/format.h"
 #include "cli/verbs.h"
 #include "slipface/image/image.h"
+#include "slipface/level/find_start.h"
 #include "slipface/level/level_file.h"
+#include "slipface/mesh/open_edges.h"
+#include "slipface/mesh/size_doubt.h"
 #include "slipface/mesh/texture_file.h"
 
 namespace slipface::cli {
@@ -19,6 +22,7 @@ struct LevelInfo {
     double load_s = 0.0;
     double bvh_s = 0.0;
     BvhStatistics bvh;
+    Start start;
 };
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -70,6 +74,12 @@ Result<LevelInfo> gather(const std::filesystem::path& path) {
     info.bvh_s = seconds_since(bvh_start);
     info.bvh = world->statistics();
 
+    Result<LevelScene> scene = LevelScene::borrow(level, *world, level.movement);
+    if (!scene) return scene.error();
+    const Result<Start> begin = find_start(level, *scene, level.movement);
+    if (!begin) return begin.error();
+    info.start = *begin;
+
     info.faces_of_type.resize(level.surfaces.size());
     for (const SurfaceId surface : resolve_surfaces(level).surface)
         ++info.faces_of_type[surface];
@@ -105,6 +115,32 @@ void print_info_json(const LevelInfo& info, std::ostream& out) {
     json["painted_faces"] = painted_count(level);
     json["orphans"] = level.orphans.size();
     json["bounds"] = {{"min", vector_json(mesh.bounds.min)}, {"max", vector_json(mesh.bounds.max)}};
+    json["spawns"] = OutputJson::array();
+    for (const Spawn& spawn : all_spawns(level))
+        json["spawns"].push_back(
+            {{"name", spawn.name}, {"position", vector_json(spawn.position)}, {"yaw", spawn.yaw}});
+    json["start"] = {{"position", vector_json(info.start.position)},
+                     {"yaw", info.start.yaw},
+                     {"stands", info.start.stands},
+                     {"note", info.start.note}};
+    const ImportSummary& read = level.import_summary;
+    json["import"] = {{"size_m", vector_json(read.size)},
+                      {"scale", read.scale},
+                      {"scale_from", import_source_names[static_cast<std::size_t>(read.scale_from)]},
+                      {"scale_reason", read.scale_reason},
+                      {"up", up_axis_names[static_cast<std::size_t>(read.up)]},
+                      {"up_from", import_source_names[static_cast<std::size_t>(read.up_from)]},
+                      {"up_reason", read.up_reason}};
+    if (const auto doubt = size_doubt(mesh, read)) {
+        json["import"]["doubt"] = doubt->text();
+        json["import"]["better_scale"] = doubt->better_scale;
+    }
+    json["spawns_in_file"] = OutputJson::array();
+    for (const FoundSpawn& spawn : info.loaded.found_spawns)
+        json["spawns_in_file"].push_back(
+            {{"name", spawn.name}, {"feet", vector_json(spawn.feet)}, {"yaw", spawn.yaw}});
+    json["open_edges"] = open_edge_count(mesh);
+    json["undrawn_faces"] = info.loaded.undrawn.size();
     json["load_s"] = info.load_s;
     json["bvh_s"] = info.bvh_s;
     json["bvh_bytes"] = info.bvh.bytes;
@@ -118,6 +154,29 @@ void print_info_json(const LevelInfo& info, std::ostream& out) {
     print_json(out, json);
 }
 
+// How the file was read, as the editor's card shows it.
+void print_import(const LevelInfo& info, std::ostream& out) {
+    const Level& level = info.loaded.level;
+    const ImportSummary& read = level.import_summary;
+    const auto assumed = [](ImportSource source, const std::string& reason) {
+        const std::string_view name = import_source_names[static_cast<std::size_t>(source)];
+        return source == ImportSource::given ? std::string(name) : fmt::format("{}: {}", name, reason);
+    };
+    print_row(out, "size",
+              fmt::format("{:.3f} x {:.3f} x {:.3f} m", read.size.x(), read.size.y(), read.size.z()));
+    if (const auto doubt = size_doubt(*level.mesh, read)) print_row(out, "", doubt->text());
+    print_row(out, "scale",
+              fmt::format("{:.6g} m per unit ({})", read.scale, assumed(read.scale_from, read.scale_reason)));
+    print_row(out, "up axis",
+              fmt::format("{} ({})", up_axis_names[static_cast<std::size_t>(read.up)],
+                          assumed(read.up_from, read.up_reason)));
+    if (const std::size_t count = info.loaded.found_spawns.size(); count > 0)
+        print_row(out, "spawns in file", std::to_string(count));
+    print_row(out, "open edges", std::to_string(open_edge_count(*level.mesh)));
+    if (const std::size_t count = info.loaded.undrawn.size(); count > 0)
+        print_row(out, "undrawn faces", std::to_string(count));
+}
+
 void print_info_text(const LevelInfo& info, std::ostream& out) {
     const Level& level = info.loaded.level;
     const Mesh& mesh = *level.mesh;
@@ -127,6 +186,16 @@ void print_info_text(const LevelInfo& info, std::ostream& out) {
     print_row(out, "materials", std::to_string(mesh.materials.size()));
     print_row(out, "bounds min", vector_text(mesh.bounds.min) + "  m");
     print_row(out, "bounds max", vector_text(mesh.bounds.max) + "  m");
+    const std::vector<Spawn> spawns = all_spawns(level);
+    constexpr std::size_t most_spawns = 10;
+    for (std::size_t i = 0; i < std::min(most_spawns, spawns.size()); ++i)
+        print_row(out, i == 0 ? "spawns" : "",
+                  spawns[i].name + "  " + vector_text(spawns[i].position) + "  m");
+    if (spawns.size() > most_spawns)
+        print_row(out, "", fmt::format("and {} more", spawns.size() - most_spawns));
+    print_row(out, "player begins", vector_text(info.start.position) + "  m");
+    if (!info.start.note.empty()) print_row(out, "", info.start.note);
+    print_import(info, out);
     print_row(out, "loaded in", duration_text(info.load_s));
     print_row(out, "BVH built in",
               fmt::format("{}, {}, {:.1f} bytes a triangle", duration_text(info.bvh_s),

@@ -4,9 +4,16 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/guarded.h"
 #include "slipface/base/text.h"
+#include "slipface/mesh/formats.h"
 
 namespace slipface::cli {
+
+std::string level_help() {
+    return "Level file, or geometry named " + mesh_formats_text();
+}
+
 namespace {
 
 // What the options' texts hold until the command line is complete.
@@ -25,21 +32,10 @@ std::string radii_check(const std::string& text) {
                                             : "found " + text + ", expected three numbers above 0 as x,y,z";
 }
 
-// No exception leaves a verb; what the libraries below throw is bad input that nobody foresaw.
-template <class Run>
-int guarded(Run run) {
-    try {
-        return run();
-    } catch (const std::exception& error) {
-        print_error(std::cerr, {"", error.what()});
-        return exit_bad_input;
-    }
-}
-
 void add_info(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand("info", "Say what is in a level");
     auto options = std::make_shared<InfoOptions>();
-    verb->add_option("LEVEL", options->level, "OBJ or level file")->required();
+    verb->add_option("LEVEL", options->level, level_help())->required();
     verb->add_flag("--json", options->json, "Print JSON");
     verb->callback([options, &exit_code] {
         exit_code = guarded([&] { return run_info(*options, std::cout, std::cerr); });
@@ -61,7 +57,7 @@ void add_sweep(CLI::App& app, int& exit_code) {
     CLI::App* verb =
         app.add_subcommand("sweep", "Move an ellipsoid through a level and say what it touches first");
     auto words = std::make_shared<SweepWords>();
-    verb->add_option("LEVEL", words->level, "OBJ or level file")->required();
+    verb->add_option("LEVEL", words->level, level_help())->required();
     CLI::Option* test =
         verb->add_option("--test", words->test, "Run what the editor's probe copied as a test")
             ->type_name("FILE");
@@ -97,8 +93,9 @@ void add_sweep(CLI::App& app, int& exit_code) {
 void add_simulate(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand("simulate", "Run a tape of inputs through a level");
     auto options = std::make_shared<SimulateOptions>();
-    verb->add_option("LEVEL", options->level, "OBJ or level file")->required();
+    verb->add_option("LEVEL", options->level, level_help())->required();
     verb->add_option("--tape", options->tape, "Inputs, tick by tick")->required()->type_name("FILE");
+    verb->add_option("--spawn", options->spawn, "Start at this spawn of the level")->type_name("NAME");
     verb->add_option("--preset", options->preset,
                      "Settings instead of the level's and the tape's; a name or a file")
         ->type_name("PRESET");
@@ -121,7 +118,7 @@ void add_simulate(CLI::App& app, int& exit_code) {
 void add_doctor(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand("doctor", "Find what in a level makes movement go wrong");
     auto options = std::make_shared<DoctorOptions>();
-    verb->add_option("LEVEL", options->level, "OBJ or level file")->required();
+    verb->add_option("LEVEL", options->level, level_help())->required();
     verb->add_flag("--json", options->json, "Print JSON");
     verb->callback([options, &exit_code] {
         exit_code = guarded([&] { return run_doctor(*options, std::cout, std::cerr); });
@@ -143,6 +140,7 @@ void add_data_verbs(CLI::App& app, int& exit_code) {
     add_info(app, exit_code);
     add_sweep(app, exit_code);
     add_simulate(app, exit_code);
+    add_why_verbs(app, exit_code);
     add_audit_verb(app, exit_code);
     add_demo_verbs(app, exit_code);
     add_doctor(app, exit_code);

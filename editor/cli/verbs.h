@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/exit_codes.h"
+#include "cli/tape_on_level.h"
 #include "slipface/base/result.h"
 #include "slipface/base/types.h"
 #include "slipface/mesh/import.h"
@@ -20,6 +21,9 @@ class App;
 }
 
 namespace slipface::cli {
+
+// What a LEVEL on the command line may be: every format that can be read, for --help.
+std::string level_help();
 
 struct InfoOptions {
     std::filesystem::path level;
@@ -56,6 +60,7 @@ struct SimulateOptions {
     std::filesystem::path tape;
     std::vector<std::string> settings = {};  // "name=value"; after the level's and the tape's, so they win
     bool json = false;
+    std::string spawn = {};                  // instead of the main one, and of the tape's start
     std::optional<std::string> preset = {};  // name or file; instead of the level's and the tape's settings
     bool csv = false;                        // the run's numbers, a row a tick, instead of the report
     std::optional<std::size_t> tell = {};    // instead of the report what happened in that tick, from 0
@@ -64,6 +69,26 @@ struct SimulateOptions {
 // Runs the tape: final state, a hash a second, distance, events. Fails if the tape names the hash that its
 // end has (`end HASH`), no setting is changed here, and another comes out.
 int run_simulate(const SimulateOptions& options, std::ostream& out, std::ostream& err);
+
+struct WhyOptions {
+    TapeOptions tape;
+    bool json = false;
+};
+
+// What stopped the tape's player, and what would have let it pass (slipface/sim/cures.h).
+int run_why(const WhyOptions& options, std::ostream& out, std::ostream& err);
+
+struct CompareOptions {
+    TapeOptions tape;
+    std::vector<std::string> presets = {};  // names or files; none: all that ship with Slipface
+    bool json = false;
+};
+
+// The tape under several presets, a row each: distance, stops, time in the air, falls.
+int run_compare(const CompareOptions& options, std::ostream& out, std::ostream& err);
+
+// slipface why LEVEL, slipface compare LEVEL.
+void add_why_verbs(CLI::App& app, int& exit_code);
 
 // slipface demo [NAME], slipface preset [NAME].
 void add_demo_verbs(CLI::App& app, int& exit_code);

@@ -166,6 +166,7 @@ AutosaveSession& AutosaveSession::operator=(AutosaveSession&& other) noexcept {
     std::swap(timing_, other.timing_);
     std::swap(name_, other.name_);
     std::swap(lock_, other.lock_);
+    std::swap(held_, other.held_);
     std::swap(number_, other.number_);
     std::swap(written_, other.written_);
     std::swap(writing_, other.writing_);
@@ -179,6 +180,8 @@ AutosaveSession& AutosaveSession::operator=(AutosaveSession&& other) noexcept {
 
 AutosaveSession::~AutosaveSession() {
     static_cast<void>(finish());
+    for (const auto& [session, held] : held_)
+        ::close(held.lock);
     if (lock_ < 0) return;
     // An orderly end: what is left was not wanted.
     for (const auto& [key, files] : autosaves_in(folder_)) {
@@ -195,6 +198,8 @@ AutosaveSession::~AutosaveSession() {
 void AutosaveSession::abandon() {
     static_cast<void>(finish());
     if (lock_ >= 0) ::close(std::exchange(lock_, -1));
+    for (const auto& [session, held] : std::exchange(held_, {}))
+        ::close(held.lock);
 }
 
 std::string AutosaveSession::file_name(const fs::path& mesh_path, std::uint64_t number) const {
@@ -289,7 +294,9 @@ std::vector<AutosaveInfo> AutosaveSession::recoverable() const {
         if (key.first == name_) continue;
         const fs::path lock = folder_ / (key.first + ".lock");
         std::error_code error;
-        if (fs::exists(lock, error)) {
+        const auto held = held_.find(key.first);
+        if (held != held_.end() && held->second.levels.contains(key.second)) continue;
+        if (held == held_.end() && fs::exists(lock, error)) {
             const int handle = take_lock(lock, false);
             if (handle < 0) continue;  // that session is running
             ::close(handle);
@@ -310,6 +317,35 @@ std::vector<AutosaveInfo> AutosaveSession::recoverable() const {
     return found;
 }
 
+bool AutosaveSession::hold(const AutosaveInfo& info) {
+    const auto parts = parts_of(info.file);
+    std::error_code error;
+    if (!parts || !active() || !fs::exists(info.file, error)) return false;
+    Held& held = held_[parts->session];
+    if (held.lock < 0) held.lock = take_lock(folder_ / (parts->session + ".lock"), true);
+    if (held.lock < 0) {
+        held_.erase(parts->session);
+        return false;
+    }
+    // Its owner may have removed it between the look and the lock.
+    if (!fs::exists(info.file, error)) {
+        let_go(info);
+        return false;
+    }
+    held.levels.insert(parts->level);
+    return true;
+}
+
+void AutosaveSession::let_go(const AutosaveInfo& info) {
+    const auto parts = parts_of(info.file);
+    const auto held = parts ? held_.find(parts->session) : held_.end();
+    if (held == held_.end()) return;
+    held->second.levels.erase(parts->level);
+    if (!held->second.levels.empty()) return;
+    ::close(held->second.lock);
+    held_.erase(held);
+}
+
 void AutosaveSession::discard(const AutosaveInfo& info) {
     const auto parts = parts_of(info.file);
     if (!parts || info.file.parent_path() != folder_) return;
@@ -325,6 +361,7 @@ void AutosaveSession::discard(const AutosaveInfo& info) {
             fs::remove(file, ignored);
     }
     if (!others) fs::remove(folder_ / (parts->session + ".lock"), ignored);
+    let_go(info);
 }
 
 Result<std::unique_ptr<Document>> open_recovered(const Autosave& autosave, Progress* progress) {

@@ -9,7 +9,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <future>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -71,6 +73,10 @@ class AutosaveSession {
 
     // The newest autosave of each level that an ended session left, newest first.
     std::vector<AutosaveInfo> recoverable() const;
+    // Takes it for this program, which recovers it, until it is discarded or let go, or this one ends: no
+    // other finds it recoverable meanwhile. False: another has taken it, or it is no more.
+    bool hold(const AutosaveInfo& info);
+    void let_go(const AutosaveInfo& info);
     // Deletes it and the older ones of the same level and session.
     void discard(const AutosaveInfo& info);
 
@@ -84,7 +90,12 @@ class AutosaveSession {
     Timing timing_;
     std::string name_;  // of this session
     int lock_ = -1;
-    std::uint64_t number_ = 0;  // of the next autosave
+    struct Held {
+        int lock = -1;
+        std::set<std::string> levels;  // hashes of their names
+    };
+    std::map<std::string, Held> held_;  // of other sessions, which ended
+    std::uint64_t number_ = 0;          // of the next autosave
     std::size_t written_ = 0;
     std::future<Status> writing_;
     Status last_;

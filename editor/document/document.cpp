@@ -43,6 +43,7 @@ Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& pa
         document->level_ = std::move(loaded->level);
         document->warnings_ = std::move(loaded->warnings);
         document->match_ = loaded->match;
+        document->guessed_ = std::move(loaded->guessed);
         document->level_.overrides.resize(document->mesh().face_count());
         begin_stage(progress, "Building the collision world", 1.0, 1.0);
         if (const Status status = document->rebuild_geometry(); !status) return status.error();
@@ -80,8 +81,8 @@ Status Document::save_as(const std::filesystem::path& level_file) {
     return status;
 }
 
-void Document::paint(std::span<const FaceId> faces, std::optional<SurfaceId> surface) {
-    if (surface && *surface >= level_.surfaces.size()) return;
+std::size_t Document::paint(std::span<const FaceId> faces, std::optional<SurfaceId> surface) {
+    if (surface && *surface >= level_.surfaces.size()) return 0;
     FaceEdit edit;
     for (const FaceId face : faces)
         if (face < level_.overrides.size() && level_.overrides[face] != surface)
@@ -93,7 +94,9 @@ void Document::paint(std::span<const FaceId> faces, std::optional<SurfaceId> sur
         std::unique(edit.faces.begin(), edit.faces.end(),
                     [](const FaceEdit::Face& a, const FaceEdit::Face& b) { return a.face == b.face; }),
         edit.faces.end());
-    if (!edit.faces.empty()) perform(paint_step_name(level_, surface), std::move(edit));
+    const std::size_t changed = edit.faces.size();
+    if (changed > 0) perform(paint_step_name(level_, surface), std::move(edit));
+    return changed;
 }
 
 template <class ValueOf>
@@ -200,15 +203,29 @@ void Document::set_rules(std::vector<MaterialRule> rules) {
     change(RulesEdit{level_.rules, std::move(rules)}, "Change material rules");
 }
 
-void Document::set_spawn(Spawn to) {
-    if (to.position.allFinite() && std::isfinite(to.yaw)) change(SpawnEdit{spawn(), to}, "Set spawn point");
+void Document::set_spawn(const Spawn& to) {
+    std::vector<Spawn> spawns = all_spawns(level_);
+    if (spawns.empty()) spawns.emplace_back();
+    spawns.front().position = to.position;
+    spawns.front().yaw = to.yaw;
+    set_spawns(std::move(spawns), "Set spawn point");
+}
+
+void Document::set_spawns(std::vector<Spawn> spawns, std::string step_name) {
+    if (spawns_problem(spawns).empty())
+        change(SpawnsEdit{all_spawns(level_), std::move(spawns)}, std::move(step_name));
+}
+
+void Document::set_fall_limit(std::optional<double> height) {
+    if (!height || (std::isfinite(*height) && std::abs(*height) <= 1e9))
+        change(FallLimitEdit{{level_.fall_limit}, {height}}, "Set fall limit");
 }
 
 void Document::set_cameras(std::vector<CameraBookmark> cameras, std::string step_name) {
     change(CamerasEdit{level_.cameras, std::move(cameras)}, std::move(step_name));
 }
 
-void Document::restore(Level level, std::string step_name) {
+void Document::restore(Level level, std::string step_name, std::vector<FaceId> guessed) {
     if (in_transaction() || level.mesh != level_.mesh) return;
     level.overrides.resize(mesh().face_count());
     Transaction transaction(*this, std::move(step_name));
@@ -216,6 +233,13 @@ void Document::restore(Level level, std::string step_name) {
                           std::make_shared<const Level>(std::move(level))});
     select({selection_.begin(), selection_.end()});  // without what is hidden now
     transaction.commit();
+    guessed_ = std::move(guessed);
+    tidy(guessed_, mesh().face_count());
+}
+
+void Document::accept_guessed() {
+    guessed_.clear();
+    ++revision_;
 }
 
 namespace {
@@ -263,9 +287,11 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
             touched.types = true;
             self.level_.rules = side(one, forward);
         }
-        void operator()(const SpawnEdit& one) const {
-            self.level_.spawn = side(one, forward).position;
-            self.level_.spawn_yaw = side(one, forward).yaw;
+        void operator()(const SpawnsEdit& one) const {
+            slipface::set_spawns(self.level_, side(one, forward));
+        }
+        void operator()(const FallLimitEdit& one) const {
+            self.level_.fall_limit = side(one, forward).height;
         }
         void operator()(const CamerasEdit& one) const { self.level_.cameras = side(one, forward); }
         void operator()(const OrphansEdit& one) const { self.level_.orphans = side(one, forward); }
@@ -273,6 +299,7 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
             const Geometry& geometry = side(one, forward);
             self.level_.mesh = geometry.mesh;
             self.level_.import_transform = geometry.import_transform;
+            self.level_.import_summary = geometry.import_summary;
             self.level_.mesh_stamp = geometry.stamp;
             self.level_.overrides = geometry.overrides;
             self.level_.orphans = geometry.orphans;
@@ -281,6 +308,7 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
             self.level_.selections = geometry.saved_selections;
             self.warnings_ = geometry.warnings;
             self.match_ = geometry.match;
+            self.guessed_ = geometry.guessed;
             touched.geometry = touched.types = true;
         }
         void operator()(const LevelEdit& one) const {
@@ -289,6 +317,7 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
             level.mesh_path = self.level_.mesh_path;
             level.mesh_stamp = self.level_.mesh_stamp;
             level.import_transform = self.level_.import_transform;
+            level.import_summary = self.level_.import_summary;
             self.level_ = std::move(level);
             touched.types = touched.hidden = true;
         }

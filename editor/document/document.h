@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "slipface/level/find_start.h"
 #include "slipface/level/level_file.h"
 #include "slipface/movement/step.h"
 
@@ -35,21 +36,22 @@ template <class T>
 struct ValueEdit {
     T before, after;
 };
-struct Spawn {
-    Vec3 position;
-    double yaw;
-    friend bool operator==(const Spawn&, const Spawn&) = default;
-};
 using MovementEdit = ValueEdit<MovementSettings>;
 using SurfacesEdit = ValueEdit<std::vector<SurfaceType>>;
 using RulesEdit = ValueEdit<std::vector<MaterialRule>>;
-using SpawnEdit = ValueEdit<Spawn>;
+using SpawnsEdit = ValueEdit<std::vector<Spawn>>;
+struct FallLimit {
+    std::optional<double> height;
+    friend bool operator==(const FallLimit&, const FallLimit&) = default;
+};
+using FallLimitEdit = ValueEdit<FallLimit>;
 using CamerasEdit = ValueEdit<std::vector<CameraBookmark>>;
 using OrphansEdit = ValueEdit<std::vector<Orphan>>;
 // What a new look at the geometry's file replaces at once.
 struct Geometry {
     MeshPtr mesh;
     ImportTransform import_transform;
+    ImportSummary import_summary;
     FileStamp stamp;
     std::vector<std::optional<SurfaceId>> overrides;
     std::vector<Orphan> orphans;
@@ -57,6 +59,7 @@ struct Geometry {
     std::vector<SavedSelection> saved_selections;
     Warnings warnings;
     MatchSummary match;
+    std::vector<FaceId> guessed;
     friend bool operator==(const Geometry& a, const Geometry& b) { return a.mesh == b.mesh; }
 };
 using GeometryEdit = ValueEdit<Geometry>;
@@ -64,7 +67,7 @@ using SavedSelectionsEdit = ValueEdit<std::vector<SavedSelection>>;
 using LevelEdit = ValueEdit<std::shared_ptr<const Level>>;  // everything on the same mesh: a recovery
 using Edit =
     std::variant<FaceEdit, SelectionEdit, HiddenEdit, SavedSelectionsEdit, MovementEdit, SurfacesEdit,
-                 RulesEdit, SpawnEdit, CamerasEdit, OrphansEdit, GeometryEdit, LevelEdit>;
+                 RulesEdit, SpawnsEdit, FallLimitEdit, CamerasEdit, OrphansEdit, GeometryEdit, LevelEdit>;
 
 // What is asked of faces again and again, worked out once.
 struct FaceFacts {
@@ -81,6 +84,7 @@ struct PickRay {
 struct HistoryStep {
     std::string name;         // "Paint ice", as menus show it
     std::vector<Edit> edits;  // at most one of each kind, so their order does not matter
+    bool keeps_file = false;  // the level file says the same with and without it
 
     bool changes_file() const;  // false: it only selects
 };
@@ -99,6 +103,9 @@ class Document {
     const FaceNeighbours& neighbours() const { return neighbours_; }
     const Warnings& warnings() const { return warnings_; }
     const MatchSummary& match() const { return match_; }
+    // Faces that got their paint by plane or by nearest when the level was read, and were not accepted since.
+    std::span<const FaceId> guessed() const { return guessed_; }  // ascending
+    void accept_guessed();                                        // they are right: no step of history
     MovementScene scene() const { return {collision_, level_.surfaces}; }
     const FaceFacts& facts() const { return facts_; }
     std::span<const FaceId> selection() const { return selection_; }  // ascending
@@ -161,7 +168,8 @@ class Document {
 
     // Changes. Each is one step of history, unless a transaction is open; one that changes nothing leaves no
     // step.
-    void paint(std::span<const FaceId> faces, std::optional<SurfaceId> surface);  // nothing: unset
+    // Nothing: unset. Returns how many faces changed.
+    std::size_t paint(std::span<const FaceId> faces, std::optional<SurfaceId> surface);
     void select(std::vector<FaceId> faces, std::string step_name = {});  // the hidden ones are left out
     void hide(std::vector<FaceId> faces, std::string step_name);         // exactly these are hidden then
     // More than max_saved_selections are ignored: the file could not be read again.
@@ -178,11 +186,16 @@ class Document {
         SurfaceId surface);  // later types move down by one; ignored while removal_problem() has a reason
     std::string removal_problem(SurfaceId surface) const;
     void set_rules(std::vector<MaterialRule> rules);
-    void set_spawn(Spawn spawn);
+    // The main spawn's place; it keeps its name.
+    void set_spawn(const Spawn& spawn);
+    // All of them, the main one first. Ignored while spawns_problem() has a reason.
+    void set_spawns(std::vector<Spawn> spawns, std::string step_name);
+    void set_fall_limit(std::optional<double> height);  // nothing: the usual one
     void set_cameras(std::vector<CameraBookmark> cameras, std::string step_name = "Change cameras");
     // Takes over all that `level` adds to the mesh, which must be this document's. The files' names stay.
     // Ignored during a transaction.
-    void restore(Level level, std::string step_name);
+    // `guessed`: of its painted faces, those whose paint was guessed.
+    void restore(Level level, std::string step_name, std::vector<FaceId> guessed = {});
     // As it is now, for a thread that saves or examines it; it shares the mesh.
     Level snapshot() const { return level_; }
 
@@ -217,7 +230,6 @@ class Document {
     };
 
     Document();
-    Spawn spawn() const { return {level_.spawn, level_.spawn_yaw}; }
     void apply(const Edit& edit, bool forward, Touched& touched);
     void apply(const HistoryStep& step, bool forward);
     void refresh(const Touched& touched);
@@ -240,7 +252,7 @@ class Document {
     Warnings warnings_;
     MatchSummary match_;
     FaceFacts facts_;
-    std::vector<FaceId> selection_;
+    std::vector<FaceId> selection_, guessed_;
     std::vector<std::uint8_t> hidden_flags_;  // [face]; of level_.hidden
     std::vector<HistoryStep> history_;
     std::size_t cursor_ = 0;

@@ -2,7 +2,17 @@
 
 #include <sys/stat.h>
 
+#include "slipface/base/files.h"
+
 namespace slipface {
+namespace {
+
+FileStamp content_of(const std::filesystem::path& file) {
+    const Result<std::string> bytes = read_file(file);
+    return bytes ? file_stamp(*bytes) : FileStamp();
+}
+
+}  // namespace
 
 FileWatch::Stamp FileWatch::stamp_of(const std::filesystem::path& file) {
     struct stat status {};
@@ -16,18 +26,23 @@ void FileWatch::start(const std::filesystem::path& mesh, const std::filesystem::
     level_ = level_file;
     mesh_known_ = mesh_now_ = stamp_of(mesh_);
     level_known_ = level_now_ = stamp_of(level_);
+    level_content_ = content_of(level_);
     watching_ = true;
     told_ = false;
+}
+
+bool FileWatch::level_has_other_content() const {
+    return content_of(level_) != level_content_;
 }
 
 bool FileWatch::poll() {
     if (!watching_) return false;
     const Stamp mesh = stamp_of(mesh_), level = stamp_of(level_);
-    const bool at_rest = mesh == mesh_now_ && level == level_now_;
-    if (!at_rest) told_ = false;
+    at_rest_ = mesh == mesh_now_ && level == level_now_;
+    if (!at_rest_) told_ = false;
     mesh_now_ = mesh;
     level_now_ = level;
-    if (!at_rest || told_ || !mesh.there) return false;
+    if (!at_rest_ || told_ || !mesh.there) return false;
     if (mesh == mesh_known_ && level == level_known_) return false;
     told_ = true;
     return true;

@@ -1,6 +1,8 @@
 #include "document/folders.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <system_error>
 
 namespace slipface {
 namespace {
@@ -24,6 +26,31 @@ std::filesystem::path state_folder() {
 }
 std::filesystem::path cache_folder() {
     return xdg_folder("XDG_CACHE_HOME", ".cache");
+}
+
+std::filesystem::path data_folder(std::filesystem::path program) {
+    std::error_code error;
+    if (program.empty()) program = std::filesystem::read_symlink("/proc/self/exe", error);
+    const auto holds_levels = [&error](const std::filesystem::path& folder) {
+        return std::filesystem::is_directory(folder / "levels", error);
+    };
+    std::filesystem::path folder = program.parent_path();
+    if (const auto installed = folder.parent_path() / "share" / "slipface"; holds_levels(installed))
+        return installed;
+    for (; folder.has_relative_path(); folder = folder.parent_path())
+        if (holds_levels(folder / "assets")) return folder / "assets";
+    return {};
+}
+
+std::vector<std::filesystem::path> sample_levels() {
+    std::vector<std::filesystem::path> levels;
+    const std::filesystem::path data = data_folder();
+    if (data.empty()) return levels;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(data / "levels", error))
+        if (entry.path().extension() == ".obj") levels.push_back(entry.path());
+    std::sort(levels.begin(), levels.end());
+    return levels;
 }
 
 }  // namespace slipface

@@ -1,7 +1,9 @@
-// Where the program keeps its own files, as the XDG base directory specification says.
+// Where the program stores its own files, as the XDG base directory specification says, and where those lie
+// that come with it.
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 namespace slipface {
 
@@ -12,5 +14,13 @@ namespace slipface {
 std::filesystem::path config_folder();
 std::filesystem::path state_folder();
 std::filesystem::path cache_folder();
+
+// The folder that holds `levels`, `presets` and `tapes`: PREFIX/share/slipface of a program in PREFIX/bin,
+// else `assets` of the source tree that the program was built in. Empty when there is neither. `program` is
+// the running program's file unless a caller names another.
+std::filesystem::path data_folder(std::filesystem::path program = {});
+
+// The OBJ files of the levels that come with the program, by name. None when data_folder() is empty.
+std::vector<std::filesystem::path> sample_levels();
 
 }  // namespace slipface

@@ -30,23 +30,68 @@ Status Document::set_import_transform(const ImportTransform& transform, Progress
     if (transform == level_.import_transform) return {};
     Result<LoadedLevel> loaded = reload_mesh(level_, transform, progress);
     if (!loaded) return loaded.error();
-    return take_geometry(std::move(loaded).value(), "Change scale and up axis");
+    std::vector<Spawn> moved = all_spawns(loaded->level);
+    if (Status status = take_geometry(std::move(loaded).value(), "Change scale and up axis"); !status)
+        return status;
+    if (moved == all_spawns(level_)) return {};
+    // The spawns follow in the same step.
+    Edit edit = SpawnsEdit{all_spawns(level_), std::move(moved)};
+    Touched touched;
+    apply(edit, true, touched);
+    refresh(touched);
+    history_[cursor_ - 1].edits.push_back(std::move(edit));
+    return {};
+}
+
+// What the level file holds is found again exactly: reading it with the new geometry gives this state.
+static bool annotations_stay(const Level& before, const LoadedLevel& after) {
+    const auto painted = [](const Level& level) {
+        return std::count_if(level.overrides.begin(), level.overrides.end(),
+                             [](const auto& surface) { return surface.has_value(); });
+    };
+    const auto same_size = [](const SavedSelection& a, const SavedSelection& b) {
+        return a.faces.size() == b.faces.size();
+    };
+    return after.guessed.empty() && before.import_transform == after.level.import_transform &&
+           painted(before) == painted(after.level) && before.orphans.size() == after.level.orphans.size() &&
+           before.hidden.size() == after.level.hidden.size() &&
+           std::equal(before.selections.begin(), before.selections.end(), after.level.selections.begin(),
+                      after.level.selections.end(), same_size);
 }
 
 Status Document::take_geometry(LoadedLevel loaded, std::string step_name) {
     if (in_transaction())
         return Error{level_.mesh_path.string(), "cannot be read again while a change is being made"};
-    Geometry before{level_.mesh, level_.import_transform, level_.mesh_stamp, level_.overrides, level_.orphans,
-                    selection_,  level_.hidden,           level_.selections, warnings_,        match_};
+    Geometry before{level_.mesh,
+                    level_.import_transform,
+                    level_.import_summary,
+                    level_.mesh_stamp,
+                    level_.overrides,
+                    level_.orphans,
+                    selection_,
+                    level_.hidden,
+                    level_.selections,
+                    warnings_,
+                    match_,
+                    guessed_};
+    const bool stays = annotations_stay(level_, loaded);
     // What is selected is for the moment: on another mesh it would have to be guessed.
     const bool same_faces = loaded.level.mesh->face_first_corner == level_.mesh->face_first_corner &&
                             loaded.level.mesh_stamp == level_.mesh_stamp;
-    Geometry after{std::move(loaded.level.mesh),    loaded.level.import_transform,
-                   loaded.level.mesh_stamp,         std::move(loaded.level.overrides),
-                   std::move(loaded.level.orphans), same_faces ? selection_ : std::vector<FaceId>(),
-                   std::move(loaded.level.hidden),  std::move(loaded.level.selections),
-                   std::move(loaded.warnings),      loaded.match};
+    Geometry after{std::move(loaded.level.mesh),
+                   loaded.level.import_transform,
+                   std::move(loaded.level.import_summary),
+                   loaded.level.mesh_stamp,
+                   std::move(loaded.level.overrides),
+                   std::move(loaded.level.orphans),
+                   same_faces ? selection_ : std::vector<FaceId>(),
+                   std::move(loaded.level.hidden),
+                   std::move(loaded.level.selections),
+                   std::move(loaded.warnings),
+                   loaded.match,
+                   std::move(loaded.guessed)};
     perform(std::move(step_name), GeometryEdit{std::move(before), std::move(after)});
+    history_.back().keeps_file = stays;
     return {};
 }
 

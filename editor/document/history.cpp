@@ -48,8 +48,9 @@ void merge_into(Edit& earlier, Edit&& later) {
 }  // namespace
 
 bool HistoryStep::changes_file() const {
-    return std::any_of(edits.begin(), edits.end(),
-                       [](const Edit& edit) { return !std::holds_alternative<SelectionEdit>(edit); });
+    return !keeps_file && std::any_of(edits.begin(), edits.end(), [](const Edit& edit) {
+        return !std::holds_alternative<SelectionEdit>(edit);
+    });
 }
 
 void Document::perform(std::string step_name, Edit edit) {
@@ -57,7 +58,7 @@ void Document::perform(std::string step_name, Edit edit) {
     apply(edit, true, touched);
     refresh(touched);
     if (depth_ == 0) {
-        HistoryStep step{std::move(step_name), {}};
+        HistoryStep step{std::move(step_name), {}, false};
         step.edits.push_back(std::move(edit));
         push(std::move(step));
         return;
@@ -86,7 +87,7 @@ void Document::push(HistoryStep step) {
 }
 
 void Document::begin(std::string name) {
-    if (depth_++ == 0) open_step_ = {std::move(name), {}};
+    if (depth_++ == 0) open_step_ = {std::move(name), {}, false};
 }
 
 void Document::commit() {
@@ -102,7 +103,7 @@ void Document::cancel() {
     if (depth_ == 0) return;
     --depth_;
     const std::vector<Edit> edits = std::exchange(open_step_.edits, {});
-    if (!edits.empty()) apply(HistoryStep{{}, edits}, false);
+    if (!edits.empty()) apply(HistoryStep{{}, edits, false}, false);
 }
 
 void Document::undo() {

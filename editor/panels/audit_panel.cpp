@@ -3,6 +3,7 @@
 
 #include "panels/panels.h"
 #include "panels/property_rows.h"
+#include "panels/viewport_panel.h"
 #include "tools/audit_job.h"
 #include "tools/icons.h"
 #include "tools/lab_actions.h"
@@ -11,18 +12,6 @@
 
 namespace slipface {
 namespace {
-
-struct HeatText {
-    const char* meaning;
-    const char* unit;
-};
-constexpr HeatText heat_texts[] = {
-    {"Speed that contacts with a face took away, all walkers together", "m/s"},
-    {"Ticks on a face in which a walker hardly moved although it was asked to", "ticks"},
-    {"Ticks of falling close above a face without finding ground", "ticks"},
-    {"Ticks that walkers spent on a face", "ticks"},
-    {"Faces flat enough to stand on where no walker ever was", ""},
-};
 
 void start_row(Editor& editor) {
     static AuditSettings wanted;
@@ -63,7 +52,7 @@ void heat_rows(Editor& editor) {
     int kind = static_cast<int>(job.kind);
     ImGui::SetNextItemWidth(-1.0f);
     if (ui::combo("##Kind", &kind, heat_names.data(), static_cast<int>(heat_names.size()),
-                  heat_texts[kind].meaning))
+                  info_of(static_cast<HeatKind>(kind)).meaning))
         job.kind = static_cast<HeatKind>(kind);
     if (job.kind == HeatKind::unreached) {
         std::size_t count = 0;
@@ -71,10 +60,11 @@ void heat_rows(Editor& editor) {
             count += share > 0.0f;
         ui::muted_text(fmt::format("{} faces", count).c_str());
     } else {
-        ui::muted_text(
-            fmt::format("Most on one face: {:.0f} {}", job.worst(job.kind), heat_texts[kind].unit).c_str());
+        const float width = ImGui::GetContentRegionAvail().x;
+        ImGui::Dummy(
+            {width, draw_heat_bar(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), width, job)});
     }
-    ui::muted_text(heat_texts[kind].meaning);
+    ui::muted_text(info_of(static_cast<HeatKind>(kind)).meaning);
 }
 
 void finding_rows(Editor& editor) {
@@ -90,14 +80,20 @@ void finding_rows(Editor& editor) {
     constexpr std::size_t most = 200;
     for (std::size_t i = 0; i < std::min(most, report.findings.size()); ++i) {
         const AuditFinding& finding = report.findings[i];
-        const std::string text = fmt::format(
-            "{}: walker {}, tick {}, face {}",
-            sentence_case(finding_names[static_cast<std::size_t>(finding.kind)]), finding.walker,
-            finding.tick, finding.face == no_id ? std::string("none") : std::to_string(finding.face));
         ImGui::PushID(static_cast<int>(i));
-        if (ImGui::Selectable(text.c_str(), job.opened == i)) wanted = i;
+        // The sentence takes as many lines as it needs.
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float width = ImGui::GetContentRegionAvail().x;
+        const float height = ImGui::CalcTextSize(finding.text.c_str(), nullptr, false, width).y;
+        if (ImGui::Selectable("##finding", job.opened == i, 0, {width, height})) wanted = i;
+        ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), at,
+                                            ImGui::GetColorU32(ImGuiCol_Text), finding.text.c_str(), nullptr,
+                                            width);
         ui::record_last_item(std::to_string(i + 1), true, job.opened == i);
-        ui::tooltip("Open the walker's run at the tick before it went wrong");
+        const FindingKindInfo& info = info_of(finding.kind);
+        ui::tooltip(fmt::format("{}.\n\n{}.\n{}.\n\nClick to open the run at the tick before it",
+                                finding.text, info.meaning, info.remedy)
+                        .c_str());
         ImGui::PopID();
     }
     if (report.findings.size() > most)
@@ -127,8 +123,8 @@ void audit_panel(Editor& editor, FrameContext& frame) {
     const AuditReport& report = *job.report();
     ui::heading("Result");
     fact("Steps", std::to_string(report.steps));
-    for (std::size_t i = 0; i < finding_names.size(); ++i)
-        fact(sentence_case(finding_names[i]).c_str(), std::to_string(report.counts[i]));
+    for (std::size_t i = 0; i < finding_kind_count; ++i)
+        fact(info_of(static_cast<FindingKind>(i)).label, std::to_string(report.counts[i]));
     fact("Hazards", std::to_string(report.hazards));
     if (report.crushed > 0) fact("Crushed", std::to_string(report.crushed));
     if (report.cancelled) ui::muted_text("Cancelled before the end");

@@ -42,10 +42,12 @@ void run_rows(Editor& editor) {
         ui::record_last_item("Shown", true, run.shown);
         ui::tooltip("Draw this run in the view and on the timeline");
         ImGui::SameLine();
-        if (ImGui::Selectable(
-                run.name.c_str(), lab.told() == i, 0,
-                {ImGui::GetContentRegionAvail().x - (run.kind == LabRun::Kind::pinned ? 4.2f * em : 0), 0}))
+        const float room =
+            ImGui::GetContentRegionAvail().x - (run.kind == LabRun::Kind::pinned ? 4.2f * em : 0.0f);
+        const ImVec2 text = ImGui::GetCursorScreenPos();
+        if (ImGui::Selectable("##tell", lab.told() == i, 0, {room, ImGui::GetTextLineHeight()}))
             lab.tell_of(i);
+        ui::ellipsis(text, text.x + room, ui::palette().text, run.name);
         ui::record_last_item("Tell", true, lab.told() == i);
         settings_tooltip(run, lab.runs().front());
         if (run.kind == LabRun::Kind::pinned) {
@@ -72,7 +74,7 @@ void run_rows(Editor& editor) {
                     lab.tell_of(i);
                     look_at_cursor(editor);
                 }
-                ImGui::SameLine();
+                ui::flow(ui::button_width("Furthest apart"));
                 if (ui::button("Furthest apart", "Go to the tick at which the two are furthest apart")) {
                     lab.motion = LabMotion::paused;
                     lab.seek(divergence->worst_tick);
@@ -97,7 +99,7 @@ void side_by_side(Editor& editor) {
     const std::size_t other = lab.told() == 0 ? 1 : lab.told();
     if (other >= lab.runs().size()) return;
     ui::heading("Side by side");
-    const auto& surfaces = editor.document->level().surfaces;
+    const StoryNames names(editor.document->level());
     const auto& divergence = lab.divergence(other);
     if (!divergence) {
         ui::muted_text("The two runs are the same");
@@ -105,8 +107,8 @@ void side_by_side(Editor& editor) {
     }
     ui::muted_text(("The stories of " + tick_text(lab, lab.cursor())).c_str());
     const std::vector<StoryLine> stories[2] = {
-        tell(lab.runs()[0].run.trace(lab.scene(*editor.document), lab.cursor()), surfaces),
-        tell(lab.runs()[other].run.trace(lab.scene(*editor.document), lab.cursor()), surfaces)};
+        tell(lab.runs()[0].run.trace(lab.scene(*editor.document), lab.cursor()), names),
+        tell(lab.runs()[other].run.trace(lab.scene(*editor.document), lab.cursor()), names)};
     if (!ImGui::BeginTable("stories", 2, ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingStretchSame))
         return;
     ImGui::TableNextRow();
@@ -123,8 +125,7 @@ void side_by_side(Editor& editor) {
             ImGui::TableNextColumn();
             if (i >= story.size()) continue;
             ImGui::PushStyleColor(ImGuiCol_Text, same ? ui::palette().muted : ui::palette().text);
-            ImGui::TextUnformatted(
-                wrap_words(story[i].title + ": " + story[i].text, ImGui::GetContentRegionAvail().x).c_str());
+            ImGui::TextUnformatted(wrap_words(line_text(story[i]), ImGui::GetContentRegionAvail().x).c_str());
             ImGui::PopStyleColor();
         }
     }
@@ -162,6 +163,33 @@ void rates(Editor& editor) {
     ui::muted_text(fmt::format("Worst deviation from the tape's own rate: {}", distance_text(worst)).c_str());
 }
 
+void presets(Editor& editor) {
+    Lab& lab = editor.lab;
+    ui::heading("Presets");
+    ui::checkbox("Run the tape under every preset", &lab.show_presets,
+                 "The same inputs under the settings of each preset, compared");
+    if (!lab.show_presets) return;
+    if (!ImGui::BeginTable("presets", 5, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg)) return;
+    for (const char* name : {"Preset", "Distance", "Stops", "In air", "Falls"})
+        ImGui::TableSetupColumn(name);
+    ImGui::TableHeadersRow();
+    for (const SummaryRow& row : lab.presets(*editor.document)) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(row.name.c_str());
+        ImGui::TableNextColumn();
+        ImGui::Text("%.1f m", row.summary.distance_m);
+        ImGui::TableNextColumn();
+        ImGui::TextColored(row.summary.stops > 0 ? ui::palette().bad : ui::palette().text, "%zu",
+                           row.summary.stops);
+        ImGui::TableNextColumn();
+        ImGui::Text("%.1f s", row.summary.air_s);
+        ImGui::TableNextColumn();
+        ImGui::Text("%zu", row.summary.falls + row.summary.hazards);
+    }
+    ImGui::EndTable();
+}
+
 }  // namespace
 
 void ghosts_panel(Editor& editor) {
@@ -181,6 +209,7 @@ void ghosts_panel(Editor& editor) {
                    "Run the tape under the settings as they are now as one more ghost",
                    lab.runs().size() < Lab::max_runs))
         run_command(editor, "lab.pin");
+    presets(editor);
     rates(editor);
     side_by_side(editor);
 }

@@ -23,17 +23,17 @@ void history_panel(Editor& editor) {
         for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
             const auto at = static_cast<std::size_t>(row);
             const std::string name = at == 0 ? "Opened" : steps[at - 1].name;
-            const bool undone = at > cursor;
-            if (undone) ImGui::PushStyleColor(ImGuiCol_Text, ui::palette().muted);
+            const bool undone = at > cursor, saved = document.saved_cursor() == at;
+            const float em = ImGui::GetFontSize();
+            const ImVec2 place = ImGui::GetCursorScreenPos();
+            const float end = place.x + ImGui::GetContentRegionAvail().x;
+            const float mark = end - ImGui::CalcTextSize("saved").x;
             if (ImGui::Selectable(("##" + std::to_string(at)).c_str(), at == cursor)) wanted = at;
             ui::record_last_item(std::to_string(at), !document.in_transaction());
             ui::tooltip(undone ? "Do again up to here" : "Undo back to here");
-            ImGui::SameLine(0.5f * ImGui::GetFontSize());
-            ImGui::TextUnformatted(name.c_str());
-            if (undone) ImGui::PopStyleColor();
-            if (document.saved_cursor() != at) continue;
-            ImGui::SameLine();
-            ImGui::TextDisabled("saved");
+            ui::ellipsis({place.x + 0.5f * em, place.y}, saved ? mark - 0.5f * em : end,
+                         undone ? ui::palette().muted : ui::palette().text, name);
+            if (saved) ui::ellipsis({mark, place.y}, end + 1.0f, ui::palette().muted, "saved");
         }
     }
     if (!wanted) return;

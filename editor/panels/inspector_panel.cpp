@@ -11,6 +11,7 @@
 #include "panels/property_rows.h"
 #include "tools/face_summary.h"
 #include "tools/icons.h"
+#include "widgets/theme.h"
 #include "widgets/ui.h"
 
 namespace slipface {
@@ -68,7 +69,10 @@ void type_fact(const Document& document, const FaceSummary& summary) {
     draw_swatch(*ImGui::GetWindowDrawList(), at, {at.x + em, at.y + em}, type, 0.2f * em);
     ImGui::Dummy({em, em});
     ImGui::SameLine();
-    ImGui::TextUnformatted(type.name.c_str());
+    const ImVec2 text = ImGui::GetCursorScreenPos();
+    const float room = ImGui::GetContentRegionAvail().x;
+    ui::ellipsis(text, text.x + room, ui::palette().text, type.name);
+    ImGui::Dummy({room, ImGui::GetTextLineHeight()});
 }
 
 // What unsetting the painted faces would make of them.

@@ -77,12 +77,12 @@ LabTrack lab_track(const Lab& lab, ImVec2 min, ImVec2 max) {
     return {min, max, lab.shown_first(), lab.shown_last()};
 }
 
-void lab_track_gestures(Editor& editor, const LabTrack& track) {
+void lab_track_gestures(Editor& editor, const LabTrack& track, std::optional<std::size_t> pressed) {
     Lab& lab = editor.lab;
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemActive()) {
         lab.motion = LabMotion::paused;
-        lab.seek(static_cast<std::size_t>(std::max(0.0, track.tick_at(io.MousePos.x))));
+        lab.seek(pressed.value_or(static_cast<std::size_t>(std::max(0.0, track.tick_at(io.MousePos.x)))));
     }
     if (!ImGui::IsItemHovered() || io.MouseWheel == 0.0f) return;
     const double wheel = static_cast<double>(io.MouseWheel);

@@ -26,7 +26,9 @@ struct LabTrack {
 
 LabTrack lab_track(const Lab& lab, ImVec2 min, ImVec2 max);
 // Pressing and dragging scrubs, the wheel goes one tick a notch, with Ctrl it zooms. After the strip's item.
-void lab_track_gestures(Editor& editor, const LabTrack& track);
+// `pressed`: the tick that was pressed, if it is not the pixel's.
+void lab_track_gestures(Editor& editor, const LabTrack& track,
+                        std::optional<std::size_t> pressed = std::nullopt);
 void draw_lab_cursor(const Editor& editor, const LabTrack& track);
 
 // Of run `index` of the lab, in the view as in the panels; of the record that is lit in the view; of the

@@ -71,6 +71,7 @@ void draw_swatch(ImDrawList& list, ImVec2 min, ImVec2 max, const SurfaceType& ty
     list.PushClipRect(min, max, true);
     draw_hatch(list, min, max, type.hatch, IM_COL32(16, 18, 22, 150));
     list.PopClipRect();
+    list.AddRect(min, max, ui::packed(ui::with_alpha(ui::palette().muted, 0.8f)), rounding);
 }
 
 namespace {
@@ -187,9 +188,7 @@ void draw_legend(const Editor& editor, const LegendPlace& place) {
         else
             list.AddRectFilled(at, {at.x + side, at.y + side}, walk_rows[i].color, 3 * scale);
         const float name_x = at.x + side + 9 * scale;
-        const ImVec4 clip{name_x, at.y - row_height(), name_x + place.name_width, at.y + row_height()};
-        list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {name_x, text_y}, ui::packed(p.text),
-                     row.name.c_str(), nullptr, 0.0f, &clip);
+        ui::ellipsis({name_x, text_y}, name_x + place.name_width + 1.0f, p.text, row.name);
         const auto right = [&](float x, const std::string& text) {
             list.AddText({x - ImGui::CalcTextSize(text.c_str()).x, text_y}, ui::packed(p.muted),
                          text.c_str());

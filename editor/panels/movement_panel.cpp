@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "panels/hack_card.h"
 #include "panels/panels.h"
@@ -10,24 +11,34 @@
 #include "slipface/level/preset.h"
 #include "tools/icons.h"
 #include "tools/lab_actions.h"
+#include "widgets/theme.h"
 #include "widgets/ui.h"
 
 namespace slipface {
 namespace {
 
-const MovementSettings defaults;
-
 bool is_switch(const SettingInfo& info) {
     return std::holds_alternative<bool MovementSettings::*>(info.member);
 }
 bool is_choice(const SettingInfo& info) {
-    return std::holds_alternative<PushOut MovementSettings::*>(info.member);
+    return !choice_names(info).empty();
 }
 bool is_whole(const SettingInfo& info) {
     return std::holds_alternative<int MovementSettings::*>(info.member);
 }
 
+// What the panel compares with: the preset that the settings are nearest to.
+const MovementSettings& standard_settings(const Editor& editor) {
+    return nearest_preset(editor.document->level().movement).preset->preset.settings;
+}
+
+std::string value_text(const MovementSettings& settings, const SettingInfo& info) {
+    return is_switch(info) || is_choice(info) ? setting_text(settings, info)
+                                              : number_text(get_setting(settings, info), info.unit);
+}
+
 std::string setting_tooltip(const SettingInfo& info) {
+    const MovementSettings defaults;
     std::string text = info.meaning;
     text += "\n\n";
     if (is_switch(info) || is_choice(info))
@@ -46,13 +57,18 @@ void put(Editor& editor, const SettingInfo& info, double value) {
         editor.document->set_movement(movement, "Change " + to_lower(info.label));
 }
 
+std::string words_of(std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
 void choice_control(Editor& editor, const SettingInfo& info, double value, const std::string& tooltip) {
-    std::array<std::string, push_out_names.size()> texts;
-    std::array<const char*, push_out_names.size()> names{};
-    for (std::size_t i = 0; i < texts.size(); ++i) {
-        texts[i] = sentence_case(push_out_names[i]);
-        names[i] = texts[i].c_str();
-    }
+    std::vector<std::string> texts;
+    for (const char* name : choice_names(info))
+        texts.push_back(sentence_case(words_of(name)));
+    std::vector<const char*> names;
+    for (const std::string& text : texts)
+        names.push_back(text.c_str());
     int index = static_cast<int>(value);
     const std::string id = std::string("##") + info.label;
     if (ui::combo(id.c_str(), &index, names.data(), static_cast<int>(names.size()), tooltip.c_str()))
@@ -62,7 +78,7 @@ void choice_control(Editor& editor, const SettingInfo& info, double value, const
 void setting_row(Editor& editor, const SettingInfo& info) {
     const MovementSettings& movement = editor.document->level().movement;
     double value = get_setting(movement, info);
-    const double standard = get_setting(defaults, info);
+    const double standard = get_setting(standard_settings(editor), info);
     const bool modified = value != standard;
     const std::string tooltip = setting_tooltip(info);
     const float indent = *info.switch_name ? 1.2f * ImGui::GetFontSize() : 0.0f;
@@ -82,7 +98,7 @@ void setting_row(Editor& editor, const SettingInfo& info) {
 // A switch takes the whole width, so that its name is never cut.
 void switch_row(Editor& editor, FrameContext& frame, const SettingInfo& info) {
     const MovementSettings& movement = editor.document->level().movement;
-    const double standard = get_setting(defaults, info);
+    const double standard = get_setting(standard_settings(editor), info);
     bool on = get_setting(movement, info) != 0.0;
     const bool modified = (on ? 1.0 : 0.0) != standard;
     const std::string tooltip = setting_tooltip(info);
@@ -111,7 +127,9 @@ void preset_row(Editor& editor) {
         if (presets[i].preset.settings == movement) current = static_cast<int>(i);
     }
     const int own = static_cast<int>(presets.size());
-    names.insert(names.end(), {"Own settings", "Open preset\u2026", "Save preset\u2026"});
+    const std::string changed = nearest_preset(movement).preset->preset.name + ", changed";
+    names.insert(names.end(), {current < own ? "Own settings" : changed.c_str(), "Open preset\u2026",
+                               "Save preset\u2026"});
     const char* const about = current < own ? presets[static_cast<std::size_t>(current)].preset.about.c_str()
                                             : "A whole set of settings at once, as one step of history";
     int chosen = current;
@@ -123,19 +141,48 @@ void preset_row(Editor& editor) {
         run_command(editor, chosen == own + 1 ? "movement.open_preset" : "movement.save_preset");
 }
 
+// "Step height 0.4 -> 0.5" for each setting that differs from the preset; a click takes one back.
+void changed_rows(Editor& editor, const PresetMatch& match) {
+    constexpr std::size_t most = 6;
+    const MovementSettings movement = editor.document->level().movement;
+    const MovementSettings& preset = match.preset->preset.settings;
+    const ui::Scope scope("Changed");
+    for (std::size_t i = 0; i < std::min(most, match.changed.size()); ++i) {
+        const SettingInfo& info = *match.changed[i];
+        const std::string from = value_text(preset, info);
+        const std::string text =
+            std::string(info.label) + " " + from + " \u2192 " + value_text(movement, info);
+        ImGui::PushID(info.name);
+        ImGui::PushStyleColor(ImGuiCol_Text, ui::palette().muted);
+        const bool taken_back = ImGui::Selectable(text.c_str());
+        ImGui::PopStyleColor();
+        ui::record_last_item(info.label);
+        ui::tooltip(("Take it back to " + from).c_str());
+        ImGui::PopID();
+        if (taken_back) put(editor, info, get_setting(preset, info));
+    }
+    if (match.changed.size() > most)
+        ui::muted_text(("and " + std::to_string(match.changed.size() - most) + " more").c_str());
+}
+
+// Which preset the settings are nearest to, and what differs.
 void header(Editor& editor) {
-    const MovementSettings& movement = editor.document->level().movement;
-    std::size_t changed = 0;
-    for (const SettingInfo& info : settings_table())
-        if (get_setting(movement, info) != get_setting(defaults, info)) ++changed;
-    ImGui::AlignTextToFramePadding();
-    ui::muted_text(changed == 0 ? "All defaults" : (std::to_string(changed) + " changed").c_str());
-    ImGui::SameLine();
+    const PresetMatch match = nearest_preset(editor.document->level().movement);
+    const std::size_t changed = match.changed.size();
+    const std::string line =
+        match.preset->preset.name +
+        (changed == 0 ? ", nothing changed" : ", " + std::to_string(changed) + " changed");
+    const bool resets = !(editor.document->level().movement == MovementSettings{});
     const float width = ImGui::CalcTextSize("Reset all").x + 2.0f * ImGui::GetStyle().FramePadding.x;
-    ImGui::SetCursorPosX(
-        std::max(ImGui::GetCursorPosX(), ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width));
-    if (ui::button("Reset all", "Set every hack and parameter to its default", changed > 0))
+    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ui::ellipsis({at.x, at.y + ImGui::GetStyle().FramePadding.y},
+                 at.x + ImGui::GetContentRegionAvail().x - width - ImGui::GetStyle().ItemSpacing.x,
+                 ui::palette().muted, line);
+    ImGui::SetCursorPosX(right - width);
+    if (ui::button("Reset all", "Set every hack and parameter to its default, the preset Platformer", resets))
         run_command(editor, "movement.reset");
+    changed_rows(editor, match);
 }
 
 void group_rows(Editor& editor, FrameContext& frame, std::string_view group, float label_width) {

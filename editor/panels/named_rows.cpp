@@ -73,6 +73,7 @@ NamedRowResult named_row(std::size_t index, const NamedRow& row,
     float right = at.x + width;
     ImGui::Selectable("##row", row.chosen, ImGuiSelectableFlags_AllowItemOverlap, {0, height});
     ui::record_last_item("Row", true, row.chosen);
+    ui::mark_as_ground();
     result.chosen = ImGui::IsItemClicked();
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
         state = {id, row.name, true};

@@ -79,7 +79,7 @@ void row_menu(Editor& editor, std::optional<SurfaceId> surface) {
                         SelectBy::replace, "Select by type");
     if (ui::menu_item("Paint the selection with it", "", false, selected,
                       "Give the selected faces this type"))
-        document.paint(document.selection(), surface);
+        paint_faces(editor, document.selection(), surface);
     if (surface && ui::begin_menu("Replace by")) {
         const std::vector<SurfaceType> surfaces = document.level().surfaces;
         for (std::size_t i = 0; i < surfaces.size(); ++i)

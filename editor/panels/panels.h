@@ -7,6 +7,8 @@
 #include "slipface/render/overlay.h"
 #include "tools/commands.h"
 
+struct ImVec2;
+
 namespace slipface {
 
 // The part of the frame that draws the 3D view. The app owns the GL objects; the viewport panel asks for a
@@ -54,9 +56,12 @@ struct FrameContext {
 
 void viewport_panel(Editor& editor,
                     FrameContext& frame);  // picture, gestures, overlays, legend, playtest HUD
-void palette_panel(Editor& editor);        // surface types: choose, edit, counts
-void cameras_panel(Editor& editor);        // bookmarks: go there, add, rename, delete
-void selections_panel(Editor& editor);     // kept selections: recall, add, rename, delete
+// The card about unit, axis and size, where the editor shows it; in the view's upper left corner.
+void import_card(Editor& editor, const ImVec2& view_min, const ImVec2& view_size);
+void palette_panel(Editor& editor);     // surface types: choose, edit, counts
+void spawns_panel(Editor& editor);      // spawns: place, rename, delete, choose; the fall limit
+void cameras_panel(Editor& editor);     // bookmarks: go there, add, rename, delete
+void selections_panel(Editor& editor);  // kept selections: recall, add, rename, delete
 void movement_panel(Editor& editor, FrameContext& frame);  // every hack and parameter, from settings_table()
 void probe_panel(Editor& editor);                          // numbers of the sweep probe
 void inspector_panel(Editor& editor);                      // the hovered or selected faces

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "panels/lab_track.h"
 #include "slipface/sim/channels.h"
@@ -167,12 +168,18 @@ void plots_panel(Editor& editor) {
     const auto channels = run_channels();
     {
         const ui::Scope toggles("Show");
+        bool first = true;
+        const auto check_width = [](const char* label) {
+            return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
+                   ImGui::CalcTextSize(label).x;
+        };
         for (std::size_t i = 0; i < channels.size(); ++i) {
             if (!*channels[i].label) continue;
             bool on = (state.channels >> i) & 1u;
+            if (!std::exchange(first, false)) ui::flow(check_width(channels[i].label), 10 * ui::scale());
             if (ui::checkbox(channels[i].label, &on, channels[i].meaning)) state.channels ^= 1u << i;
-            ImGui::SameLine(0, 10 * ui::scale());
         }
+        ui::flow(check_width("Differences"), 10 * ui::scale());
         ui::checkbox("Differences", &state.differences,
                      "What each run has more or less than the one as recorded");
     }

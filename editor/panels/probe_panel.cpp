@@ -8,6 +8,7 @@
 #include "panels/lab_track.h"
 #include "panels/panels.h"
 #include "panels/property_rows.h"
+#include "slipface/level/find_start.h"
 #include "slipface/render/trace_overlay.h"
 #include "slipface/sim/story.h"
 #include "tools/icons.h"
@@ -26,92 +27,61 @@ std::string vector_text(const Vec3& v) {
     return fmt::format("{:.3f} {:.3f} {:.3f}", v.x() + 0.0, v.y() + 0.0, v.z() + 0.0);
 }
 
-void cell(const std::string& text, bool right = false) {
-    ImGui::TableNextColumn();
-    if (right) {
-        const float spare = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, spare));
-    }
+// A line that may be as long as it likes.
+void line(const std::string& text, const char* tooltip) {
+    ImGui::PushTextWrapPos(0.0f);
     ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ui::tooltip(tooltip);
 }
 
-// One sweep as two lines of a table as narrow as the panel: what was met, and what came of it.
+std::string met_text(const Contact& contact, const std::vector<SurfaceType>& surfaces) {
+    return fmt::format("{}, face {}, {}", feature_name(contact.feature), contact.face,
+                       contact.surface < surfaces.size() ? surfaces[contact.surface].name : "unknown type");
+}
+
+// Each sweep with its number at the left: what was met, where, and what came of it.
 void sweep_rows(Editor& editor, const std::vector<ProbeRow>& rows) {
-    const Document& document = *editor.document;
-    const auto& surfaces = document.level().surfaces;
+    const std::vector<SurfaceType>& surfaces = editor.document->level().surfaces;
     const std::size_t shown = std::min(editor.probe.shown_sweeps.value_or(rows.size()), rows.size());
-    struct Column {
-        const char* name;
-        const char* meaning;
-        float weight;
-    };
-    static constexpr Column columns[] = {
-        {"#", "The order of the sweeps, in the colour of their ghosts; click to show the sweeps up to it",
-         0.5f},
-        {"Met", "The feature, the face and its surface type that were touched first", 2.6f},
-        {"t", "Share of the displacement done at the touch", 0.9f},
-        {"Normal", "Of the contact plane, towards the ellipsoid's centre", 2.0f},
-    };
-    if (!ImGui::BeginTable("sweeps", 4,
-                           ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersInnerH |
-                               ImGuiTableFlags_NoSavedSettings))
-        return;
-    for (const Column& column : columns)
-        ImGui::TableSetupColumn(column.name, ImGuiTableColumnFlags_WidthStretch, column.weight);
-    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    for (int i = 0; i < 4; ++i) {
-        ImGui::TableSetColumnIndex(i);
-        ImGui::TableHeader(columns[i].name);
-        ui::tooltip(columns[i].meaning);
-    }
+    const float number_width = ImGui::CalcTextSize("00").x + ImGui::GetFontSize();
     const ui::Scope scope("Sweep");
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const ProbeRow& row = rows[i];
         const auto& contact = row.sweep.contact;
-        const bool quiet = i >= shown;
-        ImGui::TableNextRow();
-        ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * (quiet ? 0.4f : 1.0f));
-        ImGui::TableNextColumn();
+        ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * (i >= shown ? 0.4f : 1.0f));
         const Color color = sweep_color(static_cast<int>(i));
         ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(color.red, color.green, color.blue, 1.0f));
         const std::string number_text = std::to_string(i + 1);
-        if (ImGui::Selectable(number_text.c_str(), shown == i + 1)) editor.probe.shown_sweeps = i + 1;
+        const float left = ImGui::GetCursorPosX();
+        if (ImGui::Selectable(number_text.c_str(), shown == i + 1, 0,
+                              {number_width - 0.5f * ImGui::GetFontSize(), 0}))
+            editor.probe.shown_sweeps = i + 1;
         ui::record_last_item(number_text, true, shown == i + 1);
         ImGui::PopStyleColor();
-        ImGui::TableNextColumn();
-        ImGui::PushTextWrapPos(0.0f);
-        if (contact) {
-            const std::string& surface =
-                contact->surface < surfaces.size() ? surfaces[contact->surface].name : "unknown";
-            ImGui::TextUnformatted(
-                fmt::format("{}, face {}, {}", feature_name(contact->feature), contact->face, surface)
-                    .c_str());
-        } else {
-            ImGui::TextUnformatted("nothing");
-        }
-        ImGui::PopTextWrapPos();
-        cell(contact ? fmt::format("{:.3f}", contact->t) : "", true);
-        cell(contact ? fmt::format("{:.2f} {:.2f} {:.2f}", contact->normal.x() + 0.0,
-                                   contact->normal.y() + 0.0, contact->normal.z() + 0.0)
-                     : "");
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        ImGui::TableNextColumn();
+        ui::tooltip(
+            "The order of the sweeps, in the colour of their ghosts; click to show the sweeps up to it");
+        ImGui::SameLine(left + number_width);
+        ImGui::BeginGroup();
+        line(contact ? met_text(*contact, surfaces) : "nothing met",
+             "The feature, the face and its surface type that were touched first");
         ImGui::PushStyleColor(ImGuiCol_Text, ui::palette().muted);
-        ImGui::TextUnformatted((std::string(pass_name(row.sweep.pass)) + (row.response ? ", " : "") +
-                                (row.response ? rule_name(row.response->rule) : ""))
-                                   .c_str());
-        ImGui::TableNextColumn();
-        ImGui::TableNextColumn();
+        if (contact)
+            line(fmt::format("t {:.3f}, normal {:.2f} {:.2f} {:.2f}", contact->t, contact->normal.x() + 0.0,
+                             contact->normal.y() + 0.0, contact->normal.z() + 0.0),
+                 "t: the fraction of the displacement done at the touch; the normal of the contact plane, "
+                 "towards "
+                 "the ellipsoid's centre");
+        std::string outcome = pass_name(row.sweep.pass);
         if (row.response)
-            ImGui::TextUnformatted((number(row.response->leftover_before.norm()) + " \u2192 " +
-                                    number(row.response->leftover_after.norm()) + " m")
-                                       .c_str());
-        ui::tooltip("Length of the displacement that was left, before and after the response");
+            outcome += fmt::format(", {}: {} \u2192 {} m left", rule_name(row.response->rule),
+                                   number(row.response->leftover_before.norm()),
+                                   number(row.response->leftover_after.norm()));
+        line(outcome, "The pass, its rule, and the length of the displacement left before and after it");
         ImGui::PopStyleColor();
+        ImGui::EndGroup();
         ImGui::PopStyleVar();
     }
-    ImGui::EndTable();
 }
 
 void step_buttons(Editor& editor, std::size_t count) {
@@ -160,14 +130,13 @@ void outcome(const Probe& probe, const ProbeResult& result) {
 
 void story(const Editor& editor, std::span<const TraceRecord> records) {
     ui::heading("Story");
-    for (const StoryLine& line : tell(records, editor.document->level().surfaces)) {
+    for (const StoryLine& line : tell(records, editor.document->level(), editor.document->level().movement)) {
         const float indent = 0.9f * ImGui::GetFontSize() * static_cast<float>(line.depth);
         if (indent > 0.0f) ImGui::Indent(indent);
         ImGui::PushStyleColor(ImGuiCol_Text, line.tone == StoryTone::trouble   ? ui::palette().bad
                                              : line.tone == StoryTone::refused ? ui::palette().muted
                                                                                : ui::palette().text);
-        ImGui::TextUnformatted(
-            wrap_words(line.title + ": " + line.text, ImGui::GetContentRegionAvail().x).c_str());
+        ImGui::TextUnformatted(wrap_words(line_text(line), ImGui::GetContentRegionAvail().x).c_str());
         ImGui::PopStyleColor();
         if (indent > 0.0f) ImGui::Unindent(indent);
     }
@@ -175,7 +144,10 @@ void story(const Editor& editor, std::span<const TraceRecord> records) {
 
 void place_at_spawn(Editor& editor) {
     editor.probe.placed = true;
-    editor.probe.from = editor.document->level().spawn;
+    const TickScene scene = editor.lab.scene(*editor.document);
+    const Level& level = editor.document->level();
+    const Result<Start> start = find_start(level, scene.at(0, 0.0), scene.offset(), level.movement);
+    editor.probe.from = start ? start->position : level.spawn;
     if (editor.probe.move.isZero(0.0)) editor.probe.move = Vec3(0.0, -1.0, 0.0);
 }
 
@@ -194,7 +166,7 @@ void probe_panel(Editor& editor) {
         ImGui::Spacing();
         if (ui::button("Use probe tool", "Click to place the ellipsoid, drag to sweep it"))
             run_command(editor, "tools.probe");
-        ImGui::SameLine();
+        ui::flow(ui::button_width("Place at spawn"));
         if (ui::button("Place at spawn", "Put the ellipsoid where the player starts")) place_at_spawn(editor);
         return;
     }
@@ -203,13 +175,13 @@ void probe_panel(Editor& editor) {
     vector_edit("Move", editor.probe.move, "The displacement, metres");
     if (ui::button("Copy command", "Put the command line that repeats the first sweep on the clipboard"))
         run_command(editor, "tools.copy_probe_command");
-    ImGui::SameLine();
+    ui::flow(ui::button_width("Copy as a test"));
     if (ui::button("Copy as a test",
                    "Put a test on the clipboard that slipface sweep LEVEL --test FILE runs: every sweep, its "
                    "contact "
                    "and its rule"))
         run_command(editor, "tools.copy_probe_test");
-    ImGui::SameLine();
+    ui::flow(ui::button_width("Clear"));
     const bool cleared = ui::button("Clear", "Take the probe out of the level");
 
     if (cleared) {

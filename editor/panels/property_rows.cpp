@@ -115,9 +115,8 @@ bool number_slider(const char* label, double* value, double minimum, double maxi
     const bool logarithmic = !whole && !is_angle(unit) && (from_zero || decades);
     const std::string format = (whole ? "%.0f" : from_zero ? "%.1f" : "%.4g") + suffix(unit);
     ImGui::SetNextItemWidth(-1.0f);
-    const bool changed = ImGui::SliderScalar(
-        (std::string("##") + label).c_str(), ImGuiDataType_Double, &shown, &low, &high, format.c_str(),
-        ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None));
+    const bool changed = ui::number_slider((std::string("##") + label).c_str(), &shown, low, high,
+                                           format.c_str(), logarithmic);
     ui::record_last_item(label);
     ui::tooltip(tooltip);
     // Turning degrees into radians may round beyond the limit.
@@ -140,13 +139,18 @@ std::string sentence_case(std::string text) {
 
 void fact(const char* name, const std::string& value) {
     const float em = ImGui::GetFontSize();
-    const float x = ImGui::GetCursorPosX();
+    const float x = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
+    const float name_width = ImGui::CalcTextSize(name).x;
+    ImGui::PushTextWrapPos(0.0f);
     ImGui::PushStyleColor(ImGuiCol_Text, ui::palette().muted);
     ImGui::TextUnformatted(name);
     ImGui::PopStyleColor();
-    ImGui::SameLine();
-    ImGui::SetCursorPosX(x + 5.0f * em);
-    ImGui::PushTextWrapPos(0.0f);
+    // The values stand in a column; beside a name that is longer where there is room, else below it.
+    const float column = std::max(5.0f * em, name_width + 0.8f * em);
+    const bool beside =
+        name_width + 0.4f * em <= 5.0f * em || column + ImGui::CalcTextSize(value.c_str()).x <= width;
+    if (beside) ImGui::SameLine();
+    ImGui::SetCursorPosX(x + (beside ? column : em));
     ImGui::TextUnformatted(value.data(), value.data() + value.size());
     ImGui::PopTextWrapPos();
 }

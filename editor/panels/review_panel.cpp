@@ -157,9 +157,9 @@ void side_by_side(const Review& review, FrameContext& frame, const Box& room) {
 void review_panel(Editor& editor) {
     const ui::Scope scope("Review");
     if (!editor.review) {
-        ui::muted_text(
-            "Nothing is open for review. `slipface snapshot check` leaves a report; Review > Review "
-            "snapshots opens it");
+        ui::muted_text(("Nothing is open for review. `slipface snapshot check` leaves a report; " +
+                        menu_location(*find_command("review.open")) + " opens it")
+                           .c_str());
         return;
     }
     Review& review = *editor.review;

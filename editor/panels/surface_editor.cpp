@@ -50,7 +50,7 @@ void name_row(const Target& target) {
 }
 
 // Small squares to choose from.
-std::optional<std::array<float, 3>> safe_color(const std::array<float, 3>& now) {
+std::optional<std::array<float, 3>> swatch_color(const std::array<float, 3>& now) {
     std::optional<std::array<float, 3>> chosen;
     const float side = 0.95f * ImGui::GetFontSize(), gap = 0.25f * ImGui::GetFontSize();
     const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
@@ -59,11 +59,13 @@ std::optional<std::array<float, 3>> safe_color(const std::array<float, 3>& now) 
     for (std::size_t i = 0; i < colors.size(); ++i) {
         if (i > 0 && ImGui::GetItemRectMax().x + gap + side <= end) ImGui::SameLine(0, gap);
         ImGui::PushID(static_cast<int>(i));
-        if (ImGui::InvisibleButton("safe", {side, side})) chosen = colors[i];
-        ui::record_last_item("Safe " + std::to_string(i + 1), true, colors[i] == now);
+        if (ImGui::InvisibleButton("swatch", {side, side})) chosen = colors[i];
+        ui::record_last_item("Swatch " + std::to_string(i + 1), true, colors[i] == now);
         const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
         list.AddRectFilled(min, max, ui::packed({colors[i][0], colors[i][1], colors[i][2], 1.0f}),
                            0.2f * side);
+        // A border of its own, or white would be lost on a light panel and black on a dark one.
+        list.AddRect(min, max, ui::packed(ui::palette().muted), 0.2f * side);
         if (ImGui::IsItemHovered() || colors[i] == now)
             list.AddRect({min.x - 1, min.y - 1}, {max.x + 1, max.y + 1}, ui::packed(ui::palette().text),
                          0.2f * side);
@@ -82,8 +84,8 @@ void look_rows(const Target& target) {
     if (recolored) target.put(changed, "colour");
 
     changed = target.type();
-    property_row("Safe", "Colours that colour-blind people tell apart");
-    if (const auto safe = safe_color(changed.color)) {
+    property_row("Swatches", "Colours that colour-blind people tell apart");
+    if (const auto safe = swatch_color(changed.color)) {
         changed.color = *safe;
         target.put(changed, "colour");
     }
@@ -176,7 +178,7 @@ void fields(const Target& target) {
     float label_width = 0.0f;
     for (const SurfaceField& field : surface_fields())
         label_width = std::max(label_width, label_width_of(field.label));
-    if (begin_property_rows("look", label_width_of("Colour"))) {
+    if (begin_property_rows("look", label_width_of("Swatches") + 0.4f * ImGui::GetFontSize())) {
         name_row(target);
         look_rows(target);
         end_property_rows();

@@ -13,7 +13,8 @@
 namespace slipface {
 namespace {
 
-constexpr float name_width = 118.0f, lane_height = 17.0f, marker_height = 20.0f, ruler_height = 16.0f;
+constexpr float name_width = 118.0f, lane_height = 17.0f, marker_height = 20.0f, ruler_height = 16.0f,
+                marker_radius = 5.5f;
 
 enum class Shape { up, down, square, circle, diamond, cross };
 
@@ -77,57 +78,63 @@ void command_button(Editor& editor, const char* id, const char* icon = nullptr) 
     if (ui::icon_button(icon ? icon : command->icon, command->label, tooltip.c_str(), active,
                         command->enabled(editor)))
         run_command(editor, id);
-    ImGui::SameLine(0, 3 * ui::scale());
 }
 
-void gap() {
-    ImGui::SameLine(0, 14 * ui::scale());
+// Buttons go on beside each other, and on the next line where the dock ends.
+void next_button(float gap = 3.0f) {
+    ui::flow(ui::icon_button_side(), gap * ui::scale());
+}
+constexpr float group_gap = 14.0f;
+
+// On the line of the buttons, or wrapped on the next.
+void words(const ImVec4& color, const std::string& text) {
+    ui::flow(ImGui::CalcTextSize(text.c_str()).x, group_gap * ui::scale());
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
 }
 
 void transport(Editor& editor) {
     Lab& lab = editor.lab;
     const ui::Scope scope("Transport");
     command_button(editor, "lab.start");
-    command_button(editor, "lab.previous_event");
-    command_button(editor, "lab.step_back");
-    command_button(editor, "lab.reverse", lab.motion == LabMotion::backward ? icons::pause : nullptr);
-    command_button(editor, "lab.play", lab.motion == LabMotion::forward ? icons::pause : nullptr);
-    command_button(editor, "lab.step_forward");
-    command_button(editor, "lab.next_event");
-    command_button(editor, "lab.end");
-    command_button(editor, "lab.loop");
-    gap();
+    for (const char* id : {"lab.previous_event", "lab.step_back", "lab.reverse", "lab.play",
+                           "lab.step_forward", "lab.next_event", "lab.end", "lab.loop"}) {
+        const bool runs = (lab.motion == LabMotion::backward && id == std::string_view("lab.reverse")) ||
+                          (lab.motion == LabMotion::forward && id == std::string_view("lab.play"));
+        next_button();
+        command_button(editor, id, runs ? icons::pause : nullptr);
+    }
     static constexpr double speeds[] = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
     static constexpr const char* names[] = {"1/10", "1/4", "1/2", "1x", "2x", "4x"};
     int speed = 3;
     for (int i = 0; i < 6; ++i)
         if (speeds[i] == lab.speed) speed = i;
+    ui::flow(66 * ui::scale(), group_gap * ui::scale());
     ImGui::SetNextItemWidth(66 * ui::scale());
     if (ImGui::Combo("##Speed", &speed, names, 6)) lab.speed = speeds[speed];
     ui::record_last_item("Speed");
     ui::tooltip("Speed of playing; 1x is real time");
-    ImGui::SameLine(0, 3 * ui::scale());
-    gap();
-    command_button(editor, "lab.look");
-    command_button(editor, "lab.resume");
-    command_button(editor, "lab.pin");
-    command_button(editor, "lab.save_tape");
-    command_button(editor, "lab.export_csv");
-    command_button(editor, "lab.close_tape");
-    gap();
-    ImGui::AlignTextToFramePadding();
-    const std::string at = fmt::format("{} of {}", tick_text(lab, lab.cursor()), lab.ticks());
-    ImGui::TextUnformatted(at.c_str());
-    ImGui::SameLine(0, 14 * ui::scale());
+    float gap = group_gap;
+    for (const char* id :
+         {"lab.look", "lab.resume", "lab.pin", "lab.save_tape", "lab.export_csv", "lab.close_tape"}) {
+        next_button(gap);
+        gap = 3.0f;
+        command_button(editor, id);
+        if (!lab.has_tape()) return;
+    }
+    words(ui::palette().text, fmt::format("{} of {}", tick_text(lab, lab.cursor()), lab.ticks()));
     const std::optional<bool> repeats = lab.repeats();
     if (repeats && !*repeats)
-        ImGui::TextColored(ui::palette().bad, "Does not repeat what was recorded");
+        words(ui::palette().bad, "Does not repeat what was recorded");
     else if (!lab.doubt().empty())
-        ImGui::TextColored(ui::palette().bad, "%s", lab.doubt().c_str());
+        words(ui::palette().bad, lab.doubt());
     else if (repeats)
-        ImGui::TextColored(ui::palette().good, "Repeats bit for bit");
-    else
-        ImGui::NewLine();
+        words(ui::palette().good, "Repeats");
+    ui::tooltip("Whether the tape, played again, ends in the very same bits as when it was recorded");
 }
 
 // Seconds under the lanes, as many as there is room for.
@@ -147,6 +154,9 @@ void ruler(ImDrawList& list, const Lab& lab, const LabTrack& track, float y) {
         if (x < track.min.x || x > track.max.x) continue;
         list.AddLine({x, track.max.y}, {x, track.max.y + 4 * ui::scale()}, color);
         const std::string text = unit < 1.0 ? fmt::format("{:.2f} s", s) : fmt::format("{:.0f} s", s);
+        if (x + 3 * ui::scale() + font->CalcTextSizeA(font->FontSize, 1e9f, 0.0f, text.c_str()).x >
+            track.max.x)
+            continue;
         list.AddText(font, font->FontSize, {x + 3 * ui::scale(), y}, color, text.c_str());
     }
 }
@@ -185,6 +195,20 @@ void lane(ImDrawList& list, const Document& document, const TapeRun& run, const 
     }
 }
 
+// The event whose marker lies at `at`; of several the nearest.
+std::optional<std::size_t> tick_of_marker_at(const TapeRun& run, const LabTrack& track, ImVec2 at) {
+    if (at.y < track.min.y || at.y > track.min.y + marker_height * ui::scale()) return std::nullopt;
+    float nearest = (marker_radius + 1.0f) * ui::scale();
+    std::optional<std::size_t> tick;
+    for (const SimulationEvent& event : run.events()) {
+        const float away = std::abs(track.x(static_cast<double>(event.tick)) - at.x);
+        if (away > nearest || !find_marker(event.kind)) continue;
+        nearest = away;
+        tick = event.tick;
+    }
+    return tick;
+}
+
 void event_tooltip(const TapeRun& run, const Lab& lab, const LabTrack& track) {
     const double tick = track.tick_at(ImGui::GetIO().MousePos.x);
     const double reach = std::max(1.0, 6.0 * track.ticks_per_pixel());
@@ -217,8 +241,13 @@ void tracks(Editor& editor) {
     ImGui::SetCursorScreenPos(min);
     ImGui::InvisibleButton("track", {std::max(1.0f, max.x - min.x), height + ruler_height * scale});
     ui::record_last_item("Track");
-    lab_track_gestures(editor, track);
     const TapeRun& told = lab.runs()[lab.told()].run;
+    // A press on a marker means its event, though the pixel may be another tick's; dragged on, it scrubs.
+    const bool dragged = ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+    lab_track_gestures(
+        editor, track,
+        dragged ? std::nullopt
+                : tick_of_marker_at(told, track, ImGui::GetIO().MouseClickedPos[ImGuiMouseButton_Left]));
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) event_tooltip(told, lab, track);
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -233,7 +262,7 @@ void tracks(Editor& editor) {
         }
         y += (lane_height + 3) * scale;
     }
-    const float r = 5.5f * scale;
+    const float r = marker_radius * scale;
     for (const SimulationEvent& event : told.events()) {
         const Marker* marker = find_marker(event.kind);
         const float x = track.x(static_cast<double>(event.tick));
@@ -258,12 +287,9 @@ void tracks(Editor& editor) {
         ImGui::PopID();
         const float middle = y + 0.5f * lane_height * scale;
         list.AddCircleFilled({origin.x + 5 * scale, middle}, 4 * scale, ui::packed(run_color(index)), 16);
-        list.PushClipRect({origin.x, y}, {origin.x + (name_width - 6) * scale, y + lane_height * scale},
-                          true);
-        list.AddText({origin.x + 14 * scale, middle - 0.5f * ImGui::GetTextLineHeight()},
-                     ui::packed(lab.told() == index ? ui::palette().text : ui::palette().muted),
-                     run.name.c_str());
-        list.PopClipRect();
+        ui::ellipsis({origin.x + 14 * scale, middle - 0.5f * ImGui::GetTextLineHeight()},
+                     origin.x + (name_width - 6) * scale,
+                     lab.told() == index ? ui::palette().text : ui::palette().muted, run.name);
         y += (lane_height + 3) * scale;
     }
     ImGui::SetCursorScreenPos({origin.x, max.y + ruler_height * scale});

@@ -102,13 +102,15 @@ void label(ImDrawList& list, const Placed& cube, const Side& side, ImU32 color) 
     const ImFont* const font = ui::fonts().small;
     const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, 0.0f, side.name);
     const float shrink = 1.5f * cube.half / std::max(size.x, 1.4f * size.y);
-    const int first = list.VtxBuffer.Size;
-    list.AddText(font, font->FontSize, {0, 0}, color, side.name);
     const ImVec2 middle = cube.pixel(side.out);
-    const float clip = std::min(1.0f, shrink);
+    // Written where it will stand, for letters outside the view would be left out; then laid onto the side.
+    const ImVec2 from{middle.x - 0.5f * size.x, middle.y - 0.5f * size.y};
+    const int first = list.VtxBuffer.Size;
+    list.AddText(font, font->FontSize, from, color, side.name);
+    const float fit = std::min(1.0f, shrink);
     for (int i = first; i < list.VtxBuffer.Size; ++i) {
         ImVec2& at = list.VtxBuffer[i].pos;
-        const float x = (at.x - 0.5f * size.x) * clip, y = (0.5f * size.y - at.y) * clip;
+        const float x = (at.x - middle.x) * fit, y = (middle.y - at.y) * fit;
         at = {middle.x + x * static_cast<float>(right.x()) + y * static_cast<float>(up.x()),
               middle.y - x * static_cast<float>(right.y()) - y * static_cast<float>(up.y())};
     }
@@ -129,6 +131,7 @@ void view_cube(Editor& editor, ViewportState& state) {
         ImGui::SetCursorScreenPos({at.x - reach, at.y - reach});
         ImGui::Dummy({2 * reach, 2 * reach});
         ui::record_last_item(side.name);
+        ui::mark_as_ground();
     }
     const float whole = 1.75f * cube.half;
     const ImVec2 mouse = ImGui::GetIO().MousePos;

@@ -103,9 +103,7 @@ void go_on_outline(Editor& editor, ViewportState& state, ImVec2 mouse) {
 
 void end_outline(Editor& editor, ViewportState& state) {
     const bool lasso = editor.select_shape == SelectShape::lasso;
-    apply_selection(editor,
-                    faces_in_outline(editor, shown_camera(editor), to_vec(state.size), state.outline,
-                                     editor.select_through),
+    apply_selection(editor, faces_in_outline(editor, shown_camera(editor), to_vec(state.size), state.outline),
                     select_by(false), lasso ? "Select by lasso" : "Select by box");
     state.outline.clear();
 }
@@ -141,6 +139,7 @@ void press_left(Editor& editor, ViewportState& state, ImVec2 mouse) {
         case Tool::paint:
             begin(state, editor, Gesture::stroke, mouse);
             editor.document->begin(stroke_name(editor));
+            editor.stroke_painted = 0;
             if (editor.hovered != no_id) paint_hovered(editor);
             return;
         case Tool::fill:

@@ -109,6 +109,50 @@ void add_heat(Overlay& overlay, const Editor& editor) {
     overlay.cross(finding.position, 0.4, {0.937f, 0.400f, 0.361f, 1.0f}, 4.0f);
 }
 
+float draw_heat_bar(ImDrawList& draw, const ImVec2& corner, float width, const AuditJob& job) {
+    const float scale = ui::scale(), bar = 10 * scale, gap = 3 * scale;
+    const auto at = [&](float share) { return corner.x + width * share; };
+    const ImU32 ink = ImGui::GetColorU32(ui::palette().muted);
+    constexpr int parts = 32;
+    for (int i = 0; i < parts; ++i) {
+        const float begin = static_cast<float>(i) / parts, end = static_cast<float>(i + 1) / parts;
+        const Color color = heat_color(0.5f * (begin + end));
+        draw.AddRectFilled({at(begin), corner.y}, {at(end), corner.y + bar},
+                           ImGui::GetColorU32(ImVec4(color.red, color.green, color.blue, 1.0f)));
+    }
+    // "0", a quarter of the most where half of the colours lie, and the most.
+    float free_until = corner.x + width;
+    for (const float share : {1.0f, 0.0f, 0.5f}) {
+        const std::string text =
+            share == 0.0f ? std::string("0") : heat_text(job.kind, job.value_at(job.kind, share));
+        const float size = ImGui::CalcTextSize(text.c_str()).x, left = at(share) - share * size;
+        if (share == 0.5f && left + size + gap > free_until) continue;
+        if (share == 1.0f) free_until = left;
+        draw.AddText({left, corner.y + bar + gap}, ink, text.c_str());
+    }
+    return bar + gap + ImGui::GetTextLineHeight();
+}
+
+void heat_legend(const Editor& editor, const ViewportState& state) {
+    if (!editor.audit || !editor.audit->show_heat || !editor.audit->report() || editor.playtest) return;
+    const AuditJob& job = *editor.audit;
+    if (!job.fits(*editor.document) || job.kind == HeatKind::unreached || !(job.worst(job.kind) > 0.0))
+        return;
+    const float scale = ui::scale(), pad = 8 * scale, width = 320 * scale;
+    if (state.size.x < 640 * scale) return;  // no room beside the legend of the types; the panel has it, too
+    const float height = 2 * ImGui::GetTextLineHeight() + 17 * scale;
+    // The legend of the types has the other corner.
+    const ImVec2 corner(state.min.x + state.size.x - width - 3 * pad,
+                        state.min.y + state.size.y - height - 3 * pad);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled(corner, {corner.x + width + 2 * pad, corner.y + height + 2 * pad},
+                       ImGui::GetColorU32(ui::with_alpha(ui::palette().raised, 0.92f)), 4 * scale);
+    const auto kind = static_cast<std::size_t>(job.kind);
+    draw.AddText({corner.x + pad, corner.y + pad}, ImGui::GetColorU32(ui::palette().text), heat_names[kind]);
+    draw_heat_bar(draw, {corner.x + pad, corner.y + pad + ImGui::GetTextLineHeight() + 4 * scale}, width,
+                  job);
+}
+
 void add_reach(Overlay& overlay, const Editor& editor) {
     if (!editor.lab.show_reach) return;
     const Reach& reach = reach_of(editor.document->level().movement);

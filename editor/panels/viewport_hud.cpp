@@ -7,6 +7,7 @@
 #include <set>
 
 #include "panels/viewport_panel.h"
+#include "slipface/level/find_start.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 
@@ -29,6 +30,11 @@ void plate(ImDrawList& list, ImVec2 min, const std::array<std::string, 3>& lines
                      ui::packed(i == 0 ? ui::palette().text : ui::palette().muted), lines[i].c_str());
 }
 
+std::string falls_text(int falls) {
+    return falls == 1 ? "Fell out of the level; back at the start"
+                      : fmt::format("Fell out of the level {} times; back at the start", falls);
+}
+
 }  // namespace
 
 void playtest_frame(Editor& editor, FrameContext& frame) {
@@ -45,8 +51,10 @@ void playtest_frame(Editor& editor, FrameContext& frame) {
     const float wheel = ImGui::GetIO().MouseWheel;
     if (wheel != 0.0f)
         playtest.boom = std::clamp(playtest.boom * std::pow(0.88, static_cast<double>(wheel)), 1.0, 30.0);
+    const int falls = playtest.falls();
     playtest.advance(editor.lab.scene(*editor.document), editor.document->level().movement, input,
                      frame.seconds);
+    if (playtest.falls() > falls) editor.status = falls_text(playtest.falls());
     frame.wants_cursor_capture = true;
     frame.animating = true;
 }
@@ -74,6 +82,56 @@ void playtest_hud(const Editor& editor, const ViewportState& state) {
                        {at.x + size.x + 12 * scale, at.y + size.y + 6 * scale},
                        ui::packed(ui::with_alpha(ui::palette().window, 0.82f)), 14 * scale);
     list.AddText(at, ui::packed(ui::palette().muted), help);
+}
+
+void draw_spawn_names(const Editor& editor, const ViewportState& state) {
+    constexpr std::size_t most_names = 200;
+    const std::vector<Spawn> spawns = all_spawns(editor.document->level());
+    if (spawns.size() < 2) return;
+    const Camera camera = shown_camera(editor);
+    const Vec2 size{static_cast<double>(state.size.x), static_cast<double>(state.size.y)};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(state.min, {state.min.x + state.size.x, state.min.y + state.size.y}, true);
+    for (std::size_t i = 0; i < std::min(most_names, spawns.size()); ++i) {
+        const Vec3 at = project(camera, spawns[i].position, size);
+        if (at.z() <= 0.0 && !camera.orthographic) continue;
+        const std::string& name = spawns[i].name;
+        const ImVec2 extent = ImGui::CalcTextSize(name.c_str());
+        const ImVec2 min{state.min.x + static_cast<float>(at.x()) - 0.5f * extent.x,
+                         state.min.y + static_cast<float>(at.y()) - 0.5f * extent.y};
+        list.AddRectFilled({min.x - 4, min.y - 2}, {min.x + extent.x + 4, min.y + extent.y + 2},
+                           ui::packed(ui::with_alpha(ui::palette().window, 0.75f)), 3 * ui::scale());
+        list.AddText(min, ui::packed(i == 0 ? ui::palette().text : ui::palette().muted), name.c_str());
+    }
+    list.PopClipRect();
+}
+
+// A flood may go much further than it seems from the face under the mouse.
+std::string tool_preview(const Editor& editor) {
+    if (editor.tool != Tool::fill || !editor.document || editor.hovered == no_id) return {};
+    const std::vector<SurfaceType>& surfaces = editor.document->level().surfaces;
+    const std::size_t faces = tool_faces(editor).size();
+    const bool typed = editor.brush && *editor.brush < surfaces.size();
+    return fmt::format("{} {} {}{}", typed ? "Fill" : "Unset", faces, faces == 1 ? "face" : "faces",
+                       typed ? " with " + surfaces[*editor.brush].name : "");
+}
+
+void draw_tool_preview(const Editor& editor, const ViewportState& state) {
+    const std::string text = tool_preview(editor);
+    if (text.empty() || !state.hovered) return;
+    const float scale = ui::scale();
+    const ImVec2 mouse = ImGui::GetIO().MousePos, pad{8 * scale, 4 * scale};
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 whole{size.x + 2 * pad.x, size.y + 2 * pad.y};
+    const ImVec2 min{std::round(std::max(
+                         state.min.x, std::min(mouse.x + 16 * scale, state.min.x + state.size.x - whole.x))),
+                     std::round(std::max(
+                         state.min.y, std::min(mouse.y + 14 * scale, state.min.y + state.size.y - whole.y)))};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(min, {min.x + whole.x, min.y + whole.y},
+                       ui::packed(ui::with_alpha(ui::palette().window, 0.86f)), 4 * scale);
+    list.AddText({min.x + pad.x, min.y + pad.y}, ui::packed(ui::palette().text), text.c_str());
+    ui::record_rect("Tool preview", min, {min.x + whole.x, min.y + whole.y});
 }
 
 void draw_outline(const ViewportState& state) {

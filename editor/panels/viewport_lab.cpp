@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "panels/lab_track.h"
 #include "panels/viewport_panel.h"
@@ -120,6 +122,20 @@ void add_lab(Overlay& overlay, const Editor& editor) {
     if (lab.lit_line && *lab.lit_line < story.size()) lit_record(overlay, editor, story[*lab.lit_line]);
 }
 
+namespace {
+
+struct LabelPlace {
+    ImVec2 min, max;
+};
+std::vector<LabelPlace>& labels_of_frame() {
+    static std::vector<LabelPlace> places;
+    static int frame = -1;
+    if (std::exchange(frame, ImGui::GetFrameCount()) != ImGui::GetFrameCount()) places.clear();
+    return places;
+}
+
+}  // namespace
+
 void view_label(const ViewportState& state, const Camera& camera, const Vec3& place, const std::string& text,
                 const ImVec4& color) {
     const Vec3 pixel =
@@ -129,8 +145,25 @@ void view_label(const ViewportState& state, const Camera& camera, const Vec3& pl
     const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
     const ImVec2 tip{state.min.x + static_cast<float>(pixel.x()),
                      state.min.y + static_cast<float>(pixel.y())};
-    const ImVec2 min{tip.x - 0.5f * extent.x - 7 * scale, tip.y - extent.y - 10 * scale};
-    const ImVec2 max{tip.x + 0.5f * extent.x + 7 * scale, tip.y - 4 * scale};
+    ImVec2 min{tip.x - 0.5f * extent.x - 7 * scale, tip.y - extent.y - 10 * scale};
+    ImVec2 max{tip.x + 0.5f * extent.x + 7 * scale, tip.y - 4 * scale};
+    // Whole at the view's sides, and above the labels that are there already.
+    if (tip.x >= state.min.x && tip.x <= state.min.x + state.size.x) {
+        const float right = std::min(0.0f, state.min.x + state.size.x - max.x);
+        const float moved = std::max(right, state.min.x - min.x);
+        if (min.x < state.min.x || right < 0.0f) min.x += moved, max.x += moved;
+    }
+    std::vector<LabelPlace>& placed = labels_of_frame();
+    const auto in_the_way = [&](const LabelPlace& other) {
+        return min.x < other.max.x && max.x > other.min.x && min.y < other.max.y && max.y > other.min.y;
+    };
+    for (auto other = placed.begin();
+         (other = std::find_if(placed.begin(), placed.end(), in_the_way)) != placed.end();) {
+        const float up = max.y - other->min.y + 2 * scale;
+        min.y -= up;
+        max.y -= up;
+    }
+    placed.push_back({min, max});
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(state.min, {state.min.x + state.size.x, state.min.y + state.size.y}, true);
     list.AddRectFilled(min, max, ui::packed(ui::with_alpha(ui::palette().window, 0.82f)), 5 * scale);

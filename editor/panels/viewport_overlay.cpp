@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "panels/viewport_panel.h"
+#include "slipface/level/find_start.h"
 #include "slipface/render/trace_overlay.h"
 
 namespace slipface {
@@ -23,14 +24,22 @@ double metres_per_pixel(const Camera& camera, const Vec3& point, double viewport
     return 2.0 * depth * std::tan(0.5 * camera.fov_y) / std::max(1.0, viewport_height);
 }
 
-void add_spawn(Overlay& overlay, const Document& document) {
+// The main spawn as the whole player, the others as where the feet are.
+void add_spawns(Overlay& overlay, const Document& document) {
     const Level& level = document.level();
-    const Vec3 feet = level.spawn - Vec3(0, level.movement.radii.y(), 0);
     const double radius = level.movement.radii.x();
-    overlay.disc(feet + Vec3(0, 0.01, 0), Vec3::UnitY(), radius, faded(spawn_color, 0.22f), spawn_color);
-    const Vec3 ahead{-std::sin(level.spawn_yaw), 0.0, -std::cos(level.spawn_yaw)};
-    overlay.arrow(feet + Vec3(0, 0.02, 0), feet + Vec3(0, 0.02, 0) + ahead * radius * 2.2, spawn_color, 2.0f,
-                  false);
+    const auto add = [&](const Vec3& position, double yaw, float strength) {
+        const Vec3 feet = position - Vec3(0, level.movement.radii.y(), 0);
+        overlay.disc(feet + Vec3(0, 0.01, 0), Vec3::UnitY(), radius, faded(spawn_color, 0.22f * strength),
+                     faded(spawn_color, strength));
+        const Vec3 ahead{-std::sin(yaw), 0.0, -std::cos(yaw)};
+        overlay.arrow(feet + Vec3(0, 0.02, 0), feet + Vec3(0, 0.02, 0) + ahead * radius * 2.2,
+                      faded(spawn_color, strength), 2.0f, false);
+    };
+    for (const Spawn& spawn : level.more_spawns)
+        add(spawn.position, spawn.yaw, 0.6f);
+    if (!has_spawn(level)) return;
+    add(level.spawn, level.spawn_yaw, 1.0f);
     overlay.ellipsoid(level.spawn, level.movement.radii, faded(spawn_color, 0.0f), faded(spawn_color, 0.45f));
 }
 
@@ -91,7 +100,7 @@ Overlay viewport_overlay(const Editor& editor, const Camera& camera, double heig
         add_player(overlay, editor);
         return overlay;
     }
-    add_spawn(overlay, *editor.document);
+    add_spawns(overlay, *editor.document);
     add_brush(overlay, editor);
     add_probe(overlay, editor, camera, height);
     add_heat(overlay, editor);

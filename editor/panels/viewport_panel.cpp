@@ -105,6 +105,7 @@ void pane_borders(Panes& panes, ImVec2 min, ImVec2 size) {
         ImGui::SetCursorScreenPos(from);
         ImGui::InvisibleButton(name, {std::max(1.0f, to.x - from.x), std::max(1.0f, to.y - from.y)});
         ui::record_last_item(name);
+        ui::mark_as_ground();
         if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
             ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
             ImGui::GetWindowDrawList()->AddRectFilled(from, to,
@@ -199,6 +200,7 @@ void viewport_panel(Editor& editor, FrameContext& frame) {
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     ui::record_last_item("View");
+    ui::mark_as_ground();
     state.hovered = ImGui::IsItemHovered();
     viewport_gestures(editor, frame, state);
     if (!editor.document) return;
@@ -216,10 +218,14 @@ void viewport_panel(Editor& editor, FrameContext& frame) {
     }
     lab_labels(editor, state);
     reach_labels(editor, state);
+    draw_spawn_names(editor, state);
+    heat_legend(editor, state);
     draw_triangle_ids(editor, state);
     draw_outline(state);
+    draw_tool_preview(editor, state);
     draw_legend(editor, key);
     draw_view_cube(editor, state);
+    import_card(editor, state.min, state.size);
 }
 
 }  // namespace slipface

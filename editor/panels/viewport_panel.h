@@ -57,8 +57,11 @@ Camera shown_camera(const Editor& editor);
 void viewport_gestures(Editor& editor, FrameContext& frame, ViewportState& state);    // after the view's item
 Overlay viewport_overlay(const Editor& editor, const Camera& camera, double height);  // of the view, pixels
 void playtest_frame(Editor& editor, FrameContext& frame);                             // advances it
-void add_lab(Overlay& overlay, const Editor& editor);    // ribbons, ghosts, the lit record
-void add_heat(Overlay& overlay, const Editor& editor);   // the audit's heat map
+void add_lab(Overlay& overlay, const Editor& editor);   // ribbons, ghosts, the lit record
+void add_heat(Overlay& overlay, const Editor& editor);  // the audit's heat map
+void heat_legend(const Editor& editor, const ViewportState& state);
+// The heat map's colours with the values that they stand for, in a strip of that width; returns its height.
+float draw_heat_bar(ImDrawList& draw, const ImVec2& corner, float width, const AuditJob& job);
 void add_reach(Overlay& overlay, const Editor& editor);  // how far and high jumps go
 void reach_labels(const Editor& editor, const ViewportState& state);
 // A plate with words over a place of the level.
@@ -66,9 +69,12 @@ void view_label(const ViewportState& state, const Camera& camera, const Vec3& pl
                 const ImVec4& color);
 void lab_labels(const Editor& editor, const ViewportState& state);
 void playtest_hud(const Editor& editor, const ViewportState& state);
-void view_cube(Editor& editor, ViewportState& state);                   // before the view's item
-void draw_view_cube(const Editor& editor, const ViewportState& state);  // over the picture
-void draw_outline(const ViewportState& state);                          // the box or lasso being drawn
+void view_cube(Editor& editor, ViewportState& state);                     // before the view's item
+void draw_view_cube(const Editor& editor, const ViewportState& state);    // over the picture
+void draw_outline(const ViewportState& state);                            // the box or lasso being drawn
+void draw_spawn_names(const Editor& editor, const ViewportState& state);  // where there are several
+std::string tool_preview(const Editor& editor);  // "Fill 766 faces with ice"; empty: nothing to say
+void draw_tool_preview(const Editor& editor, const ViewportState& state);  // beside the mouse
 void draw_triangle_ids(const Editor& editor, const ViewportState& state);
 
 // The probe under the mouse: 0 none, 1 start, 2 end.

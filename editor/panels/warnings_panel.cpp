@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "panels/panels.h"
 #include "panels/property_rows.h"
@@ -34,6 +35,26 @@ std::string short_place(const std::string& place) {
     return slash == std::string::npos ? place : place.substr(slash + 1);
 }
 
+void guessed_paint(Editor& editor) {
+    const std::size_t count = editor.document->guessed().size();
+    if (count == 0) return;
+    ui::heading("Guessed paint");
+    entry("Look at them one after the other; paint over what is wrong",
+          std::to_string(count) + (count == 1 ? " face was" : " faces were") +
+              " not found exactly in the geometry and took the paint of a face in the same plane or nearby");
+    constexpr std::pair<const char*, const char*> buttons[] = {{"Select all", "select.guessed"},
+                                                               {"Previous", "select.previous_guessed"},
+                                                               {"Next", "select.next_guessed"},
+                                                               {"Accept", "select.accept_guessed"}};
+    for (const auto& [label, command] : buttons) {
+        const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+        ImGui::SameLine();
+        if (label == buttons[0].first || ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+        if (ui::button(label, find_command(command)->description)) run_command(editor, command);
+    }
+    ImGui::Spacing();
+}
+
 }  // namespace
 
 void warnings_panel(Editor& editor) {
@@ -43,7 +64,7 @@ void warnings_panel(Editor& editor) {
     const Document& document = *editor.document;
     const std::vector<Orphan>& orphans = document.level().orphans;
     const Warnings& textures = editor.texture_warnings;
-    if (document.warnings().empty() && orphans.empty() && textures.empty()) {
+    if (document.warnings().empty() && orphans.empty() && textures.empty() && document.guessed().empty()) {
         ui::muted_text("Nothing was repaired or dropped while opening this level");
         return;
     }
@@ -57,6 +78,7 @@ void warnings_panel(Editor& editor) {
         ImGui::SetClipboardText(text.c_str());
         editor.status = "Warnings copied";
     }
+    guessed_paint(editor);
     if (!orphans.empty()) ui::heading("Orphans");
     for (const Orphan& orphan : std::span(orphans).first(std::min(orphans.size(), most_orphans))) {
         const Vec3& at = orphan.key.centroid;

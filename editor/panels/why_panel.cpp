@@ -8,6 +8,7 @@
 #include "panels/property_rows.h"
 #include "tools/icons.h"
 #include "tools/lab_actions.h"
+#include "tools/why.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 
@@ -35,26 +36,110 @@ void wrapped(const ImVec4& color, const std::string& text) {
     ImGui::PopStyleColor();
 }
 
-// The one thing to read first: what took the speed away, and where.
-void headline(Editor& editor, const std::vector<StoryLine>& story, const TickTrace& trace) {
-    const std::optional<std::size_t> told = telling_line(story, trace.records);
-    if (!told) {
-        wrapped(ui::palette().muted, "Nothing slowed the player down in this tick");
+const char* cure_icon(const Cure& cure) {
+    return cure.passes ? icons::check : icons::why;
+}
+
+// The one thing to read first: what stopped the player, and the button that cures it.
+void headline(Editor& editor, const Stop* stop) {
+    const ui::Palette& p = ui::palette();
+    if (stop == nullptr) {
+        wrapped(p.muted, "Nothing stopped you in this tick");
         return;
     }
-    const StoryLine& line = story[*told];
     ImGui::PushFont(ui::fonts().semibold);
-    wrapped(line.tone == StoryTone::trouble ? ui::palette().bad : ui::palette().text,
-            line.title + ": " + line.text);
+    wrapped(p.text, stop->headline);
     ImGui::PopFont();
-    // The sweep above it names triangle and feature.
-    for (std::size_t i = *told; i-- > 0;) {
-        if (story[i].triangle == no_id) continue;
-        wrapped(ui::palette().text, story[i].title + " " + story[i].text);
-        break;
+    const std::vector<Cure>* cures = cures_at_cursor(editor);
+    if (cures == nullptr) {
+        wrapped(p.muted, "Looking for a cure\u2026");
+    } else if (!cures->empty() && cures->front().passes) {
+        const Cure& best = cures->front();
+        const ui::Scope scope("Headline");
+        const std::string label = best.text + "###Cure";
+        if (ui::button(label.c_str(), "Change the level so, as one step that can be undone"))
+            return use_cure(editor, Cure(best));
+        ImGui::SameLine();
     }
-    if (ui::button("Look there", "Move the camera to the place and light up the record"))
-        look_at_story_line(editor, *told);
+    if (ui::button("Look there", "Move the camera to the place")) go_to_stop(editor, *stop);
+}
+
+// All stops of the run; a click goes there.
+void stops_list(Editor& editor, const std::vector<Stop>& stops, double dt) {
+    ui::heading(fmt::format("Stops in this run ({})", stops.size()).c_str());
+    if (stops.empty()) {
+        ui::muted_text("Nothing stopped the player");
+        return;
+    }
+    const ui::Scope scope("Stops");
+    const float em = ImGui::GetFontSize();
+    const std::size_t cursor = editor.lab.cursor();
+    std::optional<std::size_t> clicked;
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        const Stop& stop = stops[i];
+        ImGui::PushID(static_cast<int>(i));
+        const bool here = cursor >= stop.first && cursor <= stop.last;
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float time_width = 3.8f * em;
+        const std::string words =
+            wrap_words(stop.headline, std::max(4.0f * em, ImGui::GetContentRegionAvail().x - time_width));
+        const float height = ImGui::CalcTextSize(words.c_str()).y + 0.3f * em;
+        if (ImGui::Selectable("##stop", here, 0, {0, height})) clicked = i;
+        ui::record_last_item(std::to_string(i), true, here);
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        const std::string time = fmt::format("{:.2f} s", static_cast<double>(stop.first) * dt);
+        list.AddText({at.x + 0.2f * em, at.y + 0.15f * em}, ui::packed(ui::palette().muted), time.c_str());
+        list.AddText({at.x + time_width, at.y + 0.15f * em}, ui::packed(ui::palette().text), words.c_str());
+        ImGui::PopID();
+    }
+    if (clicked) go_to_stop(editor, stops[*clicked]);
+}
+
+void cures_list(Editor& editor, const std::vector<Cure>& cures) {
+    ui::heading("What would have helped");
+    if (cures.empty()) {
+        ui::muted_text("No switch, number or surface type that was tried lets the player pass");
+        return;
+    }
+    const ui::Palette& p = ui::palette();
+    const ui::Scope scope("Cures");
+    const float padding = 4.0f * ImGui::GetStyle().FramePadding.x + ImGui::GetStyle().ItemSpacing.x;
+    std::optional<std::size_t> ghost, used;
+    for (std::size_t i = 0; i < cures.size(); ++i) {
+        const Cure& cure = cures[i];
+        ImGui::PushID(static_cast<int>(i));
+        const ui::Scope row(std::to_string(i));
+        const bool runs = !cure.settings.empty() && cure.face == no_id;
+        const float buttons = ImGui::CalcTextSize((cure.button + (runs ? "Ghost" : "")).c_str()).x +
+                              (runs ? padding : 0.5f * padding);
+        const float left = ImGui::GetCursorPosX();
+        const float width = ImGui::GetContentRegionAvail().x;
+        ImGui::AlignTextToFramePadding();
+        ImGui::PushStyleColor(ImGuiCol_Text, cure.passes ? p.good : p.text);
+        ImGui::TextUnformatted(
+            wrap_words(fmt::format("{}  {}", cure_icon(cure), cure.text), width - buttons - padding).c_str());
+        ImGui::PopStyleColor();
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(left + std::max(0.0f, width - buttons));
+        if (runs) {
+            if (ui::button("Ghost", "Run the whole tape with this change as one more ghost")) ghost = i;
+            ImGui::SameLine();
+        }
+        if (ui::button(cure.button.c_str(), "Change the level so, as one step that can be undone")) used = i;
+        std::string effect = fmt::format("{:.2f} m further", cure.gained_m);
+        if (!cure.passes) effect += ", but still stopped";
+        if (!cure.cost.empty()) effect += "; " + cure.cost;
+        wrapped(p.muted, effect);
+        ImGui::PopID();
+    }
+    if (ghost) {
+        MovementSettings settings = editor.lab.trace(*editor.document).settings;
+        for (const std::string& setting : cures[*ghost].settings)
+            (void)set_setting(settings, setting);
+        editor.lab.pin(settings);
+        editor.layout.show(PanelId::ghosts);
+    }
+    if (used) use_cure(editor, Cure(cures[*used]));
 }
 
 std::string effect_text(const SwitchEffect& effect) {
@@ -116,15 +201,16 @@ void story_lines(Editor& editor, const std::vector<StoryLine>& story) {
     std::optional<std::size_t> clicked;
     for (std::size_t i = 0; i < story.size(); ++i) {
         const StoryLine& line = story[i];
+        if (line.folded && !editor.lab.show_folded) continue;
         ImGui::PushID(static_cast<int>(i));
         const float indent = static_cast<float>(line.depth) * em + 0.6f * em;
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float width = ImGui::GetContentRegionAvail().x;
         const float wrap = std::max(4.0f * em, width - indent);
-        const ImVec2 title = ImGui::CalcTextSize(line.title.c_str());
+        const float title = line.title.empty() ? 0.0f : ImGui::CalcTextSize(line.title.c_str()).y;
         const std::string words = wrap_words(line.text, wrap);
         const ImVec2 text = ImGui::CalcTextSize(words.c_str());
-        const float height = title.y + text.y + 0.5f * em;
+        const float height = title + text.y + 0.4f * em;
         if (ImGui::InvisibleButton("line", {width, height})) clicked = i;
         ui::record_last_item(std::to_string(i), true, editor.lab.lit_line == i);
         if (ImGui::IsItemVisible()) {
@@ -138,10 +224,10 @@ void story_lines(Editor& editor, const std::vector<StoryLine>& story) {
             const ImVec4 color = tone_color(line.tone);
             list.AddRectFilled({at.x + indent - 0.5f * em, at.y + 0.2f * em},
                                {at.x + indent - 0.35f * em, at.y + height - 0.2f * em}, ui::packed(color));
-            list.AddText(ui::fonts().semibold, em, {at.x + indent, at.y + 0.15f * em}, ui::packed(color),
-                         line.title.c_str());
+            list.AddText(ui::fonts().semibold, em, {at.x + indent, at.y + 0.15f * em},
+                         ui::packed(ui::palette().muted), line.title.c_str());
             list.AddText(
-                {at.x + indent, at.y + 0.2f * em + title.y},
+                {at.x + indent, at.y + 0.2f * em + title},
                 ui::packed(line.tone == StoryTone::refused ? ui::palette().muted : ui::palette().text),
                 words.c_str());
         }
@@ -158,9 +244,7 @@ void why_panel(Editor& editor) {
     Lab& lab = editor.lab;
     if (!lab.has_tape() || editor.playtest) {
         ui::muted_text(
-            "Walk the level, then pick a tick on the timeline: here stands what each sweep met, which rule "
-            "turned "
-            "the move, and what would have changed it.");
+            "Walk the level. After that, here stands what stopped you, and what would have let you pass.");
         return;
     }
     const Document& document = *editor.document;
@@ -176,10 +260,24 @@ void why_panel(Editor& editor) {
         ui::muted_text("This tick is not worked out yet");
         return;
     }
-    headline(editor, story, trace);
-    switches(editor);
-    ui::heading("Story");
+    const std::vector<Stop> stops = lab.stops(document);
+    const Stop* stop = stop_at_cursor(editor);
+    headline(editor, stop);
+    stops_list(editor, stops, run.run.dt());
+    stop = stop_at_cursor(editor);
+    if (stop == nullptr) {
+        switches(editor);
+    } else if (const std::vector<Cure>* cures = cures_at_cursor(editor)) {
+        cures_list(editor, std::vector<Cure>(*cures));
+    }
+    ui::heading("This tick");
     story_lines(editor, story);
+    const auto folded =
+        std::count_if(story.begin(), story.end(), [](const StoryLine& l) { return l.folded; });
+    if (folded > 0) {
+        ui::checkbox("Show what happens in every tick", &lab.show_folded,
+                     "Resting on the ground, and what found nothing to do");
+    }
     if (ui::button("Copy story", "Put these lines on the clipboard")) run_command(editor, "lab.copy_story");
 }
 

@@ -26,9 +26,15 @@ int bad_input(const Error& error) {
     return cli::exit_bad_input;
 }
 
-// The names that are asked for; an error when there are none, or the shard makes no sense.
-Result<std::vector<std::string>> chosen_names(const CheckArguments& arguments,
-                                              const std::vector<std::string>& names) {
+// What is asked for, and this process's part of it.
+struct Chosen {
+    std::vector<std::string> names;
+    Shard shard;
+    std::string suite;
+};
+
+// An error when nothing is asked for, or the shard makes no sense.
+Result<Chosen> chosen_names(const CheckArguments& arguments, const std::vector<std::string>& names) {
     std::vector<std::string> chosen;
     for (const std::string& name : names)
         if (is_wanted(arguments.only, name)) chosen.push_back(name);
@@ -39,15 +45,14 @@ Result<std::vector<std::string>> chosen_names(const CheckArguments& arguments,
         return Error{"", arguments.only.empty() ? "there are no snapshots: no scenes.json, no editor/*.script"
                                                 : "no snapshot is named like" + patterns};
     }
-    if (arguments.shard.empty()) return chosen;
-    const auto parts = split(arguments.shard, '/');
-    const auto index = parts.size() == 2 ? parse_int(parts[0]) : std::nullopt,
-               count = parts.size() == 2 ? parse_int(parts[1]) : std::nullopt;
-    if (!index || !count || *count < 1 || *index < 1 || *index > *count)
-        return Error{"--shard", "found \"" + arguments.shard + "\", expected a part such as 2/4"};
-    std::vector<std::string> mine;
+    Chosen mine{.names = {}, .shard = {}, .suite = suite_fingerprint(chosen)};
+    if (!arguments.shard.empty()) {
+        const Result<Shard> shard = parse_shard(arguments.shard, "--shard");
+        if (!shard) return shard.error();
+        mine.shard = *shard;
+    }
     for (std::size_t i = 0; i < chosen.size(); ++i)
-        if (static_cast<std::int64_t>(i) % *count == *index - 1) mine.push_back(chosen[i]);
+        if (mine.shard.has(i)) mine.names.push_back(chosen[i]);
     return mine;
 }
 
@@ -67,8 +72,7 @@ void print_progress(const CheckArguments& arguments, const GoldenResult& entry) 
 
 void add_orphans(const CheckArguments& arguments, const SuiteSet& set, Report& report) {
     const bool all = arguments.only.empty() && arguments.work.suite.levels.empty() &&
-                     arguments.work.suite.suites.empty() &&
-                     (arguments.shard.empty() || arguments.shard.starts_with("1/"));
+                     arguments.work.suite.suites.empty() && report.shard.number == 1;
     if (!all) return;
     for (const std::string& name : orphan_goldens(arguments.work.suite.goldens, set.names)) {
         GoldenResult orphan;
@@ -148,12 +152,14 @@ int snapshot_check(const CheckArguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
     const Result<SuiteSet> set = load_suite_set(arguments.work.suite);
     if (!set) return bad_input(set.error());
-    const auto names = chosen_names(arguments, set->names);
-    if (!names) return bad_input(names.error());
+    const auto chosen = chosen_names(arguments, set->names);
+    if (!chosen) return bad_input(chosen.error());
     Report report;
     report.goldens = arguments.work.suite.goldens;
+    report.shard = chosen->shard;
+    report.suite = chosen->suite;
     const Result<std::string> renderer =
-        do_all_work(arguments.work, *set, *names, [&](const GoldenResult& entry) {
+        do_all_work(arguments.work, *set, chosen->names, [&](const GoldenResult& entry) {
             print_progress(arguments, entry);
             report.entries.push_back(entry);
         });
@@ -167,12 +173,14 @@ int snapshot_check(const CheckArguments& arguments) {
 int snapshot_compare(const CheckArguments& arguments) {
     Result<SuiteSet> set = load_suite_set(arguments.work.suite);
     if (!set) return bad_input(set.error());
-    const auto names = chosen_names(arguments, set->names);
-    if (!names) return bad_input(names.error());
+    const auto chosen = chosen_names(arguments, set->names);
+    if (!chosen) return bad_input(chosen.error());
     Studio studio(*std::move(set));
     Report report;
     report.goldens = arguments.work.suite.goldens;
-    for (const std::string& name : *names) {
+    report.shard = chosen->shard;
+    report.suite = chosen->suite;
+    for (const std::string& name : chosen->names) {
         const fs::path picture = fs::path(arguments.actual) / (name + ".png");
         const Result<Snapshot> snapshot = studio.find(name);
         const Result<Image> image = load_image(picture);
@@ -194,13 +202,13 @@ int snapshot_compare(const CheckArguments& arguments) {
 int snapshot_render(const CheckArguments& arguments) {
     const Result<SuiteSet> set = load_suite_set(arguments.work.suite);
     if (!set) return bad_input(set.error());
-    const auto names = chosen_names(arguments, set->names);
-    if (!names) return bad_input(names.error());
+    const auto chosen = chosen_names(arguments, set->names);
+    if (!chosen) return bad_input(chosen.error());
     bool fine = true;
     const auto start = std::chrono::steady_clock::now();
     Report report;
     const Result<std::string> renderer =
-        do_all_work(arguments.work, *set, *names, [&](const GoldenResult& entry) {
+        do_all_work(arguments.work, *set, chosen->names, [&](const GoldenResult& entry) {
             fine = fine && entry.state == GoldenState::same;
             if (entry.state != GoldenState::same)
                 print_entry(entry, "FAILED");
@@ -213,7 +221,7 @@ int snapshot_render(const CheckArguments& arguments) {
     if (arguments.timing) print_timing(report, arguments.work.jobs);
     if (arguments.sheet) {
         std::vector<std::pair<std::string, fs::path>> pictures;
-        for (const std::string& name : *names)
+        for (const std::string& name : chosen->names)
             pictures.emplace_back(name, fs::path(arguments.work.out) / (name + ".png"));
         const auto sheets = write_sheets(pictures, arguments.work.out);
         if (!sheets) return bad_input(sheets.error());

@@ -1,11 +1,36 @@
 #include "tools/audit_job.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "slipface/level/find_start.h"
 #include "slipface/mesh/mesh.h"
 
 namespace slipface {
+
+namespace {
+
+constexpr HeatInfo heat_infos[] = {
+    {"Walking time that a face cost each time a walker came to touch it", "s per visit"},
+    {"Time on a face in which walkers hardly moved although they were asked to, of all walkers", "s"},
+    {"Time of falling close above a face without finding ground, of all walkers", "s"},
+    {"Time that walkers spent on a face, of all walkers", "s"},
+    {"Faces flat enough to stand on where no walker ever was", ""},
+};
+static_assert(std::size(heat_infos) == heat_names.size());
+
+}  // namespace
+
+const HeatInfo& info_of(HeatKind kind) {
+    return heat_infos[static_cast<std::size_t>(kind)];
+}
+
+std::string heat_text(HeatKind kind, double value) {
+    const int digits = value >= 100.0 ? 0 : value >= 10.0 ? 1 : value >= 0.1 ? 2 : 3;
+    return fmt::format("{:.{}f} {}", value, value == 0.0 ? 0 : digits, info_of(kind).unit);
+}
 
 std::shared_ptr<AuditJob> AuditJob::start(const Document& document, const AuditSettings& settings) {
     std::shared_ptr<AuditJob> job(new AuditJob);
@@ -23,7 +48,9 @@ std::shared_ptr<AuditJob> AuditJob::start(const Document& document, const AuditS
             self->steps_ += steps;
             return !self->cancelled_;
         };
-        Result<AuditReport> report = run_audit(self->level_, options);
+        const Result<Start> start = settle_start(self->level_);
+        Result<AuditReport> report =
+            start ? run_audit(self->level_, options) : Result<AuditReport>(start.error());
         if (report)
             self->report_ = std::move(*report);
         else
@@ -50,17 +77,19 @@ bool AuditJob::fits(const Document& document) const {
 double AuditJob::value(HeatKind of, FaceId face) const {
     const FaceHeat& heat = report_->heat[face];
     switch (of) {
-        case HeatKind::lost_speed:
-            return static_cast<double>(heat.lost_mm_s) / 1000.0;
+        case HeatKind::lost_time:
+            return heat.visits == 0
+                       ? 0.0
+                       : 1e-6 * static_cast<double>(heat.lost_us) / static_cast<double>(heat.visits);
         case HeatKind::stuck:
-            return static_cast<double>(heat.stuck);
+            return static_cast<double>(heat.stuck) * options_.dt;
         case HeatKind::missed_ground:
-            return static_cast<double>(heat.missed_ground);
+            return static_cast<double>(heat.missed_ground) * options_.dt;
         case HeatKind::visited:
-            return static_cast<double>(heat.visited);
+            return static_cast<double>(heat.stood) * options_.dt;
         case HeatKind::unreached: {
             const bool walkable = face_normal(*level_.mesh, face).y() >= std::cos(level_.movement.max_slope);
-            return walkable && heat.visited == 0 ? 1.0 : 0.0;
+            return walkable && heat.stood == 0 ? 1.0 : 0.0;
         }
     }
     return 0.0;

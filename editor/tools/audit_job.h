@@ -10,9 +10,17 @@
 
 namespace slipface {
 
-enum class HeatKind { lost_speed, stuck, missed_ground, visited, unreached };
-inline constexpr std::array<const char*, 5> heat_names{"Lost speed", "Stuck", "Missed ground", "Visited",
+enum class HeatKind { lost_time, stuck, missed_ground, visited, unreached };
+inline constexpr std::array<const char*, 5> heat_names{"Lost time", "Stuck", "Missed ground", "Visited",
                                                        "Never visited"};
+
+// One row per kind: what the panel, its tooltips and the legend in the view say.
+struct HeatInfo {
+    const char* meaning;
+    const char* unit;  // of the values; empty where a face is or is not
+};
+const HeatInfo& info_of(HeatKind kind);
+std::string heat_text(HeatKind kind, double value);  // "0.12 s per visit"
 
 struct AuditSettings {
     int walkers = 60;
@@ -40,12 +48,14 @@ class AuditJob {
     // A face's share of what is worst in the level, 0..1; [face]. `unreached` is 1 for faces that could be
     // stood on and were not.
     const std::vector<float>& heat(const Document& document, HeatKind kind) const;
-    double worst(HeatKind kind) const;  // in the unit of the kind: m/s lost, ticks
+    double worst(HeatKind kind) const;  // on one face, in the kind's unit
+    // The value that a face of this share has: the colours follow its square root, so that small ones show.
+    double value_at(HeatKind of, double share) const { return share * share * worst(of); }
     // The run of a finding up to the tick at which it went wrong.
     Tape tape_of(const AuditFinding& finding) const;
 
     AuditSettings settings;
-    HeatKind kind = HeatKind::lost_speed;
+    HeatKind kind = HeatKind::lost_time;
     bool show_heat = true;
     std::optional<std::size_t> opened;  // finding that was opened last
 

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "slipface/base/text.h"
+#include "slipface/level/preset.h"
+#include "tools/lab_actions.h"
 
 namespace slipface::command_actions {
 namespace {
@@ -83,10 +85,10 @@ void redo(Editor& editor) {
 }
 
 void fill_selection(Editor& editor) {
-    editor.document->paint(editor.document->selection(), editor.brush);
+    paint_faces(editor, editor.document->selection(), editor.brush);
 }
 void unset_selection(Editor& editor) {
-    editor.document->paint(editor.document->selection(), std::nullopt);
+    paint_faces(editor, editor.document->selection(), std::nullopt);
 }
 
 void frame_selection(Editor& editor) {
@@ -141,6 +143,11 @@ std::optional<SurfaceId> surface_with_hotkey(const Editor& editor, std::size_t d
     return std::nullopt;
 }
 
+std::string type_on_key(const Editor& editor, std::size_t digit) {
+    const std::optional<SurfaceId> surface = surface_with_hotkey(editor, digit);
+    return surface ? editor.document->level().surfaces[*surface].name : std::string();
+}
+
 bool setting_is_on_at(const Editor& editor, std::size_t row) {
     return editor.document && get_setting(editor.document->level().movement, settings_table()[row]) != 0.0;
 }
@@ -153,6 +160,14 @@ void toggle_setting_at(Editor& editor, std::size_t row) {
     editor.document->set_movement(movement,
                                   std::string(on ? "Switch off " : "Switch on ") + to_lower(info.label));
     editor.status = std::string(info.label) + (on ? " off" : " on");
+}
+
+bool preset_is_used_at(const Editor& editor, std::size_t row) {
+    return editor.document && editor.document->level().movement == shipped_presets()[row].preset.settings;
+}
+
+void use_preset_at(Editor& editor, std::size_t row) {
+    use_preset(editor, shipped_presets()[row].preset);
 }
 
 }  // namespace slipface::command_actions

@@ -45,9 +45,13 @@ void reset_movement(Editor& editor);
 
 // The type with a hotkey, or nothing.
 std::optional<SurfaceId> surface_with_hotkey(const Editor& editor, std::size_t digit);
+std::string type_on_key(const Editor& editor, std::size_t digit);  // its name; empty: no type has the key
 // The row of settings_table() as a switch.
 bool setting_is_on_at(const Editor& editor, std::size_t row);
 void toggle_setting_at(Editor& editor, std::size_t row);
+// The row of shipped_presets().
+bool preset_is_used_at(const Editor& editor, std::size_t row);
+void use_preset_at(Editor& editor, std::size_t row);
 
 // Functions without captures for the table, one an argument.
 template <std::size_t Row>
@@ -57,6 +61,14 @@ bool setting_is_on(const Editor& editor) {
 template <std::size_t Row>
 void toggle_setting(Editor& editor) {
     toggle_setting_at(editor, Row);
+}
+template <std::size_t Row>
+bool preset_is_used(const Editor& editor) {
+    return preset_is_used_at(editor, Row);
+}
+template <std::size_t Row>
+void use_shipped_preset(Editor& editor) {
+    use_preset_at(editor, Row);
 }
 template <std::size_t Digit>
 bool has_hotkey(const Editor& editor) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 
+#include "slipface/base/text.h"
 #include "tools/command_rows.h"
 
 namespace slipface {
@@ -66,6 +67,18 @@ const Command* command_for(const Shortcut& pressed) {
     const auto found = std::find_if(all.begin(), all.end(),
                                     [&](const Command& command) { return command.shortcut == pressed; });
     return found == all.end() ? nullptr : &*found;
+}
+
+std::string command_name(const Editor& editor, const Command& command) {
+    return command.name && command.enabled(editor) ? command.name(editor) : std::string(command.label);
+}
+
+std::string menu_location(const Command& command) {
+    std::string path;
+    const std::string_view menu(command.menu);
+    for (const std::string_view part : split(menu, '/'))
+        if (!part.empty()) path.append(part).append(" > ");
+    return path + command.label;
 }
 
 std::string shortcut_text(const Editor& editor, const Command& command) {

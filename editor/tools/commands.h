@@ -22,6 +22,9 @@ struct Command {
     bool (*enabled)(const Editor&);
     bool (*checked)(const Editor&);  // null: no check mark
     void (*run)(Editor&);
+    // The label while the command is enabled, where it is about something in the level that has a name of its
+    // own: "Brush: ice" instead of "Brush of key 1". Null: always `label`.
+    std::string (*name)(const Editor&) = nullptr;
 };
 
 std::span<const Command> commands();
@@ -29,6 +32,10 @@ const Command* find_command(std::string_view id);
 // The table's command for a key, or null; a test keeps the table free of conflicts. What the user's own keys
 // are, Editor::session.keymap knows.
 const Command* command_for(const Shortcut& pressed);
+// What menus, tooltips and lists call it now.
+std::string command_name(const Editor& editor, const Command& command);
+// Where the menus have it: "View > Snapshots > Review snapshots".
+std::string menu_location(const Command& command);
 // The key that runs it now, as text for menus and tooltips; empty: none.
 std::string shortcut_text(const Editor& editor, const Command& command);
 // Runs it if it is enabled. False if not.

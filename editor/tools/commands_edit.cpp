@@ -2,6 +2,7 @@
 #include "tools/command_actions.h"
 #include "tools/command_rows.h"
 #include "tools/icons.h"
+#include "tools/spawns.h"
 
 namespace slipface {
 
@@ -18,6 +19,9 @@ std::vector<Command> edit_commands() {
         {"edit.set_spawn", icons::flag, "Set spawn point", "Edit",
          "Put the player's start on the face under the mouse, looking where the camera looks",
          "start player begin", key("P"), has_hovered, nullptr, set_spawn_hovered},
+        {"edit.add_spawn", icons::flag, "Add spawn", "Edit",
+         "Put a further spawn on the face under the mouse, looking where the camera looks",
+         "start player begin", ctrl_shift("P"), has_hovered, nullptr, add_spawn_hovered},
     };
 }
 

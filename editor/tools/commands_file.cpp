@@ -8,6 +8,10 @@ namespace {
 
 using namespace command_actions;
 
+bool import_card_is_shown(const Editor& editor) {
+    return editor.import_card.shown;
+}
+
 void bake_types(Editor& editor) {
     if (!editor.document || editor.document->in_transaction()) return;
     stop_playtest(editor);
@@ -18,7 +22,7 @@ void bake_types(Editor& editor) {
     }
     geometry_changed(editor);
     document_is_safe(editor);
-    editor.session.watch.start(editor.document->level().mesh_path, editor.document->level().file_path);
+    watch_files(editor);
     editor.status = *baked;
 }
 
@@ -26,16 +30,27 @@ void bake_types(Editor& editor) {
 
 std::vector<Command> file_commands() {
     return {
-        {"file.open", icons::folder_open, "Open…", "File", "Open an OBJ or a level file",
-         "load import level obj", ctrl("O"), always, nullptr, open_file},
+        {"file.open", icons::folder_open, "Open…", "File",
+         "Open a level file, or geometry in any of the formats that can be read", "load import level obj",
+         ctrl("O"), always, nullptr, open_file},
         {"file.save", icons::save, "Save", "File",
          "Write the level file beside the OBJ, which stays as it is", "write store", ctrl("S"), has_document,
          nullptr, save},
         {"file.save_as", icons::save, "Save as…", "File", "Write the level file under another name",
          "write store copy", ctrl_shift("S"), has_document, nullptr, save_as},
         {"file.reload", icons::refresh, "Reload geometry", "File",
-         "Read the OBJ again and find the painted faces on it; undo takes it back", "refresh again hot",
+         "Read the geometry again and find the painted faces on it; undo takes it back", "refresh again hot",
          ctrl("R"), has_document, nullptr, reload_geometry},
+        {"file.import_card",
+         icons::expand,
+         "Scale, axis and size…",
+         "File",
+         "Show how the geometry's file was read, and change its scale and upward axis",
+         "import unit metres up transform spawn holes",
+         {},
+         has_document,
+         import_card_is_shown,
+         toggle_import_card},
         {"file.recover",
          icons::life_ring,
          "Recover autosaves…",

@@ -19,24 +19,27 @@ template <std::size_t... I>
 std::vector<Command> digit_commands(std::index_sequence<I...>) {
     static std::array<std::array<std::string, 6>, sizeof...(I)> texts;
     std::vector<Command> rows, fills;
-    const auto add = [&](std::size_t i, auto enabled, auto checked, auto run, auto can_fill, auto fill) {
+    const auto add = [&](std::size_t i, auto enabled, auto checked, auto run, auto brush_name, auto can_fill,
+                         auto fill, auto fill_name) {
         const std::string digit = std::to_string(i + 1);
         texts[i] = {"brush." + digit,
-                    "Brush " + digit,
+                    "Brush of key " + digit,
                     "Paint with the surface type that has the hotkey " + digit,
                     "paint." + digit,
-                    "Make it type " + digit,
+                    "Make it the type of key " + digit,
                     "Give the selected faces the surface type that has the hotkey " + digit};
         rows.push_back({texts[i][0].c_str(), "", texts[i][1].c_str(), "Tools", texts[i][2].c_str(),
-                        "surface type hotkey", key(digit.c_str()), enabled, checked, run});
+                        "surface type hotkey", key(digit.c_str()), enabled, checked, run, brush_name});
         fills.push_back({texts[i][3].c_str(), "", texts[i][4].c_str(), "Edit/Make it", texts[i][5].c_str(),
                          "paint selection turn into surface type", shift(digit.c_str()), can_fill, nullptr,
-                         fill});
+                         fill, fill_name});
     };
     (add(
          I, has_hotkey<I + 1>, brush_has_hotkey<I + 1>, brush_by_hotkey<I + 1>,
+         [](const Editor& e) { return "Brush: " + type_on_key(e, I + 1); },
          [](const Editor& e) { return has_selection(e) && has_hotkey<I + 1>(e); },
-         [](Editor& e) { e.document->paint(e.document->selection(), surface_with_hotkey(e, I + 1)); }),
+         [](Editor& e) { paint_faces(e, e.document->selection(), surface_with_hotkey(e, I + 1)); },
+         [](const Editor& e) { return "Make it " + type_on_key(e, I + 1); }),
      ...);
     rows.insert(rows.end(), fills.begin(), fills.end());
     return rows;

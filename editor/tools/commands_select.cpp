@@ -65,7 +65,7 @@ void show_all(Editor& editor) {
 
 void select_middle(Editor& editor) {
     const Ray ray = pixel_ray(editor.view.camera(), {0.5, 0.5}, {1.0, 1.0});
-    const auto hit = editor.document->pick(ray.origin, ray.direction, !editor.style.back_faces);
+    const auto hit = editor.document->pick(ray.origin, ray.direction, !sees_back_faces(editor));
     if (hit) apply_selection(editor, {hit->face}, SelectBy::replace, "Select face");
 }
 // Under the mouse, or else in the middle of the view.
@@ -179,6 +179,63 @@ std::vector<Command> type_rows() {
     };
 }
 
+bool has_guessed(const Editor& editor) {
+    return editor.document && !editor.document->guessed().empty();
+}
+
+std::vector<Command> guessed_rows() {
+    return {
+        {"select.guessed",
+         icons::all,
+         "All of them",
+         "Select/Guessed paint",
+         "Select the faces whose paint was guessed when the geometry was read: found by their plane or "
+         "nearby, "
+         "not exactly",
+         "reload match plane nearest hot",
+         {},
+         has_guessed,
+         nullptr,
+         [](Editor& e) {
+             const std::span<const FaceId> faces = e.document->guessed();
+             apply_selection(e, {faces.begin(), faces.end()}, SelectBy::replace, "Select guessed paint");
+         }},
+        {"select.next_guessed",
+         icons::step_forward,
+         "Next",
+         "Select/Guessed paint",
+         "Select and frame the next face whose paint was guessed",
+         "reload match step",
+         {},
+         has_guessed,
+         nullptr,
+         [](Editor& e) { step_guessed(e, true); }},
+        {"select.previous_guessed",
+         icons::step_back,
+         "Previous",
+         "Select/Guessed paint",
+         "Select and frame the face before it whose paint was guessed",
+         "reload match step",
+         {},
+         has_guessed,
+         nullptr,
+         [](Editor& e) { step_guessed(e, false); }},
+        {"select.accept_guessed",
+         icons::check,
+         "Accept all",
+         "Select/Guessed paint",
+         "The guesses are right: list them no more",
+         "reload match confirm",
+         {},
+         has_guessed,
+         nullptr,
+         [](Editor& e) {
+             e.status = std::to_string(e.document->guessed().size()) + " guesses accepted";
+             e.document->accept_guessed();
+         }},
+    };
+}
+
 std::vector<Command> hide_rows() {
     return {
         {"select.hide", icons::eye_off, "Hide", "Select",
@@ -193,18 +250,22 @@ std::vector<Command> hide_rows() {
 
 std::vector<Command> shape_rows() {
     return {
-        {"select.box", icons::square, "Drag a box", "Select/Mouse",
+        {"select.box", icons::object_group, "Drag a box", "Select/Mouse",
          "Dragging with the select tool draws a box", "rectangle marquee", shift("B"), always,
          shape_is<SelectShape::box>, use_shape<SelectShape::box>},
         {"select.lasso", icons::lasso, "Drag a lasso", "Select/Mouse",
          "Dragging with the select tool draws an outline around faces", "freehand outline polygon",
          shift("Q"), always, shape_is<SelectShape::lasso>, use_shape<SelectShape::lasso>},
-        {"select.brush", icons::brush, "Drag a brush", "Select/Mouse",
+        {"select.brush", icons::disc, "Drag a brush", "Select/Mouse",
          "Dragging with the select tool selects what the mouse passes over", "paint stroke circle",
          shift("P"), always, shape_is<SelectShape::brush>, use_shape<SelectShape::brush>},
-        {"select.through", icons::clone, "Select through", "Select/Mouse",
+        {"select.through", icons::cubes, "Select through", "Select/Mouse",
          "Box and lasso also take faces that cannot be seen, by their centres", "x-ray behind occluded",
          shift("X"), always, shown<&Editor::select_through>, toggle_shown<&Editor::select_through>},
+        {"select.whole", icons::whole, "Only whole faces", "Select/Mouse",
+         "Box and lasso take only faces that lie wholly inside the outline",
+         "fully inside contained crossing", shift_alt("X"), always, shown<&Editor::select_whole>,
+         toggle_shown<&Editor::select_whole>},
     };
 }
 
@@ -220,27 +281,32 @@ template <std::size_t... I>
 std::vector<Command> digit_rows(std::index_sequence<I...>) {
     static std::array<std::array<std::string, 6>, sizeof...(I)> texts;
     std::vector<Command> types, saved;
-    const auto add = [&](std::size_t i, auto has_type, auto select_type, auto has_saved, auto recall) {
+    const auto add = [&](std::size_t i, auto has_type, auto select_type, auto type_name, auto has_saved,
+                         auto recall, auto saved_name) {
         const std::string digit = std::to_string(i + 1);
         texts[i] = {"select.type_" + digit,
-                    "Type " + digit,
+                    "Type of key " + digit,
                     "Select every face of the surface type that has the hotkey " + digit,
                     "select.recall_" + digit,
                     "Recall selection " + digit,
                     "Select the faces of saved selection number " + digit};
         types.push_back({texts[i][0].c_str(), "", texts[i][1].c_str(), "Select/By type", texts[i][2].c_str(),
-                         "surface type hotkey", ctrl(digit.c_str()), has_type, nullptr, select_type});
+                         "surface type hotkey", ctrl(digit.c_str()), has_type, nullptr, select_type,
+                         type_name});
         saved.push_back({texts[i][3].c_str(), "", texts[i][4].c_str(), "Select/Saved", texts[i][5].c_str(),
-                         "saved named set restore", alt(digit.c_str()), has_saved, nullptr, recall});
+                         "saved named set restore", alt(digit.c_str()), has_saved, nullptr, recall,
+                         saved_name});
     };
     (add(
          I, has_hotkey<I + 1>,
          [](Editor& e) {
              apply_selection(e, faces_of_type(*e.document, *surface_with_hotkey(e, I + 1)), SelectBy::replace,
-                             "Select by type");
+                             "Select " + type_on_key(e, I + 1));
          },
+         [](const Editor& e) { return "Type: " + type_on_key(e, I + 1); },
          [](const Editor& e) { return saved_index<I + 1>(e).has_value(); },
-         [](Editor& e) { recall_selection(e, I, SelectBy::replace); }),
+         [](Editor& e) { recall_selection(e, I, SelectBy::replace); },
+         [](const Editor& e) { return "Recall " + e.document->saved_selections()[I].name; }),
      ...);
     types.push_back({"select.save", icons::save, "Save selection", "Select/Saved",
                      "Keep the selected faces under a name, to be recalled later", "named set remember store",
@@ -254,7 +320,7 @@ std::vector<Command> digit_rows(std::index_sequence<I...>) {
 std::vector<Command> select_commands() {
     std::vector<Command> all;
     for (const std::vector<Command>& part :
-         {whole_rows(), hide_rows(), connected_rows(), similar_rows(), type_rows(),
+         {whole_rows(), hide_rows(), connected_rows(), similar_rows(), type_rows(), guessed_rows(),
           digit_rows(std::make_index_sequence<9>()), shape_rows()})
         all.insert(all.end(), part.begin(), part.end());
     return all;

@@ -100,6 +100,60 @@ std::vector<Command> direction_rows() {
     };
 }
 
+template <BackFaces Which>
+bool back_faces_are(const Editor& editor) {
+    return editor.back_faces == Which;
+}
+template <BackFaces Which>
+void use_back_faces(Editor& editor) {
+    set_back_faces(editor, Which);
+}
+// The opposite of what one sees, and from there back to automatic.
+void switch_back_faces(Editor& editor) {
+    if (editor.back_faces != BackFaces::automatic)
+        set_back_faces(editor, BackFaces::automatic);
+    else
+        set_back_faces(editor, sees_back_faces(editor) ? BackFaces::never : BackFaces::always);
+}
+
+std::vector<Command> back_face_rows() {
+    return {
+        {"view.back_faces", icons::cube, "Back faces", "View/Back faces",
+         "Draw faces seen from behind, darker and reddish, or look through them; once more: automatically",
+         "cull two sided inside outside", key("C"), always, sees_back_faces, switch_back_faces},
+        {"view.back_faces_automatic",
+         "",
+         "Automatic",
+         "View/Back faces",
+         "Look through them from outside a level of rooms and in its plans, draw them everywhere else",
+         "cull two sided inside outside closed",
+         {},
+         always,
+         back_faces_are<BackFaces::automatic>,
+         use_back_faces<BackFaces::automatic>},
+        {"view.back_faces_always",
+         "",
+         "Always drawn",
+         "View/Back faces",
+         "Draw faces seen from behind, darker and reddish, in every view",
+         "cull two sided",
+         {},
+         always,
+         back_faces_are<BackFaces::always>,
+         use_back_faces<BackFaces::always>},
+        {"view.back_faces_never",
+         "",
+         "Never drawn",
+         "View/Back faces",
+         "Look through faces seen from behind in every view",
+         "cull two sided",
+         {},
+         always,
+         back_faces_are<BackFaces::never>,
+         use_back_faces<BackFaces::never>},
+    };
+}
+
 std::vector<Command> pane_rows() {
     return {
         {"view.one_pane", icons::square, "One view", "View/Panes", "Show one view of the level",
@@ -159,15 +213,16 @@ std::vector<Command> camera_rows(std::index_sequence<I...>) {
          "bookmark cycle", key("PageUp"), has_camera, nullptr, [](Editor& e) { go_to_next_camera(e, -1); }},
     };
     static std::array<std::array<std::string, 4>, sizeof...(I)> texts;
-    const auto add = [&](std::size_t i, auto enabled, auto run) {
+    const auto add = [&](std::size_t i, auto enabled, auto run, auto name) {
         const std::string digit = std::to_string(i + 1);
         texts[i] = {"camera.go_" + digit, "Camera " + digit, "Go to camera number " + digit, "F" + digit};
         rows.push_back({texts[i][0].c_str(), "", texts[i][1].c_str(), "View/Cameras", texts[i][2].c_str(),
-                        "bookmark jump", shift(texts[i][3].c_str()), enabled, nullptr, run});
+                        "bookmark jump", shift(texts[i][3].c_str()), enabled, nullptr, run, name});
     };
     (add(
          I, [](const Editor& e) { return e.document && I < e.document->level().cameras.size(); },
-         [](Editor& e) { go_to_camera(e, I); }),
+         [](Editor& e) { go_to_camera(e, I); },
+         [](const Editor& e) { return "Camera: " + e.document->level().cameras[I].name; }),
      ...);
     return rows;
 }
@@ -200,9 +255,6 @@ std::vector<Command> view_commands() {
         {"view.wireframe", icons::grid, "Wireframe", "View", "Draw the borders of faces",
          "edges lines polygons", key("Z"), always, flag_is<&LevelStyle::wireframe>,
          toggle_flag<&LevelStyle::wireframe>},
-        {"view.back_faces", icons::cube, "Back faces", "View",
-         "Draw faces seen from behind, darker and reddish; else look through them", "cull two sided",
-         key("C"), always, flag_is<&LevelStyle::back_faces>, toggle_flag<&LevelStyle::back_faces>},
         {"view.slope", icons::signal, "Slope colours", "View",
          "Colour faces by how steep they are: blue flat, pale at the slope limit, orange to red beyond",
          "heat incline angle steep", shift("S"), always, colors_are<FaceColors::slope>,
@@ -228,9 +280,9 @@ std::vector<Command> view_commands() {
          nullptr,
          reset_layout},
     };
-    for (std::vector<Command>& part :
-         std::array{direction_rows(), pane_rows(), camera_rows(std::make_index_sequence<9>()),
-                    panel_commands(std::make_index_sequence<panel_count>())})
+    for (std::vector<Command>& part : std::array{back_face_rows(), direction_rows(), pane_rows(),
+                                                 camera_rows(std::make_index_sequence<9>()),
+                                                 panel_commands(std::make_index_sequence<panel_count>())})
         std::move(part.begin(), part.end(), std::back_inserter(rows));
     return rows;
 }

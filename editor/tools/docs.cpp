@@ -84,8 +84,8 @@ std::string settings_markdown() {
             text += row({"Setting", "Name", "Default", "Range", "Meaning", "Too small", "Too large"});
             text += row({"---", "---", "---", "---", "---", "---", "---"});
         }
-        const bool number = !std::holds_alternative<bool MovementSettings::*>(info.member) &&
-                            !std::holds_alternative<PushOut MovementSettings::*>(info.member);
+        const bool number =
+            !std::holds_alternative<bool MovementSettings::*>(info.member) && choice_names(info).empty();
         const std::string standard =
             number ? with_unit(shown_number(get_setting(defaults, info), info.unit), info.unit)
                    : setting_text(defaults, info);

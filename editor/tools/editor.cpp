@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "document/faces.h"
+#include "document/inside_out.h"
+#include "slipface/level/find_start.h"
 #include "tools/lab_actions.h"
 
 namespace slipface {
@@ -28,12 +30,11 @@ void forget_hover(Editor& editor) {
     editor.hovered_normal = Vec3::Zero();
 }
 
-void paint_faces(Editor& editor, const std::vector<FaceId>& faces) {
-    const std::uint64_t before = editor.document->face_revision();
-    editor.document->paint(faces, editor.brush);
-    if (editor.document->face_revision() != before)
-        editor.status = (editor.brush ? "Painted " + brush_name(editor) : std::string("Unset")) + " on " +
-                        count_text(faces.size(), "face", "faces");
+// Within the bounds of a stroke every touch adds to what was painted since it began.
+std::string painted_text(const Editor& editor, std::optional<SurfaceId> surface, std::size_t faces) {
+    const std::string count = count_text(faces, "face", "faces");
+    if (!surface) return "Unset on " + count;
+    return "Painted " + editor.document->level().surfaces[*surface].name + " on " + count;
 }
 
 // A stroke or drag that is still going on ends where it is.
@@ -54,6 +55,7 @@ void open_level(Editor& editor, const std::filesystem::path& path) {
     }
     adopt_document(editor, std::move(opened).value(), path);
     bring_back_tape(editor);
+    offer_recovery(editor);
 }
 
 void geometry_changed(Editor& editor) {
@@ -65,7 +67,7 @@ void geometry_changed(Editor& editor) {
     editor.session.problem.reset();
     keep_brush_valid(editor);
     const Document& document = *editor.document;
-    if (!document.warnings().empty() || !document.level().orphans.empty())
+    if (!document.warnings().empty() || !document.level().orphans.empty() || !document.guessed().empty())
         editor.layout.show(PanelId::warnings);
 }
 
@@ -80,7 +82,7 @@ void adopt_document(Editor& editor, std::unique_ptr<Document> opened, const std:
     editor.recent.add(path);
     geometry_changed(editor);
     const Document& document = *editor.document;
-    editor.session.watch.start(document.level().mesh_path, document.level().file_path);
+    watch_files(editor);
     editor.camera_shown.reset();
     editor.view.orthographic = false;
     const std::size_t panes = std::exchange(editor.panes, {}).count;
@@ -93,6 +95,7 @@ void adopt_document(Editor& editor, std::unique_ptr<Document> opened, const std:
                     count_text(document.mesh().face_count(), "face", "faces");
     if (const std::size_t hidden = document.hidden().size(); hidden > 0)
         editor.status += ", " + std::to_string(hidden) + " hidden";
+    offer_import_card(editor);
 }
 
 namespace {
@@ -108,6 +111,9 @@ void do_next(Editor& editor, const UnsavedDialog& next) {
             break;
         case UnsavedDialog::Then::demo:
             show_demo(editor, *next.demo);
+            break;
+        case UnsavedDialog::Then::recover:
+            recover(editor, next.autosave);
             break;
     }
 }
@@ -140,7 +146,7 @@ void save_level_as(Editor& editor, const std::filesystem::path& level_file) {
         return;
     }
     document_is_safe(editor);
-    editor.session.watch.start(editor.document->level().mesh_path, editor.document->level().file_path);
+    watch_files(editor);
     editor.status = "Saved " + file.filename().string();
 }
 
@@ -160,11 +166,39 @@ void answer_unsaved(Editor& editor, UnsavedChoice choice) {
     do_next(editor, asked);
 }
 
+bool draws_back_faces(const Editor& editor, const Camera& camera) {
+    if (editor.back_faces != BackFaces::automatic) return editor.back_faces == BackFaces::always;
+    if (!editor.document || editor.playtest) return true;
+    const CollisionWorld& world = editor.document->collision();
+    if (editor.rooms.mesh != &editor.document->mesh())
+        editor.rooms = {&editor.document->mesh(), is_made_of_rooms(world)};
+    return !editor.rooms.made_of || !(camera.orthographic || is_outside_rooms(world, camera.eye));
+}
+
+bool sees_back_faces(const Editor& editor) {
+    return draws_back_faces(editor, editor.view.camera());
+}
+
+void set_back_faces(Editor& editor, BackFaces wanted) {
+    editor.back_faces = wanted;
+    switch (wanted) {
+        case BackFaces::automatic:
+            editor.status = "Back faces: automatic, looked through from outside a level of rooms";
+            break;
+        case BackFaces::always:
+            editor.status = "Back faces: always drawn";
+            break;
+        case BackFaces::never:
+            editor.status = "Back faces: never drawn";
+            break;
+    }
+}
+
 void hover(Editor& editor, const Ray& ray) {
     forget_hover(editor);
     if (!editor.document) return;
     const std::optional<RayHit> hit =
-        editor.document->pick(ray.origin, ray.direction, !editor.style.back_faces);
+        editor.document->pick(ray.origin, ray.direction, !sees_back_faces(editor));
     if (!hit) return;
     editor.hovered = hit->face;
     editor.hovered_point = hit->point;
@@ -217,16 +251,29 @@ const std::vector<FaceId>& tool_faces(const Editor& editor) {
     return found.faces;
 }
 
+void paint_faces(Editor& editor, std::span<const FaceId> faces, std::optional<SurfaceId> surface) {
+    if (!editor.document) return;
+    const std::size_t changed = editor.document->paint(faces, surface);
+    if (changed == 0) return;
+    if (!editor.document->in_transaction()) editor.stroke_painted = 0;
+    editor.stroke_painted += changed;
+    editor.status = painted_text(editor, surface, editor.stroke_painted);
+}
+
 void paint_hovered(Editor& editor) {
     if (!editor.document || editor.hovered >= editor.document->mesh().face_count()) return;
-    paint_faces(editor, brush_faces(editor.document->mesh(), editor.document->neighbours(), editor.hovered,
-                                    editor.hovered_point, editor.brush_radius));
+    paint_faces(editor,
+                brush_faces(editor.document->mesh(), editor.document->neighbours(), editor.hovered,
+                            editor.hovered_point, editor.brush_radius),
+                editor.brush);
 }
 
 void fill_hovered(Editor& editor) {
     if (!editor.document || editor.hovered >= editor.document->mesh().face_count()) return;
-    paint_faces(editor, flood_by_angle(editor.document->facts(), editor.document->neighbours(),
-                                       std::span(&editor.hovered, 1), editor.fill_angle));
+    paint_faces(editor,
+                flood_by_angle(editor.document->facts(), editor.document->neighbours(),
+                               std::span(&editor.hovered, 1), editor.fill_angle),
+                editor.brush);
 }
 
 void pick_surface(Editor& editor) {
@@ -256,29 +303,63 @@ void keep_brush_valid(Editor& editor) {
         editor.brush = default_surface;
 }
 
-void set_spawn_hovered(Editor& editor) {
-    if (!editor.document || editor.hovered == no_id) return;
+Spawn spawn_on_hovered(const Editor& editor) {
     Probe standing;
     standing.place_on(editor.hovered_point, editor.hovered_normal, editor.document->level().movement);
-    editor.document->set_spawn({standing.from, editor.view.yaw});
+    return {standing.from, editor.view.yaw};
+}
+
+void set_spawn_hovered(Editor& editor) {
+    if (!editor.document || editor.hovered == no_id) return;
+    editor.document->set_spawn(spawn_on_hovered(editor));
     editor.status = "Spawn point set";
 }
 
-void start_playtest(Editor& editor) {
-    if (!editor.document) return;
+namespace {
+
+// By value: the position may be that of the playtest that ends here.
+void begin_playtest(Editor& editor, const Vec3 position, double yaw, std::string note) {
     finish_edits(editor);
     const Document& document = *editor.document;
     const bool first_person = editor.playtest && editor.playtest->first_person;
     take_playtest_tape(editor);  // of the attempt that ends here
     editor.playtest.emplace();
     editor.playtest->first_person = first_person;
-    editor.playtest->start(document.level().spawn, document.level().spawn_yaw);
+    editor.playtest->start(position, yaw);
     editor.playtest->name_level(document.level().mesh_path.filename().string(), document.mesh().fingerprint,
                                 scene_fingerprint(editor.lab.scene(document).at(0, 0.0)));
-    editor.status =
-        overlaps_any(document.collision(), document.level().movement.radii, document.level().spawn)
-            ? "The spawn point overlaps the level"
-            : "";
+    editor.status = std::move(note);
+}
+
+Result<Start> start_in(const Editor& editor, const Level& level) {
+    const TickScene scene = editor.lab.scene(*editor.document);
+    return find_start(level, scene.at(0, 0.0), scene.offset(), level.movement);
+}
+
+}  // namespace
+
+void start_playtest(Editor& editor) {
+    if (!editor.document) return;
+    const Result<Start> start = start_in(editor, editor.document->level());
+    if (start) begin_playtest(editor, start->position, start->yaw, start->note);
+}
+
+void restart_playtest(Editor& editor) {
+    if (!editor.playtest) return;
+    begin_playtest(editor, editor.playtest->spawn(), editor.playtest->spawn_yaw(), "");
+}
+
+void play_from_hovered(Editor& editor) {
+    if (!editor.document || editor.hovered == no_id) return;
+    Level here;  // find_start() asks a level for nothing but its spawns
+    here.movement = editor.document->level().movement;
+    Spawn spawn = spawn_on_hovered(editor);
+    spawn.name = "here";
+    set_spawns(here, {spawn});
+    const Result<Start> start = start_in(editor, here);
+    if (start)
+        begin_playtest(editor, start->position, start->yaw,
+                       start->note.empty() ? "Playing from here" : start->note);
 }
 
 void stop_playtest(Editor& editor) {
@@ -291,8 +372,9 @@ std::vector<std::uint8_t> face_highlights(const Editor& editor) {
     std::vector<std::uint8_t> highlights(editor.document->mesh().face_count(), 0);
     for (const FaceId face : tool_faces(editor))
         highlights[face] = 1;
-    for (const FaceId face : editor.document->selection())
-        highlights[face] = static_cast<std::uint8_t>(highlights[face] | 2);
+    if (!editor.playtest)  // the player sees the paint, not what is being edited
+        for (const FaceId face : editor.document->selection())
+            highlights[face] = static_cast<std::uint8_t>(highlights[face] | 2);
     for (const FaceId face : editor.document->hidden())
         highlights[face] = 4;
     return highlights;

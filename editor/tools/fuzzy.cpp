@@ -60,11 +60,11 @@ std::vector<const Command*> find_commands(const Editor& editor, std::string_view
     std::vector<Ranked> found;
     for (const Command& command : commands()) {
         if (!*command.menu || std::string_view(command.id) == "help.command_palette") continue;
-        const std::string all = std::string(command.label) + " " + command.menu + " " + command.search + " " +
-                                command.description;
+        const std::string name = command_name(editor, command);
+        const std::string all = name + " " + command.menu + " " + command.search + " " + command.description;
         const std::optional<int> anywhere = fuzzy_score(query, all);
         if (!anywhere) continue;
-        const std::optional<int> in_label = fuzzy_score(query, command.label);
+        const std::optional<int> in_label = fuzzy_score(query, name);
         const auto recent =
             std::find(editor.recent_commands.begin(), editor.recent_commands.end(), command.id);
         found.push_back({&command, !command.enabled(editor), in_label ? 1000 + *in_label : *anywhere,

@@ -1,4 +1,5 @@
-// Glyphs of Font Awesome 4.7 as UTF-8, for labels drawn with the editor's merged font.
+// Glyphs of Font Awesome 4.7 as UTF-8, for labels drawn with the editor's merged font; and one of our own,
+// which widgets/own_icons.cpp draws.
 #pragma once
 
 namespace slipface::icons {
@@ -48,8 +49,10 @@ inline constexpr const char* connected = "\xef\x83\xa8";     // f0e8
 inline constexpr const char* signal = "\xef\x80\x92";        // f012
 inline constexpr const char* eye_off = "\xef\x81\xb0";       // f070
 inline constexpr const char* square = "\xef\x84\xa5";        // f125
-inline constexpr const char* lasso = "\xef\x86\xa1";         // f1a1
-inline constexpr const char* clone = "\xef\x89\x8d";         // f24d
+inline constexpr const char* lasso = "\xee\x80\x80";         // e000, our own
+inline constexpr const char* cubes = "\xef\x86\xb3";         // f1b3
+inline constexpr const char* disc = "\xef\x86\x92";          // f192
+inline constexpr const char* whole = "\xef\x81\x86";         // f046
 inline constexpr const char* search = "\xef\x80\x82";        // f002
 inline constexpr const char* bookmark = "\xef\x80\xae";      // f02e
 inline constexpr const char* camera = "\xef\x80\xb0";        // f030

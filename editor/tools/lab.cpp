@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "slipface/level/find_start.h"
+#include "slipface/level/preset.h"
+
 namespace slipface {
 namespace {
 
@@ -51,7 +54,13 @@ Status Lab::open(const Document& document, Tape tape, std::string name) {
 
     close();
     name_ = std::move(name);
-    start_ = tape.start.value_or(document.level().spawn);
+    if (tape.start) {
+        start_ = *tape.start;
+    } else {
+        const TickScene ticks = scene(document);
+        const Result<Start> start = find_start(document.level(), ticks.at(0, 0.0), ticks.offset(), settings);
+        start_ = start ? start->position : document.level().spawn;
+    }
     if (tape.level_fingerprint && *tape.level_fingerprint != document.mesh().fingerprint)
         doubt_ = "Recorded on other geometry";
     else if (tape.surfaces_fingerprint &&
@@ -76,8 +85,8 @@ void Lab::close() {
 
 Tape Lab::sealed_tape() const {
     Tape tape = *tape_;
-    tape.from_defaults = true;
-    tape.settings = setting_changes(MovementSettings{}, runs_.front().settings);
+    tape.from_basic = true;
+    tape.settings = setting_changes(basic_settings(), runs_.front().settings);
     tape.start = start_;
     if (runs_.front().run.complete()) tape.end_hash = runs_.front().run.hash();
     return tape;
@@ -227,7 +236,7 @@ void Lab::update_told(const Document& document) const {
     told_tick_->tick = cursor_;
     if (!has_tape()) return;
     told_tick_->trace = runs_[told_].run.trace(scene(document), cursor_);
-    told_tick_->lines = tell(told_tick_->trace, document.level().surfaces);
+    told_tick_->lines = tell(told_tick_->trace, document.level());
 }
 
 const TickTrace& Lab::trace(const Document& document) const {
@@ -248,6 +257,26 @@ const std::vector<SwitchEffect>& Lab::switches(const Document& document) const {
                                    : std::vector<SwitchEffect>{};
     }
     return *told_tick_->switches;
+}
+
+const std::vector<Stop>& Lab::stops(const Document& document) const {
+    if (stops_revision_ == revision_ && stops_run_ == told_) return stops_;
+    stops_.clear();
+    if (!has_tape() || !runs_[told_].run.complete()) return stops_;
+    stops_revision_ = revision_;
+    stops_run_ = told_;
+    stops_ = find_stops(scene(document), runs_[told_].run, document.level());
+    return stops_;
+}
+
+const std::vector<SummaryRow>& Lab::presets(const Document& document) const {
+    if (!has_tape() || presets_revision_ == revision_) return presets_;
+    presets_revision_ = revision_;
+    std::vector<NamedSettings> sets{{"This level", document.level().movement}};
+    for (const ShippedPreset& shipped : shipped_presets())
+        sets.push_back({shipped.preset.name, shipped.preset.settings});
+    presets_ = compare_settings(document.level(), tape_, start_, sets);
+    return presets_;
 }
 
 const std::vector<RateRow>& Lab::rates(const Document& document) const {

@@ -9,7 +9,8 @@
 
 #include "document/document.h"
 #include "slipface/sim/compare.h"
-#include "slipface/sim/story.h"
+#include "slipface/sim/stops.h"
+#include "slipface/sim/summary.h"
 
 namespace slipface {
 
@@ -102,12 +103,19 @@ class Lab {
     const std::vector<StoryLine>& story(const Document& document) const;
     const std::vector<SwitchEffect>& switches(const Document& document) const;
     static constexpr std::size_t switch_ticks = 60;
+    // What stopped the player of the told run; empty until all of it is worked out.
+    const std::vector<Stop>& stops(const Document& document) const;
+    bool show_folded = false;             // lines of the story that every tick has
     std::optional<std::size_t> lit_line;  // of the story: clicked on, drawn in the view
 
     // --- rates
     // The same route at the standard rates, against the tape's own; worked out when asked for.
     const std::vector<RateRow>& rates(const Document& document) const;
     bool show_rates = false;  // ribbons of the rates in the view instead of the runs'
+    // --- presets
+    // The tape under the level's settings and under every preset that ships; worked out when asked for.
+    const std::vector<SummaryRow>& presets(const Document& document) const;
+    bool show_presets = false;
     // --- reach
     // Jump arcs and the way to a stop from where the player stands at the cursor, or at the spawn point.
     bool show_reach = false;
@@ -134,6 +142,11 @@ class Lab {
     mutable std::uint64_t scene_state_ = 0;
     mutable bool scene_sectors_ = false;
     mutable std::optional<ToldTick> told_tick_;
+    mutable std::vector<Stop> stops_;
+    mutable std::uint64_t stops_revision_ = 0;
+    mutable std::size_t stops_run_ = 0;
+    mutable std::vector<SummaryRow> presets_;
+    mutable std::uint64_t presets_revision_ = 0;
     mutable std::vector<RateRow> rates_;
     mutable std::uint64_t rates_revision_ = 0;
 };

@@ -52,7 +52,8 @@ void take_playtest_tape(Editor& editor) {
         return;
     }
     editor.lab.unsaved = true;
-    editor.lab.seek(editor.lab.ticks());
+    complete_runs(editor);
+    go_to_headline(editor);
     show_lab(editor);
     editor.status = "Recorded " + seconds_text(duration);
     const Status kept = editor.session.recordings.keep(editor.document->level().mesh_path.stem().string(),
@@ -161,8 +162,7 @@ void open_finding(Editor& editor, std::size_t index) {
     const AuditReport& report = *editor.audit->report();
     if (index >= report.findings.size()) return;
     const AuditFinding& finding = report.findings[index];
-    const std::string name = std::string("Walker ") + std::to_string(finding.walker) + ", " +
-                             finding_names[static_cast<std::size_t>(finding.kind)];
+    const std::string& name = finding.text;
     const Status status = editor.lab.open(*editor.document, editor.audit->tape_of(finding), name);
     if (!status) return report_problem(editor, "Cannot open the finding", status.error());
     editor.audit->opened = index;

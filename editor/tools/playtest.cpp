@@ -29,6 +29,8 @@ Vec2 world_wish(const Vec2& stick, double yaw) {
 
 void Playtest::start(const Vec3& spawn, double spawn_yaw) {
     spawn_ = spawn;
+    spawn_yaw_ = spawn_yaw;
+    falls_ = 0;
     state_ = PlayerState{};
     state_.position = spawn;
     shown_from_ = shown_to_ = spawn;
@@ -38,7 +40,7 @@ void Playtest::start(const Vec3& spawn, double spawn_yaw) {
     jump_pressed_ = false;
     trace_.clear();
     tape_.start = spawn;
-    tape_.from_defaults = true;
+    tape_.from_basic = true;
     tape_.settings.clear();
     tape_.segments.clear();
     tape_.changes.clear();
@@ -85,7 +87,7 @@ int Playtest::advance(const TickScene& scene, const MovementSettings& settings, 
         unspent_s_ -= tick_s;
 
         if (tape_ticks_ == 0) {
-            tape_.settings = setting_changes(MovementSettings{}, settings);
+            tape_.settings = setting_changes(basic_settings(), settings);
         } else if (!(tape_settings_ == settings)) {
             for (std::string& change : setting_changes(tape_settings_, settings))
                 tape_.changes.push_back({tape_ticks_, std::move(change)});
@@ -98,8 +100,9 @@ int Playtest::advance(const TickScene& scene, const MovementSettings& settings, 
         TraceRecorder recorder;
         if (tape_ticks_ == 0) state_ = scene.player_at(spawn_);
         const TickResult result = play_tick(scene.at(tape_ticks_, tick_s), settings, state_, tick_input,
-                                            tick_s, scene.player_at(spawn_), &recorder);
+                                            tick_s, run_start(scene, spawn_), &recorder);
         state_ = result.state;
+        if (result.respawn == Respawn::fall) ++falls_;
         hash_ = state_hash(state_, hash_);
         ++tape_ticks_;
         trace_ = std::move(recorder.records);

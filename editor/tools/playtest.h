@@ -46,13 +46,20 @@ class Playtest {
         return hash_;
     }  // state_hash() of the last tick, as `end` of a tape names it
     std::span<const TraceRecord> last_trace() const { return trace_; }  // of the last tick
-    double speed() const { return state_.velocity.norm(); }
+    const Vec3& spawn() const { return spawn_; }  // where it began; the yaw of the view then
+    double spawn_yaw() const { return spawn_yaw_; }
+    int falls() const { return falls_; }  // times the player fell out of the level and began again
+    // How fast the player moved in the last tick, m/s. The velocity is not it: on the ground it holds the
+    // push against the floor, at a wall the push against the wall.
+    double speed() const { return (shown_to_ - shown_from_).norm() / tick_s; }
 
   private:
     PlayerState state_;
     Vec3 shown_from_ = Vec3::Zero(),
          shown_to_ = Vec3::Zero();  // the last two ticks, in the level's coordinates
     Vec3 spawn_ = Vec3::Zero();
+    double spawn_yaw_ = 0.0;
+    int falls_ = 0;
     double unspent_s_ = 0.0;
     bool jump_pressed_ = false;  // since the last tick, even if released again
     Tape tape_;

@@ -85,7 +85,7 @@ void drill_select(Editor& editor, const Ray& ray, int step) {
     if (!editor.document) return;
     Document& document = *editor.document;
     const std::vector<FaceId> along =
-        document.pick_through(ray.origin, ray.direction, !editor.style.back_faces);
+        document.pick_through(ray.origin, ray.direction, !sees_back_faces(editor));
     if (along.empty()) return;
     std::size_t chosen = 0;
     if (document.selection().size() == 1) {
@@ -170,19 +170,49 @@ std::vector<FaceId> faces_with_centre_inside(const Document& document, const Pro
     return faces;
 }
 
+bool crosses(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+    const auto side = [](const Vec2& p, const Vec2& q, const Vec2& r) {
+        return (q.x() - p.x()) * (r.y() - p.y()) - (q.y() - p.y()) * (r.x() - p.x());
+    };
+    return side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
+}
+
+// No corner lies outside, and no edge leaves the outline between two corners.
+bool lies_inside(const Mesh& mesh, FaceId face, const Projector& project, std::span<const Vec2> outline) {
+    std::vector<Vec2> corners;
+    for (std::uint32_t t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1]; ++t)
+        for (const std::uint32_t corner : mesh.triangles[t]) {
+            const std::optional<Vec2> at = project(mesh.corner_position(corner).cast<double>());
+            if (!at || !inside_outline(outline, *at)) return false;
+            corners.push_back(*at);
+        }
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec2& next = corners[i % 3 == 2 ? i - 2 : i + 1];
+        for (std::size_t k = 0, before = outline.size() - 1; k < outline.size(); before = k++)
+            if (crosses(corners[i], next, outline[before], outline[k])) return false;
+    }
+    return !corners.empty();
+}
+
 constexpr double finest_grid = 2.0;  // pixels between rays
 constexpr double most_grid_rays = 60000.0;
 
 }  // namespace
 
 std::vector<FaceId> faces_in_outline(Editor& editor, const Camera& camera, const Vec2& size,
-                                     std::span<const Vec2> outline, bool through) {
+                                     std::span<const Vec2> outline) {
     if (!editor.document || outline.size() < 3 || !(size.minCoeff() > 0.0)) return {};
     Document& document = *editor.document;
     const PixelBox box = box_of(outline, size);
     const Projector project(camera, size);
     std::vector<FaceId> centred = faces_with_centre_inside(document, project, outline, box);
-    if (through) return centred;
+    const Mesh& mesh = document.mesh();
+    const auto wanted = [&](std::vector<FaceId> faces) {
+        if (editor.select_whole)
+            std::erase_if(faces, [&](FaceId face) { return !lies_inside(mesh, face, project, outline); });
+        return faces;
+    };
+    if (editor.select_through) return wanted(std::move(centred));
 
     // What can be seen: rays on a grid find the faces that are larger than its cells, a ray to the centre of
     // each other face finds those between.
@@ -196,13 +226,12 @@ std::vector<FaceId> faces_in_outline(Editor& editor, const Camera& camera, const
     for (double y = box.min.y() + 0.5 * spacing; y < box.max.y(); y += spacing)
         for (double x = box.min.x() + 0.5 * spacing; x < box.max.x(); x += spacing)
             if (inside_outline(outline, {x, y})) add({x, y});
-    const bool front_only = !editor.style.back_faces;
+    const bool front_only = !draws_back_faces(editor, camera);
     std::vector<FaceId> seen = document.pick_faces(rays, front_only);
     rays.clear();
-    const Mesh& mesh = document.mesh();
     for (const FaceId face : without(centred, seen))
         if (const std::optional<Vec2> at = project(face_centroid(mesh, face))) add(*at);
-    return united(seen, document.pick_faces(rays, front_only));
+    return wanted(united(seen, document.pick_faces(rays, front_only)));
 }
 
 std::optional<std::size_t> find_selection(const Document& document, std::string_view name) {

@@ -28,9 +28,10 @@ void brush_select(Editor& editor, SelectBy by);
 void drill_select(Editor& editor, const Ray& ray, int step);
 
 // Faces inside an outline drawn in a view of `size` pixels: those of which a part can be seen there, or with
-// `through` those whose centre lies inside, seen or not. Ascending.
+// Editor::select_through those whose centre lies inside, seen or not. With Editor::select_whole only those of
+// them that no edge leads out of the outline. Ascending.
 std::vector<FaceId> faces_in_outline(Editor& editor, const Camera& camera, const Vec2& size,
-                                     std::span<const Vec2> outline, bool through);
+                                     std::span<const Vec2> outline);
 bool inside_outline(std::span<const Vec2> outline, const Vec2& pixel);  // even and odd crossings
 
 // Selections kept under a name. `name` empty: the first free "Selection N".

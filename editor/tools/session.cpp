@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "slipface/base/files.h"
 #include "tools/commands.h"
 #include "tools/editor.h"
 #include "tools/lab_actions.h"
@@ -14,7 +13,7 @@ namespace slipface {
 namespace {
 
 constexpr double watch_interval_s = 1.0;
-constexpr std::uint64_t most_level_file_bytes = std::uint64_t{256} << 20;
+constexpr const char* back_face_names[] = {"automatic", "always", "never"};  // [BackFaces]
 constexpr const char* dock_names[] = {"left", "left_lower", "right", "bottom"};
 
 std::string panel_key(const PanelInfo& info) {
@@ -80,12 +79,15 @@ void begin_session(Editor& editor, const std::filesystem::path& config, const st
     session.theme = session.preferences.text("theme") == "light" ? Theme::light : Theme::dark;
     session.zoom = session.preferences.number("zoom", 1.0, smallest_zoom, largest_zoom);
     session.keymap.load(session.preferences);
+    for (int i = 0; i < 3; ++i)
+        if (session.preferences.text("back_faces") == back_face_names[i])
+            editor.back_faces = static_cast<BackFaces>(i);
     load_layout(editor);
     if (!config.empty() && !session.preferences.flag("tour.done", false)) session.tour = 0;
     if (state.empty()) return;
     session.recordings = Recordings(state / "recordings");
     session.autosave = AutosaveSession(state / "autosave");
-    session.recoverable = session.autosave.recoverable();
+    session.left_behind = session.autosave.recoverable();
 }
 
 void store_preferences(Editor& editor) {
@@ -99,6 +101,10 @@ void store_preferences(Editor& editor) {
         to.remove("zoom");
     else
         to.set("zoom", session.zoom);
+    if (editor.back_faces == BackFaces::automatic)
+        to.remove("back_faces");
+    else
+        to.set("back_faces", back_face_names[static_cast<int>(editor.back_faces)]);
     session.keymap.store(to);
     store_layout(editor, to);
     to.save();
@@ -109,36 +115,29 @@ namespace {
 void finish_loading(Editor& editor) {
     Loading loading = std::move(*editor.session.loading);
     editor.session.loading.reset();
+    if (loading.kind == Loading::Kind::reload) return finish_reload(editor, std::move(loading));
     const std::string name = loading.path.filename().string();
-    const auto failed = [&](const Error& error) {
+    Result<std::unique_ptr<Document>> opened = loading.opening->take();
+    if (!opened) {
         if (loading.progress().cancelled())
             editor.status = "Cancelled: " + name + " was not opened";
         else
-            editor.message = MessageDialog{"Cannot open " + name, error.text(), {}};
-    };
-    if (loading.kind == Loading::Kind::reload) {
-        Result<LoadedLevel> loaded = loading.rereading->take();
-        if (!loaded) return failed(loaded.error());
-        const Status status = editor.document->take_geometry(std::move(loaded).value(), "Reload " + name);
-        if (!status) return failed(status.error());
-        editor.session.watch.start(editor.document->level().mesh_path, editor.document->level().file_path);
-        geometry_changed(editor);
-        editor.status = "Reloaded " + name + ": " + editor.document->match().text();
+            editor.message = MessageDialog{"Cannot open " + name, opened.error().text(), {}};
+        if (loading.kind == Loading::Kind::recover) editor.session.autosave.let_go(loading.autosave);
         return;
     }
-    Result<std::unique_ptr<Document>> opened = loading.opening->take();
-    if (!opened) return failed(opened.error());
     adopt_document(editor, std::move(opened).value(), loading.path);
     bring_back_tape(editor);
-    if (loading.kind != Loading::Kind::recover) return;
+    if (loading.kind != Loading::Kind::recover) return offer_recovery(editor);
     editor.session.recovered = loading.autosave;
-    std::erase_if(editor.session.recoverable,
-                  [&](const AutosaveInfo& info) { return info.file == loading.autosave.file; });
+    editor.session.recoverable.clear();
     editor.status = "Recovered " + name + "; undo goes back to the state on disk";
 }
 
+}  // namespace
+
 // Small levels are there before a progress bar could be drawn.
-void wait_a_moment(Editor& editor) {
+void await_loading(Editor& editor) {
     constexpr auto moment = std::chrono::milliseconds(120);
     const auto end = std::chrono::steady_clock::now() + moment;
     const bool beside = editor.session.beside;
@@ -147,29 +146,9 @@ void wait_a_moment(Editor& editor) {
     if (editor.session.loading->ready()) finish_loading(editor);
 }
 
-void start_opening(Editor& editor, Loading loading,
-                   std::function<Result<std::unique_ptr<Document>>(Progress&)> work) {
-    cancel_loading(editor);
-    loading.opening =
-        std::make_unique<Background<Result<std::unique_ptr<Document>>>>(std::move(work), editor.session.wake);
-    editor.session.loading = std::move(loading);
-    wait_a_moment(editor);
-}
-
-void files_changed(Editor& editor) {
-    const FileWatch& watch = editor.session.watch;
-    if (editor.document->dirty()) {
-        editor.session.reload = ReloadQuestion{watch.mesh_changed(), watch.level_changed()};
-        return;
-    }
-    if (watch.level_changed()) reload_annotations(editor);
-    if (watch.mesh_changed()) reload_geometry(editor);
-}
-
-}  // namespace
-
 double tick_session(Editor& editor, double now_s, bool& shown_changed) {
     Session& session = editor.session;
+    session.now_s = now_s;
     if (session.loading && session.loading->ready()) {
         finish_loading(editor);
         shown_changed = true;
@@ -197,12 +176,17 @@ double tick_session(Editor& editor, double now_s, bool& shown_changed) {
         wait = std::min(wait, std::max(0.02, *due));
     const bool looks = now_s >= session.next_look_s;
     if (looks) session.next_look_s = now_s + watch_interval_s;
-    if (looks && !session.loading && !session.reload && !document.in_transaction() && !editor.playtest &&
-        session.watch.poll()) {
-        files_changed(editor);
-        shown_changed = true;
-    }
+    if (looks && look_at_files(editor)) shown_changed = true;
     return wait;
+}
+
+void start_opening(Editor& editor, Loading loading,
+                   std::function<Result<std::unique_ptr<Document>>(Progress&)> work) {
+    cancel_loading(editor);
+    loading.opening =
+        std::make_unique<Background<Result<std::unique_ptr<Document>>>>(std::move(work), editor.session.wake);
+    editor.session.loading = std::move(loading);
+    await_loading(editor);
 }
 
 void start_loading(Editor& editor, const std::filesystem::path& path) {
@@ -214,91 +198,9 @@ void cancel_loading(Editor& editor) {
     if (!editor.session.loading) return;
     editor.status = "Cancelled: " + editor.session.loading->path.filename().string() + " was not opened";
     editor.session.loading->cancel();
+    if (editor.session.loading->kind == Loading::Kind::recover)
+        editor.session.autosave.let_go(editor.session.loading->autosave);
     editor.session.loading.reset();  // waits for the thread, which ends at its next step
-}
-
-void reload_geometry(Editor& editor) {
-    if (!editor.document || editor.document->in_transaction()) return;
-    cancel_loading(editor);
-    stop_playtest(editor);
-    Loading loading{.kind = Loading::Kind::reload, .path = editor.document->level().mesh_path};
-    // The document is not touched while this reads it: the dialog is in front, and it is a copy.
-    loading.rereading = std::make_unique<Background<Result<LoadedLevel>>>(
-        [level = std::make_shared<const Level>(editor.document->snapshot())](Progress& progress) {
-            return reload_mesh(*level, &progress);
-        },
-        editor.session.wake);
-    editor.session.loading = std::move(loading);
-    wait_a_moment(editor);
-}
-
-void reload_annotations(Editor& editor) {
-    if (!editor.document || editor.document->in_transaction()) return;
-    Document& document = *editor.document;
-    const std::filesystem::path file = document.level().file_path;
-    const std::string name = file.filename().string();
-    const Result<std::string> text = read_file(file, most_level_file_bytes);
-    const Result<LoadedLevel> loaded = text ? level_from_json(*text, file.string(), document.level().mesh)
-                                            : Result<LoadedLevel>(text.error());
-    editor.session.watch.start(document.level().mesh_path, file);
-    if (!loaded) {
-        editor.message = MessageDialog{"Cannot read " + name + " again", loaded.error().text(), {}};
-        return;
-    }
-    stop_playtest(editor);
-    document.restore(loaded->level, "Reload " + name);
-    document.mark_saved();
-    keep_brush_valid(editor);
-    document_is_safe(editor);
-    editor.status = "Reloaded " + name + ": " + loaded->match.text();
-    if (!loaded->warnings.empty()) editor.status += "; " + loaded->warnings.front().message;
-}
-
-void answer_reload(Editor& editor, ReloadChoice choice) {
-    if (!editor.session.reload) return;
-    const ReloadQuestion asked = *editor.session.reload;
-    editor.session.reload.reset();
-    if (!editor.document) return;
-    editor.session.watch.start(editor.document->level().mesh_path, editor.document->level().file_path);
-    if (choice == ReloadChoice::keep) return;
-    if (asked.level_file) reload_annotations(editor);
-    if (asked.mesh) reload_geometry(editor);
-}
-
-void recover(Editor& editor, std::size_t row) {
-    if (row >= editor.session.recoverable.size()) return;
-    const AutosaveInfo info = editor.session.recoverable[row];
-    Result<Autosave> autosave = read_autosave(info.file);
-    if (!autosave) {
-        editor.message = MessageDialog{
-            "Cannot recover " + info.mesh_path.filename().string(), autosave.error().text(), {}};
-        return;
-    }
-    editor.session.written_before = editor.session.autosave.written();
-    start_opening(editor, {.kind = Loading::Kind::recover, .path = info.mesh_path, .autosave = info},
-                  [saved = std::move(autosave).value()](Progress& progress) {
-                      return open_recovered(saved, &progress);
-                  });
-}
-
-void discard_recoverable(Editor& editor, std::size_t row) {
-    std::vector<AutosaveInfo>& rows = editor.session.recoverable;
-    if (row >= rows.size()) return;
-    editor.session.autosave.discard(rows[row]);
-    rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(row));
-}
-
-void look_for_autosaves(Editor& editor) {
-    editor.session.recoverable = editor.session.autosave.recoverable();
-    if (editor.session.recoverable.empty()) editor.status = "There is nothing to recover";
-}
-
-void document_is_safe(Editor& editor) {
-    Session& session = editor.session;
-    if (!editor.document) return;
-    session.autosave.forget(*editor.document);
-    if (session.recovered) session.autosave.discard(*session.recovered);
-    session.recovered.reset();
 }
 
 void set_zoom(Editor& editor, double zoom) {

@@ -25,19 +25,26 @@ struct Loading {
     enum class Kind { open, reload, recover } kind = Kind::open;
     std::filesystem::path path;
     AutosaveInfo autosave{};  // of a recovery
-    // One of the two: a document of its own, or new geometry for the one that is open.
+    bool unasked = false;     // a reload because the file changed, not because the user wants one
+    // One of the two: a document of its own, or new geometry for the one that is open (nothing: the file's
+    // bytes are those that were read before).
     std::unique_ptr<Background<Result<std::unique_ptr<Document>>>> opening{};
-    std::unique_ptr<Background<Result<LoadedLevel>>> rereading{};
+    std::unique_ptr<Background<Result<std::optional<LoadedLevel>>>> rereading{};
 
     const Progress& progress() const { return opening ? opening->progress() : rereading->progress(); }
     bool ready() const { return opening ? opening->ready() : rereading->ready(); }
     void cancel() { opening ? opening->cancel() : rereading->cancel(); }
 };
 
-// The level's files changed on disk while there are edits that are not saved.
-struct ReloadQuestion {
-    bool mesh = false, level_file = false;  // which of them
+// A file of the open level that another program wrote and that cannot be read as it is now: perhaps it is
+// still being written, so it is tried again at every change, and only said after a while.
+struct BrokenFile {
+    std::filesystem::path file;
+    std::string text;  // why
+    double since_s = 0.0;
+    bool told = false;
 };
+inline constexpr double broken_patience_s = 4.0;
 
 enum class Theme { dark, light };
 
@@ -57,12 +64,14 @@ struct Session {
     std::optional<Loading> loading;
     Recordings recordings;
     AutosaveSession autosave;
-    std::vector<AutosaveInfo> recoverable;  // asked about while there are any
+    std::vector<AutosaveInfo> left_behind;  // by sessions that ended; the welcome screen lists them
+    std::vector<AutosaveInfo> recoverable;  // of these, what is asked about while there are any
     std::optional<AutosaveInfo> recovered;  // deleted when what it held is safe again
     std::size_t written_before = 0;         // autosaves written when it was recovered
     FileWatch watch;
-    double next_look_s = 0.0;  // when it is polled again
-    std::optional<ReloadQuestion> reload;
+    double now_s = 0.0;        // of the last tick
+    double next_look_s = 0.0;  // when the files are looked at again
+    std::optional<BrokenFile> broken;
 
     std::unique_ptr<Background<DoctorReport>> doctor;
     std::optional<DoctorReport> report;
@@ -82,16 +91,24 @@ double tick_session(Editor& editor, double now_s, bool& shown_changed);
 void store_preferences(Editor& editor);  // and writes them if they changed
 
 void start_loading(Editor& editor, const std::filesystem::path& path);  // asks nothing; beside if wanted
+void start_opening(Editor& editor, Loading loading,
+                   std::function<Result<std::unique_ptr<Document>>(Progress&)> work);
 void cancel_loading(Editor& editor);
-// Reads the geometry again, beside if wanted, as one step; what is painted here goes onto the new faces.
-void reload_geometry(Editor& editor);
-// Reads the level file again, as one step that takes its state over.
-void reload_annotations(Editor& editor);
-enum class ReloadChoice { reload, keep };
-void answer_reload(Editor& editor, ReloadChoice choice);
-void recover(Editor& editor, std::size_t row);  // of session.recoverable
-void discard_recoverable(Editor& editor, std::size_t row);
-void look_for_autosaves(Editor& editor);  // fills session.recoverable again, or says that there are none
+
+// Reading the open level's files again (reload.cpp).
+void reload_geometry(Editor& editor);  // beside if wanted, as one step; painted faces are found again
+void watch_files(Editor& editor);      // from now on, as they are now: after opening and saving
+bool look_at_files(Editor& editor);    // reads again what changed, unasked; true if something is shown
+void finish_reload(Editor& editor, Loading loading);
+void await_loading(Editor& editor);               // for a moment: small levels need no progress bar
+void step_guessed(Editor& editor, bool forward);  // selects and frames the next face whose paint was guessed
+
+// What sessions that ended left behind (recovery.cpp).
+void request_recovery(Editor& editor, const AutosaveInfo& autosave);  // asks first about unsaved changes
+void recover(Editor& editor, const AutosaveInfo& autosave);
+void discard_autosave(Editor& editor, const AutosaveInfo& autosave);
+void look_for_autosaves(Editor& editor);  // asks about all there are, or says that there are none
+void offer_recovery(Editor& editor);      // asks about those of the open level
 void document_is_safe(Editor& editor);    // after saving or throwing away: its autosaves are not needed
 
 // The doctor.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/own_icons.h"
 #include "widgets/theme.h"
 
 // Put into the program by the assembler from the files that CMake found.
@@ -53,6 +54,7 @@ void load_fonts(float scale) {
     add(slipface_font_regular, slipface_font_regular_end, pixels(14), text_ranges, false, &loaded.small);
     add(slipface_font_semibold, slipface_font_semibold_end, pixels(30), text_ranges, false, &loaded.title);
     ImGui::GetIO().FontDefault = loaded.regular;
+    draw_own_icons(*ImGui::GetIO().Fonts, {loaded.regular, loaded.semibold}, pixels(14));
 }
 
 const Fonts& fonts() {

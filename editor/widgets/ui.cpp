@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -43,6 +44,34 @@ ImGuiID place_id() {
     return ImHashData(&min, sizeof min, ImGui::GetItemID());
 }
 
+// Below and right of the mouse, or on its other sides where the window ends. A text too high for the window
+// is set wider.
+void show_tooltip(const char* text) {
+    const ImVec2 padding{10 * scale(), 8 * scale()}, screen = ImGui::GetIO().DisplaySize;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const float margin = 4 * scale(), widest = screen.x - 2 * (padding.x + margin);
+    float wrap = std::min(24.0f * ImGui::GetFontSize(), widest);
+    ImVec2 size = ImGui::CalcTextSize(text, nullptr, false, wrap);
+    while (size.y + 2 * padding.y > screen.y - 2 * margin && wrap < widest) {
+        wrap = std::min(1.4f * wrap, widest);
+        size = ImGui::CalcTextSize(text, nullptr, false, wrap);
+    }
+    size = {size.x + 2 * padding.x, size.y + 2 * padding.y};
+    ImVec2 at{mouse.x + 16 * scale(), mouse.y + 16 * scale()};
+    if (at.x + size.x > screen.x - margin) at.x = screen.x - margin - size.x;
+    if (at.y + size.y > screen.y - margin) at.y = mouse.y - 8 * scale() - size.y;
+    at = {std::round(std::max(margin, at.x)), std::round(std::max(margin, at.y))};
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+    ImGui::SetNextWindowPos(at);
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(padding.x + wrap);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    record_rect("Tooltip", at, {at.x + size.x, at.y + size.y});
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+}
+
 // A property row: the label at the left, the control over the rest of the line.
 std::string begin_row(const char* label) {
     const char* const end = ImGui::FindRenderedTextEnd(label);
@@ -52,9 +81,9 @@ std::string begin_row(const char* label) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float x = ImGui::GetCursorPosX();
         ImGui::AlignTextToFramePadding();
-        ImGui::PushClipRect(at, {at.x + label_width - 4.0f * scale(), at.y + ImGui::GetFrameHeight()}, true);
-        ImGui::TextUnformatted(label, end);
-        ImGui::PopClipRect();
+        ellipsis({at.x, at.y + ImGui::GetStyle().FramePadding.y}, at.x + label_width - 4.0f * scale(),
+                 ImGui::GetStyleColorVec4(ImGuiCol_Text), std::string(label, end));
+        ImGui::Dummy({std::max(1.0f, label_width - 4.0f * scale()), ImGui::GetFrameHeight()});
         ImGui::SameLine();
         ImGui::SetCursorPosX(x + label_width);
     }
@@ -84,13 +113,7 @@ void tooltip(const char* text) {
     timer.frame = frame;
     timer.due = timer.rested_s < timer.delay_s;
     if (timer.due) return;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * scale(), 8 * scale()});
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(24.0f * ImGui::GetFontSize());
-    ImGui::TextUnformatted(text);
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-    ImGui::PopStyleVar();
+    show_tooltip(text);
 }
 
 bool button(const char* label, const char* tip, bool enabled, ImVec2 size) {
@@ -126,7 +149,7 @@ bool icon_button(const char* icon, const char* name, const char* tip, bool activ
     ImGui::BeginDisabled(!enabled);
     ImGui::PushStyleColor(ImGuiCol_Button, active ? with_alpha(p.accent, 0.22f) : ImVec4(0, 0, 0, 0));
     if (active) ImGui::PushStyleColor(ImGuiCol_Text, p.accent);
-    const float side = ImGui::GetFrameHeight() + 4.0f * scale();
+    const float side = icon_button_side();
     const bool pressed = ImGui::Button(icon && *icon ? icon : name, {icon && *icon ? side : 0.0f, side});
     ImGui::PopStyleColor(active ? 2 : 1);
     record_last_item(name, enabled, active);
@@ -137,9 +160,55 @@ bool icon_button(const char* icon, const char* name, const char* tip, bool activ
 }
 
 bool checkbox(const char* label, bool* value, const char* tip) {
-    const bool changed = ImGui::Checkbox(label, value);
+    const char* const end = ImGui::FindRenderedTextEnd(label);
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, text = ImGui::CalcTextSize(label, end).x;
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - gap;
+    if (text <= room || end == label) {
+        const bool changed = ImGui::Checkbox(label, value);
+        record_last_item(label, true, *value);
+        tooltip(tip);
+        return changed;
+    }
+    // A label too long for the place ends in an ellipsis.
+    const bool changed = ImGui::Checkbox((std::string("##") + label).c_str(), value);
     record_last_item(label, true, *value);
     tooltip(tip);
+    ImGui::SameLine(0, gap);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ellipsis({at.x, at.y + ImGui::GetStyle().FramePadding.y}, at.x + room,
+             ImGui::GetStyleColorVec4(ImGuiCol_Text), std::string(label, end));
+    ImGui::Dummy({std::max(1.0f, room), ImGui::GetFrameHeight()});
+    tooltip(tip);
+    return changed;
+}
+
+bool number_slider(const char* id, double* value, double minimum, double maximum, const char* format,
+                   bool logarithmic) {
+    const ImGuiSliderFlags flags =
+        ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+    ImGui::PushStyleColor(ImGuiCol_SliderGrab, ImVec4(0, 0, 0, 0));
+    ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, ImVec4(0, 0, 0, 0));
+    const bool changed =
+        ImGui::SliderScalar(id, ImGuiDataType_Double, value, &minimum, &maximum, format, flags);
+    ImGui::PopStyleColor(2);
+    const bool active = ImGui::IsItemActive();
+    if (!ImGui::IsItemVisible() || ImGui::TempInputIsActive(ImGui::GetItemID())) return changed;
+    // Where the grab is: asked of the slider for an item that nobody holds, so that it changes nothing.
+    const ImRect frame(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+    constexpr ImGuiID nobody = ~ImGuiID{0};
+    ImRect grab;
+    ImGui::SliderBehavior(frame, nobody, ImGuiDataType_Double, value, &minimum, &maximum, format, flags,
+                          &grab);
+    const float inset = ImGui::GetStyle().FrameRounding, thick = std::max(2.0f, std::round(2.0f * scale()));
+    const float left = frame.Min.x + inset, right = frame.Max.x - inset, bottom = frame.Max.y - scale();
+    const float at = std::clamp(grab.GetCenter().x, left, right);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec4 color = palette().accent;
+    list.AddRectFilled({left, bottom - thick}, {right, bottom}, packed(with_alpha(color, 0.18f)));
+    list.AddRectFilled({left, bottom - thick}, {at, bottom},
+                       packed(with_alpha(color, active ? 1.0f : 0.75f)));
+    list.AddRectFilled({at - thick, bottom - 2 * thick}, {at + thick, bottom + scale()},
+                       packed(with_alpha(color, active ? 1.0f : 0.9f)), thick);
     return changed;
 }
 
@@ -147,8 +216,7 @@ bool slider(const char* label, double* value, double minimum, double maximum, co
             const char* tip) {
     ImGui::BeginGroup();
     const std::string id = begin_row(label);
-    const bool changed = ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, value, &minimum, &maximum,
-                                             format, ImGuiSliderFlags_AlwaysClamp);
+    const bool changed = number_slider(id.c_str(), value, minimum, maximum, format);
     record_last_item(label);
     ImGui::EndGroup();
     tooltip(tip);
@@ -213,6 +281,7 @@ bool input_text(const char* label, std::string* text, const char* hint) {
     const std::string id = begin_row(label);
     const bool changed = ImGui::InputTextWithHint(id.c_str(), hint ? hint : "", text);
     record_last_item(label);
+    mark_as_text_box();
     return changed;
 }
 
@@ -246,21 +315,45 @@ void end_menu() {
     ImGui::EndMenu();
 }
 
-bool begin_tab(const char* label) {
-    const bool open = ImGui::BeginTabItem(label);
-    record_last_item(label, true, open);
-    return open;
+bool tab(const char* label, bool front) {
+    const Palette& p = palette();
+    ImGui::PushStyleColor(ImGuiCol_Button, front ? p.raised : ImVec4(0, 0, 0, 0));
+    ImGui::PushStyleColor(ImGuiCol_Text, front ? p.text : p.muted);
+    const bool pressed = ImGui::Button(label);
+    ImGui::PopStyleColor(2);
+    record_last_item(label, true, front);
+    return pressed;
 }
 
-void end_tab() {
-    ImGui::EndTabItem();
+void flow(float width, float spacing) {
+    const float gap = spacing < 0.0f ? ImGui::GetStyle().ItemSpacing.x : spacing;
+    const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    if (ImGui::GetItemRectMax().x + gap + width <= end) ImGui::SameLine(0, gap);
+}
+
+float button_width(const char* label) {
+    return ImGui::CalcTextSize(label, nullptr, true).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+}
+
+float icon_button_side() {
+    return ImGui::GetFrameHeight() + 4.0f * scale();
+}
+
+void ellipsis(ImVec2 at, float right, const ImVec4& color, const std::string& text) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), at, {right, at.y + size.y}, right, right,
+                              text.c_str(), text.c_str() + text.size(), &size);
+    ImGui::PopStyleColor();
 }
 
 void heading(const char* text) {
     ImGui::Dummy({0, 2.0f * scale()});
     ImGui::PushFont(fonts().semibold);
     ImGui::PushStyleColor(ImGuiCol_Text, palette().muted);
+    ImGui::PushTextWrapPos(0.0f);
     ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::PopFont();
 }

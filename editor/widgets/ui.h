@@ -17,6 +17,10 @@ struct WidgetRect {
     bool enabled = true;
     bool visible = true;          // its centre is not scrolled or clipped away
     std::optional<bool> checked;  // of check boxes, toggles and tabs
+    ImVec2 clip_min, clip_max;    // what of the window around it can be seen
+    std::string window;           // in which it was drawn, as Dear ImGui names it
+    bool ground = false;          // others may lie on it
+    bool text_box = false;        // scrolls what does not fit
     ImVec2 centre() const { return {(min.x + max.x) * 0.5f, (min.y + max.y) * 0.5f}; }
 };
 
@@ -43,6 +47,13 @@ class Scope {
 
 // For items drawn with plain ImGui.
 void record_last_item(std::string_view name, bool enabled = true, std::optional<bool> checked = std::nullopt);
+// Others may lie on the item recorded last: buttons of a row, what is drawn over a view.
+void mark_as_ground();
+void mark_as_text_box();
+// The item recorded last is a header, or a row that spans the columns: its own column does not cut it.
+void mark_as_table_row();
+// What is drawn without an item: a label in the view, a tooltip.
+void record_rect(std::string_view name, ImVec2 min, ImVec2 max);
 // As in the frame before: while its popup is open, the last item is the popup's.
 void record_again(std::string_view name);
 
@@ -51,6 +62,10 @@ bool icon_button(const char* icon, const char* name, const char* tooltip, bool a
 bool checkbox(const char* label, bool* value, const char* tooltip = nullptr);
 bool slider(const char* label, double* value, double minimum, double maximum, const char* format,
             const char* tooltip = nullptr);
+// The number's place in its range shows as a line under it, so that nothing lies over the digits. For the
+// next item width.
+bool number_slider(const char* id, double* value, double minimum, double maximum, const char* format,
+                   bool logarithmic = false);
 bool drag_vec3(const char* label, double* xyz, float speed, const char* format,
                const char* tooltip = nullptr);
 bool combo(const char* label, int* index, const char* const* names, int count, const char* tooltip = nullptr);
@@ -60,13 +75,18 @@ bool menu_item(const char* label, const char* shortcut, bool checked, bool enabl
                const char* icon = "");
 bool begin_menu(const char* label);
 void end_menu();
-bool begin_tab(const char* label);  // inside a tab bar; end_tab() only if it is open
-void end_tab();
+bool tab(const char* label, bool front);  // true: pressed
+// The next item, so wide, goes beside the last one if it fits there, else on a line of its own.
+void flow(float width, float spacing = -1.0f);
+float button_width(const char* label);
+float icon_button_side();
 bool primary_button(const char* label, bool enabled = true,
                     ImVec2 size = {0, 0});  // the dialog's expected answer
 void request_accept();           // Enter in a dialog: its primary button counts as pressed in the next frame
 void tooltip(const char* text);  // for the last item, wrapped
-void heading(const char* text);
+// What does not fit before `right` gives way to an ellipsis. Takes no room.
+void ellipsis(ImVec2 at, float right, const ImVec4& color, const std::string& text);
+void heading(const char* text);     // wrapped
 void muted_text(const char* text);  // wrapped, of less weight
 
 float scale();  // pixels per design pixel (1 at 100 %)

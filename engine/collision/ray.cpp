@@ -87,6 +87,8 @@ bool meet(const ShearedRay& ray, const LeafTriangle& triangle, RayTouch& touch) 
 struct Search {
     const CollisionWorld::Impl& world;
     const ShearedRay& ray;
+    V3 direction;
+    RayStops stops;
     RayTouch touch;
     LeafTriangle triangle{{}, no_id};
 
@@ -94,7 +96,10 @@ struct Search {
         RayTouch other{};
         if (!meet(ray, leaf, other)) return;
         if (!(other.t < touch.t || (other.t == touch.t && leaf.id < triangle.id))) return;
-        if (!world.rule_of(leaf.id).solid) return;
+        const SurfaceRule rule = world.rule_of(leaf.id);
+        if (!rule.solid) return;
+        if (stops == RayStops::as_movement && rule.one_sided && dot(winding_normal(leaf), direction) > 0.0)
+            return;
         touch = other;
         triangle = leaf;
     }
@@ -123,7 +128,7 @@ RayPath ray_path(const ShearedRay& ray, const V3& origin, const V3& direction, d
 }  // namespace
 
 std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
-                               double max_t) {
+                               double max_t, RayStops stops) {
     const CollisionWorld::Impl& impl = world.impl();
     if (impl.bvh.nodes.empty() || !origin.allFinite() || !direction.allFinite() || direction.isZero(0.0) ||
         !(max_t >= 0.0)) {
@@ -140,7 +145,8 @@ std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, 
     const V3 start = v3(origin);
     const ShearedRay ray(start, d);
 
-    Search search{impl, ray, {exponent == 0 ? max_t : std::ldexp(max_t, exponent), {0.0, 0.0, 0.0}}};
+    Search search{
+        impl, ray, d, stops, {exponent == 0 ? max_t : std::ldexp(max_t, exponent), {0.0, 0.0, 0.0}}};
     const double reach = larger(largest(start), impl.extent.reach);
     if (reach <= float_range) {
         kernels().ray(impl.bvh.view(), ray_path(ray, start, d, reach), time_limit(search.touch.t),

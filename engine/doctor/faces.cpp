@@ -14,6 +14,7 @@ namespace slipface::doctor {
 namespace {
 
 constexpr double thinnest = 1.0 / 1000.0;  // height of a triangle as a share of its longest edge
+constexpr double vague = 3.5e-3;           // radians, 0.2 degrees: a normal off by more misleads movement
 
 std::array<Vec3, 3> corners_of(const Patient& patient, TriangleId triangle) {
     std::array<Vec3, 3> corners;
@@ -83,6 +84,9 @@ FaceId face_over(const Patient& patient, TriangleId triangle) {
         if (std::any_of(theirs.begin(), theirs.end(),
                         [&](const Vec3& p) { return std::abs(normal.dot(p - corners[0])) > off_plane; }))
             continue;
+        // Two things that touch, such as a crate on a floor, hide what they share.
+        const Vec3 their_normal = patient.topology.normal[other_face];
+        if (patient.topology.normal[face].dot(their_normal) < 0.0) continue;
         if (overlap_in_plane(flatten(corners, drop), flatten(theirs, drop), std::max(1e-3 * size, off_plane)))
             return other_face;
     }
@@ -94,21 +98,25 @@ FaceId face_over(const Patient& patient, TriangleId triangle) {
 void find_slivers(const Patient& patient, Problems& out) {
     const Mesh& mesh = patient.mesh;
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
-        double worst = std::numeric_limits<double>::infinity(), longest_there = 0.0;
+        double worst = 0.0, longest_there = 0.0, height_there = 0.0;
         for (TriangleId t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1]; ++t) {
             const auto c = corners_of(patient, t);
             const double longest =
                 std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
             const double height = longest > 0.0 ? (c[1] - c[0]).cross(c[2] - c[0]).norm() / longest : 0.0;
-            const double share = longest > 0.0 ? height / longest : 0.0;
-            if (share < worst) {
-                worst = share;
+            const double rounding = rounding_of(c[0], c[1]);
+            const double off = height > rounding ? rounding / height : 1.0;
+            if (off > worst) {
+                worst = off;
                 longest_there = longest;
+                height_there = height;
             }
         }
-        if (worst < thinnest)
+        if (worst > vague)
             out.push_back({ProblemKind::sliver, face, no_id, face_centroid(mesh, face), 0,
-                           metres(worst * longest_there) + " thin, " + metres(longest_there) + " long"});
+                           fmt::format("{} thin, {} long: rounding alone turns its normal by {}",
+                                       metres(height_there), metres(longest_there),
+                                       worst < 1.0 ? degrees(worst) : std::string("any angle"))});
     }
 }
 
@@ -128,6 +136,8 @@ void find_duplicates(const Patient& patient, Problems& out) {
         const FaceId face = order[i], first = order[i - 1];
         if (loops[face] != loops[first]) continue;
         const bool opposite = patient.topology.normal[face].dot(patient.topology.normal[first]) < 0.0;
+        // Front and back of a thin thing are two faces, and rightly so; types of both sides must agree.
+        if (opposite && patient.resolved.surface[face] == patient.resolved.surface[first]) continue;
         out.push_back({ProblemKind::duplicate, face, first, face_centroid(patient.mesh, face), 0,
                        fmt::format("Same corners as face {}{}", first, opposite ? ", from behind" : "")});
     }

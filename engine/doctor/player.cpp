@@ -7,6 +7,8 @@
 #include <map>
 
 #include "checks.h"
+#include "crossing.h"
+#include "slipface/base/parallel.h"
 #include "slipface/mesh/texture_file.h"
 
 namespace slipface {
@@ -15,7 +17,10 @@ namespace {
 
 constexpr double sharpest =
     0.7853981633974483;  // radians: below 45 degrees a corner pushes back harder than 1:1
-constexpr double near_limit = 0.01;
+constexpr double degree = 0.017453292519943295;
+constexpr double rounding_band = 0.1 * degree;  // closer to the limit than modelling tools write slopes
+constexpr double steep_band =
+    5.0 * degree;  // a ramp that is steeper by more is meant to be a wall or a slide
 
 // The player, resting in the corner of faces a and b at `edge_point`, touching both. Nothing if the planes
 // form no corner there that is sharper than the limit. `angle` is the free angle in sphere space.
@@ -55,6 +60,96 @@ double slope_of(const Vec3& normal) {
     return std::acos(std::clamp(normal.y(), -1.0, 1.0));
 }
 
+// The lowest and the highest point of a face along a horizontal direction, and their heights.
+struct Extent {
+    double near = std::numeric_limits<double>::infinity(), far = -near;
+    double low = near, high = far;
+};
+Extent extent_of(const Patient& patient, FaceId face, const Vec3& centre, const Vec3& along) {
+    Extent extent;
+    for (std::uint32_t c = patient.mesh.face_first_corner[face]; c < patient.mesh.face_first_corner[face + 1];
+         ++c) {
+        const Vec3& p = patient.topology.position[patient.topology.vertex[c]];
+        const double at = (p - centre).dot(along);
+        extent.near = std::min(extent.near, at);
+        extent.far = std::max(extent.far, at);
+        extent.low = std::min(extent.low, p.y());
+        extent.high = std::max(extent.high, p.y());
+    }
+    return extent;
+}
+
+// How far before and behind an obstacle a walker begins and ends: a little more than its body.
+double run_up(const Patient& patient) {
+    return 1.2 * std::max(patient.level.movement.radii.x(), patient.level.movement.radii.z());
+}
+
+// A face that may lead from one floor to a higher one and is not clearly flatter or steeper than the limit.
+struct Ramp {
+    FaceId face = no_id;
+    double slope = 0.0, limit = 0.0;
+    Vec3 below = Vec3::Zero(), above = Vec3::Zero();
+};
+std::vector<Ramp> ramps_of(const Patient& patient) {
+    std::vector<Ramp> ramps;
+    for (FaceId face = 0; face < patient.mesh.face_count(); ++face) {
+        const Vec3& normal = patient.topology.normal[face];
+        const SurfaceType& surface = patient.surface(face);
+        if (normal.isZero() || !surface.solid || surface.sticky || surface.climbable) continue;
+        const double limit = surface.max_slope.value_or(patient.level.movement.max_slope);
+        const double slope = slope_of(normal);
+        if (slope < limit - rounding_band || slope > limit + steep_band) continue;
+        const Vec3 uphill = Vec3(-normal.x(), 0.0, -normal.z()).normalized();
+        const Vec3 centre = face_centroid(patient.mesh, face);
+        const Extent extent = extent_of(patient, face, centre, uphill);
+        Ramp ramp{face, slope, limit, centre + (extent.near - run_up(patient)) * uphill,
+                  centre + (extent.far + run_up(patient)) * uphill};
+        ramp.below.y() = extent.low;
+        ramp.above.y() = extent.high;
+        ramps.push_back(ramp);
+    }
+    return ramps;
+}
+
+// The highest edge that the ellipsoid rolls over on its own: where the contact's normal is as steep as the
+// limit.
+double rolled_over(const MovementSettings& settings) {
+    const double across = std::tan(settings.max_slope) * settings.radii.x() / settings.radii.y();
+    return settings.radii.y() * (1.0 - 1.0 / std::sqrt(1.0 + across * across));
+}
+
+// An upright face as high as a step of a stair or a kerb, that is at most a quarter of the body.
+struct Step {
+    FaceId face = no_id;
+    double height = 0.0;
+    Vec3 below = Vec3::Zero(), above = Vec3::Zero();
+    Passage passage = Passage::unknown;
+};
+std::vector<Step> steps_of(const Patient& patient) {
+    const double highest = 0.5 * patient.level.movement.radii.y();
+    const double rolls = rolled_over(patient.level.movement);
+    std::vector<Step> steps;
+    for (FaceId face = 0; face < patient.mesh.face_count(); ++face) {
+        const Vec3& normal = patient.topology.normal[face];
+        if (normal.isZero() || std::abs(normal.y()) > 0.1 || !patient.surface(face).solid) continue;
+        const Vec3 out = Vec3(normal.x(), 0.0, normal.z()).normalized();
+        const Vec3 centre = face_centroid(patient.mesh, face);
+        const Extent extent = extent_of(patient, face, centre, out);
+        const double height = extent.high - extent.low;
+        // What the body rolls over by itself, with or without step up, is stopped by something else.
+        if (height > highest || height < 0.95 * rolls || extent.far - extent.near > 0.5 * height) continue;
+        // A step up is one from the side to which its face looks; where nothing is wound well, from either.
+        for (const double side : {1.0, -1.0}) {
+            Step step{face, height, centre + side * (extent.far + run_up(patient)) * out,
+                      centre - side * (extent.far + run_up(patient)) * out};
+            step.below.y() = extent.low;
+            step.above.y() = extent.high;
+            steps.push_back(step);
+        }
+    }
+    return steps;
+}
+
 }  // namespace
 
 void find_acute_corners(const Patient& patient, Problems& out) {
@@ -71,7 +166,8 @@ void find_acute_corners(const Patient& patient, Problems& out) {
         for (const double side : {1.0, -1.0}) {
             const auto rest = rest_in_corner(radii, middle, side * topology.normal[a],
                                              side * topology.normal[b], face_centroid(patient.mesh, b));
-            if (!rest || !player_fits(patient, rest->centre, a, b)) continue;
+            if (!rest || !player_fits(patient, rest->centre, a, b) || !wedges(patient, rest->centre))
+                continue;
             out.push_back({ProblemKind::acute_corner, a, b, middle, 0,
                            fmt::format("Faces {} and {} meet at {} as the player sees it", a, b,
                                        degrees(rest->angle))});
@@ -83,47 +179,54 @@ void find_acute_corners(const Patient& patient, Problems& out) {
 }
 
 void find_limit_slopes(const Patient& patient, Problems& out) {
-    for (FaceId face = 0; face < patient.mesh.face_count(); ++face) {
-        const Vec3& normal = patient.topology.normal[face];
-        const SurfaceType& surface = patient.surface(face);
-        if (normal.isZero() || !surface.solid || surface.sticky || surface.climbable) continue;
-        const double limit = surface.max_slope.value_or(patient.level.movement.max_slope);
-        const double slope = slope_of(normal);
-        if (std::abs(slope - limit) <= near_limit * limit)
-            out.push_back({ProblemKind::slope_limit, face, no_id, face_centroid(patient.mesh, face), 0,
-                           "Rises by " + degrees(slope) + "; the limit is " + degrees(limit)});
+    const std::vector<Ramp> ramps = ramps_of(patient);
+    std::vector<Passage> passages(ramps.size(), Passage::unknown);
+    parallel_for(ramps.size(), 8, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            passages[i] = cross_between(patient, ramps[i].below, ramps[i].above);
+    });
+    for (std::size_t i = 0; i < ramps.size(); ++i) {
+        const Ramp& ramp = ramps[i];
+        const bool at_limit = std::abs(ramp.slope - ramp.limit) <= rounding_band;
+        const bool too_steep = passages[i] == Passage::catches && ramp.slope > ramp.limit;
+        if (passages[i] == Passage::unknown || (!at_limit && !too_steep)) continue;
+        const char* const words = at_limit ? "rounding decides whether the player can walk up"
+                                           : "the player cannot walk up to the floor above";
+        out.push_back({ProblemKind::slope_limit, ramp.face, no_id, face_centroid(patient.mesh, ramp.face), 0,
+                       fmt::format("Rises by {}; the limit is {}: {}", degrees(ramp.slope),
+                                   degrees(ramp.limit), words)});
     }
 }
 
 void find_limit_steps(const Patient& patient, Problems& out) {
-    // Settings grow; a player that climbs no steps has none at the limit.
-    const SettingInfo* const setting = find_setting("step_height");
-    if (!setting) return;
-    const double limit = get_setting(patient.level.movement, *setting);
-    if (!(limit > 0.0)) return;
-    const FaceNeighbours neighbours = face_neighbours(patient.mesh);
-    const double walkable = std::cos(patient.level.movement.max_slope);
-    for (FaceId face = 0; face < patient.mesh.face_count(); ++face) {
-        if (std::abs(patient.topology.normal[face].y()) > 0.1 || !patient.surface(face).solid) continue;
-        double low = std::numeric_limits<double>::infinity(), high = -low;
-        for (std::uint32_t c = patient.mesh.face_first_corner[face];
-             c < patient.mesh.face_first_corner[face + 1]; ++c) {
-            const double y = patient.topology.position[patient.topology.vertex[c]].y();
-            low = std::min(low, y);
-            high = std::max(high, y);
-        }
-        const double height = high - low;
-        if (!(std::abs(height - limit) <= near_limit * limit)) continue;
-        const std::span<const FaceId> around = neighbours.of(face);
-        // A step has a floor at its upper edge.
-        const bool floor_above = std::any_of(around.begin(), around.end(), [&](FaceId other) {
-            return patient.topology.normal[other].y() > walkable &&
-                   face_centroid(patient.mesh, other).y() > low + 0.5 * height;
-        });
-        if (floor_above)
-            out.push_back({ProblemKind::step_limit, face, no_id, face_centroid(patient.mesh, face), 0,
-                           "Is " + metres(height) + " high; the limit is " + metres(limit)});
+    std::vector<Step> steps = steps_of(patient);
+    parallel_for(steps.size(), 8, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            steps[i].passage = cross_between(patient, steps[i].below, steps[i].above);
+    });
+    std::erase_if(steps, [](const Step& step) { return step.passage != Passage::catches; });
+    // The steps of a flight are one problem: of one group and height.
+    const auto flight_of = [&](const Step& step) {
+        return std::pair(patient.mesh.face_group[step.face], std::llround(step.height * 1000.0));
+    };
+    std::map<std::pair<std::uint32_t, long long>, std::vector<const Step*>> flights;
+    for (const Step& step : steps)
+        flights[flight_of(step)].push_back(&step);
+    const MovementSettings& settings = patient.level.movement;
+    const std::string climbs = settings.step_up ? "Step height is " + metres(settings.step_height)
+                                                : "Step up is off, and without it the player climbs " +
+                                                      metres(rolled_over(settings));
+    Problems found;
+    for (const auto& [flight, members] : flights) {
+        const Step& first = *members.front();
+        const std::string what =
+            members.size() == 1 ? fmt::format("A step of {} stops", metres(first.height))
+                                : fmt::format("{} steps of {} stop", members.size(), metres(first.height));
+        found.push_back({ProblemKind::step_limit, first.face, no_id, face_centroid(patient.mesh, first.face),
+                         0, what + " the player; " + climbs});
     }
+    std::sort(found.begin(), found.end(), [](const Problem& a, const Problem& b) { return a.face < b.face; });
+    out.insert(out.end(), found.begin(), found.end());
 }
 
 void find_orphans(const Patient& patient, Problems& out) {

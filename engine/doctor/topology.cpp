@@ -32,6 +32,11 @@ std::vector<std::uint32_t> weld(const Mesh& mesh, std::vector<Vec3>& positions) 
 
 }  // namespace
 
+double rounding_of(const Vec3& a, const Vec3& b) {
+    // Six decimals is what most tools write; a float holds 24 bits.
+    return std::max(2e-6, 4.0 * 0x1p-24 * std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()));
+}
+
 Topology::Topology(const Mesh& mesh) {
     const std::vector<std::uint32_t> welded = weld(mesh, position);
     vertex.resize(mesh.corner_vertex.size());

@@ -36,4 +36,7 @@ struct Topology {
     }
 };
 
+// How far the corners of an edge may lie off where they were meant.
+double rounding_of(const Vec3& a, const Vec3& b);
+
 }  // namespace slipface::doctor

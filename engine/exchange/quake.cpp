@@ -1,5 +1,5 @@
-// Quake 3's surface parameters. Sources: the public Quake III source, code/game/surfaceflags.h (flags and
-// contents), q3map/shaders.c (their names), qcommon/qfiles.h (lumps of a BSP).
+// Rules from Quake 3's surface parameters. Source: the public Quake III source, qcommon/qfiles.h (lumps of a
+// BSP).
 #include "quake.h"
 
 #include <fmt/format.h>
@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "slipface/base/text.h"
+#include "slipface/mesh/bsp_flags.h"
 
 namespace slipface {
 namespace {
@@ -14,66 +15,9 @@ namespace {
 constexpr std::size_t most_rules = 100'000;
 constexpr std::size_t most_warnings = 100;
 
-struct Parameter {
-    const char* name;
-    std::uint32_t surface_flag, contents_flag;  // 0: none
-    const char* type;                           // null: known, but nothing here corresponds to it
-};
-
-// The first that a material has decides.
-constexpr Parameter parameters[] = {
-    {"lava", 0, 0x8, "hazard"},
-    {"slime", 0, 0x10, "hazard"},
-    {"ladder", 0x8, 0, "ladder"},
-    {"nonsolid", 0x4000, 0, "nonsolid"},
-    {"slick", 0x2, 0, "ice"},
-    {"nodamage", 0x1, 0, nullptr},
-    {"noimpact", 0x10, 0, nullptr},
-    {"nomarks", 0x20, 0, nullptr},
-    {"flesh", 0x40, 0, nullptr},
-    {"nodraw", 0x80, 0, nullptr},
-    {"hint", 0x100, 0, nullptr},
-    {"skip", 0x200, 0, nullptr},
-    {"nolightmap", 0x400, 0, nullptr},
-    {"pointlight", 0x800, 0, nullptr},
-    {"metalsteps", 0x1000, 0, nullptr},
-    {"nosteps", 0x2000, 0, nullptr},
-    {"sky", 0x4, 0, nullptr},
-    {"dust", 0x40000, 0, nullptr},
-    {"trans", 0, 0x20000000, nullptr},
-    {"detail", 0, 0x8000000, nullptr},
-    {"structural", 0, 0x10000000, nullptr},
-    {"playerclip", 0, 0x10000, nullptr},
-    {"water", 0, 0x20, nullptr},
-    {"fog", 0, 0x40, nullptr},
-    {"origin", 0, 0x1000000, nullptr},
-    {"areaportal", 0, 0x8000, nullptr},
-    {"clusterportal", 0, 0x100000, nullptr},
-    {"donotenter", 0, 0x200000, nullptr},
-    {"botclip", 0, 0x400000, nullptr},
-    {"nodrop", 0, 0x80000000, nullptr},
-    {"monsterclip", 0, 0x20000, nullptr},
-    {"alphashadow", 0, 0, nullptr},
-    {"lightfilter", 0, 0, nullptr},
-    {"nodlight", 0x20000, 0, nullptr},
-};
-
-// The types by name, of the presets and for what Quake knows besides.
 void need_type(const char* name, std::vector<SurfaceType>& types) {
     const auto named = [&](const SurfaceType& type) { return type.name == name; };
-    if (std::any_of(types.begin(), types.end(), named)) return;
-    const std::vector<SurfaceType> presets = preset_surface_types();
-    const auto preset = std::find_if(presets.begin(), presets.end(), named);
-    if (preset != presets.end()) {
-        types.push_back(*preset);
-        return;
-    }
-    SurfaceType type;
-    type.name = name;
-    type.color = {0.55F, 0.55F, 0.75F};
-    type.hatch = Hatch::dots;
-    type.solid = false;
-    types.push_back(std::move(type));
+    if (std::none_of(types.begin(), types.end(), named)) types.push_back(found_surface_type(name));
 }
 
 void add_rule(const std::string& pattern, const char* type, ImportedRules& out) {
@@ -142,14 +86,14 @@ class ShaderReader {
 
   private:
     Status read_shader(const std::string& name) {
-        const Parameter* found = nullptr;
+        const BspParameter* found = nullptr;
         for (std::size_t depth = 1; depth > 0;) {
             const std::string_view word = words_.next();
             if (word.empty()) return unexpected(word, "'}' at the end of shader " + name);
             if (word == "{") ++depth;
             if (word == "}") --depth;
             if (to_lower(word) != "surfaceparm") continue;
-            const Parameter* parameter = known(words_.next());
+            const BspParameter* parameter = known(words_.next());
             if (parameter != nullptr && parameter->type != nullptr && (found == nullptr || parameter < found))
                 found = parameter;
         }
@@ -160,11 +104,12 @@ class ShaderReader {
         return {};
     }
 
-    const Parameter* known(std::string_view word) {
+    const BspParameter* known(std::string_view word) {
         const std::string name = to_lower(word);
-        const auto* found = std::find_if(std::begin(parameters), std::end(parameters),
-                                         [&](const Parameter& one) { return name == one.name; });
-        if (found != std::end(parameters)) return found;
+        const std::span<const BspParameter> all = bsp_parameters();
+        const auto found =
+            std::find_if(all.begin(), all.end(), [&](const BspParameter& one) { return name == one.name; });
+        if (found != all.end()) return &*found;
         if (out_.warnings.size() < most_warnings)
             out_.warnings.push_back(
                 {fmt::format("{}:{}", place_, words_.line()),
@@ -212,15 +157,11 @@ Result<ImportedRules> read_bsp_flags(std::string_view bytes, const std::string& 
         const std::size_t at = begin + i * texture_size;
         const std::uint32_t surface = u32_at(bytes, at + name_size);
         const std::uint32_t contents = u32_at(bytes, at + name_size + 4);
-        const auto* found =
-            std::find_if(std::begin(parameters), std::end(parameters), [&](const Parameter& one) {
-                return one.type != nullptr &&
-                       ((one.surface_flag & surface) != 0 || (one.contents_flag & contents) != 0);
-            });
-        if (found == std::end(parameters)) continue;
+        const char* type = bsp_surface_type(surface, contents);
+        if (type == nullptr) continue;
         const std::string_view name = bytes.substr(at, name_size);
         const std::string_view used = name.substr(0, name.find('\0'));
-        if (!used.empty()) add_rule(std::string(used), found->type, out);
+        if (!used.empty()) add_rule(std::string(used), type, out);
     }
     return out;
 }

@@ -341,6 +341,8 @@ class Matcher {
                     break;
             }
         }
+        for (FaceId face = 0; face < claims_.size(); ++face)
+            if (claims_[face] > Stage::exact) result_.guessed.push_back(face);
         if (result_.summary.orphaned > max_listed_orphans) {
             result_.warnings.push_back({"", fmt::format("{} more painted faces found no face",
                                                         result_.summary.orphaned - max_listed_orphans)});

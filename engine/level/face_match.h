@@ -29,6 +29,7 @@ std::vector<StoredOverride> stored_overrides(const Level& level);
 struct MatchedOverrides {
     std::vector<std::optional<SurfaceId>> overrides;  // [face]
     std::vector<Orphan> orphans;
+    std::vector<FaceId> guessed;  // not found exactly, ascending
     MatchSummary summary;
     Warnings warnings;
 };

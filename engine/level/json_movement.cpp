@@ -18,7 +18,7 @@ void read_setting(JsonReader& reader, const Json& json, const std::string& path,
                             whole))
             return;
         value = whole;
-    } else if (std::holds_alternative<PushOut MovementSettings::*>(info.member)) {
+    } else if (!choice_names(info).empty()) {
         std::string choice;
         if (!reader.text(json, path, choice)) return;
         status = set_setting(settings, std::string(info.name) + "=" + choice);
@@ -48,7 +48,7 @@ Json settings_json(const MovementSettings& settings) {
             json_add(json, info.name, json_bool(value != 0.0));
         } else if (std::holds_alternative<int MovementSettings::*>(info.member)) {
             json_add(json, info.name, json_number(static_cast<std::int64_t>(value)));
-        } else if (std::holds_alternative<PushOut MovementSettings::*>(info.member)) {
+        } else if (!choice_names(info).empty()) {
             json_add(json, info.name, json_string(setting_text(settings, info)));
         } else {
             json_add(json, info.name, json_number(value));

@@ -6,12 +6,17 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
+#include <span>
 
 #include "face_match.h"
+#include "found_in_file.h"
 #include "level_json.h"
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
+#include "slipface/level/find_start.h"
 #include "slipface/mesh/import.h"
+#include "slipface/mesh/upright.h"
 
 namespace slipface {
 namespace {
@@ -62,7 +67,12 @@ Result<LoadedLevel> load_mesh(const fs::path& mesh_path, const ImportTransform& 
     loaded.level.mesh_path = mesh_path;
     loaded.level.mesh_stamp = imported->stamp;
     loaded.level.import_transform = transform;
+    loaded.level.import_summary = std::move(imported->summary);
+    loaded.found_spawns = std::move(imported->spawns);
+    loaded.found_types = std::move(imported->types);
+    loaded.undrawn = std::move(imported->undrawn);
     loaded.level.file_path = level_file_for(mesh_path);
+    loaded.level.spawn_is_set = false;
     loaded.level.overrides.resize(loaded.level.mesh->face_count());
     return loaded;
 }
@@ -80,6 +90,8 @@ Result<LoadedLevel> load_annotated(const fs::path& mesh_path, const fs::path& fi
     const fs::path named = loaded->level.mesh_path;
     loaded->level.mesh_path = mesh_path;
     loaded->level.mesh_stamp = geometry->level.mesh_stamp;
+    loaded->level.import_summary = std::move(geometry->level.import_summary);
+    loaded->found_spawns = std::move(geometry->found_spawns);
     loaded->level.file_path = file_path;
     loaded->mesh_load_s = geometry->mesh_load_s;
     if (!named.empty() && named.lexically_normal() != mesh_path.lexically_normal()) {
@@ -91,6 +103,24 @@ Result<LoadedLevel> load_annotated(const fs::path& mesh_path, const fs::path& fi
     loaded->warnings.insert(loaded->warnings.begin(), geometry->warnings.begin(), geometry->warnings.end());
     if (cancelled(progress)) return cancelled_error(file_path);
     return loaded;
+}
+
+// The geometry's own spawns as the level's. A name that comes twice gets a number.
+std::vector<Spawn> spawns_of(std::span<const FoundSpawn> found, const MovementSettings& movement) {
+    std::vector<Spawn> spawns;
+    std::map<std::string, int> names;  // how often each was used
+    for (const FoundSpawn& one : found) {
+        const std::string wanted = one.name.empty() ? Spawn{}.name : one.name;
+        std::string name = wanted;
+        while (names.contains(name))
+            name = fmt::format("{} {}", wanted, ++names[wanted]);
+        names[name] = 1;
+        const Vec3 centre = one.feet + Vec3(0.0, movement.radii.y() + movement.skin, 0.0);
+        spawns.push_back({centre, one.yaw, std::move(name)});
+        if (spawns.size() == max_spawns || !spawns_problem({&spawns.back(), 1}).empty()) break;
+    }
+    if (!spawns.empty() && !spawns_problem({&spawns.back(), 1}).empty()) spawns.pop_back();
+    return spawns;
 }
 
 // The version is looked at first: what another version says of its mesh may mean something else.
@@ -117,11 +147,22 @@ Result<LoadedLevel> load_from_level_file(const fs::path& file_path, Progress* pr
     return load_annotated(*mesh_path, file_path, *root, progress);
 }
 
+// A level without a level file has what the geometry's file says.
+Result<LoadedLevel> load_fresh(const fs::path& mesh_path, Progress* progress) {
+    Result<LoadedLevel> loaded = load_mesh(mesh_path, {}, progress);
+    if (!loaded) return loaded;
+    add_found_types(loaded->level, loaded->found_types);
+    loaded->level.hidden = loaded->undrawn;
+    return loaded;
+}
+
 Result<LoadedLevel> load_from_mesh(const fs::path& mesh_path, Progress* progress) {
     const fs::path file_path = level_file_for(mesh_path);
     std::error_code error;
-    if (fs::status(file_path, error).type() == fs::file_type::not_found)
-        return load_mesh(mesh_path, {}, progress);
+    // A name that is too long for the file system cannot be there either.
+    if (fs::status(file_path, error).type() == fs::file_type::not_found ||
+        error == std::errc::filename_too_long)
+        return load_fresh(mesh_path, progress);
     // What is wrong with the geometry is said first.
     if (!fs::exists(mesh_path, error)) return load_mesh(mesh_path, {}, progress);
     const Result<Json> root = read_json(file_path);
@@ -135,8 +176,21 @@ LoadedLevel with_geometry(const Level& level, LoadedLevel geometry) {
     copy.mesh = std::move(geometry.level.mesh);
     copy.mesh_stamp = geometry.level.mesh_stamp;
     copy.import_transform = geometry.level.import_transform;
+    copy.import_summary = std::move(geometry.level.import_summary);
     geometry.level = std::move(copy);
     return geometry;
+}
+
+// The spawns of `level` under the scale and axis of `after`: their feet go with the geometry.
+std::vector<Spawn> moved_spawns(const Level& level, const ImportSummary& after) {
+    const ImportSummary& before = level.import_summary;
+    const Vec3 above_feet(0, level.movement.radii.y(), 0);
+    const Eigen::Matrix3d turned =
+        (upright_rotation(after.up) * upright_rotation(before.up).transpose()).cast<double>();
+    std::vector<Spawn> spawns = all_spawns(level);
+    for (Spawn& spawn : spawns)
+        spawn.position = turned * (spawn.position - above_feet) * (after.scale / before.scale) + above_feet;
+    return spawns;
 }
 
 }  // namespace
@@ -152,6 +206,7 @@ Result<LoadedLevel> reload_mesh(const Level& level, Progress* progress) {
         loaded.level.overrides = std::move(matched.overrides);
         loaded.level.orphans = std::move(matched.orphans);
         loaded.match = matched.summary;
+        loaded.guessed = std::move(matched.guessed);
         for (Diagnostic& warning : matched.warnings) {
             if (warning.place.empty()) warning.place = level.mesh_path.string();
             loaded.warnings.push_back(std::move(warning));
@@ -166,16 +221,13 @@ Result<LoadedLevel> reload_mesh(const Level& level, Progress* progress) {
 }
 
 Result<LoadedLevel> reload_mesh(const Level& level, const ImportTransform& transform, Progress* progress) {
-    if (!(transform.scale >= smallest_import_scale && transform.scale <= largest_import_scale))
-        return Error{level.mesh_path.string(),
-                     fmt::format("a scale of {} is out of range; expected {} to {}", transform.scale,
-                                 smallest_import_scale, largest_import_scale)};
     try {
         Result<LoadedLevel> geometry = load_mesh(level.mesh_path, transform, progress);
         if (!geometry) return geometry;
         if (geometry->level.mesh_stamp != level.mesh_stamp)
             return Error{level.mesh_path.string(), "was changed on disk; reload it first"};
         LoadedLevel loaded = with_geometry(level, std::move(*geometry));
+        set_spawns(loaded.level, moved_spawns(level, loaded.level.import_summary));
         loaded.match.exact =
             static_cast<std::size_t>(std::count_if(level.overrides.begin(), level.overrides.end(),
                                                    [](const auto& type) { return type.has_value(); }));
@@ -207,6 +259,8 @@ Result<LoadedLevel> load_level(const std::filesystem::path& path, Progress* prog
         Result<LoadedLevel> loaded =
             is_level_file(path) ? load_from_level_file(path, progress) : load_from_mesh(path, progress);
         if (!loaded) return loaded;
+        if (!has_spawn(loaded->level))
+            set_spawns(loaded->level, spawns_of(loaded->found_spawns, loaded->level.movement));
         if (const Status status = load_terrain(loaded->level); !status) {
             loaded->warnings.push_back({loaded->level.file_path.string() + ":/heightfield",
                                         "there is no terrain: " + status.error().text()});

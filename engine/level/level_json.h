@@ -4,7 +4,9 @@
 //   "slipface": 1,
 //   "mesh": "easy.obj",
 //   "scale": 0.01, "up": "z",                   (metres a unit of the file, its upward axis; if not 1 and y)
-//   "spawn": {"position": [0, 1, 0], "yaw": 0},
+//   "spawn": {"name": "start", "position": [0, 1, 0], "yaw": 0},     (without a name: "start"; if there is
+//   one) "spawns": [{"name": "roof", "position": [...], "yaw": 0}],        (further ones, if there are any)
+//   "fall_limit": -20,                                                (if it is not the usual one)
 //   "surfaces": [{"name": "ice", "color": [...], "hatch": "diagonal", "hotkey": 2, ...one key a
 //   surface_fields() row}], "rules": [{"pattern": "*ice*", "type": "ice"}], "overrides": [{"type": "ice",
 //   "material": "stone", "faces": ["HASH CENTROID NORMAL AREA [COPY]", ...],
@@ -13,7 +15,7 @@
 //   "hidden": [...as overrides, without "type"],                                        (if there are any)
 //   "selections": [{"name": "stairs", "faces": [...as overrides, without "type"]}],     (if there are any)
 //   "cameras": [{"name": "door", "eye": [...], "target": [...], "fov_y": 1.0472}],
-//   "movement": {...one key a settings_table() row},
+//   "movement": {...one key a settings_table() row},           (basic_settings() where a key is missing)
 //   "light": {"image": "easy.light.png", "geometry": "HASH", "texel": 0.25, "sun_direction": [...], ...,
 //             "emitters": [{"pattern": "lava*", "color": [...]}]}
 // }

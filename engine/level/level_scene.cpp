@@ -272,6 +272,11 @@ Pose LevelScene::pose(std::size_t platform, double time_s) const {
     return pose;
 }
 
+std::optional<double> LevelScene::fall_limit() const {
+    const std::optional<double>& limit = impl_->level->fall_limit;
+    return limit ? std::optional(*limit + impl_->offset.y()) : std::nullopt;
+}
+
 Vec3 LevelScene::offset() const {
     return impl_->offset;
 }

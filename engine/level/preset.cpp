@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t max_preset_bytes = std::size_t{1} << 20;
 
 MovementSettings everything() {
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.push_out = PushOut::analytic;
     s.nudge = s.step_up = s.snap_down = s.seam_filter = true;
     s.coyote = s.jump_buffer = true;
@@ -21,7 +21,7 @@ MovementSettings everything() {
 
 // The demo of the lecture: its hacks and no others.
 MovementSettings lecture() {
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.push_out = PushOut::analytic;
     return s;
 }
@@ -53,7 +53,7 @@ MovementSettings momentum() {
 
 // Every hack off: what remains is sweep and slide.
 MovementSettings simulation() {
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     for (const SettingInfo& info : settings_table()) {
         if (std::holds_alternative<bool MovementSettings::*>(info.member))
             static_cast<void>(set_setting(s, info, 0.0).ok());
@@ -66,6 +66,9 @@ MovementSettings simulation() {
 
 const std::vector<ShippedPreset>& shipped_presets() {
     static const std::vector<ShippedPreset> presets{
+        {"platformer",
+         {"Platformer", "What players of 3D platformers expect; a level without a level file has it.",
+          MovementSettings{}}},
         {"lecture", {"Lecture", "The hacks of the lecture, as its demo has them.", lecture()}},
         {"precise-platformer",
          {"Precise platformer", "Starts and stops at once, forgives late jumps, climbs stairs.",
@@ -84,6 +87,7 @@ Result<Preset> preset_from_json(std::string_view json, const std::string& place)
     if (!root) return root.error();
     JsonReader reader(place);
     Preset preset;
+    preset.settings = basic_settings();
     if (!reader.object(*root, "/")) return reader.error();
     int version = 0;
     if (const Json* value = reader.member(*root, "/", "slipface_preset"))
@@ -120,6 +124,19 @@ Result<Preset> load_preset(const std::filesystem::path& path) {
 
 Status save_preset(const std::filesystem::path& path, const Preset& preset) {
     return write_file_atomic(path, preset_to_json(preset));
+}
+
+PresetMatch nearest_preset(const MovementSettings& settings) {
+    PresetMatch nearest;
+    for (const ShippedPreset& shipped : shipped_presets()) {
+        PresetMatch match{&shipped, {}};
+        for (const SettingInfo& info : settings_table())
+            if (get_setting(settings, info) != get_setting(shipped.preset.settings, info))
+                match.changed.push_back(&info);
+        if (nearest.preset == nullptr || match.changed.size() < nearest.changed.size())
+            nearest = std::move(match);
+    }
+    return nearest;
 }
 
 Result<Preset> find_preset(const std::string& name) {

@@ -10,6 +10,7 @@
 #include "json_reader.h"
 #include "level_json.h"
 #include "packed_faces.h"
+#include "slipface/level/find_start.h"
 
 namespace slipface {
 namespace {
@@ -22,14 +23,18 @@ constexpr double max_position = 1e9;
 constexpr double pi = 3.141592653589793;
 
 void read_transform(JsonReader& reader, const Json& root, ImportTransform& transform) {
-    if (const Json* scale = root.find("scale"))
-        reader.number(*scale, "/scale", smallest_import_scale, largest_import_scale, transform.scale);
+    if (const Json* json = root.find("scale")) {
+        double scale = 1.0;
+        if (reader.number(*json, "/scale", smallest_import_scale, largest_import_scale, scale))
+            transform.scale = scale;
+    }
     std::string up;
     const Json* axis = root.find("up");
     if (axis == nullptr || !reader.text(*axis, "/up", up)) return;
     const auto* const found = std::find(std::begin(up_axis_names), std::end(up_axis_names), up);
     if (found == std::end(up_axis_names)) {
-        reader.fail("/up", json_kind_text(*axis), "\"y\" or \"z\", the file's upward axis");
+        reader.fail("/up", json_kind_text(*axis),
+                    "the file's upward axis: \"y\", \"z\", \"x\" or one of them with \"-\"");
         return;
     }
     transform.up = static_cast<UpAxis>(found - std::begin(up_axis_names));
@@ -49,6 +54,8 @@ class LevelReader {
     LevelReader(const std::string& place, MeshPtr mesh) : reader_(place) {
         loaded_.level.mesh = std::move(mesh);
         loaded_.level.file_path = place;
+        loaded_.level.movement = basic_settings();
+        loaded_.level.spawn_is_set = false;
     }
 
     Result<LoadedLevel> read(const Json& root) {
@@ -56,8 +63,10 @@ class LevelReader {
             read_version(reader_, root);
             read_mesh_name(root);
             read_transform(reader_, root, loaded_.level.import_transform);
-            read_member(root, "spawn",
-                        [this](const Json& json, const std::string& path) { read_spawn(json, path); });
+            read_spawns(root);
+            read_member(root, "fall_limit", [this](const Json& json, const std::string& path) {
+                reader_.number(json, path, -max_position, max_position, loaded_.level.fall_limit.emplace());
+            });
             read_member(root, "surfaces",
                         [this](const Json& json, const std::string& path) { read_surfaces(json, path); });
             read_member(root, "rules",
@@ -89,9 +98,9 @@ class LevelReader {
             read_member(root, "light",
                         [this](const Json& json, const std::string& path) { read_light_of(json, path); });
             keep_unknown(root, "/", "/",
-                         {"slipface", "mesh", "scale", "up", "spawn", "surfaces", "rules", "overrides",
-                          "orphans", "hidden", "selections", "cameras", "movement", "platforms",
-                          "heightfield", "sectors", "light"});
+                         {"slipface", "mesh", "scale", "up", "spawn", "spawns", "fall_limit", "surfaces",
+                          "rules", "overrides", "orphans", "hidden", "selections", "cameras", "movement",
+                          "platforms", "heightfield", "sectors", "light"});
         }
         if (!reader_.ok()) return reader_.error();
         if (warnings_ > most_warnings)
@@ -131,16 +140,41 @@ class LevelReader {
         loaded_.level.mesh_path = loaded_.level.file_path.parent_path() / name;
     }
 
-    void read_spawn(const Json& json, const std::string& path) {
-        if (!reader_.object(json, path)) return;
-        Level& level = loaded_.level;
-        if (const Json* value = json.find("position")) {
-            reader_.vector(*value, path + "/position", -max_position, max_position, level.spawn);
-        }
-        if (const Json* value = json.find("yaw")) {
-            reader_.number(*value, path + "/yaw", -1e6, 1e6, level.spawn_yaw);
-        }
-        keep_unknown(json, path, path, {"position", "yaw"});
+    Spawn read_spawn(const Json& json, const std::string& path) {
+        Spawn spawn;
+        if (!reader_.object(json, path)) return spawn;
+        if (const Json* value = json.find("name")) reader_.text(*value, path + "/name", spawn.name);
+        if (const Json* value = json.find("position"))
+            reader_.vector(*value, path + "/position", -max_position, max_position, spawn.position);
+        if (const Json* value = json.find("yaw")) reader_.number(*value, path + "/yaw", -1e6, 1e6, spawn.yaw);
+        return spawn;
+    }
+
+    void read_spawns(const Json& root) {
+        std::vector<Spawn> spawns;
+        std::set<std::string> names;
+        const auto add = [&](const Json& json, const std::string& path, bool main) {
+            Spawn spawn = read_spawn(json, path);
+            if (!reader_.ok()) return;
+            if (spawn.name.empty()) reader_.fail(path + "/name", "an empty name", "a name");
+            if (!names.insert(spawn.name).second)
+                reader_.fail(path + "/name", fmt::format("\"{}\" a second time", json_excerpt(spawn.name)),
+                             "each name once");
+            keep_unknown(json, path, main ? path : unknown_.place("spawns", spawn.name),
+                         {"name", "position", "yaw"});
+            spawns.push_back(std::move(spawn));
+        };
+        read_member(root, "spawn", [&](const Json& json, const std::string& path) { add(json, path, true); });
+        read_member(root, "spawns", [&](const Json& json, const std::string& path) {
+            if (!reader_.array(json, path, max_spawns - spawns.size())) return;
+            for (std::size_t i = 0; i < json.items.size() && reader_.ok(); ++i) {
+                const std::string here = fmt::format("{}/{}", path, i);
+                if (reader_.object(json.items[i], here) &&
+                    reader_.member(json.items[i], here, "name") != nullptr)
+                    add(json.items[i], here, false);
+            }
+        });
+        set_spawns(loaded_.level, std::move(spawns));
     }
 
     void read_surfaces(const Json& json, const std::string& path) {
@@ -391,6 +425,7 @@ class LevelReader {
         loaded_.level.overrides = std::move(matched.overrides);
         loaded_.level.orphans = std::move(matched.orphans);
         loaded_.match = matched.summary;
+        loaded_.guessed = std::move(matched.guessed);
         for (Diagnostic& warning : matched.warnings) {
             if (warning.place.empty()) warning.place = loaded_.level.file_path.string();
             loaded_.warnings.push_back(std::move(warning));

@@ -9,6 +9,7 @@
 #include "json_parts.h"
 #include "level_json.h"
 #include "packed_faces.h"
+#include "slipface/level/find_start.h"
 
 namespace slipface {
 namespace {
@@ -216,6 +217,32 @@ Json platforms_json(const Level& level, UnknownMembers& unknown) {
     return platforms;
 }
 
+Json spawn_json(const Spawn& spawn, bool named) {
+    Json json = json_object();
+    if (named) json_add(json, "name", json_string(spawn.name));
+    json_add(json, "position", vector_json(spawn.position));
+    json_add(json, "yaw", json_number(spawn.yaw));
+    return json;
+}
+
+void append_spawns(Json& root, const Level& level, UnknownMembers& unknown) {
+    if (has_spawn(level)) {
+        const Spawn main{level.spawn, level.spawn_yaw, level.spawn_name};
+        Json json = spawn_json(main, main.name != Spawn{}.name);
+        unknown.append_to(json, "/spawn");
+        json_add(root, "spawn", std::move(json));
+    }
+    if (!level.more_spawns.empty()) {
+        Json spawns = json_array();
+        for (const Spawn& spawn : level.more_spawns) {
+            spawns.items.push_back(spawn_json(spawn, true));
+            unknown.append_to(spawns.items.back(), unknown.place("spawns", spawn.name));
+        }
+        json_add(root, "spawns", std::move(spawns));
+    }
+    if (level.fall_limit) json_add(root, "fall_limit", json_number(*level.fall_limit));
+}
+
 // What few levels have is written only where it is.
 void append_parts(Json& root, const Level& level, UnknownMembers& unknown) {
     if (!level.platforms.empty()) json_add(root, "platforms", platforms_json(level, unknown));
@@ -238,16 +265,11 @@ std::string level_text(const Level& level, const std::filesystem::path& file_pat
     Json root = json_object();
     json_add(root, "slipface", json_number(std::int64_t{level_file_version}));
     if (!level.mesh_path.empty()) json_add(root, "mesh", json_string(mesh_name(level, file_path)));
-    if (level.import_transform.scale != 1.0)
-        json_add(root, "scale", json_number(level.import_transform.scale));
-    if (level.import_transform.up != UpAxis::y)
-        json_add(root, "up", json_string(up_axis_names[static_cast<std::size_t>(level.import_transform.up)]));
+    if (const auto& scale = level.import_transform.scale) json_add(root, "scale", json_number(*scale));
+    if (const auto& up = level.import_transform.up)
+        json_add(root, "up", json_string(up_axis_names[static_cast<std::size_t>(*up)]));
 
-    Json spawn = json_object();
-    json_add(spawn, "position", vector_json(level.spawn));
-    json_add(spawn, "yaw", json_number(level.spawn_yaw));
-    unknown.append_to(spawn, "/spawn");
-    json_add(root, "spawn", std::move(spawn));
+    append_spawns(root, level, unknown);
 
     Json surfaces = json_array();
     for (const SurfaceType& surface : level.surfaces) {

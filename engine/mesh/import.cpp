@@ -1,17 +1,20 @@
 #include "slipface/mesh/import.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <utility>
 
 #include "import_bsp.h"
 #include "import_obj.h"
 #include "import_scene.h"
+#include "imported_soup.h"
 #include "obj_text.h"
 #include "slipface/base/files.h"
 #include "slipface/base/hash.h"
 #include "slipface/base/text.h"
 #include "slipface/mesh/build.h"
+#include "slipface/mesh/formats.h"
 #include "warning_list.h"
 
 namespace slipface {
@@ -23,55 +26,86 @@ std::string extension_of(const std::filesystem::path& path) {
     return extension;
 }
 
-Result<ImportedObj> read_soup(const std::filesystem::path& path, std::string bytes, WarningList& warnings,
-                              Progress* progress) {
-    if (extension_of(path) == "obj") return import_obj(path, std::move(bytes), warnings, progress);
-    if (bytes.empty()) return Error{path.string(), "is empty"};
-    if (extension_of(path) == "bsp") {
-        auto soup = import_bsp(bytes, path.string(), warnings);
-        if (!soup) return soup.error();
-        return ImportedObj{std::move(*soup), false};
+Result<ImportedSoup> read_soup(const std::filesystem::path& path, std::string bytes, WarningList& warnings,
+                               Progress* progress) {
+    const std::string extension = extension_of(path);
+    if (extension == "obj") {
+        auto obj = import_obj(path, std::move(bytes), warnings, progress);
+        if (!obj) return obj.error();
+        ImportedSoup imported{.soup = std::move(obj->soup), .through_assimp = obj->through_assimp};
+        imported.frame.up_reason = "OBJ files have Y up as a rule";
+        imported.frame.scale_reason = "OBJ files have no unit: metres";
+        return imported;
     }
-    std::string().swap(bytes);
-    auto soup = import_scene(path, warnings, progress);
-    if (!soup) return soup.error();
-    return ImportedObj{std::move(*soup), true};
+    if (bytes.empty()) return Error{path.string(), "is empty"};
+    if (extension == "bsp") return import_bsp(bytes, path.string(), warnings, progress);
+    return import_scene(path, extension, std::move(bytes), warnings, progress);
 }
 
 // Into metres, +Y up.
-void transform(PolygonSoup& soup, const ImportTransform& how) {
-    if (how == ImportTransform{}) return;
-    const auto scale = static_cast<float>(how.scale);
-    for (std::vector<Vec3f>* positions : {&soup.corner_position, &soup.vertex_position}) {
-        for (Vec3f& p : *positions) {
-            if (how.up == UpAxis::z) p = Vec3f(p.x(), p.z(), -p.y());
-            p *= scale;
-        }
+ImportSummary transform(ImportedSoup& imported, const ImportTransform& how) {
+    const FileFrame& frame = imported.frame;
+    ImportSummary summary{frame.scale,   frame.scale_from, frame.scale_reason, frame.up,
+                          frame.up_from, frame.up_reason,  Vec3::Zero()};
+    if (how.scale) {
+        summary.scale = *how.scale;
+        summary.scale_from = ImportSource::given;
     }
+    Eigen::Matrix3f upright = frame.upright;
+    if (how.up) {
+        if (*how.up != frame.up) upright = upright_rotation(*how.up);
+        summary.up = *how.up;
+        summary.up_from = ImportSource::given;
+    }
+    const auto scale = static_cast<float>(summary.scale);
+    if (!upright.isIdentity(0.0F) || scale != 1.0F) {
+        for (std::vector<Vec3f>* positions : {&imported.soup.corner_position, &imported.soup.vertex_position})
+            for (Vec3f& p : *positions)
+                p = Vec3f(upright * p) * scale;
+    }
+    const Eigen::Matrix3d rotation = upright.cast<double>();
+    const Eigen::Matrix3d turned = rotation * upright_rotation(frame.up).cast<double>().transpose();
+    for (FoundSpawn& spawn : imported.spawns) {
+        spawn.feet = rotation * spawn.feet * summary.scale;
+        const Vec3 ahead = turned * Vec3(-std::sin(spawn.yaw), 0, -std::cos(spawn.yaw));
+        if (!turned.isIdentity(0.0)) spawn.yaw = std::atan2(-ahead.x(), -ahead.z());
+    }
+    return summary;
+}
+
+Status check_transform(const std::filesystem::path& path, const ImportTransform& how) {
+    if (!how.scale || (*how.scale >= smallest_import_scale && *how.scale <= largest_import_scale)) return {};
+    return Error{path.string(), fmt::format("a scale of {} is out of range; expected {} to {}", *how.scale,
+                                            smallest_import_scale, largest_import_scale)};
 }
 
 Result<ImportedMesh> read_mesh(const std::filesystem::path& path, const ImportOptions& options) {
-    const auto known = mesh_extensions();
-    if (std::find(known.begin(), known.end(), extension_of(path)) == known.end()) {
-        return Error{path.string(),
-                     fmt::format("is no level; expected a file named *.obj, found the ending {}",
-                                 in_quotes(extension_of(path)))};
+    if (mesh_format_of(path) == nullptr) {
+        return Error{path.string(), fmt::format("is no level; found the ending {}, expected a file named {}",
+                                                in_quotes(extension_of(path)), mesh_formats_text())};
     }
+    if (auto status = check_transform(path, options.transform); !status) return status.error();
     begin_stage(options.progress, "Reading the file", 0.0, 0.1);
     auto bytes = read_file(path);
     if (!bytes) return bytes.error();
-    ImportedMesh imported{.mesh = {}, .warnings = {}, .stamp = file_stamp(*bytes)};
+    ImportedMesh imported;
+    imported.stamp = file_stamp(*bytes);
 
     WarningList warnings(options.max_warnings);
     begin_stage(options.progress, "Reading faces", 0.1, 0.8);
     auto read = read_soup(path, std::move(*bytes), warnings, options.progress);
     if (!read) return read.error();
     begin_stage(options.progress, "Cutting faces into triangles", 0.8, 1.0);
-    transform(read->soup, options.transform);
+    imported.summary = transform(*read, options.transform);
     auto mesh = build_mesh(std::move(read->soup));
     if (!mesh) return Error{path.string(), mesh.error().message};
     if (cancelled(options.progress)) return cancelled_error(path);
     imported.mesh = std::move(*mesh);
+    imported.summary.size = imported.mesh->bounds.size();
+    imported.spawns = std::move(read->spawns);
+    imported.types = std::move(read->types);
+    for (std::size_t face = read->drawn_faces; face < imported.mesh->face_count(); ++face)
+        imported.undrawn.push_back(static_cast<FaceId>(face));
     imported.through_assimp = read->through_assimp;
     imported.warnings = warnings.take(path.string());
     return imported;

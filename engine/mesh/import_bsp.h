@@ -3,14 +3,15 @@
 #include <string>
 #include <string_view>
 
-#include "slipface/mesh/build.h"
+#include "imported_soup.h"
 #include "warning_list.h"
 
 namespace slipface {
 
-// A Quake 3 map: polygons stay faces, meshes are triangles, curved patches are cut into quads. Materials are
-// named as the map's textures. Coordinates are the map's: +Z up, about 40 units a metre. Every offset, size
-// and index is checked.
-Result<PolygonSoup> import_bsp(std::string_view bytes, const std::string& place, WarningList& warnings);
+// A Quake 3 map: its drawn faces, then what stops a player without being drawn, its spawns, and the types
+// that its textures' flags stand for. Materials are named as the map's textures. Coordinates are the map's:
+// +Z up, 32 units per metre. Every offset, size and index is checked.
+Result<ImportedSoup> import_bsp(std::string_view bytes, const std::string& place, WarningList& warnings,
+                                Progress* progress);
 
 }  // namespace slipface

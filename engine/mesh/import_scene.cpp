@@ -4,14 +4,15 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
-#include <array>
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
 #include <cmath>
 #include <utility>
 
+#include "declared_counts.h"
 #include "folder_io.h"
 #include "obj_text.h"
+#include "scene_frame.h"
 #include "slipface/mesh/import.h"
 
 namespace slipface {
@@ -19,8 +20,6 @@ namespace {
 
 constexpr std::size_t most_faces = std::size_t{1} << 26;
 constexpr float largest_coordinate = 1e7F;  // metres
-constexpr std::array<std::string_view, 13> extensions{"obj", "bsp", "gltf", "glb", "fbx", "ply", "3ds",
-                                                      "dae", "lwo", "x",    "ac",  "stl", "off"};
 
 std::string text_of(const aiString& text) {
     bool converted = false;
@@ -49,8 +48,8 @@ Material material_of(const aiMaterial& source) {
 
 class SceneReader {
   public:
-    SceneReader(const aiScene& scene, const std::string& place, WarningList& warnings)
-        : scene_(scene), place_(place), warnings_(warnings) {}
+    SceneReader(const aiScene& scene, bool root_is_frame, const std::string& place, WarningList& warnings)
+        : scene_(scene), root_is_frame_(root_is_frame), place_(place), warnings_(warnings) {}
 
     Result<PolygonSoup> run() {
         for (unsigned i = 0; i < scene_.mNumMaterials; ++i)
@@ -63,7 +62,8 @@ class SceneReader {
             const auto [node, parent] = open.back();
             open.pop_back();
             if (node == nullptr) continue;
-            const aiMatrix4x4 world = parent * node->mTransformation;
+            const bool skipped = root_is_frame_ && node == scene_.mRootNode;
+            const aiMatrix4x4 world = skipped ? parent : parent * node->mTransformation;
             if (auto status = add_node(*node, world); !status) return status.error();
             for (unsigned i = node->mNumChildren; i-- > 0;)
                 open.emplace_back(node->mChildren[i], world);
@@ -132,6 +132,7 @@ class SceneReader {
     }
 
     const aiScene& scene_;
+    const bool root_is_frame_;  // assimp corrects axes and unit there; we do that ourselves
     const std::string& place_;
     WarningList& warnings_;
     PolygonSoup soup_;
@@ -151,13 +152,10 @@ class CancelledByProgress final : public Assimp::ProgressHandler {
 
 }  // namespace
 
-std::span<const std::string_view> mesh_extensions() {
-    return extensions;
-}
-
-Result<PolygonSoup> import_scene(const std::filesystem::path& path, WarningList& warnings,
-                                 Progress* progress) {
+Result<ImportedSoup> import_scene(const std::filesystem::path& path, const std::string& extension,
+                                  std::string bytes, WarningList& warnings, Progress* progress) {
     const std::string place = path.string();
+    if (auto status = check_declared_counts(extension, bytes, place); !status) return status.error();
     Assimp::Importer importer;
     importer.SetIOHandler(new FolderIo(path.parent_path()));         // the importer deletes it
     importer.SetProgressHandler(new CancelledByProgress(progress));  // and this
@@ -165,7 +163,11 @@ Result<PolygonSoup> import_scene(const std::filesystem::path& path, WarningList&
     if (cancelled(progress)) return cancelled_error(path);
     if (scene == nullptr)
         return Error{place, fmt::format("assimp cannot read it: {}", importer.GetErrorString())};
-    return SceneReader(*scene, place, warnings).run();
+    const SceneFrame frame = scene_frame(*scene, extension, bytes);
+    std::string().swap(bytes);
+    auto soup = SceneReader(*scene, frame.root_is_frame, place, warnings).run();
+    if (!soup) return soup.error();
+    return ImportedSoup{.soup = std::move(*soup), .frame = frame.frame, .through_assimp = true};
 }
 
 }  // namespace slipface

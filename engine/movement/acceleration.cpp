@@ -37,8 +37,8 @@ void coast(Mover& mover, const Vec3& from, const Vec3& driven_velocity) {
         std::max(0.0, driven_velocity.squaredNorm() - 2.0 * mover.settings.gravity * climbed);
     if (!(square > allowed)) return;
     const double share = std::sqrt(allowed / square);
-    decide(mover, "ground_acceleration", true, "|V|, m/s", std::sqrt(square), std::sqrt(allowed),
-           "coasts: speed held to what the height leaves", mover.support_face);
+    decide(mover, Decision::coasted, {.value = std::sqrt(square), .limit = std::sqrt(allowed)},
+           mover.support_face);
     mover.velocity.x() *= share;
     mover.velocity.z() *= share;
 }

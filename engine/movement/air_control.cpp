@@ -6,8 +6,7 @@ namespace slipface {
 
 double steering_in_air(const Mover& mover) {
     const bool acts = mover.settings.air_control;
-    decide(mover, "air_control", acts, "stick", mover.wish.norm(), 0.0,
-           acts ? "the stick steers in the air" : "switched off: nothing steers in the air");
+    decide(mover, acts ? Decision::steered_in_air : Decision::air_control_off, {.value = mover.wish.norm()});
     return acts ? mover.settings.air_acceleration : 0.0;
 }
 

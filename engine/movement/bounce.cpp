@@ -16,13 +16,13 @@ std::optional<Turn> bounce(Mover& mover, const Hit& hit) {
     const double restitution = hit.surface.restitution;
     if (!(restitution > 0.0)) return std::nullopt;
     const Vec3& normal = hit.contact.normal;
-    const auto refuse = [&](double value, double limit, const char* why) {
-        decide(mover, "bounce", false, "rebound, m/s", value, limit, why, hit.contact.face);
+    const auto refuse = [&](Decision why, const Quantity& quantity = {}) {
+        decide(mover, why, quantity, hit.contact.face);
         return std::nullopt;
     };
-    if (!mover.settings.bounce) return refuse(0.0, 0.0, "switched off: no bounce");
+    if (!mover.settings.bounce) return refuse(Decision::bounce_off);
     if (hit.pass == Pass::horizontal && hit.walkable && mover.was_grounded) {
-        return refuse(0.0, 0.0, "no bounce: walked onto, not fallen onto");
+        return refuse(Decision::bounce_walked);
     }
     const double before = mover.velocity_before.dot(normal);
     const double after = mover.velocity.dot(normal);
@@ -31,7 +31,7 @@ std::optional<Turn> bounce(Mover& mover, const Hit& hit) {
     const double rebound = restitution * impact;
     const double rest = mover.settings.gravity * mover.dt;
     if (!(after < 0.0) || rebound <= rest) {
-        return refuse(rebound, rest, "no bounce: too slow, comes to rest");
+        return refuse(Decision::bounce_too_slow, {.value = rebound, .limit = rest});
     }
 
     const double into = hit.leftover.dot(normal);
@@ -41,7 +41,7 @@ std::optional<Turn> bounce(Mover& mover, const Hit& hit) {
     const double friction = hit.surface.friction;
     mover.bounced = true;
     mover.grounded = false;
-    decide(mover, "bounce", true, "rebound, m/s", rebound, rest, "bounces", hit.contact.face);
+    decide(mover, Decision::bounced, {.value = rebound}, hit.contact.face);
     return Turn{.rule = Rule::bounce,
                 .leftover = friction * (hit.leftover - normal * into) + normal * risen,
                 .velocity = friction * (mover.velocity - normal * after) + normal * leaving,

@@ -11,13 +11,13 @@ Vec3 carry_velocity(const Mover& mover, const PlayerState& state) {
     const SurfaceType& support = support_of(mover, state);
     const Vec3 r = mover.position - support.spin_centre;
     Vec3 velocity = support.velocity + support.angular_velocity * Vec3(r.z(), 0.0, -r.x());
-    if (state.ground_platform < mover.scene.platforms.size()) {
+    if (mover.settings.platforms && state.ground_platform < mover.scene.platforms.size()) {
         velocity += velocity_of(mover.scene.platforms[state.ground_platform], mover.position);
     }
     return velocity;
 }
 
-void carry(Mover& mover, const SurfaceType& support) {
+void carry(Mover& mover, const SurfaceType& support, FaceId support_face) {
     if (support.angular_velocity == 0.0 && support.velocity.isZero(0.0)) return;
     const double angle = support.angular_velocity * mover.dt;
     constexpr double most = 1e3;  // radians a step; no table turns that fast, and it bounds the work
@@ -26,14 +26,14 @@ void carry(Mover& mover, const SurfaceType& support) {
     const Pose turn = turned_about(Vec3::Zero(), Vec3::UnitY(), angle);
     const Vec3 move = turn.apply(r) - r + support.velocity * mover.dt;
     if (move.isZero(0.0)) return;
-    decide(mover, "surface_types", true, "carried, m", move.norm(), 0.0, "carried by the surface",
-           mover.support_face);
+    decide(mover, Decision::surface_carried, {.value = move.norm()}, support_face);
     mover.on_ladder = true;  // being carried past a ladder is no wish to climb it
     collide_and_slide(mover, move.y() == 0.0 ? Pass::horizontal : Pass::slide, move);
     mover.on_ladder = false;
     mover.grounded = false;
     mover.kept_energy = false;
     mover.bounced = false;
+    mover.wall_count = 0;
 }
 
 }  // namespace slipface

@@ -10,10 +10,11 @@ bool may_jump(const Mover& mover, const PlayerState& state) {
     if (state.grounded || state.climbing || state.stuck) return true;
     const bool on = mover.settings.coyote;
     const bool late = on && is_open(state.coyote_s, mover.dt);
-    decide(mover, "coyote", late, "left, s", state.coyote_s, 0.0,
-           late ? "jumps: the ground was left only just now"
-           : on ? "refused: nothing to jump from"
-                : "switched off: nothing to jump from");
+    decide(mover,
+           late ? Decision::coyote_jump
+           : on ? Decision::coyote_over
+                : Decision::coyote_off,
+           {.value = late ? state.coyote_s : 0.0});
     return late;
 }
 

@@ -18,6 +18,13 @@ double descent(const Vec3& ground_normal, const Vec3& along) {
     return std::max(0.0, horizontal(along).dot(ground_normal) / up);
 }
 
+Vec3 motion_velocity(const PlayerState& state) {
+    const Vec3& velocity = state.velocity;
+    if (!state.grounded) return velocity;
+    const double up = std::max(state.ground_normal.y(), 0.01);
+    return {velocity.x(), -horizontal(velocity).dot(state.ground_normal) / up, velocity.z()};
+}
+
 double press_down(const Mover& mover, const Vec3& ground_normal, const Vec3& move) {
     const double dt = mover.dt;
     const double fall = 0.5 * mover.settings.gravity * dt * dt;
@@ -30,8 +37,12 @@ void set_ground_velocity(Mover& mover) {
     const double speed = std::max(mover.settings.ground_speed, needed);
     const bool acts = mover.settings.ground_velocity;
     mover.velocity.y() = acts ? -speed : 0.0;
-    decide(mover, "ground_velocity", acts, "down, m/s", acts ? speed : 0.0, mover.settings.ground_speed,
-           acts ? "pressed to the ground" : "switched off: no vertical velocity", mover.support_face);
+    if (acts) {
+        decide(mover, Decision::pressed_down, {.value = speed, .limit = mover.settings.ground_speed},
+               mover.support_face);
+    } else {
+        decide(mover, Decision::pressed_down_off, mover.support_face);
+    }
 }
 
 }  // namespace slipface

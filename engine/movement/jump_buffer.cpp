@@ -10,8 +10,7 @@ bool wants_jump(const Mover& mover, const PlayerState& state, bool pressed) {
     if (pressed) return true;
     if (!mover.settings.jump_buffer || !is_open(state.jump_buffer_s, mover.dt)) return false;
     const bool held = state.grounded || state.climbing || state.stuck;
-    decide(mover, "jump_buffer", held, "left, s", state.jump_buffer_s, 0.0,
-           held ? "jumps: pressed before landing" : "refused: still in the air, the press is remembered",
+    decide(mover, held ? Decision::jump_buffered : Decision::jump_remembered, {.value = state.jump_buffer_s},
            state.ground_face);
     return held;
 }
@@ -19,7 +18,7 @@ bool wants_jump(const Mover& mover, const PlayerState& state, bool pressed) {
 double jump_buffer_after(const Mover& mover, const PlayerState& state, bool pressed) {
     if (mover.jumped) return 0.0;
     if (!mover.settings.jump_buffer) {
-        if (pressed) decide(mover, "jump_buffer", false, "", 0.0, 0.0, "switched off: the press is lost");
+        if (pressed) decide(mover, Decision::jump_buffer_off);
         return 0.0;
     }
     if (pressed) return mover.settings.jump_buffer_time;

@@ -24,18 +24,20 @@ std::optional<Turn> keep_energy(Mover& mover, const Hit& hit) {
     // One part of a split move says nothing about the direction of the whole; the velocity does.
     const Vec3& judged = hit.pass == Pass::slide ? hit.leftover : mover.velocity;
     const double cosine = normal.dot(direction_of(judged));
-    const auto say = [&](bool acted, const char* outcome) {
-        decide(mover, "keep_energy", acted, "N.V / |V|", cosine, limit, outcome, hit.contact.face);
+    const auto say = [&](Decision kind) {
+        decide(mover, kind, {.value = -cosine, .limit = -limit}, hit.contact.face);
     };
     if (!mover.settings.keep_energy) {
-        say(false, "switched off: slides with loss");
+        say(Decision::energy_off);
         return std::nullopt;
     }
-    if (!(cosine > limit)) {
-        say(false, "refused: hits head-on");
+    // A pipe of six faces turns by the default limit exactly; normals of float corners are off by 1e-7.
+    constexpr double rounding = 1e-6;
+    if (!(cosine > limit - rounding)) {
+        say(Decision::energy_head_on);
         return std::nullopt;
     }
-    say(true, "keeps its speed");
+    say(Decision::energy_kept);
     mover.kept_energy = true;
     return Turn{.rule = Rule::keep_energy,
                 .leftover = redirected(hit.leftover, normal),
@@ -54,8 +56,8 @@ void cap_energy(Mover& mover, const Vec3& from, const Vec3& driven_velocity) {
     const double speed = mover.velocity.norm();
     const bool capped = speed > allowed;
     if (mover.kept_energy) {
-        decide(mover, "keep_energy", capped, "|V|, m/s", speed, allowed,
-               capped ? "speed held to gravity's work" : "speed within gravity's work", mover.support_face);
+        decide(mover, capped ? Decision::energy_capped : Decision::energy_within,
+               {.value = speed, .limit = allowed}, mover.support_face);
     }
     if (capped) mover.velocity *= allowed / speed;
 }

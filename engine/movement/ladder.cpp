@@ -18,10 +18,10 @@ Vec3 as_vector(const Vec2& wish) {
     return {wish.x(), 0.0, wish.y()};
 }
 
-void leave(Mover& mover, const Vec3& velocity, const char* why) {
+void leave(Mover& mover, const Vec3& velocity, Decision why) {
     mover.climbing = false;
     mover.velocity = velocity;
-    decide(mover, "surface_types", false, "climbable", 0.0, 1.0, why, mover.support_face);
+    decide(mover, why, mover.support_face);
     if (!mover.grounded) mover.support_face = no_id;
 }
 
@@ -39,7 +39,7 @@ void follow(Mover& mover, const PlayerState& state, const Vec3& from, double ris
     const Vec3 before = mover.position;
     const Swept swept = sweep_with_skin(mover, Pass::probe, 0, towards);
     if (!swept.contact) {
-        leave(mover, mover.velocity, "leaves the ladder: its face ended");
+        leave(mover, mover.velocity, Decision::ladder_ended);
         return;
     }
     mover.position = swept.reached;
@@ -49,7 +49,7 @@ void follow(Mover& mover, const PlayerState& state, const Vec3& from, double ris
     if (is_walkable(mover, contact.normal, surface)) {
         mover.grounded = true;
         support(mover, contact.normal, contact.face, contact.surface, swept.platform);
-        leave(mover, Vec3::Zero(), "leaves the ladder: on top");
+        leave(mover, Vec3::Zero(), Decision::ladder_top);
     } else if (surface.climbable) {
         support(mover, contact.normal, contact.face, contact.surface, swept.platform);
     } else if (contact.feature != Feature::interior && rising > 0.0) {
@@ -60,11 +60,10 @@ void follow(Mover& mover, const PlayerState& state, const Vec3& from, double ris
         mover.position = from;
         mover.velocity = Vec3::Zero();
         support(mover, state.ground_normal, state.ground_face, state.ground_surface, state.ground_platform);
-        decide(mover, "surface_types", false, "climbable", 0.0, 1.0, "refused: the wall above is no ladder",
-               contact.face);
+        decide(mover, Decision::ladder_wall_above, contact.face);
     } else {
         mover.position = before;
-        leave(mover, mover.velocity, "leaves the ladder: beside it");
+        leave(mover, mover.velocity, Decision::ladder_beside);
     }
 }
 
@@ -73,19 +72,17 @@ void follow(Mover& mover, const PlayerState& state, const Vec3& from, double ris
 std::optional<Turn> grab_ladder(Mover& mover, const Hit& hit) {
     const Contact& contact = hit.contact;
     if (!hit.surface.climbable || mover.on_ladder || hit.walkable) return std::nullopt;
-    const auto refuse = [&](const char* quantity, double value, double limit, const char* why) {
-        decide(mover, "surface_types", false, quantity, value, limit, why, contact.face);
+    const auto refuse = [&](Decision why, double value, double limit) {
+        decide(mover, why, {.value = value, .limit = limit}, contact.face);
         return std::nullopt;
     };
-    if (contact.normal.y() < overhang)
-        return refuse("N.y", contact.normal.y(), overhang, "too far overhead to climb");
+    if (contact.normal.y() < overhang) return refuse(Decision::ladder_overhead, contact.normal.y(), overhang);
     const double into = -direction_of(as_vector(mover.wish)).dot(direction_of(horizontal(contact.normal)));
-    if (mover.was_grounded && into < meant)
-        return refuse("stick into the ladder", into, meant, "passes the ladder");
+    if (mover.was_grounded && into < meant) return refuse(Decision::ladder_passed, into, meant);
     mover.climbing = true;
     mover.grounded = false;
     support(mover, contact.normal, contact.face, contact.surface, hit.platform);
-    decide(mover, "surface_types", true, "climbable", 1.0, 1.0, "takes hold of the ladder", contact.face);
+    decide(mover, Decision::ladder_grabbed, contact.face);
     return Turn{.rule = Rule::stop, .plane = contact.normal};
 }
 
@@ -106,7 +103,7 @@ void climb(Mover& mover, const PlayerState& state) {
     support(mover, normal, state.ground_face, state.ground_surface, state.ground_platform);
     mover.velocity = ladder.climb_speed * (up * rising + side * sideways);
     mover.velocity_before = mover.velocity;
-    decide(mover, "surface_types", true, "up, m/s", mover.velocity.y(), ladder.climb_speed, "climbs",
+    decide(mover, Decision::ladder_climbed, {.value = mover.velocity.norm(), .limit = ladder.climb_speed},
            state.ground_face);
     if (mover.velocity.isZero(0.0)) return;
 
@@ -114,7 +111,7 @@ void climb(Mover& mover, const PlayerState& state) {
     if (mover.stuck) {
         mover.climbing = false;
     } else if (mover.grounded) {
-        leave(mover, Vec3::Zero(), "leaves the ladder: on the ground");
+        leave(mover, Vec3::Zero(), Decision::ladder_ground);
     } else {
         follow(mover, state, from, rising, sideways);
     }

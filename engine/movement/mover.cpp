@@ -56,16 +56,14 @@ double walkable_limit(const Mover& mover, const SurfaceType& surface) {
     return slope_cosine(*surface.max_slope >= 0.0 ? std::min(*surface.max_slope, steepest) : 0.0);
 }
 
-void decide(const Mover& mover, const char* hack, bool acted, const char* quantity, double value,
-            double limit, const char* outcome, FaceId face) {
+void decide(const Mover& mover, Decision kind, FaceId face) {
+    decide(mover, kind, Quantity{}, face);
+}
+
+void decide(const Mover& mover, Decision kind, const Quantity& quantity, FaceId face) {
     if (mover.trace == nullptr) return;
-    mover.trace->add(DecisionRecord{.hack = hack,
-                                    .acted = acted,
-                                    .quantity = quantity,
-                                    .value = value,
-                                    .limit = limit,
-                                    .outcome = outcome,
-                                    .face = face});
+    mover.trace->add(
+        DecisionRecord{.kind = kind, .value = quantity.value, .limit = quantity.limit, .face = face});
 }
 
 }  // namespace slipface

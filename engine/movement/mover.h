@@ -22,11 +22,13 @@ struct Motion {
     bool bounced = false;
     bool kept_energy = false;
     bool trapped = false;
-    bool walled = false;                  // a wall turned a horizontal pass
+    std::array<Vec3, 2> walls;  // that turned a horizontal pass: horizontal unit normals, the first two
+    int wall_count = 0;
     Vec3 support_normal = Vec3::UnitY();  // of the surface stood on, climbed, stuck to or slid along
     FaceId support_face = no_id;
     SurfaceId support_surface = default_surface;
     std::uint32_t support_platform = no_id;
+    double support_rise = 0.0;  // of the point stood on above the ellipsoid's lowest point, m
 };
 
 // How far from where it begins, along each axis, a step that covers `way` metres asks what is there. What it
@@ -132,14 +134,20 @@ inline double restitution_of(const Mover& mover, const SurfaceType& surface) {
     return mover.settings.bounce ? surface.restitution : 0.0;
 }
 
-void decide(const Mover& mover, const char* hack, bool acted, const char* quantity, double value,
-            double limit, const char* outcome, FaceId face = no_id);
+// What the sentence of a decision says in numbers, in the unit of decision_info().
+struct Quantity {
+    double value = 0.0;
+    double limit = 0.0;
+};
+void decide(const Mover& mover, Decision kind, FaceId face = no_id);
+void decide(const Mover& mover, Decision kind, const Quantity& quantity, FaceId face = no_id);
 
 // Queries of the whole scene: what stands still, and every platform but the ignored one.
 struct SceneContact {
     Contact contact;
     std::uint32_t platform = no_id;
     double depth = 0.0;  // metres behind the contact plane already, where the seam filter turned it
+    bool back = false;   // the middle of a triangle was touched from behind; known only while tracing
 };
 std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Vec3& move);
 // At most out.size() are kept; returns how many are in `out`.
@@ -190,10 +198,10 @@ void push_out(Mover& mover);
 bool nudge(Mover& mover);  // true if the player is free afterwards
 void move_with_platforms(Mover& mover, const PlayerState& state);
 Vec3 velocity_of(const MovingPart& part, const Vec3& point);  // m/s, of the platform at that point
-void carry(Mover& mover, const SurfaceType& support);
+void carry(Mover& mover, const SurfaceType& support, FaceId support_face);
 void hold(Mover& mover, const PlayerState& state);
 void climb(Mover& mover, const PlayerState& state);
-void walk(Mover& mover, const PlayerState& state, bool jump_pressed);
+void walk(Mover& mover, const PlayerState& state, bool wants_to_jump);
 bool clamp_to_terrain(Mover& mover, const Vec3& from);  // false if there is no room above the terrain
 bool ends_inside(Mover& mover, const Vec3& from);
 
@@ -208,9 +216,20 @@ void set_ground_velocity(Mover& mover);
 // What the plain move made of `level` is in the mover; `before` is where it began. True if a step was climbed
 // instead, which includes the way down onto it.
 bool step_up(Mover& mover, const Motion& before, const Vec3& level);
-void snap_down(Mover& mover);
-// A steep edge that the player rests on while walkable ground lies at most a step below its centre.
+// The lecture's form: the whole move, lifted before and dropped after. False if it leads to no ground.
+bool step_every_move(Mover& mover, const Motion& before, const Vec3& level);
+void snap_down(Mover& mover, const Motion& before);
+
+// Steps: which steep contacts can be stood on, and what is no higher than a step (footing.cpp).
+// The contact is on the front of a step, and walkable ground leads there from below the centre.
 bool on_rim(Mover& mover, const Contact& contact);
+// The contact is at most `highest` metres above the point stood on when the player was at `begin`, or steps
+// no higher than that lead up to it.
+bool no_higher_than_steps(const Mover& mover, const Motion& begin, const Contact& contact, double highest);
+// The same downwards: from the ground below `begin` to the contact no step is deeper.
+bool no_deeper_than_steps(const Mover& mover, const Vec3& begin, const Contact& contact, double deepest);
+// Notes what the player stands on.
+void stand_on(Mover& mover, const Contact& contact, std::uint32_t platform);
 void cap_energy(Mover& mover, const Vec3& from, const Vec3& driven_velocity);
 Vec3 carry_velocity(const Mover& mover, const PlayerState& state);  // m/s at the mover's position
 

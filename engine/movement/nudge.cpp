@@ -26,7 +26,7 @@ constexpr std::array<Direction, 26> directions{
 bool nudge(Mover& mover) {
     const double farthest = mover.settings.nudge_distance;
     if (!overlaps_scene(mover, mover.position)) {
-        decide(mover, "nudge", false, "overlaps", 0.0, 0.0, "refused: nothing to be freed from");
+        decide(mover, Decision::nudge_needless);
         return true;
     }
     for (int ring = 1; ring <= rings; ++ring) {
@@ -35,13 +35,12 @@ bool nudge(Mover& mover) {
             const Vec3 offset = distance * direction_of(Vec3(d.x, d.y, d.z));
             const Vec3 to = mover.position + offset;
             if (overlaps_scene(mover, to) || ray_in_scene(mover, mover.position, offset)) continue;
-            decide(mover, "nudge", true, "nudged, m", distance, farthest, "nudged free");
+            decide(mover, Decision::nudged, {.value = distance, .limit = farthest});
             mover.position = to;
             return true;
         }
     }
-    decide(mover, "nudge", false, "nudged, m", farthest, farthest,
-           "refused: no offset is free, the player is trapped");
+    decide(mover, Decision::nudge_failed, {.value = farthest});
     return false;
 }
 

@@ -51,8 +51,7 @@ void ride(Mover& mover, const PlayerState& state) {
     const MovingPart& part = mover.scene.platforms[state.ground_platform];
     const Vec3 move = carried(part, mover.position) - mover.position;
     if (move.isZero(0.0)) return;
-    decide(mover, "platforms", true, "carried, m", move.norm(), 0.0, "carried by the platform",
-           state.ground_face);
+    decide(mover, Decision::platform_carried, {.value = move.norm()}, state.ground_face);
     mover.ignored_platform = state.ground_platform;
     mover.on_ladder = true;  // being carried past a ladder is no wish to climb it
     collide_and_slide(mover, move.y() == 0.0 ? Pass::horizontal : Pass::slide, move);
@@ -76,7 +75,7 @@ void give_way(Mover& mover, std::uint32_t index, const Vec3& before) {
     mover.ignored_platform = index;
     collide_and_slide(mover, Pass::slide, push);
     mover.ignored_platform = no_id;
-    decide(mover, "platforms", true, "pushed, m", push.norm(), 0.0, "pushed by a platform");
+    decide(mover, Decision::platform_pushed, {.value = push.norm()});
 }
 
 }  // namespace
@@ -90,9 +89,7 @@ void move_with_platforms(Mover& mover, const PlayerState& state) {
     const Vec3 before = mover.position;
     const bool rides = state.ground_platform < mover.scene.platforms.size();
     if (!mover.settings.platforms) {
-        if (rides)
-            decide(mover, "platforms", false, "", 0.0, 0.0, "switched off: does not ride along",
-                   state.ground_face);
+        if (rides) decide(mover, Decision::platform_off, state.ground_face);
         return;
     }
     if (rides) ride(mover, state);
@@ -102,13 +99,13 @@ void move_with_platforms(Mover& mover, const PlayerState& state) {
     const bool still_free = mover.began_free && mover.position == before;
     mover.trapped = !still_free && overlaps_scene(mover, mover.position);
     if (mover.trapped) {
-        decide(mover, "platforms", false, "overlaps", 1.0, 0.0, "crushed: no room to give way to");
+        decide(mover, Decision::platform_crushed);
     }
     // What was touched on the way tells nothing about where the step ends, but for what holds.
     mover.grounded = false;
     mover.kept_energy = false;
     mover.bounced = false;
-    mover.walled = false;
+    mover.wall_count = 0;
     mover.velocity = Vec3::Zero();
 }
 

@@ -14,21 +14,17 @@ constexpr std::array<Response, 7> responses{stick,       grab_ladder,   hold_by_
 }  // namespace
 
 void touch(Mover& mover, const Hit& hit) {
-    if (hit.surface.hazardous && !mover.hazard)
-        decide(mover, "surface_types", true, "hazardous", 1.0, 0.0, "touches a hazard", hit.contact.face);
+    if (hit.surface.hazardous && !mover.hazard) decide(mover, Decision::hazard_touched, hit.contact.face);
     mover.hazard = mover.hazard || hit.surface.hazardous;
     if (!mover.settings.surface_types && hit.contact.surface != default_surface) {
-        decide(mover, "surface_types", false, "type", hit.contact.surface, default_surface,
-               "switched off: plain ground", hit.contact.face);
+        decide(mover, Decision::surface_types_off, hit.contact.face);
     }
     // The horizontal part of a move meets ramps that the vertical part may then leave; only the latter knows
     // the ground.
     const bool ground = hit.walkable && hit.pass != Pass::horizontal;
     if (mover.grounded && !ground) return;
-    mover.grounded = mover.grounded || ground;
-    // A rim is stood on as if it were level.
-    const bool rim = ground && !is_walkable(mover, hit.contact.normal, hit.surface);
-    mover.support_normal = rim ? Vec3(Vec3::UnitY()) : hit.contact.normal;
+    if (ground) return stand_on(mover, hit.contact, hit.platform);
+    mover.support_normal = hit.contact.normal;
     mover.support_face = hit.contact.face;
     mover.support_surface = hit.contact.surface;
     mover.support_platform = hit.platform;

@@ -79,9 +79,13 @@ std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Ve
                    double depth = 0.0;
                    if (!mover.began_free && contact->feature != Feature::interior)
                        depth = filter_seam(mover, from + contact->t * move, platform, *contact);
+                   const bool back =
+                       mover.trace != nullptr && contact->feature == Feature::interior &&
+                       world_of(mover, platform).triangle_normal(contact->triangle).dot(contact->normal) <
+                           0.0;
                    contact->triangle = number_in_mesh(contact->triangle, triangles);
                    if (!best || earlier(*contact, best->contact))
-                       best = SceneContact{*contact, platform, depth};
+                       best = SceneContact{*contact, platform, depth, back};
                });
     return best;
 }

@@ -32,8 +32,7 @@ double rise_above(const std::array<Vec3, 3>& corners, const Vec3& point, const V
 
 double filter_seam(const Mover& mover, const Vec3& centre, std::uint32_t platform, Contact& contact) {
     if (!mover.settings.seam_filter) {
-        decide(mover, "seam_filter", false, "", 0.0, 0.0, "switched off: the edge counts as it is",
-               contact.face);
+        decide(mover, Decision::seam_off, contact.face);
         return 0.0;
     }
     const CollisionWorld& world = world_of(mover, platform);
@@ -43,10 +42,8 @@ double filter_seam(const Mover& mover, const Vec3& centre, std::uint32_t platfor
     Vec3 normal = Vec3::Zero();
     double alignment = 0.0;
     double rise = 0.0;
-    double highest = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
         const double above = rise_above(world.triangle(around[i].triangle), contact.point, contact.normal);
-        highest = std::max(highest, above);
         if (above <= rounding) continue;
         Vec3 face = world.triangle_normal(around[i].triangle);
         if (face.dot(centre - contact.point) < 0.0) face = -face;
@@ -57,12 +54,10 @@ double filter_seam(const Mover& mover, const Vec3& centre, std::uint32_t platfor
         rise = above;
     }
     if (normal.isZero(0.0)) {
-        decide(mover, "seam_filter", false, "rises above the contact plane by", highest, rounding,
-               "refused: the edge stands out", contact.face);
+        decide(mover, Decision::seam_stands_out, contact.face);
         return 0.0;
     }
-    decide(mover, "seam_filter", true, "rises above the contact plane by", rise, rounding,
-           "an edge inside the surface: the face's normal counts", contact.face);
+    decide(mover, Decision::seam_filtered, {.value = rise}, contact.face);
     contact.normal = normal;
     const double extent = mover.settings.radii.cwiseProduct(normal).norm();
     return std::max(0.0, extent - normal.dot(centre - contact.point));

@@ -33,10 +33,17 @@ bool is_angle(const SettingInfo& info) {
 // What a value may be, for error messages.
 std::string allowed(const SettingInfo& info) {
     if (is_switch(info)) return "on or off";
-    if (std::holds_alternative<PushOut MovementSettings::*>(info.member)) return "off, iterative or analytic";
+    if (const auto names = choice_names(info); !names.empty()) {
+        std::string text = names.front();
+        for (std::size_t i = 1; i < names.size(); ++i)
+            text += (i + 1 < names.size() ? ", " : " or ") + std::string(names[i]);
+        return text;
+    }
     const bool whole = std::holds_alternative<int MovementSettings::*>(info.member);
-    std::string text = fmt::format("{} from {} to {}", whole ? "a whole number" : "a number",
-                                   to_text(info.minimum), to_text(info.maximum));
+    const bool gap = info.smallest > 0.0;
+    std::string text =
+        fmt::format("{}{} from {} to {}", gap ? "0 or " : "", whole ? "a whole number" : "a number",
+                    to_text(gap ? info.smallest : info.minimum), to_text(info.maximum));
     if (is_angle(info)) {
         text += fmt::format(" radians ({}deg to {}deg)", std::round(info.minimum / degree),
                             std::round(info.maximum / degree));
@@ -94,10 +101,9 @@ std::optional<double> parse_value(const SettingInfo& info, std::string_view text
         if (lower == "true" || lower == "on") return 1.0;
         if (lower == "false" || lower == "off") return 0.0;
     }
-    if (std::holds_alternative<PushOut MovementSettings::*>(info.member)) {
-        for (std::size_t i = 0; i < push_out_names.size(); ++i) {
-            if (lower == push_out_names[i]) return static_cast<double>(i);
-        }
+    const std::span<const char* const> names = choice_names(info);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (lower == names[i]) return static_cast<double>(i);
     }
     if (is_angle(info) && lower.size() > 3 && lower.ends_with("deg")) {
         const std::optional<double> degrees =
@@ -117,6 +123,11 @@ const SettingInfo* find_setting(std::string_view name) {
     return nullptr;
 }
 
+std::span<const char* const> choice_names(const SettingInfo& info) {
+    const auto* choice = std::get_if<ChoiceMember>(&info.member);
+    return choice != nullptr ? choice->names : std::span<const char* const>();
+}
+
 namespace {
 
 // The table's numbers alone, to be asked at every step.
@@ -134,6 +145,15 @@ struct Numbers {
 
 }  // namespace
 
+MovementSettings basic_settings() {
+    MovementSettings s;
+    s.push_out = PushOut::off;
+    s.step_up = s.snap_down = s.seam_filter = false;
+    s.step_height = s.snap_distance = 0.35;
+    s.coyote = s.jump_buffer = false;
+    return s;
+}
+
 bool is_finite(const MovementSettings& settings) {
     static const Numbers numbers;
     bool finite = settings.radii.allFinite();
@@ -148,7 +168,7 @@ double get_setting(const MovementSettings& settings, const SettingInfo& info) {
             [&](bool MovementSettings::*member) { return settings.*member ? 1.0 : 0.0; },
             [&](int MovementSettings::*member) { return static_cast<double>(settings.*member); },
             [&](double MovementSettings::*member) { return settings.*member; },
-            [&](PushOut MovementSettings::*member) { return static_cast<double>(settings.*member); },
+            [&](const ChoiceMember& choice) { return static_cast<double>(choice.get(settings)); },
             [&](Vec3 MovementSettings::*member) { return (settings.*member)[info.axis]; },
         },
         info.member);
@@ -157,16 +177,15 @@ double get_setting(const MovementSettings& settings, const SettingInfo& info) {
 Status set_setting(MovementSettings& settings, const SettingInfo& info, double value) {
     const bool number = std::holds_alternative<double MovementSettings::*>(info.member) ||
                         std::holds_alternative<Vec3 MovementSettings::*>(info.member);
-    const bool fits = std::isfinite(value) && value >= info.minimum && value <= info.maximum &&
+    const bool in_gap = info.smallest > 0.0 && value != 0.0 && value < info.smallest;
+    const bool fits = std::isfinite(value) && value >= info.minimum && value <= info.maximum && !in_gap &&
                       (number || value == std::floor(value));
     if (!fits) return Error{info.name, fmt::format("found {}, expected {}", to_text(value), allowed(info))};
     std::visit(Overloaded{
                    [&](bool MovementSettings::*member) { settings.*member = value != 0.0; },
                    [&](int MovementSettings::*member) { settings.*member = static_cast<int>(value); },
                    [&](double MovementSettings::*member) { settings.*member = value; },
-                   [&](PushOut MovementSettings::*member) {
-                       settings.*member = static_cast<PushOut>(static_cast<int>(value));
-                   },
+                   [&](const ChoiceMember& choice) { choice.set(settings, static_cast<int>(value)); },
                    [&](Vec3 MovementSettings::*member) { (settings.*member)[info.axis] = value; },
                },
                info.member);
@@ -194,9 +213,9 @@ Status set_setting(MovementSettings& settings, std::string_view assignment) {
 std::string setting_text(const MovementSettings& settings, const SettingInfo& info) {
     const double value = get_setting(settings, info);
     if (is_switch(info)) return value != 0.0 ? "on" : "off";
-    if (std::holds_alternative<PushOut MovementSettings::*>(info.member)) {
+    if (const auto names = choice_names(info); !names.empty()) {
         const auto index = static_cast<std::size_t>(value);
-        return index < push_out_names.size() ? push_out_names[index] : to_text(value);
+        return index < names.size() ? names[index] : to_text(value);
     }
     return to_text(value);
 }

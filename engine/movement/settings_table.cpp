@@ -78,9 +78,10 @@ const auto table = std::to_array<SettingInfo>({
      "Slides off ramps that look walkable.", "Walks up cliffs.", "", &S::max_slope},
     {"sub_step", "Sub-step", "Collision", "s", 0.0, 0.25,
      "Longest part of a tick that is moved at once; a longer tick is cut into equal parts. 0 moves the whole "
-     "tick. 1/720 s makes 30, 60, 120, 240 and 360 Hz run through the same parts.",
+     "tick, and anything else is at least 0.001 s. 1/720 s makes 30, 60, 120, 240 and 360 Hz run through "
+     "the same parts.",
      "Costs a whole move for each part.", "Routes differ by centimetres between frame rates.", "",
-     &S::sub_step},
+     &S::sub_step, -1, 0.001},
 
     {"static_friction", "Static friction", "Hacks", "", 0.0, 1.0,
      "Splits the move into a horizontal part, which slides, and a vertical part, which gets one sweep and "
@@ -103,6 +104,11 @@ const auto table = std::to_array<SettingInfo>({
      "the player "
      "sideways.",
      "", "", "", &S::straight_ahead},
+    {"constant_slope_speed", "Constant speed on slopes", "Hacks", "", 0.0, 1.0,
+     "On slopes that can be walked the walking speed is the speed along the slope, up and down. Off: down a "
+     "slope the map is crossed at walking speed, which is faster along the slope, and up a slope slower. "
+     "Acts with static friction.",
+     "", "", "", &S::constant_slope_speed},
     {"keep_energy", "Keep energy", "Hacks", "", 0.0, 1.0,
      "On surfaces that keep energy a glancing contact turns the velocity without shortening it. Off: a "
      "half-pipe made of "
@@ -130,7 +136,7 @@ const auto table = std::to_array<SettingInfo>({
      "only moves that lead out are free. Iterative: out of the deepest triangle first, several times. "
      "Analytic: to the "
      "common point of up to three planes at once, which acute corners need.",
-     "", "", "", &S::push_out},
+     "", "", "", choice<&S::push_out>(push_out_names)},
     {"nudge", "Nudge", "Hacks", "", 0.0, 1.0,
      "A player who is still inside geometry tries small offsets along the axes; the nearest free one wins. "
      "Off: "
@@ -144,6 +150,11 @@ const auto table = std::to_array<SettingInfo>({
      "amount. "
      "Off: stairs are walls.",
      "", "", "", &S::step_up},
+    {"step_form", "Step form", "Hacks", "", 0.0, 1.0,
+     "When a step is tried. When blocked: a move that hits a wall is tried again from higher up, and the "
+     "better of both counts. Every move: the lecture's form (MDK2), each move on the ground is lifted before "
+     "and dropped after, so the player needs room for a step above its head wherever it walks.",
+     "", "", "step_up", choice<&S::step_form>(step_form_names)},
     {"step_height", "Step height", "Hacks", "m", 0.0, 2.0, "The highest step that is climbed.",
      "Stops at kerbs and door sills.", "Walks up onto tables and over railings.", "step_up", &S::step_height},
     {"snap_down", "Snap to floor", "Hacks", "", 0.0, 1.0,

@@ -27,8 +27,8 @@ Vec3 push_off(Mover& mover, const Vec3& from, const Vec3& push, FaceId face) {
     if (mover.trace != nullptr) {
         mover.trace->add(SweepRecord{
             .pass = Pass::probe, .from = from, .move = push, .reached = reached, .contact = blocked});
-        decide(mover, "skin", true, "push, m", (reached - from).norm(), mover.settings.skin,
-               blocked ? "pushed off half the way to the next face" : "pushed off to keep the skin", face);
+        decide(mover, blocked ? Decision::pushed_off_halfway : Decision::pushed_off,
+               {.value = (reached - from).norm(), .limit = mover.settings.skin}, face);
     }
     return reached;
 }
@@ -43,9 +43,11 @@ Swept sweep_with_skin(Mover& mover, Pass pass, int iteration, const Vec3& move) 
 
     Swept swept{.reached = mover.position + move};
     double depth = 0.0;
+    bool back = false;
     if (const std::optional<SceneContact> found = sweep_scene(mover, mover.position, direction * reach)) {
         swept.contact = found->contact;
         depth = found->depth;
+        back = found->back;
         swept.platform = found->platform;
     }
 
@@ -70,7 +72,9 @@ Swept sweep_with_skin(Mover& mover, Pass pass, int iteration, const Vec3& move) 
                                      .from = mover.position,
                                      .move = move,
                                      .reached = swept.reached,
-                                     .contact = swept.contact});
+                                     .contact = swept.contact,
+                                     .back = swept.contact && back,
+                                     .platform = swept.platform});
     }
     if (swept.contact && missing > tolerated * skin) {
         swept.reached = push_off(mover, swept.reached, swept.contact->normal * missing, swept.contact->face);

@@ -51,8 +51,7 @@ Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move) {
         corner.constrains_velocity[slot] = turn.constrains_velocity;
     }
     if (leftover.norm() > negligible) {
-        decide(mover, "max_slides", true, "left, m", leftover.norm(), 0.0, "the rest of the move is given up",
-               mover.support_face);
+        decide(mover, Decision::slides_used_up, {.value = leftover.norm()}, mover.support_face);
     }
     return leftover;
 }

@@ -1,43 +1,41 @@
 // Problem: at the edge of every step on the way down, and over every crest, the player flies for some ticks
 // and cannot jump. Hack: a player who was on the ground and did not jump is put onto the ground below, if it
-// is near.
+// is near. A long tick may cross several steps: each of them may be as deep as the snap reaches.
 #include "mover.h"
 
 namespace slipface {
 
-void snap_down(Mover& mover) {
-    const double distance = mover.settings.snap_distance;
-    if (!mover.settings.snap_down) {
-        decide(mover, "snap_down", false, "", 0.0, 0.0, "switched off: leaves the ground");
+void snap_down(Mover& mover, const Motion& before) {
+    const MovementSettings& s = mover.settings;
+    if (!s.snap_down) {
+        decide(mover, Decision::snap_off);
         return;
     }
-    const Swept swept = sweep_with_skin(mover, Pass::snap, 0, Vec3(0.0, -distance, 0.0));
-    const auto say = [&](bool acted, const char* quantity, double value, double limit, const char* outcome) {
-        decide(mover, "snap_down", acted, quantity, value, limit, outcome,
-               swept.contact ? swept.contact->face : no_id);
+    const double reach = s.snap_distance + 2.0 * s.skin;
+    const double moved = horizontal(mover.position - before.position).norm();
+    const Swept swept = sweep_with_skin(mover, Pass::snap, 0, Vec3(0.0, -(reach + moved), 0.0));
+    const auto say = [&](Decision kind, const Quantity& quantity) {
+        decide(mover, kind, quantity, swept.contact ? swept.contact->face : no_id);
     };
-    if (!swept.contact)
-        return say(false, "distance, m", distance, distance, "refused: no floor within reach");
+    if (!swept.contact) return say(Decision::snap_no_floor, {.value = s.snap_distance});
     const Contact& contact = *swept.contact;
     const SurfaceType& surface = surface_of(mover, contact.surface);
-    const bool walkable = is_walkable(mover, contact.normal, surface);
     if (sticks(mover, surface) || restitution_of(mover, surface) > 0.0 || surface.keeps_energy) {
-        return say(false, "plain ground", 0.0, 1.0, "refused: the floor has its own response");
+        return say(Decision::snap_own_response, {});
     }
-    const Vec3 before = mover.position;
+    const double dropped = mover.position.y() - swept.reached.y();
+    if (dropped > reach && !no_deeper_than_steps(mover, before.position, contact, s.snap_distance))
+        return say(Decision::snap_too_deep, {.value = dropped, .limit = s.snap_distance});
+    const Vec3 high = mover.position;
     mover.position = swept.reached;
-    if (!walkable && !on_rim(mover, contact)) {
-        mover.position = before;
-        return say(false, "N.y", contact.normal.y(), walkable_limit(mover, surface), "refused: too steep");
+    if (!is_walkable(mover, contact.normal, surface) && !on_rim(mover, contact)) {
+        mover.position = high;
+        return say(Decision::snap_too_steep,
+                   {.value = contact.normal.y(), .limit = walkable_limit(mover, surface)});
     }
-    mover.grounded = true;
-    mover.hazard = mover.hazard || surface.hazardous;
-    mover.support_normal = walkable ? contact.normal : Vec3(Vec3::UnitY());
-    mover.support_face = contact.face;
-    mover.support_surface = contact.surface;
-    mover.support_platform = swept.platform;
+    stand_on(mover, contact, swept.platform);
     ++mover.contacts;
-    say(true, "snapped, m", before.y() - mover.position.y(), distance, "snaps to the floor");
+    say(Decision::snapped, {.value = dropped, .limit = s.snap_distance});
 }
 
 }  // namespace slipface

@@ -9,18 +9,23 @@ namespace slipface {
 std::optional<Turn> hold_by_static_friction(Mover& mover, const Hit& hit) {
     const Contact& contact = hit.contact;
     if (hit.pass != Pass::vertical) return std::nullopt;
-    const double limit = walkable_limit(mover, hit.surface);
-    const auto refuse = [&](const char* why) {
-        decide(mover, "static_friction", false, "N.y", contact.normal.y(), limit, why, contact.face);
-        return std::nullopt;
+    const auto say = [&](Decision kind) {
+        decide(mover, kind, {.value = contact.normal.y(), .limit = walkable_limit(mover, hit.surface)},
+               contact.face);
     };
-    if (!hit.walkable) return refuse("refused: steeper than the maximum slope, slides");
-    if (hit.surface.keeps_energy) return refuse("refused: the surface keeps energy, slides");
+    if (!hit.walkable) {
+        say(Decision::too_steep_to_stand);
+        return std::nullopt;
+    }
+    if (hit.surface.keeps_energy) {
+        decide(mover, Decision::no_hold_on_ice, contact.face);
+        return std::nullopt;
+    }
     if (hit.surface.restitution > 0.0) {
         // A bounce too small to be seen comes to rest.
         if (std::optional<Turn> turn = bounce(mover, hit)) return turn;
     }
-    decide(mover, "static_friction", true, "N.y", contact.normal.y(), limit, "grounded", contact.face);
+    say(Decision::stood);
     return Turn{.rule = Rule::stop, .velocity = horizontal(mover.velocity), .plane = contact.normal};
 }
 

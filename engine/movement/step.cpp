@@ -16,7 +16,7 @@ bool usable(const MovementSettings& s) {
 bool usable(const PlayerState& state, const PlayerInput& input, double dt) {
     return dt >= 1e-4 && dt <= 0.25 && state.position.allFinite() && state.velocity.allFinite() &&
            state.ground_normal.allFinite() && input.wish.allFinite() &&
-           std::isfinite(state.coyote_s + state.jump_buffer_s);
+           std::isfinite(state.ground_rise + state.coyote_s + state.jump_buffer_s);
 }
 
 Vec2 at_most_one(const Vec2& wish) {
@@ -43,6 +43,7 @@ PlayerState state_after(const Mover& mover, const PlayerState& before, const Pla
         after.ground_face = mover.support_face;
         after.ground_surface = mover.support_surface;
         after.ground_platform = mover.support_platform;
+        after.ground_rise = mover.grounded ? mover.support_rise : 0.0;
     }
     after.coyote_s = coyote_after(mover, before);
     after.jump_buffer_s = jump_buffer_after(mover, before, pressed);
@@ -53,31 +54,27 @@ PlayerState state_after(const Mover& mover, const PlayerState& before, const Pla
 void leave_geometry(Mover& mover) {
     const MovementSettings& settings = mover.settings;
     const bool pushes = settings.push_out != PushOut::off;
-    const auto inside = [&](const char* hack, const char* outcome) {
-        decide(mover, hack, false, "overlaps", 1.0, 0.0, outcome);
-    };
     if (!pushes && !settings.nudge) {
         // Asked only by who wants to know why.
         if (mover.trace == nullptr || !overlaps_scene(mover, mover.position)) return;
-        inside("push_out", "switched off: begins inside geometry");
-        inside("nudge", "switched off: begins inside geometry");
+        decide(mover, Decision::push_out_off);
+        decide(mover, Decision::nudge_off);
         return;
     }
     mover.began_free = is_free(mover, mover.position);
     if (mover.began_free || !overlaps_scene(mover, mover.position)) {
-        decide(mover, settings.nudge ? "nudge" : "push_out", false, "overlaps", 0.0, 0.0,
-               "refused: nothing to be freed from");
+        decide(mover, settings.nudge ? Decision::nudge_needless : Decision::push_out_needless);
         return;
     }
     if (pushes) {
         push_out(mover);
     } else {
-        inside("push_out", "switched off: begins inside geometry");
+        decide(mover, Decision::push_out_off);
     }
     if (settings.nudge) {
         mover.trapped = !nudge(mover);
     } else if (mover.trace != nullptr && overlaps_scene(mover, mover.position)) {
-        inside("nudge", "switched off: still inside geometry");
+        decide(mover, Decision::nudge_off);
     }
 }
 
@@ -87,8 +84,9 @@ void move(Mover& mover, const PlayerState& state, const PlayerInput& input) {
     const bool held = state.stuck && sticks(mover, support);
     const bool on_ladder = state.climbing && support.climbable;
     const bool pressed = input.jump && !state.jump_held;
-    const bool stays = (held || on_ladder) && !wants_jump(mover, state, pressed);
-    if (state.grounded || held) carry(mover, support);
+    const bool jump = wants_jump(mover, state, pressed);
+    const bool stays = (held || on_ladder) && !jump;
+    if (state.grounded || held) carry(mover, support, state.ground_face);
     if (mover.stuck) {
         mover.velocity = Vec3::Zero();
     } else if (held && stays) {
@@ -96,7 +94,7 @@ void move(Mover& mover, const PlayerState& state, const PlayerInput& input) {
     } else if (stays) {
         climb(mover, state);
     } else {
-        walk(mover, state, pressed);
+        walk(mover, state, jump);
     }
 }
 
@@ -114,14 +112,15 @@ PlayerState part_of_step(Mover& mover, const PlayerState& state, const PlayerInp
         move_with_platforms(mover, state);
         mover.began_free = mover.began_free && mover.position == began;
     }
+    mover.support_rise = state.grounded ? state.ground_rise : 0.0;
     const Motion safe = mover;
     move(mover, state, input);
     const bool room = clamp_to_terrain(mover, safe.position);
 
     const bool finite = mover.position.allFinite() && mover.velocity.allFinite();
     if (finite && room && !ends_inside(mover, safe.position)) return state_after(mover, state, input);
-    decide(mover, "never_inside", true, "moved, m", finite ? (mover.position - safe.position).norm() : 0.0,
-           0.0, "the step would end inside geometry: stays where it was", mover.support_face);
+    decide(mover, Decision::never_inside, {.value = finite ? (mover.position - safe.position).norm() : 0.0},
+           mover.support_face);
     PlayerState after = state;
     after.position = safe.position;
     after.velocity = Vec3::Zero();
@@ -157,13 +156,9 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
     place_in_scene(scene, result.state.position, result.state);
     if (trace != nullptr && scene.sectors.size > 0.0) {
         const bool stays = result.state.sector == state.sector;
-        trace->add(DecisionRecord{.hack = "sectors",
-                                  .acted = true,
-                                  .quantity = "from its middle, m",
+        trace->add(DecisionRecord{.kind = stays ? Decision::sector_kept : Decision::sector_entered,
                                   .value = result.state.position.cwiseAbs().maxCoeff(),
-                                  .limit = 0.5 * scene.sectors.size,
-                                  .outcome = stays ? "in the coordinates of its sector"
-                                                   : "enters another sector, and gets its coordinates"});
+                                  .limit = 0.5 * scene.sectors.size});
     }
     return result;
 }

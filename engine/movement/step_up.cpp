@@ -1,7 +1,9 @@
 // Problem: a step of 30 cm stops a player like a wall.
 // Hack (lecture, "Case study: MDK2"): lift the player, move, and drop by the same amount, unless something is
-// there. Tried only where a wall stopped the plain move, and kept only where it led further: along a wall
-// both lead as far, so nobody gains speed there.
+// there.
+//
+// When blocked: tried only where a wall stopped the plain move, and kept only where it led further: along a
+// wall both lead as far, so nobody gains speed there. Every move: the lecture's own form.
 #include <algorithm>
 
 #include "mover.h"
@@ -13,69 +15,102 @@ namespace {
 // The way gained must be worth it, as a share of the move.
 constexpr double worth = 1e-3;
 
-}  // namespace
+struct Refusal {
+    Decision why;
+    Quantity quantity = {};
+};
 
-// The round foot meets the rim of a step long before its centre is above it, and the touch is as steep as a
-// wall's. It is a step all the same where the ground below the centre lies no deeper than a step.
-bool on_rim(Mover& mover, const Contact& contact) {
-    const MovementSettings& s = mover.settings;
-    const double deepest = std::max(s.step_up ? s.step_height : 0.0, s.snap_down ? s.snap_distance : 0.0);
-    if (!(deepest > 0.0) || contact.feature == Feature::interior || !(contact.normal.y() > 0.05))
-        return false;
-    const double reach = mover.position.y() - contact.point.y() + deepest;
-    const std::optional<RayHit> ground = ray_in_scene(mover, mover.position, Vec3(0.0, -reach, 0.0));
-    const bool rim = ground && std::abs(ground->normal.y()) >= mover.walkable_cosine;
-    decide(mover, s.step_up ? "step_up" : "snap_down", rim, "rim above ground, m",
-           ground ? ground->t * reach - (mover.position.y() - contact.point.y()) : deepest, deepest,
-           rim ? "stands on the rim of a step" : "refused: no ground a step below the rim", contact.face);
-    return rim;
-}
-
-bool step_up(Mover& mover, const Motion& before, const Vec3& level) {
+// Lift, move, drop. The lift leaves room for the skin on both sides of the rim; what may be climbed is judged
+// by where the player lands.
+std::optional<Refusal> lift_move_drop(Mover& mover, const Motion& before, const Vec3& level) {
     const double height = mover.settings.step_height;
-    const Motion plain = mover;
-    const auto refuse = [&](const char* quantity, double value, double limit, const char* why) {
-        decide(mover, "step_up", false, quantity, value, limit, why, plain.support_face);
-        mover.motion() = plain;
-        return false;
-    };
-    if (!mover.settings.step_up)
-        return refuse("", 0.0, 0.0, "switched off: whatever is in the way is a wall");
-    if (!mover.was_grounded) return refuse("grounded", 0.0, 1.0, "refused: steps up from the ground only");
+    const double skin = mover.settings.skin;
     mover.motion() = before;
-    mover.position = sweep_with_skin(mover, Pass::step, 0, Vec3(0.0, height, 0.0)).reached;
+    mover.position = sweep_with_skin(mover, Pass::step, 0, Vec3(0.0, height + 2.0 * skin, 0.0)).reached;
     const double lifted = mover.position.y() - before.position.y();
-    if (!(lifted > mover.settings.skin))
-        return refuse("lifted, m", lifted, mover.settings.skin, "refused: no room overhead");
+    if (!(lifted > skin)) return Refusal{Decision::step_up_no_room, {.value = lifted}};
 
     collide_and_slide(mover, Pass::horizontal, level);
-    if (mover.stuck || mover.climbing) return refuse("held", 1.0, 0.0, "refused: held by a surface up there");
-    const Vec3 heading = direction_of(level);
-    const double gained = (mover.position - plain.position).dot(heading);
-    const double least = worth * level.norm();
-    if (!(gained > least)) return refuse("gained, m", gained, least, "refused: leads no further");
+    if (mover.stuck || mover.climbing) return Refusal{Decision::step_up_held};
 
-    const double drop = lifted + press_down(mover, Vec3::UnitY(), Vec3::Zero());
+    const double drop =
+        mover.position.y() - before.position.y() + press_down(mover, Vec3::UnitY(), Vec3::Zero());
     const Swept landing = sweep_with_skin(mover, Pass::step, 1, Vec3(0.0, -drop, 0.0));
-    if (!landing.contact) return refuse("dropped, m", drop, drop, "refused: no ground up there");
+    if (!landing.contact) return Refusal{Decision::step_up_no_ground, {.value = drop}};
     const Contact& contact = *landing.contact;
     const SurfaceType& surface = surface_of(mover, contact.surface);
     if (sticks(mover, surface) || restitution_of(mover, surface) > 0.0)
-        return refuse("plain ground", 0.0, 1.0, "refused: the surface up there has its own response");
-    mover.position = landing.reached;
-    const bool walkable = is_walkable(mover, contact.normal, surface);
-    if (!walkable && !on_rim(mover, contact)) {
-        return refuse("N.y", contact.normal.y(), walkable_limit(mover, surface),
-                      "refused: too steep up there");
+        return Refusal{Decision::step_up_own_response};
+    if (!no_higher_than_steps(mover, before, contact, height)) {
+        const double feet = before.position.y() - mover.settings.radii.y() + before.support_rise;
+        return Refusal{Decision::step_up_too_high, {.value = contact.point.y() - feet, .limit = height}};
     }
-    mover.grounded = true;
-    mover.hazard = mover.hazard || surface.hazardous;
-    mover.support_normal = walkable ? contact.normal : Vec3(Vec3::UnitY());
-    mover.support_face = contact.face;
-    mover.support_surface = contact.surface;
-    mover.support_platform = landing.platform;
-    decide(mover, "step_up", true, "climbed, m", mover.position.y() - before.position.y(), height, "steps up",
-           contact.face);
+    mover.position = landing.reached;
+    if (!is_walkable(mover, contact.normal, surface) && !on_rim(mover, contact)) {
+        return Refusal{Decision::step_up_too_steep,
+                       {.value = contact.normal.y(), .limit = walkable_limit(mover, surface)}};
+    }
+    stand_on(mover, contact, landing.platform);
+    return std::nullopt;
+}
+
+// What a slow or slanting move lacks to get two skins into the walls that stopped it. Less ends within the
+// skin that the plain move kept, drops back beside the rim, and does so again in every tick.
+Vec3 push_into_walls(const Motion& plain, const Vec3& level, double depth) {
+    Vec3 push = Vec3::Zero();
+    for (int i = 0; i < plain.wall_count; ++i) {
+        const Vec3& wall = plain.walls[static_cast<std::size_t>(i)];
+        push -= wall * std::max(0.0, depth + level.dot(wall));
+    }
+    return push;
+}
+
+}  // namespace
+
+bool step_up(Mover& mover, const Motion& before, const Vec3& level) {
+    const Motion plain = mover;
+    const auto refuse = [&](const Refusal& refusal) {
+        decide(mover, refusal.why, refusal.quantity, plain.support_face);
+        mover.motion() = plain;
+        return false;
+    };
+    if (!mover.settings.step_up) return refuse({Decision::step_up_off});
+    if (!mover.was_grounded) return refuse({Decision::step_up_in_air});
+
+    const Vec3 heading = direction_of(level);
+    const double least = worth * level.norm();
+    const auto gained = [&] { return (mover.position - plain.position).dot(heading); };
+    const auto accept = [&] {
+        decide(mover, Decision::stepped_up,
+               {.value = mover.position.y() - before.position.y(), .limit = mover.settings.step_height},
+               mover.support_face);
+        return true;
+    };
+    const Vec3 push = push_into_walls(plain, level, 2.0 * mover.settings.skin);
+    std::optional<Refusal> refusal = lift_move_drop(mover, before, level);
+    if (!refusal && !(gained() > least))
+        return refuse({Decision::step_up_no_further, {.value = gained(), .limit = least}});
+    const bool climbed = mover.position.y() - plain.position.y() > 0.1 * gained();
+    if (!refusal && (climbed || push.isZero(0.0))) return accept();
+
+    const Motion beside = mover;
+    if (!push.isZero(0.0) && !lift_move_drop(mover, before, level + push) && gained() > least &&
+        mover.position.y() - plain.position.y() > 0.5 * mover.settings.skin) {
+        return accept();
+    }
+    if (refusal) return refuse(*refusal);
+    mover.motion() = beside;
+    return accept();
+}
+
+bool step_every_move(Mover& mover, const Motion& before, const Vec3& level) {
+    if (const auto refusal = lift_move_drop(mover, before, level)) {
+        decide(mover, refusal->why, refusal->quantity, before.support_face);
+        mover.motion() = before;
+        return false;
+    }
+    decide(mover, Decision::step_every_move, {.value = mover.position.y() - before.position.y()},
+           mover.support_face);
     return true;
 }
 

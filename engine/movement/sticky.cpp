@@ -7,7 +7,7 @@ namespace slipface {
 std::optional<Turn> stick(Mover& mover, const Hit& hit) {
     if (!hit.surface.sticky) return std::nullopt;
     if (!mover.settings.stick) {
-        decide(mover, "stick", false, "sticky", 1.0, 0.0, "switched off: does not stick", hit.contact.face);
+        decide(mover, Decision::stick_off, hit.contact.face);
         return std::nullopt;
     }
     mover.stuck = true;
@@ -16,7 +16,7 @@ std::optional<Turn> stick(Mover& mover, const Hit& hit) {
     mover.support_face = hit.contact.face;
     mover.support_surface = hit.contact.surface;
     mover.support_platform = hit.platform;
-    decide(mover, "stick", true, "sticky", 1.0, 0.0, "sticks until a jump", hit.contact.face);
+    decide(mover, Decision::stuck, hit.contact.face);
     return Turn{.rule = Rule::stick, .plane = hit.contact.normal};
 }
 
@@ -28,7 +28,7 @@ void hold(Mover& mover, const PlayerState& state) {
     mover.support_surface = state.ground_surface;
     mover.support_platform = state.ground_platform;
     mover.hazard = mover.hazard || support_of(mover, state).hazardous;
-    decide(mover, "stick", true, "sticky", 1.0, 0.0, "held until a jump", state.ground_face);
+    decide(mover, Decision::still_stuck, state.ground_face);
 }
 
 }  // namespace slipface

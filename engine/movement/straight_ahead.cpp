@@ -16,9 +16,11 @@ std::optional<Turn> slide_at_wall(Mover& mover, const Hit& hit) {
     const Vec3 plane = direction_of(horizontal(hit.contact.normal));
     // Straight overhead or underfoot: no wall in it.
     if (plane.isZero(0.0)) return std::nullopt;
-    mover.walled = true;
-    decide(mover, "max_slope", true, "N.y", hit.contact.normal.y(), walkable_limit(mover, hit.surface),
-           "a wall: slides along it", hit.contact.face);
+    const int known = mover.wall_count;
+    if (known == 0 || (known == 1 && mover.walls[0].dot(plane) < 0.99))
+        mover.walls[static_cast<std::size_t>(mover.wall_count++)] = plane;
+    decide(mover, Decision::wall,
+           {.value = hit.contact.normal.y(), .limit = walkable_limit(mover, hit.surface)}, hit.contact.face);
     return Turn{.rule = Rule::slide,
                 .leftover = slide_along(hit.leftover, plane),
                 .velocity = slide_along(mover.velocity, plane),
@@ -35,14 +37,15 @@ std::optional<Turn> go_straight_ahead(Mover& mover, const Hit& hit) {
               .plane = normal,
               .constrains_velocity = !mover.was_grounded};
     const bool acts = mover.settings.straight_ahead;
+    const bool constant = mover.settings.constant_slope_speed && mover.was_grounded;
+    if (constant) turn.leftover = direction_of(slid) * hit.leftover.norm();
     if (acts) {
         const Vec3 ahead = hit.leftover - Vec3(0.0, hit.leftover.dot(normal) / normal.y(), 0.0);
         turn.rule = Rule::straight_ahead;
-        turn.leftover = direction_of(ahead) * slid.norm();
+        turn.leftover = direction_of(ahead) * (constant ? hit.leftover : slid).norm();
     }
-    decide(mover, "straight_ahead", acts, "N.y", normal.y(), walkable_limit(mover, hit.surface),
-           acts ? "goes straight ahead up the ramp" : "switched off: the ramp turns the move",
-           hit.contact.face);
+    decide(mover, acts ? Decision::straight_ahead : Decision::straight_ahead_off,
+           {.value = normal.y(), .limit = walkable_limit(mover, hit.surface)}, hit.contact.face);
     return turn;
 }
 

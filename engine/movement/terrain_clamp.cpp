@@ -16,13 +16,11 @@ bool clamp_to_terrain(Mover& mover, const Vec3& from) {
     const double least = ground->height + mover.settings.radii.y();
     const double missing = least - mover.position.y();
     if (!mover.settings.heightfield) {
-        if (missing > 0.0)
-            decide(mover, "heightfield", false, "below the terrain, m", missing, 0.0,
-                   "switched off: falls through the terrain");
+        if (missing > 0.0) decide(mover, Decision::terrain_off, {.value = missing});
         return true;
     }
     const bool walkable = ground->normal.y() >= mover.walkable_cosine;
-    const auto stand = [&](const char* outcome) {
+    const auto stand = [&](Decision outcome) {
         if (mover.grounded || mover.climbing || mover.stuck) return;
         if (walkable) {
             mover.grounded = true;
@@ -35,14 +33,14 @@ bool clamp_to_terrain(Mover& mover, const Vec3& from) {
         mover.support_face = no_id;
         mover.support_surface = default_surface;
         mover.support_platform = no_id;
-        decide(mover, "heightfield", true, "lifted, m", missing, mover.settings.snap_distance, outcome);
+        mover.support_rise = 0.0;
+        decide(mover, outcome, {.value = missing});
     };
     // On the way down a slope the terrain falls away under the feet; what snaps to floors snaps to it.
     const double near =
         mover.settings.snap_down && mover.was_grounded && !mover.jumped ? mover.settings.snap_distance : 0.0;
     if (missing < -near || (missing < 0.0 && (mover.grounded || !walkable))) {
-        decide(mover, "heightfield", false, "above the terrain, m", -missing, near,
-               "refused: above the terrain");
+        decide(mover, Decision::terrain_above, {.value = -missing});
         return true;
     }
     if (missing != 0.0) {
@@ -55,20 +53,19 @@ bool clamp_to_terrain(Mover& mover, const Vec3& from) {
                 mover.position.y() <= from.y()) {
                 mover.position = from;
                 mover.velocity = slide_along(mover.velocity, ground->normal);
-                decide(mover, "heightfield", true, "N.y", ground->normal.y(), mover.walkable_cosine,
-                       "steeper than the maximum slope: a wall");
+                decide(mover, Decision::terrain_wall,
+                       {.value = ground->normal.y(), .limit = mover.walkable_cosine});
                 return true;
             }
         }
         const Vec3 lift(0.0, missing, 0.0);
         if (sweep_scene(mover, mover.position, lift)) {
-            decide(mover, "heightfield", false, "lifted, m", missing, 0.0,
-                   "refused: no room above the terrain");
+            decide(mover, Decision::terrain_no_room, {.value = missing});
             return missing < 0.0;
         }
         mover.position += lift;
     }
-    stand(walkable ? "stands on the terrain" : "slides on steep terrain");
+    stand(walkable ? Decision::terrain_stood : Decision::terrain_slid);
     return true;
 }
 

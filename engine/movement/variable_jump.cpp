@@ -14,8 +14,7 @@ void cut_jump(Mover& mover) {
     if (!released) return;
     mover.jumping = false;
     const bool acts = mover.settings.variable_jump;
-    decide(mover, "variable_jump", acts, "up, m/s", mover.velocity.y(), mover.settings.jump_cut,
-           acts ? "the button was let go: cuts the jump short" : "switched off: rises on");
+    decide(mover, acts ? Decision::jump_cut : Decision::jump_cut_off, {.value = mover.velocity.y()});
     if (acts) mover.velocity.y() *= mover.settings.jump_cut;
 }
 

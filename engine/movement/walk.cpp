@@ -3,6 +3,7 @@
 // The displacement is the mean of the velocities before and after the step's acceleration times dt. For
 // constant acceleration that is exact, so jumps are as high at 30 Hz as at 360.
 #include <algorithm>
+#include <cmath>
 
 #include "mover.h"
 
@@ -10,20 +11,41 @@ namespace slipface {
 
 namespace {
 
+// With constant speed on slopes: what of a move that leads down the ground stood on is made across the map,
+// so that the length along the slope is the move's. Uphill straight_ahead.cpp sees to it.
+double share_on_slope(const Mover& mover, const PlayerState& state, const Vec3& level) {
+    if (!mover.was_grounded || !(descent(state.ground_normal, level) > 0.0)) return 1.0;
+    const bool acts = mover.settings.constant_slope_speed;
+    const double down = descent(state.ground_normal, level);
+    const double along = std::sqrt(level.squaredNorm() + down * down);
+    if (acts) {
+        decide(mover, Decision::slope_speed_kept, {.value = level.norm()}, state.ground_face);
+    } else {
+        decide(mover, Decision::slope_speed_off, {.value = along, .limit = level.norm()}, state.ground_face);
+    }
+    return acts ? level.norm() / along : 1.0;
+}
+
 // The horizontal part slides; the vertical part decides whether the player is grounded.
 void move_split(Mover& mover, const PlayerState& state, const Vec3& move) {
-    const Vec3 level = horizontal(move);
+    const Vec3 level = horizontal(move) * share_on_slope(mover, state, horizontal(move));
     const double rise = mover.was_grounded ? -press_down(mover, state.ground_normal, move) : move.y();
     const Motion before = mover;
-    if (!level.isZero(0.0)) collide_and_slide(mover, Pass::horizontal, level);
+    const MovementSettings& s = mover.settings;
+    if (s.step_up && s.step_form == StepForm::every_move && mover.was_grounded && !level.isZero(0.0)) {
+        if (step_every_move(mover, before, level)) return;
+        if (!level.isZero(0.0)) collide_and_slide(mover, Pass::horizontal, level);
+    } else {
+        if (!level.isZero(0.0)) collide_and_slide(mover, Pass::horizontal, level);
+        if (!mover.stuck && !mover.climbing && mover.wall_count > 0 && step_up(mover, before, level)) return;
+    }
     if (mover.stuck || mover.climbing) return;
-    if (mover.walled && step_up(mover, before, level)) return;
 
     const double height = mover.position.y();
     const int contacts = mover.contacts;
     collide_and_slide(mover, Pass::vertical, Vec3(0.0, rise, 0.0));
     if (mover.grounded || mover.stuck || mover.climbing || mover.bounced) return;
-    if (mover.was_grounded) snap_down(mover);
+    if (mover.was_grounded) snap_down(mover, before);
     if (mover.grounded) return;
     // Two faces, each too steep to stand on, hold a player who is wedged between them; without this there
     // would be no jumping out of a ditch.
@@ -32,8 +54,7 @@ void move_split(Mover& mover, const PlayerState& state, const Vec3& move) {
         mover.grounded = true;
         mover.support_normal = Vec3::UnitY();
         mover.velocity.y() = 0.0;
-        decide(mover, "static_friction", true, "dropped, m", dropped, -0.01 * rise,
-               "grounded: wedged between steep faces", mover.support_face);
+        decide(mover, Decision::wedged, {.value = dropped}, mover.support_face);
     }
 }
 
@@ -70,14 +91,14 @@ void fall(Mover& mover, const Vec3& surface_normal) {
     mover.velocity += pull * mover.dt;
     const double fastest = mover.settings.terminal_speed;
     if (!(mover.velocity.y() < -fastest)) return;
-    decide(mover, "terminal_speed", true, "down, m/s", -mover.velocity.y(), fastest, "falls no faster");
+    decide(mover, Decision::fell_at_terminal_speed, {.value = -mover.velocity.y(), .limit = fastest});
     mover.velocity.y() = -fastest;
 }
 
 Vec3 jump_velocity(const Mover& mover, const PlayerState& state) {
     const bool off_wall = state.climbing || state.stuck;
-    decide(mover, "jump_speed", true, "jump, m/s", mover.settings.jump_speed, 0.0,
-           off_wall ? "jumps off along the normal" : "jumps", state.ground_face);
+    decide(mover, off_wall ? Decision::jumped_off : Decision::jumped, {.value = mover.settings.jump_speed},
+           state.ground_face);
     if (off_wall && !state.grounded) return state.ground_normal * mover.settings.jump_speed;
     // Who left the ground just now has its velocity already.
     const Vec3 carried = state.grounded ? carry_velocity(mover, state) : Vec3(Vec3::Zero());
@@ -86,13 +107,13 @@ Vec3 jump_velocity(const Mover& mover, const PlayerState& state) {
 
 }  // namespace
 
-void walk(Mover& mover, const PlayerState& state, bool jump_pressed) {
+void walk(Mover& mover, const PlayerState& state, bool wants_to_jump) {
     const MovementSettings& settings = mover.settings;
     const SurfaceType& support = support_of(mover, state);
     const bool touching = state.ground_face != no_id;
     const bool slippery = touching && support.keeps_energy;
     const bool split = settings.static_friction && !slippery;
-    const bool jumps = wants_jump(mover, state, jump_pressed) && may_jump(mover, state);
+    const bool jumps = wants_to_jump && may_jump(mover, state);
     const Vec3 from = mover.position;
 
     Vec3 velocity = state.velocity;
@@ -116,13 +137,8 @@ void walk(Mover& mover, const PlayerState& state, bool jump_pressed) {
     if (split) {
         move_split(mover, state, move);
     } else {
-        if (settings.static_friction) {
-            decide(mover, "static_friction", false, "keeps energy", 1.0, 0.0,
-                   "refused: no static friction here, the whole move slides", state.ground_face);
-        } else {
-            decide(mover, "static_friction", false, "", 0.0, 0.0, "switched off: the whole move slides",
-                   state.ground_face);
-        }
+        decide(mover, settings.static_friction ? Decision::whole_move_on_ice : Decision::static_friction_off,
+               state.ground_face);
         move_whole(mover, state, move, touching && !jumps);
     }
 
@@ -141,8 +157,8 @@ void walk(Mover& mover, const PlayerState& state, bool jump_pressed) {
         const Vec3 carried = carry_velocity(mover, state);
         if (!carried.isZero(0.0)) {
             const bool platform = state.ground_platform != no_id;
-            decide(mover, platform ? "platforms" : "surface_types", true, "carried, m/s", carried.norm(), 0.0,
-                   "takes the velocity of what it left along", state.ground_face);
+            decide(mover, platform ? Decision::platform_velocity_kept : Decision::surface_velocity_kept,
+                   {.value = carried.norm()}, state.ground_face);
         }
         mover.velocity += carried;
     }

@@ -25,7 +25,7 @@ Shapes ledges(double gap) {
 }  // namespace
 
 Demo demo_coyote() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     on.coyote = true;
     // From 6 m before the rim at 6 m/s the rim is passed in tick 65 or so; the jump comes 3 ticks later.
     return demo_of(ledges(4).level(), {0, standing_on_flat(on, 0), 6}, on,
@@ -33,7 +33,7 @@ Demo demo_coyote() {
 }
 
 Demo demo_jump_buffer() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     on.jump_buffer = true;
     Shapes shapes;
     shapes.material("plaster")
@@ -48,7 +48,7 @@ Demo demo_jump_buffer() {
 }
 
 Demo demo_variable_jump() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     on.variable_jump = true;
     Shapes shapes;
     shapes.material("plaster")
@@ -61,7 +61,7 @@ Demo demo_variable_jump() {
 }
 
 Demo demo_air_control() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     Shapes shapes;
     shapes.material("plaster").box({-5, -4.5, -14}, {9, -4, 8}).material("stone").box({-2, -4, 0}, {2, 0, 7});
     shapes.material("brick__pillar").box({0.8, -4, -3.6}, {3.2, 0, -1.4});
@@ -73,7 +73,7 @@ Demo demo_air_control() {
 }
 
 Demo demo_platforms() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     Shapes shapes = ledges(6);
     shapes.group("raft").material("wood").box({-1.2, -0.3, -1.6}, {1.2, 0, 0});
     Demo demo = demo_of(shapes.level(), {0, standing_on_flat(on, 0), -0.8}, on,
@@ -88,7 +88,7 @@ Demo demo_platforms() {
 }
 
 Demo demo_turntable() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     Shapes shapes;
     shapes.material("plaster").box({-7, -1, -7}, {7, -0.5, 7}).group("table").material("wood__disc");
     std::vector<Vec3> rim;
@@ -110,7 +110,7 @@ Demo demo_turntable() {
 }
 
 Demo demo_heightfield() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     constexpr int side = 33;
     Shapes shapes;
     shapes.material("stone").box({-2, 0, 6}, {2, 2.4, 9});
@@ -138,7 +138,7 @@ Demo demo_heightfield() {
 }
 
 Demo demo_sectors() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     // A tilted floor of small tiles: every corner that is moved sideways is also too high or too low.
     Shapes shapes;
     shapes.material("stone");

@@ -29,6 +29,7 @@ Demo demo_of(Level level, const Vec3& spawn, const MovementSettings& on, const c
     demo.on = on;
     // The texts of the demos are tapes, and a test reads all of them.
     demo.tape = parse_tape(std::string("slipface-tape 1\ndt 1/60\n") + inputs, "demo").value();
+    demo.tape.start = spawn;  // exactly, also where a spawn would be pushed out of a wall
     demo.camera = {.name = "", .eye = eye, .target = target};
     return demo;
 }
@@ -41,7 +42,7 @@ SurfaceType painted(const char* name, const std::array<float, 3>& color) {
 }
 
 Demo demo_static_friction() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     const double angle = pi / 6;
     Shapes shapes;
     shapes.material("plaster").box({-7, -0.5, -12}, {7, 0, 8}).material("brick");
@@ -51,7 +52,7 @@ Demo demo_static_friction() {
 }
 
 Demo demo_ground_velocity() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     const double rise = 14 * std::tan(pi / 6);
     Shapes shapes;
     shapes.material("plaster")
@@ -66,7 +67,7 @@ Demo demo_ground_velocity() {
 // A stripe along the heading is painted over floor and ramp, and the camera looks straight down: what leaves
 // the stripe has been turned.
 Demo demo_straight_ahead() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     constexpr double left = -12, right = 10, near = 7, far = -8;
     const double slope = std::tan(pi / 6), half = 0.35;
     // Where the stripe's middle crosses a line of constant z: from the spawn at (-6, 5) at 45 degrees.
@@ -93,7 +94,7 @@ Demo demo_straight_ahead() {
 }
 
 Demo demo_keep_energy() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     on.slippery_acceleration = 0.0;
     constexpr int segments = 12;
     const double radius = 5.0;
@@ -112,7 +113,7 @@ Demo demo_keep_energy() {
 }
 
 Demo demo_step_up() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     on.step_up = true;
     on.snap_down = true;
     Shapes shapes;
@@ -124,7 +125,7 @@ Demo demo_step_up() {
 }
 
 Demo demo_snap_down() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     on.step_up = true;
     on.snap_down = true;
     Shapes shapes;
@@ -137,7 +138,7 @@ Demo demo_snap_down() {
 
 // The floor is drawn where its rise ends.
 Demo demo_seam_filter() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     on.seam_filter = true;
     // A floor that rises into the player, as in a game that moves its geometry by itself.
     on.platforms = false;
@@ -164,7 +165,7 @@ Demo demo_seam_filter() {
 // Walking straight out of the wedge is free with the switch off, too; the stick pushes across it, past the
 // end of the right wall. Each part of that leads further into one wall or the other.
 Demo demo_push_out() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     on.push_out = PushOut::analytic;
     const double half = pi / 18;
     const Vec3 apex(0, 0, -3);
@@ -185,7 +186,7 @@ Demo demo_push_out() {
 // Four posts that leave less room between them than the player is wide: whoever stands inside touches all of
 // them, and every direction leads further into one.
 Demo demo_nudge() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     on.nudge = true;
     on.nudge_distance = 0.8;
     Shapes shapes;
@@ -199,7 +200,7 @@ Demo demo_nudge() {
 }
 
 Demo demo_bounce() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     Shapes shapes;
     shapes.material("plaster")
         .box({-8, -0.5, -3}, {12, 0, 3})
@@ -209,7 +210,7 @@ Demo demo_bounce() {
 }
 
 Demo demo_sticky() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     Shapes shapes;
     shapes.material("plaster").box({-5, -0.5, -6}, {5, 0, 5}).material("stone").box({-3, 0, -4}, {3, 4, -2});
     shapes.material("stone__sticky").polygon({{-3, 0, -1.98}, {3, 0, -1.98}, {3, 4, -1.98}, {-3, 4, -1.98}});
@@ -220,7 +221,7 @@ Demo demo_sticky() {
 }
 
 Demo demo_surface_types() {
-    MovementSettings on;
+    MovementSettings on = basic_settings();
     Shapes shapes;
     shapes.material("plaster").box({-6, -0.5, -10}, {6, 0, 6}).material("stone").box({-3, 0, -8}, {3, 4, -2});
     shapes.material("wood__ladder")

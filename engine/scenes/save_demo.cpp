@@ -51,6 +51,10 @@ GreyImage terrain_picture(const Heightfield& field, const HeightfieldSource& sou
 
 Result<std::filesystem::path> save_demo(const DemoInfo& info, const std::filesystem::path& folder) {
     Demo demo = make_demo(info);
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!std::filesystem::is_directory(folder))
+        return Error{folder.string(), error ? error.message() : "is no folder"};
     const std::string name = info.name;
     demo.level.mesh_path = folder / (name + ".obj");
     demo.level.file_path = folder / (name + ".slipface.json");

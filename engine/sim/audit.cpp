@@ -7,8 +7,10 @@
 
 #include "audit_checks.h"
 #include "audit_run.h"
+#include "finding_text.h"
 #include "slipface/base/hash.h"
 #include "slipface/base/parallel.h"
+#include "slipface/base/version.h"
 #include "slipface/level/level_scene.h"
 #include "slipface/level/shown_mesh.h"
 
@@ -42,9 +44,9 @@ Status check_options(const Level& level, const AuditOptions& options) {
         return Error{place,
                      fmt::format("found {} s a walker, expected at least one step and at most {} in all",
                                  options.duration_s, max_steps)};
-    if (options.shard.count < 1 || options.shard.index >= options.shard.count)
-        return Error{place, fmt::format("found shard {} of {}, expected an index below the count",
-                                        options.shard.index, options.shard.count)};
+    if (options.shard.number < 1 || options.shard.number > options.shard.count)
+        return Error{place, fmt::format("found shard {}, expected 1/{} to {}/{}", shard_text(options.shard),
+                                        options.shard.count, options.shard.count, options.shard.count)};
     for (const double speed : options.speeds) {
         if (!(speed > 0.0 && speed <= find_setting("walk_speed")->maximum))
             return Error{place, fmt::format("found a speed of {} m/s, expected above 0 and at most {}", speed,
@@ -53,8 +55,46 @@ Status check_options(const Level& level, const AuditOptions& options) {
     return {};
 }
 
-// What holds the level wherever its platforms are, and a walker's own size around it. Scene coordinates.
-Aabb level_bounds(const Level& level, const TickScene& scene, bool closed) {
+// What two parts of one audit must have in common beside geometry and settings.
+std::uint64_t scene_fingerprint_of(const Level& level, const MovementScene& at_first) {
+    Hasher hasher;
+    hasher.u64(scene_fingerprint(at_first));
+    for (int axis = 0; axis < 3; ++axis)
+        hasher.f64(level.spawn[axis]);
+    for (const Platform& platform : level.platforms) {
+        hasher.text(platform.group);
+        hasher.u64(static_cast<std::uint64_t>(platform.repeat));
+        for (const Vec3& vector : {platform.spin_axis, platform.spin_pivot})
+            for (int axis = 0; axis < 3; ++axis)
+                hasher.f64(vector[axis]);
+        hasher.f64(platform.spin_rate);
+        hasher.f64(platform.phase_s);
+        for (const PathPoint& point : platform.path) {
+            for (int axis = 0; axis < 3; ++axis)
+                hasher.f64(point.offset[axis]);
+            hasher.f64(point.speed);
+            hasher.f64(point.pause_s);
+        }
+    }
+    return hasher.value();
+}
+
+// When a player who stands still at the spawn point dies there, within a second; nothing if he lives.
+std::optional<std::pair<double, PlayerState>> death_at_spawn(const TickScene& scene,
+                                                             const MovementSettings& settings,
+                                                             const RunStart& start, double dt) {
+    PlayerState state = start.player;
+    for (std::size_t tick = 0; static_cast<double>(tick) * dt < 1.0; ++tick) {
+        const TickResult result = play_tick(scene.at(tick, dt), settings, state, {}, dt, start);
+        if (result.respawn == Respawn::hazard)
+            return std::pair(static_cast<double>(tick + 1) * dt, result.stepped);
+        state = result.state;
+    }
+    return std::nullopt;
+}
+
+// What holds the level wherever its platforms are. Scene coordinates.
+Aabb level_bounds(const Level& level, const TickScene& scene) {
     Aabb bounds = scene.at(0, 0.0).collision.bounds();
     const std::vector<std::uint32_t> platforms = face_platforms(level);
     std::vector<Aabb> rest(platforms.empty() ? 0 : level.platforms.size());
@@ -70,7 +110,12 @@ Aabb level_bounds(const Level& level, const TickScene& scene, bool closed) {
         bounds.add(reach.min + scene.offset());
         bounds.add(reach.max + scene.offset());
     }
-    const double margin = level.movement.radii.maxCoeff() + 1.0;
+    return bounds;
+}
+
+// A walker who is outside of this has left the level: farther from it than his own size.
+Aabb walk_bounds(Aabb bounds, const MovementSettings& settings, bool closed) {
+    const double margin = settings.radii.maxCoeff() + 1.0;
     bounds.min.array() -= margin;
     bounds.max.array() += margin;
     if (!closed) bounds.max.y() += 1000.0;  // a jump from the highest roof leaves nothing
@@ -94,39 +139,49 @@ Result<AuditReport> run_audit(const Level& level, const AuditOptions& options) {
     Result<LevelScene> level_scene = LevelScene::build(level);
     if (!level_scene) return level_scene.error();
     const TickScene first(*level_scene);
-    const PlayerState spawn = first.player_at(level.spawn);
+    const RunStart start = run_start(first, level.spawn);
     const MovementScene at_first = first.at(0, 0.0);
-    const Vec3 spawn_in_scene = position_in_scene(at_first, spawn);
+    const Vec3 spawn_in_scene = position_in_scene(at_first, start.player);
     if (const auto inside = overlaps_deeply(at_first, level.movement, spawn_in_scene))
         return Error{
             "audit",
             fmt::format("the spawn point lies inside face {}; every walker would begin stuck", inside->face)};
 
+    // A door may be open at another time: only what stands still closes a level.
+    const bool closed = level_is_closed(at_first.collision, spawn_in_scene);
+    const std::uint64_t fingerprint = scene_fingerprint_of(level, at_first);
+    if (const auto death = death_at_spawn(first, level.movement, start, options.dt))
+        return Error{"audit", fmt::format("the spawn point kills: a player who stands still there dies after "
+                                          "{:.2f} s on {}",
+                                          death->first, face_words(level, death->second.ground_face))};
+
     AuditReport report;
     report.level_name = level.mesh_path.filename().string();
     report.level_fingerprint = level.mesh->fingerprint;
+    report.scene_fingerprint = fingerprint;
+    report.program = program_version();
     report.settings_hash = settings_hash_of(level.movement);
     report.walkers = options.walkers;
     report.duration_s = options.duration_s;
     report.seed = options.seed;
     report.dt_text = options.dt_text;
     report.speeds = options.speeds;
-    report.shard_count = options.shard.count;
-    report.shards = {options.shard.index};
-    // A door may be open at another time: only what stands still closes a level.
-    report.closed = level_is_closed(at_first.collision, spawn_in_scene);
+    report.shard = options.shard;
+    report.closed = closed;
 
+    const Aabb bounds = level_bounds(level, first);
     AuditArena arena{.options = options,
-                     .spawn = spawn,
-                     .bounds = level_bounds(level, first, report.closed),
-                     .closed = report.closed,
+                     .start = start,
+                     .level_bounds = bounds,
+                     .bounds = walk_bounds(bounds, level.movement, closed),
+                     .closed = closed,
                      .ticks = static_cast<std::uint64_t>(std::llround(options.duration_s / options.dt))};
     const std::size_t count =
-        (options.walkers + options.shard.count - 1 - options.shard.index) / options.shard.count;
+        (options.walkers + options.shard.count - options.shard.number) / options.shard.count;
     std::vector<AuditRun> runs;
     runs.reserve(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const std::uint32_t number = options.shard.index + i * options.shard.count;
+        const std::uint32_t number = options.shard.number - 1 + i * options.shard.count;
         MovementSettings settings = level.movement;
         settings.walk_speed = speed_of(options, settings, number);
         runs.emplace_back(arena, settings, number);
@@ -153,13 +208,11 @@ Result<AuditReport> run_audit(const Level& level, const AuditOptions& options) {
         run.add_to(report);
     if (options.heat) report.heat.resize(level.mesh->face_count());
     for (const std::vector<FaceHeat>& heat : heats) {
-        for (std::size_t face = 0; face < heat.size(); ++face) {
-            report.heat[face].visited += heat[face].visited;
-            report.heat[face].stuck += heat[face].stuck;
-            report.heat[face].missed_ground += heat[face].missed_ground;
-            report.heat[face].lost_mm_s += heat[face].lost_mm_s;
-        }
+        for (std::size_t face = 0; face < heat.size(); ++face)
+            report.heat[face] += heat[face];
     }
+    for (AuditFinding& finding : report.findings)
+        finding.text = finding_text(level, options, finding);
     report.cancelled = arena.stopped;
     return report;
 }

@@ -9,16 +9,11 @@
 namespace slipface {
 namespace {
 
-bool blocks(const CollisionWorld& world, FaceId face) {
-    const SurfaceRule rule = world.surface_rule(world.face_surface(face));
-    return rule.solid && !rule.one_sided;
-}
-
-// The first blocking face between two points, or no_id.
+// The first face between two points that stops a player on this way, or no_id.
 FaceId face_between(const CollisionWorld& world, const Vec3& from, const Vec3& to) {
     if (from == to) return no_id;
-    const std::optional<RayHit> hit = cast_ray(world, from, to - from, 1.0);
-    return hit && blocks(world, hit->face) ? hit->face : no_id;
+    const std::optional<RayHit> hit = cast_ray(world, from, to - from, 1.0, RayStops::as_movement);
+    return hit ? hit->face : no_id;
 }
 
 // The corners of the way that a step took from `from`, as its sweeps tell it; the last is `after`. Hacks try
@@ -139,7 +134,8 @@ std::optional<CheckFailure> overlaps_deeply(const MovementScene& scene, const Mo
         std::array<Overlap, 64> overlaps;
         const std::size_t count = std::min(overlaps.size(), find_overlaps(world, radii, position, overlaps));
         for (const Overlap& overlap : std::span(overlaps).first(count)) {
-            if (!blocks(world, overlap.face)) continue;
+            // One who comes through a one-sided face from behind overlaps it rightly.
+            if (world.surface_rule(world.face_surface(overlap.face)).one_sided) continue;
             if (!deepest || overlap.depth_sphere_space > deepest->amount)
                 deepest = CheckFailure{overlap.depth_sphere_space, overlap.face};
         }

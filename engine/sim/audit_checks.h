@@ -20,12 +20,12 @@ enum class Against : std::uint8_t { everything, what_stands_still };
 // Where each platform of a tick takes who rides it. The same for all walkers, so it is asked once a tick.
 std::vector<Pose> rides_of(std::span<const MovingPart> platforms);
 
-// The centre went through a solid, two-sided triangle on its way from `before` to `after` (scene
+// The centre went through a solid triangle on its way from `before` to `after` (scene
 // coordinates), of what stands still or of a platform. A platform is asked in its own frame: there the centre
 // sets out from where a rider would have been carried to. A straight line that meets a triangle is not proof
 // yet, because a step bends at contacts and lifts over edges: then the step is made again with its trace, and
-// it passed through only if neither the traced way nor a way over the top is free. `rides`: rides_of the
-// scene's platforms. Metres done.
+// it passed through only if neither the traced way nor a way over the top is free. A one-sided triangle stops
+// nobody from behind. `rides`: rides_of the scene's platforms. Metres done.
 std::optional<CheckFailure> passed_through(const MovementScene& scene, std::span<const Pose> rides,
                                            const MovementSettings& settings, const PlayerState& before,
                                            const PlayerInput& input, double dt, const Vec3& after,

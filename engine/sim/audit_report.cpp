@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <span>
 
+#include "slipface/base/hash.h"
 #include "slipface/sim/audit.h"
 
 namespace slipface {
@@ -12,32 +14,41 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int version = 2;
+constexpr int version = 3;
 
 std::string hex(std::uint64_t value) {
     return fmt::format("{:016x}", value);
 }
 
+// Of all that stands before it, so that a report that lost or changed a byte is not merged.
+std::string checksum_of(const Json& json) {
+    Hasher hasher;
+    hasher.text(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+    return hex(hasher.value());
+}
+
 Json finding_json(const AuditFinding& finding) {
     Json json;
-    json["kind"] = finding_names[static_cast<std::size_t>(finding.kind)];
+    json["kind"] = info_of(finding.kind).name;
+    json["text"] = finding.text;
     json["walker"] = finding.walker;
     json["life"] = finding.life;
     json["tick"] = finding.tick;
     json["position"] = {finding.position.x(), finding.position.y(), finding.position.z()};
     json["amount"] = finding.amount;
     if (finding.face != no_id) json["face"] = finding.face;
+    if (finding.other != no_id) json["other"] = finding.other;
     json["hash"] = hex(finding.hash);
     return json;
 }
 
-// Faces that saw nothing are left out: [face, visited, stuck, missed ground, lost].
+// Faces that saw nothing are left out: [face, visits, lost, stood, stuck, missed ground].
 Json heat_json(const std::vector<FaceHeat>& heat) {
     Json json = Json::array();
     for (std::size_t face = 0; face < heat.size(); ++face) {
         const FaceHeat& h = heat[face];
-        if (h.visited + h.stuck + h.missed_ground + h.lost_mm_s == 0) continue;
-        json.push_back({face, h.visited, h.stuck, h.missed_ground, h.lost_mm_s});
+        if (h.visits + h.lost_us + h.stood + h.stuck + h.missed_ground == 0) continue;
+        json.push_back({face, h.visits, h.lost_us, h.stood, h.stuck, h.missed_ground});
     }
     return json;
 }
@@ -45,11 +56,11 @@ Json heat_json(const std::vector<FaceHeat>& heat) {
 // Reads one object; the first thing that is not as expected is kept as the error.
 class Reader {
   public:
-    Reader(const nlohmann::json& json, std::string place) : json_(json), place_(std::move(place)) {}
+    Reader(const Json& json, std::string place) : json_(json), place_(std::move(place)) {}
 
     template <class T>
     T number(const char* key) {
-        const nlohmann::json* value = member(key);
+        const Json* value = member(key);
         if (value && value->is_number_unsigned() && std::is_unsigned_v<T> &&
             value->get<std::uint64_t>() <= std::numeric_limits<T>::max())
             return value->get<T>();
@@ -57,13 +68,13 @@ class Reader {
         return {};
     }
     double real(const char* key) {
-        const nlohmann::json* value = member(key);
+        const Json* value = member(key);
         if (value && value->is_number()) return value->get<double>();
         fail(key, "a number");
         return 0.0;
     }
     std::string text(const char* key) {
-        const nlohmann::json* value = member(key);
+        const Json* value = member(key);
         if (value && value->is_string()) return value->get<std::string>();
         fail(key, "a text");
         return {};
@@ -77,7 +88,7 @@ class Reader {
         return value;
     }
     bool truth(const char* key) {
-        const nlohmann::json* value = member(key);
+        const Json* value = member(key);
         if (value && value->is_boolean()) return value->get<bool>();
         fail(key, "true or false");
         return false;
@@ -86,16 +97,16 @@ class Reader {
     template <class T>
     std::vector<T> list(const char* key) {
         std::vector<T> result;
-        const nlohmann::json* value = member(key);
+        const Json* value = member(key);
         if (!value || !value->is_array()) return fail(key, "a list"), result;
-        for (const nlohmann::json& item : *value) {
+        for (const Json& item : *value) {
             const bool fits = std::is_unsigned_v<T> ? item.is_number_unsigned() : item.is_number();
             if (!fits) return fail(key, "a list of numbers"), result;
             result.push_back(item.get<T>());
         }
         return result;
     }
-    const nlohmann::json* member(const char* key) const {
+    const Json* member(const char* key) const {
         const auto found = json_.find(key);
         return found == json_.end() ? nullptr : &*found;
     }
@@ -105,21 +116,28 @@ class Reader {
     const std::optional<Error>& error() const { return error_; }
 
   private:
-    const nlohmann::json& json_;
+    const Json& json_;
     std::string place_;
     std::optional<Error> error_;
 };
 
-Result<AuditFinding> read_finding(const nlohmann::json& json, const std::string& place) {
+std::optional<FindingKind> kind_named(std::string_view name) {
+    for (std::size_t i = 0; i < finding_kind_count; ++i)
+        if (info_of(static_cast<FindingKind>(i)).name == name) return static_cast<FindingKind>(i);
+    return std::nullopt;
+}
+
+Result<AuditFinding> read_finding(const Json& json, const std::string& place) {
     if (!json.is_object()) return Error{place, "expected an object"};
     Reader reader(json, place);
     AuditFinding finding;
     const std::string kind = reader.text("kind");
-    const auto name = std::find(finding_names.begin(), finding_names.end(), kind);
-    if (name == finding_names.end())
-        reader.fail("kind", "escape, overlap or stuck, found \"" + kind + "\"");
+    const auto named = kind_named(kind);
+    if (named)
+        finding.kind = *named;
     else
-        finding.kind = static_cast<FindingKind>(name - finding_names.begin());
+        reader.fail("kind", "passed_through, left_level, overlap or stuck, found \"" + kind + "\"");
+    finding.text = reader.text("text");
     finding.walker = reader.number<std::uint32_t>("walker");
     finding.life = reader.number<std::uint32_t>("life");
     finding.tick = reader.number<std::uint64_t>("tick");
@@ -130,6 +148,7 @@ Result<AuditFinding> read_finding(const nlohmann::json& json, const std::string&
         reader.fail("position", "three numbers");
     finding.amount = reader.real("amount");
     if (reader.member("face")) finding.face = reader.number<std::uint32_t>("face");
+    if (reader.member("other")) finding.other = reader.number<std::uint32_t>("other");
     finding.hash = reader.hexadecimal("hash");
     if (reader.error()) return *reader.error();
     return finding;
@@ -137,28 +156,39 @@ Result<AuditFinding> read_finding(const nlohmann::json& json, const std::string&
 
 constexpr std::size_t max_heat_faces = 100'000'000;
 
-Status read_heat(const nlohmann::json& json, std::size_t faces, const std::string& place,
-                 std::vector<FaceHeat>& heat) {
+Status read_heat(const Json& json, std::size_t faces, const std::string& place, std::vector<FaceHeat>& heat) {
     if (!json.is_array() || faces > max_heat_faces) return Error{place, "expected a list of faces"};
     heat.resize(faces);
-    for (const nlohmann::json& row : json) {
+    for (const Json& row : json) {
         const bool fits =
-            row.is_array() && row.size() == 5 &&
+            row.is_array() && row.size() == 6 &&
             std::all_of(row.begin(), row.end(), [](const auto& v) { return v.is_number_unsigned(); });
         if (!fits || row[0].get<std::uint64_t>() >= faces)
-            return Error{place,
-                         fmt::format("expected rows of five whole numbers, the first below {}", faces)};
+            return Error{place, fmt::format("expected rows of six whole numbers, the first below {}", faces)};
         heat[row[0].get<std::size_t>()] = {row[1].get<std::uint64_t>(), row[2].get<std::uint64_t>(),
-                                           row[3].get<std::uint64_t>(), row[4].get<std::uint64_t>()};
+                                           row[3].get<std::uint64_t>(), row[4].get<std::uint64_t>(),
+                                           row[5].get<std::uint64_t>()};
     }
     return {};
 }
 
-bool same_audit(const AuditReport& a, const AuditReport& b) {
-    return a.level_fingerprint == b.level_fingerprint && a.settings_hash == b.settings_hash &&
-           a.walkers == b.walkers && a.duration_s == b.duration_s && a.seed == b.seed &&
-           a.dt_text == b.dt_text && a.speeds == b.speeds && a.shard_count == b.shard_count &&
-           a.heat.size() == b.heat.size();
+// What two parts do not have in common though parts of one audit must; empty if nothing.
+std::string difference(const AuditReport& a, const AuditReport& b) {
+    std::string words;
+    const auto compare = [&](bool same, const char* what) {
+        if (!same) words += words.empty() ? what : std::string(", ") + what;
+    };
+    compare(a.level_fingerprint == b.level_fingerprint, "geometry");
+    compare(a.scene_fingerprint == b.scene_fingerprint, "surface types, spawn or platforms");
+    compare(a.settings_hash == b.settings_hash, "settings");
+    compare(a.program == b.program, "program");
+    compare(a.walkers == b.walkers, "number of walkers");
+    compare(a.duration_s == b.duration_s, "duration");
+    compare(a.seed == b.seed, "seed");
+    compare(a.dt_text == b.dt_text, "seconds per step");
+    compare(a.speeds == b.speeds, "speeds");
+    compare(a.heat.size() == b.heat.size(), "heat");
+    return words;
 }
 
 }  // namespace
@@ -168,16 +198,15 @@ std::string audit_to_json(const AuditReport& report) {
     json["slipface_audit"] = version;
     json["level"] = report.level_name;
     json["fingerprint"] = hex(report.level_fingerprint);
+    json["scene"] = hex(report.scene_fingerprint);
     json["settings"] = hex(report.settings_hash);
+    json["program"] = report.program;
     json["walkers"] = report.walkers;
     json["duration_s"] = report.duration_s;
     json["seed"] = report.seed;
     json["dt"] = report.dt_text;
     json["speeds"] = report.speeds;
-    if (report.shards.size() < report.shard_count) {  // a whole audit says nothing of its parts
-        json["shard_count"] = report.shard_count;
-        json["shards"] = report.shards;
-    }
+    if (!report.shard.whole()) json["shard"] = shard_text(report.shard);
     json["closed"] = report.closed;
     if (report.cancelled) json["cancelled"] = true;
     json["steps"] = report.steps;
@@ -185,8 +214,8 @@ std::string audit_to_json(const AuditReport& report) {
     json["hazards"] = report.hazards;
     json["crushed"] = report.crushed;
     json["left"] = report.left;
-    for (std::size_t kind = 0; kind < finding_names.size(); ++kind)
-        json[std::string("count_") + finding_names[kind]] = report.counts[kind];
+    for (std::size_t kind = 0; kind < finding_kind_count; ++kind)
+        json[std::string("count_") + info_of(static_cast<FindingKind>(kind)).name] = report.counts[kind];
     json["hash"] = hex(report.hash);
     json["findings"] = Json::array();
     for (const AuditFinding& finding : report.findings)
@@ -195,28 +224,37 @@ std::string audit_to_json(const AuditReport& report) {
         json["faces"] = report.heat.size();
         json["heat"] = heat_json(report.heat);
     }
+    json["checksum"] = checksum_of(json);
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Result<AuditReport> audit_from_json(std::string_view text, const std::string& place) {
-    const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-    if (!json.is_object()) return Error{place, "is no audit report: expected a JSON object"};
+    Json json = Json::parse(text, nullptr, false);
+    if (!json.is_object())
+        return Error{place, "is no audit report, or only the beginning of one: expected a JSON object"};
     Reader reader(json, place + ":");
     if (const auto found = reader.number<std::uint32_t>("slipface_audit"); found != version)
         return Error{place, fmt::format("found audit version {}, expected {}", found, version)};
+    const std::string checksum = reader.text("checksum");
+    Json unsigned_json = json;
+    unsigned_json.erase("checksum");
+    if (!reader.error() && checksum != checksum_of(unsigned_json))
+        return Error{place, "is damaged: its checksum does not fit what it says"};
     AuditReport report;
     report.level_name = reader.text("level");
     report.level_fingerprint = reader.hexadecimal("fingerprint");
+    report.scene_fingerprint = reader.hexadecimal("scene");
     report.settings_hash = reader.hexadecimal("settings");
+    report.program = reader.text("program");
     report.walkers = reader.number<std::uint32_t>("walkers");
     report.duration_s = reader.real("duration_s");
     report.seed = reader.number<std::uint64_t>("seed");
     report.dt_text = reader.text("dt");
     report.speeds = reader.list<double>("speeds");
-    report.shards = {0};
-    if (reader.member("shards")) {
-        report.shard_count = reader.number<std::uint32_t>("shard_count");
-        report.shards = reader.list<std::uint32_t>("shards");
+    if (reader.member("shard")) {
+        const Result<Shard> shard = parse_shard(reader.text("shard"), place + ":/shard");
+        if (!shard) return shard.error();
+        report.shard = *shard;
     }
     report.closed = reader.truth("closed");
     report.cancelled = reader.member("cancelled") && reader.truth("cancelled");
@@ -225,11 +263,12 @@ Result<AuditReport> audit_from_json(std::string_view text, const std::string& pl
     report.hazards = reader.number<std::uint64_t>("hazards");
     report.crushed = reader.number<std::uint64_t>("crushed");
     report.left = reader.number<std::uint64_t>("left");
-    for (std::size_t kind = 0; kind < finding_names.size(); ++kind)
-        report.counts[kind] =
-            reader.number<std::uint64_t>((std::string("count_") + finding_names[kind]).c_str());
+    for (std::size_t kind = 0; kind < finding_kind_count; ++kind) {
+        const std::string key = std::string("count_") + info_of(static_cast<FindingKind>(kind)).name;
+        report.counts[kind] = reader.number<std::uint64_t>(key.c_str());
+    }
     report.hash = reader.hexadecimal("hash");
-    const nlohmann::json* findings = reader.member("findings");
+    const Json* findings = reader.member("findings");
     if (!findings || !findings->is_array()) reader.fail("findings", "a list");
     if (reader.error()) return *reader.error();
     for (std::size_t i = 0; i < findings->size(); ++i) {
@@ -237,7 +276,7 @@ Result<AuditReport> audit_from_json(std::string_view text, const std::string& pl
         if (!finding) return finding.error();
         report.findings.push_back(std::move(*finding));
     }
-    if (const nlohmann::json* heat = reader.member("heat")) {
+    if (const Json* heat = reader.member("heat")) {
         const auto faces = reader.number<std::uint64_t>("faces");
         if (reader.error()) return *reader.error();
         if (Status status = read_heat(*heat, faces, place + ":/heat", report.heat); !status.ok())
@@ -246,46 +285,36 @@ Result<AuditReport> audit_from_json(std::string_view text, const std::string& pl
     return report;
 }
 
-Result<AuditReport> merge_audits(const std::vector<AuditReport>& parts) {
-    if (parts.empty()) return Error{"audit merge", "expected at least one report"};
-    AuditReport whole = parts.front();
-    for (std::size_t i = 1; i < parts.size(); ++i) {
-        const AuditReport& part = parts[i];
-        if (!same_audit(whole, part))
-            return Error{"audit merge",
-                         fmt::format("report {} is of another audit: level, settings, walkers, "
-                                     "duration, seed, step, speeds, shards or heat differ",
-                                     i + 1)};
-        for (const std::uint32_t shard : part.shards) {
-            if (std::find(whole.shards.begin(), whole.shards.end(), shard) != whole.shards.end())
-                return Error{"audit merge", fmt::format("shard {} comes twice", shard)};
-            whole.shards.push_back(shard);
-        }
-        whole.cancelled |= part.cancelled;
-        whole.steps += part.steps;
-        whole.lives += part.lives;
-        whole.hazards += part.hazards;
-        whole.crushed += part.crushed;
-        whole.left += part.left;
-        whole.hash += part.hash;
-        for (std::size_t kind = 0; kind < whole.counts.size(); ++kind)
-            whole.counts[kind] += part.counts[kind];
-        whole.findings.insert(whole.findings.end(), part.findings.begin(), part.findings.end());
-        for (std::size_t face = 0; face < whole.heat.size(); ++face) {
-            whole.heat[face].visited += part.heat[face].visited;
-            whole.heat[face].stuck += part.heat[face].stuck;
-            whole.heat[face].missed_ground += part.heat[face].missed_ground;
-            whole.heat[face].lost_mm_s += part.heat[face].lost_mm_s;
-        }
+Result<AuditReport> merge_audits(const std::vector<AuditPart>& parts) {
+    std::vector<ShardFile> shards;
+    for (const auto& [file, report] : parts) {
+        const std::string words = difference(parts.front().report, report);
+        if (!words.empty())
+            return Error{file, fmt::format("is part of another audit than {}: they differ in {}",
+                                           parts.front().file, words)};
+        shards.push_back({file, report.shard});
     }
-    std::sort(whole.shards.begin(), whole.shards.end());
+    if (Status status = check_shards_complete(shards, "audit merge"); !status) return status.error();
+    AuditReport whole = parts.front().report;
+    for (const AuditPart& part : std::span(parts).subspan(1)) {
+        const AuditReport& report = part.report;
+        whole.cancelled |= report.cancelled;
+        whole.steps += report.steps;
+        whole.lives += report.lives;
+        whole.hazards += report.hazards;
+        whole.crushed += report.crushed;
+        whole.left += report.left;
+        whole.hash += report.hash;
+        for (std::size_t kind = 0; kind < whole.counts.size(); ++kind)
+            whole.counts[kind] += report.counts[kind];
+        whole.findings.insert(whole.findings.end(), report.findings.begin(), report.findings.end());
+        for (std::size_t face = 0; face < whole.heat.size(); ++face)
+            whole.heat[face] += report.heat[face];
+    }
     // A walker's findings stay in the order in which they happened.
     std::stable_sort(whole.findings.begin(), whole.findings.end(),
                      [](const AuditFinding& a, const AuditFinding& b) { return a.walker < b.walker; });
-    if (whole.shards.size() == whole.shard_count) {
-        whole.shard_count = 1;
-        whole.shards = {0};
-    }
+    whole.shard = {};
     return whole;
 }
 

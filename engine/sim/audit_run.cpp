@@ -1,6 +1,8 @@
 #include "audit_run.h"
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "audit_checks.h"
 #include "slipface/base/hash.h"
@@ -9,24 +11,72 @@ namespace slipface {
 namespace {
 
 constexpr double stuck_window_s = 2.0;
+constexpr double stuck_free_s = 0.25;
 constexpr double stuck_distance = 0.01;
 constexpr double near_ground = 0.05;
+constexpr double visit_gap_s = 0.5;
 
 // The contacts of a step, for the heat map.
 class HeatSink final : public TraceSink {
   public:
-    HeatSink(std::vector<FaceHeat>& heat, double dt) : heat_(heat), dt_(dt) {}
+    HeatSink(std::vector<FaceHeat>& heat, RecentFaces& touched, std::uint64_t tick, const PlayerInput& input,
+             const MovementSettings& settings, double dt)
+        : heat_(heat),
+          touched_(touched),
+          tick_(tick),
+          gap_(static_cast<std::uint64_t>(visit_gap_s / dt)),
+          wish_(input.wish.x(), 0.0, input.wish.y()),
+          asked_speed_(wish_.norm() * settings.walk_speed),
+          dt_(dt) {
+        if (const double length = wish_.norm(); length > 0.0) wish_ /= length;
+    }
     void add(const TraceRecord& record) override {
         const auto* response = std::get_if<ResponseRecord>(&record);
         if (!response || response->face >= heat_.size()) return;
-        const double lost = (response->leftover_before.norm() - response->leftover_after.norm()) / dt_;
-        if (lost > 0.0) heat_[response->face].lost_mm_s += static_cast<std::uint64_t>(1000.0 * lost);
+        FaceHeat& heat = heat_[response->face];
+        if (touched_.arrives(response->face, tick_, gap_)) ++heat.visits;
+        if (!(asked_speed_ > 0.0)) return;
+        // Only what was wished counts: the floor takes the fall of every tick and costs nothing.
+        const double lost = (response->leftover_before - response->leftover_after).dot(wish_) / asked_speed_;
+        if (lost > 0.0) heat.lost_us += static_cast<std::uint64_t>(1e6 * std::min(lost, dt_));
     }
 
   private:
     std::vector<FaceHeat>& heat_;
-    double dt_;
+    RecentFaces& touched_;
+    std::uint64_t tick_, gap_;
+    Vec3 wish_;
+    double asked_speed_, dt_;
 };
+
+// The two faces that hold a walker at `at`: the nearest, and the one that faces it most.
+std::pair<FaceId, FaceId> holding_faces(const MovementScene& scene, const MovementSettings& settings,
+                                        const Vec3& at) {
+    const Vec3 radii = settings.radii.array() + 2.0 * settings.skin;
+    std::vector<Overlap> touched;
+    const auto look_in = [&](const CollisionWorld& world) {
+        std::array<Overlap, 64> found;
+        const std::size_t count = std::min(found.size(), find_overlaps(world, radii, at, found));
+        touched.insert(touched.end(), found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
+    };
+    look_in(scene.collision);
+    for (const MovingPart& part : scene.platforms)
+        look_in(*part.collision);
+    std::pair<FaceId, FaceId> faces{no_id, no_id};
+    const auto nearest = std::max_element(
+        touched.begin(), touched.end(),
+        [](const Overlap& a, const Overlap& b) { return a.depth_sphere_space < b.depth_sphere_space; });
+    if (nearest == touched.end()) return faces;
+    faces.first = nearest->face;
+    double most = 1.0;
+    for (const Overlap& other : touched) {
+        const double along = other.normal.dot(nearest->normal);
+        if (other.face == faces.first || along >= most) continue;
+        most = along;
+        faces.second = other.face;
+    }
+    return faces;
+}
 
 bool is_outside(const Aabb& box, const Vec3& at) {
     return (at.array() < box.min.array()).any() || (at.array() > box.max.array()).any();
@@ -42,27 +92,54 @@ std::uint64_t hash_with(std::uint64_t lives, std::uint64_t life) {
 
 }  // namespace
 
-StuckWatch::StuckWatch(double dt) : window_(static_cast<std::uint64_t>(stuck_window_s / dt)) {}
+FaceHeat& FaceHeat::operator+=(const FaceHeat& more) {
+    visits += more.visits;
+    lost_us += more.lost_us;
+    stood += more.stood;
+    stuck += more.stuck;
+    missed_ground += more.missed_ground;
+    return *this;
+}
+
+StuckWatch::StuckWatch(double dt)
+    : dt_(dt),
+      window_(static_cast<std::uint64_t>(stuck_window_s / dt)),
+      patience_(std::max<std::uint64_t>(2, static_cast<std::uint64_t>(std::ceil(stuck_free_s / dt)))) {}
 
 void StuckWatch::begin(const Vec3& position) {
     anchor_ = position;
     ticks_ = 0;
-    was_free_ = false;
+    free_ = 0;
 }
 
-bool StuckWatch::tick(const MovementScene& scene, const MovementSettings& settings, const Vec3& position,
-                      bool held_on_purpose, const PlayerInput& input) {
+std::optional<double> StuckWatch::tick(const MovementScene& scene, const MovementSettings& settings,
+                                       const Vec3& position, bool held_on_purpose, const PlayerInput& input) {
     if (held_on_purpose || (position - anchor_).norm() >= stuck_distance) {
         begin(position);
-        return false;
+        return std::nullopt;
     }
     ++ticks_;
     // Looking is expensive, and a walker who stands still for a moment is no news.
-    if (ticks_ * 2 >= window_ && !was_free_) was_free_ = way_is_free(scene, settings, position, input.wish);
-    if (ticks_ < window_) return false;
-    const bool stuck = was_free_;
+    if (ticks_ + patience_ <= window_) return std::nullopt;
+    if (input.wish != heading_) free_ = 0;
+    heading_ = input.wish;
+    free_ = way_is_free(scene, settings, position, input.wish) ? free_ + 1 : 0;
+    if (ticks_ < window_ || free_ < patience_) return std::nullopt;
+    const double seconds = static_cast<double>(ticks_) * dt_;
     begin(position);
-    return stuck;
+    return seconds;
+}
+
+bool RecentFaces::arrives(FaceId face, std::uint64_t tick, std::uint64_t gap) {
+    std::erase_if(touches_, [&](const Touch& touch) { return touch.tick + gap < tick; });
+    const auto known = std::find_if(touches_.begin(), touches_.end(),
+                                    [&](const Touch& touch) { return touch.face == face; });
+    if (known == touches_.end()) {
+        touches_.push_back({face, tick});
+        return true;
+    }
+    known->tick = tick;
+    return false;
 }
 
 AuditRun::AuditRun(AuditArena& arena, const MovementSettings& settings, std::uint32_t number)
@@ -80,16 +157,46 @@ void AuditRun::begin_life() {
     tick_ = 0;
     life_hash_ = 0;
     found_ = {};
-    state_ = arena_->spawn;
+    exit_.reset();
+    last_ground_ = no_id;
+    touched_ = {};
+    state_ = arena_->start.player;
     watch_.begin(state_.position);
 }
 
-void AuditRun::find(FindingKind kind, const Vec3& position, double amount, FaceId face) {
-    bool& found = found_[static_cast<std::size_t>(kind)];
+AuditFinding AuditRun::finding_now(FindingKind kind, const Vec3& position,
+                                   const std::optional<CheckFailure>& failure) const {
+    AuditFinding finding{.kind = kind,
+                         .walker = number_,
+                         .life = static_cast<std::uint32_t>(lives_ - 1),
+                         .tick = tick_,
+                         .position = position};
+    finding.hash = life_hash_;
+    if (failure) {
+        finding.amount = failure->amount;
+        finding.face = failure->face;
+    }
+    return finding;
+}
+
+void AuditRun::find(AuditFinding finding) {
+    bool& found = found_[static_cast<std::size_t>(finding.kind)];
     if (found) return;
     found = true;
-    findings_.push_back(
-        {kind, number_, static_cast<std::uint32_t>(lives_ - 1), tick_, position, amount, face, life_hash_});
+    findings_.push_back(std::move(finding));
+}
+
+void AuditRun::note_exit(const AuditTick& now, const PlayerState& before, const PlayerState& after) {
+    const auto& [level, scene, rides] = now;
+    if (after.grounded || after.climbing || after.stuck) last_ground_ = after.ground_face;
+    const Vec3 at = position_in_scene(scene, after);
+    if (!is_outside(arena_->level_bounds, at)) {
+        exit_.reset();
+    } else if (!exit_) {
+        exit_ = finding_now(FindingKind::left_level, level.to_level(after));
+        exit_->amount = (at - position_in_scene(scene, before)).norm();
+        exit_->face = last_ground_;
+    }
 }
 
 void AuditRun::check(const AuditTick& now, const PlayerState& before, const TickResult& result,
@@ -107,15 +214,19 @@ void AuditRun::check(const AuditTick& now, const PlayerState& before, const Tick
     if (at != from || !scene.platforms.empty()) {
         if (const auto passed =
                 passed_through(scene, rides, settings_, before, input, arena_->options.dt, at, against))
-            find(FindingKind::escape, level.to_level(after), passed->amount, passed->face);
+            find(finding_now(FindingKind::passed_through, level.to_level(after), passed));
         // The step's last check asked the same question of the same worlds with the whole ellipsoid. What it
         // found free holds nothing for a smaller one to overlap; tst_audit.cpp holds it to its word.
         const auto overlap =
             result.end_is_free ? std::nullopt : overlaps_deeply(scene, settings_, at, against);
-        if (overlap) find(FindingKind::overlap, level.to_level(after), overlap->amount, overlap->face);
+        if (overlap) find(finding_now(FindingKind::overlap, level.to_level(after), overlap));
     }
-    if (watch_.tick(scene, settings_, at, after.stuck, input))
-        find(FindingKind::stuck, level.to_level(after), (at - from).norm(), after.ground_face);
+    if (const auto seconds = watch_.tick(scene, settings_, at, after.stuck, input)) {
+        AuditFinding stuck = finding_now(FindingKind::stuck, level.to_level(after));
+        stuck.amount = *seconds;
+        std::tie(stuck.face, stuck.other) = holding_faces(scene, settings_, at);
+        find(std::move(stuck));
+    }
 }
 
 void AuditRun::add_heat(std::vector<FaceHeat>& heat, const MovementScene& scene, const PlayerState& before,
@@ -124,7 +235,7 @@ void AuditRun::add_heat(std::vector<FaceHeat>& heat, const MovementScene& scene,
     const bool held = after.grounded || after.climbing || after.stuck;
     if (held && after.ground_face < heat.size()) {
         FaceHeat& face = heat[after.ground_face];
-        ++face.visited;
+        ++face.stood;
         const double asked = input.wish.norm() * settings_.walk_speed * arena_->options.dt;
         if ((at - position_in_scene(scene, before)).norm() < 0.1 * asked) ++face.stuck;
     }
@@ -139,16 +250,17 @@ bool AuditRun::tick(const AuditTick& now, std::vector<FaceHeat>* heat) {
     const auto& [level, scene, rides] = now;
     const AuditOptions& options = arena_->options;
     std::optional<HeatSink> sink;
-    if (heat) sink.emplace(*heat, options.dt);
     const PlayerInput input = walker_.next();
+    if (heat) sink.emplace(*heat, touched_, tick_, input, settings_, options.dt);
     const PlayerState before = state_;
     const TickResult result =
-        play_tick(scene, settings_, before, input, options.dt, arena_->spawn, sink ? &*sink : nullptr);
+        play_tick(scene, settings_, before, input, options.dt, arena_->start, sink ? &*sink : nullptr);
     state_ = result.state;
     life_hash_ = state_hash(state_, life_hash_);
     ++steps_;
     ++tick_;
     check(now, before, result, input);
+    note_exit(now, before, result.stepped);
     if (heat) add_heat(*heat, scene, before, result.stepped, input);
 
     if (result.respawn == Respawn::hazard) {
@@ -158,11 +270,9 @@ bool AuditRun::tick(const AuditTick& now, std::vector<FaceHeat>* heat) {
     const bool left =
         result.respawn == Respawn::fall ||
         (result.respawn == Respawn::none && is_outside(arena_->bounds, position_in_scene(scene, state_)));
-    if (left && arena_->closed) {
-        const double made =
-            (position_in_scene(scene, result.stepped) - position_in_scene(scene, before)).norm();
-        find(FindingKind::escape, level.to_level(result.stepped), made, no_id);
-    }
+    // Through a face that should have held is one finding, not two.
+    if (left && arena_->closed && exit_ && !found_[static_cast<std::size_t>(FindingKind::passed_through)])
+        find(*exit_);
     if (left) {
         if (!arena_->closed) ++left_;
         hash_ = hash_with(hash_, life_hash_);
@@ -182,10 +292,16 @@ void AuditRun::add_to(AuditReport& report) const {
     report.crushed += crushed_;
     report.left += left_;
     report.hash += hash_with(hash_, life_hash_);
+    const auto first = static_cast<std::ptrdiff_t>(report.findings.size());
     for (const AuditFinding& finding : findings_) {
         ++report.counts[static_cast<std::size_t>(finding.kind)];
         report.findings.push_back(finding);
     }
+    // A walker is known to have left some time after it did.
+    std::stable_sort(report.findings.begin() + first, report.findings.end(),
+                     [](const AuditFinding& a, const AuditFinding& b) {
+                         return std::tie(a.life, a.tick) < std::tie(b.life, b.tick);
+                     });
 }
 
 void walk_side_by_side(const TickScene& level, const AuditArena& arena, std::span<AuditRun> runs,

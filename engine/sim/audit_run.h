@@ -2,8 +2,11 @@
 #pragma once
 
 #include <atomic>
+#include <optional>
 #include <span>
+#include <vector>
 
+#include "audit_checks.h"
 #include "audit_walker.h"
 #include "slipface/sim/audit.h"
 #include "slipface/sim/simulate.h"
@@ -13,28 +16,46 @@ namespace slipface {
 // What all walkers of an audit share.
 struct AuditArena {
     const AuditOptions& options;
-    PlayerState spawn;
-    Aabb bounds;  // in the scene's coordinates; leaving it is leaving the level
+    RunStart start;
+    Aabb level_bounds;  // of all that the level holds, in the scene's coordinates
+    Aabb bounds;        // larger than that; leaving it is leaving the level
     bool closed = false;
     std::uint64_t ticks = 0;           // of each walker, over all its lives
     std::atomic<bool> stopped{false};  // by AuditOptions::progress
 };
 
-// Asked to move all the time and came nowhere.
+// Asked to move all the time and came nowhere, at last for a quarter of a second along a free way: a walker
+// who turns away from a wall is gone by then.
 class StuckWatch {
   public:
     explicit StuckWatch(double dt);
     void begin(const Vec3& position);
-    // True when the window is over and the walker did not get out of it. `position` is in the scene's
-    // coordinates.
-    bool tick(const MovementScene& scene, const MovementSettings& settings, const Vec3& position,
-              bool held_on_purpose, const PlayerInput& input);
+    // Seconds without moving, once the walker counts as stuck. `position` is in the scene's coordinates,
+    // after the tick of `input`.
+    std::optional<double> tick(const MovementScene& scene, const MovementSettings& settings,
+                               const Vec3& position, bool held_on_purpose, const PlayerInput& input);
 
   private:
-    std::uint64_t window_;
+    double dt_;
+    std::uint64_t window_, patience_;  // ticks
     Vec3 anchor_ = Vec3::Zero();
+    Vec2 heading_ = Vec2::Zero();
     std::uint64_t ticks_ = 0;
-    bool was_free_ = false;
+    std::uint64_t free_ = 0;  // latest ticks in a row on one heading whose way was free
+};
+
+// The faces that a walker touched lately, so that a visit of several ticks counts once.
+class RecentFaces {
+  public:
+    // True if `face` was not touched in the `gap` ticks before `tick`.
+    bool arrives(FaceId face, std::uint64_t tick, std::uint64_t gap);
+
+  private:
+    struct Touch {
+        FaceId face = no_id;
+        std::uint64_t tick = 0;
+    };
+    std::vector<Touch> touches_;
 };
 
 // The level at a tick, for all walkers.
@@ -59,7 +80,11 @@ class AuditRun {
     void begin_life();
     void check(const AuditTick& now, const PlayerState& before, const TickResult& result,
                const PlayerInput& input);
-    void find(FindingKind kind, const Vec3& position, double amount, FaceId face);
+    AuditFinding finding_now(FindingKind kind, const Vec3& position,
+                             const std::optional<CheckFailure>& failure = std::nullopt) const;
+    void find(AuditFinding finding);
+    // Where the walker is on its way out of the level, if it is.
+    void note_exit(const AuditTick& now, const PlayerState& before, const PlayerState& after);
     void add_heat(std::vector<FaceHeat>& heat, const MovementScene& scene, const PlayerState& before,
                   const PlayerState& after, const PlayerInput& input) const;
 
@@ -71,7 +96,10 @@ class AuditRun {
     PlayerState state_;
     std::uint64_t tick_ = 0;  // of this life
     std::uint64_t life_hash_ = 0;
-    std::array<bool, finding_names.size()> found_{};
+    std::array<bool, finding_kind_count> found_{};
+    std::optional<AuditFinding> exit_;  // outside of the level's bounds since then
+    FaceId last_ground_ = no_id;
+    RecentFaces touched_;
 
     std::uint64_t steps_ = 0, lives_ = 0, hazards_ = 0, crushed_ = 0, left_ = 0, hash_ = 0;
     std::vector<AuditFinding> findings_;

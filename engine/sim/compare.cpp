@@ -17,23 +17,23 @@ bool same(const TickSample& a, const TickSample& b) {
 }
 
 // What came of some ticks.
-struct Outcome {
+struct Played {
     double advanced_m = 0.0;  // in the direction asked for
     int grounded = 0;
     PlayerState end;
 };
 
-Outcome play(const TickScene& scene, const TapeRun& run, std::size_t tick, std::size_t ticks,
-             const SettingInfo* changed, double value) {
-    Outcome outcome;
+Played play(const TickScene& scene, const TapeRun& run, std::size_t tick, std::size_t ticks,
+            const SettingInfo* changed, double value) {
+    Played outcome;
     outcome.end = run.state_before(scene, tick);
-    const PlayerState spawn = scene.player_at(run.start());
+    const RunStart begin = run_start(scene, run.start());
     for (std::size_t i = tick; i < std::min(tick + ticks, run.samples().size()); ++i) {
         MovementSettings settings = run.settings_at(i);
         if (changed) (void)set_setting(settings, *changed, value);
         const PlayerInput input = run.input_at(i);
         const TickResult result =
-            play_tick(scene.at(i, run.dt()), settings, outcome.end, input, run.dt(), spawn);
+            play_tick(scene.at(i, run.dt()), settings, outcome.end, input, run.dt(), begin);
         const Vec3 moved = scene.to_level(result.stepped) - scene.to_level(outcome.end);
         const Vec3 asked(input.wish.x(), 0.0, input.wish.y());
         const double length = asked.norm();
@@ -132,12 +132,12 @@ std::vector<SwitchEffect> switch_effects(const TickScene& scene, const TapeRun& 
     if (run.samples().empty()) return effects;
     tick = std::min(tick, run.samples().size() - 1);
     const MovementSettings settings = run.settings_at(tick);
-    const Outcome as_is = play(scene, run, tick, ticks, nullptr, 0.0);
+    const Played as_is = play(scene, run, tick, ticks, nullptr, 0.0);
     for (const SettingInfo* info : hack_rows()) {
         const double now = get_setting(settings, *info);
         for (double value = info->minimum; value <= info->maximum; value += 1.0) {
             if (value == now) continue;
-            const Outcome other = play(scene, run, tick, ticks, info, value);
+            const Played other = play(scene, run, tick, ticks, info, value);
             const double apart = (scene.to_level(other.end) - scene.to_level(as_is.end)).norm();
             const double faster = other.end.velocity.norm() - as_is.end.velocity.norm();
             if (apart < unseen_m && std::abs(faster) < unseen_m_s && other.grounded == as_is.grounded)

@@ -39,7 +39,7 @@ std::string sweep_line(const ProbeTest::Sweep& sweep) {
     return sweep.rule ? line + " " + word(rule_name(*sweep.rule)) : line;
 }
 
-std::vector<std::string_view> words_of(std::string_view line) {
+std::vector<std::string_view> words_of_line(std::string_view line) {
     std::vector<std::string_view> words;
     for (const std::string_view part : split(line, ' '))
         if (!trim(part).empty()) words.push_back(trim(part));
@@ -170,7 +170,7 @@ std::string probe_test_to_text(const ProbeTest& test) {
         if (test.level_fingerprint) text += fmt::format(" {:016x}", *test.level_fingerprint);
         text += '\n';
     }
-    for (const std::string& setting : setting_changes(MovementSettings{}, test.settings))
+    for (const std::string& setting : setting_changes(basic_settings(), test.settings))
         text += "set " + setting + "\n";
     text += "from " + vector_word(test.from) + "\nmove " + vector_word(test.move) + "\ntolerance " +
             to_text(test.tolerance) + "\n";
@@ -187,7 +187,7 @@ Result<ProbeTest> parse_probe_test(std::string_view text, const std::string& pla
         ++number;
         const std::string_view line = trim(raw);
         if (line.empty() || line.front() == '#') continue;
-        const std::vector<std::string_view> words = words_of(line);
+        const std::vector<std::string_view> words = words_of_line(line);
         const auto bad = [&](const std::string& expected) {
             return Error{fmt::format("{}:{}", place, number),
                          fmt::format("found \"{}\", expected {}", line.substr(0, 80), expected)};

@@ -10,7 +10,8 @@ std::vector<const SettingInfo*> find_hack_rows() {
     std::vector<const SettingInfo*> rows;
     for (const SettingInfo& info : settings_table()) {
         const bool is_switch = std::holds_alternative<bool MovementSettings::*>(info.member);
-        const bool is_choice = std::holds_alternative<PushOut MovementSettings::*>(info.member);
+        // A choice that belongs to a switch is how that hack acts, and no hack of its own.
+        const bool is_choice = !choice_names(info).empty() && *info.switch_name == '\0';
         if ((is_switch || is_choice) && rows.size() < 64) rows.push_back(&info);
     }
     return rows;
@@ -85,8 +86,15 @@ std::optional<std::size_t> hack_row(std::string_view name) {
 }
 
 std::uint64_t hacks_acted(const TraceRecord& record) {
-    if (const auto* decision = std::get_if<DecisionRecord>(&record))
-        return decision->acted ? bit_of(decision->hack) : 0;
+    if (const auto* decision = std::get_if<DecisionRecord>(&record)) {
+        static const std::vector<std::uint64_t> bits = [] {
+            std::vector<std::uint64_t> of_kind;
+            for (const DecisionInfo& info : decision_table())
+                of_kind.push_back(info.outcome == Outcome::acted ? bit_of(info.hack) : 0);
+            return of_kind;
+        }();
+        return bits[static_cast<std::size_t>(decision->kind)];
+    }
     if (const auto* response = std::get_if<ResponseRecord>(&record)) {
         switch (response->rule) {
             case Rule::straight_ahead: {
@@ -144,8 +152,8 @@ void TapeRun::apply_changes(MovementSettings& settings, std::size_t from, std::s
 
 bool TapeRun::advance(const TickScene& scene, std::size_t ticks) {
     EventLog log(scene.surfaces(), events_, event_surface_);
-    const PlayerState spawn = scene.player_at(start_);
-    if (samples_.empty()) state_ = spawn;
+    const RunStart begin = run_start(scene, start_);
+    if (samples_.empty()) state_ = begin.player;
     for (std::size_t end = std::min(length_, samples_.size() + ticks); samples_.size() < end;) {
         const std::size_t tick = samples_.size();
         if (tick % keyframe_ticks == 0) keyframes_.push_back({state_, hash_});
@@ -157,7 +165,7 @@ bool TapeRun::advance(const TickScene& scene, std::size_t ticks) {
         SampleSink sink(counted);
         const PlayerState before = state_;
         const TickResult result =
-            play_tick(scene.at(tick, tape_->dt), settings_, before, input, tape_->dt, spawn, &sink);
+            play_tick(scene.at(tick, tape_->dt), settings_, before, input, tape_->dt, begin, &sink);
         state_ = result.state;
         hash_ = state_hash(state_, hash_);
         TickSample sample = sample_of(scene, result);
@@ -192,12 +200,12 @@ TapeRun::Keyframe TapeRun::replay(const TickScene& scene, std::size_t tick) cons
     if (samples_.empty()) return {scene.player_at(start_), hash_};
     if (tick >= samples_.size()) return {state_, hash_};
     const std::size_t first = tick / keyframe_ticks * keyframe_ticks;
-    const PlayerState spawn = scene.player_at(start_);
+    const RunStart begin = run_start(scene, start_);
     Keyframe at = keyframes_[tick / keyframe_ticks];
     MovementSettings settings = settings_at(first);
     for (std::size_t i = first; i < tick; ++i) {
         apply_changes(settings, i, i + 1);
-        at.state = play_tick(scene.at(i, tape_->dt), settings, at.state, input_at(i), tape_->dt, spawn).state;
+        at.state = play_tick(scene.at(i, tape_->dt), settings, at.state, input_at(i), tape_->dt, begin).state;
         at.hash = state_hash(at.state, at.hash);
     }
     return at;
@@ -220,7 +228,7 @@ TickTrace TapeRun::trace(const TickScene& scene, std::size_t tick) const {
     trace.settings = settings_at(trace.tick);
     TraceRecorder recorder;
     trace.after = play_tick(scene.at(trace.tick, tape_->dt), trace.settings, trace.before, trace.input,
-                            tape_->dt, scene.player_at(start_), &recorder);
+                            tape_->dt, run_start(scene, start_), &recorder);
     trace.from = scene.to_level(trace.before);
     trace.to = scene.to_level(trace.after.stepped);
     trace.records = std::move(recorder.records);

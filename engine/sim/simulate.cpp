@@ -1,13 +1,14 @@
 #include "slipface/sim/simulate.h"
 
 #include <cmath>
+#include <limits>
 
 #include "slipface/base/hash.h"
 
 namespace slipface {
 namespace {
 
-constexpr double fall_limit_m = 60.0;  // below the level and the start
+constexpr double farthest_fall_m = 60.0;  // below the level and the start
 
 bool holds(const PlayerState& state) {
     return state.grounded || state.climbing || state.stuck;
@@ -20,23 +21,31 @@ std::size_t whole_seconds(std::size_t ticks, double dt) {
 
 }  // namespace
 
+RunStart run_start(const TickScene& scene, const Vec3& start) {
+    RunStart begin{.player = scene.player_at(start)};
+    const double height = start.y() + scene.offset().y();
+    const Aabb bounds = scene.bounds();
+    begin.lowest = bounds.empty() ? -std::numeric_limits<double>::infinity()
+                                  : std::min(bounds.min.y(), height) - farthest_fall_m;
+    if (scene.fall_limit() && *scene.fall_limit() < height) begin.lowest = *scene.fall_limit();
+    return begin;
+}
+
 TickResult play_tick(const MovementScene& scene, const MovementSettings& settings, const PlayerState& before,
-                     const PlayerInput& input, double dt, const PlayerState& spawn, TraceSink* trace) {
+                     const PlayerInput& input, double dt, const RunStart& start, TraceSink* trace) {
     const StepResult step_result = step(scene, settings, before, input, dt, trace);
     TickResult result{.state = step_result.state,
                       .stepped = step_result.state,
                       .respawn = Respawn::none,
                       .contacts = step_result.contacts,
                       .end_is_free = step_result.end_is_free};
-    const Aabb bounds = scene.collision.bounds();
-    const double lowest = std::min(bounds.min.y(), position_in_scene(scene, spawn).y()) - fall_limit_m;
     if (result.state.hazard) {
         result.respawn = Respawn::hazard;
-    } else if (!bounds.empty() && position_in_scene(scene, result.state).y() < lowest) {
+    } else if (position_in_scene(scene, result.state).y() < start.lowest) {
         result.respawn = Respawn::fall;
     }
     if (result.respawn != Respawn::none) {
-        result.state = spawn;
+        result.state = start.player;
         result.state.jump_held = input.jump;
     }
     return result;
@@ -84,13 +93,14 @@ std::uint64_t state_hash(const PlayerState& state, std::uint64_t previous) {
     hasher.u64(state.ground_face);
     hasher.u64(state.ground_surface);
     hasher.u64(state.ground_platform);
+    hasher.f64(state.ground_rise);
     hasher.f64(state.coyote_s);
     hasher.f64(state.jump_buffer_s);
     return hasher.value();
 }
 
 Status apply_tape_settings(MovementSettings& settings, const Tape& tape, const std::string& place) {
-    MovementSettings changed = tape.from_defaults ? MovementSettings{} : settings;
+    MovementSettings changed = tape.from_basic ? basic_settings() : settings;
     for (const std::string& assignment : tape.settings) {
         const Status status = set_setting(changed, assignment);
         if (!status.ok()) return Error{place, "set " + assignment + ": " + status.error().text()};
@@ -105,8 +115,8 @@ SimulationReport simulate(const TickScene& scene, const MovementSettings& settin
     EventLog log(scene.surfaces(), report.events);
     MovementSettings now = settings;
     auto change = tape.changes.begin();
-    const PlayerState spawn = scene.player_at(start);
-    PlayerState state = spawn;
+    const RunStart begin = run_start(scene, start);
+    PlayerState state = begin.player;
     std::uint64_t hash = 0;
     for (const TapeSegment& segment : tape.segments) {
         for (int i = 0; i < segment.ticks; ++i) {
@@ -114,8 +124,10 @@ SimulationReport simulate(const TickScene& scene, const MovementSettings& settin
                 (void)set_setting(now, change->setting);
             const PlayerState before = state;
             const TickResult result = play_tick(scene.at(report.ticks, tape.dt), now, before, segment.input,
-                                                tape.dt, spawn, options.trace);
+                                                tape.dt, begin, options.trace);
             state = result.state;
+            if (result.respawn == Respawn::fall) ++report.falls;
+            if (result.respawn == Respawn::hazard) ++report.hazards;
             report.distance += (scene.to_level(result.stepped) - scene.to_level(before)).norm();
             log.add(report.ticks, before, segment.input, result);
             hash = state_hash(state, hash);

@@ -1,141 +1,157 @@
 #include "slipface/sim/story.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "story_words.h"
+
 namespace slipface {
 namespace {
 
-// Metres below which a length is told in millimetres.
-constexpr double short_length_m = 1.0;
-
-// Writes a line's text and notes its numbers.
-class Writer {
-  public:
-    explicit Writer(StoryLine& line) : line_(line) {}
-
-    Writer& say(std::string_view words) {
-        line_.text += words;
-        return *this;
-    }
-    Writer& number(double value, std::string_view unit, int digits) {
-        std::string text = fmt::format("{:.{}f}", value, digits);
-        if (text.find_first_not_of("-0.") == std::string::npos && text.front() == '-') text.erase(0, 1);
-        if (!unit.empty()) text += " " + std::string(unit);
-        line_.text += text;
-        line_.numbers.push_back({value, std::move(text)});
-        return *this;
-    }
-    Writer& length(double metres) {
-        return std::abs(metres) < short_length_m ? number(metres * 1000.0, "mm", 1) : number(metres, "m", 3);
-    }
-    Writer& speed(double value) { return number(value, "m/s", 2); }
-    Writer& change_of_speed(double from, double to) {
-        speed(from).say(" \u2192 ").speed(to);
-        const double change = to - from;
-        if (std::abs(change) >= 0.005) say(" (").say(change > 0 ? "+" : "").speed(change).say(")");
-        return *this;
-    }
-    Writer& vector(const Vec3& v) {
-        say("(");
-        for (int axis = 0; axis < 3; ++axis)
-            say(axis == 0 ? "" : ", ").number(v[axis], "", 2);
-        return say(")");
-    }
-    // Of a ratio or an unknown quantity. What three decimals would not show is told by its order of
-    // magnitude.
-    Writer& plain(double value) {
-        if (value == 0.0 || !(std::abs(value) < 5e-3)) return number(value, "", 3);
-        std::string text = fmt::format("{:.2g}", value);
-        line_.text += text;
-        line_.numbers.push_back({value, std::move(text)});
-        return *this;
-    }
-
-  private:
-    StoryLine& line_;
-};
-
-std::string sentence(std::string_view name) {
-    std::string text(name);
-    std::replace(text.begin(), text.end(), '_', ' ');
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
+Words words_of(StoryLine& line) {
+    return {line.text, line.numbers};
 }
 
-std::string surface_name(SurfaceTable surfaces, SurfaceId id) {
-    return id < surfaces.size() ? surfaces[id].name : "unknown";
-}
-
-std::string face_name(FaceId face) {
-    return face == no_id ? std::string("no face") : "face " + std::to_string(face);
-}
-
-std::string stance(const PlayerState& state, SurfaceTable surfaces) {
-    const std::string on = surface_name(surfaces, state.ground_surface) + ", " + face_name(state.ground_face);
+std::string stance(const PlayerState& state, const StoryNames& names) {
+    const std::string on = face_text(names, state.ground_face, state.ground_surface);
     if (state.climbing) return "climbing " + on;
     if (state.stuck) return "stuck to " + on;
     if (state.grounded) return "standing on " + on;
     return "in the air";
 }
 
-StoryLine begin_line(const TickTrace& trace, SurfaceTable surfaces) {
+StoryLine begin_line(const TickTrace& trace, const StoryNames& names) {
     StoryLine line;
     line.title = "Begins";
     line.place = trace.from;
     line.face = trace.before.ground_face;
-    Writer words(line);
-    words.say(stance(trace.before, surfaces)).say(" at ").speed(trace.before.velocity.norm());
+    Words words = words_of(line);
+    words.say(stance(trace.before, names)).say(" at ").speed(trace.before.velocity.norm());
     const Vec2& wish = trace.input.wish;
     if (!wish.isZero(0.0)) {
-        // A compass is easier to read than two components: 0 deg is -Z, 90 deg is +X.
+        // A compass is easier to read than two components: 0° is -Z, 90° is +X.
         double heading = std::atan2(wish.x(), -wish.y()) * 180.0 / std::numbers::pi;
         if (heading < 0.0) heading += 360.0;
-        words.say(", stick ").number(100.0 * wish.norm(), "%", 0).say(" towards ").number(heading, "deg", 0);
+        words.say(", stick ").percent(wish.norm()).say(" towards ").degrees(heading);
     }
     if (trace.input.jump) words.say(trace.before.jump_held ? ", jump held" : ", jump pressed");
     return line;
 }
 
-StoryLine end_line(const TickTrace& trace, SurfaceTable surfaces) {
+StoryLine end_line(const TickTrace& trace, const StoryNames& names) {
     const PlayerState& end = trace.after.stepped;
     StoryLine line;
     line.title = "Ends";
     line.place = trace.to;
     line.face = end.ground_face;
     line.normal = end.ground_face == no_id ? Vec3(Vec3::Zero()) : end.ground_normal;
-    Writer words(line);
-    words.say(stance(end, surfaces)).say(", moved ").length((trace.to - trace.from).norm());
-    words.say(", speed ").change_of_speed(trace.before.velocity.norm(), end.velocity.norm());
+    Words words = words_of(line);
+    words.say(stance(end, names)).say(" at ").speed(end.velocity.norm());
+    words.say(", moved ").length((trace.to - trace.from).norm());
     if (trace.after.respawn == Respawn::hazard) words.say("; touched a hazard, back to the start");
     if (trace.after.respawn == Respawn::fall) words.say("; fell out of the level, back to the start");
     if (trace.after.respawn != Respawn::none) line.tone = StoryTone::trouble;
     return line;
 }
 
+const char* sweep_title(const SweepRecord& sweep) {
+    switch (sweep.pass) {
+        case Pass::slide:
+            return "whole move";
+        case Pass::horizontal:
+            return "across";
+        case Pass::vertical:
+            return sweep.move.y() > 0.0 ? "up" : "down";
+        case Pass::probe:
+            return "check";
+        case Pass::step:
+            return sweep.move.y() > 0.0 ? "lift" : "drop";
+        case Pass::snap:
+            return "snap down";
+    }
+    return "";
+}
+
+// What stands nearly upright counts as a wall to read about, whatever the maximum slope.
+constexpr double wall_normal_y = 0.1, ceiling_normal_y = -0.9;
+
+std::string touched(const SweepRecord& sweep, bool walkable) {
+    const Contact& contact = *sweep.contact;
+    if (contact.feature == Feature::edge) return "an edge";
+    if (contact.feature == Feature::vertex) return "a corner";
+    const double up = contact.normal.y();
+    const char* noun = walkable                ? "the floor"
+                       : up > wall_normal_y    ? "a steep slope"
+                       : up > -wall_normal_y   ? "the middle of a wall"
+                       : up > ceiling_normal_y ? "an overhang"
+                                               : "the ceiling";
+    return sweep.back
+               ? "the back of " + std::string(up > -wall_normal_y && up <= wall_normal_y ? "a wall" : noun)
+               : noun;
+}
+
+// Decisions that say that nothing was to be done.
+bool is_routine(Decision kind) {
+    switch (kind) {
+        case Decision::pressed_down:
+        case Decision::sector_kept:
+        case Decision::push_out_needless:
+        case Decision::nudge_needless:
+        case Decision::energy_within:
+        case Decision::slope_speed_kept:
+        case Decision::slope_speed_off:
+        case Decision::seam_stands_out:
+        case Decision::terrain_above:
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool is_trouble(Decision kind) {
+    return kind == Decision::never_inside || kind == Decision::nudge_failed ||
+           kind == Decision::platform_crushed || kind == Decision::slides_used_up;
+}
+
 class Teller {
   public:
-    Teller(SurfaceTable surfaces, std::vector<StoryLine>& lines) : surfaces_(surfaces), lines_(lines) {}
+    Teller(const StoryNames& names, const MovementSettings& settings, const TickTrace* tick,
+           std::span<const TraceRecord> records, std::vector<StoryLine>& lines)
+        : names_(names), settings_(settings), tick_(tick), records_(records), lines_(lines) {}
 
-    void tell(std::size_t index, const TraceRecord& record) {
+    void tell(std::size_t index) {
         StoryLine line;
         line.record = index;
-        std::visit([&](const auto& r) { write(line, r); }, record);
+        std::visit([&](const auto& r) { write(line, r); }, records_[index]);
         if (!line.place) line.place = place_;
         lines_.push_back(std::move(line));
     }
 
   private:
+    // The sweep on which a player who was standing goes on standing.
+    bool is_rest(std::size_t sweep) const {
+        if (tick_ == nullptr || !tick_->before.grounded) return false;
+        const auto* down = std::get_if<SweepRecord>(&records_[sweep]);
+        if (down == nullptr || down->pass != Pass::vertical || !down->contact || down->move.y() > 0.0)
+            return false;
+        for (std::size_t i = sweep + 1; i < records_.size(); ++i) {
+            if (std::holds_alternative<SweepRecord>(records_[i])) return false;
+            const auto* decision = std::get_if<DecisionRecord>(&records_[i]);
+            if (decision != nullptr && decision->kind == Decision::stood) return true;
+        }
+        return false;
+    }
+
     void write(StoryLine& line, const SweepRecord& sweep) {
-        Writer words(line);
-        line.title = fmt::format("Sweep {}, {}", sweep.iteration + 1, pass_name(sweep.pass));
+        Words words = words_of(line);
+        pass_ = sweep.pass;
+        line.title = "Sweep " + std::to_string(sweep.iteration + 1) + ", " + sweep_title(sweep);
         const double asked = sweep.move.norm();
         place_ = sweep.reached;
+        folding_ = is_rest(*line.record);
         if (!sweep.contact) {
-            words.length(asked).say(", nothing in the way");
+            words.say("Moved ").length(asked).say(", nothing in the way");
             line.place = sweep.reached;
             return;
         }
@@ -144,93 +160,158 @@ class Teller {
         line.normal = contact.normal;
         line.face = contact.face;
         line.triangle = contact.triangle;
-        const char* part = contact.feature == Feature::interior ? "inside" : feature_name(contact.feature);
-        words.say("touches the ").say(part).say(" of triangle ").say(std::to_string(contact.triangle));
-        words.say(" (").say(face_name(contact.face)).say(", ");
-        words.say(surface_name(surfaces_, contact.surface)).say(") after ");
-        words.length(contact.t * asked).say(" of ").length(asked);
-        const double tilt = std::acos(std::clamp(contact.normal.y(), -1.0, 1.0)) * 180.0 / std::numbers::pi;
-        words.say("; normal ").vector(contact.normal).say(", slope ").number(tilt, "deg", 1);
+        const bool walkable = is_walkable(names_, settings_, contact.normal, contact.surface);
+        if (folding_) {
+            line.title.clear();
+            words.say("Resting on ").say(touched(sweep, walkable)).say(" (");
+            words.say(face_text(names_, contact.face, contact.surface)).say(")");
+            return;
+        }
+        words.say("Touched ").say(touched(sweep, walkable)).say(" (");
+        words.say(face_text(names_, contact.face, contact.surface)).say(")");
+        const double tilt = slope_degrees(contact.normal);
+        if (tilt < 0.05) {
+            words.say(", level");
+        } else if (std::abs(tilt - 90.0) < 0.05) {
+            words.say(", upright");
+        } else if (tilt > 179.95) {
+            words.say(", overhead");
+        } else if (tilt > 90.0) {
+            words.say(", leaning over by ").degrees(tilt - 90.0);
+        } else {
+            words.say(", sloping ").degrees(tilt);
+        }
+        if (contact.feature != Feature::interior) {
+            const double feet = sweep.from.y() + contact.t * sweep.move.y() - settings_.radii.y();
+            const double above = contact.point.y() - feet;
+            words.say(", ").length(std::abs(above)).say(above < 0.0 ? " below the feet" : " above the feet");
+        }
+        words.say(", after ").length_of(contact.t * asked, asked);
     }
 
     void write(StoryLine& line, const ResponseRecord& response) {
         line.depth = 1;
         line.tone = StoryTone::acted;
+        line.folded = folding_;
         line.face = response.face;
         line.normal = response.normal;
-        line.title = sentence(rule_name(response.rule));
         const std::uint64_t acted = hacks_acted(response);
         for (std::size_t row = 0; row < hack_rows().size(); ++row)
             if ((acted >> row) & 1) line.hack = hack_rows()[row];
-        Writer words(line);
-        words.length(response.leftover_before.norm()).say(" left become ");
-        words.length(response.leftover_after.norm());
+        Words words = words_of(line);
+        words.say(rule_sentence(response.rule));
+        const double before_m = response.leftover_before.norm(), after_m = response.leftover_after.norm();
+        if (after_m > 0.0) {
+            words.say(": ").length_of(after_m, before_m).say(" go on");
+        } else {
+            words.say(": the last ").length(before_m).say(" are lost");
+        }
         const double before = response.velocity_before.norm(), after = response.velocity_after.norm();
-        words.say("; speed ").change_of_speed(before, after);
-        if (response.rule == Rule::stop || (before > 0.5 && after < 0.1 * before))
-            line.tone = StoryTone::trouble;
+        if (std::abs(after - before) >= 0.005)
+            words.say(", speed from ").speed(before).say(" to ").speed(after);
+        if (loses_the_wish(response)) line.tone = StoryTone::trouble;
+    }
+
+    static const char* rule_sentence(Rule rule) {
+        switch (rule) {
+            case Rule::slide:
+                return "Slid along it";
+            case Rule::bounce:
+                return "Bounced off it";
+            case Rule::straight_ahead:
+                return "Led straight ahead on it";
+            case Rule::keep_energy:
+                return "Turned along it without loss";
+            case Rule::stick:
+                return "Stuck to it";
+            case Rule::crease:
+                return "Slid along the crease of two faces";
+            case Rule::stop:
+                return "Stopped at it";
+        }
+        return "";
+    }
+
+    // More than half of what the stick asked of the horizontal motion, where anything is asked.
+    bool loses_the_wish(const ResponseRecord& response) const {
+        if (pass_ == Pass::vertical || tick_ == nullptr || tick_->input.wish.isZero(0.0)) return false;
+        const Vec2 wish = tick_->input.wish.normalized();
+        const auto along = [&](const Vec3& v) { return v.x() * wish.x() + v.z() * wish.y(); };
+        const double before = along(response.leftover_before);
+        return before > settings_.skin && along(response.leftover_after) < 0.5 * before;
     }
 
     void write(StoryLine& line, const DecisionRecord& decision) {
+        const DecisionInfo& info = decision_info(decision.kind);
         line.depth = 1;
-        line.tone = decision.acted ? StoryTone::acted : StoryTone::refused;
+        line.tone = is_trouble(decision.kind)        ? StoryTone::trouble
+                    : info.outcome == Outcome::acted ? StoryTone::acted
+                                                     : StoryTone::refused;
+        line.folded = folding_ || is_routine(decision.kind);
         line.face = decision.face;
-        const std::optional<std::size_t> row = hack_row(decision.hack);
-        const SettingInfo* info = find_setting(decision.hack);
+        const std::optional<std::size_t> row = hack_row(info.hack);
         line.hack = row ? hack_rows()[*row] : nullptr;
-        line.title = info ? info->label : sentence(decision.hack);
-        if (std::string_view(decision.hack) == "never_inside") line.tone = StoryTone::trouble;
-        Writer words(line);
-        words.say(decision.outcome);
-        if (*decision.quantity) {
-            words.say("; ").say(decision.quantity).say(" ").plain(decision.value);
-            words.say(", limit ").plain(decision.limit);
-        }
+        words_of(line).decision(decision);
     }
 
     void write(StoryLine& line, const PushOutRecord& push) {
-        line.title = "Push-out";
         line.tone = push.free ? StoryTone::acted : StoryTone::trouble;
         line.place = push.to;
         line.hack = find_setting("push_out");
         const Vec3 way = push.to - push.from;
         line.normal = way.norm() > 0.0 ? Vec3(way.normalized()) : Vec3(Vec3::Zero());
         place_ = push.to;
-        Writer words(line);
-        words.number(push.planes, push.planes == 1 ? "plane" : "planes", 0).say(" push the player by ");
-        words.length(way.norm()).say(push.free ? "; free there" : "; not free there, so it stays");
+        Words words = words_of(line);
+        words.say(push.free ? "Pushed out of " : "Not pushed out of ").count(push.planes);
+        words.say(push.planes == 1 ? " face" : " faces");
+        if (push.free) {
+            words.say(" by ").length(way.norm());
+        } else {
+            words.say(": ").length(way.norm()).say(" further it would be inside another");
+        }
     }
 
-    SurfaceTable surfaces_;
+    const StoryNames& names_;
+    const MovementSettings& settings_;
+    const TickTrace* tick_;
+    std::span<const TraceRecord> records_;
     std::vector<StoryLine>& lines_;
+    Pass pass_ = Pass::slide;
+    bool folding_ = false;       // what follows belongs to the sweep that rests on the ground
     std::optional<Vec3> place_;  // of the player, as far as the story has come
 };
 
-}  // namespace
-
-std::vector<StoryLine> tell(std::span<const TraceRecord> records, SurfaceTable surfaces) {
+std::vector<StoryLine> tell_records(std::span<const TraceRecord> records, const StoryNames& names,
+                                    const MovementSettings& settings, const TickTrace* tick) {
     std::vector<StoryLine> lines;
-    Teller teller(surfaces, lines);
+    Teller teller(names, settings, tick, records, lines);
     // What the seam filter says of a touch is recorded before the sweep that touched, and told after it.
     const auto of_next_sweep = [&](std::size_t i) {
         const auto* decision = std::get_if<DecisionRecord>(&records[i]);
-        return decision != nullptr && std::string_view(decision->hack) == "seam_filter";
+        return decision != nullptr && std::string_view(decision_info(decision->kind).hack) == "seam_filter";
     };
     for (std::size_t i = 0; i < records.size(); ++i) {
         std::size_t sweep = i;
         while (sweep < records.size() && of_next_sweep(sweep))
             ++sweep;
-        if (sweep < records.size()) teller.tell(sweep, records[sweep]);
+        if (sweep < records.size()) teller.tell(sweep);
         for (; i < sweep; ++i)
-            teller.tell(i, records[i]);
+            teller.tell(i);
     }
     return lines;
 }
 
-std::vector<StoryLine> tell(const TickTrace& trace, SurfaceTable surfaces) {
-    std::vector<StoryLine> lines = tell(trace.records, surfaces);
-    lines.insert(lines.begin(), begin_line(trace, surfaces));
-    lines.push_back(end_line(trace, surfaces));
+}  // namespace
+
+std::vector<StoryLine> tell(std::span<const TraceRecord> records, const StoryNames& names,
+                            const MovementSettings& settings) {
+    return tell_records(records, names, settings, nullptr);
+}
+
+std::vector<StoryLine> tell(const TickTrace& trace, const StoryNames& names) {
+    std::vector<StoryLine> lines = tell_records(trace.records, names, trace.settings, &trace);
+    lines.insert(lines.begin(), begin_line(trace, names));
+    lines.push_back(end_line(trace, names));
     // What was decided before the first sweep was decided where the tick began.
     for (StoryLine& line : lines) {
         if (!line.place) line.place = trace.from;
@@ -238,29 +319,16 @@ std::vector<StoryLine> tell(const TickTrace& trace, SurfaceTable surfaces) {
     return lines;
 }
 
-std::optional<std::size_t> telling_line(std::span<const StoryLine> lines,
-                                        std::span<const TraceRecord> records) {
-    std::optional<std::size_t> found;
-    double most_lost = 0.05;  // m/s; less is what walking on the ground takes away at every tick
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (lines[i].tone == StoryTone::trouble) return i;
-        if (!lines[i].record) continue;
-        const auto* response = std::get_if<ResponseRecord>(&records[*lines[i].record]);
-        if (!response) continue;
-        const double lost = response->velocity_before.norm() - response->velocity_after.norm();
-        if (lost > most_lost) {
-            most_lost = lost;
-            found = i;
-        }
-    }
-    return found;
+std::string line_text(const StoryLine& line) {
+    return line.title.empty() ? line.text : line.title + ": " + line.text;
 }
 
 std::string story_text(std::span<const StoryLine> lines) {
     std::string text;
-    for (const StoryLine& line : lines)
-        text +=
-            std::string(static_cast<std::size_t>(2 * line.depth), ' ') + line.title + ": " + line.text + "\n";
+    for (const StoryLine& line : lines) {
+        text += std::string(static_cast<std::size_t>(2 * line.depth), ' ');
+        text += line_text(line) + "\n";
+    }
     return text;
 }
 

@@ -158,10 +158,10 @@ class TapeParser {
     }
 
     void read_base(const std::vector<std::string_view>& words) {
-        if (!may_set(tape_.from_defaults, "settings")) return;
-        const bool known = words.size() == 2 && words[1] == "defaults";
-        if (!known) return fail(quoted(words.back()), "\"settings defaults\"");
-        if (!tape_.settings.empty()) fail("\"settings defaults\" after a setting", "it before all settings");
+        if (!may_set(tape_.from_basic, "settings")) return;
+        const bool known = words.size() == 2 && (words[1] == "basic" || words[1] == "defaults");
+        if (!known) return fail(quoted(words.back()), "\"settings basic\"");
+        if (!tape_.settings.empty()) fail("\"settings\" after a setting", "it before all settings");
     }
 
     void read_setting(std::string_view assignment) {
@@ -253,7 +253,7 @@ std::string tape_to_text(const Tape& tape) {
     }
     if (tape.surfaces_fingerprint) text += fmt::format("surfaces {:016x}\n", *tape.surfaces_fingerprint);
     text += fmt::format("dt {}\n", tape.dt_text);
-    if (tape.from_defaults) text += "settings defaults\n";
+    if (tape.from_basic) text += "settings basic\n";
     for (const std::string& setting : tape.settings)
         text += fmt::format("set {}\n", setting);
     if (tape.start) {

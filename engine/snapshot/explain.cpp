@@ -152,7 +152,7 @@ void tell_faces(const SceneComparison& comparison, const LevelChanges& changes, 
 
 // The faces that a tick touched: what it stood on, and what turned its leftover.
 std::set<FaceId> faces_touched(const SceneSide& side, std::size_t tick) {
-    const MovementStory& story = *side.story;
+    const SceneMovement& story = *side.story;
     PlayerState state;
     state.position = story.start;
     if (tick > 0) state = story.states[tick - 1];

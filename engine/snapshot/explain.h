@@ -5,14 +5,14 @@
 
 #include "level_changes.h"
 #include "scene_camera.h"
-#include "story.h"
+#include "scene_movement.h"
 
 namespace slipface {
 
 // Both sides of a scene, as far as they are known.
 struct SceneSide {
     const StagedLevel* staged = nullptr;
-    const MovementStory* story = nullptr;
+    const SceneMovement* story = nullptr;
     Camera camera;
 };
 

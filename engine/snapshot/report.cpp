@@ -7,6 +7,8 @@
 
 #include "numbers_json.h"
 #include "slipface/base/files.h"
+#include "slipface/base/hash.h"
+#include "slipface/base/version.h"
 
 namespace slipface {
 
@@ -97,6 +99,13 @@ GoldenResult entry_of(const Numbers& json) {
     return entry;
 }
 
+// Of all that stands before it.
+std::string checksum_of(const Numbers& json) {
+    Hasher hasher;
+    hasher.text(json.dump(-1, ' ', false, Numbers::error_handler_t::replace));
+    return fmt::format("{:016x}", hasher.value());
+}
+
 std::string xml_text(std::string_view text) {
     std::string out;
     for (const char c : text) {
@@ -174,20 +183,35 @@ std::string report_to_json(const Report& report) {
     json["version"] = 1;
     json["goldens"] = report.goldens;
     json["renderer"] = report.renderer;
+    if (!report.shard.whole()) json["shard"] = shard_text(report.shard);
+    if (!report.suite.empty()) json["suite"] = report.suite;
     json["seconds"] = report.seconds;
     json["entries"] = Numbers::array();
     for (const GoldenResult& entry : report.entries)
         json["entries"].push_back(entry_json(entry));
+    json["checksum"] = checksum_of(json);
     return json.dump(1, ' ', false, Numbers::error_handler_t::replace) + "\n";
 }
 
 Result<Report> report_from_json(std::string_view text, const std::string& place) try {
-    const Numbers json = Numbers::parse(text);
+    Numbers json = Numbers::parse(text);
+    if (json.contains("checksum")) {
+        const auto checksum = json.at("checksum").get<std::string>();
+        json.erase("checksum");
+        if (checksum != checksum_of(json))
+            return Error{place, "is damaged: its checksum does not fit what it says"};
+    }
     if (json.at("version") != 1) return Error{place + ":/version", "expected version 1"};
     Report report;
     report.goldens = json.at("goldens").get<std::string>();
     report.renderer = json.value("renderer", "");
+    report.suite = json.value("suite", "");
     report.seconds = json.value("seconds", 0.0);
+    if (json.contains("shard")) {
+        const Result<Shard> shard = parse_shard(json.at("shard").get<std::string>(), place + ":/shard");
+        if (!shard) return shard.error();
+        report.shard = *shard;
+    }
     for (const Numbers& entry : json.at("entries"))
         report.entries.push_back(entry_of(entry));
     return report;
@@ -245,6 +269,16 @@ std::string approve_command(const Report& report, const fs::path& out) {
     return command;
 }
 
+std::string suite_fingerprint(const std::vector<std::string>& names) {
+    Hasher hasher;
+    hasher.text(program_version());
+    for (const std::string& name : names) {
+        hasher.u64(name.size());
+        hasher.text(name);
+    }
+    return fmt::format("{:016x}", hasher.value());
+}
+
 Status write_report(const Report& report, const fs::path& out) {
     std::error_code error;
     fs::create_directories(out, error);
@@ -259,11 +293,26 @@ Status write_report(const Report& report, const fs::path& out) {
 Result<Report> merge_reports(const std::vector<fs::path>& report_files, const fs::path& out) {
     Report merged;
     std::set<std::string> names;
+    std::vector<ShardFile> shards;
+    std::vector<Report> parts;
     for (const fs::path& file : report_files) {
         const Result<std::string> text = read_file(file, largest_report);
         if (!text) return text.error();
         Result<Report> part = report_from_json(*text, file.string());
         if (!part) return part.error();
+        shards.push_back({file.string(), part->shard});
+        parts.push_back(std::move(*part));
+        const Report &first = parts.front(), &last = parts.back();
+        if (last.suite != first.suite || last.goldens != first.goldens)
+            return Error{file.string(),
+                         fmt::format("is part of another check than {}: other goldens, another choice of "
+                                     "snapshots, or another version of the program",
+                                     shards.front().file)};
+    }
+    if (Status status = check_shards_complete(shards, "snapshot merge"); !status) return status.error();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        Report* const part = &parts[i];
+        const fs::path& file = report_files[i];
         merged.goldens = part->goldens;
         if (!part->renderer.empty()) merged.renderer = part->renderer;
         merged.seconds = std::max(merged.seconds, part->seconds);

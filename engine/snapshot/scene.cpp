@@ -66,12 +66,12 @@ bool wants_grid(const Scene& scene) {
     return scene.grid || (name != nullptr && *name == "auto:map");
 }
 
-// The settings that the golden's numbers name; what they do not name is as it is by default.
+// The settings that the golden's numbers name; the others are basic_settings().
 std::optional<MovementSettings> settings_of(const Numbers& numbers) {
     const auto movement = numbers.find("movement");
     if (movement == numbers.end() || !movement->is_object() || !movement->contains("settings"))
         return std::nullopt;
-    MovementSettings settings;
+    MovementSettings settings = basic_settings();
     for (const auto& [name, value] : (*movement)["settings"].items())
         if (value.is_string())
             (void)set_setting(settings, fmt::format("{}={}", name, value.get<std::string>())).ok();
@@ -180,7 +180,7 @@ Result<Rendering> SceneStage::render(const Scene& scene) {
     const Result<Impl::OnStage*> found = impl_->find(scene);
     if (!found) return found.error();
     const Impl::OnStage& on_stage = **found;
-    const Result<MovementStory> story = tell_story(scene, *on_stage.staged);
+    const Result<SceneMovement> story = run_movement(scene, *on_stage.staged);
     if (!story) return story.error();
     const Result<Camera> camera = scene_camera(scene, *on_stage.staged, *story);
     if (!camera) return camera.error();
@@ -201,13 +201,13 @@ std::vector<Finding> SceneStage::explain(const Scene& scene, const ExplainReques
     const Numbers golden = Numbers::parse(request.expected_numbers, nullptr, false);
     if (!found || !golden.is_object()) return explain_numbers(request, 0);
     const Impl::OnStage& now = **found;
-    const Result<MovementStory> story = tell_story(scene, *now.staged);
+    const Result<SceneMovement> story = run_movement(scene, *now.staged);
     const Result<Camera> camera = story ? scene_camera(scene, *now.staged, *story) : story.error();
     if (!camera) return explain_numbers(request, 0);
 
     Impl::OnStage old = impl_->stage_before(*now.staged, golden, request.goldens);
-    Result<MovementStory> old_story = MovementStory{};
-    if (old.staged) old_story = tell_story(scene, *old.staged, settings_of(golden));
+    Result<SceneMovement> old_story = SceneMovement{};
+    if (old.staged) old_story = run_movement(scene, *old.staged, settings_of(golden));
     const SceneSide before{old.staged.get(), old_story ? &*old_story : nullptr, camera_of(golden, *camera)};
     const SceneSide after{now.staged.get(), &*story, *camera};
     const auto draw = [&](const SceneSide& side, bool with_overlay) -> Image {
@@ -258,9 +258,9 @@ Result<std::vector<Scene>> expand_cameras(const std::vector<Scene>& scenes) {
                     names.push_back(bookmark.name);
                 continue;
             }
-            const Result<MovementStory> story = tell_story(scene, **staged);
+            const Result<SceneMovement> story = run_movement(scene, **staged);
             if (!story) return story.error();
-            for (std::size_t i = 1; i <= story_contacts(*story).size(); ++i)
+            for (std::size_t i = 1; i <= movement_contacts(*story).size(); ++i)
                 names.push_back(fmt::format("contact:{}", i));
         }
         for (const std::string& name : names) {

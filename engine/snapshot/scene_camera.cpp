@@ -31,7 +31,7 @@ Camera looking(const Vec3& eye, const Vec3& target) {
 }
 
 std::optional<Camera> tape_camera(const CameraName& name, const StagedLevel& staged,
-                                  const MovementStory& story) {
+                                  const SceneMovement& story) {
     if (story.states.empty()) return std::nullopt;
     const std::size_t last = story.states.size() - 1;
     const std::size_t tick =
@@ -45,10 +45,10 @@ std::optional<Camera> tape_camera(const CameraName& name, const StagedLevel& sta
 }
 
 std::optional<Camera> contact_camera(const CameraName& name, const StagedLevel& staged,
-                                     const MovementStory& story) {
-    const std::vector<StoryContact> contacts = story_contacts(story);
+                                     const SceneMovement& story) {
+    const std::vector<MovementContact> contacts = movement_contacts(story);
     if (static_cast<std::size_t>(name.index) > contacts.size()) return std::nullopt;
-    const StoryContact& contact = contacts[static_cast<std::size_t>(name.index - 1)];
+    const MovementContact& contact = contacts[static_cast<std::size_t>(name.index - 1)];
     Vec3 side = Vec3::UnitY().cross(contact.normal);
     if (side.norm() < 0.1) side = Vec3::UnitX();
     side.normalize();
@@ -58,7 +58,7 @@ std::optional<Camera> contact_camera(const CameraName& name, const StagedLevel& 
 }
 
 std::optional<Camera> find_camera(const CameraName& name, const Scene& scene, const StagedLevel& staged,
-                                  const MovementStory& story) {
+                                  const SceneMovement& story) {
     const double aspect = static_cast<double>(scene.width) / scene.height;
     const Aabb& bounds = staged.level.mesh->bounds;
     const double turn = 2.0 * std::numbers::pi * (name.index - 1) / name.count;
@@ -94,7 +94,7 @@ double distance_to_segment(const Vec3& point, const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-Result<Camera> scene_camera(const Scene& scene, const StagedLevel& staged, const MovementStory& story) {
+Result<Camera> scene_camera(const Scene& scene, const StagedLevel& staged, const SceneMovement& story) {
     if (const auto* camera = std::get_if<Camera>(&scene.camera)) return *camera;
     const auto& text = std::get<std::string>(scene.camera);
     const std::optional<CameraName> name = read_camera_name(text);
@@ -105,7 +105,7 @@ Result<Camera> scene_camera(const Scene& scene, const StagedLevel& staged, const
         return Error{error.place, fmt::format("\"{}\" needs a scene with a tape", text)};
     if (name->kind == CameraKind::contact)
         return Error{error.place, fmt::format("\"{}\": the scene's probe and tape make {} contacts", text,
-                                              story_contacts(story).size())};
+                                              movement_contacts(story).size())};
     std::string names;
     for (const CameraBookmark& bookmark : staged.level.cameras)
         names += (names.empty() ? "" : ", ") + bookmark.name;

@@ -1,12 +1,12 @@
 // The camera that a scene names.
 #pragma once
 
-#include "story.h"
+#include "scene_movement.h"
 
 namespace slipface {
 
 // Errors name the scene's place and what the level has.
-Result<Camera> scene_camera(const Scene& scene, const StagedLevel& staged, const MovementStory& story);
+Result<Camera> scene_camera(const Scene& scene, const StagedLevel& staged, const SceneMovement& story);
 
 // Moves the near plane as far away, and the far plane as near, as what is seen allows: depth is then told
 // apart as finely as it can be, and faces far away do not flicker through each other on another processor.

@@ -50,6 +50,24 @@ TEST_F(Info, TextIsARowAFact) {
     EXPECT_TRUE(err.str().empty());
 }
 
+// A map of 32 units per metre as an OBJ: a unit would be a metre.
+TEST_F(Info, SaysHowTheFileWasReadAndDoubtsItsSize) {
+    write("huge.obj", "v 0 0 0\nv 0 0 1856\nv 1856 0 1856\nv 1856 0 0\nf 1 2 3 4\n");
+    ASSERT_EQ(run(level.parent_path() / "huge.obj", true), cli::exit_fine) << err.str();
+    const auto json = nlohmann::json::parse(out.str());
+    EXPECT_EQ(json["import"]["scale"], 1.0);
+    EXPECT_EQ(json["import"]["scale_from"], "guessed");
+    EXPECT_EQ(json["import"]["up"], "y");
+    EXPECT_EQ(json["import"]["better_scale"], 1.0 / 32);
+    EXPECT_EQ(json["import"]["size_m"], nlohmann::json::array({1856, 0, 1856}));
+    EXPECT_EQ(json["open_edges"], 4);
+    ASSERT_EQ(run(level.parent_path() / "huge.obj", false), cli::exit_fine);
+    EXPECT_THAT(out.str(), HasSubstr("too large for a player; a scale of 0.03125 makes it 58 m"));
+    EXPECT_THAT(out.str(), HasSubstr("1 m per unit (guessed: OBJ files have no unit: metres)"));
+    ASSERT_EQ(run(level, true), cli::exit_fine);
+    EXPECT_FALSE(nlohmann::json::parse(out.str())["import"].contains("doubt"));
+}
+
 TEST_F(Info, ListsTexturesThatCannotBeUsed) {
     const std::filesystem::path folder = level.parent_path();
     std::filesystem::create_directory(folder / "inner");

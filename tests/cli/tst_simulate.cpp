@@ -83,7 +83,7 @@ TEST_F(Simulate, TellsWhatHappenedInATick) {
     ASSERT_EQ(tell(60), cli::exit_fine) << err.str();
     EXPECT_THAT(out.str(), HasSubstr("Begins: standing on"));
     EXPECT_THAT(out.str(), HasSubstr("jump pressed"));
-    EXPECT_THAT(out.str(), HasSubstr("Jump speed: jumps"));
+    EXPECT_THAT(out.str(), HasSubstr("Jumped at "));
     EXPECT_THAT(out.str(), HasSubstr("Ends: in the air"));
     EXPECT_EQ(tell(70), cli::exit_bad_input);
     EXPECT_THAT(err.str(), HasSubstr("--tell: found tick 70, expected one from 0 to 69"));
@@ -167,6 +167,51 @@ TEST_F(Simulate, BadInputIsNamed) {
     level = folder / "missing.obj";
     EXPECT_EQ(run("60\n"), cli::exit_bad_input);
     EXPECT_THAT(err.str(), HasSubstr("missing.obj"));
+}
+
+TEST_F(Simulate, WhyNamesWhatStoppedThePlayerAndWhatWouldCureIt) {
+    // A kerb of 0.25 m across the way.
+    const std::string kerb = write("kerb.obj",
+                                   "o floor\nv -9 0 9\nv 9 0 9\nv 9 0 -3\nv -9 0 -3\nf 1 2 3 4\n"
+                                   "o kerb\nv -9 0.25 -3\nv 9 0.25 -3\nv 9 0.25 -30\nv -9 0.25 -30\n"
+                                   "f 4 3 6 5\nf 5 6 7 8\n")
+                                 .string();
+    const std::string tape = write("kerb.tape",
+                                   "slipface-tape 1\nsettings defaults\nset step_up=off\nset snap_down=off\n"
+                                   "start 0,0.902,0\n10\n90 wish 0,-1\n")
+                                 .string();
+    const cli::TapeOptions options{.level = kerb, .tape = tape};
+    out.str("");
+    ASSERT_EQ(cli::run_why({.tape = options}, out, err), cli::exit_fine) << err.str();
+    EXPECT_THAT(out.str(), testing::StartsWith("The 0.25 m edge of `kerb` (face "));
+    EXPECT_THAT(out.str(), HasSubstr("stopped you: Step up is off\n"));
+    EXPECT_THAT(out.str(), HasSubstr("Stops in this run (1)"));
+    EXPECT_THAT(out.str(), HasSubstr("+ Step up on: "));
+    out.str("");
+    ASSERT_EQ(cli::run_why({.tape = options, .json = true}, out, err), cli::exit_fine) << err.str();
+    const auto json = result();
+    ASSERT_EQ(json["stops"].size(), 1U);
+    EXPECT_EQ(json["headline"], json["stops"][0]["headline"]);
+    EXPECT_EQ(json["stops"][0]["cause"], "step");
+    EXPECT_EQ(json["stops"][0]["cures"][0]["settings"][0], "step_up=on");
+    // With the cure there is nothing to tell.
+    out.str("");
+    ASSERT_EQ(cli::run_why({.tape = {.level = kerb, .tape = tape, .settings = {"step_up=on"}}}, out, err),
+              cli::exit_fine);
+    EXPECT_EQ(out.str(), "Nothing stopped the player\n");
+
+    out.str("");
+    ASSERT_EQ(cli::run_compare({.tape = options, .presets = {"lecture", "precise-platformer"}, .json = true},
+                               out, err),
+              cli::exit_fine)
+        << err.str();
+    const auto rows = result();
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(rows[0]["stops"], 1);
+    EXPECT_EQ(rows[1]["name"], "lecture");
+    EXPECT_EQ(rows[2]["stops"], 0);
+    EXPECT_GT(rows[2]["distance_m"].get<double>(), rows[0]["distance_m"].get<double>() + 2.0);
+    EXPECT_EQ(cli::run_compare({.tape = options, .presets = {"nothing"}}, out, err), cli::exit_bad_input);
 }
 
 }  // namespace

@@ -59,16 +59,22 @@ TEST(Doctor, ACornerOnAnEdgeIsATJunction) {
     EXPECT_EQ(count(mended, ProblemKind::t_junction), 0u);
 }
 
-TEST(Doctor, CornersThatAlmostMeetAreACrack) {
-    EXPECT_EQ(count({floor_at(0, 0, 1, 1), floor_at(1.001f, 0, 1, 1)}, ProblemKind::crack), 4u);
+TEST(Doctor, FacesThatAlmostMeetLeaveAGap) {
+    EXPECT_EQ(count({floor_at(0, 0, 1, 1), floor_at(1.001f, 0, 1, 1)}, ProblemKind::crack), 1u);
+    EXPECT_EQ(count({floor_at(0, 0, 1, 1), floor_at(1.1f, 0, 1, 1)}, ProblemKind::crack), 1u);
     EXPECT_EQ(count({floor_at(0, 0, 1, 1), floor_at(1, 0, 1, 1)}, ProblemKind::crack), 0u);
-    // A gap that a body of 0.4 m could see is a gap that somebody meant.
-    EXPECT_EQ(count({floor_at(0, 0, 1, 1), floor_at(1.1f, 0, 1, 1)}, ProblemKind::crack), 0u);
+    // One that is wider than a body of 0.4 m radius is a gap that somebody meant.
+    EXPECT_EQ(count({floor_at(0, 0, 1, 1), floor_at(1.9f, 0, 1, 1)}, ProblemKind::crack), 0u);
+    // One that other faces fill is none.
+    EXPECT_EQ(count({floor_at(0, 0, 1, 1), floor_at(1.1f, 0, 1, 1), floor_at(0.9f, -1, 0.4f, 3, -0.01f)},
+                    ProblemKind::crack),
+              0u);
 }
 
-TEST(Doctor, ThinTrianglesAreSlivers) {
-    EXPECT_EQ(count({Face{{{0, 0, 0}, {5, 0, 0.001f}, {10, 0, 0}}}}, ProblemKind::sliver), 1u);
-    EXPECT_EQ(count({Face{{{0, 0, 0}, {5, 0, 0.5f}, {10, 0, 0}}}}, ProblemKind::sliver), 0u);
+TEST(Doctor, TrianglesWhoseNormalRoundingTurnsAreSlivers) {
+    EXPECT_EQ(count({Face{{{0, 0, 0}, {5, 0, 0.0001f}, {10, 0, 0}}}}, ProblemKind::sliver), 1u);
+    // A thin strip with a normal that is known well is none.
+    EXPECT_EQ(count({Face{{{0, 0, 0}, {5, 0, 0.002f}, {10, 0, 0}}}}, ProblemKind::sliver), 0u);
 }
 
 TEST(Doctor, TheSameCornersTwiceAreADuplicate) {
@@ -79,12 +85,22 @@ TEST(Doctor, TheSameCornersTwiceAreADuplicate) {
     EXPECT_EQ(report.count(ProblemKind::overlap), 0u) << "one fault is said once";
     EXPECT_EQ(report.problems.back().face, 1u);
     EXPECT_EQ(report.problems.back().other, 0u);
+    // The back of a leaf is none, unless it is another surface.
+    Face back = floor_at(0, 0, 1, 1);
+    std::reverse(back.corners.begin(), back.corners.end());
+    EXPECT_EQ(count({floor_at(0, 0, 1, 1), back}, ProblemKind::duplicate), 0u);
+    back.painted = 1;
+    EXPECT_EQ(count({floor_at(0, 0, 1, 1), back}, ProblemKind::duplicate), 1u);
 }
 
 TEST(Doctor, CoplanarFacesOverEachOtherAreFound) {
     EXPECT_EQ(count({floor_at(0, 0, 2, 2), floor_at(1, 1, 2, 2)}, ProblemKind::overlap), 1u);
     EXPECT_EQ(count({floor_at(0, 0, 2, 2), floor_at(2, 0, 2, 2)}, ProblemKind::overlap), 0u);
     EXPECT_EQ(count({floor_at(0, 0, 2, 2), floor_at(1, 1, 2, 2, 0.05f)}, ProblemKind::overlap), 0u);
+    // The bottom of a crate hides what it stands on.
+    Face bottom = floor_at(0.5f, 0.5f, 1, 1);
+    std::reverse(bottom.corners.begin(), bottom.corners.end());
+    EXPECT_EQ(count({floor_at(0, 0, 2, 2), bottom}, ProblemKind::overlap), 0u);
 }
 
 TEST(Doctor, TheFaceWoundAgainstItsNeighboursIsTheOneFound) {
@@ -99,33 +115,38 @@ TEST(Doctor, TheFaceWoundAgainstItsNeighboursIsTheOneFound) {
     EXPECT_EQ(report.problems[0].face, 4u);
 }
 
-// A floor and a second plane that rises from the line x = 0 and leans over it, leaving `angle` free.
-Faces wedge(double angle) {
-    const auto x = static_cast<float>(20 * std::cos(angle)), y = static_cast<float>(20 * std::sin(angle));
-    return {quad({0, 0, -10}, {0, 0, 10}, {20, 0, 10}, {20, 0, -10}),
-            quad({0, 0, 10}, {0, 0, -10}, {x, y, -10}, {x, y, 10})};
+// A ditch 1 m long and 9 m deep between two planes that rise at `slope`, and a wall at either end.
+Faces ditch(double slope, float length = 1.0f) {
+    const auto x = static_cast<float>(9.0 / std::tan(slope));
+    Faces faces{quad({0, 0, 0}, {-x, 9, 0}, {-x, 9, length}, {0, 0, length}),
+                quad({0, 0, 0}, {0, 0, length}, {x, 9, length}, {x, 9, 0})};
+    for (const float z : {0.0f, length})
+        faces.push_back(Face{{{-x, 9, z}, {0, 0, z}, {x, 9, z}}});
+    return faces;
 }
 
-TEST(Doctor, OnlyCornersThatThePlayerCanEnterAreAcute) {
-    EXPECT_EQ(count(wedge(0.6), ProblemKind::acute_corner), 1u);
-    EXPECT_EQ(count(wedge(2.0), ProblemKind::acute_corner), 0u);
-    // A pillar keeps the player out.
-    Faces blocked = wedge(0.6);
-    for (int i = 0; i < 20; ++i)
-        blocked.push_back(quad({0.5f * float(i), 0, -1}, {0.5f * float(i), 0, 1}, {0.5f * float(i), 9, 1},
-                               {0.5f * float(i), 9, -1}));
-    EXPECT_EQ(count(blocked, ProblemKind::acute_corner), 0u);
+TEST(Doctor, OnlyCornersThatThePlayerCannotLeaveAreAcute) {
+    EXPECT_EQ(count(ditch(1.4), ProblemKind::acute_corner), 1u);
+    // One whose sides can be walked up.
+    EXPECT_EQ(count(ditch(0.6), ProblemKind::acute_corner), 0u);
 }
 
-TEST(Doctor, SlopesAtTheLimitAreFound) {
+// A slope between two floors.
+Faces ramp(double angle) {
+    const auto y = static_cast<float>(4 * std::sin(angle)), x = static_cast<float>(4 * std::cos(angle));
+    return {floor_at(-4, 0, 4, 4), quad({0, 0, 0}, {0, 0, 4}, {x, y, 4}, {x, y, 0}), floor_at(x, 0, 4, 4, y)};
+}
+
+TEST(Doctor, RampsThatAreTooSteepAreFound) {
     const double limit = MovementSettings{}.max_slope;
-    const auto slope = [&](double angle) {
-        const auto y = static_cast<float>(4 * std::sin(angle)), x = static_cast<float>(4 * std::cos(angle));
-        return Faces{quad({0, 0, 0}, {0, 0, 4}, {x, y, 4}, {x, y, 0})};
-    };
-    EXPECT_EQ(count(slope(limit * 1.005), ProblemKind::slope_limit), 1u);
-    EXPECT_EQ(count(slope(limit * 0.995), ProblemKind::slope_limit), 1u);
-    EXPECT_EQ(count(slope(limit * 1.05), ProblemKind::slope_limit), 0u);
+    EXPECT_EQ(count(ramp(limit + 0.02), ProblemKind::slope_limit), 1u);
+    EXPECT_EQ(count(ramp(limit + 0.0005), ProblemKind::slope_limit), 1u);
+    EXPECT_EQ(count(ramp(limit - 0.0005), ProblemKind::slope_limit), 1u) << "rounding decides";
+    EXPECT_EQ(count(ramp(limit - 0.01), ProblemKind::slope_limit), 0u);
+    EXPECT_EQ(count(ramp(limit + 0.2), ProblemKind::slope_limit), 0u) << "a slide";
+    Faces alone = ramp(limit + 0.02);
+    alone.pop_back();
+    EXPECT_EQ(count(alone, ProblemKind::slope_limit), 0u) << "it leads nowhere";
 }
 
 TEST(Doctor, OrphansAndMissingTexturesAreListed) {

@@ -46,6 +46,18 @@ inline std::string floor_and_wall_obj(int n) {
     return obj.str();
 }
 
+// The same with face 0 cut in two: faces 0 and 1, and all others one later.
+inline std::string obj_with_cut_face(int n) {
+    std::string text = floor_and_wall_obj(n);
+    const int corners = (n + 1) * (n + 2);
+    text.insert(text.find("usemtl"), "v 0.5 0 0\nv 0.5 0 1\n");
+    std::ostringstream whole, halves;
+    whole << "f 1 2 " << n + 3 << " " << n + 2 << "\n";
+    halves << "f 1 2 " << corners + 2 << " " << corners + 1 << "\nf " << corners + 1 << " " << corners + 2
+           << " " << n + 3 << " " << n + 2 << "\n";
+    return text.replace(text.find(whole.str()), whole.str().size(), halves.str());
+}
+
 class LevelFixture : public testing::Test {
   protected:
     static constexpr int n = 8;

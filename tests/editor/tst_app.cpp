@@ -215,19 +215,6 @@ TEST_F(AppTest, TheFileBrowserOpensWhatIsClickedAndAsksBeforeReplacing) {
     EXPECT_EQ(editor().file_dialog, FileDialogKind::none);
 }
 
-TEST_F(AppTest, ListsOfFoldersAreSortedAndSkipOtherFiles) {
-    std::filesystem::create_directory(folder / "zoo");
-    write_text(folder / "B.OBJ", "");
-    write_text(folder / ".hidden.obj", "");
-    const auto entries = list_folder(folder);
-    ASSERT_EQ(entries.size(), 3u);
-    EXPECT_EQ(entries[0].name, "zoo");
-    EXPECT_TRUE(entries[0].folder);
-    EXPECT_EQ(entries[1].name, "B.OBJ");
-    EXPECT_EQ(entries[2].name, "grid.obj");
-    EXPECT_TRUE(list_folder(folder / "missing").empty());
-}
-
 TEST_F(AppTest, PlaytestWalksWithHeldKeysAndEscapeReturns) {
     ASSERT_EQ(run("viewport click 300 200"), "");
     ASSERT_EQ(run("click \"Toolbar/Play\"\nexpect playing yes\nwait 90"), "");

@@ -63,8 +63,12 @@ const std::map<std::string_view, Case>& cases() {
         {"select.steep", {"", "expect selected 8"}},
         {"select.brush_type", {"key 3", "expect selected 8"}},
         {"select.painted", {"key 1\nkey L\nselect faces 9", "expect selected 2"}},
-        {"select.type_", {"", "expect status \"Select by type*\""}},
+        {"select.type_", {"", "expect status \"Select *: * selected\""}},
         {"select.save", {"", "expect saved 1"}},
+        {"select.guessed", {"open cut.obj", "expect selected 2"}},
+        {"select.next_guessed", {"open cut.obj", "expect status \"Guessed paint 1 of 2: ice\""}},
+        {"select.previous_guessed", {"open cut.obj", "expect status \"Guessed paint 2 of 2: ice\""}},
+        {"select.accept_guessed", {"open cut.obj", "expect status \"2 guesses accepted\""}},
         {"select.recall_",
          {"select save a\nselect save b\nselect save c\nselect save d\nselect save e\nselect save f\nselect "
           "save g\n"
@@ -167,6 +171,13 @@ TEST_F(EveryCommand, DoesSomethingThatCanBeSeenByItsKeyOrItsMenu) {
     }
     editor().document->set_surfaces(surfaces, "Types");
     ASSERT_TRUE(editor().document->save().ok());
+    // A level whose painted face was cut in two since it was saved.
+    const FaceId painted = 0;
+    editor().document->paint(std::span(&painted, 1), SurfaceId{1});
+    ASSERT_TRUE(editor().document->save_as(folder / "cut.slipface.json").ok());
+    std::string cut = read_text(folder / "cut.slipface.json");
+    write_text(folder / "cut.slipface.json", cut.replace(cut.find("grid.obj"), 8, "cut.obj"));
+    write_text(folder / "cut.obj", obj_with_cut_face(n));
     std::ofstream(folder / "report.json")
         << R"({"version": 1, "goldens": "goldens", "entries": [{"name": "first", "state": "different"},
               {"name": "second", "state": "missing"}]})";

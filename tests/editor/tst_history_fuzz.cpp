@@ -69,7 +69,8 @@ class Monkey {
             case 0:
             case 1:
             case 2:
-                return document_.paint(faces(), below(4) == 0 ? std::nullopt : std::optional(surface()));
+                document_.paint(faces(), below(4) == 0 ? std::nullopt : std::optional(surface()));
+                return;
             case 3:
                 return document_.select(faces());
             case 4: {

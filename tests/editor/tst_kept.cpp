@@ -61,7 +61,7 @@ TEST_F(Kept, ALevelFileThatChangedOnDiskBringsItsOwn) {
     const std::string with_hidden = read_text(level_file);
     ASSERT_EQ(run("command select.show_all\nselect faces 1,3\ncommand file.save"), "");
     write_text(level_file, with_hidden);
-    reload_annotations(editor());
+    ASSERT_EQ(run("wait 200"), "");
     EXPECT_THAT(document().hidden(), ElementsAre(1, 2));
     EXPECT_THAT(document().selection(), ElementsAre(3)) << "what is hidden is not selected";
     EXPECT_TRUE(document().is_hidden(1));
@@ -73,7 +73,8 @@ TEST_F(Kept, ALevelFileThatChangedOnDiskBringsItsOwn) {
 }
 
 TEST_F(Kept, ACrashLosesNeither) {
-    ASSERT_EQ(run("select faces 3,4\nselect save corner\ncommand select.hide\nautosave\ncrash\n"
+    ASSERT_EQ(run("select faces 3,4\nselect save corner\ncommand select.hide\nautosave\ncrash\ncommand "
+                  "file.recover\n"
                   "click \"Recover/grid.obj/Recover\"\nexpect hidden 2\nexpect saved 1"),
               "");
 }

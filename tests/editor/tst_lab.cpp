@@ -210,8 +210,7 @@ TEST_F(LabTest, TheStoryIsThatOfTheCursorAndTheToldRun) {
     lab.seek(5);
     EXPECT_NE(story_text(lab.story(*editor.document)), recorded);
     const TickTrace again = lab.runs()[0].run.trace(lab.scene(*editor.document), 5);
-    EXPECT_EQ(story_text(lab.story(*editor.document)),
-              story_text(tell(again, editor.document->level().surfaces)));
+    EXPECT_EQ(story_text(lab.story(*editor.document)), story_text(tell(again, editor.document->level())));
     lab.seek(119);
     set("walk_speed=2");
     finish();

@@ -1,5 +1,6 @@
 // The geometry's file changes under an open document.
 #include <algorithm>
+#include <cmath>
 
 #include "editor/level_fixture.h"
 
@@ -119,7 +120,23 @@ TEST_F(Reload, ANewScaleKeepsThePaint) {
     EXPECT_EQ((*again)->level().import_transform, document->level().import_transform);
     document->undo();
     EXPECT_DOUBLE_EQ(document->mesh().bounds.max.x(), n);
-    EXPECT_FALSE(document->set_import_transform({.scale = -1.0})) << "out of range";
+    const std::uint64_t before = document->face_revision();
+    for (const double scale : {-1.0, 0.0, std::nan("")})
+        EXPECT_FALSE(document->set_import_transform({.scale = scale, .up = {}})) << "out of range";
+    EXPECT_EQ(document->face_revision(), before);
+}
+
+TEST_F(Reload, TheSpawnPointGoesWithTheScaleInOneStep) {
+    auto document = open();
+    const double above_feet = document->level().movement.radii.y();
+    document->set_spawn({{2, 3 + above_feet, 4}, 0.5});
+    ASSERT_TRUE(document->set_import_transform({.scale = 10.0, .up = UpAxis::z}));
+    EXPECT_TRUE(document->level().spawn.isApprox(Vec3(20, 40 + above_feet, -30)));
+    document->undo();
+    EXPECT_EQ(document->level().spawn, Vec3(2, 3 + above_feet, 4));
+    EXPECT_DOUBLE_EQ(document->mesh().bounds.max.x(), n);
+    document->redo();
+    EXPECT_TRUE(document->level().spawn.isApprox(Vec3(20, 40 + above_feet, -30)));
 }
 
 }  // namespace

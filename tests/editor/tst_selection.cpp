@@ -47,6 +47,12 @@ class SelectionTest : public LevelFixture {
     const Document& document() const { return *editor.document; }
     Faces selected() const { return {document().selection().begin(), document().selection().end()}; }
     void select(Faces faces) { editor.document->select(std::move(faces)); }
+    Faces in_outline(const Camera& camera, const Vec2& size, const std::vector<Vec2>& outline, bool through,
+                     bool whole = false) {
+        editor.select_through = through;
+        editor.select_whole = whole;
+        return faces_in_outline(editor, camera, size, outline);
+    }
     // Runs it, looks, and sees that one undo brings the selection of before.
     Faces after(const char* command) {
         const Faces before = selected();
@@ -242,18 +248,28 @@ TEST_F(SelectionTest, ABoxTakesWhatIsSeenAndThroughTakesCentres) {
         const auto pixel = [](double x, double z) { return Vec2(80 * (x + 1), 80 * (z + 1)); };
         return std::vector<Vec2>{pixel(x0, z0), pixel(x1, z0), pixel(x1, z1), pixel(x0, z1)};
     };
-    EXPECT_THAT(faces_in_outline(editor, camera, size, box(0.2, 0.2, 0.8, 1.8), false), ElementsAre(0, 1));
-    EXPECT_THAT(faces_in_outline(editor, camera, size, box(0.2, 0.2, 0.8, 1.8), true), ElementsAre(0, 1));
-    EXPECT_THAT(faces_in_outline(editor, camera, size, box(0.6, 0.2, 1.4, 0.8), false), ElementsAre(0, 8));
-    EXPECT_THAT(faces_in_outline(editor, camera, size, box(0.6, 0.2, 1.4, 0.8), true), IsEmpty());
+    EXPECT_THAT(in_outline(camera, size, box(0.2, 0.2, 0.8, 1.8), false), ElementsAre(0, 1));
+    EXPECT_THAT(in_outline(camera, size, box(0.2, 0.2, 0.8, 1.8), true), ElementsAre(0, 1));
+    EXPECT_THAT(in_outline(camera, size, box(0.6, 0.2, 1.4, 0.8), false), ElementsAre(0, 8));
+    EXPECT_THAT(in_outline(camera, size, box(0.6, 0.2, 1.4, 0.8), true), IsEmpty());
     // From below the floor hides nothing that lies above it: the wall is seen from its edge only.
-    EXPECT_THAT(faces_in_outline(editor, camera, size, box(-1, -1, 9, 9), true), SizeIs(72));
-    EXPECT_THAT(faces_in_outline(editor, camera, size, box(20, 20, 30, 30), false), IsEmpty());
+    EXPECT_THAT(in_outline(camera, size, box(-1, -1, 9, 9), true), SizeIs(72));
+    EXPECT_THAT(in_outline(camera, size, box(20, 20, 30, 30), false), IsEmpty());
     const std::vector<Vec2> triangle{{80, 80}, {80, 240}, {240, 80}};  // x + z < 2
-    EXPECT_THAT(faces_in_outline(editor, camera, size, triangle, false), ElementsAre(0, 1, 8));
+    EXPECT_THAT(in_outline(camera, size, triangle, false), ElementsAre(0, 1, 8));
+    // Wholly inside lies none of the three: a corner of each is at 2, on the line or beyond.
+    EXPECT_THAT(in_outline(camera, size, triangle, false, true), IsEmpty());
+    EXPECT_THAT(in_outline(camera, size, box(-0.1, -0.1, 1.5, 2.1), false), ElementsAre(0, 1, 2, 8, 9, 10));
+    EXPECT_THAT(in_outline(camera, size, box(-0.1, -0.1, 1.5, 2.1), false, true), ElementsAre(0, 1));
+    EXPECT_THAT(in_outline(camera, size, box(-0.1, -0.1, 1.6, 2.1), true), ElementsAre(0, 1, 8, 9));
+    EXPECT_THAT(in_outline(camera, size, box(-0.1, -0.1, 1.6, 2.1), true, true), ElementsAre(0, 1));
+    // A dent of the outline cuts into face 0, whose corners all lie inside.
+    const std::vector<Vec2> dented{{70, 70},  {120, 70},  {120, 120}, {125, 70},
+                                   {170, 70}, {170, 250}, {70, 250}};
+    EXPECT_THAT(in_outline(camera, size, dented, false, true), ElementsAre(1));
     editor.document->hide({0}, "Hide");
-    EXPECT_THAT(faces_in_outline(editor, camera, size, triangle, false), ElementsAre(1, 8));
-    EXPECT_THAT(faces_in_outline(editor, camera, size, std::vector<Vec2>{{0, 0}, {9, 9}}, false), IsEmpty());
+    EXPECT_THAT(in_outline(camera, size, triangle, false), ElementsAre(1, 8));
+    EXPECT_THAT(in_outline(camera, size, std::vector<Vec2>{{0, 0}, {9, 9}}, false), IsEmpty());
 }
 
 TEST_F(SelectionTest, WhatIsCoveredIsSelectedOnlyThrough) {
@@ -262,8 +278,8 @@ TEST_F(SelectionTest, WhatIsCoveredIsSelectedOnlyThrough) {
     camera.eye = {0.5, 6, 0.5};
     camera.target = {0.5, 0, 0.5};
     const std::vector<Vec2> all{{0, 0}, {400, 0}, {400, 400}, {0, 400}};
-    EXPECT_THAT(faces_in_outline(editor, camera, {400, 400}, all, false), ElementsAre(1));
-    EXPECT_THAT(faces_in_outline(editor, camera, {400, 400}, all, true), ElementsAre(0, 1));
+    EXPECT_THAT(in_outline(camera, {400, 400}, all, false), ElementsAre(1));
+    EXPECT_THAT(in_outline(camera, {400, 400}, all, true), ElementsAre(0, 1));
 }
 
 TEST_F(SelectionTest, SavedSelectionsAreKeptRecalledRenamedAndUndone) {

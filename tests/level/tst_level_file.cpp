@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "level/faces.h"
+#include "mesh/bsp_maker.h"
 
 namespace slipface::test {
 namespace {
@@ -61,6 +62,7 @@ TEST_F(LevelFile, AMeshWithoutOneHasTheDefaults) {
     const LoadedLevel loaded = load("easy.obj");
     EXPECT_EQ(loaded.level.mesh->face_count(), 2u);
     EXPECT_EQ(loaded.level.surfaces, preset_surface_types());
+    EXPECT_EQ(loaded.level.movement, MovementSettings{});
     EXPECT_EQ(loaded.level.overrides.size(), 2u);
     EXPECT_EQ(loaded.level.mesh_path, folder_ / "easy.obj");
     EXPECT_EQ(loaded.level.file_path, folder_ / "easy.slipface.json");
@@ -195,6 +197,53 @@ TEST_F(LevelFile, AHundredThousandPaintedFacesAreSavedAndFoundQuickly) {
     RecordProperty("bytes", static_cast<int>(fs::file_size(level.file_path)));
     // A hundred times the time measured, so that only a wrong order of growth trips it.
     EXPECT_LT(both_s, 20.0);
+}
+
+// A Quake map without a level file has what the map says; with one, what that says.
+TEST_F(LevelFile, AFreshMapHasItsTypesAndHidesWhatIsNotDrawn) {
+    bsp_maker::Map map;
+    const std::uint32_t caulk = map.add_texture("textures/common/caulk", 0x80, 1);
+    const std::uint32_t ice = map.add_texture("textures/ice", 0x2, 1);
+    map.add_texture("textures/water", 0, 0x20);
+    bsp_maker::add_shell(map, {{0, 0, 0}, {320, 320, 320}}, 16, caulk);
+    bsp_maker::add_room_tree(map, {{0, 0, 0}, {320, 320, 320}});
+    map.add_polygon({{32, 32, 1}, {32, 64, 1}, {64, 64, 1}, {64, 32, 1}}, ice);
+    map.add_world();
+    map.entities = "{ \"classname\" \"info_player_start\" \"origin\" \"64 64 24\" }";
+    write("arena.bsp", map.bytes());
+    LoadedLevel fresh = load("arena.bsp");
+    EXPECT_EQ(fresh.level.mesh->face_count(), 7u);
+    EXPECT_EQ(fresh.level.hidden, (std::vector<FaceId>{1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(resolve_surfaces(fresh.level).surface[0], find_surface(fresh.level, "ice"));
+    ASSERT_TRUE(find_surface(fresh.level, "nonsolid"));
+    EXPECT_FALSE(fresh.level.surfaces[*find_surface(fresh.level, "nonsolid")].solid);
+    ASSERT_EQ(fresh.found_spawns.size(), 1u);
+    EXPECT_TRUE(fresh.found_spawns[0].feet.isApprox(Vec3(2, 0, -2)));
+    EXPECT_EQ(fresh.level.import_summary.scale, 1.0 / 32);
+
+    fresh.level.hidden.clear();
+    fresh.level.rules.clear();
+    ASSERT_TRUE(save_level(fresh.level));
+    EXPECT_THAT(read("arena.slipface.json"), testing::Not(HasSubstr("\"scale\""))) << "the file's own word";
+    const LoadedLevel again = load("arena.bsp");
+    EXPECT_TRUE(again.level.hidden.empty());
+    EXPECT_EQ(resolve_surfaces(again.level).surface[0], default_surface);
+    EXPECT_EQ(again.level.mesh->fingerprint, fresh.level.mesh->fingerprint);
+    EXPECT_EQ(again.found_spawns.size(), 1u);
+}
+
+TEST_F(LevelFile, AGivenScaleAndAxisAreKept) {
+    LoadedLevel loaded = load("easy.obj");
+    EXPECT_EQ(loaded.level.import_transform, ImportTransform{});
+    auto other = reload_mesh(loaded.level, {.scale = 1.0, .up = UpAxis::minus_z});
+    ASSERT_TRUE(other) << other.error().text();
+    ASSERT_TRUE(save_level(other->level));
+    EXPECT_THAT(read("easy.slipface.json"), HasSubstr("\"scale\": 1,\n  \"up\": \"-z\""));
+    const LoadedLevel again = load("easy.obj");
+    EXPECT_EQ(again.level.import_transform, other->level.import_transform);
+    EXPECT_EQ(again.level.import_summary.up_from, ImportSource::given);
+    EXPECT_EQ(again.level.mesh->fingerprint, other->level.mesh->fingerprint);
+    EXPECT_FALSE(reload_mesh(loaded.level, {.scale = 0.0, .up = {}}));
 }
 
 }  // namespace

@@ -106,13 +106,29 @@ TEST(LevelJson, OneLineANumberListAndShortestNumbers) {
     EXPECT_EQ(json.back(), '\n');
 }
 
-TEST(LevelJson, TheSmallestFileGivesTheDefaults) {
+TEST(LevelJson, TheSmallestFileGivesTheDefaultsAndBasicMovement) {
     const Result<LoadedLevel> loaded = load("{\"slipface\": 1}");
     ASSERT_TRUE(loaded.ok()) << loaded.error().text();
     EXPECT_EQ(loaded->level.surfaces, preset_surface_types());
-    EXPECT_EQ(loaded->level.movement, MovementSettings{});
+    EXPECT_EQ(loaded->level.movement, basic_settings());
     EXPECT_EQ(loaded->level.overrides.size(), 9u);
     EXPECT_TRUE(loaded->warnings.empty());
+}
+
+// Files were written before there were today's defaults, and before there were today's settings.
+TEST(LevelJson, ASettingThatIsNotNamedIsTheBasicOne) {
+    for (const SettingInfo& info : settings_table()) {
+        Level level = level_of(tiles(1));
+        std::string json = level_to_json(level);
+        const std::size_t at = json.find(std::string("\n    \"") + info.name + "\": ");
+        ASSERT_NE(at, std::string::npos) << info.name;
+        json.insert(at + 6, "not_");
+        MovementSettings expected = level.movement;
+        ASSERT_TRUE(set_setting(expected, info, get_setting(basic_settings(), info)).ok());
+        const Result<LoadedLevel> loaded = load(json);
+        ASSERT_TRUE(loaded.ok()) << loaded.error().text();
+        EXPECT_EQ(loaded->level.movement, expected) << info.name;
+    }
 }
 
 TEST(LevelJson, UnknownKeysAreKeptWhereTheyStand) {

@@ -8,7 +8,7 @@ namespace slipface {
 namespace {
 
 TEST(Presets, files_and_program_agree) {
-    ASSERT_EQ(shipped_presets().size(), 4U);
+    ASSERT_EQ(shipped_presets().size(), 5U);
     for (const ShippedPreset& shipped : shipped_presets()) {
         const auto path = std::filesystem::path(SLIPFACE_SOURCE_DIR) / "assets" / "presets" /
                           (std::string(shipped.id) + ".json");
@@ -28,6 +28,44 @@ TEST(Presets, are_saved_and_loaded_without_loss) {
     const Result<Preset> read = preset_from_json(preset_to_json(mine), "mine.json");
     ASSERT_TRUE(read.ok()) << read.error().text();
     EXPECT_EQ(*read, mine);
+}
+
+TEST(Presets, the_defaults_are_the_platformer) {
+    EXPECT_EQ(find_preset("platformer").value().settings, MovementSettings{});
+    const MovementSettings s;
+    EXPECT_TRUE(s.step_up && s.snap_down && s.seam_filter && s.coyote && s.jump_buffer);
+    EXPECT_EQ(s.push_out, PushOut::analytic);
+}
+
+TEST(Presets, a_setting_that_the_file_does_not_name_is_the_basic_one) {
+    const Result<Preset> read =
+        preset_from_json(R"({"slipface_preset": 1, "name": "x", "movement": {"gravity": 3}})", "p.json");
+    ASSERT_TRUE(read.ok()) << read.error().text();
+    MovementSettings expected = basic_settings();
+    expected.gravity = 3.0;
+    EXPECT_EQ(read->settings, expected);
+}
+
+TEST(Presets, the_nearest_one_is_named_with_what_differs) {
+    for (const ShippedPreset& shipped : shipped_presets()) {
+        EXPECT_EQ(nearest_preset(shipped.preset.settings).preset, &shipped);
+        // Few changes of any rows leave it the nearest, and are exactly what is told.
+        for (std::size_t row = 0; row + 2 < settings_table().size(); ++row) {
+            MovementSettings settings = shipped.preset.settings;
+            const SettingInfo &one = settings_table()[row], &other = settings_table()[row + 2];
+            for (const SettingInfo* info : {&one, &other}) {
+                const double now = get_setting(settings, *info);
+                ASSERT_TRUE(
+                    set_setting(settings, *info, now == info->minimum ? info->maximum : info->minimum).ok());
+            }
+            const PresetMatch match = nearest_preset(settings);
+            if (match.preset != &shipped) {
+                EXPECT_LT(match.changed.size(), 3U);  // another differs by as little
+                continue;
+            }
+            EXPECT_EQ(match.changed, (std::vector<const SettingInfo*>{&one, &other}));
+        }
+    }
 }
 
 TEST(Presets, errors_name_the_place) {

@@ -31,7 +31,7 @@ TEST_F(ImportScene, PlyKeepsPolygons) {
     EXPECT_EQ(mesh.face_corner_count(0), 4U);
     EXPECT_EQ(mesh.positions.size(), 5U);
     EXPECT_EQ(mesh.materials[mesh.face_material[0]].name, "");
-    EXPECT_EQ(face_normal(mesh, 0), Vec3(0, 1, 0));
+    EXPECT_EQ(face_normal(mesh, 0), Vec3(0, 0, -1)) << "PLY files have +Z up";
 }
 
 // Two nodes draw one triangle: one moved by 10 m, one mirrored in x, whose front must stay its front.
@@ -94,6 +94,22 @@ TEST_F(ImportScene, BadFilesAreRefused) {
                   "0 0 0\n0 0 1\n1e20 0 1\n3 0 1 2\n");
     ASSERT_FALSE(far);
     EXPECT_THAT(far.error().message, HasSubstr("vertex 2"));
+}
+
+// Memory is taken for what is there, not for what is announced.
+TEST_F(ImportScene, MoreElementsThanBytesAreRefused) {
+    for (const auto& [name, text] :
+         {std::pair("a.off", "OFF\n353535235358 6 0\n0 0 0\n"),
+          std::pair("b.off", "OFF 3 4000000000 0\n0 0 0\n"),
+          std::pair("c.ply",
+                    "ply\nformat ascii 1.0\nelement vertex 3000000000\nproperty float x\nend_header\n"),
+          std::pair("d.ply",
+                    "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n"
+                    "element face 3000000000\nproperty list uchar int vertex_indices\nend_header\n")}) {
+        const auto result = import_as(name, text);
+        ASSERT_FALSE(result) << name;
+        EXPECT_THAT(result.error().message, HasSubstr("announces")) << name;
+    }
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ inline double centre_height(const MovementSettings& s, const Vec3& n) {
 
 // Everything that helps a player at once.
 inline MovementSettings every_hack() {
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.push_out = PushOut::analytic;
     s.nudge = s.step_up = s.snap_down = s.seam_filter = s.coyote = s.jump_buffer = s.variable_jump = true;
     return s;
@@ -160,11 +160,13 @@ class Random {
 };
 
 inline bool has_decision(const TraceRecorder& trace, const std::string& hack, bool acted,
-                         const std::string& outcome_part) {
+                         const std::string& sentence_part) {
     for (const TraceRecord& record : trace.records) {
         const auto* decision = std::get_if<DecisionRecord>(&record);
-        if (decision != nullptr && hack == decision->hack && decision->acted == acted &&
-            std::string(decision->outcome).find(outcome_part) != std::string::npos) {
+        if (decision == nullptr) continue;
+        const DecisionInfo& info = decision_info(decision->kind);
+        if (hack == info.hack && (info.outcome == Outcome::acted) == acted &&
+            std::string(info.sentence).find(sentence_part) != std::string::npos) {
             return true;
         }
     }

@@ -38,7 +38,7 @@ CornerMove corner_move(const std::vector<Vec3>& normals, const MovementSettings&
 TEST(CornerMoves, in_acute_wedges_are_the_exact_projection) {
     for (const double skin : {0.002, 1e-6}) {
         Random random(31);
-        MovementSettings s;
+        MovementSettings s = basic_settings();
         s.skin = skin;
         int exact = 0, all = 0;
         for (int degrees = 5; degrees <= 85; degrees += 5) {
@@ -59,7 +59,7 @@ TEST(CornerMoves, in_acute_corners_of_three_faces_are_the_exact_projection) {
     // Three planes may each turn the move once, and the way along the last crease is a fourth sweep.
     for (const double skin : {0.002, 1e-6}) {
         Random random(32);
-        MovementSettings s;
+        MovementSettings s = basic_settings();
         s.skin = skin;
         s.max_slides = 4;
         int exact = 0;

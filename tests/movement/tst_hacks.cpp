@@ -20,7 +20,7 @@ TEST(StaticFriction, idle_on_30_degrees_is_bit_still_for_ten_seconds) {
     Lab lab;
     lab.slope(radians(30));
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     PlayerState state = standing_on_slope(lab, s, radians(30));
     ASSERT_TRUE(state.grounded);
     const Vec3 rest = state.position;
@@ -40,7 +40,7 @@ TEST(StaticFriction, off_the_player_creeps_down_by_the_closed_form) {
     Lab lab;
     lab.slope(radians(30));
     lab.ready();
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     PlayerState state = standing_on_slope(lab, s, radians(30));
     state.velocity = Vec3::Zero();  // the press on the ground is no motion
     const Vec3 rest = state.position;
@@ -58,7 +58,7 @@ TEST(StaticFriction, holds_up_to_max_slope_and_not_above) {
         Lab lab;
         lab.slope(a);
         lab.ready();
-        const MovementSettings s;  // 50 degrees
+        const MovementSettings s = basic_settings();  // 50 degrees
         PlayerState state = at({0.0, centre_height(s, slope_normal(a)), 0.0});
         state = run(lab, s, state, {}, 60);
         EXPECT_EQ(state.grounded, degrees < 50.0) << degrees;
@@ -79,7 +79,7 @@ TEST(StaticFriction, a_surface_overrides_the_maximum_slope) {
     lab.surfaces[plain].max_slope = radians(20);
     lab.slope(radians(30));
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     EXPECT_FALSE(run(lab, s, at({0, centre_height(s, slope_normal(radians(30))), 0}), {}, 60).grounded);
     lab.surfaces[plain].max_slope = radians(70);
     EXPECT_TRUE(run(lab, s, at({0, centre_height(s, slope_normal(radians(30))), 0}), {}, 60).grounded);
@@ -89,11 +89,11 @@ TEST(StaticFriction, the_vertical_part_gets_exactly_one_sweep_on_ground) {
     Lab lab;
     lab.slope(radians(30));
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     const PlayerState state = standing_on_slope(lab, s, radians(30));
     TraceRecorder trace;
     EXPECT_EQ(step(lab.scene(), s, state, {}, tick, &trace).sweeps, 1);
-    EXPECT_TRUE(has_decision(trace, "static_friction", true, "grounded"));
+    EXPECT_TRUE(has_decision(trace, "static_friction", true, "Stood"));
 }
 
 // --- steep slopes are walls
@@ -105,7 +105,7 @@ TEST(SteepSlope, of_60_and_75_degrees_cannot_be_climbed_by_walking_or_jumping) {
         lab.floor();
         lab.slope(radians(degrees));
         lab.ready();
-        const MovementSettings s;
+        const MovementSettings s = basic_settings();
         PlayerState state = at({-6, 0.95, 0});
         double top = 0.0;
         for (int i = 0; i < 600; ++i) {
@@ -148,7 +148,7 @@ double airborne_share(const MovementSettings& s, double dt) {
 }  // namespace
 
 TEST(GroundVelocity, on_the_player_is_grounded_in_every_tick) {
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     for (const int rate : {30, 60, 120, 240, 360})
         EXPECT_EQ(airborne_share(s, 1.0 / rate), 0.0) << rate;
 }
@@ -157,7 +157,7 @@ TEST(GroundVelocity, off_the_player_hops) {
     // Off the ground with no vertical speed, g t t / 2 meets the slope's v t tan a at t = 2 v tan a / g =
     // 0.346 s, 20.8 ticks: 20 in the air, one on the ground. Four times that are 84 of the 90 ticks, and the
     // six left are the next hop's: 86.
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.ground_velocity = false;
     EXPECT_NEAR(airborne_share(s, tick), 86.0 / 90.0, 1e-12);
 }
@@ -169,7 +169,7 @@ TEST(GroundVelocity, a_step_off_a_ledge_falls_from_rest) {
     lab.polygon({{-20, 0, -5}, {-20, 0, 5}, {0, 0, 5}, {0, 0, -5}});
     lab.floor(-30);
     lab.ready();
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     PlayerState state = run(lab, s, at({-3, 0.95, 0}), wish(1, 0), 20);
     while (state.grounded)
         state = step(lab.scene(), s, state, wish(1, 0), tick).state;
@@ -178,6 +178,59 @@ TEST(GroundVelocity, a_step_off_a_ledge_falls_from_rest) {
     EXPECT_GT(v, -1.0 - s.gravity * tick);
     state = run(lab, s, state, wish(1, 0), 30);
     EXPECT_NEAR(state.position.y(), y + v * 0.5 - 10 * 0.25, 1e-9);
+}
+
+TEST(MotionVelocity, is_the_motion_and_not_the_press) {
+    Lab lab;
+    lab.slope(radians(30));
+    lab.ready();
+    const MovementSettings s = basic_settings();
+    PlayerState state = standing_on_slope(lab, s, radians(30));
+    ASSERT_TRUE(state.grounded);
+    ASSERT_LT(state.velocity.y(), -0.5);
+    EXPECT_EQ(motion_velocity(state).norm(), 0.0);
+    // Up and down the slope the motion leads along it.
+    for (const double x : {1.0, -1.0}) {
+        state = run(lab, s, state, wish(x, 0.0), 20);
+        ASSERT_TRUE(state.grounded);
+        const Vec3 motion = motion_velocity(state);
+        EXPECT_NEAR(motion.dot(slope_normal(radians(30))), 0.0, 1e-6);
+        EXPECT_NEAR(motion.x(), x * s.walk_speed, 1e-9);
+    }
+    // In the air it is the velocity.
+    state = run(lab, s, state, wish(0.0, 0.0, true), 3);
+    ASSERT_FALSE(state.grounded);
+    EXPECT_EQ(motion_velocity(state), state.velocity);
+}
+
+// --- constant speed on slopes
+// ----------------------------------------------------------------------------------------
+
+TEST(ConstantSlopeSpeed, on_the_way_along_the_slope_is_the_walking_speed) {
+    for (const bool on : {false, true}) {
+        for (const double degrees : {10.0, 30.0, 45.0}) {
+            for (const int rate : {30, 60, 240}) {
+                for (const double x : {1.0, -1.0}) {
+                    Lab lab;
+                    lab.slope(radians(degrees));
+                    lab.ready();
+                    MovementSettings s = basic_settings();
+                    s.constant_slope_speed = on;
+                    PlayerState state = standing_on_slope(lab, s, radians(degrees));
+                    state = run(lab, s, state, wish(x, 0.0), rate / 2, 1.0 / rate);
+                    const Vec3 from = state.position;
+                    state = run(lab, s, state, wish(x, 0.0), rate, 1.0 / rate);
+                    // Off: uphill the slide keeps cos a of the length, downhill the map is crossed at full
+                    // speed, which is 1 / cos a along the slope.
+                    const double cosine = std::cos(radians(degrees));
+                    const double share = on ? 1.0 : x > 0.0 ? cosine : 1.0 / cosine;
+                    EXPECT_NEAR((state.position - from).norm(), s.walk_speed * share, 0.01 * s.walk_speed)
+                        << on << " " << degrees << " " << rate << " " << x;
+                    EXPECT_TRUE(state.grounded);
+                }
+            }
+        }
+    }
 }
 
 // --- straight ahead
@@ -200,12 +253,12 @@ double heading_on_ramp(const MovementSettings& s) {
 }  // namespace
 
 TEST(StraightAhead, keeps_the_heading) {
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     EXPECT_NEAR(heading_on_ramp(s), pi / 4, 1e-4);
 }
 
 TEST(StraightAhead, off_the_ramp_turns_the_heading) {
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.straight_ahead = false;
     // V = (1,0,1)/sqrt 2, N = (-1/2, cos 30, 0): V - N (V.N) = (0.7071 (1 - 1/4), .., 0.7071), a heading of
     // atan(1 / 0.75) = 0.9273.
@@ -216,7 +269,7 @@ TEST(StraightAhead, keeps_the_length_of_the_slide) {
     Lab lab;
     lab.slope(radians(30));
     lab.ready();
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     const Vec3 n = slope_normal(radians(30));
     const Vec3 from(0.0, centre_height(s, n), 0.0);
     for (const double heading : {0.0, 20.0, 45.0, 80.0}) {
@@ -234,11 +287,11 @@ TEST(StraightAhead, leaves_vertical_walls_to_plain_sliding) {
     Lab lab;
     lab.wall({0, -40}, {0, 40});
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     TraceRecorder trace;
     const SlideResult result = slide_move(lab.scene(), s, {-0.402, 5, 0}, {0.6, 0, 0.8}, &trace);
     EXPECT_LT((result.position - Vec3(-0.402, 5, 0.8)).norm(), 1e-6);
-    EXPECT_TRUE(has_decision(trace, "max_slope", true, "a wall"));
+    EXPECT_TRUE(has_decision(trace, "max_slope", true, "Too steep to walk up"));
 }
 
 // --- keep energy
@@ -272,7 +325,7 @@ PlayerState ride(const MovementSettings& s, int segments, double entry_speed) {
 
 TEST(KeepEnergy, off_a_half_pipe_takes_the_product_of_the_cosines) {
     for (const int segments : {8, 16, 32, 64}) {
-        MovementSettings s;
+        MovementSettings s = basic_settings();
         s.gravity = 0.0;
         s.keep_energy = false;
         s.radii = Vec3(0.4, 0.4, 0.4);
@@ -285,16 +338,24 @@ TEST(KeepEnergy, off_a_half_pipe_takes_the_product_of_the_cosines) {
 
 TEST(KeepEnergy, on_the_exit_speed_is_the_entry_speed) {
     for (const int segments : {8, 16, 32, 64}) {
-        MovementSettings s;
+        MovementSettings s = basic_settings();
         s.gravity = 0.0;
         s.radii = Vec3(0.4, 0.4, 0.4);
         EXPECT_NEAR(ride(s, segments, 10.0).velocity.norm(), 10.0, 1e-6) << segments;
     }
 }
 
+TEST(KeepEnergy, a_pipe_of_six_faces_turns_by_the_default_limit_exactly_and_keeps_the_speed) {
+    // Each turn is 30 degrees: N.V / |V| = -sin 30 = -0.5 but for rounding.
+    MovementSettings s = basic_settings();
+    s.gravity = 0.0;
+    s.radii = Vec3(0.4, 0.4, 0.4);
+    EXPECT_NEAR(ride(s, 6, 10.0).velocity.norm(), 10.0, 1e-5);
+}
+
 TEST(KeepEnergy, on_the_exit_speed_is_the_entry_speed_and_gravitys_work) {
     for (const int segments : {8, 16, 32, 64}) {
-        MovementSettings s;
+        MovementSettings s = basic_settings();
         Lab lab;
         lab.half_pipe(segments, 5.0, ice);
         lab.ready();
@@ -321,7 +382,7 @@ TEST(KeepEnergy, off_with_gravity_speed_is_lost) {
     // The centre goes round a polygon of its own: eight faces, a skin and a radius further in. Each of its
     // seven corners turns the way by 22.5 degrees and keeps cos^2 of the kinetic energy that is left there;
     // in between gravity takes nothing. The corners lie at apothem / cos(pi / 16) from the axis.
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.keep_energy = false;
     s.radii = Vec3(0.4, 0.4, 0.4);
     Lab lab;
@@ -349,7 +410,7 @@ TEST(KeepEnergy, a_head_on_hit_is_not_redirected) {
     Lab lab;
     lab.wall({0, -40}, {0, 40}, -5, 20, ice);
     lab.ready();
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.gravity = 0.0;
     // Into the wall at 35 degrees from its normal: N.V / |V| = -cos 35 = -0.82, below -0.5.
     TraceRecorder head_on;
@@ -372,7 +433,7 @@ TEST(KeepEnergy, gliding_over_flat_ice_neither_gains_nor_loses) {
     Lab lab;
     lab.floor(0, ice, 500);
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     for (const int rate : {30, 60, 120, 360}) {
         PlayerState state = at({0, 0.9 + s.skin, 0}, {6, 0, 0});
         state = run(lab, s, state, {}, 10 * rate, 1.0 / rate);
@@ -386,7 +447,7 @@ TEST(KeepEnergy, ice_does_not_hold_an_idle_player) {
     Lab lab;
     lab.slope(radians(20), ice);
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     const PlayerState state = run(lab, s, at({0, centre_height(s, slope_normal(radians(20))), 0}), {}, 60);
     // g sin 20 / 2 = 3.42 m along the slope in the first second.
     EXPECT_NEAR(state.position.x(), -3.42 * std::cos(radians(20)), 0.1);
@@ -399,7 +460,7 @@ TEST(PushOut, off_an_overlapping_player_stays_inside) {
     Lab lab;
     lab.floor();
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     EXPECT_LT(step(lab.scene(), s, at({0, 0.4, 0}), {}, tick).state.position.y(), 0.5);
 }
 
@@ -413,7 +474,7 @@ TEST(PushOut, frees_from_a_plane_a_wedge_and_a_corner) {
                 lab.wall({0, 0}, {60 * std::cos(half), -60 * std::sin(half)});
                 if (corner) lab.floor();
                 lab.ready();
-                MovementSettings s;
+                MovementSettings s = basic_settings();
                 s.gravity = 0.0;
                 s.push_out = kind;
                 const double apex = (0.4 + s.skin) / std::sin(half);
@@ -446,7 +507,7 @@ TEST(PushOut, parallel_planes_are_refused_without_a_division_by_zero) {
     lab.wall({-20, 0.3}, {20, 0.3}, -50, 50);
     lab.wall({-20, -0.3}, {20, -0.3}, -50, 50);
     lab.ready();
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.gravity = 0.0;
     for (const PushOut kind : {PushOut::iterative, PushOut::analytic}) {
         s.push_out = kind;
@@ -462,7 +523,7 @@ TEST(StartingInside, moves_that_lead_out_are_free) {
     Lab lab;
     lab.wall({0, -40}, {0, 40});
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     const SlideResult out = slide_move(lab.scene(), s, {-0.1, 5, 0}, {-1, 0, 0});
     EXPECT_LT((out.position - Vec3(-1.1, 5, 0)).norm(), 1e-12);
     const SlideResult in = slide_move(lab.scene(), s, {-0.1, 5, 0}, {1, 0, 0});

@@ -15,7 +15,7 @@ constexpr double pipe_radius = 5.0;
 
 struct Pipe {
     Lab lab;
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     Vec3 start;  // on the first face at the left rim, a skin off
     Vec3 down;   // along that face
 };

@@ -217,7 +217,7 @@ TEST(SnapDown, keeps_to_the_ground_over_a_crest) {
     // 0.0139 - 10 t t. The slope holds a centre at (|R n| + skin) / cos 40 - 6 t tan 40 = 0.9631 - 5.0346 t.
     // They meet at 10 t t - 5.0346 t + 0.0750 = 0, t = 0.488 s = 29.3 ticks: the 30th lands.
     for (const bool on : {false, true}) {
-        MovementSettings s;
+        MovementSettings s = basic_settings();
         s.snap_down = on;
         Lab lab;
         const double drop = 20 * std::tan(radians(40));

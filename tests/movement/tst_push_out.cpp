@@ -36,7 +36,7 @@ Vec3 exact_answer(const MovementSettings& s, double angle, const Vec3& from) {
 
 TEST(PushOut, is_the_projection_on_the_cone_in_wedges_of_5_to_85_degrees) {
     Random random(7);
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.gravity = 0.0;
     s.push_out = PushOut::analytic;
     for (int degrees = 5; degrees <= 85; degrees += 5) {
@@ -58,7 +58,7 @@ TEST(PushOut, is_the_projection_on_the_cone_in_wedges_of_5_to_85_degrees) {
 
 TEST(PushOut, iterates_out_of_the_same_wedges) {
     Random random(8);
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.gravity = 0.0;
     s.push_out = PushOut::iterative;
     for (int degrees = 5; degrees <= 85; degrees += 5) {
@@ -74,7 +74,7 @@ TEST(PushOut, iterates_out_of_the_same_wedges) {
 }
 
 TEST(PushOut, off_leaves_the_player_inside) {
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.gravity = 0.0;
     Lab lab = wedge(radians(20));
     const Vec3 from(0, 0, 1.0);
@@ -85,7 +85,7 @@ TEST(PushOut, off_leaves_the_player_inside) {
 TEST(PushOut, three_planes_are_left_at_their_point) {
     // A corner of three perpendicular faces: the point is need away from each, exactly (r + skin) for each
     // axis.
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.gravity = 0.0;
     s.push_out = PushOut::analytic;
     Lab lab;
@@ -138,11 +138,11 @@ int window(MovementSettings s, double dt, bool late) {
 TEST(JumpFeel, windows_are_exact_to_the_tick) {
     // 0.1 s is 6 ticks at 60 Hz, 12 at 120 and 3 at 30.
     for (const int rate : {30, 60, 120}) {
-        MovementSettings s;
+        MovementSettings s = basic_settings();
         EXPECT_EQ(window(s, 1.0 / rate, true), 0);
         s.coyote = true;
         EXPECT_EQ(window(s, 1.0 / rate, true), rate / 10) << rate;
-        MovementSettings b;
+        MovementSettings b = basic_settings();
         EXPECT_EQ(window(b, 1.0 / rate, false), 0);
         b.jump_buffer = true;
         EXPECT_EQ(window(b, 1.0 / rate, false), rate / 10) << rate;
@@ -152,7 +152,7 @@ TEST(JumpFeel, windows_are_exact_to_the_tick) {
 TEST(JumpFeel, a_cut_jump_has_the_height_of_its_speed) {
     // Let go after 5 ticks: the speed is then 8 - 20 * 5 / 60 = 6.333, cut to 0.4 of that, 2.533, which rises
     // by 2.533 * 2.533 / 40 = 0.160 m more on top of 5 ticks of 8 t - 10 t t = 0.597 m.
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.variable_jump = true;
     Lab lab;
     lab.floor();
@@ -170,7 +170,7 @@ TEST(JumpFeel, a_cut_jump_has_the_height_of_its_speed) {
 }
 
 TEST(Nudge, frees_within_its_distance_and_says_so_where_it_cannot) {
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.gravity = 0.0;
     s.nudge = true;
     Lab lab;
@@ -185,7 +185,7 @@ TEST(Nudge, frees_within_its_distance_and_says_so_where_it_cannot) {
     TraceRecorder trace;
     const PlayerState trapped = step(lab.scene(), s, at({0.15, 5, 0}), {}, tick, &trace).state;
     EXPECT_TRUE(trapped.trapped);
-    EXPECT_TRUE(has_decision(trace, "nudge", false, "trapped"));
+    EXPECT_TRUE(has_decision(trace, "nudge", false, "Trapped"));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace slipface::test {
 namespace {
 
 MovementSettings pushed(PushOut kind) {
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.gravity = 0.0;
     s.push_out = kind;
     return s;

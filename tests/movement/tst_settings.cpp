@@ -23,7 +23,7 @@ TEST(SettingsTable, describes_every_setting_completely) {
         EXPECT_LE(get_setting(defaults, info), info.maximum) << info.name;
         EXPECT_EQ(find_setting(info.name), &info);
         const bool is_switch = std::holds_alternative<bool MovementSettings::*>(info.member);
-        const bool is_choice = std::holds_alternative<PushOut MovementSettings::*>(info.member);
+        const bool is_choice = !choice_names(info).empty();
         EXPECT_EQ(std::string(info.too_small).empty(), is_switch || is_choice) << info.name;
         EXPECT_EQ(std::string(info.too_large).empty(), is_switch || is_choice) << info.name;
         if (*info.switch_name != '\0') {
@@ -103,6 +103,8 @@ TEST(SetSetting, refuses_bad_input_and_leaves_the_settings_alone) {
     EXPECT_THAT(error("keep_energy=2"), HasSubstr("on or off"));
     EXPECT_THAT(error("keep_energy=0.5"), HasSubstr("on or off"));
     EXPECT_THAT(error("push_out=magic"), HasSubstr("off, iterative or analytic"));
+    EXPECT_THAT(error("sub_step=1e-9"), HasSubstr("found 1e-9, expected 0 or a number from 0.001 to 0.25 s"));
+    EXPECT_THAT(error("step_form=never"), HasSubstr("when_blocked or every_move"));
     error("push_out=3");
     error("gravity=nan");
     error("gravity=inf");

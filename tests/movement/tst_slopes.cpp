@@ -37,7 +37,7 @@ TEST(StickToFloor, at_45_degrees_and_10_m_per_s_is_grounded_in_every_tick) {
     // Each tick the slope falls away by 10 / rate metres, 0.333 m at 30 Hz, of the 0.35 m that are snapped.
     for (const int rate : {30, 60, 120, 240, 360}) {
         for (const bool pressed : {false, true}) {
-            MovementSettings s;
+            MovementSettings s = basic_settings();
             s.ground_velocity = pressed;
             s.snap_down = true;
             const Descent descent = run_down_45(s, 4 * rate, 1.0 / rate);
@@ -52,7 +52,7 @@ TEST(StickToFloor, off_the_player_flies_by_the_parabola) {
     // g = 19 that is 1.0526 s, 63.2 ticks at 60 Hz: 63 ticks in the air, one on the ground, again and again.
     // In between the gap is v t tan a - g t t / 2, greatest at half the time: (v tan a)^2 / (2 g) = 2.632 m
     // upwards, cos 45 of it off the slope.
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.gravity = 19.0;
     s.ground_velocity = false;
     const Descent descent = run_down_45(s, 3 * 64, tick);
@@ -95,7 +95,7 @@ TEST(StairWalk, along_a_wall_makes_the_tangential_share_in_every_tick) {
     for (const bool on : {false, true}) {
         for (const int rate : {30, 60, 120, 240}) {
             for (const double degrees : {10.0, 30.0, 45.0, 70.0}) {
-                MovementSettings s;
+                MovementSettings s = basic_settings();
                 s.step_up = s.snap_down = on;
                 Lab lab;
                 lab.floor();
@@ -130,7 +130,7 @@ Lab stairs_beside_a_wall() {
 
 // Three seconds at 4 m/s from beside the wall, 2 m before the stairs.
 Along walk_up(bool on, int rate, double degrees) {
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.walk_speed = 4.0;
     s.step_up = s.snap_down = on;
     const Lab lab = stairs_beside_a_wall();

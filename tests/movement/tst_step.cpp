@@ -75,7 +75,7 @@ std::uint64_t walk_randomly(Lab& lab, const MovementSettings& s, int steps, doub
 TEST(NeverInside, over_random_walks_in_a_hostile_room) {
     Lab lab;
     build_hostile(lab);
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.radii = Vec3(0.25, 0.5, 0.25);
     walk_randomly(lab, s, 20000, 30.0, 1);
     s.static_friction = false;
@@ -91,7 +91,7 @@ TEST(NeverInside, on_every_surface_type) {
     for (const SurfaceId surface : {ice, ladder, sticky, bouncy, conveyor, turntable}) {
         Lab lab;
         build_hostile(lab, surface);
-        MovementSettings s;
+        MovementSettings s = basic_settings();
         s.radii = Vec3(0.25, 0.5, 0.25);
         walk_randomly(lab, s, 4000, 20.0, 10 + surface);
         if (HasFailure()) FAIL() << "surface " << int{surface};
@@ -102,7 +102,7 @@ TEST(NeverInside, one_huge_step_does_not_tunnel) {
     Lab lab;
     lab.wall({2, -50}, {2, 50}, -50, 50);
     lab.ready();
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.gravity = 0.0;
     const PlayerState state = step(lab.scene(), s, at({0, 0, 0}, {1e6, 0, 0}), {}, 0.25).state;
     EXPECT_NEAR(state.position.x(), 2 - 0.4 - s.skin, 1e-6);
@@ -114,7 +114,7 @@ TEST(Energy, never_grows_without_input) {
         for (int variant = 0; variant < 8; ++variant) {
             Lab lab;
             build_hostile(lab, surface);
-            MovementSettings s;
+            MovementSettings s = basic_settings();
             s.radii = Vec3(0.25, 0.5, 0.25);
             s.static_friction = (variant & 1) == 0;
             s.keep_energy = (variant & 2) == 0;
@@ -151,7 +151,7 @@ TEST(Energy, never_grows_without_input) {
 TEST(Determinism, the_same_arguments_give_the_same_bits) {
     Lab lab;
     build_hostile(lab);
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.radii = Vec3(0.25, 0.5, 0.25);
     const std::uint64_t first = walk_randomly(lab, s, 5000, 30.0, 7);
     EXPECT_EQ(walk_randomly(lab, s, 5000, 30.0, 7), first);
@@ -163,7 +163,7 @@ TEST(Determinism, the_same_arguments_give_the_same_bits) {
 TEST(Determinism, a_trace_changes_nothing) {
     Lab lab;
     build_hostile(lab);
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     PlayerState quiet = at({0, 2, 3});
     PlayerState told = quiet;
     TraceRecorder trace;
@@ -183,7 +183,7 @@ TEST(BadInput, leaves_the_state_unchanged) {
     Lab lab;
     lab.floor();
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     const PlayerState start = at({0, 3, 0}, {1, 0, 0});
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double inf = std::numeric_limits<double>::infinity();
@@ -196,7 +196,7 @@ TEST(BadInput, leaves_the_state_unchanged) {
         PlayerState odd = start;
         odd.velocity.y() = bad;
         EXPECT_EQ(step(lab.scene(), s, odd, {}, tick).state.position, start.position);
-        MovementSettings broken;
+        MovementSettings broken = basic_settings();
         broken.gravity = bad;
         EXPECT_TRUE(step(lab.scene(), broken, start, {}, tick).state == start);
         broken = {};
@@ -205,7 +205,7 @@ TEST(BadInput, leaves_the_state_unchanged) {
         const SlideResult slid = slide_move(lab.scene(), s, start.position, {bad, 0, 0});
         EXPECT_EQ(slid.position, start.position);
     }
-    MovementSettings broken;
+    MovementSettings broken = basic_settings();
     broken.radii.y() = 0.0;
     EXPECT_TRUE(step(lab.scene(), broken, start, {}, tick).state == start);
     // Finite but absurd numbers end finite.

@@ -32,7 +32,7 @@ PlayerState on_ladder(const Lab& lab, const MovementSettings& s) {
 TEST(Ladder, is_climbed_at_its_speed_without_gravity) {
     Lab lab;
     build_ladder(lab);
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     PlayerState state = on_ladder(lab, s);
     ASSERT_TRUE(state.climbing);
     EXPECT_FALSE(state.grounded);
@@ -57,7 +57,7 @@ TEST(Ladder, is_climbed_at_its_speed_without_gravity) {
 TEST(Ladder, is_left_at_the_floor) {
     Lab lab;
     build_ladder(lab);
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     PlayerState state = run(lab, s, on_ladder(lab, s), wish(1, 0), 10);
     ASSERT_TRUE(state.climbing);
     state = run(lab, s, state, wish(-1, 0), 60);
@@ -69,7 +69,7 @@ TEST(Ladder, is_left_at_the_floor) {
 TEST(Ladder, is_left_at_the_top_by_walking_onto_it) {
     Lab lab;
     build_ladder(lab);
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     PlayerState state = on_ladder(lab, s);
     // 4 m of wall and 0.9 m of player at 3 m/s, then a walk of 3 m: 4 s are ample.
     for (int i = 0; i < 240 && state.position.x() < 5.0; ++i) {
@@ -85,7 +85,7 @@ TEST(Ladder, is_left_at_the_top_by_walking_onto_it) {
 TEST(Ladder, is_left_by_a_jump_off_along_the_normal) {
     Lab lab;
     build_ladder(lab);
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     PlayerState state = run(lab, s, on_ladder(lab, s), wish(1, 0), 30);
     const double x = state.position.x();
     state = step(lab.scene(), s, state, wish(0, 0, true), tick).state;
@@ -100,7 +100,7 @@ TEST(Ladder, that_ends_below_a_wall_holds_at_its_end) {
     lab.wall({2, -5}, {2, 5}, 0.0, 3.0, ladder);
     lab.wall({2, -5}, {2, 5}, 3.0, 9.0);
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     PlayerState state = run(lab, s, on_ladder(lab, s), wish(1, 0), 120);
     EXPECT_TRUE(state.climbing);
     EXPECT_NEAR(state.position.y(), 3.0, 0.06);
@@ -111,7 +111,7 @@ TEST(Ladder, that_ends_below_a_wall_holds_at_its_end) {
 TEST(Ladder, is_a_wall_without_surface_types) {
     Lab lab;
     build_ladder(lab);
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.surface_types = false;
     EXPECT_FALSE(on_ladder(lab, s).climbing);
 }
@@ -119,7 +119,7 @@ TEST(Ladder, is_a_wall_without_surface_types) {
 TEST(Ladder, is_passed_by_who_walks_along_it) {
     Lab lab;
     build_ladder(lab);
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     PlayerState state = run(lab, s, at({1.5, 0.95, -4}), {}, 30);
     // 11 degrees into the wall is no wish to climb.
     for (int i = 0; i < 90; ++i) {
@@ -142,7 +142,7 @@ TEST(Sticky, walls_and_ceilings_hold_until_a_jump) {
             lab.wall({2, -9}, {2, 9}, -5, 9, sticky);
         }
         lab.ready();
-        const MovementSettings s;
+        const MovementSettings s = basic_settings();
         PlayerState state = at({1, 1, 0}, overhead ? Vec3(0, 12, 0) : Vec3(10, 0, 0));
         for (int i = 0; i < 30 && !state.stuck; ++i)
             state = step(lab.scene(), s, state, {}, tick).state;
@@ -166,7 +166,7 @@ TEST(Sticky, does_not_act_without_surface_types) {
     Lab lab;
     lab.floor(0, sticky);
     lab.ready();
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     EXPECT_TRUE(run(lab, s, at({0, 1, 0}), {}, 60).stuck);
     s.surface_types = false;
     EXPECT_FALSE(run(lab, s, at({0, 1, 0}), {}, 60).stuck);
@@ -182,7 +182,7 @@ TEST(Bouncy, drop_heights_fall_by_the_square_of_the_restitution) {
             lab.surfaces[bouncy].restitution = e;
             lab.floor(0, bouncy);
             lab.ready();
-            const MovementSettings s;
+            const MovementSettings s = basic_settings();
             const double dt = 1.0 / rate;
             const double rest = 0.9 + s.skin;
             PlayerState state = at({0, rest + 4.0, 0});
@@ -212,7 +212,7 @@ TEST(Bouncy, without_surface_types_it_stops) {
     Lab lab;
     lab.floor(0, bouncy);
     lab.ready();
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.surface_types = false;
     PlayerState state = at({0, 3, 0});
     for (int i = 0; i < 60; ++i) {
@@ -226,7 +226,7 @@ TEST(Bouncy, comes_to_rest_and_can_be_walked_on) {
     Lab lab;
     lab.floor(0, bouncy);
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     PlayerState state = run(lab, s, at({0, 2, 0}), {}, 600);
     EXPECT_TRUE(state.grounded);
     for (int i = 0; i < 60; ++i) {
@@ -241,10 +241,68 @@ TEST(Bouncy, walls_reflect_and_scale_the_parallel_part_by_friction) {
     lab.surfaces[bouncy].friction = 0.25;
     lab.wall({2, -90}, {2, 90}, -50, 50, bouncy);
     lab.ready();
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.gravity = 0.0;
     const PlayerState state = run(lab, s, at({0, 0, 0}, {8, 0, 4}), {}, 30);
     EXPECT_LT((state.velocity - Vec3(-4, 0, 1)).norm(), 1e-9);
+}
+
+TEST(Ladder, a_jump_remembered_from_before_it_is_traced_once) {
+    Lab lab;
+    build_ladder(lab);
+    MovementSettings s = basic_settings();
+    s.jump_buffer = true;
+    PlayerState state = on_ladder(lab, s);
+    ASSERT_TRUE(state.climbing);
+    state.jump_buffer_s = 0.05;
+    state.jump_held = true;
+    TraceRecorder trace;
+    step(lab.scene(), s, state, wish(0, 0, true), tick, &trace);
+    int told = 0;
+    for (const TraceRecord& record : trace.records) {
+        const auto* decision = std::get_if<DecisionRecord>(&record);
+        if (decision != nullptr && std::string_view(decision_info(decision->kind).hack) == "jump_buffer")
+            ++told;
+    }
+    EXPECT_EQ(told, 1);
+}
+
+TEST(Conveyor, that_pushes_into_a_wall_is_no_reason_to_step_up) {
+    Lab lab;
+    lab.surfaces[conveyor].velocity = Vec3(2, 0, 0);
+    lab.floor(0, conveyor);
+    lab.wall({2, -9}, {2, 9});
+    lab.ready();
+    MovementSettings s = basic_settings();
+    s.step_up = true;
+    const PlayerState pressed = run(lab, s, at({0, 0.95, 0}), {}, 90);
+    TraceRecorder trace;
+    step(lab.scene(), s, pressed, wish(-1, 0), tick, &trace);
+    EXPECT_FALSE(has_decision(trace, "step_up", false, ""));
+    EXPECT_FALSE(has_decision(trace, "step_up", true, ""));
+}
+
+TEST(Platforms, switched_off_give_no_velocity_to_a_jump) {
+    Lab lab;
+    lab.floor(-20);
+    lab.ready();
+    Lab raft;
+    raft.floor(0, plain, 3);
+    raft.ready();
+    const std::vector<MovingPart> parts{
+        {.collision = &raft.world(), .begin = {}, .end = {}, .velocity = Vec3(3, 0, 0)}};
+    MovementScene scene = lab.scene();
+    scene.platforms = parts;
+    for (const bool on : {true, false}) {
+        MovementSettings s = basic_settings();
+        s.platforms = on;
+        PlayerState state = at({0, 0.95, 0});
+        for (int i = 0; i < 20; ++i)
+            state = step(scene, s, state, {}, tick).state;
+        ASSERT_EQ(state.ground_platform, 0u);
+        state = step(scene, s, state, wish(0, 0, true), tick).state;
+        EXPECT_NEAR(state.velocity.x(), on ? 3.0 : 0.0, 1e-9);
+    }
 }
 
 // --- moving surfaces
@@ -255,7 +313,7 @@ TEST(Conveyor, carries_and_gives_its_velocity_on_leave) {
     lab.surfaces[conveyor].velocity = Vec3(0, 0, -2);
     lab.floor(0, conveyor);
     lab.ready();
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     PlayerState state = run(lab, s, at({0, 0.95, 0}), {}, 30);
     const Vec3 from = state.position;
     state = run(lab, s, state, {}, 60);
@@ -272,7 +330,7 @@ TEST(Conveyor, does_not_carry_through_a_wall) {
     lab.floor(0, conveyor);
     lab.wall({-20, -3}, {20, -3});
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     const PlayerState state = run(lab, s, at({0, 0.95, 0}), {}, 300);
     EXPECT_NEAR(state.position.z(), -3 + 0.4 + s.skin, 1e-6);
     EXPECT_TRUE(state.grounded);
@@ -284,7 +342,7 @@ TEST(Turntable, carries_on_the_circle) {
     lab.surfaces[turntable].spin_centre = Vec3(1, 0, 2);
     lab.floor(0, turntable);
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     PlayerState state = at({10, 0.9 + s.skin, 2});
     state.grounded = true;
     state.ground_face = 0;
@@ -308,7 +366,7 @@ TEST(Hazard, is_reported_while_touched) {
     lab.polygon({{-5, 0, -5}, {-5, 0, 5}, {0, 0, 5}, {0, 0, -5}});
     lab.polygon({{0, 0, -5}, {0, 0, 5}, {5, 0, 5}, {5, 0, -5}}, hazard);
     lab.ready();
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     EXPECT_FALSE(run(lab, s, at({-3, 1, 0}), {}, 30).hazard);
     EXPECT_TRUE(run(lab, s, at({3, 1, 0}), {}, 30).hazard);
     EXPECT_FALSE(run(lab, s, at({3, 5, 0}), {}, 1).hazard);
@@ -322,7 +380,7 @@ TEST(Solid, what_is_not_is_passed) {
     lab.floor(-10);
     lab.floor(0, hazard);
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     EXPECT_NEAR(run(lab, s, at({0, 3, 0}), {}, 180).position.y(), -10 + 0.9 + s.skin, 1e-6);
 }
 
@@ -332,7 +390,7 @@ TEST(OneSided, lets_through_from_behind_only) {
     lab.surfaces[bouncy].one_sided = true;
     lab.floor(0, bouncy);  // winding normal up
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     ASSERT_GT(lab.world().triangle_normal(0).y(), 0.0);
     const PlayerState up = run(lab, s, at({0, -2, 0}, {0, 15, 0}), {}, 30);
     EXPECT_GT(up.position.y(), 1.0) << "up through it";
@@ -344,7 +402,7 @@ TEST(Surfaces, an_unknown_id_is_plain_ground) {
     Lab lab;
     lab.floor(0, SurfaceId{200});
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     EXPECT_TRUE(run(lab, s, at({0, 1, 0}), {}, 60).grounded);
     const MovementScene empty{.collision = lab.world(), .surfaces = {}};
     EXPECT_TRUE(std::isfinite(step(empty, s, at({0, 1, 0}), {}, tick).state.position.y()));

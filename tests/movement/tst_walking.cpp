@@ -7,7 +7,7 @@ TEST(Falling, follows_the_parabola_at_every_rate) {
     Lab lab;
     lab.floor(-1000.0);
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     for (const int rate : {30, 60, 120, 240, 360}) {
         // Half a second of g = 20 from rest: 20/2 * 0.25 = 2.5 m, 10 m/s.
         const PlayerState end = run(lab, s, at({0, 10, 0}), {}, rate / 2, 1.0 / rate);
@@ -22,7 +22,7 @@ TEST(Falling, stops_at_terminal_speed) {
     Lab lab;
     lab.floor(-1000.0);
     lab.ready();
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.terminal_speed = 7.0;
     EXPECT_DOUBLE_EQ(run(lab, s, at({0, 10, 0}), {}, 60).velocity.y(), -7.0);
 }
@@ -31,7 +31,7 @@ TEST(Falling, lands_a_skin_above_the_floor) {
     Lab lab;
     lab.floor();
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     const PlayerState end = run(lab, s, at({0, 3, 0}), {}, 60);
     EXPECT_TRUE(end.grounded);
     EXPECT_NEAR(end.position.y(), 0.9 + s.skin, 1e-9);
@@ -43,7 +43,7 @@ TEST(Jumping, reaches_v_squared_over_2g_at_every_rate) {
     Lab lab;
     lab.floor();
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     for (const int rate : {30, 60, 120, 240, 360}) {
         const double dt = 1.0 / rate;
         PlayerState state = run(lab, s, at({0, 0.95, 0}), {}, rate, dt);
@@ -68,7 +68,7 @@ TEST(Jumping, is_cut_by_a_ceiling) {
     lab.floor();
     lab.floor(2.5);
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     PlayerState state = run(lab, s, at({0, 0.95, 0}), {}, 30);
     double top = 0.0;
     for (int i = 0; i < 60; ++i) {
@@ -83,7 +83,7 @@ TEST(Walking, reaches_walk_speed_and_stops) {
     Lab lab;
     lab.floor();
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     PlayerState state = run(lab, s, at({0, 0.95, 0}), {}, 30);
     const double start = state.position.x();
     // 60 m/s2 reaches 6 m/s after 6 ticks: 6*6/(2*60) = 0.3 m, then 0.9 s at 6 m/s = 5.4 m.
@@ -109,7 +109,7 @@ TEST(Walls, sliding_keeps_the_parallel_speed) {
         const Vec2 along(std::cos(a), std::sin(a));
         lab.wall(-40.0 * along, 40.0 * along);
         lab.ready();
-        MovementSettings s;
+        MovementSettings s = basic_settings();
         // So that the stick restores the speed within one tick, whatever the wall takes.
         s.ground_acceleration = 1000.0;
         const Vec3 off(-std::sin(a), 0.0, std::cos(a));  // the side from which +X pushes into the wall
@@ -130,7 +130,7 @@ TEST(Walls, a_slide_move_has_the_length_of_the_projection) {
     Lab lab;
     lab.wall({-40, 0}, {40, 0});
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     // 1 m at 30 degrees into a wall at distance 0.402 (radius and skin): all of it slides, cos 30 m along the
     // wall.
     const Vec3 from(0, 2, 0.402);
@@ -147,7 +147,7 @@ TEST(Corners, ninety_degrees_hold_without_jitter) {
     lab.wall({2, -20}, {2, 20});
     lab.wall({-20, 2}, {20, 2});
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     PlayerState state = run(lab, s, at({0, 0.95, 0}), wish(0.8, 0.6), 120);
     const Vec3 corner(2 - 0.4 - s.skin, 0.9 + s.skin, 2 - 0.4 - s.skin);
     EXPECT_LT((state.position - corner).norm(), 1e-6);
@@ -168,7 +168,7 @@ TEST(Corners, wedges_of_all_angles_hold_without_jitter_and_without_overlap) {
         lab.wall({0, 0}, {40 * std::cos(half), 40 * std::sin(half)});
         lab.wall({0, 0}, {40 * std::cos(half), -40 * std::sin(half)});
         lab.ready();
-        const MovementSettings s;
+        const MovementSettings s = basic_settings();
         const double apex = (0.4 + s.skin) / std::sin(half);  // where both walls are a skin off
         PlayerState state = at({apex + 2.0, 0.95, 0.0});
         for (int i = 0; i < 300; ++i) {
@@ -194,7 +194,7 @@ TEST(Corners, a_third_plane_stops_the_move) {
     for (std::size_t k = 0; k < 3; ++k)
         lab.polygon({{0, 0, 0}, rims[k], rims[(k + 1) % 3]});
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     TraceRecorder trace;
     const SlideResult result = slide_move(lab.scene(), s, {0.1, 3, 0.05}, {0.05, -3, 0.02}, &trace);
     std::vector<Rule> rules;
@@ -219,7 +219,7 @@ TEST(Corners, a_crease_is_followed) {
     lab.polygon({-z, z, 50 * left + z, 50 * left - z});
     lab.polygon({-z, z, 50 * right + z, 50 * right - z});
     lab.ready();
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     s.max_slides = 4;
     TraceRecorder trace;
     const double y = (s.radii.cwiseProduct(Vec3(std::sin(a), std::cos(a), 0)).norm() + s.skin) / std::cos(a);
@@ -238,7 +238,7 @@ TEST(Slides, max_slides_bounds_the_contacts) {
     Lab lab;
     lab.half_pipe(64, 3.0, plain);
     lab.ready();
-    MovementSettings s;
+    MovementSettings s = basic_settings();
     for (const int slides : {1, 2, 3, 8}) {
         s.max_slides = slides;
         const SlideResult result = slide_move(lab.scene(), s, {0, 2, 0}, {6, -3, 0});
@@ -256,7 +256,7 @@ TEST(Ditch, two_steep_faces_ground_a_wedged_player) {
     lab.polygon(
         {-z, z, Vec3(50 * std::cos(a), 50 * std::sin(a), 50), Vec3(50 * std::cos(a), 50 * std::sin(a), -50)});
     lab.ready();
-    const MovementSettings s;
+    const MovementSettings s = basic_settings();
     PlayerState state = run(lab, s, at({0.1, 4, 0}), {}, 180);
     EXPECT_TRUE(state.grounded);
     const double y = state.position.y();

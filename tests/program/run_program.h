@@ -18,9 +18,10 @@ struct ProgramRun {
 };
 
 // `arguments` as a shell would read them.
-inline ProgramRun run_program(const std::string& arguments, int timeout_s = 60) {
+inline ProgramRun run_program(const std::string& arguments, int timeout_s = 60,
+                              const std::string& program = SLIPFACE_PROGRAM) {
     const std::string command =
-        "timeout " + std::to_string(timeout_s) + " " SLIPFACE_PROGRAM " " + arguments + " 2>&1 </dev/null";
+        "timeout " + std::to_string(timeout_s) + " " + program + " " + arguments + " 2>&1 </dev/null";
     ProgramRun run;
     FILE* pipe = popen(command.c_str(), "r");
     if (pipe == nullptr) return run;

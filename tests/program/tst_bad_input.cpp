@@ -144,5 +144,50 @@ TEST(Usage, UnknownVerbsAndOptionsExitWith64) {
     EXPECT_EQ(run_program("--help").exit_code, 0);
 }
 
+struct OddLevel {
+    const char* name;
+    std::string obj;
+    bool implausible;  // `info` says that no player fits in
+};
+
+// Levels that are geometry, and nothing that anybody could walk in: every verb ends with a word, and what is
+// wrong with the size is said.
+TEST(OddLevels, EveryVerbEndsWithAWord) {
+    const OddLevel levels[] = {
+        {"one", "v 0 0 0\nv 0 0 5\nv 5 0 0\nf 1 2 3\n", false},
+        {"degenerate", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n", false},
+        {"ten_km", "v -5000 0 -5000\nv -5000 0 5000\nv 5000 0 5000\nv 5000 0 -5000\nf 1 2 3 4\n", true},
+        {"one_mm", "v 0 0 0\nv 0 0 0.001\nv 0.001 0 0.001\nv 0.001 0 0\nf 1 2 3 4\n", true},
+        {"vertical", "v 0 0 0\nv 0 5 0\nv 5 5 0\nv 5 0 0\nf 1 2 3 4\nf 4 3 2 1\n", false},
+        {"upside_down", "v -9 0 -9\nv 9 0 -9\nv 9 0 9\nv -9 0 9\nf 1 2 3 4\n", false}};
+    for (const OddLevel& level : levels) {
+        const ScratchFolder folder;
+        const std::string path = folder.write(std::string(level.name) + ".obj", level.obj);
+        const ProgramRun info = run_program("info " + path);
+        EXPECT_EQ(info.exit_code, 0) << level.name << info.output;
+        EXPECT_EQ(info.output.find("for a player") != std::string::npos, level.implausible)
+            << level.name << info.output;
+        const std::string tape =
+            folder.write("run.tape", "slipface-tape 1\nlevel x.obj\ndt 1/60\n60 wish 0,-1\n");
+        for (const std::string& verb : {"audit " + path + " --walkers 2 --seconds 1", "doctor " + path,
+                                        "simulate " + path + " --tape " + tape}) {
+            const ProgramRun run = run_program(verb);
+            EXPECT_LE(run.exit_code, 2) << verb << run.output;
+            EXPECT_FALSE(run.output.empty()) << verb;
+        }
+    }
+}
+
+TEST(OddLevels, AScaleThatIsNoneIsRefusedAndNothingIsWritten) {
+    const ScratchFolder folder;
+    const std::string path = folder.write("level.obj", square + "f 1 2 3 4\n");
+    for (const char* scale : {"0", "-1", "nan", "inf", "1e9", "big"}) {
+        const ProgramRun run = run_program("import " + path + " --scale " + scale);
+        EXPECT_TRUE(run.exit_code == 2 || run.exit_code == 64) << run.output;
+        EXPECT_NE(run.output.find("range"), std::string::npos) << run.output;
+        EXPECT_FALSE(std::filesystem::exists(folder / "level.slipface.json")) << scale;
+    }
+}
+
 }  // namespace
 }  // namespace slipface::test

@@ -96,6 +96,27 @@ TEST_F(SnapshotVerb, ShardsComeTogether) {
     EXPECT_EQ(snapshot("approve --prune a").exit_code, 0);
     EXPECT_FALSE(fs::exists(folder_ / "goldens/old.png"));
     EXPECT_EQ(snapshot("check --shard 3/2").exit_code, 2);
+    EXPECT_EQ(snapshot("check --shard 0/2").exit_code, 2);
+
+    // A part that is missing, there twice, damaged, or of another choice of snapshots.
+    const std::string first = (folder_ / "part1/report.json").string(),
+                      second = (folder_ / "part2/report.json").string();
+    const auto merge = [&](const std::string& files) {
+        return run_program("snapshot merge --out " + (folder_ / "all").string() + " " + files);
+    };
+    EXPECT_EQ(merge(first + " " + second).exit_code, 1);  // the orphan
+    const ProgramRun half = merge(second);
+    EXPECT_EQ(half.exit_code, 2);
+    EXPECT_NE(half.output.find("1 of 2 parts missing: 1/2"), std::string::npos) << half.output;
+    EXPECT_EQ(merge(first + " " + first).exit_code, 2);
+    const std::string other = (folder_ / "other").string();
+    EXPECT_EQ(snapshot("check --jobs 1 --only 'b@*' --shard 2/2 --out " + other).exit_code, 0);
+    EXPECT_EQ(merge(first + " " + other + "/report.json").exit_code, 2);
+    std::ifstream file(second);
+    std::string text((std::istreambuf_iterator<char>(file)), {});
+    text.replace(text.find("\"same\""), 6, "\"lost\"");
+    folder_.write("part2/report.json", text);
+    EXPECT_EQ(merge(first + " " + second).exit_code, 2);
 }
 
 TEST_F(SnapshotVerb, EveryFailureHasItsCode) {

@@ -65,6 +65,15 @@ TEST(Simulate, TheSameTapeGivesTheSameHashes) {
 }
 
 // Two metres below the spawn point, which is the origin. Walkers leave it, which is no finding.
+// What a run printed less the warnings on standard error.
+std::string without_warnings(const std::string& output) {
+    std::istringstream lines(output);
+    std::string kept;
+    for (std::string line; std::getline(lines, line);)
+        if (!line.starts_with("slipface: warning:")) kept += line + "\n";
+    return kept;
+}
+
 const std::string low_floor_obj = "v -10 -2 10\nv 10 -2 10\nv 10 -2 -10\nv -10 -2 -10\nf 1 2 3 4\n";
 
 TEST(Audit, IsTheSameForAnyNumberOfThreads) {
@@ -74,7 +83,7 @@ TEST(Audit, IsTheSameForAnyNumberOfThreads) {
     const ProgramRun one = run_program(arguments + "1"), two = run_program(arguments + "2");
     ASSERT_EQ(one.exit_code, 0) << one.output;
     EXPECT_EQ(one.output, two.output);
-    const auto json = nlohmann::json::parse(one.output);
+    const auto json = nlohmann::json::parse(without_warnings(one.output));
     EXPECT_EQ(json.at("steps"), 6 * 3 * 60);
     EXPECT_EQ(json.at("seed"), 7);
 }
@@ -85,11 +94,35 @@ TEST(Audit, ItsPartsMakeTheWhole) {
     const std::string arguments = "audit " + level + " --walkers 6 --seconds 2 --json";
     const std::string first = (folder / "first.json").string(), second = (folder / "second.json").string();
     const ProgramRun whole = run_program(arguments);
-    ASSERT_EQ(run_program(arguments + " --shard 0/2 --out " + first).exit_code, 0);
-    ASSERT_EQ(run_program(arguments + " --shard 1/2 --out " + second).exit_code, 0);
+    ASSERT_EQ(run_program(arguments + " --shard 1/2 --out " + first).exit_code, 0);
+    ASSERT_EQ(run_program(arguments + " --shard 2/2 --out " + second).exit_code, 0);
     const ProgramRun merged = run_program("audit merge " + first + " " + second + " --json");
     ASSERT_EQ(merged.exit_code, 0) << merged.output;
-    EXPECT_EQ(merged.output, whole.output);
+    EXPECT_EQ(merged.output, without_warnings(whole.output));
+    const ProgramRun half = run_program("audit merge " + second);
+    EXPECT_EQ(half.exit_code, 2);
+    EXPECT_NE(half.output.find("1 of 2 parts missing: 1/2"), std::string::npos) << half.output;
+    folder.write("second.json", "{\"slipface_audit\": 3");
+    EXPECT_EQ(run_program("audit merge " + first + " " + second).exit_code, 2);
+}
+
+TEST(Audit, WalksWithAPreset) {
+    const ScratchFolder folder;
+    const std::string arguments =
+        "audit " + folder.write("floor.obj", low_floor_obj) + " --walkers 2 --seconds 2 --json";
+    const ProgramRun plain = run_program(arguments), momentum = run_program(arguments + " --preset momentum");
+    ASSERT_EQ(momentum.exit_code, 0) << momentum.output;
+    EXPECT_NE(plain.output, momentum.output);
+    EXPECT_EQ(run_program(arguments + " --preset nothing").exit_code, 2);
+}
+
+TEST(Demo, MakesTheFolderThatItWritesInto) {
+    const ScratchFolder folder;
+    const std::string out = (folder / "new/below").string();
+    EXPECT_EQ(run_program("demo static-friction --out " + out).exit_code, 0);
+    EXPECT_TRUE(std::filesystem::exists(out));
+    folder.write("file", "x");
+    EXPECT_EQ(run_program("demo static-friction --out " + (folder / "file").string()).exit_code, 2);
 }
 
 TEST(Audit, RefusesWhatItCannotDo) {
@@ -101,7 +134,8 @@ TEST(Audit, RefusesWhatItCannotDo) {
     EXPECT_EQ(code(" --walkers -1"), 64);
     EXPECT_EQ(code(" --speeds fast"), 64);
     EXPECT_EQ(code(" --dt 0/0"), 64);
-    EXPECT_EQ(code(" --shard 2/2"), 64);
+    EXPECT_EQ(code(" --shard 3/2"), 64);
+    EXPECT_EQ(code(" --shard 0/2"), 64);
     EXPECT_EQ(code(" --set nothing=1"), 2);
     EXPECT_EQ(code(" --walkers 1 --seconds 0.1 --tapes " + level + "/below"), 2);
     EXPECT_EQ(run_program("audit " + level + ".missing").exit_code, 2);
@@ -112,6 +146,27 @@ TEST(Output, ThatCannotBeWrittenIsAFailure) {
     const std::string level = folder.write("floor.obj", low_floor_obj);
     EXPECT_EQ(run_program("info " + level + " > /dev/full").exit_code, 2);
     EXPECT_EQ(run_program("audit " + level + " --walkers 1 --seconds 0.1 --json > /dev/full").exit_code, 2);
+}
+
+TEST(Samples, AreThoseOfTheSourceTree) {
+    const ProgramRun run = run_program("samples");
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_EQ(run.output.find(SLIPFACE_SOURCE_DIR "/assets/levels/easy.obj\n"), 0u) << run.output;
+}
+
+// An installed program finds what was installed with it, wherever its prefix is; one that lies alone says so.
+TEST(Samples, AreThoseBesideTheProgram) {
+    const ScratchFolder folder;
+    std::filesystem::create_directories(folder / "bin");
+    std::filesystem::copy_file(SLIPFACE_PROGRAM, folder / "bin/slipface");
+    const std::string program = (folder / "bin/slipface").string();
+    EXPECT_EQ(run_program("samples", 60, program).exit_code, 2);
+
+    std::filesystem::create_directories(folder / "share/slipface/levels");
+    const std::string level = folder.write("share/slipface/levels/one.obj", low_floor_obj);
+    const ProgramRun run = run_program("samples", 60, program);
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_EQ(run.output, level + "\n");
 }
 
 }  // namespace

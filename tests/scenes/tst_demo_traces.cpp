@@ -22,9 +22,9 @@ struct DemoRun {
         for (std::size_t tick = 0; tick < run.samples().size(); ++tick) {
             for (const TraceRecord& record : run.trace(scene, tick).records) {
                 const auto* decision = std::get_if<DecisionRecord>(&record);
-                if (decision != nullptr && decision->hack == hack && !decision->acted &&
-                    std::string_view(decision->outcome).starts_with("switched off"))
-                    return true;
+                if (decision == nullptr) continue;
+                const DecisionInfo& info = decision_info(decision->kind);
+                if (info.hack == hack && info.outcome == Outcome::switched_off) return true;
             }
         }
         return false;

@@ -24,15 +24,13 @@ void expect_nobody_inside(const Level& level, const AuditOptions& options) {
     ASSERT_TRUE(report.ok()) << report.error().text();
     EXPECT_EQ(report->steps, 9u * 600u);
     for (const AuditFinding& finding : report->findings) {
-        const auto kind = static_cast<std::size_t>(finding.kind);
         // Who is stuck breaks no promise.
         EXPECT_EQ(finding.kind, FindingKind::stuck)
-            << finding_names[kind] << " of walker " << finding.walker << ", life " << finding.life
-            << ", tick " << finding.tick << " at " << finding.position.transpose() << ", face "
-            << finding.face;
+            << finding.text << ", tick " << finding.tick << " at " << finding.position.transpose();
     }
-    EXPECT_EQ(report->counts[static_cast<std::size_t>(FindingKind::escape)], 0u);
-    EXPECT_EQ(report->counts[static_cast<std::size_t>(FindingKind::overlap)], 0u);
+    EXPECT_EQ(report->count(FindingKind::passed_through), 0u);
+    EXPECT_EQ(report->count(FindingKind::left_level), 0u);
+    EXPECT_EQ(report->count(FindingKind::overlap), 0u);
 }
 
 class WalkersInLevel : public testing::TestWithParam<const char*> {};

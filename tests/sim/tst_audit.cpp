@@ -75,20 +75,46 @@ TEST(Audit, ShardsMergedAreTheWhole) {
     AuditOptions options = short_audit();
     options.heat = true;
     const std::string whole = audit_to_json(run_audit(box_level(), options).value());
-    std::vector<AuditReport> parts;
-    for (const std::uint32_t index : {2u, 0u, 1u}) {
-        options.shard = {index, 3};
+    std::vector<AuditPart> parts;
+    for (const std::uint32_t number : {3u, 1u, 2u}) {
+        options.shard = {number, 3};
         const std::string part = audit_to_json(run_audit(box_level(), options).value());
         EXPECT_NE(part, whole);
-        parts.push_back(audit_from_json(part, "part").value());
+        const std::string file = "part" + std::to_string(number);
+        parts.push_back({file, audit_from_json(part, file).value()});
     }
     EXPECT_EQ(audit_to_json(merge_audits(parts).value()), whole);
 
-    parts.push_back(parts.back());
-    EXPECT_FALSE(merge_audits(parts).ok()) << "a part that comes twice";
-    parts = {parts[0], parts[1]};
-    parts[1].seed = 99;
-    EXPECT_FALSE(merge_audits(parts).ok()) << "parts of different audits";
+    const auto error = [](const std::vector<AuditPart>& of) { return merge_audits(of).error().text(); };
+    auto twice = parts;
+    twice[1].report.shard.number = 3;
+    EXPECT_THAT(error(twice), testing::AllOf(testing::HasSubstr("part1"), testing::HasSubstr("part3")));
+    EXPECT_THAT(error({parts[0], parts[2]}), testing::HasSubstr("1 of 3 parts missing: 1/3"));
+    EXPECT_THAT(error({parts[1]}), testing::HasSubstr("2 of 3 parts missing: 2/3, 3/3"));
+    EXPECT_FALSE(merge_audits({}).ok());
+    // Of another level, seed, settings, types or program: said with the file and what differs.
+    const auto mixed = [&](auto change) {
+        auto changed = parts;
+        change(changed[1].report);
+        return error(changed);
+    };
+    using testing::AllOf, testing::HasSubstr;
+    EXPECT_THAT(mixed([](AuditReport& r) { r.seed = 99; }), AllOf(HasSubstr("part1"), HasSubstr("seed")));
+    EXPECT_THAT(mixed([](AuditReport& r) { ++r.level_fingerprint; }), HasSubstr("geometry"));
+    EXPECT_THAT(mixed([](AuditReport& r) { ++r.scene_fingerprint; }), HasSubstr("surface types"));
+    EXPECT_THAT(mixed([](AuditReport& r) { ++r.settings_hash; }), HasSubstr("settings"));
+    EXPECT_THAT(mixed([](AuditReport& r) { r.program = "0.0.1"; }), HasSubstr("program"));
+    EXPECT_THAT(mixed([](AuditReport& r) { r.shard.count = 4; }), HasSubstr("is part"));
+}
+
+TEST(Audit, PaintSpawnAndPlatformsMakeAnotherAudit) {
+    Level level = box_level();
+    const std::uint64_t plain = run_audit(level, short_audit()).value().scene_fingerprint;
+    level.overrides[wall] = SurfaceId{1};
+    EXPECT_NE(run_audit(level, short_audit()).value().scene_fingerprint, plain);
+    level = box_level();
+    level.spawn.x() = 0.5;
+    EXPECT_NE(run_audit(level, short_audit()).value().scene_fingerprint, plain);
 }
 
 // A wall that only stops from outside: rays see it, so the level counts as closed, but walkers get through.
@@ -119,10 +145,14 @@ TEST(Audit, WalkersThatLeaveAClosedLevelAreFoundAndTheirTapesShowIt) {
     outward.mesh = turned;
     const AuditReport report = run_audit(outward, options).value();
     EXPECT_TRUE(report.closed);
-    ASSERT_GT(report.counts[static_cast<std::size_t>(FindingKind::escape)], 0u);
+    ASSERT_GT(report.counts[static_cast<std::size_t>(FindingKind::left_level)], 0u);
+    EXPECT_EQ(report.count(FindingKind::passed_through), 0u) << "one-sided faces let pass from behind";
     EXPECT_FALSE(report.clean());
 
     const AuditFinding& finding = report.findings.front();
+    EXPECT_THAT(finding.text, testing::HasSubstr("left the level"));
+    // It says where: just outside the box, not where it was given up.
+    EXPECT_LT((finding.position.cwiseAbs() - Vec3(4, 4, 4)).maxCoeff(), 0.4);
     const Tape tape = audit_tape(outward, options, finding);
     EXPECT_EQ(tape.tick_count(), finding.tick);
     MovementSettings settings = outward.movement;
@@ -151,6 +181,9 @@ TEST(Audit, AWalkerWhoIsAskedToMoveAndDoesNotIsStuck) {
     const AuditReport report = run_audit(level, options).value();
     EXPECT_EQ(report.counts[static_cast<std::size_t>(FindingKind::stuck)], 7u);
     EXPECT_EQ(report.findings.front().kind, FindingKind::stuck);
+    EXPECT_THAT(report.findings.front().text,
+                testing::MatchesRegex("Walker 0 got stuck after 0.. s against face 0"));
+    EXPECT_EQ(report.findings.front().face, 0u);
 }
 
 TEST(Audit, HeatCountsEveryTickOnTheFloor) {
@@ -158,9 +191,14 @@ TEST(Audit, HeatCountsEveryTickOnTheFloor) {
     options.heat = true;
     const AuditReport report = run_audit(box_level(), options).value();
     ASSERT_EQ(report.heat.size(), 6u);
-    EXPECT_GT(report.heat[0].visited, report.steps / 4);
-    EXPECT_EQ(report.heat[1].visited, 0u) << "nobody stands on the ceiling";
-    EXPECT_GT(report.heat[wall].lost_mm_s, 0u);
+    EXPECT_GT(report.heat[0].stood, report.steps / 4);
+    EXPECT_EQ(report.heat[1].stood, 0u) << "nobody stands on the ceiling";
+    // A floor that carries costs nothing; a wall costs what it takes from the stick, never more than the
+    // time.
+    EXPECT_EQ(report.heat[0].lost_us, 0u);
+    EXPECT_GT(report.heat[wall].visits, 0u);
+    EXPECT_GT(report.heat[wall].lost_us, 0u);
+    EXPECT_LE(report.heat[wall].lost_us, 28'000'000u) << "7 walkers of 4 s";
 }
 
 TEST(Audit, CancelEndsEarlyAndSaysSo) {
@@ -226,7 +264,7 @@ TEST(Audit, WalkersWalkAmongMovingPlatformsAsTapesDo) {
         const Level level = moving_level(spin_rate);
         AuditOptions options = short_audit();
         for (std::uint32_t number = 0; number < options.walkers; ++number) {
-            options.shard = {number, options.walkers};  // this one alone
+            options.shard = {number + 1, options.walkers};  // this one alone
             const AuditReport report = run_audit(level, options).value();
             ASSERT_EQ(report.lives, 1u);
             const Tape whole = audit_tape(level, options, {.walker = number, .tick = report.steps});
@@ -252,10 +290,11 @@ TEST(Audit, ThreadsAndShardsDoNotMatterAmongMovingPlatforms) {
         const ThreadLimit one(1);
         EXPECT_EQ(audit_to_json(run_audit(level, options).value()), whole);
     }
-    std::vector<AuditReport> parts;
-    for (const std::uint32_t index : {1u, 0u, 2u}) {
-        options.shard = {index, 3};
-        parts.push_back(audit_from_json(audit_to_json(run_audit(level, options).value()), "part").value());
+    std::vector<AuditPart> parts;
+    for (const std::uint32_t number : {2u, 1u, 3u}) {
+        options.shard = {number, 3};
+        parts.push_back(
+            {"part", audit_from_json(audit_to_json(run_audit(level, options).value()), "part").value()});
     }
     EXPECT_EQ(audit_to_json(merge_audits(parts).value()), whole);
 }
@@ -283,13 +322,14 @@ TEST(Audit, AFindingOnALiftIsRepeatedByItsTape) {
 
 TEST(Audit, ABoardThatDoesNotPushPassesThroughWalkersAndIsFound) {
     Level level = moving_level();
+    level.movement = basic_settings();  // push-out would put them beside it
     AuditOptions options = short_audit();
     options.duration_s = 20.0;
     options.speeds = {6.0};
     EXPECT_TRUE(run_audit(level, options).value().clean());
     level.movement.platforms = false;
     const AuditReport report = run_audit(level, options).value();
-    EXPECT_GT(report.counts[static_cast<std::size_t>(FindingKind::escape)], 0u);
+    EXPECT_GT(report.counts[static_cast<std::size_t>(FindingKind::passed_through)], 0u);
     EXPECT_GT(report.counts[static_cast<std::size_t>(FindingKind::overlap)], 0u);
     for (const AuditFinding& finding : report.findings)
         EXPECT_EQ(replay(level, audit_tape(level, options, finding)).end_hash, finding.hash);
@@ -361,7 +401,7 @@ TEST(Audit, RefusesWhatCannotBeRun) {
     options.walkers = 0;
     EXPECT_FALSE(run_audit(box_level(), options).ok());
     options = short_audit();
-    options.shard = {3, 3};
+    options.shard = {4, 3};
     EXPECT_FALSE(run_audit(box_level(), options).ok());
     options = short_audit();
     options.dt = 0.0;
@@ -369,7 +409,16 @@ TEST(Audit, RefusesWhatCannotBeRun) {
     options = short_audit();
     options.speeds = {-1.0};
     EXPECT_FALSE(run_audit(box_level(), options).ok());
+    options = short_audit();
+    options.shard = {0, 3};
+    EXPECT_FALSE(run_audit(box_level(), options).ok());
     Level level = box_level();
+    level.overrides[0] = find_surface(level, "hazard").value();
+    const auto deadly = run_audit(level, short_audit());
+    ASSERT_FALSE(deadly.ok()) << "it would only count deaths";
+    EXPECT_THAT(deadly.error().text(), testing::HasSubstr("dies after 0."));
+    EXPECT_THAT(deadly.error().text(), testing::HasSubstr("face 0"));
+    level = box_level();
     level.spawn = {0.0, 0.1, 0.0};
     const auto inside = run_audit(level, short_audit());
     ASSERT_FALSE(inside.ok());
@@ -381,8 +430,12 @@ TEST(Audit, ReportsThatAreNoneAreRefusedWithTheirPlace) {
     EXPECT_THAT(error("nonsense"), testing::HasSubstr("r.json"));
     EXPECT_THAT(error("{\"slipface_audit\": 9}"), testing::HasSubstr("version 9"));
     std::string text = audit_to_json(run_audit(box_level(), short_audit()).value());
-    text.replace(text.find("\"seed\": 1"), 9, "\"seed\": -1");
-    EXPECT_THAT(error(text), testing::HasSubstr("r.json:/seed"));
+    const std::string whole = text;
+    text.replace(text.find("\"seed\": 1"), 9, "\"seed\": 2");
+    EXPECT_THAT(error(text), testing::HasSubstr("damaged"));
+    for (std::size_t length = 1; length < whole.size() - 2; length += 37)
+        EXPECT_FALSE(audit_from_json(whole.substr(0, length), "r.json").ok()) << length;
+    EXPECT_TRUE(audit_from_json(whole, "r.json").ok());
 }
 
 }  // namespace

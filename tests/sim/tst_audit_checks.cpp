@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "audit_checks.h"
+#include "audit_run.h"
 
 namespace slipface::test {
 namespace {
@@ -25,7 +26,7 @@ struct Wall {
     }
 
     std::vector<SurfaceType> surfaces = preset_surface_types();
-    MovementSettings settings;
+    MovementSettings settings = basic_settings();
     CollisionWorld world;
 };
 
@@ -78,9 +79,82 @@ TEST(AuditChecks, AFaceThatDoesNotBlockIsNoWall) {
     Wall wall;
     wall.world.set_face_surface(1, 2);
     wall.world.set_surface_rule(2, {.solid = true, .one_sided = true});
-    EXPECT_FALSE(passed_through(wall.scene(), {}, wall.settings, Wall::standing_at(0.5, 0.0), {}, 1.0 / 60,
-                                Vec3(1.5, 0.902, 0.0)));
+    const auto passed = [&](double from, double to) {
+        return passed_through(wall.scene(), {}, wall.settings, Wall::standing_at(from, 0.0), {}, 1.0 / 60,
+                              Vec3(to, 0.902, 0.0));
+    };
+    ASSERT_LT(wall.world.triangle_normal(2).x(), 0.0);
+    EXPECT_TRUE(passed(0.5, 1.5)) << "against its front";
+    EXPECT_FALSE(passed(1.5, 0.5)) << "from behind";
     EXPECT_FALSE(overlaps_deeply(wall.scene(), wall.settings, Vec3(0.9, 1.5, 0.0)));
+}
+
+// From the front a one-sided wall is a wall, and behind one from behind there may be one that holds.
+TEST(AuditChecks, AOneSidedFaceHidesNoSolidOne) {
+    const auto walls = [](std::initializer_list<std::pair<float, bool>> planes) {
+        std::vector<Vec3f> positions;
+        std::vector<std::array<std::uint32_t, 3>> triangles;
+        std::vector<FaceId> faces;
+        FaceId face = 0;
+        for (const auto& [x, one_sided] : planes) {
+            const auto first = static_cast<std::uint32_t>(positions.size());
+            for (const auto& [y, z] : {std::pair(0.0F, -9.0F), {0.0F, 9.0F}, {9.0F, 0.0F}})
+                positions.emplace_back(x, y, z);
+            triangles.push_back({first, first + 1, first + 2});
+            faces.push_back(face++);
+        }
+        CollisionWorld world = std::move(CollisionWorld::build({positions, triangles, faces}).value());
+        world.set_surface_rule(1, {.solid = true, .one_sided = true});
+        face = 0;
+        for (const auto& plane : planes)
+            world.set_face_surface(face++, plane.second ? 1 : 0);
+        return world;
+    };
+    const std::vector<SurfaceType> surfaces = preset_surface_types();
+    const MovementSettings settings;
+    const auto passed = [&](const CollisionWorld& world, double from, double to) {
+        return passed_through({world, surfaces}, {}, settings, Wall::standing_at(from, 0.0), {}, 1.0 / 60,
+                              Vec3(to, 0.902, 0.0));
+    };
+    // All fronts look towards -x.
+    const CollisionWorld hidden = walls({{1.0F, true}, {1.2F, false}, {1.4F, true}});
+    ASSERT_LT(hidden.triangle_normal(0).x(), 0.0);
+    const auto backwards = passed(hidden, 1.6, 0.5);
+    ASSERT_TRUE(backwards);
+    EXPECT_EQ(backwards->face, 1u);
+    EXPECT_FALSE(passed(walls({{1.0F, true}, {1.4F, true}}), 1.6, 0.5)) << "from behind";
+    EXPECT_TRUE(passed(walls({{1.0F, true}}), 0.5, 1.6)) << "from the front";
+    // In one plane, in any order.
+    EXPECT_TRUE(passed(walls({{1.0F, true}, {1.0F, false}}), 1.6, 0.5));
+    EXPECT_TRUE(passed(walls({{1.0F, false}, {1.0F, true}}), 1.6, 0.5));
+}
+
+// Pressing against a wall for 2 s and then turning away is no trap, whenever the turn comes.
+TEST(AuditChecks, AWalkerThatTurnsAwayIsNotStuck) {
+    const Wall wall;
+    const Vec3 at_wall(1.0 - wall.settings.radii.x() - wall.settings.skin, 0.902, 0.0);
+    for (const double dt : {1.0 / 30, 1.0 / 60, 1.0 / 240}) {
+        const auto second = static_cast<int>(std::lround(1.0 / dt));
+        for (int turn = second; turn < 4 * second; turn += second / 15) {
+            StuckWatch watch(dt);
+            watch.begin(at_wall);
+            for (int tick = 0; tick < turn; ++tick)
+                ASSERT_FALSE(watch.tick(wall.scene(), wall.settings, at_wall, false, {.wish = {1.0, 0.0}}));
+            // The tick in which it turns, and one in which it is gone.
+            EXPECT_FALSE(watch.tick(wall.scene(), wall.settings, at_wall, false, {.wish = {-1.0, 0.0}}));
+            EXPECT_FALSE(watch.tick(wall.scene(), wall.settings, at_wall - Vec3(0.05, 0, 0), false,
+                                    {.wish = {-1.0, 0.0}}));
+        }
+        // One that stays though nothing is in its way is stuck, a quarter of a second later.
+        StuckWatch watch(dt);
+        watch.begin(at_wall);
+        std::optional<double> stuck;
+        for (int tick = 0; tick < 3 * second && !stuck; ++tick)
+            stuck = watch.tick(wall.scene(), wall.settings, at_wall, false,
+                               {.wish = {tick < 2 * second ? 1.0 : -1.0, 0.0}});
+        ASSERT_TRUE(stuck);
+        EXPECT_NEAR(*stuck, 2.25, 2.5 * dt);
+    }
 }
 
 TEST(AuditChecks, OverlapsCountOnlyBeyondTheSkin) {

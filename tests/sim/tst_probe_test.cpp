@@ -10,7 +10,7 @@ namespace {
 using testing::HasSubstr;
 
 ProbeTest onto_the_floor(const Stripes& stripes) {
-    MovementSettings settings;
+    MovementSettings settings = basic_settings();
     settings.keep_energy = false;
     return make_probe_test(stripes.scene(), settings, Vec3(0, 2, 12), Vec3(1, -3, 0.5));
 }

@@ -9,7 +9,7 @@ namespace {
 constexpr double tick = 1.0 / 60.0;
 
 TEST(Reach, AHeldJumpIsAsHighAndAsFarAsTheClosedForm) {
-    MovementSettings settings;
+    MovementSettings settings = basic_settings();
     settings.jump_speed = 8.0;
     settings.gravity = 20.0;
     settings.walk_speed = 6.0;
@@ -35,7 +35,7 @@ TEST(Reach, ALedgeOfTheArcsHeightIsReachedAtItsTop) {
 }
 
 TEST(Reach, NoJumpReachesNothing) {
-    MovementSettings settings;
+    MovementSettings settings = basic_settings();
     settings.jump_speed = 0.0;
     const Reach reach = measure_reach(settings, tick);
     EXPECT_LT(reach.running.height_m, 0.01);

@@ -114,7 +114,7 @@ TEST(TapeRuns, AHackThatIsSwitchedOffNeverActs) {
     const Stripes stripes;
     const auto tape = long_tape();
     for (const char* name : {"static_friction", "ground_velocity", "straight_ahead", "keep_energy"}) {
-        MovementSettings settings;
+        MovementSettings settings = basic_settings();
         ASSERT_TRUE(set_setting(settings, std::string(name) + "=off").ok());
         TapeRun run = TapeRun::under(tape, settings, start);
         run.advance(stripes.scene(), 400);

@@ -2,8 +2,11 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <random>
 
 #include "sim/stripes.h"
+#include "slipface/mesh/build.h"
+#include "slipface/sim/run.h"
 
 namespace slipface::test {
 namespace {
@@ -175,6 +178,44 @@ TEST(Simulate, WhoFallsFarBelowTheLevelIsPutBack) {
     EXPECT_GT(report.distance, 60.0);
 }
 
+// Off the edge again and again: each fall ends at the limit, is counted, and repeats to the bit.
+TEST(Simulate, TheLevelsFallLimitEndsFallsAndCountsThem) {
+    PolygonSoup soup;
+    soup.corner_position = {{-3, 0, -3}, {-3, 0, 3}, {3, 0, 3}, {3, 0, -3}};
+    soup.face_first_corner = {0, 4};
+    Level level;
+    level.mesh = build_mesh(std::move(soup)).value();
+    level.overrides.resize(1);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> height(-50.0, -1.0);
+    const auto tape = std::make_shared<const Tape>(tape_of({{900, {Vec2(0, 1), false}}}));
+    const Vec3 start(0, 1, 0);
+    for (int i = 0; i < 20; ++i) {
+        level.fall_limit = height(random);
+        Result<LevelScene> built = LevelScene::build(level);
+        ASSERT_TRUE(built.ok());
+        const TickScene scene(*built);
+        const SimulationReport report =
+            simulate(scene, level.movement, start, *tape, {.keep_states = true, .trace = nullptr});
+        EXPECT_GT(report.falls, 2u) << *level.fall_limit;
+        std::uint64_t fallen = 0;
+        for (const SimulationEvent& event : report.events)
+            if (event.kind == "fall") ++fallen;
+        EXPECT_EQ(report.falls, fallen);
+        for (const PlayerState& state : report.states)
+            EXPECT_GE(state.position.y(), *level.fall_limit);
+        TapeRun run(tape, level.movement, start);
+        run.advance(scene, 1000);
+        EXPECT_EQ(run.hash(), report.end_hash);
+        EXPECT_EQ(run.state_before(scene, 700), report.states[699]);
+    }
+    // A limit above the start would send the player back in every tick: then the usual one holds.
+    level.fall_limit = 100.0;
+    Result<LevelScene> built = LevelScene::build(level);
+    const TickScene scene(*built);
+    EXPECT_EQ(run_start(scene, start).lowest, -60.0);
+}
+
 TEST(Simulate, ASettingChangedOnTheWayCountsFromItsTickOn) {
     const Stripes stripes;
     Tape tape = tape_of({{40, {Vec2(1, 0), false}}});
@@ -246,7 +287,8 @@ TEST(StateHash, SeesPositionVelocityFlagsAndWhatWasBefore) {
         other.*flag = true;
         EXPECT_NE(hash, state_hash(other, 0));
     }
-    for (double PlayerState::*timer : {&PlayerState::coyote_s, &PlayerState::jump_buffer_s}) {
+    for (double PlayerState::*timer :
+         {&PlayerState::ground_rise, &PlayerState::coyote_s, &PlayerState::jump_buffer_s}) {
         other = state;
         other.*timer = 0.01;
         EXPECT_NE(hash, state_hash(other, 0));

@@ -20,7 +20,7 @@ void expect_equal(const Tape& a, const Tape& b) {
     EXPECT_EQ(a.settings, b.settings);
     EXPECT_EQ(a.start, b.start);
     EXPECT_EQ(a.surfaces_fingerprint, b.surfaces_fingerprint);
-    EXPECT_EQ(a.from_defaults, b.from_defaults);
+    EXPECT_EQ(a.from_basic, b.from_basic);
     EXPECT_EQ(a.changes, b.changes);
     EXPECT_EQ(a.end_hash, b.end_hash);
     ASSERT_EQ(a.segments.size(), b.segments.size());
@@ -74,7 +74,7 @@ TEST(Tape, ReadsEveryKindOfLine) {
     EXPECT_TRUE(tape.segments[2].input.jump);
     EXPECT_FALSE(tape.segments[3].input.jump);
     EXPECT_EQ(tape.surfaces_fingerprint, 0x0123456789abcdefu);
-    EXPECT_TRUE(tape.from_defaults);
+    EXPECT_TRUE(tape.from_basic);
     EXPECT_EQ(tape.changes, (std::vector<TapeChange>{{61, "gravity=12"}, {61, "walk_speed=5"}}));
     EXPECT_EQ(tape.end_hash, 0xfedcba9876543210u);
 }
@@ -163,7 +163,7 @@ constexpr BadTape bad_tapes[] = {
     {"TwoDts", "slipface-tape 1\ndt 1/60\n\ndt 1/60\n", "run.tape:4", "second time"},
     {"LateDt", "slipface-tape 1\n5\ndt 1/60\n", "run.tape:3", "before all ticks"},
     {"ShortSurfaces", "slipface-tape 1\nsurfaces 12\n", "run.tape:2", "16 hexadecimal"},
-    {"OtherBase", "slipface-tape 1\nsettings level\n", "run.tape:2", "settings defaults"},
+    {"OtherBase", "slipface-tape 1\nsettings level\n", "run.tape:2", "settings basic"},
     {"LateBase", "slipface-tape 1\nset gravity=5\nsettings defaults\n", "run.tape:3", "before all settings"},
     {"EarlyEnd", "slipface-tape 1\nend 0123456789abcdef\n", "run.tape:2", "after the last tick"},
     {"AfterTheEnd", "slipface-tape 1\n1\nend 0123456789abcdef\n1\n", "run.tape:4", "nothing after"},
@@ -222,23 +222,31 @@ TEST(Tape, AFileIsReadAndNamedInErrors) {
 TEST(TapeSettings, AreAppliedInOrder) {
     Tape tape;
     tape.settings = {"gravity=10", "static_friction=off", "gravity=12"};
-    MovementSettings settings;
+    MovementSettings settings = basic_settings();
     ASSERT_TRUE(apply_tape_settings(settings, tape, "run.tape").ok());
     EXPECT_EQ(settings.gravity, 12.0);
     EXPECT_FALSE(settings.static_friction);
 }
 
-TEST(TapeSettings, BeginWithTheDefaultsIfTheTapeSaysSo) {
+TEST(TapeSettings, BeginWithTheBasicOnesIfTheTapeSaysSo) {
     Tape tape;
     tape.settings = {"gravity=10"};
-    MovementSettings settings;
+    MovementSettings settings = basic_settings();
     settings.walk_speed = 1.0;
     ASSERT_TRUE(apply_tape_settings(settings, tape, "run.tape").ok());
     EXPECT_EQ(settings.walk_speed, 1.0);
-    tape.from_defaults = true;
+    tape.from_basic = true;
     ASSERT_TRUE(apply_tape_settings(settings, tape, "run.tape").ok());
-    EXPECT_EQ(settings.walk_speed, MovementSettings{}.walk_speed);
+    EXPECT_EQ(settings.walk_speed, basic_settings().walk_speed);
     EXPECT_EQ(settings.gravity, 10.0);
+    // Tapes that say "defaults" were written when these were the defaults.
+    for (const char* word : {"defaults", "basic"}) {
+        settings = MovementSettings{};
+        const Tape read = parsed(std::string("slipface-tape 1\nsettings ") + word + "\n1\n");
+        ASSERT_TRUE(apply_tape_settings(settings, read, "run.tape").ok());
+        EXPECT_EQ(settings, basic_settings());
+        EXPECT_THAT(tape_to_text(read), HasSubstr("settings basic\n"));
+    }
 }
 
 TEST(TapeSettings, DifferencesTurnOneIntoTheOther) {
@@ -255,12 +263,12 @@ TEST(TapeSettings, DifferencesTurnOneIntoTheOther) {
 TEST(TapeSettings, ABadOneChangesNothing) {
     Tape tape;
     tape.settings = {"gravity=10", "gravity=-1"};
-    MovementSettings settings;
+    MovementSettings settings = basic_settings();
     const Status status = apply_tape_settings(settings, tape, "run.tape");
     ASSERT_FALSE(status.ok());
     EXPECT_EQ(status.error().place, "run.tape");
     EXPECT_THAT(status.error().message, HasSubstr("gravity=-1"));
-    EXPECT_EQ(settings, MovementSettings{});
+    EXPECT_EQ(settings, basic_settings());
 }
 
 }  // namespace

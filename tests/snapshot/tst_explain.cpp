@@ -228,6 +228,8 @@ TEST(Report, SurvivesJsonAndShards) {
     const fs::path folder = fs::path(testing::TempDir()) / ("slipface_report_" + std::to_string(::getpid()));
     Report first, second;
     first.goldens = second.goldens = "screenshots";
+    first.shard = {1, 2};
+    second.shard = {2, 2};
     first.entries = {entry("a", GoldenState::same), entry("b/c", GoldenState::different),
                      entry("gone", GoldenState::orphan)};
     first.entries[1].comparison =

@@ -140,9 +140,12 @@ void sweep_ellipsoids(const CollisionWorld& world, std::span<const Sweep> sweeps
 // meets with t in [0, max_t]; of several at the same t the lowest triangle. A ray in a triangle's plane does
 // not meet it, nor does any ray meet a triangle without area: what stops it are their neighbours, or nothing.
 // docs/sweep.md, "Rays", says how thin a triangle may be. Nothing for an origin or direction that is not
-// finite, a direction of 0, and a max_t that is negative or NaN.
+// finite, a direction of 0, and a max_t that is negative or NaN. `stops`: whether one-sided triangles stop it
+// from behind, too.
+enum class RayStops : std::uint8_t { solid, as_movement };
 std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
-                               double max_t = std::numeric_limits<double>::infinity());
+                               double max_t = std::numeric_limits<double>::infinity(),
+                               RayStops stops = RayStops::solid);
 
 // The solid triangle nearest to `point` within `max_distance` (metres, that distance included), or nothing;
 // of several at the same squared distance the lowest. Nothing for a point that is not finite, and a

@@ -12,10 +12,12 @@ struct ImportedRules {
 };
 
 // Rules from a file, by its ending:
-//   .shader  Quake 3 shaders: `surfaceparm slick` is ice, `ladder` is ladder, `nonsolid` is nonsolid, `lava`
-//            and `slime` are hazard. Each shader gives a rule for its whole name and one for the last part.
+//   .shader  Quake 3 shaders: `surfaceparm slick` is ice, `ladder` is ladder, `nonsolid`, `water` and `fog`
+//            are nonsolid, `lava` and `slime` are hazard. Each shader gives a rule for its whole name and one
+//            for the last part.
 //   .bsp     Quake 3 maps: the same by the flags of each texture (SURF_SLICK 0x2, SURF_LADDER 0x8,
-//            SURF_NONSOLID 0x4000, CONTENTS_LAVA 8, CONTENTS_SLIME 16).
+//            SURF_NONSOLID 0x4000 unless the texture is solid or playerclip, CONTENTS_LAVA 8, CONTENTS_SLIME
+//            16, CONTENTS_WATER 32, CONTENTS_FOG 64).
 //   .json    another level file: its rules, and the types that they name.
 //   .txt     lines "PATTERN TYPE"; '#' begins a comment.
 // The last rule that matches counts, as everywhere. Errors name file and line or place.

@@ -35,6 +35,15 @@ struct CameraBookmark {
     friend bool operator==(const CameraBookmark&, const CameraBookmark&) = default;
 };
 
+// Where a player may begin.
+struct Spawn {
+    Vec3 position = Vec3::Zero();  // centre of the player
+    double yaw = 0.0;              // radians, 0 looks along -Z, counter-clockwise seen from above
+    std::string name = "start";
+    friend bool operator==(const Spawn&, const Spawn&) = default;
+};
+inline constexpr std::size_t max_spawns = 10'000;  // of a level
+
 // Where a face lies, for finding it again after the file was changed by another tool. Never an index.
 // Centroid and area have the digits of a float and the normal four decimals, so that a key survives a file
 // unchanged.
@@ -98,7 +107,8 @@ struct Level {
     std::filesystem::path mesh_path;  // the OBJ
     std::filesystem::path file_path;  // NAME.slipface.json beside it, whether it exists or not
     MeshPtr mesh;
-    ImportTransform import_transform;  // how the mesh was made of the file's coordinates
+    ImportTransform import_transform;  // what the user says of the file's coordinates
+    ImportSummary import_summary;      // how the mesh was made of them; not stored
     FileStamp mesh_stamp;              // of mesh_path when it was read
 
     std::vector<SurfaceType> surfaces = preset_surface_types();
@@ -108,8 +118,15 @@ struct Level {
     // Where the work on the level stands: for editors alone, a face collides whether hidden or not.
     std::vector<FaceId> hidden;  // ascending; neither drawn nor picked
     std::vector<SavedSelection> selections;
+    // The main spawn, where a player begins unless another is asked for, and the others. find_start() says
+    // where a player really begins, because a spawn may lie inside a wall.
     Vec3 spawn = Vec3::Zero();  // centre of the player
-    double spawn_yaw = 0.0;     // radians, 0 looks along -Z, counter-clockwise seen from above
+    double spawn_yaw = 0.0;     // radians, as Spawn::yaw
+    std::string spawn_name = "start";
+    bool spawn_is_set = true;  // false: nobody has chosen one; then there are no others either
+    std::vector<Spawn> more_spawns;
+    // Height below which a player has fallen out of the level, metres. Nothing: 60 m below its lowest point.
+    std::optional<double> fall_limit;
     std::vector<CameraBookmark> cameras;
     MovementSettings movement;
     std::vector<Platform> platforms;
@@ -129,6 +146,9 @@ ResolvedSurfaces resolve_surfaces(const Level& level);
 
 // Whether a face of `material` has what a rule, or an emitter of light, gives to `pattern`.
 bool material_matches(std::string_view pattern, std::string_view material);
+
+// A type for a name that a game's file uses: the preset of that name, else one that is not solid.
+SurfaceType found_surface_type(std::string_view name);
 
 std::optional<SurfaceId> find_surface(const Level& level, std::string_view name);
 

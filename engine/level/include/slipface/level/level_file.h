@@ -15,12 +15,17 @@ struct MatchSummary {
 
 struct LoadedLevel {
     Level level;
-    Warnings warnings;  // of the OBJ and of the level file
+    Warnings warnings;                     // of the OBJ and of the level file
+    std::vector<FoundSpawn> found_spawns;  // of the geometry's file, whatever the level file says
+    std::vector<FoundType> found_types;    // likewise
+    std::vector<FaceId> undrawn;           // likewise
     MatchSummary match;
-    double mesh_load_s = 0.0;  // duration of reading the geometry
+    std::vector<FaceId> guessed;  // faces that got their paint by plane or by nearest, ascending
+    double mesh_load_s = 0.0;     // duration of reading the geometry
 };
 
-// Opens `path`: an OBJ (its level file is read if there is one) or a level file (its "mesh" is read). The
+// Opens `path`: an OBJ (its level file is read if there is one) or a level file (its "mesh" is read). Without
+// a level file, the rules and hidden faces are what the geometry's file says (Quake maps). The
 // level file's errors name the JSON path. Unknown keys are kept; unknown versions, wrong types and duplicate
 // keys are errors.
 // With `progress` another thread can watch and cancel; a cancelled load is an error.

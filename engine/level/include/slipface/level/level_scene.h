@@ -39,6 +39,9 @@ class LevelScene {
 
     void apply_surfaces();  // after types or faces of the level changed
 
+    // Level::fall_limit, in the scene's coordinates.
+    std::optional<double> fall_limit() const;
+
     // Nothing in the level depends on time: one MovementScene serves all ticks and threads.
     bool is_static() const;
     std::size_t platform_count() const;

@@ -4,8 +4,10 @@
 //     "slipface_preset": 1,
 //     "name": "Momentum",
 //     "about": "Speed is earned on slopes and kept.",
-//     "movement": {"radius_x": 0.4, ...one key a settings_table() row; what is missing has its default}
+//     "movement": {"radius_x": 0.4, ...one key a settings_table() row}
 //   }
+//
+// A setting that the file does not name has its value of basic_settings().
 #pragma once
 
 #include <filesystem>
@@ -31,13 +33,19 @@ std::string preset_to_json(const Preset& preset);
 Result<Preset> load_preset(const std::filesystem::path& path);
 Status save_preset(const std::filesystem::path& path, const Preset& preset);
 
-// The presets that ship with Slipface: lecture, precise-platformer, momentum, simulation. They are part of
-// the program; assets/presets holds the same ones as files.
+// The presets that ship with Slipface: platformer, lecture, precise-platformer, momentum, simulation. They
+// are part of the program; assets/presets holds the same ones as files.
 struct ShippedPreset {
     const char* id;  // "precise-platformer"
     Preset preset;
 };
 const std::vector<ShippedPreset>& shipped_presets();
+// What settings are, as a preset and what differs from it.
+struct PresetMatch {
+    const ShippedPreset* preset = nullptr;    // the one that differs least, the first of equals; never null
+    std::vector<const SettingInfo*> changed;  // rows of settings_table() that differ from it
+};
+PresetMatch nearest_preset(const MovementSettings& settings);
 // `name` is the id of a shipped preset, or the path of a file.
 Result<Preset> find_preset(const std::string& name);
 

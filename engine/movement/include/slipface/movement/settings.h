@@ -5,6 +5,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "slipface/base/result.h"
@@ -15,6 +17,10 @@ namespace slipface {
 enum class PushOut : int { off, iterative, analytic };
 inline constexpr std::array<const char*, 3> push_out_names{"off", "iterative", "analytic"};
 
+enum class StepForm : int { when_blocked, every_move };
+inline constexpr std::array<const char*, 2> step_form_names{"when_blocked", "every_move"};
+
+// The defaults are what players of 3D platformers expect: the preset "platformer".
 struct MovementSettings {
     Vec3 radii{0.4, 0.9, 0.4};
 
@@ -34,25 +40,27 @@ struct MovementSettings {
     bool ground_velocity = true;
     double ground_speed = 1.0;  // the small downward speed while grounded
     bool straight_ahead = true;
+    bool constant_slope_speed = false;  // walk_speed is the speed along the slope, not across the map
     bool keep_energy = true;
     double keep_energy_limit = -0.5;  // N.V / |V| must be above this
     bool surface_types = true;        // ladders, sticky, bouncy, conveyors act at all
     bool bounce = true;
     bool stick = true;
-    PushOut push_out = PushOut::off;
+    PushOut push_out = PushOut::analytic;
     bool nudge = false;
     double nudge_distance = 0.1;
-    bool step_up = false;
-    double step_height = 0.35;
-    bool snap_down = false;
-    double snap_distance = 0.35;
-    bool seam_filter = false;
+    bool step_up = true;
+    StepForm step_form = StepForm::when_blocked;
+    double step_height = 0.4;
+    bool snap_down = true;
+    double snap_distance = 0.4;
+    bool seam_filter = true;
     bool heightfield = true;
     bool platforms = true;
     bool sectors = true;
-    bool coyote = false;
+    bool coyote = true;
     double coyote_time = 0.1;
-    bool jump_buffer = false;
+    bool jump_buffer = true;
     double jump_buffer_time = 0.1;
     bool variable_jump = false;
     double jump_cut = 0.4;  // share of the upward speed kept when the button is let go
@@ -61,6 +69,24 @@ struct MovementSettings {
 
     friend bool operator==(const MovementSettings&, const MovementSettings&) = default;
 };
+
+// What files, tapes and presets mean by a setting that they do not name: the hacks of the lecture without
+// push-out, whatever the defaults above become. A setting that is added later has here the value that changes
+// nothing for them. Demos and tests that show one hack alone begin with it.
+MovementSettings basic_settings();
+
+// A member that is an enum whose values are 0, 1, ... in the order of `names`.
+struct ChoiceMember {
+    std::span<const char* const> names;  // as in --set, files and scripts
+    int (*get)(const MovementSettings&);
+    void (*set)(MovementSettings&, int);
+};
+template <auto Member>
+constexpr ChoiceMember choice(std::span<const char* const> names) {
+    using Enum = std::remove_cvref_t<decltype(std::declval<MovementSettings>().*Member)>;
+    return {names, [](const MovementSettings& s) { return static_cast<int>(s.*Member); },
+            [](MovementSettings& s, int value) { s.*Member = static_cast<Enum>(value); }};
+}
 
 // One row a setting. The editor's widgets and tooltips, --set, the level and tape files and docs/settings.md
 // are made from it.
@@ -74,14 +100,17 @@ struct SettingInfo {
     const char* too_small;  // what goes wrong; empty for switches
     const char* too_large;
     const char* switch_name;  // the switch that this parameter belongs to, or empty
-    std::variant<bool MovementSettings::*, int MovementSettings::*, double MovementSettings::*,
-                 PushOut MovementSettings::*, Vec3 MovementSettings::*>
+    std::variant<bool MovementSettings::*, int MovementSettings::*, double MovementSettings::*, ChoiceMember,
+                 Vec3 MovementSettings::*>
         member;
-    int axis = -1;  // for a Vec3 member: which component this row is
+    int axis = -1;          // for a Vec3 member: which component this row is
+    double smallest = 0.0;  // besides 0, which switches it off, nothing below this is allowed; 0: no such gap
 };
 
 std::span<const SettingInfo> settings_table();
 const SettingInfo* find_setting(std::string_view name);
+// The names to choose from; empty for a setting that is no choice.
+std::span<const char* const> choice_names(const SettingInfo& info);
 
 // Whether all numbers are.
 bool is_finite(const MovementSettings& settings);

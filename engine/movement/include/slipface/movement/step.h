@@ -28,8 +28,10 @@ struct PlayerState {
     FaceId ground_face = no_id;
     SurfaceId ground_surface = default_surface;
     std::uint32_t ground_platform = no_id;  // index into MovementScene::platforms; no_id: it does not move
-    double coyote_s = 0.0;                  // for how much longer a jump starts although the ground was left
-    double jump_buffer_s = 0.0;             // for how much longer a press of jump is remembered
+    double ground_rise = 0.0;  // of the point stood on above the ellipsoid's lowest point, m, 0 or more: what
+                               // the next step is measured from
+    double coyote_s = 0.0;     // for how much longer a jump starts although the ground was left
+    double jump_buffer_s = 0.0;  // for how much longer a press of jump is remembered
 
     friend bool operator==(const PlayerState&, const PlayerState&) = default;
 };
@@ -38,6 +40,12 @@ struct PlayerState {
 Vec3 position_in_scene(const MovementScene& scene, const PlayerState& state);
 // The same position as a state holds it: sector and what is left.
 void place_in_scene(const MovementScene& scene, const Vec3& position, PlayerState& state);
+
+// Velocity of the player's own motion, m/s: what a game shows as speed or feeds to animation. In the air, on
+// ladders and on sticky surfaces it is `velocity`. On the ground `velocity` also presses the player down;
+// this is its horizontal part with the rise or fall of the ground stood on, and zero for a player who stands
+// still.
+Vec3 motion_velocity(const PlayerState& state);
 
 struct StepResult {
     PlayerState state;

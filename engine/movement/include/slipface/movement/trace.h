@@ -3,11 +3,11 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <variant>
 #include <vector>
 
 #include "slipface/collision/contact.h"
+#include "slipface/movement/decision.h"
 
 namespace slipface {
 
@@ -28,6 +28,8 @@ struct SweepRecord {
     Vec3 move = Vec3::Zero();     // displacement asked for
     Vec3 reached = Vec3::Zero();  // centre after this sweep, skin included
     std::optional<Contact> contact = std::nullopt;
+    bool back = false;               // the contact is with the back of its triangle
+    std::uint32_t platform = no_id;  // of MovementScene::platforms, that the contact's face belongs to
 };
 
 // What a contact did to the leftover, and with it to the velocity.
@@ -42,14 +44,12 @@ struct ResponseRecord {
     FaceId face = no_id;
 };
 
-// A hack or rule that was considered. `value` against `limit` decided.
+// A hack or rule that was considered: what it made of the numbers, as a plain record. decision_info() has the
+// sentence.
 struct DecisionRecord {
-    const char* hack = "";  // the switch's name in settings_table()
-    bool acted = false;
-    const char* quantity = "";  // what `value` is: "N.V / |V|", "slope, deg"
-    double value = 0.0;
-    double limit = 0.0;
-    const char* outcome = "";  // "grounded", "refused: hits head-on"
+    Decision kind{};
+    double value = 0.0;  // in decision_info(kind).unit; 0 where the sentence has no value
+    double limit = 0.0;  // what decided, in the same unit; 0 where the sentence has no limit
     FaceId face = no_id;
 };
 
@@ -75,8 +75,5 @@ class TraceRecorder final : public TraceSink {
     void add(const TraceRecord& record) override;
     std::vector<TraceRecord> records;
 };
-
-// One record as a sentence, with the numbers that decided.
-std::string trace_text(const TraceRecord& record);
 
 }  // namespace slipface

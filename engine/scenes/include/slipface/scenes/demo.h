@@ -14,7 +14,7 @@ struct Demo {
     Level level;          // in memory, without files; level.movement is `on`
     MovementSettings on;  // differs from `off` in the shown switch only
     MovementSettings off;
-    Tape tape;              // starts at level.spawn
+    Tape tape;              // says where it starts: at level.spawn
     CameraBookmark camera;  // also the level's only one
 };
 

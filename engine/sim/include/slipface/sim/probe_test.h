@@ -23,7 +23,7 @@ struct ProbeTest {
     };
     std::string level_name;
     std::optional<std::uint64_t> level_fingerprint;
-    MovementSettings settings;
+    MovementSettings settings = basic_settings();
     Vec3 from = Vec3::Zero();
     Vec3 move = Vec3::Zero();
     double tolerance = 1e-6;

@@ -22,6 +22,8 @@ struct SimulationReport {
     std::uint64_t end_hash = 0;                // state hash after the last tick, what `end` of a tape names
     std::vector<std::uint64_t> second_hashes;  // state hash after each whole second, and after the last tick
     std::vector<SimulationEvent> events;
+    std::uint64_t falls = 0;          // times the player fell out of the level and began again
+    std::uint64_t hazards = 0;        // times a hazard sent the player back to the start
     std::vector<PlayerState> states;  // one a tick, if asked for
 };
 
@@ -30,8 +32,19 @@ struct SimulationOptions {
     TraceSink* trace = nullptr;
 };
 
-// One tick as tapes, playtest and lab make it: step(), and back to `spawn` for who touched a hazard or fell
-// far below the level.
+// Where a run begins, and begins again after a hazard or a fall.
+struct RunStart {
+    PlayerState player;
+    double lowest =
+        0.0;  // a player below this height has fallen out of the level; in the scene's coordinates
+};
+// `start` in the level's coordinates. The level's fall limit holds if the start is above it; else the player
+// may fall 60 m below the level and the start.
+RunStart run_start(const TickScene& scene, const Vec3& start);
+
+// One tick as tapes, playtest and lab make it: step(), and back to the start for a player who touched a
+// hazard or fell out of the level. Part of the run and not of step(), so a tape repeats it bit by bit without
+// naming it.
 enum class Respawn : std::uint8_t { none, hazard, fall };
 struct TickResult {
     PlayerState state;    // at `start` after a respawn
@@ -41,8 +54,7 @@ struct TickResult {
     bool end_is_free = false;  // as StepResult's, of `stepped`
 };
 TickResult play_tick(const MovementScene& scene, const MovementSettings& settings, const PlayerState& before,
-                     const PlayerInput& input, double dt, const PlayerState& spawn,
-                     TraceSink* trace = nullptr);
+                     const PlayerInput& input, double dt, const RunStart& start, TraceSink* trace = nullptr);
 
 // Tells what changed between two ticks, as events.
 class EventLog {

@@ -4,7 +4,8 @@
 //   level easy.obj 1f2e3d4c5b6a7988      (name, mesh fingerprint; optional)
 //   surfaces 8a7b6c5d4e3f2a1b            (of all else that is met, scene_fingerprint(); optional)
 //   dt 1/60
-//   settings defaults                    (optional: begin with the defaults, not with the level's settings)
+//   settings basic                       (optional: begin with basic_settings(), not with the level's;
+//                                         "settings defaults" is the same)
 //   set max_slope=0.7                    (any number of settings)
 //   start 0,1,0                          (optional; else the level's spawn)
 //   60 wish 0,-1                         (for 60 ticks: walk along -Z)
@@ -12,7 +13,7 @@
 //   1 wish 0,-1 jump
 //   end 0123456789abcdef                 (state_hash() after the last tick; optional)
 //
-// With `settings defaults`, `start` and `end` a tape is a whole bug report: where, under which settings, what
+// With `settings basic`, `start` and `end` a tape is a whole bug report: where, under which settings, what
 // was pressed, and what came of it.
 //   # comments and empty lines are ignored
 #pragma once
@@ -44,7 +45,7 @@ struct Tape {
     std::optional<std::uint64_t> surfaces_fingerprint;
     double dt = 1.0 / 60.0;
     std::string dt_text = "1/60";       // as written
-    bool from_defaults = false;         // `settings` begin with the defaults, else with the level's
+    bool from_basic = false;            // `settings` begin with basic_settings(), else with the level's
     std::vector<std::string> settings;  // "name=value", in order
     std::optional<Vec3> start;
     std::vector<TapeSegment> segments;

@@ -10,7 +10,10 @@ class TickScene {
     TickScene(const MovementScene& scene) : still_(scene) {}
     // `level` must outlive this; one thread at a time.
     TickScene(LevelScene& level)
-        : still_(level.at(0.0)), level_(level.is_static() ? nullptr : &level), offset_(level.offset()) {}
+        : still_(level.at(0.0)),
+          level_(level.is_static() ? nullptr : &level),
+          offset_(level.offset()),
+          fall_limit_(level.fall_limit()) {}
 
     // The tick from tick * dt to (tick + 1) * dt. Valid until the next call.
     MovementScene at(std::size_t tick, double dt) const {
@@ -26,11 +29,14 @@ class TickScene {
     }
     Vec3 to_level(const PlayerState& state) const { return position_in_scene(still_, state) - offset_; }
     const Vec3& offset() const { return offset_; }  // the scene's coordinates less the level's
+    std::optional<double> fall_limit() const { return fall_limit_; }  // in the scene's coordinates
+    Aabb bounds() const { return still_.collision.bounds(); }         // of what stands still
 
   private:
     MovementScene still_;
     LevelScene* level_ = nullptr;
     Vec3 offset_ = Vec3::Zero();
+    std::optional<double> fall_limit_;
 };
 
 }  // namespace slipface

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "slipface/base/shard.h"
 #include "slipface/snapshot/golden.h"
 
 namespace slipface {
@@ -15,6 +16,8 @@ namespace slipface {
 struct Report {
     std::string goldens;   // folder, as given on the command line
     std::string renderer;  // one line
+    Shard shard;           // the part of the suite that this report is
+    std::string suite;     // fingerprint of the names that were asked for and of the program; parts share it
     std::vector<GoldenResult> entries;
     double seconds = 0.0;
 
@@ -45,8 +48,12 @@ std::string approve_command(const Report& report, const std::filesystem::path& o
 // Writes report.json, report.html and junit.xml into `out`.
 Status write_report(const Report& report, const std::filesystem::path& out);
 
-// Puts reports of parts of one suite together in `out`, with their pictures. An entry that several reports
-// have is an error unless it is an orphan.
+// The suite's fingerprint: of all names that were asked for, of every part alike.
+std::string suite_fingerprint(const std::vector<std::string>& names);
+
+// Puts reports of all parts of one suite together in `out`, with their pictures. Parts of different suites,
+// parts that are missing or there twice, and damaged reports are errors that name them. An entry that several
+// reports have is an error unless it is an orphan.
 Result<Report> merge_reports(const std::vector<std::filesystem::path>& report_files,
                              const std::filesystem::path& out);
 

@@ -1,0 +1,24 @@
+// Manual pages and shell completion, made from the table of verbs that also reads the command line.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace slipface::cli {
+
+struct ManualPage {
+    std::string file;  // "slipface.1", "slipface-info.1"
+    std::string text;  // troff, for man(1)
+};
+
+// One page for the program and one for each verb that --help lists.
+std::vector<ManualPage> manual_pages(const CLI::App& app, const std::string& version);
+
+// A script for bash that completes verbs, their options, and file names.
+std::string bash_completion(const CLI::App& app);
+
+}  // namespace slipface::cli

@@ -1,0 +1,60 @@
+#include "cli/tape_on_level.h"
+
+#include <fmt/format.h>
+
+#include "cli/format.h"
+#include "slipface/level/find_start.h"
+#include "slipface/level/preset.h"
+
+namespace slipface::cli {
+
+Result<TapeOnLevel> load_tape_on_level(const TapeOptions& options) {
+    Result<Tape> tape = load_tape(options.tape);
+    if (!tape) return tape.error();
+    Result<LoadedLevel> loaded = load_level(options.level);
+    if (!loaded) return loaded.error();
+    MovementSettings settings = loaded->level.movement;
+    if (Status status = apply_tape_settings(settings, *tape, options.tape.string()); !status.ok())
+        return status.error();
+    if (options.preset) {
+        const Result<Preset> preset = find_preset(*options.preset);
+        if (!preset) return Error{"--preset", preset.error().text()};
+        settings = preset->settings;
+    }
+    for (const std::string& assignment : options.settings) {
+        if (Status status = set_setting(settings, assignment); !status.ok())
+            return Error{"--set " + assignment, status.error().message};
+    }
+    // The scene refers to the level, so the level goes to its last place before the scene is built.
+    auto place = std::make_unique<LoadedLevel>(std::move(*loaded));
+    Result<LevelScene> scene = LevelScene::build(place->level, settings);
+    if (!scene) return scene.error();
+    Warnings warnings = place->warnings;
+    const auto& recorded = tape->level_fingerprint;
+    if (recorded && *recorded != place->level.mesh->fingerprint) {
+        warnings.push_back({options.tape.string(),
+                            fmt::format("was recorded on geometry {}, found {}; the run may differ",
+                                        hash_text(*recorded), hash_text(place->level.mesh->fingerprint))});
+    }
+    const auto& surfaces = tape->surfaces_fingerprint;
+    if (surfaces && *surfaces != scene_fingerprint(scene->at(0.0))) {
+        warnings.push_back(
+            {options.tape.string(),
+             "was recorded with other surface types, or with other faces painted; the run may differ"});
+    }
+    Vec3 start = tape->start.value_or(Vec3::Zero());
+    if (!tape->start || !options.spawn.empty()) {
+        const Result<Start> found = find_start(place->level, *scene, settings, options.spawn);
+        if (!found) return Error{"--spawn", found.error().message};
+        start = found->position;
+        if (!found->note.empty()) warnings.push_back({place->level.mesh_path.string(), found->note});
+    }
+    return TapeOnLevel{.loaded = std::move(place),
+                       .tape = std::move(*tape),
+                       .settings = settings,
+                       .start = start,
+                       .scene = std::move(*scene),
+                       .warnings = std::move(warnings)};
+}
+
+}  // namespace slipface::cli

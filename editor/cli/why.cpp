@@ -1,0 +1,175 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "cli/format.h"
+#include "cli/guarded.h"
+#include "cli/tape_on_level.h"
+#include "cli/verbs.h"
+#include "slipface/level/preset.h"
+#include "slipface/sim/cures.h"
+#include "slipface/sim/summary.h"
+
+namespace slipface::cli {
+namespace {
+
+Result<TapeRun> complete_run(const TapeOnLevel& base, const TickScene& scene, const TapeOptions& options) {
+    if (base.tape.tick_count() > TapeRun::max_ticks)
+        return Error{options.tape.string(), fmt::format("found {} ticks, expected at most {}",
+                                                        base.tape.tick_count(), TapeRun::max_ticks)};
+    TapeRun run(std::make_shared<const Tape>(base.tape), base.settings, base.start);
+    run.advance(scene, TapeRun::max_ticks);
+    return run;
+}
+
+OutputJson cure_json(const Cure& cure) {
+    OutputJson json{{"text", cure.text},
+                    {"passes", cure.passes},
+                    {"gained_m", cure.gained_m},
+                    {"cost", cure.cost},
+                    {"settings", cure.settings}};
+    if (cure.face != no_id) {
+        json["face"] = cure.face;
+        json["type"] = cure.type.name;
+    }
+    return json;
+}
+
+OutputJson stop_json(const Stop& stop, const std::vector<Cure>& cures, double dt) {
+    OutputJson json{{"tick", stop.worst},
+                    {"first", stop.first},
+                    {"last", stop.last},
+                    {"time_s", static_cast<double>(stop.first) * dt},
+                    {"lost_s", stop.lost_s},
+                    {"lost_m", stop.lost_m},
+                    {"cause", stop_cause_name(stop.loss.cause)},
+                    {"headline", stop.headline}};
+    json["face"] = stop.loss.face == no_id ? OutputJson() : OutputJson(stop.loss.face);
+    json["place"] = vector_json(stop.loss.place);
+    json["cures"] = OutputJson::array();
+    for (const Cure& cure : cures)
+        json["cures"].push_back(cure_json(cure));
+    return json;
+}
+
+}  // namespace
+
+int run_why(const WhyOptions& options, std::ostream& out, std::ostream& err) {
+    Result<TapeOnLevel> base = load_tape_on_level(options.tape);
+    if (!base) return print_error(err, base.error()), exit_bad_input;
+    print_warnings(err, base->warnings);
+    const Level& level = base->loaded->level;
+    const TickScene scene(base->scene);
+    const Result<TapeRun> run = complete_run(*base, scene, options.tape);
+    if (!run) return print_error(err, run.error()), exit_bad_input;
+
+    const std::vector<Stop> stops = find_stops(scene, *run, level);
+    const Stop* headline = headline_stop(stops);
+    OutputJson json{{"headline", headline ? OutputJson(headline->headline) : OutputJson()},
+                    {"stops", OutputJson::array()}};
+    if (!options.json) {
+        out << (headline ? headline->headline : std::string("Nothing stopped the player")) << '\n';
+        if (headline) out << fmt::format("\nStops in this run ({})\n", stops.size());
+    }
+    for (const Stop& stop : stops) {
+        const std::vector<Cure> cures = find_cures(level, *run, stop);
+        if (options.json) {
+            json["stops"].push_back(stop_json(stop, cures, run->dt()));
+            continue;
+        }
+        out << stops_text(std::span(&stop, 1), run->dt());
+        for (const Cure& cure : cures)
+            out << (cure.passes ? "  + " : "    ") << cure_text(cure) << '\n';
+    }
+    if (options.json) print_json(out, json);
+    return exit_fine;
+}
+
+int run_compare(const CompareOptions& options, std::ostream& out, std::ostream& err) {
+    Result<TapeOnLevel> base = load_tape_on_level(options.tape);
+    if (!base) return print_error(err, base.error()), exit_bad_input;
+    print_warnings(err, base->warnings);
+    std::vector<NamedSettings> sets{{"this level", base->settings}};
+    if (options.presets.empty()) {
+        for (const ShippedPreset& shipped : shipped_presets())
+            sets.push_back({shipped.id, shipped.preset.settings});
+    }
+    for (const std::string& name : options.presets) {
+        const Result<Preset> preset = find_preset(name);
+        if (!preset) return print_error(err, {"--presets", preset.error().text()}), exit_bad_input;
+        sets.push_back({name, preset->settings});
+    }
+    if (base->tape.tick_count() > TapeRun::max_ticks)
+        return print_error(err, {options.tape.tape.string(),
+                                 fmt::format("found {} ticks, expected at most {}", base->tape.tick_count(),
+                                             TapeRun::max_ticks)}),
+               exit_bad_input;
+    const std::vector<SummaryRow> rows =
+        compare_settings(base->loaded->level, std::make_shared<const Tape>(base->tape), base->start, sets);
+    if (options.json) {
+        OutputJson json = OutputJson::array();
+        for (const SummaryRow& row : rows) {
+            const RunSummary& s = row.summary;
+            json.push_back({{"name", row.name},
+                            {"distance_m", s.distance_m},
+                            {"advanced_m", s.advanced_m},
+                            {"stops", s.stops},
+                            {"lost_s", s.lost_s},
+                            {"air_s", s.air_s},
+                            {"falls", s.falls},
+                            {"hazards", s.hazards},
+                            {"top_speed_m_s", s.top_speed_m_s}});
+        }
+        print_json(out, json);
+        return exit_fine;
+    }
+    out << fmt::format("{:<22}{:>11}{:>7}{:>10}{:>10}{:>7}{:>9}{:>12}\n", "", "distance", "stops", "lost",
+                       "in air", "falls", "hazards", "top speed");
+    for (const SummaryRow& row : rows) {
+        const RunSummary& s = row.summary;
+        out << fmt::format("{:<22}{:>9.2f} m{:>7}{:>8.2f} s{:>8.2f} s{:>7}{:>9}{:>8.2f} m/s\n", row.name,
+                           s.distance_m, s.stops, s.lost_s, s.air_s, s.falls, s.hazards, s.top_speed_m_s);
+    }
+    return exit_fine;
+}
+
+namespace {
+
+// The options that every verb of a tape on a level has.
+CLI::Option* add_tape_options(CLI::App& verb, TapeOptions& tape) {
+    verb.add_option("LEVEL", tape.level, "OBJ or level file")->required();
+    verb.add_option("--set", tape.settings, "Change a movement setting; may be repeated")
+        ->type_name("name=value")
+        ->allow_extra_args(false);
+    return verb.add_option("--tape", tape.tape, "Inputs, tick by tick")->required()->type_name("FILE");
+}
+
+}  // namespace
+
+void add_why_verbs(CLI::App& app, int& exit_code) {
+    CLI::App* why =
+        app.add_subcommand("why", "Say what stopped the player of a tape, and what would cure it");
+    auto asked = std::make_shared<WhyOptions>();
+    add_tape_options(*why, asked->tape);
+    why->add_option("--preset", asked->tape.preset, "Settings instead of the level's; a name or a file")
+        ->type_name("PRESET");
+    why->add_flag("--json", asked->json, "Print JSON");
+    why->callback(
+        [asked, &exit_code] { exit_code = guarded([&] { return run_why(*asked, std::cout, std::cerr); }); });
+
+    CLI::App* compare =
+        app.add_subcommand("compare", "Run a tape under several presets and compare the runs");
+    auto options = std::make_shared<CompareOptions>();
+    add_tape_options(*compare, options->tape);
+    compare
+        ->add_option("--presets", options->presets, "Names or files; without it all that ship with Slipface")
+        ->type_name("A,B")
+        ->delimiter(',');
+    compare->add_flag("--json", options->json, "Print JSON");
+    compare->callback([options, &exit_code] {
+        exit_code = guarded([&] { return run_compare(*options, std::cout, std::cerr); });
+    });
+}
+
+}  // namespace slipface::cli

@@ -1,0 +1,163 @@
+// The card in the view's corner about how the geometry's file was read: size, scale, axis, spawn, open edges.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "panels/panels.h"
+#include "tools/icons.h"
+#include "widgets/imgui_compat.h"
+#include "widgets/theme.h"
+#include "widgets/ui.h"
+
+namespace slipface {
+namespace {
+
+struct Unit {
+    const char* name;
+    double scale;
+};
+constexpr std::array<Unit, 6> units{{{"Metres", 1.0},
+                                     {"Centimetres", 0.01},
+                                     {"Millimetres", 0.001},
+                                     {"Inches", 0.0254},
+                                     {"Feet", 0.3048},
+                                     {"Quake units", 1.0 / 32.0}}};
+
+// Label at the left, and the cursor where the value begins.
+void row(const char* label, float value_at) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored(ui::palette().muted, "%s", label);
+    ImGui::SameLine(value_at);
+}
+
+// What explains the control above it.
+void note(const std::string& text, float value_at) {
+    ImGui::SetCursorPosX(value_at);
+    ImGui::PushFont(ui::fonts().small);
+    ImGui::TextColored(ui::palette().muted, "%s", text.c_str());
+    ImGui::PopFont();
+}
+
+void reason(ImportSource source, const std::string& text, float value_at) {
+    if (source == ImportSource::given) return note("Given by you", value_at);
+    note(fmt::format("{}: {}", source == ImportSource::declared ? "Declared" : "Guessed", text), value_at);
+}
+
+void scale_rows(Editor& editor, float value_at) {
+    const ImportSummary& summary = editor.document->level().import_summary;
+    ImportTransform transform = editor.document->level().import_transform;
+    std::array<const char*, units.size() + 1> names{};
+    int index = static_cast<int>(units.size());
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        names[i] = units[i].name;
+        if (std::abs(summary.scale - units[i].scale) < 1e-9 * units[i].scale) index = static_cast<int>(i);
+    }
+    names.back() = "Another";
+    const int count = static_cast<int>(units.size()) + (index == static_cast<int>(units.size()) ? 1 : 0);
+    row("Unit", value_at);
+    const bool chosen = ui::combo("##Unit", &index, names.data(), count, "What one unit of the file is");
+    row("Scale", value_at);
+    ui::input_text("##Scale", &editor.import_card.scale_text, "metres per unit");
+    const bool typed = ImGui::IsItemDeactivatedAfterEdit();
+    ui::tooltip("Metres per unit of the file");
+    reason(summary.scale_from, summary.scale_reason, value_at);
+    if (chosen && index < static_cast<int>(units.size())) {
+        transform.scale = units[static_cast<std::size_t>(index)].scale;
+        change_import(editor, transform);
+    } else if (typed) {
+        change_import_scale(editor, std::string(editor.import_card.scale_text));
+    }
+}
+
+void axis_rows(Editor& editor, float value_at) {
+    const ImportSummary& summary = editor.document->level().import_summary;
+    row("Up axis", value_at);
+    constexpr std::array<const char*, std::size(up_axis_names)> names{"+Y", "+Z", "+X", "-Y", "-Z", "-X"};
+    int index = static_cast<int>(summary.up);
+    const bool chosen = ui::combo("##Up axis", &index, names.data(), static_cast<int>(names.size()),
+                                  "The file's axis that points up");
+    reason(summary.up_from, summary.up_reason, value_at);
+    if (!chosen) return;
+    ImportTransform transform = editor.document->level().import_transform;
+    transform.up = static_cast<UpAxis>(index);
+    change_import(editor, transform);
+}
+
+void size_rows(Editor& editor, float value_at) {
+    const ImportSummary& summary = editor.document->level().import_summary;
+    row("Size", value_at);
+    ImGui::TextUnformatted(
+        fmt::format("{:.5g} x {:.5g} x {:.5g} m", summary.size.x(), summary.size.y(), summary.size.z())
+            .c_str());
+    ui::tooltip("Width (x), height (y) and depth (z)");
+    const std::optional<SizeDoubt> doubt = editor.import_card.doubt;
+    if (!doubt) return;
+    ImGui::SetCursorPosX(value_at);
+    ImGui::TextColored(ui::palette().accent, "%s Too %s for a player", icons::warning,
+                       doubt->too_large ? "large" : "small");
+    ImGui::SetCursorPosX(value_at);
+    if (!ui::button("Rescale", fmt::format("A scale of {:.6g} makes it {:.3g} m", doubt->better_scale,
+                                           doubt->better_extent)
+                                   .c_str()))
+        return;
+    ImportTransform transform = editor.document->level().import_transform;
+    transform.scale = doubt->better_scale;
+    change_import(editor, transform);
+}
+
+}  // namespace
+
+void import_card(Editor& editor, const ImVec2& view_min, const ImVec2& view_size) {
+    if (!editor.import_card.shown || !editor.document) return;
+    refresh_import_card(editor);
+    const float scale = ui::scale(), value_at = 112 * scale, width = 352 * scale, margin = 14 * scale;
+    ImGui::SetNextWindowPos({view_min.x + margin, view_min.y + margin});
+    // A low view scrolls the card instead of letting it cover what lies below.
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(80 * scale, view_size.y - 2 * margin)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {16 * scale, 12 * scale});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8 * scale);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0f, scale));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ui::palette().popup);
+    ImGui::Begin("##import card", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(3);
+    const ui::Scope scope("Import");
+    ImGui::PushFont(ui::fonts().semibold);
+    ImGui::TextUnformatted("How the file was read");
+    ImGui::PopFont();
+    size_rows(editor, value_at);
+    scale_rows(editor, value_at);
+    axis_rows(editor, value_at);
+    const Vec3 spawn = editor.document->level().spawn;
+    row("Spawn", value_at);
+    ImGui::TextUnformatted(fmt::format("{:.2f}, {:.2f}, {:.2f}", spawn.x(), spawn.y(), spawn.z()).c_str());
+    ui::tooltip("Point at a floor and press the key of Set spawn point to move it there");
+    row("Open edges", value_at);
+    ImGui::TextUnformatted(editor.import_card.open_edges == 0
+                               ? "None: closed"
+                               : fmt::format("{}", editor.import_card.open_edges).c_str());
+    ui::tooltip("Edges that one face alone has: holes, and seams between overlapping parts");
+    if (const std::size_t hidden = editor.document->hidden().size(); hidden > 0) {
+        row("Hidden", value_at);
+        ImGui::TextUnformatted(fmt::format("{} faces that collide", hidden).c_str());
+        ui::tooltip("What stops the player but is not drawn in the game; Show all faces brings it into view");
+    }
+    if (!editor.import_card.problem.empty()) {
+        ImGui::PushTextWrapPos(0.0f);
+        ImGui::TextColored(ui::palette().bad, "%s", editor.import_card.problem.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::Dummy({1, 2 * scale});
+    const bool given = editor.document->level().import_transform != ImportTransform{};
+    if (ui::button("As the file says", "Forget the scale and axis given here", given))
+        change_import(editor, {});
+    ImGui::SameLine(width - 116 * scale);
+    if (ui::primary_button("Done", true, {100 * scale, 0})) close_import_card(editor);
+    ImGui::End();
+}
+
+}  // namespace slipface

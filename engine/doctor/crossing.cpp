@@ -1,0 +1,145 @@
+#include "crossing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "slipface/movement/step.h"
+
+namespace slipface::doctor {
+namespace {
+
+constexpr double dt = 1.0 / 60.0;
+
+// `count` headings around the circle, turned on from one to the next: no sine, whose last bits differ between
+// libraries.
+template <std::size_t count>
+std::array<Vec2, count> headings(double cosine, double sine) {
+    std::array<Vec2, count> all;
+    Vec2 heading(1.0, 0.0);
+    for (Vec2& each : all) {
+        each = heading;
+        heading = Vec2(cosine * heading.x() - sine * heading.y(), sine * heading.x() + cosine * heading.y());
+    }
+    return all;
+}
+const auto every_5_degrees = headings<72>(0.9961946980917455, 0.08715574274765817);
+const auto every_30_degrees = headings<12>(0.8660254037844387, 0.5);
+
+MovementSettings still_settings(const Patient& patient) {
+    MovementSettings settings = patient.level.movement;
+    settings.sectors = false;
+    settings.platforms = false;
+    settings.heightfield = false;
+    return settings;
+}
+
+MovementScene scene_of(const Patient& patient) {
+    return {.collision = patient.world, .surfaces = patient.level.surfaces};
+}
+
+bool is_free(const Patient& patient, const Vec3& from, const Vec3& move) {
+    return !overlaps_any(patient.world, patient.level.movement.radii, from) &&
+           !sweep_ellipsoid(patient.world, patient.level.movement.radii, from, move);
+}
+
+// A player who stands above or below `feet`, within half a radius up and down. A walkable floor that holds
+// nobody back and takes nobody along.
+std::optional<PlayerState> standing_at(const Patient& patient, const Vec3& feet) {
+    const MovementSettings& settings = patient.level.movement;
+    const double reach = 0.5 * settings.radii.y();
+    const Vec3 above = feet + Vec3(0.0, settings.radii.y() + reach, 0.0);
+    if (overlaps_any(patient.world, settings.radii, above)) return std::nullopt;
+    const Vec3 down(0.0, -2.0 * reach, 0.0);
+    const auto floor = sweep_ellipsoid(patient.world, settings.radii, above, down);
+    if (!floor) return std::nullopt;
+    const SurfaceType& surface = patient.surface(floor->face);
+    const double steepest = surface.max_slope.value_or(settings.max_slope);
+    if (floor->normal.y() < std::cos(steepest) || surface.sticky || surface.hazardous ||
+        surface.restitution > 0.0 || !surface.velocity.isZero() || surface.angular_velocity != 0.0)
+        return std::nullopt;
+    PlayerState state;
+    state.position = above + floor->t * down + Vec3(0.0, settings.skin, 0.0);
+    state.grounded = true;
+    state.ground_normal = floor->normal;
+    state.ground_face = floor->face;
+    state.ground_surface = patient.resolved.surface[floor->face];
+    return state;
+}
+
+}  // namespace
+
+Passage cross(const Patient& patient, const Vec3& place, const Vec2& heading, double before, double after) {
+    const Vec3 along(heading.x(), 0.0, heading.y());
+    return cross_between(patient, place - before * along, place + after * along);
+}
+
+Passage cross_between(const Patient& patient, const Vec3& from, const Vec3& to) {
+    const MovementSettings settings = still_settings(patient);
+    const Vec3 way(to.x() - from.x(), 0.0, to.z() - from.z());
+    const double length = way.norm();
+    if (!(length > 0.0)) return Passage::unknown;
+    const Vec3 along = way / length;
+    const Vec2 heading(along.x(), along.z());
+    const auto begin = standing_at(patient, from);
+    const auto end = standing_at(patient, to);
+    if (!begin || !end) return Passage::unknown;
+    // Up, across and down again, a little above what lies at the feet.
+    const double clearance = 0.05 * settings.radii.y();
+    const double high = std::max(begin->position.y(), end->position.y()) + clearance;
+    const Vec3 up_begin(begin->position.x(), high, begin->position.z());
+    const Vec3 up_end(end->position.x(), high, end->position.z());
+    if (!is_free(patient, begin->position + Vec3(0.0, settings.skin, 0.0), up_begin - begin->position) ||
+        !is_free(patient, up_begin, up_end - up_begin))
+        return Passage::unknown;
+    const MovementScene scene = scene_of(patient);
+    const double start_up = settings.walk_speed / std::max(settings.ground_acceleration, 1e-3);
+    const auto ticks =
+        static_cast<int>(std::min(2000.0, (2.0 * length / settings.walk_speed + start_up + 0.2) / dt));
+    const double lost = std::min(begin->position.y(), end->position.y()) - settings.radii.y();
+    PlayerState state = *begin;
+    for (int tick = 0; tick < ticks; ++tick) {
+        state = step(scene, settings, state, {.wish = heading}, dt).state;
+        const Vec3 made = state.position - begin->position;
+        if (made.x() * along.x() + made.z() * along.z() >= 0.98 * length) return Passage::passes;
+        if (state.position.y() < lost) return Passage::falls;
+    }
+    return Passage::catches;
+}
+
+Passage cross_all_ways(const Patient& patient, const Vec3& place) {
+    const double reach = 1.5 * std::max(patient.level.movement.radii.x(), patient.level.movement.radii.z());
+    Passage worst = Passage::unknown;
+    for (const Vec2& heading : every_5_degrees) {
+        worst = std::max(worst, cross(patient, place, heading, reach, reach));
+        if (worst == Passage::falls) break;
+    }
+    return worst;
+}
+
+bool wedges(const Patient& patient, const Vec3& centre) {
+    const MovementSettings settings = still_settings(patient);
+    const MovementScene scene = scene_of(patient);
+    const double away = settings.radii.minCoeff();
+    constexpr int second = 60;
+    for (const Vec2& in : every_30_degrees) {
+        PlayerState caught;
+        caught.position = centre;
+        for (int tick = 0; tick < second; ++tick)
+            caught = step(scene, settings, caught, {.wish = in}, dt).state;
+        // A jump on the way, as players try; where it ends counts, not how high it went.
+        const bool leaves =
+            std::any_of(every_30_degrees.begin(), every_30_degrees.end(), [&](const Vec2& out) {
+                PlayerState state = caught;
+                for (int tick = 0; tick < 2 * second; ++tick)
+                    state =
+                        step(scene, settings, state, {.wish = out, .jump = tick > 5 && tick < second / 2}, dt)
+                            .state;
+                return (state.position - caught.position).norm() > away;
+            });
+        if (!leaves) return true;
+    }
+    return false;
+}
+
+}  // namespace slipface::doctor

@@ -1,0 +1,72 @@
+#include "start_room.h"
+
+#include <algorithm>
+#include <array>
+
+namespace slipface {
+
+namespace {
+
+// Below this height the feet are in the terrain.
+std::optional<double> lowest_centre(const MovementScene& scene, const MovementSettings& settings,
+                                    const Vec3& centre) {
+    if (scene.heightfield == nullptr || !settings.heightfield) return std::nullopt;
+    const auto point = terrain_at(*scene.heightfield, centre.x(), centre.z());
+    if (!point) return std::nullopt;
+    return point->height + settings.radii.y();
+}
+
+bool overlaps_solid(const CollisionWorld& world, const Vec3& radii, const Vec3& centre) {
+    if (!overlaps_any(world, radii, centre)) return false;
+    std::array<Overlap, 64> overlaps;
+    const std::size_t count = std::min(overlaps.size(), find_overlaps(world, radii, centre, overlaps));
+    return std::any_of(
+        overlaps.begin(), overlaps.begin() + static_cast<std::ptrdiff_t>(count),
+        [&](const Overlap& overlap) { return !world.surface_rule(overlap.surface).one_sided; });
+}
+
+}  // namespace
+
+std::optional<Contact> first_contact(const MovementScene& scene, const Vec3& radii, const Vec3& from,
+                                     const Vec3& move) {
+    std::optional<Contact> first = sweep_ellipsoid(scene.collision, radii, from, move);
+    for (const MovingPart& part : scene.platforms) {
+        const std::optional<Contact> contact = sweep_ellipsoid(*part.collision, radii, from, move);
+        if (contact && (!first || contact->t < first->t)) first = contact;
+    }
+    return first;
+}
+
+bool has_room(const MovementScene& scene, const MovementSettings& settings, const Vec3& radii,
+              const Vec3& centre) {
+    const auto lowest = lowest_centre(scene, settings, centre);
+    if (lowest && centre.y() < *lowest - (settings.radii.y() - radii.y())) return false;
+    if (overlaps_solid(scene.collision, radii, centre)) return false;
+    return std::none_of(scene.platforms.begin(), scene.platforms.end(), [&](const MovingPart& part) {
+        return overlaps_solid(*part.collision, radii, centre);
+    });
+}
+
+bool fits(const MovementScene& scene, const MovementSettings& settings, const Vec3& centre) {
+    const Vec3 radii = (settings.radii.array() - settings.skin).max(0.5 * settings.radii.array());
+    return has_room(scene, settings, radii, centre);
+}
+
+std::optional<Vec3> drop(const MovementScene& scene, const MovementSettings& settings, const Vec3& centre,
+                         double depth) {
+    std::optional<Vec3> landed;
+    const Vec3 move(0.0, -depth, 0.0);
+    if (const auto contact = first_contact(scene, settings.radii, centre, move)) {
+        // A skin away along the normal; on what is steep that is far up, and then less must do.
+        const double up = std::max(contact->normal.y(), 0.1);
+        landed = centre + contact->t * move + Vec3(0.0, settings.skin / up, 0.0);
+        landed->y() = std::min(landed->y(), centre.y());
+    }
+    const auto terrain = lowest_centre(scene, settings, centre);
+    if (terrain && *terrain >= centre.y() - depth && *terrain <= centre.y() &&
+        (!landed || *terrain > landed->y()))
+        landed = Vec3(centre.x(), *terrain, centre.z());
+    return landed;
+}
+
+}  // namespace slipface

@@ -1,0 +1,35 @@
+// What stops a player in a Quake 3 map without being drawn: sides of clip, caulk and sky brushes.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bsp_entities.h"
+#include "bsp_file.h"
+#include "convex_polygon.h"
+#include "slipface/base/progress.h"
+
+namespace slipface {
+
+// A drawn triangle that stops the player, counter-clockwise seen from its front, in the map's coordinates.
+using BspTriangle = std::array<Vec3, 3>;
+
+struct BspWall {
+    ConvexPolygon corners;
+    std::size_t texture = 0;
+};
+
+// The parts of the sides of solid and playerclip brushes that face open space and lie behind no drawn
+// triangle: neither in another such brush, nor in a leaf of the tree that is solid or outside of a sealed
+// map. `models` are the entities' moving parts (BspModels). Refuses indices that are not there, and brushes
+// that overlap so often that the work would have no bound.
+struct BspModel {
+    std::size_t number = 0;  // in the lump of models
+    Vec3 origin = Vec3::Zero();
+};
+Result<std::vector<BspWall>> undrawn_walls(const BspFile& file, std::span<const BspModel> models,
+                                           std::span<const BspTriangle> drawn, const std::string& place,
+                                           Progress* progress);
+
+}  // namespace slipface

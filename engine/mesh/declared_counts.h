@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "slipface/base/result.h"
+
+namespace slipface {
+
+// Refuses PLY and OFF files that announce more elements than they have bytes: assimp takes memory for all of
+// them before it reads the first.
+Status check_declared_counts(const std::string& extension, std::string_view bytes, const std::string& place);
+
+}  // namespace slipface

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "slipface/mesh/import.h"
+
+namespace slipface {
+
+// The rotation that makes `up` +Y. For y and z it is the one that the usual exporters use: (x, z, -y) for z.
+Eigen::Matrix3f upright_rotation(UpAxis up);
+
+}  // namespace slipface

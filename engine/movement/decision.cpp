@@ -1,0 +1,192 @@
+#include "slipface/movement/decision.h"
+
+#include <array>
+#include <cstddef>
+
+namespace slipface {
+
+namespace {
+
+// In the order of the enum. A sentence names what was decided first, then the numbers that decided.
+constexpr auto make_decisions() {
+    using enum Decision;
+    using enum Outcome;
+    using enum DecisionUnit;
+    return std::to_array<DecisionInfo>({
+        // Push-out, nudge and the last word
+        {push_out_off, "push_out", switched_off, no_unit, "Began inside geometry: Push-out is off"},
+        {push_out_needless, "push_out", refused, no_unit, "Not inside anything: nothing to push out of"},
+        {nudge_off, "nudge", switched_off, no_unit, "Inside geometry: Nudge is off"},
+        {nudge_needless, "nudge", refused, no_unit, "Not inside anything: nothing to nudge out of"},
+        {nudged, "nudge", acted, metres, "Nudged free by {value} (at most {limit})"},
+        {nudge_failed, "nudge", refused, metres, "Trapped: no place within {value} is free"},
+        {never_inside, "never_inside", acted, metres,
+         "Put back by {value}: the step would have ended inside geometry"},
+        {pushed_off, "skin", acted, metres, "Pushed {value} off it, to keep the skin of {limit}"},
+        {pushed_off_halfway, "skin", acted, metres,
+         "Pushed {value} off it, half the way to the next face (skin {limit})"},
+        {slides_used_up, "max_slides", acted, metres, "Gave up the last {value} of the move: no slides left"},
+        // Platforms, conveyors and sectors
+        {platform_carried, "platforms", acted, metres, "Carried {value} by the platform"},
+        {platform_pushed, "platforms", acted, metres, "Pushed {value} by a platform"},
+        {platform_off, "platforms", switched_off, no_unit, "Did not ride along: Moving platforms is off"},
+        {platform_crushed, "platforms", refused, no_unit, "Crushed by a platform: no room to give way"},
+        {platform_velocity_kept, "platforms", acted, speed, "Took the platform's {value} along"},
+        {surface_carried, "surface_types", acted, metres, "Carried {value} by the surface"},
+        {surface_velocity_kept, "surface_types", acted, speed, "Took the surface's {value} along"},
+        {surface_types_off, "surface_types", switched_off, no_unit,
+         "Counted as plain ground: Surface types is off"},
+        {hazard_touched, "surface_types", acted, no_unit, "Touched a hazard"},
+        {sector_kept, "sectors", acted, metres,
+         "Stayed in its sector, {value} from the middle (border at {limit})"},
+        {sector_entered, "sectors", acted, metres,
+         "Entered another sector, {value} from its middle (border at {limit})"},
+        // Standing, slopes and walls
+        {stood, "static_friction", acted, slope, "Stood on it: {value} (limit {limit})"},
+        {too_steep_to_stand, "static_friction", refused, slope,
+         "Too steep to stand on: {value} (limit {limit})"},
+        {no_hold_on_ice, "static_friction", refused, no_unit, "Not held: the surface keeps energy"},
+        {wedged, "static_friction", acted, metres,
+         "Wedged between steep faces: dropped only {value}, which counts as standing"},
+        {whole_move_on_ice, "static_friction", refused, no_unit,
+         "The whole move slides: the surface keeps energy"},
+        {static_friction_off, "static_friction", switched_off, no_unit,
+         "The whole move slides: Static friction is off"},
+        {wall, "max_slope", acted, slope, "Too steep to walk up: {value} (limit {limit})"},
+        {straight_ahead, "straight_ahead", acted, slope,
+         "Went straight ahead on the ramp of {value} (limit {limit})"},
+        {straight_ahead_off, "straight_ahead", switched_off, slope,
+         "Turned aside by the ramp of {value}: Straight ahead on ramps is off"},
+        {pressed_down, "ground_velocity", acted, speed, "Pressed down at {value} (at least {limit})"},
+        {pressed_down_off, "ground_velocity", switched_off, no_unit,
+         "Not pressed down: Ground velocity is off"},
+        {coasted, "ground_acceleration", acted, speed,
+         "Coasted: slowed from {value} to {limit} by the height gained"},
+        {slope_speed_kept, "constant_slope_speed", acted, metres,
+         "Went {value} along the slope, as far as on level ground"},
+        {slope_speed_off, "constant_slope_speed", switched_off, metres,
+         "Went {value} along the slope instead of {limit}: Constant speed on slopes is off"},
+        // Steps and edges
+        {step_up_off, "step_up", switched_off, no_unit, "Did not step up: Step up is off"},
+        {step_up_in_air, "step_up", refused, no_unit, "Did not step up: it was in the air"},
+        {step_up_no_room, "step_up", refused, metres, "Did not step up: only {value} of room overhead"},
+        {step_up_held, "step_up", refused, no_unit, "Did not step up: a surface up there holds the player"},
+        {step_up_no_further, "step_up", refused, metres, "Did not step up: gained {value} (needed {limit})"},
+        {step_up_no_ground, "step_up", refused, metres, "Did not step up: no ground within {value} below"},
+        {step_up_too_high, "step_up", refused, metres,
+         "Did not step up: {value} is too high (limit {limit})"},
+        {step_up_own_response, "step_up", refused, no_unit,
+         "Did not step up: the surface up there is sticky or bouncy"},
+        {step_up_too_steep, "step_up", refused, slope,
+         "Did not step up: too steep up there, {value} (limit {limit})"},
+        {stepped_up, "step_up", acted, metres, "Stepped up {value} (at most {limit})"},
+        {step_every_move, "step_up", acted, metres, "Lifted, moved and dropped: {value} higher than before"},
+        {step_rim, "step_up", acted, metres,
+         "On the rim of a step, {value} above the ground (at most {limit})"},
+        {step_rim_no_ground, "step_up", refused, metres,
+         "Not the rim of a step: no ground within {value} below"},
+        {step_rim_no_steps, "step_up", refused, metres,
+         "Not the rim of a step: no steps lead {value} up to it"},
+        {step_rim_too_high, "step_up", refused, metres,
+         "Not the rim of a step: {value} above the ground (limit {limit})"},
+        {step_rim_no_way, "step_up", refused, no_unit, "Not the rim of a step: no ground behind it"},
+        {snap_rim, "snap_down", acted, metres,
+         "On the rim of a step, {value} above the ground (at most {limit})"},
+        {snap_rim_no_ground, "snap_down", refused, metres,
+         "Not the rim of a step: no ground within {value} below"},
+        {snap_rim_no_steps, "snap_down", refused, metres,
+         "Not the rim of a step: no steps lead {value} up to it"},
+        {snap_rim_too_high, "snap_down", refused, metres,
+         "Not the rim of a step: {value} above the ground (limit {limit})"},
+        {snap_rim_no_way, "snap_down", refused, no_unit, "Not the rim of a step: no ground behind it"},
+        {snap_off, "snap_down", switched_off, no_unit, "Left the ground: Snap to floor is off"},
+        {snap_no_floor, "snap_down", refused, metres, "Left the ground: no floor within {value} below"},
+        {snap_too_deep, "snap_down", refused, metres,
+         "Left the ground: the floor is {value} below (limit {limit})"},
+        {snap_own_response, "snap_down", refused, no_unit,
+         "Left the ground: the floor below is sticky, bouncy or keeps energy"},
+        {snap_too_steep, "snap_down", refused, slope,
+         "Left the ground: too steep below, {value} (limit {limit})"},
+        {snapped, "snap_down", acted, metres, "Snapped {value} down to the floor (at most {limit})"},
+        {seam_off, "seam_filter", switched_off, no_unit, "The edge counts as it is: Seam filter is off"},
+        {seam_stands_out, "seam_filter", refused, no_unit, "The edge stands out: no face rises above it"},
+        {seam_filtered, "seam_filter", acted, lift,
+         "Ignored an edge inside a surface: the face counts, which rises {value} above the contact"},
+        // Surfaces with a response of their own
+        {bounced, "bounce", acted, speed, "Bounced off at {value}"},
+        {bounce_off, "bounce", switched_off, no_unit, "Did not bounce: Bounce is off"},
+        {bounce_walked, "bounce", refused, no_unit, "Did not bounce: it was walked onto, not fallen onto"},
+        {bounce_too_slow, "bounce", refused, speed, "Did not bounce: {value} is too slow (limit {limit})"},
+        {energy_kept, "keep_energy", acted, lift, "Kept its speed: hit at {value} (limit {limit})"},
+        {energy_head_on, "keep_energy", refused, lift, "Lost speed: hit head-on at {value} (limit {limit})"},
+        {energy_off, "keep_energy", switched_off, lift, "Lost speed: hit at {value}, and Keep energy is off"},
+        {energy_capped, "keep_energy", acted, speed,
+         "Slowed from {value} to {limit}, what the height allows"},
+        {energy_within, "keep_energy", refused, speed,
+         "Not slowed: {value} is within the {limit} that the height allows"},
+        {stuck, "stick", acted, no_unit, "Stuck to it, until a jump"},
+        {still_stuck, "stick", acted, no_unit, "Held by the sticky surface, until a jump"},
+        {stick_off, "stick", switched_off, no_unit, "Did not stick: Stick is off"},
+        {ladder_grabbed, "surface_types", acted, no_unit, "Took hold of the ladder"},
+        {ladder_overhead, "surface_types", refused, slope,
+         "Not climbed: {value} is too far overhead (limit {limit})"},
+        {ladder_passed, "surface_types", refused, angle,
+         "Passed the ladder: the stick points {value} aside (limit {limit})"},
+        {ladder_climbed, "surface_types", acted, speed, "Moved on the ladder at {value} (at most {limit})"},
+        {ladder_ended, "surface_types", refused, no_unit, "Left the ladder: its face ended"},
+        {ladder_top, "surface_types", refused, no_unit, "Left the ladder at its top"},
+        {ladder_beside, "surface_types", refused, no_unit, "Left the ladder at its side"},
+        {ladder_ground, "surface_types", refused, no_unit, "Left the ladder for the ground"},
+        {ladder_wall_above, "surface_types", refused, no_unit,
+         "Stopped at the end of the ladder: the wall above cannot be climbed"},
+        // Jumping, and in the air
+        {jumped, "jump_speed", acted, speed, "Jumped at {value}"},
+        {jumped_off, "jump_speed", acted, speed, "Jumped off along the normal at {value}"},
+        {coyote_jump, "coyote", acted, seconds, "Jumped late: {value} of the coyote window were left"},
+        {coyote_over, "coyote", refused, no_unit, "No jump: nothing to jump from"},
+        {coyote_off, "coyote", switched_off, no_unit, "No jump: in the air, and Coyote time is off"},
+        {jump_buffered, "jump_buffer", acted, seconds,
+         "Jumped by an earlier press, remembered for {value} more"},
+        {jump_remembered, "jump_buffer", refused, seconds,
+         "Still in the air: the press of jump is remembered for {value} more"},
+        {jump_buffer_off, "jump_buffer", switched_off, no_unit,
+         "The press of jump is lost: Jump buffer is off"},
+        {jump_cut, "variable_jump", acted, speed,
+         "Cut the jump short: the button was let go at {value} upwards"},
+        {jump_cut_off, "variable_jump", switched_off, speed,
+         "Rose on at {value}: Variable jump height is off"},
+        {steered_in_air, "air_control", acted, percent, "Steered in the air with {value} of the stick"},
+        {air_control_off, "air_control", switched_off, percent,
+         "Not steered by {value} of the stick: Air control is off"},
+        {fell_at_terminal_speed, "terminal_speed", acted, speed,
+         "Slowed from {value} to {limit}, the fastest fall"},
+        // Terrain
+        {terrain_off, "heightfield", switched_off, metres,
+         "Fell {value} below the terrain: Heightfield is off"},
+        {terrain_stood, "heightfield", acted, metres, "Lifted {value} and stood on the terrain"},
+        {terrain_slid, "heightfield", acted, metres, "Lifted {value} and slid on steep terrain"},
+        {terrain_above, "heightfield", refused, metres, "Above the terrain by {value}"},
+        {terrain_wall, "heightfield", acted, slope, "Stopped by steep terrain: {value} (limit {limit})"},
+        {terrain_no_room, "heightfield", refused, metres, "No room to be lifted {value} onto the terrain"},
+    });
+}
+constexpr auto decisions = make_decisions();
+
+constexpr bool in_order() {
+    for (std::size_t i = 0; i < decisions.size(); ++i)
+        if (static_cast<std::size_t>(decisions[i].kind) != i) return false;
+    return true;
+}
+static_assert(in_order());
+
+}  // namespace
+
+std::span<const DecisionInfo> decision_table() {
+    return decisions;
+}
+
+const DecisionInfo& decision_info(Decision kind) {
+    return decisions[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace slipface

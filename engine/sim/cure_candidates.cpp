@@ -1,0 +1,195 @@
+#include "cure_candidates.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "story_words.h"
+
+namespace slipface {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+// How blunt a cure is, apart from numbers.
+constexpr int switch_on = 0, fitting = 1, other_choice = 2, switch_off = 3, other_type = 4, not_solid = 5;
+// A number changed by more than this fraction is as blunt as a switch thrown off.
+constexpr double much = 0.5;
+
+// A number that may be the cure: how far it is tried, as a factor of what it is or as a value, and the steps
+// in which it is told.
+struct NumberRow {
+    const char* name;
+    const char* also;    // a second setting that gets the same value, or empty
+    double factor;       // extreme = now * factor
+    double least, most;  // of the extreme; as stored
+    double step;
+};
+constexpr std::array<NumberRow, 13> number_rows{{
+    {"max_slope", "", 4.0, 0.0, 89.0 * degree, 0.1 * degree},
+    {"step_height", "", 4.0, 0.0, 1.2, 0.01},
+    {"snap_distance", "", 4.0, 0.0, 1.2, 0.01},
+    {"radius_x", "radius_z", 0.25, 0.05, 5.0, 0.01},
+    {"radius_y", "", 0.4, 0.05, 5.0, 0.01},
+    {"skin", "", 0.1, 1e-4, 0.05, 1e-4},
+    {"max_slides", "", 8.0, 1.0, 8.0, 1.0},
+    {"coyote_time", "", 10.0, 0.0, 0.5, 0.01},
+    {"jump_buffer_time", "", 10.0, 0.0, 0.5, 0.01},
+    {"jump_speed", "", 2.0, 0.0, 50.0, 0.1},
+    {"gravity", "", 0.4, 0.0, 100.0, 0.1},
+    {"air_acceleration", "", 10.0, 0.0, 500.0, 1.0},
+    {"walk_speed", "", 2.5, 0.0, 100.0, 0.1},
+}};
+
+// Whether a number is what a designer would look at first for such a stop.
+bool fits(const Loss& loss, std::string_view number) {
+    switch (loss.cause) {
+        case StopCause::step:
+            return number == (loss.in_air ? "jump_speed" : "step_height");
+        case StopCause::slope:
+        case StopCause::terrain:
+            return number == "max_slope";
+        case StopCause::gap:
+            return number == "radius_x";
+        case StopCause::overhead:
+            return number == "radius_y";
+        case StopCause::wall:
+            return loss.in_air && number == "jump_speed";
+        default:
+            return false;
+    }
+}
+
+bool is_switch(const SettingInfo& info) {
+    return std::holds_alternative<bool MovementSettings::*>(info.member);
+}
+
+std::string value_text(const SettingInfo& info, double value) {
+    const bool angle = std::string_view(info.unit) == "deg";
+    std::string text = fmt::format("{:.4g}", angle ? value / degree : value);
+    if (angle) return text + "\u00b0";
+    return *info.unit ? text + " " + info.unit : text;
+}
+
+std::string assignment(const SettingInfo& info, double value) {
+    const bool angle = std::string_view(info.unit) == "deg";
+    return angle ? fmt::format("{}={:.12g}deg", info.name, value / degree)
+                 : fmt::format("{}={:.12g}", info.name, value);
+}
+
+void add_switches(std::vector<CureCandidate>& all, const MovementSettings& settings) {
+    for (const SettingInfo* info : hack_rows()) {
+        const double now = get_setting(settings, *info);
+        for (double value = info->minimum; value <= info->maximum; value += 1.0) {
+            if (value == now) continue;
+            MovementSettings other;
+            (void)set_setting(other, *info, value);
+            CureCandidate c;
+            const std::string text = setting_text(other, *info);
+            c.cure.text = std::string(info->label) + " " + text;
+            c.cure.settings = {std::string(info->name) + "=" + text};
+            c.cure.button = is_switch(*info) ? (value > 0.0 ? "Turn on" : "Turn off") : "Set";
+            c.cure.bluntness = value == 0.0 ? switch_off : now == 0.0 ? switch_on : other_choice;
+            all.push_back(std::move(c));
+        }
+    }
+}
+
+void add_numbers(std::vector<CureCandidate>& all, const MovementSettings& settings, const Loss& loss) {
+    for (const NumberRow& row : number_rows) {
+        const SettingInfo* info = find_setting(row.name);
+        CureCandidate c;
+        c.numbers = {info};
+        if (*row.also) c.numbers.push_back(find_setting(row.also));
+        c.now = get_setting(settings, *info);
+        c.extreme = std::clamp(c.now * row.factor, row.least, row.most);
+        c.step = row.step;
+        c.fits = fits(loss, row.name);
+        if ((c.extreme - c.now) * (row.factor - 1.0) <= 0.0) continue;
+        if (*info->switch_name) {
+            const SettingInfo* with = find_setting(info->switch_name);
+            if (with != nullptr && get_setting(settings, *with) == 0.0)
+                c.with = {std::string(with->name) + "=on"};
+        }
+        all.push_back(std::move(c));
+    }
+}
+
+CureCandidate painted(FaceId face, SurfaceType type, std::string text, int bluntness) {
+    CureCandidate c;
+    c.cure.text = std::move(text);
+    c.cure.button = "Paint";
+    c.cure.face = face;
+    c.cure.type = std::move(type);
+    c.cure.bluntness = bluntness;
+    return c;
+}
+
+void add_types(std::vector<CureCandidate>& all, const Level& level, const Loss& loss) {
+    if (loss.face == no_id || loss.face >= level.mesh->face_count()) return;
+    const ResolvedSurfaces resolved = resolve_surfaces(level);
+    const SurfaceId now = resolved.surface[loss.face];
+    const std::string face = "face " + std::to_string(loss.face);
+    for (std::size_t i = 0; i < level.surfaces.size(); ++i) {
+        if (i == now) continue;
+        const SurfaceType& type = level.surfaces[i];
+        const bool gone = !type.solid || (type.one_sided && loss.cause == StopCause::back);
+        all.push_back(
+            painted(loss.face, type,
+                    fmt::format("`{}` instead of `{}` on {}", type.name, level.surfaces[now].name, face),
+                    !type.solid                    ? not_solid
+                    : i == default_surface || gone ? fitting
+                                                   : other_type));
+    }
+    SurfaceType other = level.surfaces[now];
+    other.hotkey = 0;
+    if (loss.cause == StopCause::back && !other.one_sided) {
+        other.one_sided = true;
+        other.name = level.surfaces[now].name + " one-sided";
+        all.push_back(painted(loss.face, other, "Make " + face + " one-sided", fitting));
+        other.one_sided = false;
+    }
+    if (loss.cause == StopCause::fall && other.one_sided) {
+        other.one_sided = false;
+        other.name = level.surfaces[now].name + " two-sided";
+        all.push_back(painted(loss.face, other, "Make " + face + " two-sided", fitting));
+    }
+    if (other.solid) {
+        other.solid = false;
+        other.name = level.surfaces[now].name + " not solid";
+        all.push_back(painted(loss.face, other, "Make " + face + " not solid", not_solid));
+    }
+}
+
+}  // namespace
+
+std::vector<CureCandidate> cure_candidates(const Level& level, const MovementSettings& settings,
+                                           const Loss& loss) {
+    std::vector<CureCandidate> all;
+    add_switches(all, settings);
+    add_numbers(all, settings, loss);
+    add_types(all, level, loss);
+    return all;
+}
+
+Cure number_cure(const CureCandidate& candidate, double value) {
+    Cure cure;
+    cure.button = "Set";
+    cure.settings = candidate.with;
+    for (const std::string& with : candidate.with)
+        cure.text += std::string(find_setting(with.substr(0, with.find('=')))->label) + " on, ";
+    const SettingInfo& info = *candidate.numbers.front();
+    std::string label = info.label;
+    if (candidate.numbers.size() > 1) label = "Radius X and Z";
+    cure.text += fmt::format("{} {} to {}", label, value_text(info, candidate.now), value_text(info, value));
+    for (const SettingInfo* number : candidate.numbers)
+        cure.settings.push_back(assignment(*number, value));
+    cure.change = std::abs(value - candidate.now) / std::max(std::abs(candidate.now), 1e-9);
+    cure.bluntness = candidate.fits ? fitting : cure.change > much ? switch_off : other_choice;
+    return cure;
+}
+
+}  // namespace slipface

@@ -1,0 +1,223 @@
+// What took the motion of one tick.
+#include <algorithm>
+#include <cmath>
+
+#include "slipface/sim/stops.h"
+
+namespace slipface {
+namespace {
+
+// A touch this far above the middle, as a fraction of the half height, is overhead.
+constexpr double overhead_from = 0.3;
+// Ground less steep than this is a slope, steeper is a wall: N.y.
+constexpr double slope_normal_y = 0.1;
+struct Taken {
+    FaceId face = no_id;
+    SurfaceId surface = default_surface;
+    double lost_m = 0.0;
+    double worst_m = 0.0;  // by one record
+    std::size_t record = 0;
+    const SweepRecord* sweep = nullptr;
+    Rule rule = Rule::slide;
+};
+
+class Reader {
+  public:
+    explicit Reader(const TickTrace& trace) : trace_(trace) {
+        const Vec2 wish = trace.input.wish.isZero(0.0) ? Vec2(Vec2::Zero()) : trace.input.wish.normalized();
+        heading_ = Vec3(wish.x(), 0.0, wish.y());
+    }
+
+    std::optional<Loss> read() {
+        for (std::size_t i = 0; i < trace_.records.size(); ++i)
+            std::visit([&](const auto& record) { take(i, record); }, trace_.records[i]);
+        if (special_) return special_;
+        if (heading_.isZero(0.0)) return std::nullopt;
+        const auto most = std::max_element(
+            taken_.begin(), taken_.end(), [](const Taken& a, const Taken& b) { return a.lost_m < b.lost_m; });
+        double all = carried_m_;
+        for (const Taken& t : taken_)
+            all += t.lost_m;
+        const double made = (trace_.to - trace_.from).dot(heading_);
+        if (!(all > 0.0) || made >= all) return std::nullopt;
+        if (carried_m_ > 0.0 && (most == taken_.end() || carried_m_ >= most->lost_m)) return carried_loss();
+        return loss_by(*most);
+    }
+
+  private:
+    double towards(const Vec3& v) const { return v.dot(heading_); }
+
+    void take(std::size_t index, const SweepRecord& sweep) {
+        if (sweep.pass == Pass::step && !stepping_) {
+            stepping_ = true;
+            before_step_ = taken_;
+        }
+        sweep_ = &sweep;
+        if (!carrying_) return;
+        carrying_ = false;
+        if (const double against = -towards(sweep.move); against > 0.0) {
+            carried_m_ += against;
+            carried_record_ = index;
+        }
+    }
+
+    void take(std::size_t index, const ResponseRecord& response) {
+        const double lost = towards(response.leftover_before - response.leftover_after);
+        if (!(lost > 0.0)) return;
+        auto known = std::find_if(taken_.begin(), taken_.end(),
+                                  [&](const Taken& t) { return t.face == response.face; });
+        if (known == taken_.end()) {
+            taken_.push_back({.face = response.face, .surface = response.surface});
+            known = taken_.end() - 1;
+        }
+        known->lost_m += lost;
+        if (lost <= known->worst_m) return;
+        known->worst_m = lost;
+        known->record = index;
+        known->sweep = sweep_;
+        known->rule = response.rule;
+    }
+
+    void take(std::size_t index, const DecisionRecord& decision) {
+        const DecisionInfo& info = decision_info(decision.kind);
+        const bool of_step = std::string_view(info.hack) == "step_up";
+        const bool of_rim = decision.kind >= Decision::step_rim && decision.kind <= Decision::step_rim_no_way;
+        if (of_step && !of_rim) {
+            step_decision_ = decision;
+            stepping_ = false;
+            // Of the plain move and the step one counts, the other was taken back.
+            if (info.outcome == Outcome::acted) {
+                taken_.clear();
+            } else if (decision.kind != Decision::step_up_off && decision.kind != Decision::step_up_in_air) {
+                taken_ = before_step_;
+            }
+        }
+        switch (decision.kind) {
+            case Decision::surface_carried:
+            case Decision::platform_carried:
+                carrying_ = true;
+                carrier_ = decision;
+                break;
+            case Decision::still_stuck:
+                if (!heading_.isZero(0.0)) special(StopCause::sticky, index, decision);
+                break;
+            case Decision::ladder_wall_above:
+                special(StopCause::ladder_end, index, decision);
+                break;
+            case Decision::hazard_touched:
+                special(StopCause::hazard, index, decision);
+                break;
+            case Decision::never_inside:
+            case Decision::nudge_failed:
+            case Decision::push_out_off:
+                if (!special_) special(StopCause::inside, index, decision);
+                break;
+            case Decision::platform_crushed:
+                special(StopCause::platform, index, decision);
+                break;
+            case Decision::terrain_wall:
+                special(StopCause::terrain, index, decision);
+                break;
+            case Decision::wall:
+            case Decision::too_steep_to_stand:
+                steep_.push_back(decision);
+                break;
+            default:
+                break;
+        }
+    }
+    void take(std::size_t, const PushOutRecord&) {}
+
+    void special(StopCause cause, std::size_t index, const DecisionRecord& decision) {
+        special_ = Loss{.cause = cause,
+                        .record = index,
+                        .face = decision.face,
+                        .surface = trace_.before.ground_surface,
+                        .place = sweep_ && sweep_->contact ? sweep_->contact->point : trace_.from,
+                        .because = decision};
+        if (sweep_ && sweep_->contact && sweep_->contact->face == decision.face) {
+            special_->surface = sweep_->contact->surface;
+            special_->normal = sweep_->contact->normal;
+        }
+    }
+
+    Loss carried_loss() const {
+        return {
+            .cause = carrier_.kind == Decision::platform_carried ? StopCause::platform : StopCause::carried,
+            .lost_m = carried_m_,
+            .record = carried_record_,
+            .face = carrier_.face,
+            .surface = trace_.before.ground_surface,
+            .place = trace_.from - Vec3(0.0, trace_.settings.radii.y(), 0.0),
+            .normal = trace_.before.ground_normal,
+            .because = carrier_};
+    }
+
+    Loss loss_by(const Taken& most) const {
+        Loss loss{.lost_m = most.lost_m, .record = most.record, .face = most.face, .surface = most.surface};
+        if (most.sweep == nullptr || !most.sweep->contact) return loss;
+        const SweepRecord& sweep = *most.sweep;
+        const Contact& contact = *sweep.contact;
+        loss.place = contact.point;
+        loss.normal = contact.normal;
+        const double centre = sweep.from.y() + contact.t * sweep.move.y();
+        const double half = trace_.settings.radii.y();
+        loss.height_m = contact.point.y() - (centre - half);
+        for (const DecisionRecord& steep : steep_)
+            if (steep.face == most.face) loss.because = steep;
+
+        const Taken* second = nullptr;
+        for (const Taken& t : taken_) {
+            const bool upright = t.sweep != nullptr && t.sweep->contact && t.sweep->contact->normal.y() < 0.7;
+            if (t.face != most.face && upright && (second == nullptr || t.lost_m > second->lost_m))
+                second = &t;
+        }
+        loss.in_air = !trace_.before.grounded && !trace_.before.climbing && !trace_.before.stuck;
+        const bool aside = contact.normal.y() < slope_normal_y;
+        if (most.rule == Rule::stick) {
+            loss.cause = StopCause::sticky;
+        } else if (sweep.platform != no_id) {
+            loss.cause = StopCause::platform;
+        } else if (contact.normal.y() < (contact.feature == Feature::interior ? -slope_normal_y : -0.01) ||
+                   contact.point.y() > centre + overhead_from * half) {
+            loss.cause = StopCause::overhead;
+        } else if (sweep.back) {
+            loss.cause = StopCause::back;
+        } else if (contact.feature != Feature::interior && loss.height_m < half &&
+                   contact.normal.y() > 0.01) {
+            loss.cause = StopCause::step;
+            if (step_decision_) loss.because = step_decision_;
+        } else if (!aside) {
+            loss.cause = StopCause::slope;
+        }
+        const bool upright = loss.cause == StopCause::wall || loss.cause == StopCause::back;
+        if (upright && second != nullptr) {
+            loss.other = second->face;
+            // In a corner the last face touched takes what all of them held back.
+            const bool cornered = most.rule == Rule::crease || most.rule == Rule::stop;
+            loss.other_m = cornered ? std::max(second->lost_m, most.lost_m) : second->lost_m;
+        }
+        return loss;
+    }
+
+    const TickTrace& trace_;
+    Vec3 heading_ = Vec3::Zero();
+    const SweepRecord* sweep_ = nullptr;
+    std::vector<Taken> taken_, before_step_;
+    std::vector<DecisionRecord> steep_;
+    std::optional<DecisionRecord> step_decision_;
+    std::optional<Loss> special_;
+    bool carrying_ = false;
+    bool stepping_ = false;  // since a step was tried, until what became of it
+    double carried_m_ = 0.0;
+    std::size_t carried_record_ = 0;
+    DecisionRecord carrier_;
+};
+
+}  // namespace
+
+std::optional<Loss> loss_of(const TickTrace& trace) {
+    return Reader(trace).read();
+}
+
+}  // namespace slipface

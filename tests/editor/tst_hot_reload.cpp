@@ -1,0 +1,222 @@
+// Other programs write the open level's files: what the editor does about it without asking.
+#include <random>
+
+#include "level_fixture.h"
+
+namespace slipface {
+namespace {
+
+namespace fs = std::filesystem;
+
+class HotReload : public LevelFixture {
+  protected:
+    void SetUp() override {
+        LevelFixture::SetUp();
+        open_level(editor, obj);
+        ASSERT_FALSE(editor.message);
+        seconds(2);
+    }
+
+    // Lets time pass as an idle window does.
+    void seconds(int count) {
+        bool shown_changed = false;
+        for (int i = 0; i < count; ++i)
+            tick_session(editor, now += 1.0, shown_changed);
+    }
+    Document& document() { return *editor.document; }
+    void paint(FaceId face, SurfaceId surface) { document().paint(std::span(&face, 1), surface); }
+    Editor editor;
+    double now = 0.0;
+};
+
+TEST_F(HotReload, ReadsAChangedFileAndStaysSaved) {
+    paint(5, ice);
+    ASSERT_TRUE(document().save());
+    watch_files(editor);
+    write_text(obj, "# a comment\n" + floor_and_wall_obj(n));
+    seconds(3);
+    EXPECT_EQ(document().history().back().name, "Reload grid.obj");
+    EXPECT_FALSE(document().dirty()) << "the level file says the same as before";
+    EXPECT_NE(editor.status.find("1 exact"), std::string::npos) << editor.status;
+    EXPECT_FALSE(editor.message);
+}
+
+TEST_F(HotReload, ATouchDoesNothing) {
+    ASSERT_TRUE(document().save());
+    watch_files(editor);
+    const std::size_t steps = document().history().size();
+    editor.status = "as it was";
+    for (const fs::path& file : {obj, level_file}) {
+        fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::seconds(5));
+        seconds(3);
+        write_text(file, read_text(file));
+        seconds(3);
+    }
+    EXPECT_EQ(document().history().size(), steps);
+    EXPECT_EQ(editor.status, "as it was");
+    EXPECT_FALSE(document().dirty());
+}
+
+TEST_F(HotReload, DoesNotAskWhenThereAreUnsavedChanges) {
+    paint(5, ice);
+    write_text(obj, "# a comment\n" + floor_and_wall_obj(n));
+    seconds(3);
+    EXPECT_EQ(document().history().back().name, "Reload grid.obj");
+    EXPECT_TRUE(document().dirty());
+    EXPECT_EQ(document().resolved().surface[5], ice);
+    EXPECT_NE(editor.status.find("undo"), std::string::npos) << editor.status;
+}
+
+TEST_F(HotReload, AHalfWrittenFileIsNoError) {
+    const std::string whole = "# new\n" + floor_and_wall_obj(n);
+    write_text(obj, whole.substr(0, whole.size() / 2) + "f 1 2 x");
+    seconds(3);
+    EXPECT_FALSE(editor.message);
+    EXPECT_TRUE(editor.session.broken);
+    write_text(obj, whole);
+    seconds(3);
+    EXPECT_FALSE(editor.message);
+    EXPECT_FALSE(editor.session.broken);
+    EXPECT_EQ(document().history().back().name, "Reload grid.obj");
+}
+
+TEST_F(HotReload, AnErrorThatStaysIsSaidAndClosesByItself) {
+    write_text(obj, "v 0 0 0\nf 1 2 3\n");
+    seconds(10);
+    ASSERT_TRUE(editor.message);
+    EXPECT_NE(editor.message->text.find("grid.obj:2"), std::string::npos) << editor.message->text;
+    EXPECT_EQ(document().mesh().face_count(), face_count) << "the level stays as it was";
+    write_text(obj, "v 0 0 0\nf 1 2 3 4\n");
+    seconds(3);
+    ASSERT_TRUE(editor.message);
+    write_text(obj, floor_and_wall_obj(n));
+    seconds(3);
+    EXPECT_FALSE(editor.message) << "the same bytes as ever: nothing to read, and nothing wrong any more";
+
+    write_text(obj, "v 0 0 0\nf 1 2 3\n");
+    seconds(10);
+    editor.message.reset();  // the user closes it
+    seconds(10);
+    EXPECT_FALSE(editor.message) << "said once";
+    editor.message = MessageDialog{"Another", "matter", {}};
+    write_text(obj, floor_and_wall_obj(n - 1));
+    seconds(3);
+    EXPECT_TRUE(editor.message) << "of something else";
+    EXPECT_EQ(document().mesh().face_count(), static_cast<std::size_t>((n - 1) * n));
+}
+
+// However a writer dawdles: in the end the level is what the file is, the paint is on it, and nobody was
+// asked or shown an error.
+TEST_F(HotReload, AWriterThatDawdlesLosesNothing) {
+    paint(5, ice);
+    paint(wall + 3, ice);
+    std::mt19937 random(7);
+    for (int round = 0; round < 30; ++round) {
+        const std::string whole = "# round " + std::to_string(round) + "\n" + floor_and_wall_obj(n);
+        std::size_t written = 0;
+        while (written < whole.size()) {
+            written = std::min(whole.size(), written + 1 + random() % 600);
+            write_text(obj, whole.substr(0, written));
+            seconds(static_cast<int>(random() % 3));
+            ASSERT_FALSE(editor.message) << editor.message->text;
+        }
+        seconds(3);
+        ASSERT_EQ(document().mesh().face_count(), face_count) << "round " << round;
+        ASSERT_EQ(document().resolved().surface[5], ice) << "round " << round;
+        ASSERT_EQ(document().resolved().surface[wall + 3], ice) << "round " << round;
+        ASSERT_TRUE(document().level().orphans.empty());
+        ASSERT_FALSE(editor.session.broken);
+    }
+}
+
+TEST_F(HotReload, GuessedPaintIsListedAndCanBeSteppedThrough) {
+    paint(0, ice);
+    paint(9, ladder);
+    write_text(obj, obj_with_cut_face(n));
+    seconds(3);
+    ASSERT_EQ(document().mesh().face_count(), face_count + 1);
+    ASSERT_EQ(std::vector<FaceId>(document().guessed().begin(), document().guessed().end()),
+              (std::vector<FaceId>{0, 1}));
+    EXPECT_TRUE(document().dirty()) << "saving writes where the paint is now";
+    EXPECT_NE(editor.status.find("2 faces' paint was guessed"), std::string::npos) << editor.status;
+
+    step_guessed(editor, true);
+    EXPECT_EQ(document().selection()[0], 0u);
+    step_guessed(editor, true);
+    EXPECT_EQ(document().selection()[0], 1u);
+    EXPECT_EQ(editor.status, "Guessed paint 2 of 2: ice");
+    step_guessed(editor, true);
+    EXPECT_EQ(document().selection()[0], 0u);
+    step_guessed(editor, false);
+    EXPECT_EQ(document().selection()[0], 1u);
+
+    // It is known again when the level is opened before it was saved, and not when undo brings the old one.
+    while (document().mesh().face_count() != face_count)
+        document().undo();
+    EXPECT_TRUE(document().guessed().empty());
+    document().go_to(document().history().size());
+    EXPECT_EQ(document().guessed().size(), 2u);
+    document().accept_guessed();
+    EXPECT_TRUE(document().guessed().empty());
+}
+
+TEST_F(HotReload, ALevelFileThatChangedIsTakenOverAndUndoGoesBack) {
+    auto other = open();
+    const FaceId face = 20;
+    other->paint(std::span(&face, 1), ladder);
+    ASSERT_TRUE(other->save());
+    seconds(3);
+    EXPECT_EQ(document().resolved().surface[20], ladder);
+    EXPECT_FALSE(document().dirty());
+
+    paint(7, ice);  // unsaved
+    other->paint(std::span(&face, 1), ice);
+    ASSERT_TRUE(other->save());
+    seconds(3);
+    EXPECT_EQ(document().resolved().surface[20], ice);
+    EXPECT_NE(document().resolved().surface[7], ice);
+    EXPECT_TRUE(document().dirty()) << "what was never saved is not given up silently";
+    EXPECT_NE(editor.status.find("undo brings your unsaved changes back"), std::string::npos);
+    document().undo();
+    EXPECT_EQ(document().resolved().surface[7], ice);
+}
+
+TEST_F(HotReload, ALevelThatIsDeletedAndMadeAgain) {
+    paint(5, ice);
+    ASSERT_TRUE(document().save());
+    watch_files(editor);
+    fs::remove(obj);
+    fs::remove(level_file);
+    seconds(8);
+    EXPECT_FALSE(editor.message);
+    EXPECT_EQ(document().resolved().surface[5], ice);
+    write_text(obj, "# again\n" + floor_and_wall_obj(n));
+    seconds(4);
+    EXPECT_FALSE(editor.message);
+    EXPECT_EQ(document().resolved().surface[5], ice);
+    save_level(editor);
+    EXPECT_FALSE(editor.message);
+    EXPECT_TRUE(fs::exists(level_file));
+}
+
+TEST_F(HotReload, AFolderThatIsRenamedUnderTheEditor) {
+    const fs::path inside = folder / "here", moved = folder / "there";
+    fs::create_directory(inside);
+    write_text(inside / "grid.obj", floor_and_wall_obj(n));
+    open_level(editor, inside / "grid.obj");
+    paint(5, ice);
+    fs::rename(inside, moved);
+    seconds(8);
+    EXPECT_FALSE(editor.message);
+    save_level(editor);
+    ASSERT_TRUE(editor.message) << "there is no such folder any more";
+    EXPECT_NE(editor.message->text.find(inside.string()), std::string::npos) << editor.message->text;
+    EXPECT_TRUE(document().dirty());
+    editor.message.reset();
+    save_level_as(editor, moved / "grid.slipface.json");
+    EXPECT_FALSE(editor.message);
+    EXPECT_TRUE(fs::exists(moved / "grid.slipface.json"));
+}
+
+}  // namespace
+}  // namespace slipface

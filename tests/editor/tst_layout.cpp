@@ -1,0 +1,161 @@
+// Every panel, dialog and window at four sizes: nothing is cut, overlaps or leaves the window.
+#include <fmt/format.h>
+#include <imgui_internal.h>
+
+#include "app_fixture.h"
+#include "layout_check.h"
+
+namespace slipface {
+namespace {
+
+struct Size {
+    int width, height;
+    float scale;
+};
+std::ostream& operator<<(std::ostream& out, const Size& size) {
+    return out << size.width << "x" << size.height << "@" << size.scale;
+}
+
+class LayoutTest : public AppFixture, public testing::WithParamInterface<Size> {
+  protected:
+    void SetUp() override {
+        LevelFixture::SetUp();
+        OffscreenOptions options;
+        options.width = GetParam().width;
+        options.height = GetParam().height;
+        options.scale = GetParam().scale;
+        start(options);
+    }
+
+    void expect_tidy(const std::string& what) {
+        host->settle();
+        for (const std::string& defect :
+             layout_defects(static_cast<float>(GetParam().width), static_cast<float>(GetParam().height)))
+            ADD_FAILURE() << what << ": " << defect;
+    }
+    void expect_tidy_after(const std::string& script) {
+        ASSERT_EQ(run(script + "\npark_mouse"), "") << script;
+        expect_tidy(script);
+    }
+    // A level with long names, something selected, and a run on the tape.
+    void fill_the_level() {
+        editor().document->rename_surface(ice, "frozen_waterfall_of_the_northern_gate");
+        ASSERT_EQ(
+            run("camera eye 4,7,13 target 4,0,4\nselect faces 3,5-9\nselect save \"the long way round to the "
+                "upper gallery\"\ncamera save \"the view from above the entrance hall\"\ncommand "
+                "playtest.start\nwait 20\nhold W 30\nhold W Space 20\nkey Escape\nfinish"),
+            "");
+    }
+};
+
+TEST_P(LayoutTest, EveryPanel) {
+    fill_the_level();
+    ASSERT_EQ(run("command tools.probe\nviewport drag @2.5,0,4.5 @7.5,0,4.5"), "");
+    for (const PanelInfo& info : panel_table()) {
+        editor().layout = {};
+        editor().layout.show(info.id);
+        ASSERT_EQ(run("park_mouse"), "");
+        expect_tidy(info.name);
+    }
+}
+
+TEST_P(LayoutTest, PanelsWithContents) {
+    fill_the_level();
+    expect_tidy_after("command panel.problems\nclick \"Problems/Examine\"");
+    expect_tidy_after("command panel.audit\ncommand audit.run\nfinish");
+    expect_tidy_after("review " + std::string(SLIPFACE_SOURCE_DIR) + "/assets/review/report.json");
+    expect_tidy_after("command review.close\nclick \"Palette/ladder\"");
+    expect_tidy_after("set ground_acceleration=12\nfinish\ncommand lab.pin\nclick \"Tabs/Ghosts\"");
+}
+
+// All panels in one dock: their tabs can all be pressed.
+TEST_P(LayoutTest, EveryTabOfACrowdedDock) {
+    for (const Dock dock : {Dock::right, Dock::left, Dock::bottom}) {
+        for (const PanelInfo& info : panel_table())
+            editor().layout.move(info.id, dock);
+        expect_tidy("crowded dock");
+        for (const PanelInfo& info : panel_table()) {
+            ASSERT_EQ(run(fmt::format("click \"Tabs/{}\"", info.label)), "");
+            EXPECT_TRUE(editor().layout.is_front(info.id)) << info.label;
+        }
+    }
+}
+
+TEST_P(LayoutTest, EveryToolsOptions) {
+    editor().document->rename_surface(ice, "frozen_waterfall_of_the_northern_gate");
+    for (const char* tool : {"tools.select", "tools.paint", "tools.fill", "tools.probe"})
+        expect_tidy_after(std::string("command ") + tool);
+    expect_tidy_after("command select.brush");
+    for (const char* widget :
+         {"Drag a box", "Drag a lasso", "Drag a brush", "Select through", "Only whole faces"})
+        EXPECT_TRUE(ui::widgets().contains(std::string("Toolbar/Options/") + widget)) << widget;
+    EXPECT_TRUE(ui::widgets().contains("Toolbar/Options/Brush"));
+    expect_tidy_after("command playtest.start\nwait 5");
+}
+
+TEST_P(LayoutTest, EveryDialogAndWindow) {
+    expect_tidy_after("command file.open");
+    expect_tidy_after("key Escape\ncommand file.save_as");
+    expect_tidy_after("key Escape\nopen missing.obj");
+    expect_tidy_after("key Escape\nset gravity=11\ncommand file.quit");
+    expect_tidy_after("key Escape\ncommand help.shortcuts");
+    expect_tidy_after("click \"Shortcuts/tools.paint\"\nkey Ctrl+S");
+    expect_tidy_after("key Escape\nkey Ctrl+P");
+    expect_tidy_after("key Escape\ncommand help.overlay");
+    expect_tidy_after("key Escape\ncommand view.four_panes");
+    ASSERT_EQ(run("command view.one_pane\ncommand help.tour"), "");
+    for (int step = 0; step < 7; ++step)
+        expect_tidy_after(step == 0 ? "" : "key Enter");
+    expect_tidy_after("key Escape\nautosave\ncrash");
+    editor().document.reset();
+    expect_tidy("welcome");
+}
+
+TEST_P(LayoutTest, EveryMenu) {
+    std::set<std::string> menus;
+    for (const Command& command : commands())
+        if (*command.menu) menus.insert(std::string("Menu/") + command.menu);
+    for (const std::string& menu : menus) {
+        const std::size_t slash = menu.find('/', 5);
+        ASSERT_EQ(run("click \"" + menu.substr(0, slash) + "\""), "");
+        if (slash != std::string::npos) {
+            ASSERT_EQ(run("hover \"" + menu + "\"\nwait 2"), "");
+        }
+        expect_tidy(menu);
+        ImGui::ClosePopupToLevel(0, false);
+        ASSERT_EQ(run("park_mouse\nwait 2"), "");
+    }
+}
+
+// Whatever is under the mouse, its tooltip lies in the window.
+TEST_P(LayoutTest, EveryTooltip) {
+    fill_the_level();
+    std::vector<std::string> paths;
+    for (const auto& [path, rect] : ui::widgets())
+        if (rect.visible) paths.push_back(path);
+    std::size_t shown = 0;
+    for (const std::string& path : paths) {
+        ASSERT_EQ(run("hover \"" + path + "\""), "");
+        host->settle();
+        for (const auto& [name, rect] : ui::widgets()) {
+            if (!name.ends_with("Tooltip")) continue;
+            ++shown;
+            EXPECT_GE(rect.min.x, 0.0f) << path;
+            EXPECT_GE(rect.min.y, 0.0f) << path;
+            EXPECT_LE(rect.max.x, static_cast<float>(GetParam().width)) << path;
+            EXPECT_LE(rect.max.y, static_cast<float>(GetParam().height)) << path;
+        }
+    }
+    EXPECT_GT(shown, 20u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, LayoutTest,
+                         testing::Values(Size{800, 500, 1}, Size{1280, 720, 1}, Size{1440, 900, 1},
+                                         Size{1920, 1080, 2}),
+                         [](const auto& info) {
+                             return fmt::format("{}x{}at{}", info.param.width, info.param.height,
+                                                static_cast<int>(info.param.scale));
+                         });
+
+}  // namespace
+}  // namespace slipface

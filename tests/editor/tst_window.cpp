@@ -1,0 +1,195 @@
+// What a stranger tripped over in the window: each of it with the sight or the press that showed it.
+#include <imgui_internal.h>
+
+#include <set>
+
+#include "app_fixture.h"
+#include "panels/lab_track.h"
+#include "panels/viewport_panel.h"
+#include "tools/surface_types.h"
+#include "widgets/theme.h"
+
+namespace slipface {
+namespace {
+
+class WindowTest : public AppFixture {
+  protected:
+    const ui::WidgetRect& widget(const std::string& path) {
+        const auto found = ui::widgets().find(path);
+        EXPECT_NE(found, ui::widgets().end()) << path;
+        static const ui::WidgetRect none;
+        return found == ui::widgets().end() ? none : found->second;
+    }
+    // Pixels inside a widget whose colour is nearer to `color` than `reach`, of 255.
+    int pixels_like(const ui::WidgetRect& rect, const ImVec4& color, int reach) {
+        host->settle();
+        const Image image = host->screenshot();
+        int count = 0;
+        for (int y = static_cast<int>(rect.min.y); y < static_cast<int>(rect.max.y); ++y)
+            for (int x = static_cast<int>(rect.min.x); x < static_cast<int>(rect.max.x); ++x) {
+                const std::size_t at =
+                    4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                         static_cast<std::size_t>(x));
+                const float wanted[] = {color.x, color.y, color.z};
+                bool like = true;
+                for (std::size_t c = 0; c < 3; ++c)
+                    like &= std::abs(static_cast<float>(image.rgba[at + c]) - 255.0f * wanted[c]) <=
+                            static_cast<float>(reach);
+                count += like ? 1 : 0;
+            }
+        return count;
+    }
+};
+
+TEST_F(WindowTest, TheSelectionsTintIsNotSeenWhileWalking) {
+    ASSERT_EQ(run("select faces 3-9\ncommand playtest.start"), "");
+    for (const std::uint8_t flags : face_highlights(editor()))
+        EXPECT_EQ(flags & 2, 0);
+    ASSERT_EQ(run("key Escape"), "");
+    EXPECT_EQ(face_highlights(editor())[3] & 2, 2);
+}
+
+TEST_F(WindowTest, AStrokeSaysOnHowManyFacesItPainted) {
+    look_down();
+    choose_brush(editor(), ice);
+    ASSERT_EQ(run("viewport drag @0.5,0,4.5 @7.5,0,4.5"), "");
+    EXPECT_EQ(editor().status, "Painted ice on 8 faces");
+    // The next one begins at nothing, and what is ice already does not count.
+    ASSERT_EQ(run("viewport drag @2.5,0,4.5 @2.5,0,6.5"), "");
+    EXPECT_EQ(editor().status, "Painted ice on 2 faces");
+    ASSERT_EQ(run("select faces 0-4\nkey L"), "");
+    EXPECT_EQ(editor().status, "Painted ice on 4 faces");
+}
+
+TEST_F(WindowTest, CommandsNameTheTypeInsteadOfItsKey) {
+    const auto& surfaces = document().level().surfaces;
+    for (const SurfaceType& type : surfaces) {
+        if (type.hotkey == 0) continue;
+        const std::string digit = std::to_string(type.hotkey);
+        EXPECT_EQ(command_name(editor(), *find_command("brush." + digit)), "Brush: " + type.name);
+        EXPECT_EQ(command_name(editor(), *find_command("select.type_" + digit)), "Type: " + type.name);
+        EXPECT_EQ(command_name(editor(), *find_command("paint." + digit)), "Make it the type of key " + digit)
+            << "nothing is selected, so it stands for nothing yet";
+    }
+    ASSERT_EQ(run("select faces 1\nselect save \"north wall\""), "");
+    EXPECT_EQ(command_name(editor(), *find_command("paint.2")), "Make it " + surfaces[ice].name);
+    EXPECT_EQ(command_name(editor(), *find_command("select.recall_1")), "Recall north wall");
+    // A rename is seen at once, and found.
+    editor().document->rename_surface(ice, "frost");
+    ASSERT_EQ(run("key Ctrl+P\ntype \"frost\"\nexpect widget \"Commands/Brush of key 2\""), "");
+}
+
+TEST_F(WindowTest, NoTwoIconsOfTheToolbarAreTheSame) {
+    ASSERT_EQ(run("command tools.select"), "");
+    host->settle();
+    std::map<std::string_view, std::string> seen;
+    for (const Command& command : commands()) {
+        const std::string label(command.label);
+        if (!ui::widgets().contains("Toolbar/" + label) &&
+            !ui::widgets().contains("Toolbar/Options/" + label))
+            continue;
+        const auto [other, fresh] = seen.emplace(command.icon, label);
+        EXPECT_TRUE(fresh || other->second == label) << label << " has the icon of " << other->second;
+    }
+    EXPECT_GT(seen.size(), 15u);
+}
+
+TEST_F(WindowTest, TheViewCubeHasLetters) {
+    editor().view.look_from({0, 0, 1});
+    host->settle();
+    const ui::WidgetRect front = widget("Viewport/Cube/Front");
+    ui::WidgetRect side = front;
+    side.min = {front.min.x - 14, front.min.y - 4};
+    side.max = {front.max.x + 14, front.max.y + 4};
+    EXPECT_GT(pixels_like(side, ui::palette().text, 60), 12);
+}
+
+TEST_F(WindowTest, TheWhiteSwatchHasABorderInTheLightTheme) {
+    ASSERT_EQ(run("command interface.light\nclick \"Palette/ice\"\npark_mouse"), "");
+    const auto colors = safe_surface_colors();
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const ui::WidgetRect swatch = widget("Palette/Swatch " + std::to_string(i + 1));
+        if (!swatch.visible) continue;
+        EXPECT_GT(pixels_like(swatch, ui::palette().muted, 40), 8) << i;
+    }
+}
+
+TEST_F(WindowTest, ReviewNamesAMenuThatThereIs) {
+    const std::string named = menu_location(*find_command("review.open"));
+    EXPECT_EQ(named, "View > Snapshots > Review snapshots");
+    ASSERT_EQ(run("menu \"View/Snapshots/Review snapshots\""), "");
+}
+
+TEST_F(WindowTest, EscapeClosesTheWindowOfKeysAfterADialogToo) {
+    ASSERT_EQ(
+        run("key F1\nexpect widget \"Shortcuts/Reset all\"\nkey Escape\nexpect no_widget \"Shortcuts/Reset "
+            "all\"\nkey F1\nopen missing.obj\nkey Escape\nexpect message \"\"\nexpect widget "
+            "\"Shortcuts/Reset all\"\nkey Escape\nexpect no_widget \"Shortcuts/Reset all\""),
+        "");
+}
+
+TEST_F(WindowTest, AConflictOfKeysNamesTheOtherCommand) {
+    ASSERT_EQ(run("key F1\nclick \"Shortcuts/tools.paint\"\nkey Ctrl+S"), "");
+    EXPECT_EQ(editor().status, "Paint has Ctrl+S now, and so has Save");
+    host->settle();
+    EXPECT_TRUE(ui::widgets().contains("Shortcuts/tools.paint/Conflict"));
+    EXPECT_TRUE(ui::widgets().contains("Shortcuts/file.save/Conflict"));
+    EXPECT_FALSE(ui::widgets().contains("Shortcuts/tools.fill/Conflict"));
+}
+
+TEST_F(WindowTest, FillSaysHowFarItGoesBeforeTheClick) {
+    look_down();
+    ASSERT_EQ(run("command tools.fill"), "");
+    editor().brush = ice;
+    ASSERT_EQ(run("viewport hover @3.5,0,3.5"), "");
+    EXPECT_EQ(tool_preview(editor()), "Fill 64 faces with ice");
+    EXPECT_TRUE(ui::widgets().contains("Viewport/Tool preview"));
+    ASSERT_EQ(run("viewport click @3.5,0,3.5"), "");
+    EXPECT_EQ(editor().status, "Painted ice on 64 faces");
+    editor().brush.reset();
+    EXPECT_EQ(tool_preview(editor()), "Unset 64 faces");
+    ASSERT_EQ(run("park_mouse"), "");
+    EXPECT_FALSE(ui::widgets().contains("Viewport/Tool preview"));
+}
+
+// With more ticks than pixels a marker covers many of them; a press anywhere on it means its event.
+TEST_F(WindowTest, APressOnAnEventsMarkerTakesItsTick) {
+    editor().document->set_spawn({Vec3(4, 0.95, 6), 0.0});
+    ASSERT_EQ(run("command playtest.start\nwait 30\nhold W 40\nhold W Space 5\nwait 900\nkey Escape\nfinish"),
+              "");
+    host->settle();
+    const Lab& lab = editor().lab;
+    ASSERT_GT(lab.ticks(), 900u);
+    const ui::WidgetRect track = widget("Timeline/Track");
+    const LabTrack strip = lab_track(lab, track.min, track.max);
+    std::set<std::size_t> ticks;
+    for (const SimulationEvent& event : lab.runs()[lab.told()].run.events())
+        if (std::string_view(event.kind) == "jump") ticks.insert(event.tick);
+    ASSERT_FALSE(ticks.empty());
+    for (const std::size_t tick : ticks) {
+        editor().lab.seek(0);
+        host->move_mouse({strip.x(static_cast<double>(tick)) + 1.0f, track.min.y + 8.0f});
+        host->frame();
+        host->mouse_button(0, true);
+        host->frame();
+        host->mouse_button(0, false);
+        host->frame();
+        EXPECT_EQ(lab.cursor(), tick);
+    }
+}
+
+TEST_F(WindowTest, ASlidersMarkLiesBelowItsNumber) {
+    ASSERT_EQ(run("set gravity=20\npark_mouse"), "");
+    ui::WidgetRect digits = widget("Movement/Gravity");
+    // The line of text alone: the mark is as bright as the accent, the digits are not.
+    const float middle = digits.centre().y, half = 0.35f * ImGui::GetFontSize();
+    digits.min.y = middle - half;
+    digits.max.y = middle + half;
+    EXPECT_EQ(pixels_like(digits, ui::palette().accent, 50), 0);
+    ui::WidgetRect below = widget("Movement/Gravity");
+    below.min.y = below.max.y - 5.0f;
+    EXPECT_GT(pixels_like(below, ui::palette().accent, 90), 4);
+}
+
+}  // namespace
+}  // namespace slipface

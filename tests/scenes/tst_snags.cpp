@@ -1,0 +1,103 @@
+// Of planted snags the headline names the right face and the right rule, and the first cure that is offered
+// lets the player on. Prints the table of docs/lab.md:
+//   build/release/tests/tests_scenes --gtest_filter='Snags.*'
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "slipface/sim/cures.h"
+#include "snags.h"
+
+namespace slipface::test {
+namespace {
+
+struct Walk {
+    std::vector<Stop> stops;
+    double furthest_z = 0.0, highest_y = 0.0;
+    std::vector<Cure> cures;  // of the headline
+};
+
+Walk walk(const Level& level, const Tape& tape, bool with_cures) {
+    Walk walk;
+    Result<LevelScene> built = LevelScene::build(level, level.movement);
+    if (!built) {
+        ADD_FAILURE() << built.error().text();
+        return walk;
+    }
+    const TickScene scene(*built);
+    TapeRun run(std::make_shared<const Tape>(tape), level.movement, level.spawn);
+    run.advance(scene, TapeRun::max_ticks);
+    walk.stops = find_stops(scene, run, level);
+    walk.highest_y = -1e9;
+    for (const TickSample& sample : run.samples()) {
+        walk.furthest_z = std::min(walk.furthest_z, sample.position.z());
+        walk.highest_y = std::max(walk.highest_y, sample.position.y());
+    }
+    if (with_cures && !walk.stops.empty()) walk.cures = find_cures(level, run, *headline_stop(walk.stops));
+    return walk;
+}
+
+bool got_on(const Snag& snag, const Walk& walk) {
+    return walk.furthest_z < snag.passed_z && walk.highest_y > snag.passed_y;
+}
+
+struct Score {
+    int snags = 0, headlines = 0, cures = 0;
+};
+
+void judge(const Snag& snag, Score& score) {
+    const Walk as_is = walk(snag.level, snag.tape, true);
+    // A size at which the walk is not stopped is no snag.
+    if (got_on(snag, as_is)) return;
+    ++score.snags;
+    bool right = false, cured = false;
+    std::string headline = "-", cure = "-";
+    if (const Stop* stop = headline_stop(as_is.stops)) {
+        headline = stop->headline;
+        const Mesh& mesh = *snag.level.mesh;
+        const bool face =
+            snag.group.empty() || (stop->loss.face != no_id && stop->loss.face < mesh.face_count() &&
+                                   mesh.groups[mesh.face_group[stop->loss.face]] == snag.group);
+        right = face && snag.causes.contains(stop->loss.cause);
+        if (!as_is.cures.empty()) {
+            cure = cure_text(as_is.cures.front());
+            Level changed = snag.level;
+            EXPECT_TRUE(apply_cure(changed, as_is.cures.front()).ok());
+            cured = got_on(snag, walk(changed, snag.tape, false));
+        }
+    }
+    score.headlines += right;
+    score.cures += cured;
+    std::printf("| %s | %s | %s%s | %s%s |\n", snag.kind.c_str(), snag.size.c_str(),
+                right ? "" : "WRONG: ", headline.c_str(), cured ? "" : "FAILS: ", cure.c_str());
+}
+
+TEST(Snags, TheHeadlineIsRightAndTheFirstCureWorks) {
+    Score score;
+    for (const std::uint64_t seed : std::initializer_list<std::uint64_t>{1, 2, 3}) {
+        SnagMaker maker(seed);
+        for (const Snag& snag : maker.make())
+            judge(snag, score);
+    }
+    std::printf("%d snags, %d right headlines, %d first cures that work\n", score.snags, score.headlines,
+                score.cures);
+    EXPECT_GE(score.snags, 40);
+    EXPECT_GE(score.headlines, 0.95 * score.snags);
+    EXPECT_GE(score.cures, 0.90 * score.snags);
+}
+
+TEST(Snags, AWalkThatNothingStopsHasNoHeadline) {
+    MovementSettings s = lecture_settings();
+    for (const double slope : {0.0, 20.0, 45.0, 49.5}) {
+        Shapes shapes;
+        shapes.group("floor").box({-8, -1, -30}, {8, 0, 5});
+        if (slope > 0.0) shapes.group("ramp").ramp({-4, 0, -2}, 8, 20, 20 * std::tan(slope * M_PI / 180));
+        const Snag free =
+            snag_of("free", "", shapes, s, {}, "15 wish 0,0\n90 wish 0,-1\n20 wish 0,0\n40 wish 1,0\n");
+        const Walk walked = walk(free.level, free.tape, false);
+        EXPECT_TRUE(walked.stops.empty()) << slope << ": " << stops_text(walked.stops, 1.0 / 60);
+    }
+}
+
+}  // namespace
+}  // namespace slipface::test
