@@ -1,7 +1,7 @@
 // slipface_audit_rate LEVEL...: how many steps a second an audit makes, beside nothing but the steps: the
 // same number of walkers with the same wishes, on one thread, in turns, so that what slows the machine slows
-// both. Each figure is the median over the rounds of processor time, and the share the median of the rounds'
-// own shares.
+// both. Each figure is the median over the rounds of processor time, and the fraction the median of the
+// rounds' own shares.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -68,7 +68,7 @@ int measure(const char* path) {
     Result<LevelScene> scene = LevelScene::build(level);
     if (!scene) return fmt::print(stderr, "{}\n", scene.error().text()), 1;
     const Wishes wishes = wishes_of(level, options);
-    std::vector<double> audits, steps, shares;
+    std::vector<double> audits, steps, fractions;
     for (int round = 0; round <= rounds; ++round) {
         const double start = seconds();
         const Result<AuditReport> report = run_audit(level, options);
@@ -79,10 +79,10 @@ int measure(const char* path) {
         if (round == 0) continue;  // warms the caches
         audits.push_back(static_cast<double>(report->steps) / (middle - start));
         steps.push_back(made / (end - middle));
-        shares.push_back(audits.back() / steps.back());
+        fractions.push_back(audits.back() / steps.back());
     }
     fmt::print("| {} | {:.2f} | {:.2f} | {:.0f} % |\n", level.mesh_path.stem().string(), median(steps) / 1e6,
-               median(audits) / 1e6, 100.0 * median(shares));
+               median(audits) / 1e6, 100.0 * median(fractions));
     std::fflush(stdout);
     return 0;
 }

@@ -65,13 +65,13 @@ std::vector<Vec3> spawns(LevelScene& scene, const MovementSettings& s, std::size
     const Aabb box = world.collision.bounds();
     std::vector<Vec3> found;
     for (std::uint64_t i = 0; found.size() < count && i < 100000; ++i) {
-        const auto share = [&](std::uint64_t salt) {
+        const auto fraction = [&](std::uint64_t salt) {
             std::uint64_t x = (i * 3 + salt) * 0x9e3779b97f4a7c15ULL;
             x ^= x >> 29;
             x *= 0xbf58476d1ce4e5b9ULL;
             return static_cast<double>(x >> 11) * 0x1.0p-53;
         };
-        const Vec3 from = box.min + Vec3(share(0), share(1), share(2)).cwiseProduct(box.size());
+        const Vec3 from = box.min + Vec3(fraction(0), fraction(1), fraction(2)).cwiseProduct(box.size());
         if (overlaps_any(world.collision, s.radii, from)) continue;
         const auto ground = sweep_ellipsoid(world.collision, s.radii, from, Vec3(0, -3, 0));
         if (!ground || ground->normal.y() < 0.9) continue;
@@ -161,9 +161,9 @@ Timing time_bullet(const Mesh& mesh, const MovementSettings& s, const std::vecto
         controller.warp(start);
         const double begin = seconds();
         for (const Vec2& wish : wishes[w]) {
-            const Vec2 way = wish * s.walk_speed * dt;
+            const Vec2 motion = wish * s.walk_speed * dt;
             controller.setWalkDirection(
-                btVector3(static_cast<btScalar>(way.x()), 0, static_cast<btScalar>(way.y())));
+                btVector3(static_cast<btScalar>(motion.x()), 0, static_cast<btScalar>(motion.y())));
             controller.preStep(&world);
             controller.playerStep(&world, static_cast<btScalar>(dt));
             if (static_cast<double>(ghost.getWorldTransform().getOrigin().y()) < floor) {

@@ -16,7 +16,7 @@
 
 #include "slipface/base/files.h"
 #include "slipface/level/level_file.h"
-#include "slipface/render/level_picture.h"
+#include "slipface/render/level_image.h"
 
 namespace {
 
@@ -117,7 +117,7 @@ int run(const std::filesystem::path& folder, int side, bool quads) {
     Camera camera;
     camera.eye = bounds.max + Vec3(0, 50, 0);
     camera.target = (bounds.min + bounds.max) / 2;
-    const Result<Image> image = render_level_picture(**context, level, camera, 1280, 720, {});
+    const Result<Image> image = render_level_image(**context, level, camera, 1280, 720, {});
     if (!image) return fmt::print("{}\n", image.error().text()), 2;
     table.row("upload and first picture");
     const Clock end = Clock::now();

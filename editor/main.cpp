@@ -29,12 +29,12 @@ int complain(const Error& error, int code) {
 }
 
 // Without a display the same editor runs off-screen, so that there is something to look at.
-int show_pictures(const fs::path& level, const Error& reason) {
+int show_images(const fs::path& level, const Error& reason) {
     fmt::print("No window ({}). Drawing the editor off-screen instead.\n", reason.message);
     const fs::path editor_png = fs::path("out") / "editor.png", level_png = fs::path("out") / "level.png";
     std::error_code error;
     fs::create_directories("out", error);
-    if (const Status status = write_pictures(level, editor_png, level_png); !status)
+    if (const Status status = write_images(level, editor_png, level_png); !status)
         return complain(status.error(), cli::exit_bad_input);
     fmt::print("{}\n", fs::absolute(editor_png, error).string());
     if (!level.empty()) fmt::print("{}\n", fs::absolute(level_png, error).string());
@@ -49,7 +49,7 @@ int open_editor(const fs::path& level, float scale) {
     }
     const Status status =
         run_window({.level = level, .config = config_folder(), .state = state_folder(), .scale = scale});
-    return status.ok() ? cli::exit_fine : show_pictures(level, status.error());
+    return status.ok() ? cli::exit_fine : show_images(level, status.error());
 }
 
 void print_warnings(const Warnings& warnings) {

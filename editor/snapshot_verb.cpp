@@ -163,7 +163,7 @@ void add_report_verbs(CLI::App& group, int& exit_code) {
 
 void add_diff_verb(CLI::App& group, int& exit_code) {
     struct Files {
-        std::string expected, actual, profile = "scene", picture;
+        std::string expected, actual, profile = "scene", image;
         bool json = false;
     };
     const auto files = std::make_shared<Files>();
@@ -173,26 +173,25 @@ void add_diff_verb(CLI::App& group, int& exit_code) {
     verb->add_option("--profile", files->profile, "scene or ui")
         ->capture_default_str()
         ->check(CLI::IsMember({"scene", "ui"}));
-    verb->add_option("--out", files->picture, "PNG to write: where they differ");
+    verb->add_option("--out", files->image, "PNG to write: where they differ");
     verb->add_flag("--json", files->json, "As JSON");
     verb->callback([files, &exit_code] {
-        exit_code =
-            snapshot_diff(files->expected, files->actual, files->profile, files->picture, files->json);
+        exit_code = snapshot_diff(files->expected, files->actual, files->profile, files->image, files->json);
     });
 }
 
 void add_doctor_verb(CLI::App& group, int& exit_code) {
     const Shared arguments = new_arguments(WorkKind::check);
     const auto part = std::make_shared<std::string>();
-    const auto pictures = std::make_shared<std::vector<std::string>>();
+    const auto images = std::make_shared<std::vector<std::string>>();
     CLI::App* const verb =
         group.add_subcommand("doctor", "Say whether pictures can be trusted on this machine");
-    verb->add_option("picture", *pictures, "Pictures to put through the gate's self-test, too");
+    verb->add_option("picture", *images, "Pictures to put through the gate's self-test, too");
     verb->add_option("--part", *part)->group("");
     verb->add_option("--gl", arguments->work.suite.gl)->group("");
-    verb->callback([arguments, part, pictures, &exit_code] {
+    verb->callback([arguments, part, images, &exit_code] {
         choose_gl(arguments);
-        exit_code = part->empty() ? snapshot_doctor(*pictures) : snapshot_doctor_part(*part);
+        exit_code = part->empty() ? snapshot_doctor(*images) : snapshot_doctor_part(*part);
     });
 }
 

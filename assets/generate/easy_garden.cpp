@@ -7,7 +7,7 @@
 namespace slipface::generate {
 namespace {
 
-// A repeatable share in [0, 1) for the n-th detail of a thing.
+// A repeatable fraction in [0, 1) for the n-th detail of a thing.
 double scatter(std::uint32_t thing, std::uint32_t n) {
     std::uint32_t bits = thing * 0x9e3779b9U + n * 0x85ebca6bU + 0x27d4eb2fU;
     bits = (bits ^ (bits >> 15U)) * 0x2c1b3c6dU;

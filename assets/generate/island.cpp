@@ -63,8 +63,8 @@ double within(double x, double z, double x0, double x1, double z0, double z1, do
     return 1.0 - ramp_between(0.0, border, std::sqrt(dx * dx + dz * dz));
 }
 
-void blend(double& height, double target, double share) {
-    height += (target - height) * share;
+void blend(double& height, double target, double fraction) {
+    height += (target - height) * fraction;
 }
 
 bool temple_cell(double x, double z) {

@@ -21,8 +21,9 @@ Status write_island_heights(const std::filesystem::path& folder) {
     GreyImage image{.width = beach.columns, .height = beach.rows, .values = {}};
     for (int row = 0; row < beach.rows; ++row) {
         for (int column = 0; column < beach.columns; ++column) {
-            const double share = (beach_height(column, row) - lowest) / (highest - lowest);
-            image.values.push_back(static_cast<std::uint16_t>(std::clamp(share, 0.0, 1.0) * 65535.0 + 0.5));
+            const double fraction = (beach_height(column, row) - lowest) / (highest - lowest);
+            image.values.push_back(
+                static_cast<std::uint16_t>(std::clamp(fraction, 0.0, 1.0) * 65535.0 + 0.5));
         }
     }
     return save_grey_png(folder / "island.heights.png", image);

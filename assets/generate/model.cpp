@@ -152,11 +152,11 @@ void Model::join_edges() {
             const Grid2 uv_from = uvs_[face.uvs[i]];
             const Grid2 uv_to = uvs_[face.uvs[next]];
             for (const auto& [along, vertex] : between) {
-                const double share = static_cast<double>(along) / static_cast<double>(dot(edge, edge));
+                const double fraction = static_cast<double>(along) / static_cast<double>(dot(edge, edge));
                 const Vec2 a(static_cast<double>(uv_from[0]), static_cast<double>(uv_from[1]));
                 const Vec2 b(static_cast<double>(uv_to[0]), static_cast<double>(uv_to[1]));
                 joined.vertices.push_back(vertex);
-                joined.uvs.push_back(add_uv((a + share * (b - a)) / grid_per_unit));
+                joined.uvs.push_back(add_uv((a + fraction * (b - a)) / grid_per_unit));
             }
         }
         face = std::move(joined);

@@ -17,8 +17,8 @@ double ramp_between(double a, double b, double t) {
     return x * x * (3.0 - 2.0 * x);
 }
 
-Color mix(const Color& a, const Color& b, double share) {
-    return a + (b - a) * std::clamp(share, 0.0, 1.0);
+Color mix(const Color& a, const Color& b, double fraction) {
+    return a + (b - a) * std::clamp(fraction, 0.0, 1.0);
 }
 
 double hash01(std::uint32_t seed, int x, int y) {

@@ -25,9 +25,9 @@ inline const Color ice{0.74, 0.88, 0.93}, sky{0.66, 0.82, 0.92}, soot{0.13, 0.11
     ember{0.98, 0.46, 0.10};
 }  // namespace palette
 
-// Share from 0 to 1 as t passes from a to b, smooth at both ends.
+// Fraction from 0 to 1 as t passes from a to b, smooth at both ends.
 double ramp_between(double a, double b, double t);
-Color mix(const Color& a, const Color& b, double share);
+Color mix(const Color& a, const Color& b, double fraction);
 
 // Repeatable noise in [0, 1).
 double hash01(std::uint32_t seed, int x, int y);
@@ -41,7 +41,7 @@ double cloud(double u, double v, int cells, int octaves, std::uint32_t seed);
 // Distances from (u, v) to the nearest and second nearest of one point a cell, in cells.
 struct CellDistance {
     double nearest = 0, second = 0;
-    double tint = 0;  // repeatable share of the nearest point, 0..1
+    double tint = 0;  // repeatable fraction of the nearest point, 0..1
 };
 CellDistance cell_distance(double u, double v, int cells, std::uint32_t seed);
 

@@ -93,8 +93,8 @@ void add_playground_terrace(Model& model) {
     // The rock that carries the terrace: two storeys of arches' width, then cliff that narrows downwards.
     const std::array<Vec3, 4> rim{Vec3(-40, y0, 12.5), Vec3(40, y0, 12.5), Vec3(40, y0, -60),
                                   Vec3(-40, y0, -60)};
-    const auto lower = [](const Vec3& at, double share, double y) {
-        return Vec3(share * at.x(), y, -24 + share * (at.z() + 24));
+    const auto lower = [](const Vec3& at, double fraction, double y) {
+        return Vec3(fraction * at.x(), y, -24 + fraction * (at.z() + 24));
     };
     for (std::size_t i = 0; i < 4; ++i) {
         const Vec3 a = rim[i], b = rim[(i + 1) % 4];

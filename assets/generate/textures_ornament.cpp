@@ -159,9 +159,9 @@ Image sky_light() {
 
 // Whose planks run along u; `count` of them, with a joint in each.
 Color planks(double u, double v, int count, const Color& base, std::uint32_t seed) {
-    const double place = v * count;
-    const int plank = static_cast<int>(std::floor(place));
-    const double edge = std::min(place - plank, 1.0 - (place - plank)) / count;
+    const double position = v * count;
+    const int plank = static_cast<int>(std::floor(position));
+    const double edge = std::min(position - plank, 1.0 - (position - plank)) / count;
     const double joint = std::abs(u - hash01(seed, plank, 0));
     const double grain = noise(u, v, 4, 96, seed + 1) * 0.6 + noise(u, v, 10, 160, seed + 2) * 0.4;
     const Color color = base * (0.80 + 0.22 * hash01(seed, plank, 1) + 0.24 * (grain - 0.5));

@@ -10,7 +10,7 @@
 
 namespace slipface::generate {
 
-// A repeatable share in [0, 1) for the n-th detail of a thing.
+// A repeatable fraction in [0, 1) for the n-th detail of a thing.
 double scatter(std::uint32_t thing, std::uint32_t n);
 
 // A boulder standing on `foot`.
@@ -49,7 +49,7 @@ struct Ground {
     int columns = 0, rows = 0;  // cells
     std::function<double(double x, double z)> height{};
     std::function<std::string(double x, double z, double steepness)> material{};
-    double jitter = 0.0;  // share of `step` by which inner corners move sideways
+    double jitter = 0.0;  // fraction of `step` by which inner corners move sideways
     bool faces_up = true;
     // With it, triangles all of whose corners are outside are left out, and diagonals do not depend on the
     // height: two sheets that meet where `outside` begins then have the same border.

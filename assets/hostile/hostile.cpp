@@ -31,7 +31,7 @@ class Random {
             if (point.norm() > 0.01 && point.norm() <= 1.0) return point.normalized();
         }
     }
-    Vec3 place(double lowest) {
+    Vec3 position(double lowest) {
         const double r = half_size - 1.0;
         return {between(-r, r), lowest, between(-r, r)};
     }
@@ -86,7 +86,7 @@ void hall(Obj& obj) {
 // Spikes from the floor, the ceiling, and lying about.
 void needles(Obj& obj, Random& random) {
     for (int i = 0; i < 160; ++i) {
-        const Vec3 foot = random.place(i % 4 == 3 ? height : 0.0);
+        const Vec3 foot = random.position(i % 4 == 3 ? height : 0.0);
         Vec3 axis = random.direction();
         axis.y() = i % 4 == 3 ? -std::abs(axis.y()) : std::abs(axis.y());
         const double width = random.between(0.001, 0.4);
@@ -98,7 +98,7 @@ void needles(Obj& obj, Random& random) {
 // Two walls that meet at 2 to 60 degrees, upright or leaning over the player.
 void wedges(Obj& obj, Random& random) {
     for (int i = 0; i < 120; ++i) {
-        const Vec3 tip = random.place(0.0);
+        const Vec3 tip = random.position(0.0);
         const Vec3 along = random.direction().cwiseProduct(Vec3(1, 0, 1)).normalized();
         const Vec3 aside(-along.z(), 0, along.x());
         const double length = random.between(1.0, 5.0), top = random.between(0.3, 5.0);
@@ -116,7 +116,7 @@ void wedges(Obj& obj, Random& random) {
 // Pairs of walls from a hand's breadth to a player's width apart.
 void cracks(Obj& obj, Random& random) {
     for (int i = 0; i < 60; ++i) {
-        const Vec3 a = random.place(0.0);
+        const Vec3 a = random.position(0.0);
         const Vec3 along = random.direction().cwiseProduct(Vec3(1, 0, 1)).normalized();
         const Vec3 aside(-along.z(), 0, along.x());
         const double gap = random.between(0.02, 0.85), length = random.between(1.0, 6.0);
@@ -129,14 +129,14 @@ void cracks(Obj& obj, Random& random) {
 // Edges that meet in one point at every angle: low pyramids of many sides, some of them pits' rims.
 void fans(Obj& obj, Random& random) {
     for (int i = 0; i < 60; ++i) {
-        const Vec3 foot = random.place(0.0);
+        const Vec3 foot = random.position(0.0);
         const Vec3 tip =
             foot + Vec3(random.between(-0.5, 0.5), random.between(0.05, 3.0), random.between(-0.5, 0.5));
         std::vector<Vec3> ring;
         const double radius = random.between(0.3, 3.0);
         for (int k = 0; k < 24; ++k) {
-            const double share = k / 24.0,
-                         turn = 4.0 * share;  // around a square: no sine, the same bits anywhere
+            const double fraction = k / 24.0,
+                         turn = 4.0 * fraction;  // around a square: no sine, the same bits anywhere
             const double u = turn - std::floor(turn);
             const Vec3 corners[] = {{1, 0, 1}, {-1, 0, 1}, {-1, 0, -1}, {1, 0, -1}, {1, 0, 1}};
             const int side = static_cast<int>(turn);
@@ -151,7 +151,7 @@ void fans(Obj& obj, Random& random) {
 // Slivers of a millimetre and triangles that nobody built.
 void debris(Obj& obj, Random& random) {
     for (int i = 0; i < 900; ++i) {
-        const Vec3 at = random.place(random.between(0.0, 8.0));
+        const Vec3 at = random.position(random.between(0.0, 8.0));
         const double size = i % 3 == 0 ? random.between(0.01, 0.3) : random.between(0.3, 4.0);
         const Vec3 b = at + random.direction() * size;
         const Vec3 c = i % 5 == 0 ? Vec3(0.5 * (at + b) + random.direction() * 0.001)

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "app/draw_hash.h"
+#include "app/image_shelf.h"
 #include "app/parts.h"
-#include "app/picture_shelf.h"
 #include "app/scene_view.h"
 #include "app/ui_renderer.h"
 #include "panels/viewport_panel.h"
@@ -24,7 +24,7 @@ struct App::Impl {
           scene(given.gl, editor),
           preview(given.gl, editor.session),
           thumbnails(given.gl, editor.session),
-          pictures(given.gl),
+          images(given.gl),
           parts(editor, frame) {
         parts.preview = &preview;
         parts.thumbnails = &thumbnails;
@@ -65,7 +65,7 @@ struct App::Impl {
     SceneView scene;
     LevelPreview preview;
     LevelThumbnails thumbnails;
-    PictureShelf pictures;
+    ImageShelf images;
     Parts parts;
     std::unique_ptr<UiRenderer> renderer;
     ImGuiContext* context = nullptr;
@@ -94,7 +94,7 @@ App::App(const AppOptions& options) : impl_(std::make_unique<Impl>(options)) {
 
     reset_viewport_panel();
     self.frame.viewport = &self.scene;
-    self.frame.pictures = &self.pictures;
+    self.frame.images = &self.images;
 }
 
 App::~App() {

@@ -62,7 +62,7 @@ void begin(Parts& parts) {
     // What is mounted differs from machine to machine.
     const Result<std::string> mounts =
         parts.deterministic ? Result<std::string>("") : read_file("/proc/self/mounts", 1u << 20);
-    browser.places = usual_places(mounts ? *mounts : std::string());
+    browser.places = usual_folders(mounts ? *mounts : std::string());
     show_folder(parts, folder.empty() ? fs::path(".") : nearest_folder(folder));
     if (!editor.document) return;
     const FileKind& kind = file_kind(editor.file_dialog);
@@ -296,7 +296,7 @@ void columns(Parts& parts, float height) {
     if (!narrow) ImGui::TableSetupColumn("recent", ImGuiTableColumnFlags_WidthFixed, 230 * scale);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    place_list(parts, height);
+    folder_list(parts, height);
     ImGui::TableNextColumn();
     entry_list(parts, height);
     if (!narrow) {

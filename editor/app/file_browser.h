@@ -18,7 +18,7 @@ void choose_row(Parts& parts, std::size_t row);  // of browser.rows: into the pa
 void choose(Parts& parts, const std::filesystem::path& path, bool may_overwrite);
 
 // Parts of the window, of that many pixels.
-void place_list(Parts& parts, float height);
+void folder_list(Parts& parts, float height);
 void entry_list(Parts& parts, float height);
 void recent_list(Parts& parts, float height);
 void level_preview(Parts& parts, float height);  // of the level that is chosen in the list

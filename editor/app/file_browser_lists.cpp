@@ -143,17 +143,17 @@ void places(Parts& parts) {
         if (named_row(name, std::string(icon) + "  " + name, tip)) chosen = folder;
         ImGui::PopID();
     };
-    for (const StartPlace& place : browser.places)
-        row(place.folder == "/"    ? "\uf0a0"
-            : place.name == "Home" ? "\uf015"
+    for (const StartFolder& start : browser.places)
+        row(start.folder == "/"    ? "\uf0a0"
+            : start.name == "Home" ? "\uf015"
                                    : "\uf07b",
-            printable(place.name), place.folder);
+            printable(start.name), start.folder);
     const std::vector<fs::path> folders = folders_of(parts.editor.recent.paths());
     if (!folders.empty()) ui::heading("Recent folders");
     std::vector<fs::path> inside;
     for (const fs::path& folder : folders)
         inside.push_back(folder / "level");
-    const std::vector<std::string> names = telling_folders(inside);
+    const std::vector<std::string> names = distinguishing_folders(inside);
     for (std::size_t i = 0; i < folders.size(); ++i)
         row("\uf07b", names[i], folders[i]);
     if (!chosen.empty()) show_folder(parts, chosen);
@@ -162,7 +162,7 @@ void places(Parts& parts) {
 void recents(Parts& parts) {
     ui::heading("Recent");
     const std::vector<fs::path> paths = parts.editor.recent.paths();
-    const std::vector<std::string> folders = telling_folders(paths);
+    const std::vector<std::string> folders = distinguishing_folders(paths);
     fs::path chosen;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
@@ -176,7 +176,7 @@ void recents(Parts& parts) {
 
 }  // namespace
 
-void place_list(Parts& parts, float height) {
+void folder_list(Parts& parts, float height) {
     const ui::Scope scope("Places");
     column("places", height, places, parts);
 }
@@ -238,19 +238,19 @@ void level_preview(Parts& parts, float height) {
     if (is_level_name(typed.filename().string()) && fs::exists(typed, error)) browser.previewed = typed;
     if (browser.previewed.empty() || !parts.preview) return;
     const float width = ImGui::GetContentRegionAvail().x;
-    const float picture = std::min(width / 1.5f, height - 2.0f * ImGui::GetTextLineHeightWithSpacing());
-    if (picture < 40 * ui::scale()) return;
+    const float image = std::min(width / 1.5f, height - 2.0f * ImGui::GetTextLineHeightWithSpacing());
+    if (image < 40 * ui::scale()) return;
     const LevelPreview::Shown shown =
-        parts.preview->show(browser.previewed, static_cast<int>(picture * 1.5f), static_cast<int>(picture));
+        parts.preview->show(browser.previewed, static_cast<int>(image * 1.5f), static_cast<int>(image));
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const ImVec2 end{at.x + picture * 1.5f, at.y + picture};
+    const ImVec2 end{at.x + image * 1.5f, at.y + image};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (shown.texture != 0)
         list.AddImageRounded(ui::texture_id(shown.texture), at, end, {0, 1}, {1, 0}, IM_COL32_WHITE,
                              6 * ui::scale());
     else
         list.AddRectFilled(at, end, ui::packed(ui::palette().panel), 6 * ui::scale());
-    ImGui::Dummy({width, picture});
+    ImGui::Dummy({width, image});
     ui::record_last_item("Preview");
     ImGui::TextUnformatted(printable(browser.previewed.filename().string()).c_str());
     ui::muted_text(printable(shown_text(parts, shown.facts)).c_str());

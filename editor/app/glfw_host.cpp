@@ -210,30 +210,30 @@ bool on_a_screen(int x, int y, int width) {
     return false;
 }
 
-struct Place {
+struct WindowBounds {
     int width = 1440, height = 900;
     std::optional<std::pair<int, int>> at;
     bool maximized = false;
 };
 
-Place remembered_place(const Preferences& preferences, const WindowOptions& options) {
-    Place place{options.width, options.height, {}, preferences.flag("window.maximized", false)};
-    place.width = static_cast<int>(preferences.number("window.width", place.width, 480, 16384));
-    place.height = static_cast<int>(preferences.number("window.height", place.height, 320, 16384));
+WindowBounds remembered_window(const Preferences& preferences, const WindowOptions& options) {
+    WindowBounds bounds{options.width, options.height, {}, preferences.flag("window.maximized", false)};
+    bounds.width = static_cast<int>(preferences.number("window.width", bounds.width, 480, 16384));
+    bounds.height = static_cast<int>(preferences.number("window.height", bounds.height, 320, 16384));
     int left = 0, top = 0, width = 0, height = 0;
     if (GLFWmonitor* const monitor = glfwGetPrimaryMonitor()) {
         glfwGetMonitorWorkarea(monitor, &left, &top, &width, &height);
-        if (width > 0) place.width = std::min(place.width, width);
-        if (height > 0) place.height = std::min(place.height, height);
+        if (width > 0) bounds.width = std::min(bounds.width, width);
+        if (height > 0) bounds.height = std::min(bounds.height, height);
     }
-    if (preferences.text("window.x").empty()) return place;
+    if (preferences.text("window.x").empty()) return bounds;
     const int x = static_cast<int>(preferences.number("window.x", 0, -32768, 32768));
     const int y = static_cast<int>(preferences.number("window.y", 0, -32768, 32768));
-    if (on_a_screen(x, y, place.width)) place.at = std::pair{x, y};
-    return place;
+    if (on_a_screen(x, y, bounds.width)) bounds.at = std::pair{x, y};
+    return bounds;
 }
 
-void remember_place(GLFWwindow* handle, Preferences& preferences) {
+void remember_window(GLFWwindow* handle, Preferences& preferences) {
     const bool maximized = glfwGetWindowAttrib(handle, GLFW_MAXIMIZED) == GLFW_TRUE;
     preferences.set("window.maximized", maximized);
     if (maximized) return;
@@ -263,14 +263,14 @@ Status run_window(const WindowOptions& options) {
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "slipface");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "slipface");
-    const Place place = remembered_place(
+    const WindowBounds bounds = remembered_window(
         options.config.empty() ? Preferences() : Preferences(options.config / "preferences"), options);
-    glfwWindowHint(GLFW_MAXIMIZED, place.maximized ? GLFW_TRUE : GLFW_FALSE);
+    glfwWindowHint(GLFW_MAXIMIZED, bounds.maximized ? GLFW_TRUE : GLFW_FALSE);
     Window window;
-    window.handle = glfwCreateWindow(place.width, place.height, "Slipface", nullptr, nullptr);
+    window.handle = glfwCreateWindow(bounds.width, bounds.height, "Slipface", nullptr, nullptr);
     if (!window.handle)
         return Error{"window", last_error_text.empty() ? "OpenGL 3.3 is not available" : last_error_text};
-    if (place.at) glfwSetWindowPos(window.handle, place.at->first, place.at->second);
+    if (bounds.at) glfwSetWindowPos(window.handle, bounds.at->first, bounds.at->second);
     glfwSetWindowUserPointer(window.handle, &window);
     glfwSetWindowSizeLimits(window.handle, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwMakeContextCurrent(window.handle);
@@ -299,7 +299,7 @@ Status run_window(const WindowOptions& options) {
         if (!options.level.empty()) start_loading(app.editor(), options.level);
         if (!options.review.empty()) open_review(app.editor(), options.review);
         run_loop(window);
-        remember_place(window.handle, app.editor().session.preferences);
+        remember_window(window.handle, app.editor().session.preferences);
         window.frames_due = 0;
         window.app = nullptr;
         ImGui_ImplGlfw_Shutdown();

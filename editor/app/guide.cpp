@@ -146,7 +146,7 @@ void step_buttons(Editor& editor, int step, float width) {
 }
 
 // Beside the hole where there is room: below, else to the right, else to the left.
-ImVec2 card_place(const std::optional<Hole>& hole, ImVec2 size) {
+ImVec2 card_position(const std::optional<Hole>& hole, ImVec2 size) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float gap = 14 * ui::scale();
     ImVec2 at{(screen.x - size.x) * 0.5f, (screen.y - size.y) * 0.42f};
@@ -176,7 +176,7 @@ void tour(Editor& editor) {
     const ImGuiWindow* const before = ImGui::FindWindowByName("##tour");
     const ImVec2 size = before ? before->Size : ImVec2{width + 40 * scale, 180 * scale};
     push_card_style();
-    ImGui::SetNextWindowPos(card_place(hole, size));
+    ImGui::SetNextWindowPos(card_position(hole, size));
     ImGui::Begin("##tour", nullptr, card_flags);
     pop_card_style();
     ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
@@ -234,11 +234,11 @@ void hint_rows(const char* title, const std::vector<Hint>& hints) {
     }
 }
 
-std::vector<Hint> commands_of(const Editor& editor, std::string_view menu, std::size_t most) {
+std::vector<Hint> commands_of(const Editor& editor, std::string_view menu, std::size_t maximum) {
     std::vector<Hint> hints;
     for (const Command& command : commands()) {
         const std::string_view its = command.menu;
-        if (its.substr(0, its.find('/')) != menu || hints.size() == most || !command.enabled(editor))
+        if (its.substr(0, its.find('/')) != menu || hints.size() == maximum || !command.enabled(editor))
             continue;
         if (const std::string key = shortcut_text(editor, command); !key.empty())
             hints.push_back({key, command_name(editor, command)});

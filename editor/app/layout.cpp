@@ -57,16 +57,16 @@ float splitter(const char* name, const Region& region, bool vertical) {
 // What a right click on a tab offers.
 void tab_menu(Editor& editor, PanelId panel) {
     if (!ImGui::BeginPopupContextItem(panel_info(panel).name)) return;
-    struct Place {
+    struct DockChoice {
         Dock dock;
         const char* label;
     };
     const ui::Scope scope("Tab menu");
-    for (const Place& place :
-         {Place{Dock::left, "To the left"}, Place{Dock::left_lower, "To the left, below"},
-          Place{Dock::right, "To the right"}, Place{Dock::bottom, "To the bottom"}})
-        if (ui::menu_item(place.label, "", editor.layout.dock(panel) == place.dock, true, nullptr))
-            editor.layout.move(panel, place.dock);
+    for (const DockChoice& choice :
+         {DockChoice{Dock::left, "To the left"}, DockChoice{Dock::left_lower, "To the left, below"},
+          DockChoice{Dock::right, "To the right"}, DockChoice{Dock::bottom, "To the bottom"}})
+        if (ui::menu_item(choice.label, "", editor.layout.dock(panel) == choice.dock, true, nullptr))
+            editor.layout.move(panel, choice.dock);
     ImGui::Separator();
     if (ui::menu_item("Hide", "", false, true, nullptr)) editor.layout.hide(panel);
     ImGui::EndPopup();

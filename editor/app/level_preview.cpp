@@ -11,7 +11,7 @@
 namespace slipface {
 namespace {
 
-constexpr std::uintmax_t most_bytes = 96u << 20;  // of a file that is read only to be looked at
+constexpr std::uintmax_t max_bytes = 96u << 20;  // of a file that is read only to be looked at
 
 std::string facts_of(const LoadedLevel& loaded) {
     std::size_t painted = 0;
@@ -44,18 +44,18 @@ void LevelPreview::take(Result<LoadedLevel> loaded) {
     back_faces_ = !world || !is_made_of_rooms(*world);
     camera_ = named_view("iso", level.mesh->bounds, 1.5);
     drawn_ = false;
-    ++pictures_;
+    ++images_;
 }
 
 LevelPreview::Shown LevelPreview::show(const std::filesystem::path& file, int width, int height) {
-    asked_ = true;
+    requested_ = true;
     if (file != file_) {
         file_ = file;
         camera_.reset();
         job_.reset();
         std::error_code error;
         const std::uintmax_t bytes = std::filesystem::file_size(file, error);
-        if (error || bytes > most_bytes) {
+        if (error || bytes > max_bytes) {
             facts_ = error ? "No level" : "Too large for a preview";
         } else {
             facts_ = "Reading\u2026";
@@ -73,7 +73,7 @@ LevelPreview::Shown LevelPreview::show(const std::filesystem::path& file, int wi
     if (!target_ || target_->width() != width || target_->height() != height) {
         target_ = std::make_unique<Framebuffer>(gl_, width, height);
         drawn_ = false;
-        ++pictures_;
+        ++images_;
     }
     wanted_ = true;
     return {target_->texture(), facts_};

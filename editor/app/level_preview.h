@@ -23,10 +23,10 @@ class LevelPreview {
     // Of this file, in a picture of that many pixels; draw() makes it. Only the file asked for last is kept.
     Shown show(const std::filesystem::path& file, int width, int height);
 
-    std::uint64_t hash() const { return wanted_ ? pictures_ : 0; }
-    void begin_frame() { wanted_ = asked_ = false; }
+    std::uint64_t hash() const { return wanted_ ? images_ : 0; }
+    void begin_frame() { wanted_ = requested_ = false; }
     // show(), which was called in this frame, has something new for the next.
-    bool ready() const { return asked_ && job_ && job_->ready(); }
+    bool ready() const { return requested_ && job_ && job_->ready(); }
     void draw();
 
   private:
@@ -40,9 +40,9 @@ class LevelPreview {
     std::optional<Camera> camera_;  // nothing: no picture
     std::unique_ptr<LevelRenderer> renderer_;
     std::unique_ptr<Framebuffer> target_;
-    bool asked_ = false, wanted_ = false, drawn_ = false;
+    bool requested_ = false, wanted_ = false, drawn_ = false;
     bool back_faces_ = true;
-    std::uint64_t pictures_ = 0;
+    std::uint64_t images_ = 0;
 };
 
 }  // namespace slipface

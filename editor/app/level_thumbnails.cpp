@@ -10,42 +10,42 @@ LevelThumbnails::LevelThumbnails(GlTable gl, const Session& session)
     : gl_(std::move(gl)), session_(session) {}
 
 LevelThumbnails::Shown LevelThumbnails::show(const std::filesystem::path& file, int width, int height) {
-    asked_ = true;
-    Picture& picture = kept_[file];
-    const bool unread = picture.facts.empty();
+    requested_ = true;
+    Picture& image = kept_[file];
+    const bool unread = image.facts.empty();
     if (unread && !job_) {
         reading_ = file;
         job_ = std::make_unique<Background<Result<LoadedLevel>>>(
             [file](Progress& progress) { return load_level(file, &progress); }, session_.wake);
     }
     if (job_ && reading_ == file && (!session_.beside || job_->ready())) {
-        take(picture, job_->take(), std::clamp(width, 1, 1024), std::clamp(height, 1, 1024));
+        take(image, job_->take(), std::clamp(width, 1, 1024), std::clamp(height, 1, 1024));
         job_.reset();
     }
-    return {picture.target ? picture.target->texture() : 0, picture.facts};
+    return {image.target ? image.target->texture() : 0, image.facts};
 }
 
-void LevelThumbnails::take(Picture& picture, Result<LoadedLevel> loaded, int width, int height) {
-    ++pictures_;
+void LevelThumbnails::take(Picture& image, Result<LoadedLevel> loaded, int width, int height) {
+    ++images_;
     if (!loaded) {
-        picture.facts = "Cannot be read";
+        image.facts = "Cannot be read";
         return;
     }
-    picture.level = std::move(loaded->level);
-    picture.facts = std::to_string(picture.level->mesh->face_count()) + " faces";
-    picture.target = std::make_unique<Framebuffer>(gl_, width, height);
+    image.level = std::move(loaded->level);
+    image.facts = std::to_string(image.level->mesh->face_count()) + " faces";
+    image.target = std::make_unique<Framebuffer>(gl_, width, height);
 }
 
 void LevelThumbnails::draw() {
-    for (auto& [file, picture] : kept_) {
-        if (!picture.level) continue;
-        const Level& level = *picture.level;
+    for (auto& [file, image] : kept_) {
+        if (!image.level) continue;
+        const Level& level = *image.level;
         LevelRenderer renderer(gl_);
         static_cast<void>(renderer.set_mesh(shown_mesh(level), level.mesh_path.parent_path()));
         static_cast<void>(renderer.set_light(level.light, level.mesh, level.file_path.parent_path()));
         renderer.set_surface_types(level.surfaces);
         renderer.set_face_surfaces(resolve_surfaces(level).surface);
-        const double aspect = static_cast<double>(picture.target->width()) / picture.target->height();
+        const double aspect = static_cast<double>(image.target->width()) / image.target->height();
         Camera camera = named_view("iso", level.mesh->bounds, aspect).value_or(Camera());
         if (!level.cameras.empty()) {
             camera.orthographic = false;
@@ -53,10 +53,10 @@ void LevelThumbnails::draw() {
             camera.target = level.cameras.front().target;
             camera.fov_y = level.cameras.front().fov_y;
         }
-        picture.target->bind();
-        renderer.draw(camera, picture.target->width(), picture.target->height(), LevelStyle());
-        picture.target->resolve();
-        picture.level.reset();
+        image.target->bind();
+        renderer.draw(camera, image.target->width(), image.target->height(), LevelStyle());
+        image.target->resolve();
+        image.level.reset();
     }
 }
 

@@ -24,10 +24,10 @@ class LevelThumbnails {
     // Seen from the level's first camera, in a picture of that many pixels; draw() makes it.
     Shown show(const std::filesystem::path& file, int width, int height);
 
-    std::uint64_t hash() const { return pictures_; }  // of what was ready to be shown
-    void begin_frame() { asked_ = false; }
+    std::uint64_t hash() const { return images_; }  // of what was ready to be shown
+    void begin_frame() { requested_ = false; }
     // show(), which was called in this frame, has something new for the next.
-    bool ready() const { return asked_ && job_ && job_->ready(); }
+    bool ready() const { return requested_ && job_ && job_->ready(); }
     void draw();
 
   private:
@@ -36,15 +36,15 @@ class LevelThumbnails {
         std::optional<Level> level;  // read and not drawn yet
         std::unique_ptr<Framebuffer> target;
     };
-    void take(Picture& picture, Result<LoadedLevel> loaded, int width, int height);
+    void take(Picture& image, Result<LoadedLevel> loaded, int width, int height);
 
     GlTable gl_;
     const Session& session_;
     std::map<std::filesystem::path, Picture> kept_;
     std::filesystem::path reading_;
     std::unique_ptr<Background<Result<LoadedLevel>>> job_;
-    bool asked_ = false;
-    std::uint64_t pictures_ = 0;
+    bool requested_ = false;
+    std::uint64_t images_ = 0;
 };
 
 }  // namespace slipface

@@ -19,7 +19,7 @@ void recent_menu(Editor& editor) {
     if (!ui::begin_menu("Open recent")) return;
     if (editor.recent.paths().empty()) ui::menu_item("Nothing yet", "", false, false, nullptr);
     const std::vector<std::filesystem::path> paths = editor.recent.paths();
-    const std::vector<std::string> folders = telling_folders(paths);
+    const std::vector<std::string> folders = distinguishing_folders(paths);
     for (std::size_t i = 0; i < paths.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         const std::string name = printable(paths[i].filename().string());

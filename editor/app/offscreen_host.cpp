@@ -81,10 +81,10 @@ void OffscreenHost::crash() {
     session.left_behind = session.autosave.recoverable();
 }
 
-int OffscreenHost::settle(int most) {
-    if (editor().playtest) most = 1;
+int OffscreenHost::settle(int maximum) {
+    if (editor().playtest) maximum = 1;
     int equal = 0, built = 0;
-    while (built < most && equal < 2) {
+    while (built < maximum && equal < 2) {
         const std::uint64_t before = app_->frame_hash();
         frame();
         ++built;

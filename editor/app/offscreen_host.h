@@ -40,7 +40,7 @@ class OffscreenHost {
     void crash();
     // Builds frames until two in a row are equal, at most `most`. Returns how many.
     // While somebody is walking nothing comes to rest: then it is one.
-    int settle(int most = 60);
+    int settle(int maximum = 60);
     Image screenshot();  // draws the frame built last
     // Draws the frame built last unless the picture shows it already. True if it drew.
     bool draw_if_needed();

@@ -26,7 +26,7 @@ struct FileBrowser {
     std::vector<std::string> candidates;  // what Tab found to go on with
     std::optional<std::vector<std::string>>
         completed;  // the same, while the path box still has to take the text
-    std::vector<StartPlace> places;
+    std::vector<StartFolder> places;
 
     FolderListing listing;          // of `folder`, sorted
     std::vector<std::size_t> rows;  // of its entries, what passes the filter

@@ -84,36 +84,36 @@ unsigned SceneView::render(std::size_t pane, const Camera& camera, const Overlay
     width = std::clamp(width, 1, 8192);
     height = std::clamp(height, 1, 8192);
     upload();
-    Picture& picture = pictures_[std::min(pane, pictures_.size() - 1)];
-    if (!picture.target || picture.target->width() != width || picture.target->height() != height) {
-        picture.target = std::make_unique<Framebuffer>(gl_, width, height);
-        picture.drawn_hash = 0;
+    Picture& image = images_[std::min(pane, images_.size() - 1)];
+    if (!image.target || image.target->width() != width || image.target->height() != height) {
+        image.target = std::make_unique<Framebuffer>(gl_, width, height);
+        image.drawn_hash = 0;
     }
-    picture.camera = camera;
-    picture.overlay = overlay;
-    picture.style = editor_.style;
-    picture.style.back_faces = draws_back_faces(editor_, camera);
-    picture.wanted = true;
+    image.camera = camera;
+    image.overlay = overlay;
+    image.style = editor_.style;
+    image.style.back_faces = draws_back_faces(editor_, camera);
+    image.wanted = true;
     Hasher hasher;
     hash_camera(hasher, camera);
     hash_overlay(hasher, overlay);
-    hash_style(hasher, picture.style);
+    hash_style(hasher, image.style);
     hasher.u64(uploads_);
     hasher.u64(static_cast<std::uint64_t>(width));
     hasher.u64(static_cast<std::uint64_t>(height));
-    picture.wanted_hash = hasher.value();
-    return picture.target->texture();
+    image.wanted_hash = hasher.value();
+    return image.target->texture();
 }
 
 void SceneView::begin_frame() {
-    for (Picture& picture : pictures_)
-        picture.wanted = false;
+    for (Picture& image : images_)
+        image.wanted = false;
 }
 
 std::uint64_t SceneView::wanted_hash() const {
     Hasher hasher;
-    for (const Picture& picture : pictures_)
-        hasher.u64(picture.wanted ? picture.wanted_hash : 0);
+    for (const Picture& image : images_)
+        hasher.u64(image.wanted ? image.wanted_hash : 0);
     return hasher.value();
 }
 
@@ -137,14 +137,14 @@ unsigned SceneView::still(int slot, const Image& image, std::uint64_t revision) 
 }
 
 void SceneView::draw() {
-    for (Picture& picture : pictures_) {
-        if (!picture.wanted || !picture.target || picture.wanted_hash == picture.drawn_hash) continue;
-        const int width = picture.target->width(), height = picture.target->height();
-        picture.target->bind();
-        level_.draw(picture.camera, width, height, picture.style);
-        overlay_renderer_.draw(picture.overlay, picture.camera, width, height);
-        picture.target->resolve();
-        picture.drawn_hash = picture.wanted_hash;
+    for (Picture& image : images_) {
+        if (!image.wanted || !image.target || image.wanted_hash == image.drawn_hash) continue;
+        const int width = image.target->width(), height = image.target->height();
+        image.target->bind();
+        level_.draw(image.camera, width, height, image.style);
+        overlay_renderer_.draw(image.overlay, image.camera, width, height);
+        image.target->resolve();
+        image.drawn_hash = image.wanted_hash;
     }
 }
 

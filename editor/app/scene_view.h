@@ -49,7 +49,7 @@ class SceneView final : public ViewportServices {
         bool wanted = false;
         std::uint64_t wanted_hash = 0, drawn_hash = 0;
     };
-    std::array<Picture, Panes::most> pictures_;
+    std::array<Picture, Panes::maximum> images_;
 
     struct Still {
         unsigned texture = 0;

@@ -39,7 +39,7 @@ std::optional<MaskRect> parse_mask(std::string_view text) {
     return MaskRect{numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
-Result<ScreenHeader> read_header(std::string_view text, const std::string& place) {
+Result<ScreenHeader> read_header(std::string_view text, const std::string& location) {
     ScreenHeader header;
     int number = 0;
     for (const std::string_view raw : split(text, '\n')) {
@@ -50,21 +50,21 @@ Result<ScreenHeader> read_header(std::string_view text, const std::string& place
         const std::size_t colon = line.find(':');
         if (colon == std::string_view::npos) continue;
         const std::string_view key = line.substr(0, colon), value = trim(line.substr(colon + 1));
-        const Error bad{place + ":" + std::to_string(number), "found \"" + std::string(value) + "\""};
+        const Error bad{location + ":" + std::to_string(number), "found \"" + std::string(value) + "\""};
         if (key == "level") {
             header.level = value;
         } else if (key == "size") {
             const auto size = parse_size(value);
-            if (!size) return Error{bad.place, bad.message + ", expected a size such as 1280x720"};
+            if (!size) return Error{bad.location, bad.message + ", expected a size such as 1280x720"};
             header.options.width = size->first;
             header.options.height = size->second;
         } else if (key == "scale") {
             const std::optional<double> scale = parse_double(value);
-            if (!scale) return Error{bad.place, bad.message + ", expected a scale such as 1 or 1.5"};
+            if (!scale) return Error{bad.location, bad.message + ", expected a scale such as 1 or 1.5"};
             header.options.scale = static_cast<float>(*scale);
         } else if (key == "mask") {
             const auto mask = parse_mask(value);
-            if (!mask) return Error{bad.place, bad.message + ", expected a mask such as 10,20,300,40"};
+            if (!mask) return Error{bad.location, bad.message + ", expected a mask such as 10,20,300,40"};
             header.masks.push_back(*mask);
         }
     }
@@ -90,10 +90,10 @@ std::string screen_numbers(const OffscreenHost& host, const ScreenHeader& header
 }
 
 Result<Rendering> render_screen(const fs::path& script, const fs::path& project) {
-    const std::string place = script.filename().string();
+    const std::string location = script.filename().string();
     const Result<std::string> text = read_file(script, 1u << 20);
     if (!text) return text.error();
-    Result<ScreenHeader> header = read_header(*text, place);
+    Result<ScreenHeader> header = read_header(*text, location);
     if (!header) return header.error();
     header->options.hidden_folder = (project / "").string();
     Result<std::unique_ptr<OffscreenHost>> host = OffscreenHost::make(header->options);
@@ -101,9 +101,9 @@ Result<Rendering> render_screen(const fs::path& script, const fs::path& project)
     if (!header->level.empty()) {
         open_level((*host)->editor(), project / header->level);
         (*host)->frame();
-        if ((*host)->editor().message) return Error{place, (*host)->editor().message->text};
+        if ((*host)->editor().message) return Error{location, (*host)->editor().message->text};
     }
-    const ScriptResult result = run_script(**host, *text, place, project);
+    const ScriptResult result = run_script(**host, *text, location, project);
     if (!result) return result.error;
     Image image = (*host)->screenshot();
     return Rendering{std::move(image), screen_numbers(**host, *header)};
@@ -149,7 +149,7 @@ std::optional<std::pair<int, int>> parse_size(std::string_view text) {
 namespace {
 
 // The open level as a game has it, seen as the editor sees it.
-Result<Image> game_picture(const GlTable& gl, const Editor& editor) {
+Result<Image> game_image(const GlTable& gl, const Editor& editor) {
     Result<std::unique_ptr<GeometricManager>> made = GeometricManager::make(editor.document->snapshot());
     if (!made) return made.error();
     World world;
@@ -173,7 +173,7 @@ Result<Image> game_picture(const GlTable& gl, const Editor& editor) {
 
 }  // namespace
 
-Status write_pictures(const fs::path& level, const fs::path& editor_png, const fs::path& level_png) {
+Status write_images(const fs::path& level, const fs::path& editor_png, const fs::path& level_png) {
     OffscreenOptions options;
     options.width = 1440;
     options.height = 900;
@@ -185,8 +185,8 @@ Status write_pictures(const fs::path& level, const fs::path& editor_png, const f
     (*host)->settle();
     if (const Status status = save_png(editor_png, (*host)->screenshot()); !status) return status;
     if (!editor.document) return {};
-    const Result<Image> picture = game_picture((*host)->context().gl(), editor);
-    return picture ? save_png(level_png, *picture) : picture.error();
+    const Result<Image> image = game_image((*host)->context().gl(), editor);
+    return image ? save_png(level_png, *image) : image.error();
 }
 
 }  // namespace slipface

@@ -20,7 +20,7 @@ std::optional<std::pair<int, int>> parse_size(std::string_view text);
 
 // The editor with `level` open, and the level as a game draws it (a World through GlGraphics) from the same
 // viewpoint, the player at its spawn point; as PNG files. An empty `level`: the empty editor alone.
-Status write_pictures(const std::filesystem::path& level, const std::filesystem::path& editor_png,
-                      const std::filesystem::path& level_png);
+Status write_images(const std::filesystem::path& level, const std::filesystem::path& editor_png,
+                    const std::filesystem::path& level_png);
 
 }  // namespace slipface

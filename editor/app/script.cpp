@@ -15,8 +15,8 @@
 namespace slipface {
 namespace {
 
-constexpr std::uint64_t most_script_bytes = 4u << 20;
-constexpr int most_waited_frames = 36000;  // ten minutes
+constexpr std::uint64_t max_script_bytes = 4u << 20;
+constexpr int max_waited_frames = 36000;  // ten minutes
 
 void click_at(ScriptContext& context, ImVec2 at, int button, bool twice = false) {
     OffscreenHost& host = context.host;
@@ -153,7 +153,7 @@ void verb_wheel(ScriptContext& context, const Words& words) {
 
 void verb_wait(ScriptContext& context, const Words& words) {
     const std::optional<std::int64_t> frames = parse_int(words[1]);
-    if (!frames || *frames < 0 || *frames > most_waited_frames)
+    if (!frames || *frames < 0 || *frames > max_waited_frames)
         return context.fail("expected 0 to 36000 frames, found \"" + words[1] + "\"");
     for (std::int64_t i = 0; i < *frames; ++i)
         context.host.frame();
@@ -161,8 +161,8 @@ void verb_wait(ScriptContext& context, const Words& words) {
 
 // Runs and audits do their work a frame at a time or on threads of their own.
 void verb_finish(ScriptContext& context, const Words&) {
-    constexpr int most_frames = 20000;
-    for (int i = 0; i < most_frames; ++i) {
+    constexpr int max_frames = 20000;
+    for (int i = 0; i < max_frames; ++i) {
         context.host.frame();
         const Editor& editor = context.editor();
         const bool auditing = editor.audit && editor.audit->running();
@@ -255,7 +255,7 @@ void run_line(ScriptContext& context, const ScriptLine& line) {
     for (const ScriptVerb& verb : verbs) {
         if (line.words[0] != verb.name) continue;
         const std::size_t arguments = line.words.size() - 1;
-        if (arguments < verb.least || arguments > verb.most)
+        if (arguments < verb.least || arguments > verb.maximum)
             return context.fail(fmt::format("found {} word{} after {}, expected: {} {}", arguments,
                                             arguments == 1 ? "" : "s", verb.name, verb.name, verb.arguments));
         return verb.run(context, line.words);
@@ -288,7 +288,7 @@ std::string script_verbs_markdown() {
     return text + "\n## What can be expected\n\n" + expectations_markdown();
 }
 
-Result<std::vector<ScriptLine>> parse_script(std::string_view text, const std::string& place) {
+Result<std::vector<ScriptLine>> parse_script(std::string_view text, const std::string& location) {
     std::vector<ScriptLine> lines;
     int number = 0;
     for (const std::string_view raw : split(text, '\n')) {
@@ -308,7 +308,7 @@ Result<std::vector<ScriptLine>> parse_script(std::string_view text, const std::s
                     word += raw[i];
                 }
                 if (i >= raw.size())
-                    return Error{fmt::format("{}:{}", place, number), "a quoted word has no closing '\"'"};
+                    return Error{fmt::format("{}:{}", location, number), "a quoted word has no closing '\"'"};
                 ++i;
                 line.words.push_back(std::move(word));
             } else {
@@ -322,17 +322,17 @@ Result<std::vector<ScriptLine>> parse_script(std::string_view text, const std::s
     return lines;
 }
 
-ScriptResult run_script(OffscreenHost& host, std::string_view text, const std::string& place,
+ScriptResult run_script(OffscreenHost& host, std::string_view text, const std::string& location,
                         const std::filesystem::path& folder, const std::function<void()>& after_line) {
     ScriptResult result;
-    const Result<std::vector<ScriptLine>> lines = parse_script(text, place);
+    const Result<std::vector<ScriptLine>> lines = parse_script(text, location);
     if (!lines) return {ScriptFailure::bad_input, lines.error(), 0};
     for (const ScriptLine& line : *lines) {
         ScriptContext context{host, folder, ScriptFailure::none, {}};
         run_line(context, line);
         if (context.failure != ScriptFailure::none) {
             result.failure = context.failure;
-            result.error = {fmt::format("{}:{}", place, line.number), context.message};
+            result.error = {fmt::format("{}:{}", location, line.number), context.message};
             return result;
         }
         ++result.lines_done;
@@ -344,7 +344,7 @@ ScriptResult run_script(OffscreenHost& host, std::string_view text, const std::s
 
 ScriptResult run_script_file(OffscreenHost& host, const std::filesystem::path& file,
                              const std::function<void()>& after_line) {
-    const Result<std::string> text = read_file(file, most_script_bytes);
+    const Result<std::string> text = read_file(file, max_script_bytes);
     if (!text) return {ScriptFailure::bad_input, text.error(), 0};
     std::error_code error;
     return run_script(host, *text, file.filename().string(), std::filesystem::current_path(error),

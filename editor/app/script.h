@@ -18,7 +18,7 @@ struct ScriptLine {
 };
 
 // The lines with a verb in them. Errors name PLACE:LINE.
-Result<std::vector<ScriptLine>> parse_script(std::string_view text, const std::string& place);
+Result<std::vector<ScriptLine>> parse_script(std::string_view text, const std::string& location);
 
 // What a script may be told apart by: bad input (a verb, a widget or a file that does not exist) or an
 // `expect` that failed.
@@ -33,7 +33,7 @@ struct ScriptResult {
 
 // Runs `text`; relative paths in it start at `folder`. Stops at the first failure. `after_line` is called
 // after each line that was done.
-ScriptResult run_script(OffscreenHost& host, std::string_view text, const std::string& place,
+ScriptResult run_script(OffscreenHost& host, std::string_view text, const std::string& location,
                         const std::filesystem::path& folder, const std::function<void()>& after_line = {});
 ScriptResult run_script_file(OffscreenHost& host, const std::filesystem::path& file,
                              const std::function<void()>& after_line = {});
@@ -44,7 +44,7 @@ struct ScriptVerb {
     const char* name;
     const char* arguments;
     const char* meaning;
-    std::size_t least, most;  // number of arguments
+    std::size_t least, maximum;  // number of arguments
     void (*run)(ScriptContext& context, const std::vector<std::string>& words);
 };
 std::span<const ScriptVerb> script_verbs();

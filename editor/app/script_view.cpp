@@ -11,7 +11,7 @@
 namespace slipface {
 namespace {
 
-constexpr std::size_t most_suggestions = 6;
+constexpr std::size_t max_suggestions = 6;
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
@@ -73,7 +73,7 @@ std::string nearest_widgets(const std::string& path) {
     }
     std::sort(ranked.begin(), ranked.end());
     std::string text;
-    for (std::size_t i = 0; i < std::min(most_suggestions, ranked.size()); ++i)
+    for (std::size_t i = 0; i < std::min(max_suggestions, ranked.size()); ++i)
         text += (i ? ", \"" : "\"") + ranked[i].second + "\"";
     return text;
 }
@@ -168,8 +168,8 @@ void verb_viewport(ScriptContext& context, const Words& words) {
         host.frame();
         constexpr int steps = 12;
         for (int i = 1; action == "drag" && i <= steps; ++i) {
-            const float share = static_cast<float>(i) / steps;
-            host.move_mouse({from->x + (to->x - from->x) * share, from->y + (to->y - from->y) * share});
+            const float fraction = static_cast<float>(i) / steps;
+            host.move_mouse({from->x + (to->x - from->x) * fraction, from->y + (to->y - from->y) * fraction});
             host.frame();
         }
         host.mouse_button(mouse->button, false);

@@ -103,9 +103,9 @@ void loading_dialog(Parts& parts) {
     const char* const verb = loading.kind == Loading::Kind::reload ? "Reading again " : "Opening ";
     dialog_title("", ui::palette().accent, (verb + loading.path.filename().string()).c_str());
     const Progress& progress = loading.progress();
-    ImGui::ProgressBar(static_cast<float>(progress.share()), {ImGui::GetContentRegionAvail().x, 8 * scale},
+    ImGui::ProgressBar(static_cast<float>(progress.fraction()), {ImGui::GetContentRegionAvail().x, 8 * scale},
                        "");
-    ImGui::TextColored(ui::palette().muted, "%s  %.0f %%", progress.stage(), 100.0 * progress.share());
+    ImGui::TextColored(ui::palette().muted, "%s  %.0f %%", progress.stage(), 100.0 * progress.fraction());
     align_buttons(1, 100 * scale);
     if (ui::button("Cancel", nullptr, true, {100 * scale, 0})) cancel_loading(parts.editor);
 }

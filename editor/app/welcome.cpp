@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 // A picture with the level's name under it. True when it was clicked.
 bool sample_card(Parts& parts, const fs::path& level, float width) {
     const float scale = ui::scale();
-    const float picture = std::round(width / 1.6f);
-    const float height = picture + ImGui::GetTextLineHeight() + 10 * scale;
+    const float image = std::round(width / 1.6f);
+    const float height = image + ImGui::GetTextLineHeight() + 10 * scale;
     const std::string name = level.stem().string();
     ImGui::PushID(level.c_str());
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -29,14 +29,14 @@ bool sample_card(Parts& parts, const fs::path& level, float width) {
     const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
     LevelThumbnails::Shown shown;
     if (parts.thumbnails)
-        shown = parts.thumbnails->show(level, static_cast<int>(width), static_cast<int>(picture));
+        shown = parts.thumbnails->show(level, static_cast<int>(width), static_cast<int>(image));
     ui::tooltip(shown.facts.c_str());
     ImGui::PopID();
 
     const ui::Palette& p = ui::palette();
     const float rounding = 6 * scale;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 end{at.x + width, at.y + picture};
+    const ImVec2 end{at.x + width, at.y + image};
     if (shown.texture != 0)
         list.AddImageRounded(ui::texture_id(shown.texture), at, end, {0, 1}, {1, 0}, IM_COL32_WHITE,
                              rounding);
@@ -103,7 +103,7 @@ void recent_rows(Parts& parts) {
     if (recent.empty()) return;
     const ui::Scope scope("Recent");
     ui::heading("Recent");
-    const std::vector<std::string> folders = telling_folders(recent);
+    const std::vector<std::string> folders = distinguishing_folders(recent);
     for (std::size_t i = 0; i < recent.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         const std::string name = printable(recent[i].filename().string());

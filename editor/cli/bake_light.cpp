@@ -40,12 +40,12 @@ void add_bake_light_verb(CLI::App& app, int& exit_code) {
         ->check(CLI::Range(0.01, 100.0));
     verb->callback([options, &exit_code] {
         Warnings warnings;
-        const Result<std::filesystem::path> picture = bake(*options, warnings);
+        const Result<std::filesystem::path> image = bake(*options, warnings);
         print_warnings(std::cerr, warnings);
-        if (picture) {
-            std::cout << picture->string() << '\n';
+        if (image) {
+            std::cout << image->string() << '\n';
         } else {
-            print_error(std::cerr, picture.error());
+            print_error(std::cerr, image.error());
             exit_code = exit_bad_input;
         }
     });

@@ -20,27 +20,27 @@ void print_doctor_json(const DoctorReport& report, std::ostream& out) {
         OutputJson row{{"kind", info_of(problem.kind).name}, {"text", problem.text}};
         row["face"] = problem.face == no_id ? OutputJson(nullptr) : OutputJson(problem.face);
         row["other"] = problem.other == no_id ? OutputJson(nullptr) : OutputJson(problem.other);
-        row["place"] = vector_json(problem.place);
+        row["position"] = vector_json(problem.position);
         json["list"].push_back(std::move(row));
     }
     print_json(out, json);
 }
 
 void print_doctor_text(const DoctorReport& report, std::ostream& out) {
-    constexpr std::size_t most_shown = 20;
+    constexpr std::size_t max_shown = 20;
     for (const ProblemKindInfo& kind : problem_kinds()) {
         const std::size_t count = report.count(kind.kind);
         if (count == 0) continue;
         out << fmt::format("{}: {}\n  {}\n", kind.label, count, kind.meaning);
         std::size_t shown = 0;
         for (const Problem& problem : report.problems) {
-            if (problem.kind != kind.kind || ++shown > most_shown) continue;
+            if (problem.kind != kind.kind || ++shown > max_shown) continue;
             const std::string where = problem.face == no_id ? "" : fmt::format("face {}, ", problem.face);
-            out << fmt::format("    {}at {}: {}\n", where, vector_text(problem.place), problem.text);
+            out << fmt::format("    {}at {}: {}\n", where, vector_text(problem.position), problem.text);
         }
-        if (count > most_shown)
-            out << fmt::format("    and {} more; --json lists up to {}\n", count - most_shown,
-                               DoctorReport::most_listed);
+        if (count > max_shown)
+            out << fmt::format("    and {} more; --json lists up to {}\n", count - max_shown,
+                               DoctorReport::max_listed);
         out << fmt::format("  {}\n", kind.remedy);
     }
     const std::size_t total = report.total();

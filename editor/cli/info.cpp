@@ -31,26 +31,26 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 // Every picture once, as the editor's drawing would find it.
 void add_texture_warnings(LoadedLevel& loaded) {
-    constexpr std::size_t most = 100;
+    constexpr std::size_t maximum = 100;
     Warnings found;
     const std::filesystem::path folder = loaded.level.mesh_path.parent_path();
     std::set<std::string> known;
     for (const Material& material : loaded.level.mesh->materials) {
         if (material.texture.empty() || !known.insert(material.texture).second) continue;
-        const std::string place = fmt::format("material \"{}\"", material.name);
+        const std::string location = fmt::format("material \"{}\"", material.name);
         const auto [path, refused] = find_texture(material.texture, folder, TextureAccess::folder);
         if (refused) {
             found.push_back(
-                {place, fmt::format("the texture \"{}\" lies outside the level's folder: not read",
-                                    material.texture)});
+                {location, fmt::format("the texture \"{}\" lies outside the level's folder: not read",
+                                       material.texture)});
         } else if (!path) {
-            found.push_back({place, fmt::format("found no texture \"{}\" in {}", material.texture,
-                                                folder.empty() ? "." : folder.string())});
+            found.push_back({location, fmt::format("found no texture \"{}\" in {}", material.texture,
+                                                   folder.empty() ? "." : folder.string())});
         } else if (const Result<Image> image = load_image(*path); !image) {
-            found.push_back({place, image.error().text()});
+            found.push_back({location, image.error().text()});
         }
     }
-    const std::size_t listed = std::min(found.size(), most);
+    const std::size_t listed = std::min(found.size(), maximum);
     loaded.warnings.insert(loaded.warnings.end(), found.begin(),
                            found.begin() + static_cast<std::ptrdiff_t>(listed));
     if (found.size() > listed)
@@ -149,7 +149,7 @@ void print_info_json(const LevelInfo& info, std::ostream& out) {
     json["bvh_depth"] = info.bvh.depth;
     json["warnings"] = OutputJson::array();
     for (const Diagnostic& warning : info.loaded.warnings) {
-        json["warnings"].push_back({{"place", warning.place}, {"message", warning.message}});
+        json["warnings"].push_back({{"location", warning.location}, {"message", warning.message}});
     }
     print_json(out, json);
 }
@@ -187,12 +187,12 @@ void print_info_text(const LevelInfo& info, std::ostream& out) {
     print_row(out, "bounds min", vector_text(mesh.bounds.min) + "  m");
     print_row(out, "bounds max", vector_text(mesh.bounds.max) + "  m");
     const std::vector<Spawn> spawns = all_spawns(level);
-    constexpr std::size_t most_spawns = 10;
-    for (std::size_t i = 0; i < std::min(most_spawns, spawns.size()); ++i)
+    constexpr std::size_t max_spawns = 10;
+    for (std::size_t i = 0; i < std::min(max_spawns, spawns.size()); ++i)
         print_row(out, i == 0 ? "spawns" : "",
                   spawns[i].name + "  " + vector_text(spawns[i].position) + "  m");
-    if (spawns.size() > most_spawns)
-        print_row(out, "", fmt::format("and {} more", spawns.size() - most_spawns));
+    if (spawns.size() > max_spawns)
+        print_row(out, "", fmt::format("and {} more", spawns.size() - max_spawns));
     print_row(out, "player begins", vector_text(info.start.position) + "  m");
     if (!info.start.note.empty()) print_row(out, "", info.start.note);
     print_import(info, out);

@@ -33,7 +33,7 @@ Result<Run> run_tape(const SimulateOptions& options) {
     run.as_recorded = options.settings.empty() && !options.preset && options.spawn.empty();
     run.report = simulate(scene, base.settings, base.start, base.tape);
     run.end = scene.to_level(run.report.final_state);
-    if (options.csv || options.tell) {
+    if (options.csv || options.describe) {
         TapeRun samples(std::make_shared<const Tape>(base.tape), base.settings, base.start);
         if (base.tape.tick_count() > TapeRun::max_ticks) {
             return Error{options.tape.string(),
@@ -42,12 +42,12 @@ Result<Run> run_tape(const SimulateOptions& options) {
         }
         samples.advance(scene, TapeRun::max_ticks);
         if (options.csv) run.text = run_csv(samples, level.surfaces);
-        if (options.tell) {
+        if (options.describe) {
             const std::size_t ticks = samples.samples().size();
-            if (*options.tell >= ticks)
-                return Error{"--tell", fmt::format("found tick {}, expected one from 0 to {}", *options.tell,
-                                                   ticks == 0 ? 0 : ticks - 1)};
-            run.text = story_text(tell(samples.trace(scene, *options.tell), level));
+            if (*options.describe >= ticks)
+                return Error{"--tell", fmt::format("found tick {}, expected one from 0 to {}",
+                                                   *options.describe, ticks == 0 ? 0 : ticks - 1)};
+            run.text = story_text(describe(samples.trace(scene, *options.describe), level));
         }
     }
     return run;
@@ -122,7 +122,7 @@ int run_simulate(const SimulateOptions& options, std::ostream& out, std::ostream
         return exit_bad_input;
     }
     print_warnings(err, run->base.warnings);
-    if (options.csv || options.tell)
+    if (options.csv || options.describe)
         out << run->text;
     else
         options.json ? print_report_json(*run, out) : print_report_text(*run, out);

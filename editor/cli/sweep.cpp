@@ -149,8 +149,8 @@ int run_sweep(const SweepOptions& options, std::ostream& out, std::ostream& err)
 
 int run_sweep_test(const std::filesystem::path& level, const std::filesystem::path& file, std::ostream& out,
                    std::ostream& err) {
-    constexpr std::uint64_t most_bytes = 1 << 20;
-    const Result<std::string> text = read_file(file, most_bytes);
+    constexpr std::uint64_t max_bytes = 1 << 20;
+    const Result<std::string> text = read_file(file, max_bytes);
     if (!text) {
         print_error(err, text.error());
         return exit_bad_input;

@@ -43,7 +43,7 @@ bool is_header(std::string_view line) {
 
 }  // namespace
 
-Result<std::vector<SweepQuery>> parse_sweep_queries(std::string_view text, const std::string& place) {
+Result<std::vector<SweepQuery>> parse_sweep_queries(std::string_view text, const std::string& location) {
     while (!text.empty() && (text.back() == '\n' || text.back() == '\r'))
         text.remove_suffix(1);
     std::vector<SweepQuery> queries;
@@ -51,7 +51,7 @@ Result<std::vector<SweepQuery>> parse_sweep_queries(std::string_view text, const
     for (std::size_t at = 0; at <= text.size();) {
         const std::size_t end = std::min(text.find('\n', at), text.size());
         const std::string_view line = trim(text.substr(at, end - at));
-        const std::string here = fmt::format("{}:{}", place, ++line_number);
+        const std::string here = fmt::format("{}:{}", location, ++line_number);
         at = end + 1;
         if (line_number == 1) {
             if (is_header(line)) continue;

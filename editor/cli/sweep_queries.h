@@ -16,7 +16,7 @@ struct SweepQuery {
 
 // Header ox,oy,oz,dx,dy,dz, then six finite numbers a line. Empty lines only at the end. Errors name
 // file:line.
-Result<std::vector<SweepQuery>> parse_sweep_queries(std::string_view text, const std::string& place);
+Result<std::vector<SweepQuery>> parse_sweep_queries(std::string_view text, const std::string& location);
 Result<std::vector<SweepQuery>> load_sweep_queries(const std::filesystem::path& path);
 
 }  // namespace slipface::cli

@@ -26,15 +26,15 @@ Result<TapeOnLevel> load_tape_on_level(const TapeOptions& options) {
             return Error{"--set " + assignment, status.error().message};
     }
     // The scene refers to the level, so the level goes to its last place before the scene is built.
-    auto place = std::make_unique<LoadedLevel>(std::move(*loaded));
-    Result<LevelScene> scene = LevelScene::build(place->level, settings);
+    auto owned = std::make_unique<LoadedLevel>(std::move(*loaded));
+    Result<LevelScene> scene = LevelScene::build(owned->level, settings);
     if (!scene) return scene.error();
-    Warnings warnings = place->warnings;
+    Warnings warnings = owned->warnings;
     const auto& recorded = tape->level_fingerprint;
-    if (recorded && *recorded != place->level.mesh->fingerprint) {
+    if (recorded && *recorded != owned->level.mesh->fingerprint) {
         warnings.push_back({options.tape.string(),
                             fmt::format("was recorded on geometry {}, found {}; the run may differ",
-                                        hash_text(*recorded), hash_text(place->level.mesh->fingerprint))});
+                                        hash_text(*recorded), hash_text(owned->level.mesh->fingerprint))});
     }
     const auto& surfaces = tape->surfaces_fingerprint;
     if (surfaces && *surfaces != scene_fingerprint(scene->at(0.0))) {
@@ -44,12 +44,12 @@ Result<TapeOnLevel> load_tape_on_level(const TapeOptions& options) {
     }
     Vec3 start = tape->start.value_or(Vec3::Zero());
     if (!tape->start || !options.spawn.empty()) {
-        const Result<Start> found = find_start(place->level, *scene, settings, options.spawn);
+        const Result<Start> found = find_start(owned->level, *scene, settings, options.spawn);
         if (!found) return Error{"--spawn", found.error().message};
         start = found->position;
-        if (!found->note.empty()) warnings.push_back({place->level.mesh_path.string(), found->note});
+        if (!found->note.empty()) warnings.push_back({owned->level.mesh_path.string(), found->note});
     }
-    return TapeOnLevel{.loaded = std::move(place),
+    return TapeOnLevel{.loaded = std::move(owned),
                        .tape = std::move(*tape),
                        .settings = settings,
                        .start = start,

@@ -105,7 +105,7 @@ void add_simulate(CLI::App& app, int& exit_code) {
     CLI::Option* json = verb->add_flag("--json", options->json, "Print JSON");
     CLI::Option* csv = verb->add_flag("--csv", options->csv, "Print the run's numbers, a row a tick");
     csv->excludes(json);
-    verb->add_option("--tell", options->tell, "Print what happened in that tick, and why; the first is 0")
+    verb->add_option("--tell", options->describe, "Print what happened in that tick, and why; the first is 0")
         ->type_name("TICK")
         ->check(CLI::NonNegativeNumber)
         ->excludes(json)

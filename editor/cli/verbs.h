@@ -60,10 +60,10 @@ struct SimulateOptions {
     std::filesystem::path tape;
     std::vector<std::string> settings = {};  // "name=value"; after the level's and the tape's, so they win
     bool json = false;
-    std::string spawn = {};                  // instead of the main one, and of the tape's start
-    std::optional<std::string> preset = {};  // name or file; instead of the level's and the tape's settings
-    bool csv = false;                        // the run's numbers, a row a tick, instead of the report
-    std::optional<std::size_t> tell = {};    // instead of the report what happened in that tick, from 0
+    std::string spawn = {};                    // instead of the main one, and of the tape's start
+    std::optional<std::string> preset = {};    // name or file; instead of the level's and the tape's settings
+    bool csv = false;                          // the run's numbers, a row a tick, instead of the report
+    std::optional<std::size_t> describe = {};  // instead of the report what happened in that tick, from 0
 };
 
 // Runs the tape: final state, a hash a second, distance, events. Fails if the tape names the hash that its

@@ -46,7 +46,7 @@ OutputJson stop_json(const Stop& stop, const std::vector<Cure>& cures, double dt
                     {"cause", stop_cause_name(stop.loss.cause)},
                     {"headline", stop.headline}};
     json["face"] = stop.loss.face == no_id ? OutputJson() : OutputJson(stop.loss.face);
-    json["place"] = vector_json(stop.loss.place);
+    json["position"] = vector_json(stop.loss.position);
     json["cures"] = OutputJson::array();
     for (const Cure& cure : cures)
         json["cures"].push_back(cure_json(cure));
@@ -150,13 +150,14 @@ CLI::Option* add_tape_options(CLI::App& verb, TapeOptions& tape) {
 void add_why_verbs(CLI::App& app, int& exit_code) {
     CLI::App* why =
         app.add_subcommand("why", "Say what stopped the player of a tape, and what would cure it");
-    auto asked = std::make_shared<WhyOptions>();
-    add_tape_options(*why, asked->tape);
-    why->add_option("--preset", asked->tape.preset, "Settings instead of the level's; a name or a file")
+    auto requested = std::make_shared<WhyOptions>();
+    add_tape_options(*why, requested->tape);
+    why->add_option("--preset", requested->tape.preset, "Settings instead of the level's; a name or a file")
         ->type_name("PRESET");
-    why->add_flag("--json", asked->json, "Print JSON");
-    why->callback(
-        [asked, &exit_code] { exit_code = guarded([&] { return run_why(*asked, std::cout, std::cerr); }); });
+    why->add_flag("--json", requested->json, "Print JSON");
+    why->callback([requested, &exit_code] {
+        exit_code = guarded([&] { return run_why(*requested, std::cout, std::cerr); });
+    });
 
     CLI::App* compare =
         app.add_subcommand("compare", "Run a tape under several presets and compare the runs");

@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view first_line = "slipface-autosave 1";
 constexpr std::string_view extension = ".autosave";
-constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
-constexpr std::size_t most_steps = 50;
+constexpr std::uint64_t max_bytes = std::uint64_t{1} << 30;
+constexpr std::size_t max_steps = 50;
 
 std::uint64_t hash_of(std::string_view text) {
     Hasher hasher;
@@ -42,8 +42,8 @@ std::vector<std::string> unsaved_steps(const Document& document) {
     const std::size_t first = std::min(document.saved_cursor().value_or(0), document.history_cursor());
     for (std::size_t i = first; i < document.history_cursor(); ++i)
         if (document.history()[i].changes_file()) names.push_back(document.history()[i].name);
-    if (names.size() > most_steps)
-        names.erase(names.begin(), names.end() - static_cast<std::ptrdiff_t>(most_steps));
+    if (names.size() > max_steps)
+        names.erase(names.begin(), names.end() - static_cast<std::ptrdiff_t>(max_steps));
     return names;
 }
 
@@ -107,9 +107,9 @@ std::string autosave_text(const Autosave& autosave) {
            autosave.json;
 }
 
-Result<Autosave> parse_autosave(std::string_view text, const std::string& place) {
+Result<Autosave> parse_autosave(std::string_view text, const std::string& location) {
     const auto bad = [&](int line, const std::string& what) {
-        return Error{fmt::format("{}:{}", place, line), what};
+        return Error{fmt::format("{}:{}", location, line), what};
     };
     Autosave autosave;
     for (int number = 1;; ++number) {
@@ -139,7 +139,7 @@ Result<Autosave> parse_autosave(std::string_view text, const std::string& place)
 }
 
 Result<Autosave> read_autosave(const fs::path& file) {
-    const Result<std::string> text = read_file(file, most_bytes);
+    const Result<std::string> text = read_file(file, max_bytes);
     if (!text) return text.error();
     Result<Autosave> autosave = parse_autosave(*text, file.string());
     if (autosave) autosave->info.file = file;

@@ -37,7 +37,7 @@ struct Autosave {
 // The file's text; what parse_autosave reads back.
 std::string autosave_text(const Autosave& autosave);
 // Refuses what is cut short or changed: the header holds the length and a hash of what follows.
-Result<Autosave> parse_autosave(std::string_view text, const std::string& place);
+Result<Autosave> parse_autosave(std::string_view text, const std::string& location);
 Result<Autosave> read_autosave(const std::filesystem::path& file);
 
 class AutosaveSession {

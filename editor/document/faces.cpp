@@ -16,8 +16,8 @@ constexpr double flat_tolerance = 1e-4;
 double squared_distance_to_segment(const Vec3& point, const Vec3& a, const Vec3& b) {
     const Vec3 along = b - a;
     const double length2 = along.squaredNorm();
-    const double share = length2 > 0.0 ? std::clamp((point - a).dot(along) / length2, 0.0, 1.0) : 0.0;
-    return (point - (a + share * along)).squaredNorm();
+    const double fraction = length2 > 0.0 ? std::clamp((point - a).dot(along) / length2, 0.0, 1.0) : 0.0;
+    return (point - (a + fraction * along)).squaredNorm();
 }
 
 double squared_distance_to_triangle(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c) {

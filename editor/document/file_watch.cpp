@@ -28,7 +28,7 @@ void FileWatch::start(const std::filesystem::path& mesh, const std::filesystem::
     level_known_ = level_now_ = stamp_of(level_);
     level_content_ = content_of(level_);
     watching_ = true;
-    told_ = false;
+    reported_ = false;
 }
 
 bool FileWatch::level_has_other_content() const {
@@ -39,12 +39,12 @@ bool FileWatch::poll() {
     if (!watching_) return false;
     const Stamp mesh = stamp_of(mesh_), level = stamp_of(level_);
     at_rest_ = mesh == mesh_now_ && level == level_now_;
-    if (!at_rest_) told_ = false;
+    if (!at_rest_) reported_ = false;
     mesh_now_ = mesh;
     level_now_ = level;
-    if (!at_rest_ || told_ || !mesh.there) return false;
+    if (!at_rest_ || reported_ || !mesh.there) return false;
     if (mesh == mesh_known_ && level == level_known_) return false;
-    told_ = true;
+    reported_ = true;
     return true;
 }
 

@@ -37,7 +37,7 @@ class FileWatch {
     std::filesystem::path mesh_, level_;
     FileStamp level_content_;
     Stamp mesh_known_, level_known_, mesh_now_, level_now_;
-    bool watching_ = false, told_ = false, at_rest_ = true;
+    bool watching_ = false, reported_ = false, at_rest_ = true;
 };
 
 }  // namespace slipface

@@ -87,7 +87,7 @@ FolderListing list_folder(const fs::path& folder, const FolderWants& wants) {
         std::error_code unreadable;
         entry.folder = it->is_directory(unreadable);
         if (!entry.folder && !wants.file(entry.name)) continue;
-        if (listing.entries.size() == most_listed_entries) {
+        if (listing.entries.size() == max_listed_entries) {
             ++listing.left_out;
             continue;
         }
@@ -126,8 +126,8 @@ void sort_listing(std::vector<FolderEntry>& entries, ListingOrder order, bool de
         entries[i] = std::move(rows[i].entry);
 }
 
-std::vector<StartPlace> usual_places(std::string_view mounts) {
-    std::vector<StartPlace> places;
+std::vector<StartFolder> usual_folders(std::string_view mounts) {
+    std::vector<StartFolder> places;
     if (const char* const home = std::getenv("HOME"); home && *home == '/') places.push_back({"Home", home});
     if (const fs::path data = data_folder(); !data.empty()) places.push_back({"Samples", data / "levels"});
     places.push_back({"File system", "/"});

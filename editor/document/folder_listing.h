@@ -31,7 +31,7 @@ struct FolderWants {
     bool one_row_per_level = false;
 };
 
-inline constexpr std::size_t most_listed_entries = 100'000;
+inline constexpr std::size_t max_listed_entries = 100'000;
 
 // Unsorted. A file that vanishes meanwhile, or cannot be looked at, is listed without size and date.
 FolderListing list_folder(const std::filesystem::path& folder, const FolderWants& wants);
@@ -44,13 +44,13 @@ enum class ListingOrder : std::uint8_t { name, size, date };
 void sort_listing(std::vector<FolderEntry>& entries, ListingOrder order, bool descending);
 
 // A folder to start from.
-struct StartPlace {
+struct StartFolder {
     std::string name;
     std::filesystem::path folder;
 };
 // The home folder, the sample levels, the root, and what is mounted under /media, /run/media and /mnt;
 // `mounts` is the text of /proc/self/mounts.
-std::vector<StartPlace> usual_places(std::string_view mounts);
+std::vector<StartFolder> usual_folders(std::string_view mounts);
 // The folders of these files, each once, in their order.
 std::vector<std::filesystem::path> folders_of(std::span<const std::filesystem::path> files);
 

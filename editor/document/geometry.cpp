@@ -109,12 +109,12 @@ Result<std::string> Document::bake() {
 }
 
 Status Document::attach_orphan(std::size_t orphan, std::span<const FaceId> faces) {
-    const std::string place = level_.file_path.string();
-    if (orphan >= level_.orphans.size()) return Error{place, "there is no such orphan"};
+    const std::string location = level_.file_path.string();
+    if (orphan >= level_.orphans.size()) return Error{location, "there is no such orphan"};
     const std::string type = level_.orphans[orphan].type;
     const std::optional<SurfaceId> surface = find_surface(level_, type);
-    if (!surface) return Error{place, "the orphan's type \"" + type + "\" does not exist: add it first"};
-    if (faces.empty()) return Error{place, "no faces are selected to take the orphan's type"};
+    if (!surface) return Error{location, "the orphan's type \"" + type + "\" does not exist: add it first"};
+    if (faces.empty()) return Error{location, "no faces are selected to take the orphan's type"};
     Transaction transaction(*this, "Attach orphan");
     paint(faces, surface);
     drop_orphan(orphan);

@@ -91,7 +91,7 @@ fs::path expand_tilde(std::string_view text) {
     return alone ? folder / "" : folder / fs::path(text.substr(2));
 }
 
-std::vector<std::string> telling_folders(std::span<const fs::path> paths) {
+std::vector<std::string> distinguishing_folders(std::span<const fs::path> paths) {
     std::vector<std::string> folders;
     for (const fs::path& path : paths) {
         std::size_t count = 1;

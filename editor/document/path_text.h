@@ -22,7 +22,7 @@ std::filesystem::path expand_tilde(std::string_view text);
 // For each path the shortest end of its folder that tells it from the others of the same file name: "a" and
 // "b" for x/a/easy.obj and x/b/easy.obj, "a/levels" and "b/levels" for a/levels/easy.obj and
 // b/levels/easy.obj. Where the name alone would do, the last folder.
-std::vector<std::string> telling_folders(std::span<const std::filesystem::path> paths);
+std::vector<std::string> distinguishing_folders(std::span<const std::filesystem::path> paths);
 
 // What Tab makes of a path that is being typed.
 struct PathCompletion {

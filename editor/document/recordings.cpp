@@ -21,13 +21,13 @@ bool is_recording(const std::string& name) {
                       [](char wanted, char c) { return wanted == 'd' ? c >= '0' && c <= '9' : c == wanted; });
 }
 
-void delete_oldest(const fs::path& folder, std::size_t most) {
+void delete_oldest(const fs::path& folder, std::size_t maximum) {
     std::vector<fs::path> kept;
     std::error_code error;
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
         if (is_recording(it->path().filename().string())) kept.push_back(it->path());
     std::sort(kept.begin(), kept.end());
-    for (std::size_t i = 0; i + most < kept.size(); ++i)
+    for (std::size_t i = 0; i + maximum < kept.size(); ++i)
         fs::remove(kept[i], error);
 }
 
@@ -43,7 +43,7 @@ Status Recordings::keep(std::string_view name, std::string_view text) const {
     for (std::time_t now = std::time(nullptr); file.empty() || fs::exists(file, error); ++now)
         file = folder_ / fmt::format("{:%Y-%m-%d %H.%M.%S} {}.tape", fmt::localtime(now), name);
     if (Status status = write_file_atomic(file, text); !status) return status;
-    delete_oldest(folder_, most_kept);
+    delete_oldest(folder_, max_kept);
     return {};
 }
 

@@ -12,7 +12,7 @@ namespace slipface {
 
 class Recordings {
   public:
-    static constexpr std::size_t most_kept = 32;
+    static constexpr std::size_t max_kept = 32;
 
     Recordings() = default;  // keeps nothing
     explicit Recordings(std::filesystem::path folder) : folder_(std::move(folder)) {}

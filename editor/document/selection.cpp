@@ -16,7 +16,7 @@ constexpr double degree = std::numbers::pi / 180.0;
 // Float coordinates bend what was authored flat by up to about this much, radians.
 constexpr double flat_angle = 2e-4;
 constexpr double like_angle = 2.0 * degree;
-constexpr double like_area = 0.05;  // share
+constexpr double like_area = 0.05;  // fraction
 
 // Faces for which keep(face) holds.
 template <class Keep>
@@ -66,12 +66,12 @@ bool in_plane_of(const Document& document, FaceId face, FaceId origin) {
     const Mesh& mesh = document.mesh();
     const Vec3 normal = document.facts().normal[origin].cast<double>();
     if (normal.isZero(0.0)) return false;
-    const Vec3 place = mesh.corner_position(mesh.face_first_corner[origin]).cast<double>();
+    const Vec3 position = mesh.corner_position(mesh.face_first_corner[origin]).cast<double>();
     const double reach =
         std::max(mesh.bounds.min.cwiseAbs().maxCoeff(), mesh.bounds.max.cwiseAbs().maxCoeff());
     for (std::uint32_t corner = mesh.face_first_corner[face]; corner < mesh.face_first_corner[face + 1];
          ++corner) {
-        const Vec3 offset = mesh.corner_position(corner).cast<double>() - place;
+        const Vec3 offset = mesh.corner_position(corner).cast<double>() - position;
         if (std::abs(normal.dot(offset)) > 1e-6 * reach + flat_angle * offset.norm()) return false;
     }
     return true;

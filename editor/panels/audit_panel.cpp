@@ -38,9 +38,9 @@ void start_row(Editor& editor) {
 }
 
 void progress(Editor& editor, FrameContext& frame) {
-    const double share = editor.audit->progress();
-    ImGui::ProgressBar(static_cast<float>(share), {-1.0f, 0.0f},
-                       fmt::format("{:.0f} %", 100.0 * share).c_str());
+    const double fraction = editor.audit->progress();
+    ImGui::ProgressBar(static_cast<float>(fraction), {-1.0f, 0.0f},
+                       fmt::format("{:.0f} %", 100.0 * fraction).c_str());
     if (ui::button("Cancel", "End it now; what was found until then is shown")) editor.audit->cancel();
     frame.animating = true;
 }
@@ -56,8 +56,8 @@ void heat_rows(Editor& editor) {
         job.kind = static_cast<HeatKind>(kind);
     if (job.kind == HeatKind::unreached) {
         std::size_t count = 0;
-        for (const float share : job.heat(*editor.document, job.kind))
-            count += share > 0.0f;
+        for (const float fraction : job.heat(*editor.document, job.kind))
+            count += fraction > 0.0f;
         ui::muted_text(fmt::format("{} faces", count).c_str());
     } else {
         const float width = ImGui::GetContentRegionAvail().x;
@@ -77,8 +77,8 @@ void finding_rows(Editor& editor) {
     }
     const ui::Scope scope("Finding");
     std::optional<std::size_t> wanted;
-    constexpr std::size_t most = 200;
-    for (std::size_t i = 0; i < std::min(most, report.findings.size()); ++i) {
+    constexpr std::size_t maximum = 200;
+    for (std::size_t i = 0; i < std::min(maximum, report.findings.size()); ++i) {
         const AuditFinding& finding = report.findings[i];
         ImGui::PushID(static_cast<int>(i));
         // The sentence takes as many lines as it needs.
@@ -96,8 +96,8 @@ void finding_rows(Editor& editor) {
                         .c_str());
         ImGui::PopID();
     }
-    if (report.findings.size() > most)
-        ui::muted_text(fmt::format("and {} more", report.findings.size() - most).c_str());
+    if (report.findings.size() > maximum)
+        ui::muted_text(fmt::format("and {} more", report.findings.size() - maximum).c_str());
     if (wanted) open_finding(editor, *wanted);
 }
 

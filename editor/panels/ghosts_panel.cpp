@@ -45,10 +45,10 @@ void run_rows(Editor& editor) {
         const float room =
             ImGui::GetContentRegionAvail().x - (run.kind == LabRun::Kind::pinned ? 4.2f * em : 0.0f);
         const ImVec2 text = ImGui::GetCursorScreenPos();
-        if (ImGui::Selectable("##tell", lab.told() == i, 0, {room, ImGui::GetTextLineHeight()}))
-            lab.tell_of(i);
+        if (ImGui::Selectable("##tell", lab.explained() == i, 0, {room, ImGui::GetTextLineHeight()}))
+            lab.explain(i);
         ui::ellipsis(text, text.x + room, ui::palette().text, run.name);
-        ui::record_last_item("Tell", true, lab.told() == i);
+        ui::record_last_item("Tell", true, lab.explained() == i);
         settings_tooltip(run, lab.runs().front());
         if (run.kind == LabRun::Kind::pinned) {
             ImGui::SameLine();
@@ -71,14 +71,14 @@ void run_rows(Editor& editor) {
                 if (ui::button("Where they part", "Go to the first tick that differs, and look at it")) {
                     lab.motion = LabMotion::paused;
                     lab.seek(divergence->first);
-                    lab.tell_of(i);
+                    lab.explain(i);
                     look_at_cursor(editor);
                 }
                 ui::flow(ui::button_width("Furthest apart"));
                 if (ui::button("Furthest apart", "Go to the tick at which the two are furthest apart")) {
                     lab.motion = LabMotion::paused;
                     lab.seek(divergence->worst_tick);
-                    lab.tell_of(i);
+                    lab.explain(i);
                     look_at_cursor(editor);
                 }
             }
@@ -96,7 +96,7 @@ void run_rows(Editor& editor) {
 // Both stories of the cursor's tick side by side, where they differ marked.
 void side_by_side(Editor& editor) {
     Lab& lab = editor.lab;
-    const std::size_t other = lab.told() == 0 ? 1 : lab.told();
+    const std::size_t other = lab.explained() == 0 ? 1 : lab.explained();
     if (other >= lab.runs().size()) return;
     ui::heading("Side by side");
     const StoryNames names(editor.document->level());
@@ -107,8 +107,8 @@ void side_by_side(Editor& editor) {
     }
     ui::muted_text(("The stories of " + tick_text(lab, lab.cursor())).c_str());
     const std::vector<StoryLine> stories[2] = {
-        tell(lab.runs()[0].run.trace(lab.scene(*editor.document), lab.cursor()), names),
-        tell(lab.runs()[other].run.trace(lab.scene(*editor.document), lab.cursor()), names)};
+        describe(lab.runs()[0].run.trace(lab.scene(*editor.document), lab.cursor()), names),
+        describe(lab.runs()[other].run.trace(lab.scene(*editor.document), lab.cursor()), names)};
     if (!ImGui::BeginTable("stories", 2, ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingStretchSame))
         return;
     ImGui::TableNextRow();

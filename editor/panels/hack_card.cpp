@@ -41,7 +41,7 @@ void effect_rows(Editor& editor, const SettingInfo& info) {
             const std::size_t tick = (lab.cursor() + i) % samples.size();
             if (!((samples[tick].acted >> *row) & 1)) continue;
             lab.motion = LabMotion::paused;
-            lab.tell_of(1);
+            lab.explain(1);
             lab.seek(tick);
             editor.layout.show(PanelId::why);
             break;
@@ -79,49 +79,49 @@ const KeptDemo& kept_demo(const DemoInfo& info) {
 }
 
 // The way of the run, and the player now and then.
-PictureRequest demo_picture(const DemoInfo& info, bool on) {
+ImageRequest demo_image(const DemoInfo& info, bool on) {
     const KeptDemo& kept = kept_demo(info);
-    PictureRequest request;
+    ImageRequest request;
     request.level = &kept.demo.level;
     request.camera.eye = kept.demo.camera.eye;
     request.camera.target = kept.demo.camera.target;
     request.camera.fov_y = kept.demo.camera.fov_y;
     const TapeRun& run = kept.runs[on ? 1 : 0];
     const Vec3& radii = run.settings().radii;
-    const Color way = on ? Color{0.45f, 0.86f, 0.60f, 1.0f} : Color{0.98f, 0.47f, 0.42f, 1.0f};
+    const Color trail = on ? Color{0.45f, 0.86f, 0.60f, 1.0f} : Color{0.98f, 0.47f, 0.42f, 1.0f};
     const auto samples = run.samples();
     Vec3 previous = run.start();
     for (const TickSample& sample : samples) {
         if (!sample.respawned && sample.position != previous)
-            request.overlay.line(previous, sample.position, way, 3.0f, true);
+            request.overlay.line(previous, sample.position, trail, 3.0f, true);
         previous = sample.position;
     }
     constexpr std::size_t ghosts = 5;
     for (std::size_t i = 0; i < ghosts && !samples.empty(); ++i) {
-        const Vec3 place = samples[(samples.size() - 1) * i / (ghosts - 1)].position;
-        Color fill = way;
+        const Vec3 position = samples[(samples.size() - 1) * i / (ghosts - 1)].position;
+        Color fill = trail;
         fill.alpha = i + 1 == ghosts ? 0.45f : 0.10f;
-        Color outline = way;
+        Color outline = trail;
         outline.alpha = i + 1 == ghosts ? 1.0f : 0.5f;
-        request.overlay.ellipsoid(place, radii, fill, outline);
+        request.overlay.ellipsoid(position, radii, fill, outline);
     }
     return request;
 }
 
-void pictures(Editor& editor, FrameContext& frame, const DemoInfo& info) {
+void images(Editor& editor, FrameContext& frame, const DemoInfo& info) {
     const float em = ImGui::GetFontSize();
     const float gap = 0.6f * em;
     const float width = std::floor(0.5f * (ImGui::GetContentRegionAvail().x - gap));
     const ImVec2 size{width, std::floor(width * 9.0f / 16.0f)};
     ui::muted_text(info.look_at);
-    if (frame.pictures) {
+    if (frame.images) {
         const float density = ImGui::GetIO().DisplayFramebufferScale.x;
         const ImVec2 at = ImGui::GetCursorScreenPos();
         for (const bool on : {false, true}) {
             const std::string key = std::string("demo ") + info.name + (on ? " on" : " off");
-            const unsigned texture = frame.pictures->picture(
-                key, static_cast<int>(std::lround(size.x * density)),
-                static_cast<int>(std::lround(size.y * density)), [&] { return demo_picture(info, on); });
+            const unsigned texture = frame.images->image(key, static_cast<int>(std::lround(size.x * density)),
+                                                         static_cast<int>(std::lround(size.y * density)),
+                                                         [&] { return demo_image(info, on); });
             const ImVec2 min{at.x + (on ? width + gap : 0.0f), at.y};
             ImDrawList& list = *ImGui::GetWindowDrawList();
             list.AddImageRounded(ui::texture_id(texture), min, {min.x + size.x, min.y + size.y}, {0, 1},
@@ -176,7 +176,7 @@ void hack_cell(Editor& editor, FrameContext& frame, const SettingInfo& info) {
     for (const DemoInfo& demo : demo_table()) {
         if (std::string_view(demo.hack) != info.name) continue;
         ImGui::Spacing();
-        pictures(editor, frame, demo);
+        images(editor, frame, demo);
         break;
     }
     ImGui::Spacing();

@@ -25,15 +25,15 @@ void history_panel(Editor& editor) {
             const std::string name = at == 0 ? "Opened" : steps[at - 1].name;
             const bool undone = at > cursor, saved = document.saved_cursor() == at;
             const float em = ImGui::GetFontSize();
-            const ImVec2 place = ImGui::GetCursorScreenPos();
-            const float end = place.x + ImGui::GetContentRegionAvail().x;
+            const ImVec2 position = ImGui::GetCursorScreenPos();
+            const float end = position.x + ImGui::GetContentRegionAvail().x;
             const float mark = end - ImGui::CalcTextSize("saved").x;
             if (ImGui::Selectable(("##" + std::to_string(at)).c_str(), at == cursor)) wanted = at;
             ui::record_last_item(std::to_string(at), !document.in_transaction());
             ui::tooltip(undone ? "Do again up to here" : "Undo back to here");
-            ui::ellipsis({place.x + 0.5f * em, place.y}, saved ? mark - 0.5f * em : end,
+            ui::ellipsis({position.x + 0.5f * em, position.y}, saved ? mark - 0.5f * em : end,
                          undone ? ui::palette().muted : ui::palette().text, name);
-            if (saved) ui::ellipsis({mark, place.y}, end + 1.0f, ui::palette().muted, "saved");
+            if (saved) ui::ellipsis({mark, position.y}, end + 1.0f, ui::palette().muted, "saved");
         }
     }
     if (!wanted) return;

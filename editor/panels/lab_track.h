@@ -8,14 +8,14 @@
 
 namespace slipface {
 
-// Ticks along a strip of the window. Tick t lies at the middle of its share of the width.
+// Ticks along a strip of the window. Tick t lies at the middle of its fraction of the width.
 struct LabTrack {
     ImVec2 min, max;
     double first = 0.0, last = 1.0;  // ticks shown, [first, last)
 
     float x(double tick) const {
-        const double share = (tick + 0.5 - first) / (last - first);
-        return min.x + static_cast<float>(share) * (max.x - min.x);
+        const double fraction = (tick + 0.5 - first) / (last - first);
+        return min.x + static_cast<float>(fraction) * (max.x - min.x);
     }
     double tick_at(float x_pixel) const {
         return first +

@@ -13,7 +13,7 @@
 namespace slipface {
 namespace {
 
-constexpr int most_rows = 12;
+constexpr int max_rows = 12;
 
 void draw_hatch(ImDrawList& list, ImVec2 min, ImVec2 max, Hatch hatch, ImU32 ink) {
     const float w = max.x - min.x, h = max.y - min.y, step = std::max(3.0f, w / 3.0f),
@@ -93,7 +93,7 @@ constexpr std::array<SlopeRow, 3> walk_rows{{{"Walkable", IM_COL32(51, 143, 199,
 
 std::vector<SurfaceId> types_in_use(const Document& document) {
     std::vector<SurfaceId> shown;
-    for (std::size_t i = 1; i < document.level().surfaces.size() && shown.size() < most_rows; ++i)
+    for (std::size_t i = 1; i < document.level().surfaces.size() && shown.size() < max_rows; ++i)
         if (document.face_count_of(static_cast<SurfaceId>(i)) > 0) shown.push_back(static_cast<SurfaceId>(i));
     return shown;
 }
@@ -104,17 +104,18 @@ float row_height() {
 
 }  // namespace
 
-LegendPlace legend_place(const Editor& editor, ImVec2 min, ImVec2 max) {
+LegendLayout legend_layout(const Editor& editor, ImVec2 min, ImVec2 max) {
     const Document& document = *editor.document;
-    LegendPlace place;
+    LegendLayout layout;
     const bool by_slope = editor.style.colors != FaceColors::types;
-    if (editor.playtest || (editor.style.overlay <= 0.0f && !by_slope)) return place;
+    if (editor.playtest || (editor.style.overlay <= 0.0f && !by_slope)) return layout;
     const float scale = ui::scale();
     const auto add = [&](std::string name, std::size_t faces, std::string area) {
-        place.name_width = std::max(place.name_width, ImGui::CalcTextSize(name.c_str()).x);
-        place.count_width = std::max(place.count_width, ImGui::CalcTextSize(std::to_string(faces).c_str()).x);
-        place.area_width = std::max(place.area_width, ImGui::CalcTextSize(area.c_str()).x);
-        place.rows.push_back({std::move(name), std::move(area), faces, std::nullopt});
+        layout.name_width = std::max(layout.name_width, ImGui::CalcTextSize(name.c_str()).x);
+        layout.count_width =
+            std::max(layout.count_width, ImGui::CalcTextSize(std::to_string(faces).c_str()).x);
+        layout.area_width = std::max(layout.area_width, ImGui::CalcTextSize(area.c_str()).x);
+        layout.rows.push_back({std::move(name), std::move(area), faces, std::nullopt});
     };
     if (by_slope) {
         const SlopeCounts counts = slope_counts(document);
@@ -126,35 +127,35 @@ LegendPlace legend_place(const Editor& editor, ImVec2 min, ImVec2 max) {
         for (const SurfaceId id : types_in_use(document)) {
             add(document.level().surfaces[id].name, document.face_count_of(id),
                 area_text(document.area_of(id)));
-            place.rows.back().surface = id;
+            layout.rows.back().surface = id;
         }
     }
-    place.name_width = std::min(place.name_width, 160 * scale);
+    layout.name_width = std::min(layout.name_width, 160 * scale);
     const float side = 15 * scale;
     const ImVec2 padding{12 * scale, 9 * scale};
-    const float width = 2 * padding.x + side + 9 * scale + place.name_width + 18 * scale + place.count_width +
-                        16 * scale + place.area_width;
+    const float width = 2 * padding.x + side + 9 * scale + layout.name_width + 18 * scale +
+                        layout.count_width + 16 * scale + layout.area_width;
     const float height =
-        2 * padding.y + static_cast<float>(place.rows.size()) * row_height() - (row_height() - side);
-    if (max.x - min.x < width + 28 * scale || max.y - min.y < height + 160 * scale) place.rows.clear();
-    place.min = {min.x + 14 * scale, max.y - 14 * scale - height};
-    place.max = {place.min.x + width, place.min.y + height};
-    return place;
+        2 * padding.y + static_cast<float>(layout.rows.size()) * row_height() - (row_height() - side);
+    if (max.x - min.x < width + 28 * scale || max.y - min.y < height + 160 * scale) layout.rows.clear();
+    layout.min = {min.x + 14 * scale, max.y - 14 * scale - height};
+    layout.max = {layout.min.x + width, layout.min.y + height};
+    return layout;
 }
 
-void legend_buttons(Editor& editor, const LegendPlace& place) {
+void legend_buttons(Editor& editor, const LegendLayout& layout) {
     const ui::Scope scope("Legend");
     const float scale = ui::scale();
-    for (std::size_t i = 0; i < place.rows.size(); ++i) {
-        const LegendPlace::Row& row = place.rows[i];
+    for (std::size_t i = 0; i < layout.rows.size(); ++i) {
+        const LegendLayout::Row& row = layout.rows[i];
         ImGui::SetCursorScreenPos(
-            {place.min.x + 4 * scale, place.min.y + 5 * scale + static_cast<float>(i) * row_height()});
+            {layout.min.x + 4 * scale, layout.min.y + 5 * scale + static_cast<float>(i) * row_height()});
         ImGui::PushID(static_cast<int>(i));
         const bool pressed =
-            ImGui::InvisibleButton("row", {place.max.x - place.min.x - 8 * scale, row_height()});
+            ImGui::InvisibleButton("row", {layout.max.x - layout.min.x - 8 * scale, row_height()});
         ImGui::PopID();
         ui::record_last_item(row.name);
-        place.lit = ImGui::IsItemHovered() ? std::optional(i) : place.lit;
+        layout.lit = ImGui::IsItemHovered() ? std::optional(i) : layout.lit;
         ui::tooltip(("Select " + std::to_string(row.faces) + (row.faces == 1 ? " face" : " faces") +
                      "; with Ctrl to add them")
                         .c_str());
@@ -166,20 +167,20 @@ void legend_buttons(Editor& editor, const LegendPlace& place) {
     }
 }
 
-void draw_legend(const Editor& editor, const LegendPlace& place) {
-    if (place.rows.empty()) return;
+void draw_legend(const Editor& editor, const LegendLayout& layout) {
+    if (layout.rows.empty()) return;
     const float scale = ui::scale(), side = 15 * scale;
     const ImVec2 padding{12 * scale, 9 * scale};
     const ui::Palette& p = ui::palette();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(place.min, place.max, ui::packed(ui::with_alpha(p.window, 0.86f)), 6 * scale);
-    for (std::size_t i = 0; i < place.rows.size(); ++i) {
-        const LegendPlace::Row& row = place.rows[i];
-        const ImVec2 at{place.min.x + padding.x,
-                        place.min.y + padding.y + static_cast<float>(i) * row_height()};
-        if (place.lit == i)
-            list.AddRectFilled({place.min.x + 4 * scale, at.y - 4 * scale},
-                               {place.max.x - 4 * scale, at.y + side + 4 * scale}, ui::packed(p.hovered),
+    list.AddRectFilled(layout.min, layout.max, ui::packed(ui::with_alpha(p.window, 0.86f)), 6 * scale);
+    for (std::size_t i = 0; i < layout.rows.size(); ++i) {
+        const LegendLayout::Row& row = layout.rows[i];
+        const ImVec2 at{layout.min.x + padding.x,
+                        layout.min.y + padding.y + static_cast<float>(i) * row_height()};
+        if (layout.lit == i)
+            list.AddRectFilled({layout.min.x + 4 * scale, at.y - 4 * scale},
+                               {layout.max.x - 4 * scale, at.y + side + 4 * scale}, ui::packed(p.hovered),
                                4 * scale);
         const float text_y = at.y + (side - ImGui::GetTextLineHeight()) * 0.5f;
         if (row.surface)
@@ -188,13 +189,13 @@ void draw_legend(const Editor& editor, const LegendPlace& place) {
         else
             list.AddRectFilled(at, {at.x + side, at.y + side}, walk_rows[i].color, 3 * scale);
         const float name_x = at.x + side + 9 * scale;
-        ui::ellipsis({name_x, text_y}, name_x + place.name_width + 1.0f, p.text, row.name);
+        ui::ellipsis({name_x, text_y}, name_x + layout.name_width + 1.0f, p.text, row.name);
         const auto right = [&](float x, const std::string& text) {
             list.AddText({x - ImGui::CalcTextSize(text.c_str()).x, text_y}, ui::packed(p.muted),
                          text.c_str());
         };
-        right(place.max.x - padding.x, row.area);
-        right(place.max.x - padding.x - place.area_width - 16 * scale, std::to_string(row.faces));
+        right(layout.max.x - padding.x, row.area);
+        right(layout.max.x - padding.x - layout.area_width - 16 * scale, std::to_string(row.faces));
     }
 }
 

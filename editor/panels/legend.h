@@ -14,7 +14,7 @@ void draw_swatch(ImDrawList& list, ImVec2 min, ImVec2 max, const SurfaceType& ty
 
 // In the lower left corner of the view: swatch, name, number of faces and area of each type that is used, or
 // of each slope class while slopes are shown. A click selects the row's faces.
-struct LegendPlace {
+struct LegendLayout {
     struct Row {
         std::string name, area;
         std::size_t faces = 0;
@@ -25,8 +25,8 @@ struct LegendPlace {
     float name_width = 0, count_width = 0, area_width = 0;
     mutable std::optional<std::size_t> lit;  // the row under the mouse
 };
-LegendPlace legend_place(const Editor& editor, ImVec2 view_min, ImVec2 view_max);
-void legend_buttons(Editor& editor, const LegendPlace& place);     // before the view's item
-void draw_legend(const Editor& editor, const LegendPlace& place);  // over the picture
+LegendLayout legend_layout(const Editor& editor, ImVec2 view_min, ImVec2 view_max);
+void legend_buttons(Editor& editor, const LegendLayout& layout);     // before the view's item
+void draw_legend(const Editor& editor, const LegendLayout& layout);  // over the picture
 
 }  // namespace slipface

@@ -143,11 +143,11 @@ void preset_row(Editor& editor) {
 
 // "Step height 0.4 -> 0.5" for each setting that differs from the preset; a click takes one back.
 void changed_rows(Editor& editor, const PresetMatch& match) {
-    constexpr std::size_t most = 6;
+    constexpr std::size_t maximum = 6;
     const MovementSettings movement = editor.document->level().movement;
     const MovementSettings& preset = match.preset->preset.settings;
     const ui::Scope scope("Changed");
-    for (std::size_t i = 0; i < std::min(most, match.changed.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(maximum, match.changed.size()); ++i) {
         const SettingInfo& info = *match.changed[i];
         const std::string from = value_text(preset, info);
         const std::string text =
@@ -161,8 +161,8 @@ void changed_rows(Editor& editor, const PresetMatch& match) {
         ImGui::PopID();
         if (taken_back) put(editor, info, get_setting(preset, info));
     }
-    if (match.changed.size() > most)
-        ui::muted_text(("and " + std::to_string(match.changed.size() - most) + " more").c_str());
+    if (match.changed.size() > maximum)
+        ui::muted_text(("and " + std::to_string(match.changed.size() - maximum) + " more").c_str());
 }
 
 // Which preset the settings are nearest to, and what differs.

@@ -24,16 +24,16 @@ struct ViewportServices {
 };
 
 // Small pictures of other levels than the open one, drawn once by the same renderer and kept.
-struct PictureRequest {
+struct ImageRequest {
     const Level* level = nullptr;
     Camera camera;
     Overlay overlay;
 };
-struct PictureServices {
+struct ImageServices {
     // The texture (rows from the bottom) kept under `key`; `request` is asked for it the first time.
-    virtual unsigned picture(const std::string& key, int width, int height,
-                             const std::function<PictureRequest()>& request) = 0;
-    virtual ~PictureServices() = default;
+    virtual unsigned image(const std::string& key, int width, int height,
+                           const std::function<ImageRequest()>& request) = 0;
+    virtual ~ImageServices() = default;
 };
 
 // Input that ImGui does not carry: keys held by position for movement (true while held), and the gamepad.
@@ -49,9 +49,9 @@ struct FrameContext {
     double seconds = 1.0 / 60.0;  // since the last frame, clamped
     HeldKeys held;
     ViewportServices* viewport = nullptr;
-    PictureServices* pictures = nullptr;  // null: there is nothing to draw with
-    bool wants_cursor_capture = false;    // out: the host hides and captures the cursor
-    bool animating = false;               // out: draw another frame soon even without events
+    ImageServices* images = nullptr;    // null: there is nothing to draw with
+    bool wants_cursor_capture = false;  // out: the host hides and captures the cursor
+    bool animating = false;             // out: draw another frame soon even without events
 };
 
 void viewport_panel(Editor& editor,

@@ -60,7 +60,7 @@ void curve(ImDrawList& list, const RunChannel& channel, const Lab& lab, std::siz
         return track.max.y - static_cast<float>((value - range.low) / span * height);
     };
     const ImU32 color = ui::packed(run_color(index));
-    const float width = (index == lab.told() ? 2.0f : 1.4f) * ui::scale();
+    const float width = (index == lab.explained() ? 2.0f : 1.4f) * ui::scale();
     const double step = std::max(1.0, track.ticks_per_pixel());
     std::vector<ImVec2> points;
     const auto flush = [&] {

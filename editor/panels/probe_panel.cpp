@@ -35,7 +35,7 @@ void line(const std::string& text, const char* tooltip) {
     ui::tooltip(tooltip);
 }
 
-std::string met_text(const Contact& contact, const std::vector<SurfaceType>& surfaces) {
+std::string hit_text(const Contact& contact, const std::vector<SurfaceType>& surfaces) {
     return fmt::format("{}, face {}, {}", feature_name(contact.feature), contact.face,
                        contact.surface < surfaces.size() ? surfaces[contact.surface].name : "unknown type");
 }
@@ -63,7 +63,7 @@ void sweep_rows(Editor& editor, const std::vector<ProbeRow>& rows) {
             "The order of the sweeps, in the colour of their ghosts; click to show the sweeps up to it");
         ImGui::SameLine(left + number_width);
         ImGui::BeginGroup();
-        line(contact ? met_text(*contact, surfaces) : "nothing met",
+        line(contact ? hit_text(*contact, surfaces) : "nothing met",
              "The feature, the face and its surface type that were touched first");
         ImGui::PushStyleColor(ImGuiCol_Text, ui::palette().muted);
         if (contact)
@@ -75,8 +75,8 @@ void sweep_rows(Editor& editor, const std::vector<ProbeRow>& rows) {
         std::string outcome = pass_name(row.sweep.pass);
         if (row.response)
             outcome += fmt::format(", {}: {} \u2192 {} m left", rule_name(row.response->rule),
-                                   number(row.response->leftover_before.norm()),
-                                   number(row.response->leftover_after.norm()));
+                                   number(row.response->remainder_before.norm()),
+                                   number(row.response->remainder_after.norm()));
         line(outcome, "The pass, its rule, and the length of the displacement left before and after it");
         ImGui::PopStyleColor();
         ImGui::EndGroup();
@@ -123,14 +123,15 @@ void outcome(const Probe& probe, const ProbeResult& result) {
     }
     fact("Asked", fmt::format("{:.4g} m", probe.move.norm()));
     fact("Moved", fmt::format("{:.4g} m", (result.slide.position - probe.from).norm()));
-    fact("Leftover", fmt::format("{:.4g} m", result.slide.leftover.norm()));
+    fact("Leftover", fmt::format("{:.4g} m", result.slide.remainder.norm()));
     fact("Contacts", std::to_string(result.slide.contacts));
     fact("End", vector_text(result.slide.position));
 }
 
 void story(const Editor& editor, std::span<const TraceRecord> records) {
     ui::heading("Story");
-    for (const StoryLine& line : tell(records, editor.document->level(), editor.document->level().movement)) {
+    for (const StoryLine& line :
+         describe(records, editor.document->level(), editor.document->level().movement)) {
         const float indent = 0.9f * ImGui::GetFontSize() * static_cast<float>(line.depth);
         if (indent > 0.0f) ImGui::Indent(indent);
         ImGui::PushStyleColor(ImGuiCol_Text, line.tone == StoryTone::trouble   ? ui::palette().bad

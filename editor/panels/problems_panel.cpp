@@ -30,7 +30,7 @@ bool hidden(const Editor& editor, ProblemKind kind) {
 void progress_row(Editor& editor) {
     const float scale = ui::scale();
     const float width = 90 * scale;
-    ImGui::ProgressBar(static_cast<float>(editor.session.doctor->progress().share()),
+    ImGui::ProgressBar(static_cast<float>(editor.session.doctor->progress().fraction()),
                        {ImGui::GetContentRegionAvail().x - width - ImGui::GetStyle().ItemSpacing.x, 0},
                        "Examining");
     ImGui::SameLine();
@@ -131,7 +131,7 @@ void orphan_rows(Editor& editor) {
         if (row(fmt::format("orphan {}", i), "Orphan", problem.text, open)) {
             editor.session.orphan = i;
             editor.session.problem.reset();
-            go_to_place(editor, problem.place);
+            go_to_position(editor, problem.position);
         }
         if (open) open_row(editor, problem);
     }

@@ -49,14 +49,14 @@ float label_width_of(const char* label) {
 bool begin_property_rows(const char* id, float label_width) {
     const float em = ImGui::GetFontSize();
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.15f * em, 0.1f * em});
-    const float most = ImGui::GetContentRegionAvail().x - 7.5f * em;
+    const float maximum = ImGui::GetContentRegionAvail().x - 7.5f * em;
     if (!ImGui::BeginTable(id, 4, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings)) {
         ImGui::PopStyleVar();
         return false;
     }
     ImGui::TableSetupColumn("modified", ImGuiTableColumnFlags_WidthFixed, 0.5f * em);
     ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthFixed,
-                            std::max(4.0f * em, std::min(label_width, most)));
+                            std::max(4.0f * em, std::min(label_width, maximum)));
     ImGui::TableSetupColumn("control", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, 1.4f * em);
     return true;

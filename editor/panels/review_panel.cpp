@@ -68,7 +68,7 @@ void modes(Review& review) {
     if (ui::combo("Pictures", &mode, names, static_cast<int>(review_mode_count),
                   "How the two pictures are compared")) {
         review.mode = static_cast<ReviewMode>(mode);
-        review.pictures = true;
+        review.images = true;
     }
     if (review.mode == ReviewMode::swipe)
         ui::slider("Swipe", &review.swipe, 0.0, 1.0, "%.2f", "Expected left of the line, actual right of it");
@@ -117,7 +117,7 @@ Box fitted(const Image& image, Box room) {
             size};
 }
 
-// Part of the picture from `from` to `to`, shares of its width.
+// Part of the picture from `from` to `to`, fractions of its width.
 void show(unsigned texture, const Box& box, float from = 0.0f, float to = 1.0f) {
     ImGui::GetWindowDrawList()->AddImage(ui::texture_id(texture), {box.min.x + from * box.size.x, box.min.y},
                                          {box.min.x + to * box.size.x, box.min.y + box.size.y}, {from, 0},
@@ -145,7 +145,7 @@ void side_by_side(const Review& review, FrameContext& frame, const Box& room) {
             missing(half_room, slot == 0 ? "There is no golden" : "There is no picture");
         } else {
             const Box box = fitted(*image, half_room);
-            show(frame.viewport->still(slot, *image, review.pictures_revision), box);
+            show(frame.viewport->still(slot, *image, review.images_revision), box);
             caption({box.min.x + 8, box.min.y + 8}, title);
         }
         ++slot;
@@ -178,7 +178,7 @@ void review_panel(Editor& editor) {
 }
 
 bool review_view(Editor& editor, FrameContext& frame) {
-    if (!editor.review || !editor.review->pictures || editor.review->entry() == nullptr ||
+    if (!editor.review || !editor.review->images || editor.review->entry() == nullptr ||
         frame.viewport == nullptr)
         return false;
     Review& review = *editor.review;
@@ -191,7 +191,7 @@ bool review_view(Editor& editor, FrameContext& frame) {
     }
     const Box box = fitted(review.actual, room);
     const auto texture = [&](int slot, const Image& image) {
-        return frame.viewport->still(slot, image, review.pictures_revision);
+        return frame.viewport->still(slot, image, review.images_revision);
     };
     if (review.mode == ReviewMode::heat) {
         show(texture(2, review.heat), box);

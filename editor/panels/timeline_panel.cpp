@@ -241,14 +241,14 @@ void tracks(Editor& editor) {
     ImGui::SetCursorScreenPos(min);
     ImGui::InvisibleButton("track", {std::max(1.0f, max.x - min.x), height + ruler_height * scale});
     ui::record_last_item("Track");
-    const TapeRun& told = lab.runs()[lab.told()].run;
+    const TapeRun& explained = lab.runs()[lab.explained()].run;
     // A press on a marker means its event, though the pixel may be another tick's; dragged on, it scrubs.
     const bool dragged = ImGui::IsMouseDragging(ImGuiMouseButton_Left);
     lab_track_gestures(
         editor, track,
         dragged ? std::nullopt
-                : tick_of_marker_at(told, track, ImGui::GetIO().MouseClickedPos[ImGuiMouseButton_Left]));
-    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) event_tooltip(told, lab, track);
+                : tick_of_marker_at(explained, track, ImGui::GetIO().MouseClickedPos[ImGuiMouseButton_Left]));
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) event_tooltip(explained, lab, track);
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect({min.x, min.y - 2}, {max.x, max.y + ruler_height * scale}, true);
@@ -263,7 +263,7 @@ void tracks(Editor& editor) {
         y += (lane_height + 3) * scale;
     }
     const float r = marker_radius * scale;
-    for (const SimulationEvent& event : told.events()) {
+    for (const SimulationEvent& event : explained.events()) {
         const Marker* marker = find_marker(event.kind);
         const float x = track.x(static_cast<double>(event.tick));
         if (!marker || x < min.x - r || x > max.x + r) continue;
@@ -281,15 +281,15 @@ void tracks(Editor& editor) {
         const LabRun& run = lab.runs()[index];
         ImGui::PushID(static_cast<int>(index));
         if (ImGui::InvisibleButton("lane", {(name_width - 8) * scale, lane_height * scale}))
-            lab.tell_of(index);
-        ui::record_last_item(run.name, true, lab.told() == index);
+            lab.explain(index);
+        ui::record_last_item(run.name, true, lab.explained() == index);
         ui::tooltip((run.name + "\nClick to tell this run's story").c_str());
         ImGui::PopID();
         const float middle = y + 0.5f * lane_height * scale;
         list.AddCircleFilled({origin.x + 5 * scale, middle}, 4 * scale, ui::packed(run_color(index)), 16);
         ui::ellipsis({origin.x + 14 * scale, middle - 0.5f * ImGui::GetTextLineHeight()},
                      origin.x + (name_width - 6) * scale,
-                     lab.told() == index ? ui::palette().text : ui::palette().muted, run.name);
+                     lab.explained() == index ? ui::palette().text : ui::palette().muted, run.name);
         y += (lane_height + 3) * scale;
     }
     ImGui::SetCursorScreenPos({origin.x, max.y + ruler_height * scale});

@@ -11,9 +11,9 @@
 namespace slipface {
 namespace {
 
-constexpr float click_slop = 4.0f;       // design pixels that a click may wander
-constexpr double stroke_spacing = 4.0;   // pixels between the points where a stroke paints
-constexpr int most_stroke_points = 400;  // of one frame
+constexpr float click_slop = 4.0f;      // design pixels that a click may wander
+constexpr double stroke_spacing = 4.0;  // pixels between the points where a stroke paints
+constexpr int max_stroke_points = 400;  // of one frame
 
 Vec2 to_vec(ImVec2 v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y)};
@@ -36,7 +36,7 @@ template <class Use>
 void stroke_along(Editor& editor, const ViewportState& state, ImVec2 mouse, const Use& use) {
     const Vec2 from = to_vec(state.last_mouse), to = to_vec(mouse);
     const int steps =
-        std::clamp(static_cast<int>(std::ceil((to - from).norm() / stroke_spacing)), 1, most_stroke_points);
+        std::clamp(static_cast<int>(std::ceil((to - from).norm() / stroke_spacing)), 1, max_stroke_points);
     for (int i = 1; i <= steps; ++i) {
         const Vec2 at = from + (to - from) * (static_cast<double>(i) / steps);
         hover_at(editor, state, {static_cast<float>(at.x()), static_cast<float>(at.y())});

@@ -14,15 +14,15 @@
 namespace slipface {
 namespace {
 
-constexpr std::size_t most_heat_triangles = 30000;
+constexpr std::size_t max_heat_triangles = 30000;
 constexpr Color running_color{0.34f, 0.71f, 0.91f, 1.0f};
 constexpr Color tapped_color{0.00f, 0.76f, 0.58f, 1.0f};
 constexpr Color standing_color{0.80f, 0.47f, 0.65f, 1.0f};
 constexpr Color coyote_color{0.945f, 0.690f, 0.330f, 1.0f};
 
 // Violet for a little, orange, yellow for the most: dark to light, so that it reads without colour.
-Color heat_color(float share) {
-    const float s = std::clamp(share, 0.0f, 1.0f);
+Color heat_color(float fraction) {
+    const float s = std::clamp(fraction, 0.0f, 1.0f);
     const auto between = [&](float a, float b, float t) { return a + (b - a) * t; };
     if (s < 0.5f) {
         const float t = s * 2.0f;
@@ -44,7 +44,7 @@ Stand reach_stand(const Editor& editor) {
     Vec3 heading(-std::sin(level.spawn_yaw), 0.0, -std::cos(level.spawn_yaw));
     const Lab& lab = editor.lab;
     if (lab.has_tape()) {
-        const TapeRun& run = lab.runs()[lab.told()].run;
+        const TapeRun& run = lab.runs()[lab.explained()].run;
         if (lab.cursor() < run.samples().size()) {
             const TickSample& sample = run.samples()[lab.cursor()];
             centre = sample.position;
@@ -93,7 +93,7 @@ void add_heat(Overlay& overlay, const Editor& editor) {
     const Mesh& mesh = editor.document->mesh();
     if (heat.size() != mesh.face_count()) return;
     std::size_t drawn = 0;
-    for (FaceId face = 0; face < heat.size() && drawn < most_heat_triangles; ++face) {
+    for (FaceId face = 0; face < heat.size() && drawn < max_heat_triangles; ++face) {
         if (!(heat[face] > 0.0f)) continue;
         const Vec3 off = face_normal(mesh, face) * 0.003;
         for (std::uint32_t t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1];
@@ -111,7 +111,7 @@ void add_heat(Overlay& overlay, const Editor& editor) {
 
 float draw_heat_bar(ImDrawList& draw, const ImVec2& corner, float width, const AuditJob& job) {
     const float scale = ui::scale(), bar = 10 * scale, gap = 3 * scale;
-    const auto at = [&](float share) { return corner.x + width * share; };
+    const auto at = [&](float fraction) { return corner.x + width * fraction; };
     const ImU32 ink = ImGui::GetColorU32(ui::palette().muted);
     constexpr int parts = 32;
     for (int i = 0; i < parts; ++i) {
@@ -122,12 +122,12 @@ float draw_heat_bar(ImDrawList& draw, const ImVec2& corner, float width, const A
     }
     // "0", a quarter of the most where half of the colours lie, and the most.
     float free_until = corner.x + width;
-    for (const float share : {1.0f, 0.0f, 0.5f}) {
+    for (const float fraction : {1.0f, 0.0f, 0.5f}) {
         const std::string text =
-            share == 0.0f ? std::string("0") : heat_text(job.kind, job.value_at(job.kind, share));
-        const float size = ImGui::CalcTextSize(text.c_str()).x, left = at(share) - share * size;
-        if (share == 0.5f && left + size + gap > free_until) continue;
-        if (share == 1.0f) free_until = left;
+            fraction == 0.0f ? std::string("0") : heat_text(job.kind, job.value_at(job.kind, fraction));
+        const float size = ImGui::CalcTextSize(text.c_str()).x, left = at(fraction) - fraction * size;
+        if (fraction == 0.5f && left + size + gap > free_until) continue;
+        if (fraction == 1.0f) free_until = left;
         draw.AddText({left, corner.y + bar + gap}, ink, text.c_str());
     }
     return bar + gap + ImGui::GetTextLineHeight();

@@ -85,14 +85,14 @@ void playtest_hud(const Editor& editor, const ViewportState& state) {
 }
 
 void draw_spawn_names(const Editor& editor, const ViewportState& state) {
-    constexpr std::size_t most_names = 200;
+    constexpr std::size_t max_names = 200;
     const std::vector<Spawn> spawns = all_spawns(editor.document->level());
     if (spawns.size() < 2) return;
     const Camera camera = shown_camera(editor);
     const Vec2 size{static_cast<double>(state.size.x), static_cast<double>(state.size.y)};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(state.min, {state.min.x + state.size.x, state.min.y + state.size.y}, true);
-    for (std::size_t i = 0; i < std::min(most_names, spawns.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(max_names, spawns.size()); ++i) {
         const Vec3 at = project(camera, spawns[i].position, size);
         if (at.z() <= 0.0 && !camera.orthographic) continue;
         const std::string& name = spawns[i].name;
@@ -155,13 +155,13 @@ void draw_outline(const ViewportState& state) {
 namespace {
 
 constexpr float ids_reach = 150.0f;  // design pixels around the mouse
-constexpr std::size_t most_id_faces = 600;
+constexpr std::size_t max_id_faces = 600;
 
 // The faces around the hovered one, nearest first by steps over edges.
 std::vector<FaceId> faces_around(const Document& document, FaceId start) {
     std::vector<FaceId> faces{start};
     std::set<FaceId> seen{start};
-    for (std::size_t i = 0; i < faces.size() && faces.size() < most_id_faces; ++i)
+    for (std::size_t i = 0; i < faces.size() && faces.size() < max_id_faces; ++i)
         for (const FaceId next : document.neighbours().of(faces[i]))
             if (seen.insert(next).second) faces.push_back(next);
     return faces;

@@ -15,7 +15,7 @@
 namespace slipface {
 namespace {
 
-constexpr std::size_t most_segments = 2500;  // of one ribbon
+constexpr std::size_t max_segments = 2500;  // of one ribbon
 
 Color to_color(const ImVec4& c, float alpha) {
     return {c.x, c.y, c.z, alpha};
@@ -25,7 +25,7 @@ Color to_color(const ImVec4& c, float alpha) {
 void ribbon(Overlay& overlay, const TapeRun& run, double until_s, const Color& color) {
     const auto samples = run.samples();
     const Vec3 down(0.0, 0.02 - run.settings().radii.y(), 0.0);
-    const std::size_t stride = std::max<std::size_t>(1, samples.size() / most_segments);
+    const std::size_t stride = std::max<std::size_t>(1, samples.size() / max_segments);
     Vec3 previous = run.start() + down;
     for (std::size_t tick = 0; tick < samples.size(); tick += stride) {
         const Vec3 here = samples[tick].position + down;
@@ -40,16 +40,16 @@ void ribbon(Overlay& overlay, const TapeRun& run, double until_s, const Color& c
     }
 }
 
-void ghost(Overlay& overlay, const TapeRun& run, double time_s, const Color& color, bool told) {
+void ghost(Overlay& overlay, const TapeRun& run, double time_s, const Color& color, bool explained) {
     const auto samples = run.samples();
     const auto tick = static_cast<std::size_t>(std::llround(time_s / run.dt()));
     if (samples.empty()) return;
     const TickSample& sample = samples[std::min(tick, samples.size() - 1)];
     Color fill = color, outline = color;
-    fill.alpha = told ? 0.30f : 0.14f;
+    fill.alpha = explained ? 0.30f : 0.14f;
     outline.alpha = 0.95f;
     overlay.ellipsoid(sample.position, run.settings().radii, fill, outline);
-    if (told && sample.velocity.norm() > 0.1)
+    if (explained && sample.velocity.norm() > 0.1)
         overlay.arrow(sample.position, sample.position + sample.velocity * 0.2, color, 2.5f, true);
 }
 
@@ -80,15 +80,15 @@ void lit_record(Overlay& overlay, const Editor& editor, const StoryLine& line) {
             overlay.line(corners[i], corners[(i + 1) % 3], lit, 2.0f, true);
     };
     if (line.triangle != no_id && line.triangle < world.triangle_count()) fill(line.triangle, 0.40f);
-    if (!line.place) return;
+    if (!line.position) return;
     if (!line.normal.isZero()) {
         Color plane = lit;
         plane.alpha = 0.12f;
-        overlay.disc(*line.place + line.normal * 0.006, line.normal, 0.45, plane, lit);
-        overlay.arrow(*line.place, *line.place + line.normal * 0.6, lit, 3.0f, true);
+        overlay.disc(*line.position + line.normal * 0.006, line.normal, 0.45, plane, lit);
+        overlay.arrow(*line.position, *line.position + line.normal * 0.6, lit, 3.0f, true);
     }
-    overlay.line(*line.place, *line.place, {0.10f, 0.09f, 0.04f, 1.0f}, 13.0f, true);
-    overlay.line(*line.place, *line.place, lit, 9.0f, true);
+    overlay.line(*line.position, *line.position, {0.10f, 0.09f, 0.04f, 1.0f}, 13.0f, true);
+    overlay.line(*line.position, *line.position, lit, 9.0f, true);
 }
 
 }  // namespace
@@ -113,22 +113,22 @@ void add_lab(Overlay& overlay, const Editor& editor) {
         if (!lab.runs()[i].shown) continue;
         const Color color = to_color(run_color(i), 1.0f);
         ribbon(overlay, lab.runs()[i].run, time_s, color);
-        ghost(overlay, lab.runs()[i].run, time_s, color, i == lab.told());
+        ghost(overlay, lab.runs()[i].run, time_s, color, i == lab.explained());
     }
     partings(overlay, lab);
-    draw_trace(overlay, lab.trace(document).records, lab.runs()[lab.told()].settings.radii,
-               {.ghosts = false, .contacts = true, .planes = true, .leftovers = false, .opacity = 0.9f});
+    draw_trace(overlay, lab.trace(document).records, lab.runs()[lab.explained()].settings.radii,
+               {.ghosts = false, .contacts = true, .planes = true, .remainders = false, .opacity = 0.9f});
     const std::vector<StoryLine>& story = lab.story(document);
     if (lab.lit_line && *lab.lit_line < story.size()) lit_record(overlay, editor, story[*lab.lit_line]);
 }
 
 namespace {
 
-struct LabelPlace {
+struct LabelPosition {
     ImVec2 min, max;
 };
-std::vector<LabelPlace>& labels_of_frame() {
-    static std::vector<LabelPlace> places;
+std::vector<LabelPosition>& labels_of_frame() {
+    static std::vector<LabelPosition> places;
     static int frame = -1;
     if (std::exchange(frame, ImGui::GetFrameCount()) != ImGui::GetFrameCount()) places.clear();
     return places;
@@ -136,10 +136,10 @@ std::vector<LabelPlace>& labels_of_frame() {
 
 }  // namespace
 
-void view_label(const ViewportState& state, const Camera& camera, const Vec3& place, const std::string& text,
-                const ImVec4& color) {
+void view_label(const ViewportState& state, const Camera& camera, const Vec3& position,
+                const std::string& text, const ImVec4& color) {
     const Vec3 pixel =
-        project(camera, place, Vec2(static_cast<double>(state.size.x), static_cast<double>(state.size.y)));
+        project(camera, position, Vec2(static_cast<double>(state.size.x), static_cast<double>(state.size.y)));
     if (!(pixel.z() > 0.0)) return;
     const float scale = ui::scale();
     const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
@@ -153,8 +153,8 @@ void view_label(const ViewportState& state, const Camera& camera, const Vec3& pl
         const float moved = std::max(right, state.min.x - min.x);
         if (min.x < state.min.x || right < 0.0f) min.x += moved, max.x += moved;
     }
-    std::vector<LabelPlace>& placed = labels_of_frame();
-    const auto in_the_way = [&](const LabelPlace& other) {
+    std::vector<LabelPosition>& placed = labels_of_frame();
+    const auto in_the_way = [&](const LabelPosition& other) {
         return min.x < other.max.x && max.x > other.min.x && min.y < other.max.y && max.y > other.min.y;
     };
     for (auto other = placed.begin();
@@ -187,7 +187,7 @@ void lab_labels(const Editor& editor, const ViewportState& state) {
         const LabRun& run = lab.runs()[i];
         const auto samples = run.run.samples();
         if (!run.shown || lab.cursor() >= samples.size()) continue;
-        if (i != lab.told() && !lab.divergence(i)) continue;  // it stands in the told one
+        if (i != lab.explained() && !lab.divergence(i)) continue;  // it stands in the told one
         view_label(state, camera,
                    samples[lab.cursor()].position + Vec3(0.0, run.settings.radii.y() + 0.1, 0.0), run.name,
                    run_color(i));

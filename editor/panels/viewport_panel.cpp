@@ -80,11 +80,11 @@ struct Rect {
 };
 
 // A pane's place in the window: whole pixels, with a gap to its neighbours.
-Rect place_of(const PaneRect& pane, ImVec2 min, ImVec2 size) {
+Rect position_of(const PaneRect& pane, ImVec2 min, ImVec2 size) {
     if (pane.width <= 0.0) return {min, min};
     const float half_gap = 1.5f * ui::scale();
-    const auto at = [](float from, float length, double share) {
-        return from + std::round(length * static_cast<float>(share));
+    const auto at = [](float from, float length, double fraction) {
+        return from + std::round(length * static_cast<float>(fraction));
     };
     Rect rect{{at(min.x, size.x, pane.x), at(min.y, size.y, pane.y)},
               {at(min.x, size.x, pane.x + pane.width), at(min.y, size.y, pane.y + pane.height)}};
@@ -111,13 +111,13 @@ void pane_borders(Panes& panes, ImVec2 min, ImVec2 size) {
             ImGui::GetWindowDrawList()->AddRectFilled(from, to,
                                                       ui::packed(ui::with_alpha(ui::palette().accent, 0.7f)));
         }
-        double& share = vertical ? panes.across : panes.down;
+        double& fraction = vertical ? panes.across : panes.down;
         const ImVec2 moved = ImGui::GetIO().MouseDelta;
         if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-            share = 0.5;
+            fraction = 0.5;
         else if (ImGui::IsItemActive())
-            share += static_cast<double>(vertical ? moved.x / size.x : moved.y / size.y);
-        share = std::clamp(share, 0.1, 0.9);
+            fraction += static_cast<double>(vertical ? moved.x / size.x : moved.y / size.y);
+        fraction = std::clamp(fraction, 0.1, 0.9);
     };
     border("Pane border across", {cross.x - reach, min.y}, {cross.x + reach, min.y + size.y}, true);
     if (panes.count < 3) return;
@@ -129,7 +129,7 @@ bool over(const Rect& rect, ImVec2 mouse) {
     return mouse.x >= rect.min.x && mouse.y >= rect.min.y && mouse.x < rect.max.x && mouse.y < rect.max.y;
 }
 
-void draw_picture(Editor& editor, FrameContext& frame, std::size_t pane, const Rect& rect) {
+void draw_image(Editor& editor, FrameContext& frame, std::size_t pane, const Rect& rect) {
     if (!frame.viewport) return;
     const ImVec2 size{rect.max.x - rect.min.x, rect.max.y - rect.min.y};
     const bool active = pane == editor.panes.active;
@@ -173,22 +173,22 @@ void viewport_panel(Editor& editor, FrameContext& frame) {
     const ui::Scope scope("Viewport");
     Panes one = editor.panes;
     if (editor.playtest) one.maximised = true;
-    const auto place = [&](std::size_t pane) { return place_of(pane_rects(one)[pane], min, size); };
+    const auto rect_of_pane = [&](std::size_t pane) { return position_of(pane_rects(one)[pane], min, size); };
     if (!editor.playtest) pane_borders(editor.panes, min, size);
     one.across = editor.panes.across;
     one.down = editor.panes.down;
     if (state.gesture == Gesture::none && ImGui::IsWindowHovered() && !ImGui::IsAnyItemActive())
-        for (std::size_t pane = 0; pane < Panes::most; ++pane)
-            if (!place(pane).empty() && over(place(pane), ImGui::GetIO().MousePos))
+        for (std::size_t pane = 0; pane < Panes::maximum; ++pane)
+            if (!rect_of_pane(pane).empty() && over(rect_of_pane(pane), ImGui::GetIO().MousePos))
                 activate_pane(editor, pane);
     one.active = editor.panes.active;
 
-    const Rect active = place(editor.panes.active);
+    const Rect active = rect_of_pane(editor.panes.active);
     state.min = active.min;
     state.size = {std::max(1.0f, active.max.x - active.min.x), std::max(1.0f, active.max.y - active.min.y)};
     editor.view_aspect = static_cast<double>(state.size.x) / static_cast<double>(state.size.y);
     const Rect whole{min, {min.x + size.x, min.y + size.y}};
-    const LegendPlace key = legend_place(editor, whole.min, whole.max);
+    const LegendLayout key = legend_layout(editor, whole.min, whole.max);
     if (editor.playtest) {
         playtest_frame(editor, frame);
     } else {
@@ -206,10 +206,10 @@ void viewport_panel(Editor& editor, FrameContext& frame) {
     if (!editor.document) return;
 
     if (!editor.playtest && editor.lab.frame(*editor.document, frame.seconds)) frame.animating = true;
-    for (std::size_t pane = 0; pane < Panes::most; ++pane) {
-        const Rect rect = place(pane);
+    for (std::size_t pane = 0; pane < Panes::maximum; ++pane) {
+        const Rect rect = rect_of_pane(pane);
         if (rect.empty()) continue;
-        draw_picture(editor, frame, pane, rect);
+        draw_image(editor, frame, pane, rect);
         pane_name(editor, pane, rect);
     }
     if (editor.playtest) {

@@ -65,8 +65,8 @@ float draw_heat_bar(ImDrawList& draw, const ImVec2& corner, float width, const A
 void add_reach(Overlay& overlay, const Editor& editor);  // how far and high jumps go
 void reach_labels(const Editor& editor, const ViewportState& state);
 // A plate with words over a place of the level.
-void view_label(const ViewportState& state, const Camera& camera, const Vec3& place, const std::string& text,
-                const ImVec4& color);
+void view_label(const ViewportState& state, const Camera& camera, const Vec3& position,
+                const std::string& text, const ImVec4& color);
 void lab_labels(const Editor& editor, const ViewportState& state);
 void playtest_hud(const Editor& editor, const ViewportState& state);
 void view_cube(Editor& editor, ViewportState& state);                     // before the view's item

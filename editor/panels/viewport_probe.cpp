@@ -11,7 +11,7 @@ namespace {
 constexpr double handle_reach = 11.0;  // design pixels
 
 // Where the ray meets the plane through `point` with `normal`, or nothing in front of the eye.
-std::optional<Vec3> meet_plane(const Ray& ray, const Vec3& point, const Vec3& normal) {
+std::optional<Vec3> intersect_plane(const Ray& ray, const Vec3& point, const Vec3& normal) {
     const double along = normal.dot(ray.direction);
     if (std::abs(along) < 1e-6) return std::nullopt;
     const double t = normal.dot(point - ray.origin) / along;
@@ -54,8 +54,8 @@ void drag_probe(Editor& editor, const Camera& camera, const Vec2& pixel, const V
         Vec3 facing = looking;
         facing.y() = 0.0;
         if (facing.norm() < 1e-6) return;
-        const std::optional<Vec3> met = meet_plane(ray, current, facing.normalized());
-        if (met) wanted = Vec3(current.x(), met->y(), current.z());
+        const std::optional<Vec3> hit = intersect_plane(ray, current, facing.normalized());
+        if (hit) wanted = Vec3(current.x(), hit->y(), current.z());
     } else {
         hover(editor, ray);
         if (editor.hovered != no_id && start) {
@@ -66,7 +66,7 @@ void drag_probe(Editor& editor, const Camera& camera, const Vec2& pixel, const V
         }
         wanted = editor.hovered != no_id
                      ? std::optional(centre_over(editor.hovered_point, editor.hovered_normal, settings))
-                     : meet_plane(ray, current, looking);
+                     : intersect_plane(ray, current, looking);
     }
     if (!wanted || !wanted->allFinite()) return;
     if (start)

@@ -13,7 +13,7 @@
 namespace slipface {
 namespace {
 
-constexpr std::size_t most_orphans = 500;  // every one listed costs time in every frame
+constexpr std::size_t max_orphans = 500;  // every one listed costs time in every frame
 
 void entry(const std::string& title, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, ui::palette().accent);
@@ -30,9 +30,9 @@ void entry(const std::string& title, const std::string& text) {
 }
 
 // Only the file's name: the folder says nothing that the title bar does not.
-std::string short_place(const std::string& place) {
-    const std::size_t slash = place.find_last_of('/', place.find(':'));
-    return slash == std::string::npos ? place : place.substr(slash + 1);
+std::string short_location(const std::string& location) {
+    const std::size_t slash = location.find_last_of('/', location.find(':'));
+    return slash == std::string::npos ? location : location.substr(slash + 1);
 }
 
 void guessed_paint(Editor& editor) {
@@ -80,20 +80,20 @@ void warnings_panel(Editor& editor) {
     }
     guessed_paint(editor);
     if (!orphans.empty()) ui::heading("Orphans");
-    for (const Orphan& orphan : std::span(orphans).first(std::min(orphans.size(), most_orphans))) {
+    for (const Orphan& orphan : std::span(orphans).first(std::min(orphans.size(), max_orphans))) {
         const Vec3& at = orphan.key.centroid;
         entry("material " + (orphan.key.material.empty() ? "none" : orphan.key.material) + ", at " +
                   number_text(at.x(), "") + ", " + number_text(at.y(), "") + ", " + number_text(at.z(), ""),
               "No face was found for a painted " + orphan.type + "; it is kept in the file");
     }
-    if (orphans.size() > most_orphans)
-        ui::muted_text(("and " + std::to_string(orphans.size() - most_orphans) + " more").c_str());
+    if (orphans.size() > max_orphans)
+        ui::muted_text(("and " + std::to_string(orphans.size() - max_orphans) + " more").c_str());
     if (!document.warnings().empty()) ui::heading("Opening");
     for (const Diagnostic& warning : document.warnings())
-        entry(short_place(warning.place), warning.message);
+        entry(short_location(warning.location), warning.message);
     if (!textures.empty()) ui::heading("Textures");
     for (const Diagnostic& warning : textures)
-        entry(warning.place, warning.message);
+        entry(warning.location, warning.message);
 }
 
 }  // namespace slipface

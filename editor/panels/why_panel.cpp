@@ -156,7 +156,7 @@ std::string effect_text(const SwitchEffect& effect) {
 }
 
 void switches(Editor& editor) {
-    constexpr std::size_t most = 5;
+    constexpr std::size_t maximum = 5;
     Lab& lab = editor.lab;
     ui::heading("What a switch would change");
     const std::vector<SwitchEffect>& effects = lab.switches(*editor.document);
@@ -166,7 +166,7 @@ void switches(Editor& editor) {
     }
     const ui::Scope scope("Switch");
     std::optional<std::size_t> ghost, set;
-    for (std::size_t i = 0; i < std::min(most, effects.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(maximum, effects.size()); ++i) {
         const SwitchEffect& effect = effects[i];
         ImGui::PushID(static_cast<int>(i));
         const std::string name =
@@ -248,10 +248,10 @@ void why_panel(Editor& editor) {
         return;
     }
     const Document& document = *editor.document;
-    const LabRun& run = lab.runs()[lab.told()];
+    const LabRun& run = lab.runs()[lab.explained()];
     std::string at = tick_text(lab, lab.cursor());
     at[0] = 'T';
-    ImGui::TextColored(run_color(lab.told()), "%s", run.name.c_str());
+    ImGui::TextColored(run_color(lab.explained()), "%s", run.name.c_str());
     ImGui::SameLine();
     ImGui::TextColored(ui::palette().muted, "%s", at.c_str());
     const TickTrace trace = lab.trace(document);

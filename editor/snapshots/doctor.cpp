@@ -134,11 +134,11 @@ int snapshot_doctor_part(const std::string& folder) {
 
 namespace {
 
-bool self_test_of(const std::string& name, const Image& picture) {
+bool self_test_of(const std::string& name, const Image& image) {
     bool fine = true;
     for (const auto& [profile, tolerance] :
          {std::pair("scene", &scene_tolerance), std::pair("ui", &ui_tolerance)}) {
-        const SelfTestReport test = run_self_test(picture, *tolerance);
+        const SelfTestReport test = run_self_test(image, *tolerance);
         fine &= report_line(test.passed, fmt::format("self-test of the gate, {}", profile),
                             fmt::format("{}, {} cases", name, test.lines.size()));
         for (const std::string& line : test.lines)
@@ -149,7 +149,7 @@ bool self_test_of(const std::string& name, const Image& picture) {
 
 }  // namespace
 
-int snapshot_doctor(const std::vector<std::string>& pictures) {
+int snapshot_doctor(const std::vector<std::string>& images) {
     std::string folder = (fs::temp_directory_path() / "slipface-doctor-XXXXXX").string();
     if (::mkdtemp(folder.data()) == nullptr) {
         fmt::print(stderr, "slipface: {}: cannot be made\n", folder);
@@ -171,9 +171,9 @@ int snapshot_doctor(const std::vector<std::string>& pictures) {
     }
     const Exam& used = osmesa.works ? osmesa : egl;
     if (used.works) fine &= self_test_of("a test scene", *used.first);
-    for (const std::string& file : pictures) {
-        const Result<Image> picture = load_image(file);
-        fine &= picture ? self_test_of(file, *picture) : report_line(false, file, picture.error().text());
+    for (const std::string& file : images) {
+        const Result<Image> image = load_image(file);
+        fine &= image ? self_test_of(file, *image) : report_line(false, file, image.error().text());
     }
     std::error_code error;
     fs::remove_all(folder, error);

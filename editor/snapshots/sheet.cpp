@@ -45,9 +45,9 @@ Image shrunk(const Image& image, int width, int height) {
     return small;
 }
 
-void place(Image& sheet, const Image& picture, int left, int top) {
-    for (int y = 0; y < std::min(picture.height, sheet.height - top); ++y)
-        std::copy_n(picture.pixel(0, y), 4 * std::min(picture.width, sheet.width - left),
+void paste(Image& sheet, const Image& image, int left, int top) {
+    for (int y = 0; y < std::min(image.height, sheet.height - top); ++y)
+        std::copy_n(image.pixel(0, y), 4 * std::min(image.width, sheet.width - left),
                     sheet.pixel(left, top + y));
 }
 
@@ -84,7 +84,7 @@ void draw_text(Image& image, int x, int y, int right, const std::string& text, f
 }
 
 Result<std::vector<std::filesystem::path>> write_sheets(
-    const std::vector<std::pair<std::string, std::filesystem::path>>& pictures,
+    const std::vector<std::pair<std::string, std::filesystem::path>>& images,
     const std::filesystem::path& out, const SheetOptions& options) {
     const int columns = std::max(1, options.columns);
     const int cell_width = (options.width - gap) / columns - gap;
@@ -92,22 +92,22 @@ Result<std::vector<std::filesystem::path>> write_sheets(
     const int rows = std::max(1, (options.height - gap) / (cell_height + caption + gap));
     const auto per_sheet = static_cast<std::size_t>(columns * rows);
     std::vector<std::filesystem::path> files;
-    for (std::size_t first = 0; first < pictures.size(); first += per_sheet) {
-        const auto count = static_cast<int>(std::min(per_sheet, pictures.size() - first));
+    for (std::size_t first = 0; first < images.size(); first += per_sheet) {
+        const auto count = static_cast<int>(std::min(per_sheet, images.size() - first));
         const int used_rows = (count + columns - 1) / columns;
         Image sheet = make_image(options.width, gap + used_rows * (cell_height + caption + gap), 34, 37, 43);
         for (int i = 0; i < count; ++i) {
-            const auto& [name, file] = pictures[first + static_cast<std::size_t>(i)];
+            const auto& [name, file] = images[first + static_cast<std::size_t>(i)];
             const int left = gap + i % columns * (cell_width + gap),
                       top = gap + i / columns * (cell_height + caption + gap);
             draw_text(sheet, left, top + 18, left + cell_width, name, caption_size);
-            const Result<Image> picture = load_image(file);
-            if (!picture) {
-                draw_text(sheet, left, top + caption + 24, left + cell_width, picture.error().text(),
+            const Result<Image> image = load_image(file);
+            if (!image) {
+                draw_text(sheet, left, top + caption + 24, left + cell_width, image.error().text(),
                           caption_size);
                 continue;
             }
-            place(sheet, shrunk(*picture, cell_width, cell_height), left, top + caption);
+            paste(sheet, shrunk(*image, cell_width, cell_height), left, top + caption);
         }
         const std::filesystem::path path = out / fmt::format("sheet-{:02}.png", files.size() + 1);
         if (Status status = save_png(path, sheet); !status) return status.error();

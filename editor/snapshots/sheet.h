@@ -17,7 +17,7 @@ struct SheetOptions {
 // Tiles `pictures` (files) under their names, in order, on as many sheets as they need: OUT/sheet-01.png and
 // so on. A picture that cannot be read is shown as its error. Returns the files written.
 Result<std::vector<std::filesystem::path>> write_sheets(
-    const std::vector<std::pair<std::string, std::filesystem::path>>& pictures,
+    const std::vector<std::pair<std::string, std::filesystem::path>>& images,
     const std::filesystem::path& out, const SheetOptions& options = {});
 
 // Text in the editor's font, `pixels` high, its left end and baseline at x, y; cut off at `right`.

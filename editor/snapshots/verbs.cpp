@@ -114,8 +114,8 @@ int finish(const CheckArguments& arguments, Report& report) {
     return exit_code_of(report.entries, arguments.detailed);
 }
 
-Rendering rendering_of(const fs::path& picture, const fs::path& numbers, Image image) {
-    (void)picture;
+Rendering rendering_of(const fs::path& image, const fs::path& numbers, Image image) {
+    (void)image;
     const Result<std::string> text = read_file(numbers, std::uint64_t{64} << 20U);
     return {std::move(image), text ? *text : std::string()};
 }
@@ -181,16 +181,16 @@ int snapshot_compare(const CheckArguments& arguments) {
     report.shard = chosen->shard;
     report.suite = chosen->suite;
     for (const std::string& name : chosen->names) {
-        const fs::path picture = fs::path(arguments.actual) / (name + ".png");
+        const fs::path image = fs::path(arguments.actual) / (name + ".png");
         const Result<Snapshot> snapshot = studio.find(name);
-        const Result<Image> image = load_image(picture);
+        const Result<Image> image = load_image(image);
         GoldenResult entry;
         entry.name = name;
         entry.state = GoldenState::failed;
         entry.message = !snapshot ? snapshot.error().text() : !image ? image.error().text() : "";
         if (snapshot && image)
             entry = check_golden(report.goldens, *snapshot,
-                                 rendering_of(picture, fs::path(arguments.actual) / (name + ".json"), *image),
+                                 rendering_of(image, fs::path(arguments.actual) / (name + ".json"), *image),
                                  arguments.work.out);
         print_progress(arguments, entry);
         report.entries.push_back(std::move(entry));
@@ -220,10 +220,10 @@ int snapshot_render(const CheckArguments& arguments) {
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (arguments.timing) print_timing(report, arguments.work.jobs);
     if (arguments.sheet) {
-        std::vector<std::pair<std::string, fs::path>> pictures;
+        std::vector<std::pair<std::string, fs::path>> images;
         for (const std::string& name : chosen->names)
-            pictures.emplace_back(name, fs::path(arguments.work.out) / (name + ".png"));
-        const auto sheets = write_sheets(pictures, arguments.work.out);
+            images.emplace_back(name, fs::path(arguments.work.out) / (name + ".png"));
+        const auto sheets = write_sheets(images, arguments.work.out);
         if (!sheets) return bad_input(sheets.error());
         for (const fs::path& sheet : *sheets)
             fmt::print("{}\n", sheet.string());
@@ -280,15 +280,15 @@ int snapshot_list(const CheckArguments& arguments) {
 }
 
 int snapshot_diff(const std::string& expected, const std::string& actual, const std::string& profile,
-                  const std::string& picture, bool json) {
+                  const std::string& image, bool json) {
     const Result<Image> a = load_image(expected), b = load_image(actual);
     if (!a) return bad_input(a.error());
     if (!b) return bad_input(b.error());
     const CompareTolerance& tolerance = profile == "ui" ? ui_tolerance : scene_tolerance;
     const Comparison comparison = compare_images(*a, *b, tolerance);
     const auto sweep = threshold_sweep(*a, *b);
-    if (!picture.empty())
-        if (Status status = save_png(picture, difference_image(*a, *b)); !status)
+    if (!image.empty())
+        if (Status status = save_png(image, difference_image(*a, *b)); !status)
             return bad_input(status.error());
     if (json) {
         nlohmann::json out{{"same", comparison.same},

@@ -30,7 +30,7 @@ int snapshot_approve(const CheckArguments& arguments);
 int snapshot_list(const CheckArguments& arguments);
 int snapshot_merge(const std::vector<std::string>& reports, const CheckArguments& arguments);
 int snapshot_diff(const std::string& expected, const std::string& actual, const std::string& profile,
-                  const std::string& picture, bool json);
+                  const std::string& image, bool json);
 
 // True when one of the variables is set by which CI systems tell that they run.
 bool in_ci();

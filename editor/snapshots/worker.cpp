@@ -87,7 +87,7 @@ struct Worker {
     std::string name;    // in hand
     std::string buffer;  // read, not yet a line
 
-    bool tell(const std::string& next) {
+    bool send(const std::string& next) {
         name = next;
         const std::string line = next + "\n";
         return ::write(to, line.data(), line.size()) == static_cast<ssize_t>(line.size());
@@ -196,7 +196,7 @@ class Pool {
             worker.to = -1;
             return;
         }
-        worker.tell(left_.front());
+        worker.send(left_.front());
         left_.pop_front();
     }
     // False when the process has ended.
@@ -273,12 +273,12 @@ int run_worker(const WorkArguments& arguments) {
         return cli::exit_bad_input;
     }
     Studio studio(*std::move(set));
-    bool told = false;
+    bool sent = false;
     for (std::string name; std::getline(std::cin, name);) {
         const GoldenResult result = do_work(studio, arguments, name);
-        if (!told && !studio.renderer().empty()) {
+        if (!sent && !studio.renderer().empty()) {
             std::cout << renderer_mark << studio.renderer() << "\n";
-            told = true;
+            sent = true;
         }
         std::cout << entry_to_json(result) << "\n" << std::flush;
     }

@@ -96,11 +96,11 @@ double AuditJob::value(HeatKind of, FaceId face) const {
 }
 
 double AuditJob::worst(HeatKind of) const {
-    double most = 0.0;
-    if (!report()) return most;
+    double maximum = 0.0;
+    if (!report()) return maximum;
     for (std::size_t face = 0; face < report_->heat.size(); ++face)
-        most = std::max(most, value(of, static_cast<FaceId>(face)));
-    return most;
+        maximum = std::max(maximum, value(of, static_cast<FaceId>(face)));
+    return maximum;
 }
 
 const std::vector<float>& AuditJob::heat(const Document& document, HeatKind of) const {
@@ -112,11 +112,11 @@ const std::vector<float>& AuditJob::heat(const Document& document, HeatKind of) 
     if (heat_kind_ == of) return heat_;
     heat_kind_ = of;
     heat_.assign(report_->heat.size(), 0.0f);
-    const double most = worst(of);
-    if (!(most > 0.0)) return heat_;
+    const double maximum = worst(of);
+    if (!(maximum > 0.0)) return heat_;
     // Few faces take most of it; the root makes the others visible.
     for (std::size_t face = 0; face < heat_.size(); ++face)
-        heat_[face] = static_cast<float>(std::sqrt(value(of, static_cast<FaceId>(face)) / most));
+        heat_[face] = static_cast<float>(std::sqrt(value(of, static_cast<FaceId>(face)) / maximum));
     return heat_;
 }
 

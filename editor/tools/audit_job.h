@@ -45,12 +45,13 @@ class AuditJob {
     // The level it ran in is the one that is open, unchanged in what is walked on.
     bool fits(const Document& document) const;
 
-    // A face's share of what is worst in the level, 0..1; [face]. `unreached` is 1 for faces that could be
+    // A face's fraction of what is worst in the level, 0..1; [face]. `unreached` is 1 for faces that could be
     // stood on and were not.
     const std::vector<float>& heat(const Document& document, HeatKind kind) const;
     double worst(HeatKind kind) const;  // on one face, in the kind's unit
-    // The value that a face of this share has: the colours follow its square root, so that small ones show.
-    double value_at(HeatKind of, double share) const { return share * share * worst(of); }
+    // The value that a face of this fraction has: the colours follow its square root, so that small ones
+    // show.
+    double value_at(HeatKind of, double fraction) const { return fraction * fraction * worst(of); }
     // The run of a finding up to the tick at which it went wrong.
     Tape tape_of(const AuditFinding& finding) const;
 

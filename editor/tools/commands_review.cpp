@@ -12,8 +12,8 @@ constexpr const char* usual_report = "out/snapshots/report.json";
 bool is_open(const Editor& editor) {
     return editor.review != nullptr;
 }
-bool shows_pictures(const Editor& editor) {
-    return editor.review && editor.review->pictures;
+bool shows_images(const Editor& editor) {
+    return editor.review && editor.review->images;
 }
 
 }  // namespace
@@ -46,8 +46,8 @@ std::vector<Command> review_commands() {
          "Open its level and look from where it was taken", "view place", alt("G"), review_has_camera,
          nullptr, review_go_to_camera},
         {"review.pictures", "", "Show pictures", "View/Snapshots",
-         "The snapshot's pictures instead of the level", "compare", alt("P"), is_open, shows_pictures,
-         [](Editor& editor) { editor.review->pictures ^= true; }},
+         "The snapshot's pictures instead of the level", "compare", alt("P"), is_open, shows_images,
+         [](Editor& editor) { editor.review->images ^= true; }},
         {"review.close",
          "",
          "Close review",

@@ -236,7 +236,7 @@ std::vector<Command> view_commands() {
          nullptr, frame_selection},
         {"view.frame_all", icons::frame_all, "Frame all", "View", "Move the camera to see the whole level",
          "focus zoom fit home", key("Home"), has_document, nullptr, frame_all},
-        {"view.textured", icons::picture, "Textures", "View", "Draw textures instead of plain shaded faces",
+        {"view.textured", icons::image, "Textures", "View", "Draw textures instead of plain shaded faces",
          "shaded material plain", key("X"), always, flag_is<&LevelStyle::textured>,
          toggle_flag<&LevelStyle::textured>},
         {"view.baked_light",

@@ -10,11 +10,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t most_demo_bytes = 64u << 20;
-constexpr int most_folders = 1000;
+constexpr std::uint64_t max_demo_bytes = 64u << 20;
+constexpr int max_folders = 1000;
 
 bool same_bytes(const fs::path& a, const fs::path& b) {
-    const Result<std::string> first = read_file(a, most_demo_bytes), second = read_file(b, most_demo_bytes);
+    const Result<std::string> first = read_file(a, max_demo_bytes), second = read_file(b, max_demo_bytes);
     return first && second && *first == *second;
 }
 
@@ -44,7 +44,7 @@ Result<fs::path> demo_files(const DemoInfo& info) {
         discard();
         return saved;
     }
-    for (int i = 1; i <= most_folders; ++i) {
+    for (int i = 1; i <= max_folders; ++i) {
         const fs::path folder = base / (info.name + (i == 1 ? std::string() : "-" + std::to_string(i)));
         if (fs::exists(folder, error)) {
             if (!holds(folder, fresh)) continue;

@@ -156,14 +156,14 @@ void request_quit(Editor& editor) {
 
 void answer_unsaved(Editor& editor, UnsavedChoice choice) {
     if (!editor.unsaved) return;
-    const UnsavedDialog asked = *editor.unsaved;
+    const UnsavedDialog requested = *editor.unsaved;
     editor.unsaved.reset();
     if (choice == UnsavedChoice::cancel) return;
     if (choice == UnsavedChoice::save) {
         save_level(editor);
         if (editor.document && editor.document->dirty()) return;  // saving failed and said why
     }
-    do_next(editor, asked);
+    do_next(editor, requested);
 }
 
 bool draws_back_faces(const Editor& editor, const Camera& camera) {

@@ -70,10 +70,10 @@ std::vector<const Command*> find_commands(const Editor& editor, std::string_view
         found.push_back({&command, !command.enabled(editor), in_label ? 1000 + *in_label : *anywhere,
                          static_cast<std::size_t>(recent - editor.recent_commands.begin())});
     }
-    const bool asked = !trim(query).empty();
+    const bool requested = !trim(query).empty();
     std::stable_sort(found.begin(), found.end(), [&](const Ranked& a, const Ranked& b) {
         if (a.disabled != b.disabled) return b.disabled;
-        if (asked && a.score != b.score) return a.score > b.score;
+        if (requested && a.score != b.score) return a.score > b.score;
         return a.recent < b.recent;
     });
     std::vector<const Command*> ordered;

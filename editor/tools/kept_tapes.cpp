@@ -6,7 +6,7 @@
 namespace slipface {
 namespace {
 
-constexpr std::size_t most_kept = 16;
+constexpr std::size_t max_kept = 16;
 
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
     std::error_code error;
@@ -20,7 +20,7 @@ void keep_tape(Editor& editor) {
     complete_runs(editor);
     editor.kept_tapes.push_back(
         {editor.document->level().mesh_path, editor.lab.sealed_tape(), editor.lab.name()});
-    if (editor.kept_tapes.size() > most_kept) editor.kept_tapes.erase(editor.kept_tapes.begin());
+    if (editor.kept_tapes.size() > max_kept) editor.kept_tapes.erase(editor.kept_tapes.begin());
 }
 
 void bring_back_tape(Editor& editor) {

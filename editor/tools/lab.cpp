@@ -168,13 +168,13 @@ void Lab::unpin(std::size_t index) {
     if (index >= runs_.size() || runs_[index].kind != LabRun::Kind::pinned) return;
     runs_.erase(runs_.begin() + static_cast<std::ptrdiff_t>(index));
     divergences_.erase(divergences_.begin() + static_cast<std::ptrdiff_t>(index));
-    if (told_ >= index && told_ > 0) --told_;
+    if (explained_ >= index && explained_ > 0) --explained_;
     ++revision_;
 }
 
-void Lab::tell_of(std::size_t index) {
-    if (index >= runs_.size() || index == told_) return;
-    told_ = index;
+void Lab::explain(std::size_t index) {
+    if (index >= runs_.size() || index == explained_) return;
+    explained_ = index;
     lit_line.reset();
 }
 
@@ -197,8 +197,8 @@ void Lab::zoom(double factor, double about_tick) {
     const double all = static_cast<double>(std::max<std::size_t>(ticks(), 1));
     const double length = shown_last_ - shown_first_;
     const double wanted = std::clamp(length * factor, std::min(8.0, all), all);
-    const double share = (about_tick - shown_first_) / length;
-    shown_first_ = std::clamp(about_tick - share * wanted, 0.0, all - wanted);
+    const double fraction = (about_tick - shown_first_) / length;
+    shown_first_ = std::clamp(about_tick - fraction * wanted, 0.0, all - wanted);
     shown_last_ = shown_first_ + wanted;
 }
 
@@ -212,7 +212,7 @@ void Lab::next_event() {
     if (!has_tape()) return;
     motion = LabMotion::paused;
     std::size_t found = ticks() - 1;
-    for (const SimulationEvent& event : runs_[told_].run.events())
+    for (const SimulationEvent& event : runs_[explained_].run.events())
         if (event.tick > cursor_) found = std::min(found, event.tick);
     seek(found);
 }
@@ -221,51 +221,51 @@ void Lab::previous_event() {
     if (!has_tape()) return;
     motion = LabMotion::paused;
     std::size_t found = 0;
-    for (const SimulationEvent& event : runs_[told_].run.events())
+    for (const SimulationEvent& event : runs_[explained_].run.events())
         if (event.tick < cursor_) found = std::max(found, event.tick);
     seek(found);
 }
 
-void Lab::update_told(const Document& document) const {
-    const bool fresh = told_tick_ && told_tick_->revision == revision_ && told_tick_->run == told_ &&
-                       told_tick_->tick == cursor_;
+void Lab::update_explained(const Document& document) const {
+    const bool fresh = explained_tick_ && explained_tick_->revision == revision_ &&
+                       explained_tick_->run == explained_ && explained_tick_->tick == cursor_;
     if (fresh) return;
-    told_tick_.emplace();
-    told_tick_->revision = revision_;
-    told_tick_->run = told_;
-    told_tick_->tick = cursor_;
+    explained_tick_.emplace();
+    explained_tick_->revision = revision_;
+    explained_tick_->run = explained_;
+    explained_tick_->tick = cursor_;
     if (!has_tape()) return;
-    told_tick_->trace = runs_[told_].run.trace(scene(document), cursor_);
-    told_tick_->lines = tell(told_tick_->trace, document.level());
+    explained_tick_->trace = runs_[explained_].run.trace(scene(document), cursor_);
+    explained_tick_->lines = describe(explained_tick_->trace, document.level());
 }
 
 const TickTrace& Lab::trace(const Document& document) const {
-    update_told(document);
-    return told_tick_->trace;
+    update_explained(document);
+    return explained_tick_->trace;
 }
 
 const std::vector<StoryLine>& Lab::story(const Document& document) const {
-    update_told(document);
-    return told_tick_->lines;
+    update_explained(document);
+    return explained_tick_->lines;
 }
 
 const std::vector<SwitchEffect>& Lab::switches(const Document& document) const {
-    update_told(document);
-    if (!told_tick_->switches) {
-        told_tick_->switches = has_tape()
-                                   ? switch_effects(scene(document), runs_[told_].run, cursor_, switch_ticks)
-                                   : std::vector<SwitchEffect>{};
+    update_explained(document);
+    if (!explained_tick_->switches) {
+        explained_tick_->switches =
+            has_tape() ? switch_effects(scene(document), runs_[explained_].run, cursor_, switch_ticks)
+                       : std::vector<SwitchEffect>{};
     }
-    return *told_tick_->switches;
+    return *explained_tick_->switches;
 }
 
 const std::vector<Stop>& Lab::stops(const Document& document) const {
-    if (stops_revision_ == revision_ && stops_run_ == told_) return stops_;
+    if (stops_revision_ == revision_ && stops_run_ == explained_) return stops_;
     stops_.clear();
-    if (!has_tape() || !runs_[told_].run.complete()) return stops_;
+    if (!has_tape() || !runs_[explained_].run.complete()) return stops_;
     stops_revision_ = revision_;
-    stops_run_ = told_;
-    stops_ = find_stops(scene(document), runs_[told_].run, document.level());
+    stops_run_ = explained_;
+    stops_ = find_stops(scene(document), runs_[explained_].run, document.level());
     return stops_;
 }
 
@@ -281,11 +281,11 @@ const std::vector<SummaryRow>& Lab::presets(const Document& document) const {
 
 const std::vector<RateRow>& Lab::rates(const Document& document) const {
     const bool fresh = rates_revision_ == revision_;
-    if (fresh || !has_tape() || !runs_[told_].run.complete()) return rates_;
+    if (fresh || !has_tape() || !runs_[explained_].run.complete()) return rates_;
     rates_revision_ = revision_;
     rates_.clear();
     for (const int hz : standard_rates)
-        rates_.push_back(compare_rate(scene(document), runs_[told_].run, hz));
+        rates_.push_back(compare_rate(scene(document), runs_[explained_].run, hz));
     return rates_;
 }
 

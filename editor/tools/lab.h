@@ -27,7 +27,7 @@ struct LabRun {
 enum class LabMotion { paused, forward, backward };
 
 // The story of one tick, kept until the cursor moves or something changes.
-struct ToldTick {
+struct ExplainedTick {
     std::uint64_t revision = 0;
     std::size_t run = 0, tick = 0;
     TickTrace trace;
@@ -73,8 +73,8 @@ class Lab {
     void pin(const MovementSettings& settings);  // keeps the settings as another run
     void unpin(std::size_t index);               // pinned ones only
     // The run whose story is told and whose plots lie on top.
-    std::size_t told() const { return told_; }
-    void tell_of(std::size_t index);
+    std::size_t explained() const { return explained_; }
+    void explain(std::size_t index);
     // What run `index` does differently from the one as recorded; nothing: the same, or not known yet.
     const std::optional<Divergence>& divergence(std::size_t index) const { return divergences_[index]; }
     // Counts up whenever a run's samples change: what is drawn from them can be kept until then.
@@ -124,7 +124,7 @@ class Lab {
     void restart(std::size_t index, const Document& document);
     void compare(std::size_t index);
     void show_cursor();
-    void update_told(const Document& document) const;
+    void update_explained(const Document& document) const;
 
     std::shared_ptr<const Tape> tape_;
     std::string name_, doubt_;
@@ -133,7 +133,7 @@ class Lab {
     std::vector<std::optional<Divergence>> divergences_;
     std::uint64_t level_state_ = 0;  // of the document's geometry and surfaces that the runs were made in
     std::uint64_t revision_ = 1;
-    std::size_t told_ = 0;
+    std::size_t explained_ = 0;
     std::size_t cursor_ = 0;
     double shown_first_ = 0.0, shown_last_ = 1.0;
     double unspent_s_ = 0.0;
@@ -141,7 +141,7 @@ class Lab {
     mutable const Document* scene_document_ = nullptr;
     mutable std::uint64_t scene_state_ = 0;
     mutable bool scene_sectors_ = false;
-    mutable std::optional<ToldTick> told_tick_;
+    mutable std::optional<ExplainedTick> explained_tick_;
     mutable std::vector<Stop> stops_;
     mutable std::uint64_t stops_revision_ = 0;
     mutable std::size_t stops_run_ = 0;

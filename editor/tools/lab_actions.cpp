@@ -81,8 +81,8 @@ void save_tape(Editor& editor, const std::filesystem::path& path) {
 void save_run_csv(Editor& editor, const std::filesystem::path& path) {
     if (!editor.lab.has_tape() || !editor.document) return;
     complete_runs(editor);
-    const LabRun& told = editor.lab.runs()[editor.lab.told()];
-    write_text(editor, path, run_csv(told.run, editor.document->level().surfaces));
+    const LabRun& explained = editor.lab.runs()[editor.lab.explained()];
+    write_text(editor, path, run_csv(explained.run, editor.document->level().surfaces));
 }
 
 void resume_from_cursor(Editor& editor) {
@@ -103,13 +103,13 @@ void resume_from_cursor(Editor& editor) {
     editor.status = "Recording anew from tick " + std::to_string(tick);
 }
 
-Vec3 viewpoint(const CollisionWorld& world, const Vec3& place, const Vec3& normal, const Vec3& from_now,
+Vec3 viewpoint(const CollisionWorld& world, const Vec3& position, const Vec3& normal, const Vec3& from_now,
                double distance) {
-    Vec3 wanted = from_now - place;
+    Vec3 wanted = from_now - position;
     if (!(wanted.norm() > 1e-9) || !wanted.allFinite()) wanted = Vec3(0.5, 0.5, 0.7);
     wanted.normalize();
-    const Vec3 begin = place + normal * 0.02;
-    Vec3 best = place + wanted * distance;
+    const Vec3 begin = position + normal * 0.02;
+    Vec3 best = position + wanted * distance;
     double best_free = -1.0;
     const double yaw_now = std::atan2(wanted.x(), wanted.z());
     const auto consider = [&](const Vec3& direction) {
@@ -142,19 +142,20 @@ void look_at_story_line(Editor& editor, std::size_t index) {
     editor.lab.motion = LabMotion::paused;
     editor.lab.lit_line = index;
     const StoryLine& line = story[index];
-    if (!line.place) return;
+    if (!line.position) return;
     const Vec3 eye =
-        viewpoint(editor.document->collision(), *line.place, line.normal, editor.view.camera().eye, 3.2);
-    editor.view.look_at(eye, *line.place);
+        viewpoint(editor.document->collision(), *line.position, line.normal, editor.view.camera().eye, 3.2);
+    editor.view.look_at(eye, *line.position);
 }
 
 void look_at_cursor(Editor& editor) {
     if (!editor.document || !editor.lab.has_tape()) return;
-    const auto samples = editor.lab.runs()[editor.lab.told()].run.samples();
+    const auto samples = editor.lab.runs()[editor.lab.explained()].run.samples();
     if (editor.lab.cursor() >= samples.size()) return;
-    const Vec3 place = samples[editor.lab.cursor()].position;
+    const Vec3 position = samples[editor.lab.cursor()].position;
     editor.view.look_at(
-        viewpoint(editor.document->collision(), place, Vec3::Zero(), editor.view.camera().eye, 6.0), place);
+        viewpoint(editor.document->collision(), position, Vec3::Zero(), editor.view.camera().eye, 6.0),
+        position);
 }
 
 void open_finding(Editor& editor, std::size_t index) {

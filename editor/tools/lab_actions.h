@@ -27,7 +27,7 @@ void resume_from_cursor(Editor& editor);
 
 // Where to look at `place` from, about `distance` metres away and with nothing in between: from where the
 // camera looks now if that is free, else from around it, on the side of `normal` (zero: any side).
-Vec3 viewpoint(const CollisionWorld& world, const Vec3& place, const Vec3& normal, const Vec3& from_now,
+Vec3 viewpoint(const CollisionWorld& world, const Vec3& position, const Vec3& normal, const Vec3& from_now,
                double distance);
 // Lights up a line of the told tick's story and brings the camera there.
 void look_at_story_line(Editor& editor, std::size_t line);

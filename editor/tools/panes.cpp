@@ -7,8 +7,8 @@
 
 namespace slipface {
 
-std::array<PaneRect, Panes::most> pane_rects(const Panes& panes) {
-    std::array<PaneRect, Panes::most> rects;
+std::array<PaneRect, Panes::maximum> pane_rects(const Panes& panes) {
+    std::array<PaneRect, Panes::maximum> rects;
     const double x = std::clamp(panes.across, 0.1, 0.9), y = std::clamp(panes.down, 0.1, 0.9);
     if (panes.maximised || panes.count == 1) {
         rects[panes.active] = {0.0, 0.0, 1.0, 1.0};
@@ -34,7 +34,7 @@ const ViewCamera& pane_view(const Editor& editor, std::size_t pane) {
 
 void set_pane_count(Editor& editor, std::size_t count) {
     Panes& panes = editor.panes;
-    count = std::clamp<std::size_t>(count, 1, Panes::most);
+    count = std::clamp<std::size_t>(count, 1, Panes::maximum);
     constexpr double usual_aspect = 1.6;
     const Vec3 directions[] = {Vec3::UnitZ(), Vec3::UnitY(), Vec3::UnitZ(), Vec3::UnitX()};
     for (std::size_t pane = std::max<std::size_t>(1, panes.count); pane < count; ++pane) {

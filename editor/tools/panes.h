@@ -12,20 +12,20 @@ struct Editor;
 
 // Editor::view is the active pane's camera; the cameras of the others wait here.
 struct Panes {
-    static constexpr std::size_t most = 4;
+    static constexpr std::size_t maximum = 4;
 
     std::size_t count = 1;   // 1: all of it; 2: side by side; 3: one large, two stacked; 4: a cross
     std::size_t active = 0;  // the one that the mouse and commands use
     bool maximised = false;  // only the active one is shown
-    std::array<ViewCamera, most> waiting;
-    double across = 0.5, down = 0.5;  // where the borders between them are, shares of the view
+    std::array<ViewCamera, maximum> waiting;
+    double across = 0.5, down = 0.5;  // where the borders between them are, fractions of the view
 };
 
 struct PaneRect {
-    double x = 0.0, y = 0.0, width = 0.0, height = 0.0;  // shares of the view
+    double x = 0.0, y = 0.0, width = 0.0, height = 0.0;  // fractions of the view
 };
 // Where each of the panes stands; a width of zero: not shown.
-std::array<PaneRect, Panes::most> pane_rects(const Panes& panes);
+std::array<PaneRect, Panes::maximum> pane_rects(const Panes& panes);
 const ViewCamera& pane_view(const Editor& editor, std::size_t pane);
 
 // Panes that were never shown begin as top, front and right views of the level.

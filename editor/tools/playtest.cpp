@@ -9,7 +9,7 @@ namespace {
 
 constexpr double steepest_look = 1.5;   // radians
 constexpr double camera_radius = 0.15;  // metres kept between the third-person camera and walls
-constexpr double eye_height = 0.7;      // shares of the vertical radius above the centre
+constexpr double eye_height = 0.7;      // fractions of the vertical radius above the centre
 constexpr double shoulder_height = 0.5;
 
 Vec3 forward_direction(double yaw, double pitch) {
@@ -50,9 +50,9 @@ void Playtest::start(const Vec3& spawn, double spawn_yaw) {
 }
 
 void Playtest::resume(const Tape& tape, const MovementSettings& settings, const PlayerState& state,
-                      const Vec3& place, std::uint64_t hash, double state_yaw) {
-    start(tape.start.value_or(place), state_yaw);
-    shown_from_ = shown_to_ = place;
+                      const Vec3& position, std::uint64_t hash, double state_yaw) {
+    start(tape.start.value_or(position), state_yaw);
+    shown_from_ = shown_to_ = position;
     tape_ = tape;
     tape_.end_hash.reset();
     tape_settings_ = settings;
@@ -113,8 +113,8 @@ int Playtest::advance(const TickScene& scene, const MovementSettings& settings, 
 }
 
 Vec3 Playtest::shown_position() const {
-    const double share = std::clamp(unspent_s_ / tick_s, 0.0, 1.0);
-    return shown_from_ + share * (shown_to_ - shown_from_);
+    const double fraction = std::clamp(unspent_s_ / tick_s, 0.0, 1.0);
+    return shown_from_ + fraction * (shown_to_ - shown_from_);
 }
 
 Camera Playtest::camera(const MovementScene& scene, const MovementSettings& settings) const {
@@ -130,8 +130,8 @@ Camera Playtest::camera(const MovementScene& scene, const MovementSettings& sett
     const Vec3 back = -boom * forward;
     const std::optional<Contact> wall =
         sweep_ellipsoid(scene.collision, Vec3::Constant(radius), shoulder, back);
-    const double share = wall ? wall->t : 1.0;
-    camera.eye = shoulder + share * back;
+    const double fraction = wall ? wall->t : 1.0;
+    camera.eye = shoulder + fraction * back;
     camera.target = camera.eye + forward;
     camera.near_plane = std::min(camera.near_plane, 0.5 * radius);
     return camera;

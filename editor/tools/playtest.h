@@ -28,7 +28,7 @@ class Playtest {
 
     // Goes on from the end of `tape`, in the state and at the place that its run has there.
     void resume(const Tape& tape, const MovementSettings& settings, const PlayerState& state,
-                const Vec3& place, std::uint64_t hash, double state_yaw);
+                const Vec3& position, std::uint64_t hash, double state_yaw);
 
     // Advances by `seconds` of real time in whole ticks. Returns how many were made. A hazard, or a fall far
     // below the level, puts the player back to the spawn.

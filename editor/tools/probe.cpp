@@ -53,11 +53,11 @@ std::vector<ProbeRow> probe_rows(std::span<const TraceRecord> records) {
         if (const auto* sweep = std::get_if<SweepRecord>(&record)) {
             rows.push_back({*sweep, std::nullopt});
         } else if (const auto* response = std::get_if<ResponseRecord>(&record); response && !rows.empty()) {
-            // Several rules may turn one leftover in turn; the row tells where it began and where it ended.
-            std::optional<ResponseRecord>& told = rows.back().response;
-            const Vec3 before = told ? told->leftover_before : response->leftover_before;
-            told = *response;
-            told->leftover_before = before;
+            // Several rules may turn one remainder in turn; the row tells where it began and where it ended.
+            std::optional<ResponseRecord>& joined = rows.back().response;
+            const Vec3 before = joined ? joined->remainder_before : response->remainder_before;
+            joined = *response;
+            joined->remainder_before = before;
         }
     }
     return rows;

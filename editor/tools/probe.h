@@ -29,7 +29,7 @@ struct ProbeResult {
 };
 ProbeResult run_probe(const Probe& probe, const MovementScene& scene, const MovementSettings& settings);
 
-// One sweep with what its contact did to the leftover, for a table.
+// One sweep with what its contact did to the remainder, for a table.
 struct ProbeRow {
     SweepRecord sweep;
     std::optional<ResponseRecord> response;

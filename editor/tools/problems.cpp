@@ -40,13 +40,13 @@ void examine_level(Editor& editor) {
     session.problem.reset();
 }
 
-void go_to_place(Editor& editor, const Vec3& place) {
+void go_to_position(Editor& editor, const Vec3& position) {
     if (!editor.document) return;
     // Near enough to see it, far enough to see where it is.
     const Vec3 around = 4.0 * editor.document->level().movement.radii;
     Aabb box;
-    box.add(place - around);
-    box.add(place + around);
+    box.add(position - around);
+    box.add(position + around);
     editor.view.frame(box, 1.6);
 }
 
@@ -59,7 +59,7 @@ void go_to_problem(Editor& editor, std::size_t row) {
     std::vector<FaceId> faces;
     for (const FaceId face : {problem.face, problem.other})
         if (face < document.mesh().face_count()) faces.push_back(face);
-    go_to_place(editor, problem.place);
+    go_to_position(editor, problem.position);
     document.select(std::move(faces));
     editor.status = info_of(problem.kind).label + std::string(": ") + problem.text;
 }

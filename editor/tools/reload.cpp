@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t most_level_file_bytes = std::uint64_t{256} << 20;
+constexpr std::uint64_t max_level_file_bytes = std::uint64_t{256} << 20;
 
 // The file is whole again, so nothing is left to say about it.
 void forget_broken(Editor& editor) {
@@ -26,19 +26,19 @@ void read_failed(Editor& editor, const fs::path& file, const Error& error, bool 
         return;
     }
     std::optional<BrokenFile>& broken = editor.session.broken;
-    const bool told = broken && broken->told;
-    broken = BrokenFile{file, error.text(), editor.session.now_s, told};
-    if (told && editor.message && editor.message->of_broken_file) editor.message->text = error.text();
+    const bool reported = broken && broken->reported;
+    broken = BrokenFile{file, error.text(), editor.session.now_s, reported};
+    if (reported && editor.message && editor.message->of_broken_file) editor.message->text = error.text();
     editor.status = name + " cannot be read as it is now; waiting for the rest of it";
 }
 
 // Says so at last. The level stays as it was read before, and is read again as soon as the file is whole.
-bool tell_broken(Editor& editor) {
+bool report_broken(Editor& editor) {
     std::optional<BrokenFile>& broken = editor.session.broken;
-    if (!broken || broken->told || editor.message ||
+    if (!broken || broken->reported || editor.message ||
         editor.session.now_s - broken->since_s < broken_patience_s)
         return false;
-    broken->told = true;
+    broken->reported = true;
     editor.message = MessageDialog{
         broken->file.filename().string() + " has changed and cannot be read", broken->text, {}, true};
     return true;
@@ -55,7 +55,7 @@ bool reload_annotations(Editor& editor) {
     Document& document = *editor.document;
     const fs::path file = document.level().file_path;
     const std::string name = file.filename().string();
-    const Result<std::string> text = read_file(file, most_level_file_bytes);
+    const Result<std::string> text = read_file(file, max_level_file_bytes);
     const Result<LoadedLevel> loaded = text ? level_from_json(*text, file.string(), document.level().mesh)
                                             : Result<LoadedLevel>(text.error());
     if (!loaded) {
@@ -137,7 +137,7 @@ bool look_at_files(Editor& editor) {
         return false;
     if (!session.watch.poll()) {
         if (session.broken && !session.watch.at_rest()) session.broken->since_s = session.now_s;
-        return tell_broken(editor);
+        return report_broken(editor);
     }
     const bool mesh = session.watch.mesh_changed();
     bool level_file = session.watch.level_changed();

@@ -20,12 +20,12 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-fs::path picture_path(const Review& review, const char* ending) {
+fs::path image_path(const Review& review, const char* ending) {
     return review.report_file.parent_path() / (review.entry()->name + ending);
 }
 
-Image picture(const Review& review, const char* kind) {
-    Result<Image> image = load_image(picture_path(review, kind));
+Image image(const Review& review, const char* kind) {
+    Result<Image> image = load_image(image_path(review, kind));
     return image ? *std::move(image) : Image{};
 }
 
@@ -40,8 +40,7 @@ std::optional<Vec3> vec3_of(const Json& camera, const char* key) {
 }
 
 std::optional<Camera> camera_of(const Review& review) {
-    const Result<std::string> text =
-        read_file(picture_path(review, ".actual.json"), std::uint64_t{64} << 20U);
+    const Result<std::string> text = read_file(image_path(review, ".actual.json"), std::uint64_t{64} << 20U);
     const Json numbers = text ? Json::parse(*text, nullptr, false) : Json();
     if (!numbers.is_object() || !numbers.contains("camera") || !numbers["camera"].is_object())
         return std::nullopt;
@@ -58,18 +57,18 @@ std::optional<Camera> camera_of(const Review& review) {
     return camera;
 }
 
-void load_pictures(Review& review) {
+void load_images(Review& review) {
     review.expected = review.actual = review.heat = {};
-    ++review.pictures_revision;
+    ++review.images_revision;
     review.blink_s = 0.0;
     review.camera.reset();
     if (review.entry() == nullptr) return;
     review.camera = camera_of(review);
-    review.expected = picture(review, ".expected.png");
-    review.actual = picture(review, ".actual.png");
+    review.expected = image(review, ".expected.png");
+    review.actual = image(review, ".actual.png");
     if (review.entry()->state == GoldenState::nondeterministic) {
-        review.expected = picture(review, ".first.png");
-        review.actual = picture(review, ".second.png");
+        review.expected = image(review, ".first.png");
+        review.actual = image(review, ".second.png");
     }
     if (!review.expected.rgba.empty() && !review.actual.rgba.empty())
         review.heat = difference_image(review.expected, review.actual);
@@ -135,7 +134,7 @@ void open_review(Editor& editor, const fs::path& report_file) {
     for (std::size_t i = 0; i < review->report.entries.size(); ++i)
         if (review->report.entries[i].state != GoldenState::same) review->shown.push_back(i);
     review->marks.assign(review->shown.size(), ReviewMark::none);
-    load_pictures(*review);
+    load_images(*review);
     editor.review = std::move(review);
     editor.layout.show(PanelId::review);
     editor.status = fmt::format("{} of {} snapshots are not the same", editor.review->shown.size(),
@@ -150,8 +149,8 @@ void review_show(Editor& editor, std::size_t index) {
     Review& review = *editor.review;
     if (review.shown.empty()) return;
     review.current = std::min(index, review.shown.size() - 1);
-    review.pictures = true;
-    load_pictures(review);
+    review.images = true;
+    load_images(review);
 }
 
 void review_step(Editor& editor, int by) {
@@ -196,7 +195,7 @@ void review_go_to_camera(Editor& editor) {
     if (!open && !level.empty()) request_open(editor, level);
     editor.view.look_at(review.camera->eye, review.camera->target);
     editor.view.fov_y = review.camera->fov_y;
-    review.pictures = false;
+    review.images = false;
     editor.status = "Looking from where " + review.entry()->name + " was taken";
 }
 

@@ -24,15 +24,15 @@ struct Review {
     std::vector<ReviewMark> marks;   // [shown]
     std::size_t current = 0;         // index into shown
     ReviewMode mode = ReviewMode::side_by_side;
-    double swipe = 0.5;    // share of the width that shows the expected picture
-    bool pictures = true;  // the view shows them; else the level
+    double swipe = 0.5;    // fraction of the width that shows the expected picture
+    bool images = true;    // the view shows them; else the level
     double blink_s = 0.0;  // since the pictures last changed places
     bool blink_actual = true;
 
     // Of the current entry; empty where the check wrote none.
     Image expected, actual, heat;
-    std::uint64_t pictures_revision = 0;  // counts up when they change
-    std::optional<Camera> camera;         // where the current entry was taken from
+    std::uint64_t images_revision = 0;  // counts up when they change
+    std::optional<Camera> camera;       // where the current entry was taken from
 
     const GoldenResult* entry() const {
         return current < shown.size() ? &report.entries[shown[current]] : nullptr;

@@ -195,7 +195,7 @@ bool lies_inside(const Mesh& mesh, FaceId face, const Projector& project, std::s
 }
 
 constexpr double finest_grid = 2.0;  // pixels between rays
-constexpr double most_grid_rays = 60000.0;
+constexpr double max_grid_rays = 60000.0;
 
 }  // namespace
 
@@ -218,7 +218,7 @@ std::vector<FaceId> faces_in_outline(Editor& editor, const Camera& camera, const
     // each other face finds those between.
     std::vector<PickRay> rays;
     const Vec2 extent = (box.max - box.min).cwiseMax(0.0);
-    const double spacing = std::max(finest_grid, std::sqrt(extent.prod() / most_grid_rays));
+    const double spacing = std::max(finest_grid, std::sqrt(extent.prod() / max_grid_rays));
     const auto add = [&](const Vec2& pixel) {
         const Ray ray = pixel_ray(camera, pixel, size);
         rays.push_back({ray.origin, ray.direction});

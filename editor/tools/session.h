@@ -42,7 +42,7 @@ struct BrokenFile {
     std::filesystem::path file;
     std::string text;  // why
     double since_s = 0.0;
-    bool told = false;
+    bool reported = false;
 };
 inline constexpr double broken_patience_s = 4.0;
 
@@ -115,7 +115,7 @@ void document_is_safe(Editor& editor);    // after saving or throwing away: its 
 void examine_level(Editor& editor);  // beside if wanted
 bool report_is_current(const Editor& editor);
 void go_to_problem(Editor& editor, std::size_t row);  // frames it and selects its faces
-void go_to_place(Editor& editor, const Vec3& place);
+void go_to_position(Editor& editor, const Vec3& position);
 // What can be done about it here, as a button's text; empty: nothing. All of it is paint, never geometry.
 std::string fix_label(const Editor& editor, const Problem& problem);
 void fix_problem(Editor& editor, const Problem& problem);

@@ -76,9 +76,9 @@ void ViewCamera::zoom_towards(double wheel, const Vec3& point) {
 
 void ViewCamera::fly(const Vec3& right_up_forward, double seconds) {
     if (!right_up_forward.allFinite() || !std::isfinite(seconds)) return;
-    const Vec3 way = right_up_forward.x() * right_direction(*this) + right_up_forward.y() * Vec3::UnitY() -
-                     right_up_forward.z() * eye_direction(*this);
-    pivot += way * (fly_speed * seconds);
+    const Vec3 motion = right_up_forward.x() * right_direction(*this) + right_up_forward.y() * Vec3::UnitY() -
+                        right_up_forward.z() * eye_direction(*this);
+    pivot += motion * (fly_speed * seconds);
 }
 
 void ViewCamera::frame(const Aabb& bounds, double aspect) {

@@ -20,11 +20,11 @@ const std::vector<Cure>* cures_at_cursor(Editor& editor) {
     CureJob& job = editor.cures;
     const Lab& lab = editor.lab;
     const bool same =
-        job.work && job.revision == lab.revision() && job.run == lab.told() && job.first == stop->first;
+        job.work && job.revision == lab.revision() && job.run == lab.explained() && job.first == stop->first;
     if (!same) {
         job.work.reset();
-        job = CureJob{.revision = lab.revision(), .run = lab.told(), .first = stop->first};
-        const auto search = [level = editor.document->snapshot(), run = lab.runs()[lab.told()].run,
+        job = CureJob{.revision = lab.revision(), .run = lab.explained(), .first = stop->first};
+        const auto search = [level = editor.document->snapshot(), run = lab.runs()[lab.explained()].run,
                              at = *stop](Progress& progress) {
             constexpr std::size_t slice = 5000;  // ticks between two looks at whether it is still wanted
             CureSearch cures(level, run, at);
@@ -49,9 +49,9 @@ const std::vector<Cure>* cures_at_cursor(Editor& editor) {
 void go_to_stop(Editor& editor, const Stop& stop) {
     editor.lab.motion = LabMotion::paused;
     editor.lab.seek(stop.worst);
-    const Vec3 eye = viewpoint(editor.document->collision(), stop.loss.place, stop.loss.normal,
+    const Vec3 eye = viewpoint(editor.document->collision(), stop.loss.position, stop.loss.normal,
                                editor.view.camera().eye, 5.0);
-    editor.view.look_at(eye, stop.loss.place);
+    editor.view.look_at(eye, stop.loss.position);
 }
 
 void go_to_headline(Editor& editor) {
@@ -73,7 +73,7 @@ void use_cure(Editor& editor, const Cure& cure) {
     if (cure.face != no_id) document.paint(std::array{cure.face}, changed.overrides[cure.face]);
     if (changed.movement != document.level().movement) document.set_movement(changed.movement, cure.text);
     step.commit();
-    editor.lab.tell_of(1);
+    editor.lab.explain(1);
     editor.status = cure.text;
 }
 

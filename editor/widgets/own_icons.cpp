@@ -41,9 +41,9 @@ float distance_to(const std::vector<ImVec2>& line, ImVec2 p) {
 
 void draw_own_icons(ImFontAtlas& atlas, std::initializer_list<ImFont*> fonts, float pixels) {
     const int side = std::max(6, static_cast<int>(std::lround(pixels)));
-    std::vector<int> places;
+    std::vector<int> slots;
     for (ImFont* const font : fonts)
-        places.push_back(
+        slots.push_back(
             atlas.AddCustomRectFontGlyph(font, lasso_code, side, side, std::round(pixels * 1.15f),
                                          {std::round(pixels * 0.07f), std::round(pixels * 0.2f)}));
     atlas.Build();
@@ -51,8 +51,8 @@ void draw_own_icons(ImFontAtlas& atlas, std::initializer_list<ImFont*> fonts, fl
     int width = 0;
     atlas.GetTexDataAsAlpha8(&alpha, &width, nullptr);
     const std::vector<ImVec2> line = lasso_line();
-    for (const int place : places) {
-        const ImFontAtlasCustomRect* const rect = atlas.GetCustomRectByIndex(place);
+    for (const int slot : slots) {
+        const ImFontAtlasCustomRect* const rect = atlas.GetCustomRectByIndex(slot);
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
                 const ImVec2 p{(static_cast<float>(x) + 0.5f) / static_cast<float>(side),

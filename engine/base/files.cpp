@@ -98,10 +98,10 @@ int flush_directory(const fs::path& file) {
     return ::fsync(directory.get()) != 0 && errno != EINVAL ? errno : 0;
 }
 
-Result<std::string> read_all(int handle, const struct stat& status, const std::string& place,
+Result<std::string> read_all(int handle, const struct stat& status, const std::string& location,
                              std::uint64_t max_bytes) {
     const auto too_big = [&](std::uint64_t size) {
-        return Error{place, fmt::format("is {} bytes long; at most {} are read", size, max_bytes)};
+        return Error{location, fmt::format("is {} bytes long; at most {} are read", size, max_bytes)};
     };
     const auto size = static_cast<std::uint64_t>(std::max<off_t>(status.st_size, 0));
     if (size > max_bytes) return too_big(size);
@@ -114,7 +114,7 @@ Result<std::string> read_all(int handle, const struct stat& status, const std::s
         if (used == bytes.size()) bytes.resize(bytes.size() + std::max<std::size_t>(bytes.size() / 2, 4096));
         const ssize_t count = ::read(handle, bytes.data() + used, bytes.size() - used);
         if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return Error{place, "cannot be read: " + reason(errno)};
+        if (count < 0) return Error{location, "cannot be read: " + reason(errno)};
         if (count == 0) break;
         used += static_cast<std::size_t>(count);
         if (used > max_bytes) return too_big(used);
@@ -126,32 +126,32 @@ Result<std::string> read_all(int handle, const struct stat& status, const std::s
 }  // namespace
 
 Result<std::string> read_file(const fs::path& path, std::uint64_t max_bytes) {
-    const std::string place = path.string();
-    if (place.find('\0') != std::string::npos)
+    const std::string location = path.string();
+    if (location.find('\0') != std::string::npos)
         return Error{"", "a path with a zero byte in it names no file"};
     // Without O_NONBLOCK, opening a pipe would wait for a writer.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (!file.open()) {
-        if (errno == ENOENT) return Error{place, "no such file"};
-        return Error{place, "cannot be opened: " + reason(errno)};
+        if (errno == ENOENT) return Error{location, "no such file"};
+        return Error{location, "cannot be opened: " + reason(errno)};
     }
     struct stat status {};
-    if (::fstat(file.get(), &status) != 0) return Error{place, "cannot be read: " + reason(errno)};
+    if (::fstat(file.get(), &status) != 0) return Error{location, "cannot be read: " + reason(errno)};
     if (!S_ISREG(status.st_mode)) {
-        return Error{place, fmt::format("is {}; expected a file", kind_of(status.st_mode))};
+        return Error{location, fmt::format("is {}; expected a file", kind_of(status.st_mode))};
     }
     try {
-        return read_all(file.get(), status, place, max_bytes);
+        return read_all(file.get(), status, location, max_bytes);
     } catch (const std::bad_alloc&) {
-        return Error{place,
+        return Error{location,
                      fmt::format("is {} bytes long; there is not enough memory for it", status.st_size)};
     }
 }
 
 Status write_file_atomic(const fs::path& path, std::string_view bytes) {
-    const std::string place = path.string();
-    if (path.filename().empty() || place.find('\0') != std::string::npos) {
-        return Error{place, "names no file to write"};
+    const std::string location = path.string();
+    if (path.filename().empty() || location.find('\0') != std::string::npos) {
+        return Error{location, "names no file to write"};
     }
     const auto resolved = link_target(path);
     if (!resolved) return resolved.error();
@@ -160,11 +160,11 @@ Status write_file_atomic(const fs::path& path, std::string_view bytes) {
     struct stat status {};
     const bool exists = ::stat(target.c_str(), &status) == 0;
     if (exists && !S_ISREG(status.st_mode)) {
-        return Error{place, fmt::format("is {}; expected a file", kind_of(status.st_mode))};
+        return Error{location, fmt::format("is {}; expected a file", kind_of(status.st_mode))};
     }
     // A rename would replace a write-protected file; whoever protected it meant it.
     if (exists && ::access(target.c_str(), W_OK) != 0) {
-        return Error{place, "cannot be written: " + reason(errno)};
+        return Error{location, "cannot be written: " + reason(errno)};
     }
 
     const fs::path temporary = temporary_name(target);
@@ -172,10 +172,10 @@ Status write_file_atomic(const fs::path& path, std::string_view bytes) {
     if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
     if (error != 0) {
         if (error != EEXIST) ::unlink(temporary.c_str());
-        return Error{place, "cannot be written: " + reason(error)};
+        return Error{location, "cannot be written: " + reason(error)};
     }
     if (error = flush_directory(target); error != 0) {
-        return Error{place, "is written, but its folder cannot be flushed to disk: " + reason(error)};
+        return Error{location, "is written, but its folder cannot be flushed to disk: " + reason(error)};
     }
     return {};
 }

@@ -13,7 +13,7 @@ namespace {
 using Compressor = std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)>;
 using Decompressor = std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)>;
 
-constexpr std::size_t most_from_one_byte = 1032;  // deflate's best ratio
+constexpr std::size_t max_from_one_byte = 1032;  // deflate's best ratio
 
 }  // namespace
 
@@ -28,7 +28,7 @@ std::string pack(std::string_view bytes, int effort) {
 }
 
 std::optional<std::string> unpack(std::string_view packed, std::size_t size) {
-    if (size / most_from_one_byte > packed.size()) return std::nullopt;
+    if (size / max_from_one_byte > packed.size()) return std::nullopt;
     static thread_local const Decompressor decompressor(libdeflate_alloc_decompressor(),
                                                         libdeflate_free_decompressor);
     if (!decompressor) throw std::bad_alloc();

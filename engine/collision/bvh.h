@@ -46,10 +46,10 @@ struct Bvh {
     std::array<float, 3> low{};
     std::array<float, 3> high{};
 
-    const Leaf& leaf_at(std::uint32_t place) const {
-        return *reinterpret_cast<const Leaf*>(&leaves[place * leaf_alignment]);
+    const Leaf& leaf_at(std::uint32_t index) const {
+        return *reinterpret_cast<const Leaf*>(&leaves[index * leaf_alignment]);
     }
-    Leaf& leaf_at(std::uint32_t place) { return *reinterpret_cast<Leaf*>(&leaves[place * leaf_alignment]); }
+    Leaf& leaf_at(std::uint32_t index) { return *reinterpret_cast<Leaf*>(&leaves[index * leaf_alignment]); }
     LeafTriangle triangle(TriangleId id) const {
         return leaf_triangle(leaf_at(slots[id] / leaf_capacity), slots[id] % leaf_capacity);
     }

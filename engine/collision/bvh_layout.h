@@ -15,7 +15,7 @@ struct alignas(32) BvhNode {
 };
 
 inline constexpr std::uint32_t leaf_bit = 0x80000000U;
-inline constexpr std::uint32_t leaf_place_mask = 0x7fffffffU;
+inline constexpr std::uint32_t leaf_index_mask = 0x7fffffffU;
 inline constexpr std::size_t leaf_alignment = 8;  // places count in these
 inline constexpr std::uint32_t leaf_capacity = 8;
 

@@ -56,9 +56,9 @@ LeafTriangle placed(TriangleId id, std::span<const Corners> corners) {
 }
 
 // The leaf again at the end of all leaves, with corners of its own for each triangle. Returns its place.
-std::uint32_t unshare(Bvh& bvh, std::uint32_t place,
+std::uint32_t unshare(Bvh& bvh, std::uint32_t index,
                       const std::array<LeafTriangle, leaf_capacity>& triangles) {
-    const std::size_t count = bvh.leaf_at(place).count;
+    const std::size_t count = bvh.leaf_at(index).count;
     const std::size_t begin = bvh.leaves.size() - leaf_overread;
     bvh.leaves.resize(begin + leaf_bytes(count, 3 * count) + leaf_overread);
     const auto to = static_cast<std::uint32_t>(begin / leaf_alignment);
@@ -66,7 +66,7 @@ std::uint32_t unshare(Bvh& bvh, std::uint32_t place,
     leaf.count = static_cast<std::uint8_t>(count);
     leaf.vertices = static_cast<std::uint8_t>(3 * count);
     leaf.unused = 0;
-    leaf.parent = bvh.leaf_at(place).parent;
+    leaf.parent = bvh.leaf_at(index).parent;
     for (std::size_t lane = 0; lane < leaf_capacity; ++lane) {
         const std::size_t from = std::min(lane, count - 1);
         for (std::size_t k = 0; k < 3; ++k)
@@ -81,14 +81,14 @@ std::uint32_t unshare(Bvh& bvh, std::uint32_t place,
                 triangles[lane].at[k % 3][k / 3];
     }
     BvhNode& parent = bvh.nodes[leaf.parent];
-    *std::find(parent.child, parent.child + 8, leaf_bit | place) = leaf_bit | to;
+    *std::find(parent.child, parent.child + 8, leaf_bit | index) = leaf_bit | to;
     return to;
 }
 
 // Moves the triangles of one leaf. Returns the leaf's place afterwards.
 std::uint32_t move_in_leaf(Bvh& bvh, std::span<const Moved> moved, std::span<const Corners> corners) {
-    const std::uint32_t place = moved[0].slot / leaf_capacity;
-    Leaf& leaf = bvh.leaf_at(place);
+    const std::uint32_t index = moved[0].slot / leaf_capacity;
+    Leaf& leaf = bvh.leaf_at(index);
     std::array<LeafTriangle, leaf_capacity> triangles;
     for (std::size_t lane = 0; lane < leaf.count; ++lane)
         triangles[lane] = leaf_triangle(leaf, lane);
@@ -105,9 +105,9 @@ std::uint32_t move_in_leaf(Bvh& bvh, std::span<const Moved> moved, std::span<con
         Corners to;
         for (std::size_t k = 0; k < 9; ++k)
             to[k / 3][static_cast<Eigen::Index>(k % 3)] = triangles[lane].at[k % 3][k / 3];
-        if (!write_corners(leaf, lane, to, known)) return unshare(bvh, place, triangles);
+        if (!write_corners(leaf, lane, to, known)) return unshare(bvh, index, triangles);
     }
-    return place;
+    return index;
 }
 
 struct Bounds {
@@ -137,17 +137,17 @@ Bounds node_bounds(const BvhNode& node) {
 
 // Every triangle, in the order of their numbers: nothing has to be looked for.
 void move_all(Bvh& bvh, std::span<const Corners> corners) {
-    const auto move_leaf = [&](std::uint32_t place) {
-        Leaf& leaf = bvh.leaf_at(place);
+    const auto move_leaf = [&](std::uint32_t index) {
+        Leaf& leaf = bvh.leaf_at(index);
         std::uint32_t known = 0;
         for (std::size_t lane = 0; lane < leaf.count; ++lane) {
             if (write_corners(leaf, lane, corners[leaf_ids(leaf)[lane]], known)) continue;
             std::array<LeafTriangle, leaf_capacity> triangles;
             for (std::size_t i = 0; i < leaf.count; ++i)
                 triangles[i] = placed(leaf_ids(leaf)[i], corners);
-            return unshare(bvh, place, triangles);
+            return unshare(bvh, index, triangles);
         }
-        return place;
+        return index;
     };
     // Parents come before their children.
     for (std::size_t n = bvh.nodes.size(); n-- > 0;) {
@@ -155,7 +155,7 @@ void move_all(Bvh& bvh, std::span<const Corners> corners) {
             const std::uint32_t child = bvh.nodes[n].child[k];
             if (bvh.nodes[n].bound[0][k] > bvh.nodes[n].bound[3][k]) continue;  // missing
             const Bounds bounds = (child & leaf_bit) != 0
-                                      ? leaf_bounds(bvh.leaf_at(move_leaf(child & leaf_place_mask)))
+                                      ? leaf_bounds(bvh.leaf_at(move_leaf(child & leaf_index_mask)))
                                       : node_bounds(bvh.nodes[child]);
             for (std::size_t row = 0; row < 6; ++row)
                 bvh.nodes[n].bound[row][k] = bounds.b[row];
@@ -192,9 +192,9 @@ void move_some(Bvh& bvh, std::span<const TriangleId> triangles, std::span<const 
         std::size_t end = first + 1;
         while (end < moved.size() && moved[end].slot / leaf_capacity == moved[first].slot / leaf_capacity)
             ++end;
-        const std::uint32_t place = move_in_leaf(bvh, std::span(moved).subspan(first, end - first), corners);
-        const Leaf& leaf = bvh.leaf_at(place);
-        if (fit(bvh.nodes[leaf.parent], leaf_bit | place, leaf_bounds(leaf))) nodes.push_back(leaf.parent);
+        const std::uint32_t index = move_in_leaf(bvh, std::span(moved).subspan(first, end - first), corners);
+        const Leaf& leaf = bvh.leaf_at(index);
+        if (fit(bvh.nodes[leaf.parent], leaf_bit | index, leaf_bounds(leaf))) nodes.push_back(leaf.parent);
         first = end;
     }
     // A node is looked at again for each child that came late; the last look is the right one.

@@ -82,9 +82,9 @@ void grow_bounds(CollisionWorld::Impl& impl) {
 std::optional<std::size_t> find_face(const CollisionWorld::Impl& impl, FaceId face) {
     if (impl.faces.empty())
         return face < impl.surfaces.size() ? std::optional<std::size_t>(face) : std::nullopt;
-    const auto place = std::lower_bound(impl.faces.begin(), impl.faces.end(), face);
-    if (place == impl.faces.end() || *place != face) return std::nullopt;
-    return static_cast<std::size_t>(place - impl.faces.begin());
+    const auto index = std::lower_bound(impl.faces.begin(), impl.faces.end(), face);
+    if (index == impl.faces.end() || *index != face) return std::nullopt;
+    return static_cast<std::size_t>(index - impl.faces.begin());
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ struct SweepPath {
 // One of the sweeps that go through the tree side by side, and the part of its way that is looked at now.
 struct WaveSweep {
     SweepPath path;
-    float from;  // share of the move
+    float from;  // fraction of the move
     float to;
 };
 inline constexpr std::uint32_t wave_sweeps = 128;
@@ -82,7 +82,7 @@ struct PointBoxes {
 
 // A triangle of a neighbourhood that a sweep may touch.
 struct NearCandidate {
-    std::uint32_t place;
+    std::uint32_t index;
     float after;  // not before this time
 };
 

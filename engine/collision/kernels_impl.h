@@ -23,7 +23,7 @@ inline void walk(const TreeView& tree, float limit, Test&& test, Visit&& visit) 
     alignas(32) float keys[8];
     while (true) {
         if ((current & leaf_bit) != 0) {
-            limit = visit(leaf_at(tree, current & leaf_place_mask), limit);
+            limit = visit(leaf_at(tree, current & leaf_index_mask), limit);
             if (limit < 0.0F) return;
         } else {
             const BvhNode& node = tree.nodes[current];
@@ -38,10 +38,10 @@ inline void walk(const TreeView& tree, float limit, Test&& test, Visit&& visit) 
                 for (; mask != 0; mask &= mask - 1) {
                     const unsigned k = first_lane(mask);
                     const StackEntry entry{keys[k], node.child[k]};
-                    std::size_t place = size++;
-                    for (; place > bottom && stack[place - 1].key < entry.key; --place)
-                        stack[place] = stack[place - 1];
-                    stack[place] = entry;
+                    std::size_t index = size++;
+                    for (; index > bottom && stack[index - 1].key < entry.key; --index)
+                        stack[index] = stack[index - 1];
+                    stack[index] = entry;
                 }
                 fetch(tree, stack[size - 2].child);
             }
@@ -70,7 +70,7 @@ float sweep_leaf(const LaneBoxPath& box, const LaneSpherePath& sphere, bool usab
     Lanes v[9];
     lanes_of_leaf(leaf, v);
     Lanes enter;
-    std::uint32_t mask = box.meet(LeafRows(v), 0.0F, limit, enter) & present(leaf);
+    std::uint32_t mask = box.intersect(LeafRows(v), 0.0F, limit, enter) & present(leaf);
     if (mask == 0) return limit;
     if (!usable) {
         for (; mask != 0 && limit >= 0.0F; mask &= mask - 1)
@@ -103,7 +103,7 @@ void sweep_kernel(const TreeView& tree, const SweepPath& path, float limit, Cons
         tree, limit,
         [&](const BvhNode& node, float now, float* keys) {
             Lanes enter;
-            const std::uint32_t mask = box.meet(NodeRows{node}, 0.0F, now, enter);
+            const std::uint32_t mask = box.intersect(NodeRows{node}, 0.0F, now, enter);
             enter.store(keys);
             return mask;
         },
@@ -154,7 +154,7 @@ void ray_kernel(const TreeView& tree, const RayPath& path, float limit, Consider
         tree, limit,
         [&](const BvhNode& node, float now, float* keys) {
             Lanes enter;
-            const std::uint32_t mask = box.meet(NodeRows{node}, 0.0F, now, enter);
+            const std::uint32_t mask = box.intersect(NodeRows{node}, 0.0F, now, enter);
             enter.store(keys);
             return mask;
         },
@@ -167,7 +167,7 @@ void ray_kernel(const TreeView& tree, const RayPath& path, float limit, Consider
                 if (mask == 0) return now;
             }
             Lanes enter;
-            mask &= box.meet(LeafRows(v), 0.0F, now, enter);
+            mask &= box.intersect(LeafRows(v), 0.0F, now, enter);
             for (; mask != 0 && now >= 0.0F; mask &= mask - 1)
                 now = consider(context, leaf, first_lane(mask));
             return now;

@@ -11,14 +11,14 @@ inline unsigned first_lane(std::uint32_t mask) {
     return static_cast<unsigned>(__builtin_ctz(mask));
 }
 
-inline const Leaf& leaf_at(const TreeView& tree, std::uint32_t place) {
-    return *reinterpret_cast<const Leaf*>(tree.leaves + std::size_t{place} * leaf_alignment);
+inline const Leaf& leaf_at(const TreeView& tree, std::uint32_t index) {
+    return *reinterpret_cast<const Leaf*>(tree.leaves + std::size_t{index} * leaf_alignment);
 }
 
 // Asks for the memory of a child that will be looked at soon.
 inline void fetch(const TreeView& tree, std::uint32_t child) {
     const auto* at = (child & leaf_bit) != 0
-                         ? reinterpret_cast<const std::byte*>(&leaf_at(tree, child & leaf_place_mask))
+                         ? reinterpret_cast<const std::byte*>(&leaf_at(tree, child & leaf_index_mask))
                          : reinterpret_cast<const std::byte*>(tree.nodes + child);
     __builtin_prefetch(at);
     __builtin_prefetch(at + 64);
@@ -61,7 +61,7 @@ struct LaneBoxPath {
     }
     // Which of eight boxes are met between two times, and when they are entered.
     template <class Rows>
-    std::uint32_t meet(const Rows& rows, float from, float limit, Lanes& enter) const {
+    std::uint32_t intersect(const Rows& rows, float from, float limit, Lanes& enter) const {
         const auto near = [&](int axis) {
             return (rows(path.near_row[axis]) - near_offset[axis]) * inverse[axis];
         };

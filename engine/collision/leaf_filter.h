@@ -12,15 +12,15 @@ struct LanePlane {
     LaneVec normal;  // unit, or shorter
     Lanes offset;
     Lanes slack;
-    Lanes slack_per_way;
+    Lanes slack_per_length;
 
     // As LeafFilter::apart_by_plane for the path from `at` by `along`; `ways`: their sizes.
-    Lanes apart_until(const LaneVec& at, const LaneVec& along, Lanes ways) const {
+    Lanes apart_until(const LaneVec& at, const LaneVec& along, Lanes motions) const {
         const Lanes zero = Lanes::all(0.0F);
         const Lanes h = offset - dot(normal, at);
         const Lanes speed = dot(normal, along);
         const Lanes clear =
-            lanes_abs(h) - (slack + slack_per_way * ways) - Lanes::all(1.0F + determinant_rounding);
+            lanes_abs(h) - (slack + slack_per_length * motions) - Lanes::all(1.0F + determinant_rounding);
         const Lanes t =
             clear / lanes_max(lanes_pick(lanes_less(h, zero), zero - speed, speed), Lanes::all(least_time));
         return lanes_max(t * Lanes::all(1.0F - time_slack), zero);
@@ -81,7 +81,7 @@ class LeafFilter {
     // nearest point of the border, a step of Newton's method for the touch; at least `t`. A second step would
     // spare few a look in double.
     Lanes apart_by_border(Lanes t, Lanes limit) const {
-        const LaneVec u = border_way(lanes_min(t, limit) * path_.d);
+        const LaneVec u = border_distance(lanes_min(t, limit) * path_.d);
         return lanes_max(
             apart_until(least_along(u), dot(u, path_.d), dot(u, u), rounding(limit) * size_of(u)), t);
     }
@@ -91,10 +91,10 @@ class LeafFilter {
     LanePlane plane() const {
         const Lanes inverse = Lanes::all(1.0F) / lanes_sqrt(dot(n_, n_) + Lanes::all(least_square));
         const LaneVec normal = inverse * n_;
-        const Lanes slack_per_way =
+        const Lanes slack_per_length =
             Lanes::all(determinant_rounding) * size_of(e_[0]) * size_of(e_[1]) * inverse;
-        return {normal, dot(normal, a_[0]), slack_per_way * (size_of(a_[0]) + edges_ + Lanes::all(1.0F)),
-                slack_per_way};
+        return {normal, dot(normal, a_[0]), slack_per_length * (size_of(a_[0]) + edges_ + Lanes::all(1.0F)),
+                slack_per_length};
     }
 
     // Those that a sphere of that radius does not touch at rest.
@@ -106,14 +106,14 @@ class LeafFilter {
             beyond(lanes_abs(dot(n_, a_[0])), square * dot(n_, n_), slack * size_of(e_[0]) * size_of(e_[1]));
         if ((mask & ~apart) == 0) return apart;
         const Lanes zero = Lanes::all(0.0F);
-        const LaneVec u = border_way({zero, zero, zero});
+        const LaneVec u = border_distance({zero, zero, zero});
         return apart | beyond(least_along(u), square * dot(u, u), slack * size_of(u));
     }
 
     // Squared distance of the border from the path's start; only an order.
     Lanes border_distance() const {
-        const LaneVec way = border_way({Lanes::all(0.0F), Lanes::all(0.0F), Lanes::all(0.0F)});
-        return dot(way, way);
+        const LaneVec motion = border_distance({Lanes::all(0.0F), Lanes::all(0.0F), Lanes::all(0.0F)});
+        return dot(motion, motion);
     }
 
   private:
@@ -152,7 +152,7 @@ class LeafFilter {
     }
 
     // From `at` to about the nearest point of the triangle's border.
-    LaneVec border_way(const LaneVec& at) const {
+    LaneVec border_distance(const LaneVec& at) const {
         const Lanes zero = Lanes::all(0.0F);
         const Lanes one = Lanes::all(1.0F);
         LaneVec best{zero, zero, zero};
@@ -162,15 +162,15 @@ class LeafFilter {
             const Lanes ee = lanes_max(dot(e_[k], e_[k]), Lanes::all(least_square));
             // A quotient that is no number becomes 0.
             const Lanes s = lanes_min(lanes_max((zero - dot(p, e_[k])) / ee, zero), one);
-            const LaneVec way = p + s * e_[k];
-            const Lanes square = dot(way, way);
+            const LaneVec motion = p + s * e_[k];
+            const Lanes square = dot(motion, motion);
             if (k == 0) {
-                best = way;
+                best = motion;
                 best_square = square;
                 continue;
             }
             const LaneMask nearer = lanes_less(square, best_square);
-            best = pick(nearer, way, best);
+            best = pick(nearer, motion, best);
             best_square = lanes_min(square, best_square);
         }
         return best;

@@ -9,13 +9,13 @@
 
 namespace slipface::detail {
 
-inline LeafTriangle near_triangle(const NearTriangles& near, std::uint32_t place) {
+inline LeafTriangle near_triangle(const NearTriangles& near, std::uint32_t index) {
     LeafTriangle triangle;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        Four::of(near.corner[axis][place], near.corner[3 + axis][place], near.corner[6 + axis][place])
+        Four::of(near.corner[axis][index], near.corner[3 + axis][index], near.corner[6 + axis][index])
             .store(triangle.at[axis]);
     }
-    triangle.id = near.id[place];
+    triangle.id = near.id[index];
     return triangle;
 }
 

@@ -8,7 +8,7 @@ namespace slipface::detail {
 namespace {
 
 // In radii. Further away floats say too little.
-inline constexpr double most_reach = 1e3;
+inline constexpr double max_reach = 1e3;
 // Boxes of the tree that are looked at for one neighbourhood.
 inline constexpr std::uint32_t near_nodes = 256;
 
@@ -28,7 +28,7 @@ struct LaneBox {
         }
     }
     template <class Rows>
-    std::uint32_t meet(const Rows& rows) const {
+    std::uint32_t intersect(const Rows& rows) const {
         const auto gap = [&](int axis) {
             return lanes_max(rows(axis) - high[axis], low[axis] - rows(axis + 3));
         };
@@ -49,7 +49,7 @@ inline void store_vec(const LaneVec& v, NearRow* rows, std::uint32_t first) {
 
 inline LanePlane load_plane(const NearTriangles& near, std::uint32_t first) {
     return {load_vec(near.normal, first), Lanes::load(near.offset + first), Lanes::load(near.slack + first),
-            Lanes::load(near.slack_per_way + first)};
+            Lanes::load(near.slack_per_length + first)};
 }
 
 // What sphere space has to know of eight of them.
@@ -66,7 +66,7 @@ inline void look_at(NearTriangles& near, std::uint32_t first, const LaneSpherePa
     store_vec(plane.normal, near.normal, first);
     plane.offset.store(near.offset + first);
     plane.slack.store(near.slack + first);
-    plane.slack_per_way.store(near.slack_per_way + first);
+    plane.slack_per_length.store(near.slack_per_length + first);
 }
 
 inline Three three_at(const double (&v)[4]) {
@@ -84,17 +84,17 @@ bool gather(const TreeView& tree, const LaneBox& box, NearTriangles& out) {
     // First come, first served: the next box does not wait for this one's children.
     for (std::uint32_t i = 0; i < node_count; ++i) {
         const BvhNode& node = tree.nodes[nodes[i]];
-        const std::uint32_t met = box.meet(NodeRows{node});
+        const std::uint32_t hit = box.intersect(NodeRows{node});
         const std::uint32_t ends = leaf_children(node);
-        leaf_count = append_children(node, met & ends, leaves, leaf_count);
-        node_count = append_children(node, met & ~ends, nodes, node_count);
+        leaf_count = append_children(node, hit & ends, leaves, leaf_count);
+        node_count = append_children(node, hit & ~ends, nodes, node_count);
         if (leaf_count > near_capacity || node_count > near_nodes) return false;
     }
     for (std::uint32_t i = 0; i < leaf_count; ++i) {
-        const Leaf& leaf = leaf_at(tree, leaves[i] & leaf_place_mask);
+        const Leaf& leaf = leaf_at(tree, leaves[i] & leaf_index_mask);
         Lanes v[9];
         lanes_of_leaf(leaf, v);
-        const std::uint32_t mask = box.meet(LeafRows(v)) & present(leaf);
+        const std::uint32_t mask = box.intersect(LeafRows(v)) & present(leaf);
         const auto more = static_cast<std::uint32_t>(__builtin_popcount(mask));
         if (out.count + more > near_capacity) return false;
         const auto* ids = reinterpret_cast<const std::uint32_t*>(&leaf + 1) + std::size_t{3} * leaf.vertices;
@@ -112,7 +112,7 @@ void near_kernel(const TreeView& tree, const WorldExtent& world, const V3& radii
                  const V3& reach, NearTriangles& out) {
     const Three at(centre), axes(radii), around(reach);
     const ThreeMask fair =
-        three_not_above(Three::all(0.0), around) & three_not_above(around, axes * Three::all(most_reach));
+        three_not_above(Three::all(0.0), around) & three_not_above(around, axes * Three::all(max_reach));
     if (fair.bits() != 7 || !in_float_range(radii, centre, reach, world)) return;
     const double coordinate = larger(largest(centre) + largest(reach), world.reach);
     const EllipsoidQuery body = ellipsoid_query(centre, radii, V3{0.0, 0.0, 0.0});
@@ -147,18 +147,18 @@ std::uint32_t near_sweep_kernel(const NearTriangles& near, const V3& radii, cons
     query = {from, radii, inverse.vec(), move, d.vec()};
 
     float p[4];
-    float way[4];
+    float motion[4];
     start.rounded().store(p);
-    d.rounded().store(way);
+    d.rounded().store(motion);
     const LaneVec at = all(p);
     const LaneVec zero = all({0.0F, 0.0F, 0.0F, 0.0F});
-    const LaneSpherePath path(zero, zero, zero, all(way));
+    const LaneSpherePath path(zero, zero, zero, all(motion));
     const Lanes until = Lanes::all(time_limit(1.0));
-    const Lanes ways = size_of(at) + until * path.d_size;
+    const Lanes motions = size_of(at) + until * path.d_size;
     std::uint32_t found = 0;
     for (std::uint32_t first = 0; first < near.count; first += 8) {
         // Along the ground nothing gets past the planes.
-        const Lanes plane = load_plane(near, first).apart_until(at, path.d, ways);
+        const Lanes plane = load_plane(near, first).apart_until(at, path.d, motions);
         const std::uint32_t left = near.count - first;
         std::uint32_t mask = (left < 8 ? (1U << left) - 1 : 0xFFU) & ~lanes_above(plane, until);
         if (mask == 0) continue;

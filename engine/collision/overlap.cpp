@@ -101,7 +101,7 @@ std::size_t find_overlaps(const Neighbourhood& near, const Vec3& radii, const Ve
     if (candidates.lead_out()) return find_overlaps(near.world(), radii, centre, out);
     Overlaps found(near.world().impl(), out);
     for (; const NearCandidate* next = candidates.take();)
-        found.consider(candidates.query(), near_triangle(near.triangles(), next->place));
+        found.consider(candidates.query(), near_triangle(near.triangles(), next->index));
     return found.finish();
 }
 
@@ -109,7 +109,7 @@ bool overlaps_any(const Neighbourhood& near, const Vec3& radii, const Vec3& cent
     NearCandidates candidates(near, radii, centre, Vec3::Zero());
     if (candidates.lead_out()) return overlaps_any(near.world(), radii, centre);
     for (; const NearCandidate* next = candidates.take();) {
-        if (overlaps(near.world().impl(), candidates.query(), near_triangle(near.triangles(), next->place)))
+        if (overlaps(near.world().impl(), candidates.query(), near_triangle(near.triangles(), next->index)))
             return true;
     }
     return false;
@@ -118,19 +118,19 @@ bool overlaps_any(const Neighbourhood& near, const Vec3& radii, const Vec3& cent
 std::vector<TriangleId> CollisionWorld::triangles_in(const Aabb& box) const {
     std::vector<TriangleId> found;
     if (impl_->bvh.nodes.empty()) return found;
-    const auto meets = [&box](int axis, float low, float high) {
+    const auto intersects = [&box](int axis, float low, float high) {
         return double{low} <= box.max[axis] && double{high} >= box.min[axis];
     };
     const auto search_leaf = [&](const Leaf& leaf) {
         for (std::size_t lane = 0; lane < leaf.count; ++lane) {
             const LeafTriangle triangle = leaf_triangle(leaf, lane);
-            bool met = true;
+            bool hit = true;
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const auto& at = triangle.at[axis];
                 const auto [low, high] = std::minmax({at[0], at[1], at[2]});
-                met = met && meets(static_cast<int>(axis), low, high);
+                hit = hit && intersects(static_cast<int>(axis), low, high);
             }
-            if (met) found.push_back(triangle.id);
+            if (hit) found.push_back(triangle.id);
         }
     };
     std::vector<std::uint32_t> open{0};
@@ -138,12 +138,12 @@ std::vector<TriangleId> CollisionWorld::triangles_in(const Aabb& box) const {
         const BvhNode& node = impl_->bvh.nodes[open.back()];
         open.pop_back();
         for (int k = 0; k < 8; ++k) {
-            bool met = node.bound[0][k] <= node.bound[3][k];
+            bool hit = node.bound[0][k] <= node.bound[3][k];
             for (int axis = 0; axis < 3; ++axis)
-                met = met && meets(axis, node.bound[axis][k], node.bound[axis + 3][k]);
-            if (!met) continue;
+                hit = hit && intersects(axis, node.bound[axis][k], node.bound[axis + 3][k]);
+            if (!hit) continue;
             if ((node.child[k] & leaf_bit) != 0) {
-                search_leaf(impl_->bvh.leaf_at(node.child[k] & leaf_place_mask));
+                search_leaf(impl_->bvh.leaf_at(node.child[k] & leaf_index_mask));
             } else {
                 open.push_back(node.child[k]);
             }

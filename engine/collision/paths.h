@@ -41,7 +41,7 @@ inline float time_limit(double best) {
 }
 
 // How much wider than the ellipsoid its box is, to cover what the float tests and the narrow phase round off:
-// shares of the radius, of the move along the axis (five roundings of 2^-24 of a float difference), and of
+// fractions of the radius, of the move along the axis (five roundings of 2^-24 of a float difference), and of
 // the largest coordinate (ninety of 2^-53).
 inline constexpr double radius_margin = 1e-6;
 inline constexpr double move_margin = 3e-7;

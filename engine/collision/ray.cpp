@@ -45,28 +45,28 @@ struct RayTouch {
     V3 weights;  // barycentric
 };
 
-// Seen along the ray, a triangle whose sides are less than this share of its size apart is as good as in line
-// with it: rounding decides on which side of them the ray passes.
+// Seen along the ray, a triangle whose sides are less than this fraction of its size apart is as good as in
+// line with it: rounding decides on which side of them the ray passes.
 constexpr double in_line = 0x1p-40;
 
 // Whether the ray passes between the ends of the longest edge. A needle's two long sides part too little to
 // say where it ends. The slack is for rays through a corner, which all triangles around it must see alike.
 bool between_ends(const ShearedRay& ray, const LeafTriangle& triangle, const Threes& sheared) {
     const Threes edge = sheared.next() - sheared;
-    double square[4], place[4];  // of each edge: the length's square; how far along it the ray is, times that
+    double square[4], index[4];  // of each edge: the length's square; how far along it the ray is, times that
     (edge.x * edge.x + edge.y * edge.y).store(square);
-    (-(sheared.x * edge.x + sheared.y * edge.y)).store(place);
+    (-(sheared.x * edge.x + sheared.y * edge.y)).store(index);
     int longest = square[1] > square[0] ? 1 : 0;
     if (square[2] > square[longest]) longest = 2;
-    if (place[longest] >= 0.0 && place[longest] <= square[longest]) return true;
+    if (index[longest] >= 0.0 && index[longest] <= square[longest]) return true;
     double away = 0.0;
     for (int axis = 0; axis < 3; ++axis)
         away = larger(away, largest(ray.along(axis, triangle).vec()));
     const double slack = 4e-15 * away * std::sqrt(square[longest]);
-    return place[longest] >= -slack && place[longest] <= square[longest] + slack;
+    return index[longest] >= -slack && index[longest] <= square[longest] + slack;
 }
 
-bool meet(const ShearedRay& ray, const LeafTriangle& triangle, RayTouch& touch) {
+bool intersect(const ShearedRay& ray, const LeafTriangle& triangle, RayTouch& touch) {
     const Threes corners = ray.shear(triangle);
     const Threes second = corners.next(), third = second.next();
     // The edge functions of the sides opposite to each corner.
@@ -94,7 +94,7 @@ struct Search {
 
     void consider(const LeafTriangle& leaf) {
         RayTouch other{};
-        if (!meet(ray, leaf, other)) return;
+        if (!intersect(ray, leaf, other)) return;
         if (!(other.t < touch.t || (other.t == touch.t && leaf.id < triangle.id))) return;
         const SurfaceRule rule = world.rule_of(leaf.id);
         if (!rule.solid) return;

@@ -42,9 +42,9 @@ bool inside(const SphereTriangle& triangle, const Threes& corner_from_x) {
     if (three_not_above(zero, side).bits() != 7) return false;
     // The two long sides of a needle part too little to say where it ends; its longest edge does.
     const Three square = dot(triangle.e, triangle.e);
-    const Three place = -dot(corner_from_x, triangle.e);  // along each edge, times its length
+    const Three index = -dot(corner_from_x, triangle.e);  // along each edge, times its length
     const Three longest = three_max(three_max(square, square.next()), square.next().next());
-    const unsigned along = (three_not_above(zero, place) & three_not_above(place, square)).bits();
+    const unsigned along = (three_not_above(zero, index) & three_not_above(index, square)).bits();
     return (along & three_equal(square, longest).bits()) != 0;
 }
 
@@ -143,16 +143,16 @@ TriangleHit first_border_touch(const SphereTriangle& triangle, const EllipsoidQu
 Nearest nearest_border(const SphereTriangle& triangle) {
     const Three zero = Three::all(0.0);
     const Edges edges(triangle);
-    const Three place = -dot(edges.p, edges.e) / edges.ee;
-    const Threes point = edges.p + place * edges.e;
+    const Three index = -dot(edges.p, edges.e) / edges.ee;
+    const Threes point = edges.p + index * edges.e;
     const unsigned beside =
-        (three_less(zero, edges.ee) & three_less(zero, place) & three_less(place, Three::all(1.0))).bits();
+        (three_less(zero, edges.ee) & three_less(zero, index) & three_less(index, Three::all(1.0))).bits();
     double end2[4];
     double foot2[4];
     double s[4];
     dot(edges.p, edges.p).store(end2);
     dot(point, point).store(foot2);
-    place.store(s);
+    index.store(s);
     Nearest best{0.0, Feature::vertex, -1, 0.0};
     for (int k = 0; k < 3; ++k) {
         const Nearest here = (beside >> k & 1U) != 0 ? Nearest{foot2[k], Feature::edge, k, s[k]}
@@ -308,11 +308,11 @@ Touch touch_of(const SphereTriangle& triangle, const LeafTriangle& leaf, const E
     } else if (hit.feature == Feature::edge) {
         const Edges edges(triangle);
         const EdgePaths path(edges, query.d);
-        double place[4];
-        (path.s + Three::all(hit.t) * path.ds).store(place);
-        const V3 way = path.dw.vec(hit.part);
-        touch.normal = world_normal(direction_or(path.w.vec(hit.part) + hit.t * way, -way), query);
-        touch.point = edge_point_world(leaf, edges, hit.part, place[hit.part]);
+        double index[4];
+        (path.s + Three::all(hit.t) * path.ds).store(index);
+        const V3 motion = path.dw.vec(hit.part);
+        touch.normal = world_normal(direction_or(path.w.vec(hit.part) + hit.t * motion, -motion), query);
+        touch.point = edge_point_world(leaf, edges, hit.part, index[hit.part]);
     } else {
         touch.normal =
             world_normal(direction_or(hit.t * query.d - triangle.a.vec(hit.part), -query.d), query);

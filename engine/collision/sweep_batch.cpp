@@ -54,21 +54,21 @@ class Wave {
     }
 
     void finish() {
-        std::uint32_t under_way = count_;
+        std::uint32_t active = count_;
         count_ = 0;
-        while (under_way != 0) {
+        while (active != 0) {
             const std::uint32_t found =
-                kernels().wave(world_.impl().bvh.view(), parts_.data(), under_way, candidates_.data());
+                kernels().wave(world_.impl().bvh.view(), parts_.data(), active, candidates_.data());
             if (found > wave_candidates) {
-                for (std::uint32_t k = 0; k < under_way; ++k) {
+                for (std::uint32_t k = 0; k < active; ++k) {
                     const std::size_t number = flights_[of_[k]]->sweep;
                     out_[number] = sweep_alone(number);
                 }
                 return;
             }
-            consider(std::span(candidates_).first(found), under_way);
+            consider(std::span(candidates_).first(found), active);
             std::uint32_t left = 0;
-            for (std::uint32_t k = 0; k < under_way; ++k) {
+            for (std::uint32_t k = 0; k < active; ++k) {
                 const Flight& flight = *flights_[of_[k]];
                 const float end = time_limit(flight.search.hit.t);
                 if (end <= parts_[k].to) {
@@ -81,7 +81,7 @@ class Wave {
                 parts_[left].to = std::min(2.0F * to, end);
                 of_[left++] = of_[k];
             }
-            under_way = left;
+            active = left;
         }
     }
 
@@ -91,7 +91,7 @@ class Wave {
     }
 
     // The most promising triangle of each sweep first: it makes most others too late.
-    void consider(std::span<const Candidate> candidates, std::uint32_t under_way) {
+    void consider(std::span<const Candidate> candidates, std::uint32_t active) {
         std::array<const Candidate*, wave_sweeps> first{};
         for (const Candidate& candidate : candidates) {
             const Candidate*& best = first[candidate.sweep];
@@ -102,7 +102,7 @@ class Wave {
             if (candidate.after > time_limit(search.hit.t)) return;
             search.consider(leaf_triangle(search.world.bvh.leaf_at(candidate.leaf), candidate.lane));
         };
-        for (std::uint32_t k = 0; k < under_way; ++k) {
+        for (std::uint32_t k = 0; k < active; ++k) {
             if (first[k] != nullptr) consider(*first[k]);
         }
         for (const Candidate& candidate : candidates) {

@@ -41,11 +41,11 @@ inline bool wave_leaves(const TreeView& tree, const WaveSweep* sweeps, std::uint
         const WaveSweep& sweep = sweeps[number];
         const BvhNode& node = tree.nodes[nodes.child[i]];
         Lanes enter;
-        const std::uint32_t met =
-            LaneBoxPath(sweep.path.box).meet(NodeRows{node}, sweep.from, sweep.to, enter);
+        const std::uint32_t hit =
+            LaneBoxPath(sweep.path.box).intersect(NodeRows{node}, sweep.from, sweep.to, enter);
         const std::uint32_t ends = leaf_children(node);
-        leaves.append(node, met & ends, number);
-        nodes.append(node, met & ~ends, number);
+        leaves.append(node, hit & ends, number);
+        nodes.append(node, hit & ~ends, number);
         if (leaves.full() || nodes.full()) return false;
     }
     return true;
@@ -66,7 +66,7 @@ struct WavePairs {
     bool full() const { return size > capacity - 8; }
     // Not when full. Keeps what belongs to the sweep in all eight places that could be its own.
     void append(const Lanes (&v)[9], std::uint32_t mask, const WaveSweep& its, std::uint32_t number,
-                std::uint32_t place) {
+                std::uint32_t index) {
         constexpr std::uint32_t lanes[8] = {0, 1, 2, 3, 4, 5, 6, 7};
         for (int row = 0; row < 9; ++row)
             detail::append(v[row], mask, corner[row] + size);
@@ -81,7 +81,7 @@ struct WavePairs {
         for (std::uint32_t k = 0; k < 8; ++k)
             sweep[size + k] = number;
         for (std::uint32_t k = 0; k < 8; ++k)
-            leaf[size + k] = place;
+            leaf[size + k] = index;
         size += static_cast<std::uint32_t>(__builtin_popcount(mask));
     }
     LaneVec path_row(int row, std::uint32_t first) const {
@@ -130,14 +130,14 @@ std::uint32_t wave_kernel(const TreeView& tree, const WaveSweep* sweeps, std::ui
     for (std::uint32_t i = 0; i < leaves.size; ++i) {
         if (i + wave_look_ahead < leaves.size) fetch(tree, leaves.child[i + wave_look_ahead]);
         const WaveSweep& sweep = sweeps[leaves.sweep[i]];
-        const std::uint32_t place = leaves.child[i] & leaf_place_mask;
-        const Leaf& leaf = leaf_at(tree, place);
+        const std::uint32_t index = leaves.child[i] & leaf_index_mask;
+        const Leaf& leaf = leaf_at(tree, index);
         Lanes v[9];
         lanes_of_leaf(leaf, v);
         Lanes enter;
         const std::uint32_t mask =
-            LaneBoxPath(sweep.path.box).meet(LeafRows(v), sweep.from, sweep.to, enter) & present(leaf);
-        if (mask != 0) pairs.append(v, mask, sweep, leaves.sweep[i], place);
+            LaneBoxPath(sweep.path.box).intersect(LeafRows(v), sweep.from, sweep.to, enter) & present(leaf);
+        if (mask != 0) pairs.append(v, mask, sweep, leaves.sweep[i], index);
         if (pairs.full() || i + 1 == leaves.size) {
             found = wave_filter(pairs, out, found);
             if (found > wave_candidates) return found;

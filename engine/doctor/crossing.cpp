@@ -69,17 +69,18 @@ std::optional<PlayerState> standing_at(const Patient& patient, const Vec3& feet)
 
 }  // namespace
 
-Passage cross(const Patient& patient, const Vec3& place, const Vec2& heading, double before, double after) {
+Passage cross(const Patient& patient, const Vec3& position, const Vec2& heading, double before,
+              double after) {
     const Vec3 along(heading.x(), 0.0, heading.y());
-    return cross_between(patient, place - before * along, place + after * along);
+    return cross_between(patient, position - before * along, position + after * along);
 }
 
 Passage cross_between(const Patient& patient, const Vec3& from, const Vec3& to) {
     const MovementSettings settings = still_settings(patient);
-    const Vec3 way(to.x() - from.x(), 0.0, to.z() - from.z());
-    const double length = way.norm();
+    const Vec3 motion(to.x() - from.x(), 0.0, to.z() - from.z());
+    const double length = motion.norm();
     if (!(length > 0.0)) return Passage::unknown;
-    const Vec3 along = way / length;
+    const Vec3 along = motion / length;
     const Vec2 heading(along.x(), along.z());
     const auto begin = standing_at(patient, from);
     const auto end = standing_at(patient, to);
@@ -107,11 +108,11 @@ Passage cross_between(const Patient& patient, const Vec3& from, const Vec3& to) 
     return Passage::catches;
 }
 
-Passage cross_all_ways(const Patient& patient, const Vec3& place) {
+Passage cross_all_directions(const Patient& patient, const Vec3& position) {
     const double reach = 1.5 * std::max(patient.level.movement.radii.x(), patient.level.movement.radii.z());
     Passage worst = Passage::unknown;
     for (const Vec2& heading : every_5_degrees) {
-        worst = std::max(worst, cross(patient, place, heading, reach, reach));
+        worst = std::max(worst, cross(patient, position, heading, reach, reach));
         if (worst == Passage::falls) break;
     }
     return worst;

@@ -58,7 +58,7 @@ static_assert(std::size(kinds) == problem_kind_count);
 
 struct Check {
     void (*run)(const doctor::Patient&, doctor::Problems&);
-    double share;  // of the whole time, roughly
+    double fraction;  // of the whole time, roughly
 };
 constexpr Check checks[] = {
     {doctor::find_open_edges, 0.2},       {doctor::find_slivers, 0.05},     {doctor::find_duplicates, 0.1},
@@ -85,7 +85,7 @@ std::size_t DoctorReport::total() const {
 DoctorReport examine(const Level& level, const DoctorProgress& progress) {
     DoctorReport report;
     if (!level.mesh) return report;
-    const auto go_on = [&](double share) { return !progress || progress(std::min(1.0, share)); };
+    const auto go_on = [&](double fraction) { return !progress || progress(std::min(1.0, fraction)); };
     report.cancelled = !go_on(0.0);
     if (report.cancelled) return report;
     const doctor::Topology topology(*level.mesh);
@@ -100,13 +100,13 @@ DoctorReport examine(const Level& level, const DoctorProgress& progress) {
         report.cancelled = !go_on(done);
         if (report.cancelled) break;
         check.run(patient, found);
-        done += check.share;
+        done += check.fraction;
     }
     std::stable_sort(found.begin(), found.end(),
                      [](const Problem& a, const Problem& b) { return a.kind < b.kind; });
     for (Problem& problem : found) {
         std::size_t& count = report.counts[static_cast<std::size_t>(problem.kind)];
-        if (++count <= DoctorReport::most_listed) report.problems.push_back(std::move(problem));
+        if (++count <= DoctorReport::max_listed) report.problems.push_back(std::move(problem));
     }
     if (!report.cancelled) go_on(1.0);
     return report;

@@ -13,7 +13,7 @@
 namespace slipface::doctor {
 namespace {
 
-constexpr double thinnest = 1.0 / 1000.0;  // height of a triangle as a share of its longest edge
+constexpr double thinnest = 1.0 / 1000.0;  // height of a triangle as a fraction of its longest edge
 constexpr double vague = 3.5e-3;           // radians, 0.2 degrees: a normal off by more misleads movement
 
 std::array<Vec3, 3> corners_of(const Patient& patient, TriangleId triangle) {

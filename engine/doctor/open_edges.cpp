@@ -223,7 +223,7 @@ void find_open_edges(const Patient& patient, Problems& out) {
             const Vec3 inside =
                 inward(*gap.other, gap.corner) * std::min(0.25 * gap.other->length, gap.width);
             if (is_open_and_reachable(patient, gap.p + inside, gap.q + inside, normal))
-                passages[i] = cross_all_ways(patient, 0.5 * (gap.p + gap.q) + inside);
+                passages[i] = cross_all_directions(patient, 0.5 * (gap.p + gap.q) + inside);
         }
     });
     // A gap between two faces is one problem: where it does most, and is narrowest.

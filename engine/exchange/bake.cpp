@@ -31,7 +31,7 @@ class Patcher {
     Patcher(const Level& level, const TypedMaterials& materials, std::string_view text)
         : mesh_(*level.mesh), materials_(materials), text_(text) {}
 
-    Result<BakedText> run(const std::string& place) {
+    Result<BakedText> run(const std::string& location) {
         std::size_t face = 0;
         for (const ObjStatement& statement : obj_statements(text_)) {
             switch (statement.kind) {
@@ -47,7 +47,7 @@ class Patcher {
                 case ObjStatement::Kind::face:
                     if (face == mesh_.face_count() ||
                         statement.corners != mesh_.face_corner_count(static_cast<FaceId>(face)))
-                        return Error{place, "holds other faces than were read; open it again"};
+                        return Error{location, "holds other faces than were read; open it again"};
                     add_face(static_cast<FaceId>(face++), statement);
                     break;
                 case ObjStatement::Kind::library:
@@ -55,7 +55,7 @@ class Patcher {
             }
         }
         if (face != mesh_.face_count())
-            return Error{place, "holds other faces than were read; open it again"};
+            return Error{location, "holds other faces than were read; open it again"};
         keep_pending();
         out_.obj += text_.substr(copied_);
         return std::move(out_);
@@ -174,20 +174,20 @@ Result<TypedMaterials> typed_materials(const Level& level, bool rules_too) {
 }
 
 Result<BakedText> bake_text(const Level& level, std::string_view obj) {
-    const std::string place = level.mesh_path.string();
+    const std::string location = level.mesh_path.string();
     if (file_stamp(obj) != level.mesh_stamp)
-        return Error{place, "was changed by another program since it was read; reload it first"};
+        return Error{location, "was changed by another program since it was read; reload it first"};
     Result<TypedMaterials> materials = typed_materials(level, false);
     if (!materials) return materials.error();
-    Result<BakedText> baked = Patcher(level, *materials, obj).run(place);
+    Result<BakedText> baked = Patcher(level, *materials, obj).run(location);
     if (baked) baked->materials = std::move(*materials);
     return baked;
 }
 
 Result<Baked> bake_level(const Level& level) {
-    const std::string place = level.mesh_path.string();
+    const std::string location = level.mesh_path.string();
     if (to_lower(level.mesh_path.extension().string()) != ".obj")
-        return Error{place, "is read only; only OBJ files are written (slipface export writes others)"};
+        return Error{location, "is read only; only OBJ files are written (slipface export writes others)"};
     Result<std::string> bytes = read_file(level.mesh_path);
     if (!bytes) return bytes.error();
     Result<BakedText> text = bake_text(level, *bytes);

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t most_library_bytes = std::uint64_t{64} << 20;
+constexpr std::uint64_t max_library_bytes = std::uint64_t{64} << 20;
 
 // Lines of an MTL with their ends.
 std::vector<std::string_view> lines_of(std::string_view text) {
@@ -91,7 +91,7 @@ std::vector<Library> read_libraries(const Level& level, std::string_view obj) {
     const std::vector<fs::path> paths = libraries_of(level, obj);
     libraries.reserve(paths.size());  // views into texts: they must not move
     for (const fs::path& path : paths) {
-        Result<std::string> text = read_file(path, most_library_bytes);
+        Result<std::string> text = read_file(path, max_library_bytes);
         if (!text) continue;
         Library& library = libraries.emplace_back();
         library.patch = {path, *text, *text};

@@ -12,8 +12,8 @@
 namespace slipface {
 namespace {
 
-constexpr std::size_t most_rules = 100'000;
-constexpr std::size_t most_warnings = 100;
+constexpr std::size_t max_rules = 100'000;
+constexpr std::size_t max_warnings = 100;
 
 void need_type(const char* name, std::vector<SurfaceType>& types) {
     const auto named = [&](const SurfaceType& type) { return type.name == name; };
@@ -71,7 +71,7 @@ class ShaderWords {
 
 class ShaderReader {
   public:
-    ShaderReader(std::string_view text, const std::string& place) : words_(text), place_(place) {}
+    ShaderReader(std::string_view text, const std::string& location) : words_(text), location_(location) {}
 
     Result<ImportedRules> run() {
         for (std::string_view name = words_.next(); !name.empty(); name = words_.next()) {
@@ -79,7 +79,7 @@ class ShaderReader {
             if (auto open = words_.next(); open != "{")
                 return unexpected(open, "'{' after the shader's name");
             if (auto status = read_shader(std::string(name)); !status) return status.error();
-            if (out_.rules.size() > most_rules) return Error{place_, "gives more than 100000 rules"};
+            if (out_.rules.size() > max_rules) return Error{location_, "gives more than 100000 rules"};
         }
         return std::move(out_);
     }
@@ -110,21 +110,21 @@ class ShaderReader {
         const auto found =
             std::find_if(all.begin(), all.end(), [&](const BspParameter& one) { return name == one.name; });
         if (found != all.end()) return &*found;
-        if (out_.warnings.size() < most_warnings)
+        if (out_.warnings.size() < max_warnings)
             out_.warnings.push_back(
-                {fmt::format("{}:{}", place_, words_.line()),
+                {fmt::format("{}:{}", location_, words_.line()),
                  fmt::format("the surface parameter \"{:.40}\" is unknown: ignored", name)});
         return nullptr;
     }
 
     Error unexpected(std::string_view found, const std::string& expected) const {
-        return Error{fmt::format("{}:{}", place_, words_.line()),
+        return Error{fmt::format("{}:{}", location_, words_.line()),
                      found.empty() ? "found the end of the file, expected " + expected
                                    : fmt::format("found \"{:.40}\", expected {}", found, expected)};
     }
 
     ShaderWords words_;
-    const std::string& place_;
+    const std::string& location_;
     ImportedRules out_;
 };
 
@@ -137,21 +137,21 @@ std::uint32_t u32_at(std::string_view bytes, std::size_t at) {
 
 }  // namespace
 
-Result<ImportedRules> read_shaders(std::string_view text, const std::string& place) {
-    return ShaderReader(text, place).run();
+Result<ImportedRules> read_shaders(std::string_view text, const std::string& location) {
+    return ShaderReader(text, location).run();
 }
 
-Result<ImportedRules> read_bsp_flags(std::string_view bytes, const std::string& place) {
+Result<ImportedRules> read_bsp_flags(std::string_view bytes, const std::string& location) {
     constexpr std::size_t lump_entry = 8 + 8;  // lump 0, the entities, comes first
     constexpr std::size_t texture_size = 72, name_size = 64;
     if (bytes.size() < 144 || !bytes.starts_with("IBSP") || u32_at(bytes, 4) != 46)
-        return Error{place, "is no Quake 3 map; expected IBSP of version 46"};
+        return Error{location, "is no Quake 3 map; expected IBSP of version 46"};
     const std::size_t begin = u32_at(bytes, lump_entry);
     const std::size_t size = u32_at(bytes, lump_entry + 4);
     if (begin > bytes.size() || size > bytes.size() - begin || size % texture_size != 0)
-        return Error{place, fmt::format("says that its textures are {} bytes at {}, but it has {}", size,
-                                        begin, bytes.size())};
-    if (size / texture_size > most_rules) return Error{place, "gives more than 100000 rules"};
+        return Error{location, fmt::format("says that its textures are {} bytes at {}, but it has {}", size,
+                                           begin, bytes.size())};
+    if (size / texture_size > max_rules) return Error{location, "gives more than 100000 rules"};
     ImportedRules out;
     for (std::size_t i = 0; i < size / texture_size; ++i) {
         const std::size_t at = begin + i * texture_size;

@@ -6,7 +6,7 @@
 
 namespace slipface {
 
-Result<ImportedRules> read_shaders(std::string_view text, const std::string& place);
-Result<ImportedRules> read_bsp_flags(std::string_view bytes, const std::string& place);
+Result<ImportedRules> read_shaders(std::string_view text, const std::string& location);
+Result<ImportedRules> read_bsp_flags(std::string_view bytes, const std::string& location);
 
 }  // namespace slipface

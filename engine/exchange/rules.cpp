@@ -13,17 +13,17 @@
 namespace slipface {
 namespace {
 
-constexpr std::uint64_t most_bytes = std::uint64_t{256} << 20;
-constexpr std::size_t most_lines = 100'000;
+constexpr std::uint64_t max_bytes = std::uint64_t{256} << 20;
+constexpr std::size_t max_lines = 100'000;
 
 // A level file is read on a mesh of one triangle: only its rules are wanted.
-Result<ImportedRules> read_level_rules(std::string_view json, const std::string& place) {
+Result<ImportedRules> read_level_rules(std::string_view json, const std::string& location) {
     PolygonSoup soup;
     soup.corner_position = {Vec3f(0, 0, 0), Vec3f(0, 0, 1), Vec3f(1, 0, 0)};
     soup.face_first_corner = {0, 3};
     const Result<MeshPtr> mesh = build_mesh(std::move(soup));
     if (!mesh) return mesh.error();
-    const Result<LoadedLevel> loaded = level_from_json(json, place, *mesh);
+    const Result<LoadedLevel> loaded = level_from_json(json, location, *mesh);
     if (!loaded) return loaded.error();
     ImportedRules out;
     out.rules = loaded->level.rules;
@@ -35,7 +35,7 @@ Result<ImportedRules> read_level_rules(std::string_view json, const std::string&
     return out;
 }
 
-Result<ImportedRules> read_rule_lines(std::string_view text, const std::string& place) {
+Result<ImportedRules> read_rule_lines(std::string_view text, const std::string& location) {
     ImportedRules out;
     std::size_t number = 0;
     for (std::string_view line : split(text, '\n')) {
@@ -44,9 +44,9 @@ Result<ImportedRules> read_rule_lines(std::string_view text, const std::string& 
         if (line.empty()) continue;
         const std::size_t space = line.find_last_of(" \t");
         if (space == std::string_view::npos)
-            return Error{fmt::format("{}:{}", place, number),
+            return Error{fmt::format("{}:{}", location, number),
                          fmt::format("found \"{:.40}\", expected PATTERN TYPE", line)};
-        if (out.rules.size() == most_lines) return Error{place, "gives more than 100000 rules"};
+        if (out.rules.size() == max_lines) return Error{location, "gives more than 100000 rules"};
         out.rules.push_back({std::string(trim(line.substr(0, space))), std::string(line.substr(space + 1))});
     }
     return out;
@@ -55,15 +55,15 @@ Result<ImportedRules> read_rule_lines(std::string_view text, const std::string& 
 }  // namespace
 
 Result<ImportedRules> read_rules(const std::filesystem::path& path) {
-    const std::string place = path.string();
+    const std::string location = path.string();
     const std::string ending = to_lower(path.extension().string());
     if (ending != ".shader" && ending != ".bsp" && ending != ".json" && ending != ".txt")
-        return Error{place, "gives no rules; expected a file named *.shader, *.bsp, *.json or *.txt"};
-    const Result<std::string> bytes = read_file(path, most_bytes);
+        return Error{location, "gives no rules; expected a file named *.shader, *.bsp, *.json or *.txt"};
+    const Result<std::string> bytes = read_file(path, max_bytes);
     if (!bytes) return bytes.error();
-    if (ending == ".shader") return read_shaders(*bytes, place);
-    if (ending == ".bsp") return read_bsp_flags(*bytes, place);
-    return ending == ".json" ? read_level_rules(*bytes, place) : read_rule_lines(*bytes, place);
+    if (ending == ".shader") return read_shaders(*bytes, location);
+    if (ending == ".bsp") return read_bsp_flags(*bytes, location);
+    return ending == ".json" ? read_level_rules(*bytes, location) : read_rule_lines(*bytes, location);
 }
 
 Result<AddedRules> add_rules(Level& level, const ImportedRules& imported) {

@@ -30,16 +30,16 @@ std::string stb_reason() {
     return reason != nullptr ? reason : "unknown";
 }
 
-Result<Image> decode(std::string_view bytes, const std::string& place, int max_side) {
-    if (bytes.empty()) return Error{place, "is empty; expected a PNG, JPEG, TGA or BMP picture"};
+Result<Image> decode(std::string_view bytes, const std::string& location, int max_side) {
+    if (bytes.empty()) return Error{location, "is empty; expected a PNG, JPEG, TGA or BMP picture"};
     if (bytes.size() > largest_file)
-        return Error{place, fmt::format("has {} bytes; too many for a picture", bytes.size())};
+        return Error{location, fmt::format("has {} bytes; too many for a picture", bytes.size())};
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(bytes.size());
 
     const auto too_large = [&](auto width, auto height) {
-        return Error{place, fmt::format("is {} x {} pixels; at most {} x {} are read", width, height,
-                                        max_side, max_side)};
+        return Error{location, fmt::format("is {} x {} pixels; at most {} x {} are read", width, height,
+                                           max_side, max_side)};
     };
     const auto limit = static_cast<std::uint32_t>(std::max(max_side, 0));
     // stb refuses the largest headers without saying how large they are.
@@ -51,14 +51,14 @@ Result<Image> decode(std::string_view bytes, const std::string& place, int max_s
     int height = 0;
     int channels = 0;
     if (!promised_format(bytes) || stbi_info_from_memory(data, size, &width, &height, &channels) == 0) {
-        return Error{place, "is no PNG, JPEG, TGA or BMP picture"};
+        return Error{location, "is no PNG, JPEG, TGA or BMP picture"};
     }
     if (width < 1 || height < 1 || width > max_side || height > max_side) return too_large(width, height);
-    if (!png_data_fits_header(bytes)) return Error{place, "is corrupt: its data do not fit its size"};
+    if (!png_data_fits_header(bytes)) return Error{location, "is corrupt: its data do not fit its size"};
 
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
-    if (!pixels) return Error{place, "is corrupt: " + stb_reason()};
+    if (!pixels) return Error{location, "is corrupt: " + stb_reason()};
     Image image{.width = width, .height = height, .rgba = {}};
     image.rgba.assign(pixels.get(), pixels.get() + 4 * image.pixel_count());
     return image;
@@ -66,11 +66,11 @@ Result<Image> decode(std::string_view bytes, const std::string& place, int max_s
 
 }  // namespace
 
-Result<Image> decode_image(std::string_view bytes, const std::string& place, int max_side) {
+Result<Image> decode_image(std::string_view bytes, const std::string& location, int max_side) {
     try {
-        return decode(bytes, place, max_side);
+        return decode(bytes, location, max_side);
     } catch (const std::exception&) {
-        return Error{place, "needs more memory than there is"};
+        return Error{location, "needs more memory than there is"};
     }
 }
 

@@ -79,9 +79,9 @@ Comparison compare_images(const Image& expected, const Image& actual, const Comp
                                      expected.height, actual.width, actual.height);
         return result;
     }
-    const double share = std::max(tolerance.ratio, 0.0) * static_cast<double>(expected.pixel_count());
+    const double fraction = std::max(tolerance.ratio, 0.0) * static_cast<double>(expected.pixel_count());
     result.allowed =
-        std::max(static_cast<std::size_t>(std::min(share, static_cast<double>(expected.pixel_count()))),
+        std::max(static_cast<std::size_t>(std::min(fraction, static_cast<double>(expected.pixel_count()))),
                  static_cast<std::size_t>(std::max(tolerance.minimum_pixels, 0)));
 
     if (expected.rgba == actual.rgba) {

@@ -20,14 +20,14 @@ namespace {
 
 constexpr std::size_t largest_file = std::size_t{512} << 20;
 
-Result<GreyImage> decode(std::string_view bytes, const std::string& place, int max_side) {
+Result<GreyImage> decode(std::string_view bytes, const std::string& location, int max_side) {
     const auto header = png_size(bytes);
     if (!header || bytes.size() > largest_file)
-        return Error{place, "is no PNG picture; expected one with 16-bit grey"};
+        return Error{location, "is no PNG picture; expected one with 16-bit grey"};
     const auto limit = static_cast<std::uint32_t>(std::max(max_side, 0));
     if (header->width < 1 || header->height < 1 || header->width > limit || header->height > limit) {
-        return Error{place, fmt::format("is {} x {} pixels; at most {} x {} are read", header->width,
-                                        header->height, max_side, max_side)};
+        return Error{location, fmt::format("is {} x {} pixels; at most {} x {} are read", header->width,
+                                           header->height, max_side, max_side)};
     }
     // Behind signature, chunk header and size: depth and colour type. Eight bits would make terraces, and
     // colours no heights.
@@ -36,12 +36,12 @@ Result<GreyImage> decode(std::string_view bytes, const std::string& place, int m
     const int colour = static_cast<unsigned char>(bytes[depth_at + 1]);
     if (depth != 16 || (colour != 0 && colour != 4)) {
         const bool grey = colour == 0 || colour == 4;
-        return Error{place, fmt::format("has {} bits of {}; expected 16-bit grey", depth,
-                                        grey          ? "grey"
-                                        : colour == 3 ? "a palette"
-                                                      : "colour")};
+        return Error{location, fmt::format("has {} bits of {}; expected 16-bit grey", depth,
+                                           grey          ? "grey"
+                                           : colour == 3 ? "a palette"
+                                                         : "colour")};
     }
-    if (!png_data_fits_header(bytes)) return Error{place, "is corrupt: its data do not fit its size"};
+    if (!png_data_fits_header(bytes)) return Error{location, "is corrupt: its data do not fit its size"};
     int width = 0;
     int height = 0;
     int channels = 0;
@@ -51,7 +51,7 @@ Result<GreyImage> decode(std::string_view bytes, const std::string& place, int m
         stbi_image_free);
     if (!pixels) {
         const char* reason = stbi_failure_reason();
-        return Error{place, fmt::format("is corrupt: {}", reason != nullptr ? reason : "unknown")};
+        return Error{location, fmt::format("is corrupt: {}", reason != nullptr ? reason : "unknown")};
     }
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     return GreyImage{.width = width, .height = height, .values = {pixels.get(), pixels.get() + count}};
@@ -82,11 +82,11 @@ void append_chunk(std::string& png, std::string_view type, std::string_view data
 
 }  // namespace
 
-Result<GreyImage> decode_grey_image(std::string_view bytes, const std::string& place, int max_side) {
+Result<GreyImage> decode_grey_image(std::string_view bytes, const std::string& location, int max_side) {
     try {
-        return decode(bytes, place, max_side);
+        return decode(bytes, location, max_side);
     } catch (const std::exception&) {
-        return Error{place, "needs more memory than there is"};
+        return Error{location, "needs more memory than there is"};
     }
 }
 

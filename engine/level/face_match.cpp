@@ -21,8 +21,8 @@ constexpr std::size_t max_visits = 30'000'000;
 constexpr std::size_t max_listed_orphans = 100;
 
 // How much smaller than the old face a part of it is, and how much larger its parts may be together.
-constexpr double part_share = 0.99;
-constexpr double whole_share = 1.01;
+constexpr double part_fraction = 0.99;
+constexpr double whole_fraction = 1.01;
 
 Vec3 unit_or_zero(const Vec3& normal) {
     const double length = normal.norm();
@@ -67,7 +67,7 @@ class Matcher {
 
     MatchedOverrides run() && {
         run_stage(Stage::exact, [this](std::size_t i) { return match_hash(i); });
-        run_stage(Stage::exact, [this](std::size_t i) { return match_place(i); });
+        run_stage(Stage::exact, [this](std::size_t i) { return match_location(i); });
         if (has_unmatched() && build_tree()) {
             run_stage(Stage::plane, [this](std::size_t i) { return match_plane(i); });
             run_stage(Stage::plane, [this](std::size_t i) { return match_union(i); });
@@ -131,7 +131,7 @@ class Matcher {
         return claim_best(i, faces);
     }
 
-    bool match_place(std::size_t i) {
+    bool match_location(std::size_t i) {
         const FaceKey& key = stored_[i].key;
         const double tolerance = position_tolerance(key.centroid);
         std::vector<FaceId> faces = index_.near(key.centroid, tolerance);
@@ -209,7 +209,7 @@ class Matcher {
             if (!(candidate_normal.dot(normal) > 0.999)) continue;
             const Vec3 offset = candidate.centroid - key.centroid;
             if (std::abs(candidate_normal.dot(offset)) > 1e-3 * size + tolerance) continue;
-            if (candidate.area >= part_share * key.area) {
+            if (candidate.area >= part_fraction * key.area) {
                 if (!index_.covers(face, key.centroid, normal)) continue;
                 claim(face, i, Stage::plane);
                 return true;
@@ -222,7 +222,7 @@ class Matcher {
         double area = 0.0;
         for (const Part& part : parts) {
             area += index_.key(part.face).area;
-            if (area > whole_share * key.area) break;
+            if (area > whole_fraction * key.area) break;
             claim(part.face, i, Stage::plane);
         }
         return !parts.empty();
@@ -251,17 +251,17 @@ class Matcher {
 
     // Adds `face` to the parts, and then whatever is still missing; takes it back where that fails.
     bool grow_union(const FaceKey& key, const Vec3& normal, FaceId face, std::vector<FaceId>& parts) {
-        constexpr std::size_t most_parts = 12;
-        constexpr std::size_t most_visits = 2000;
-        if (parts.size() == most_parts || ++union_visits_ > most_visits || !is_part(key, normal, face))
+        constexpr std::size_t max_parts = 12;
+        constexpr std::size_t max_visits = 2000;
+        if (parts.size() == max_parts || ++union_visits_ > max_visits || !is_part(key, normal, face))
             return false;
         ++lookup_.visits;
         parts.push_back(face);
         double area = 0.0;
         for (const FaceId part : parts)
             area += index_.key(part).area;
-        if (area >= part_share * key.area) {
-            if (area <= whole_share * key.area && has_corner_mean(key, parts)) return true;
+        if (area >= part_fraction * key.area) {
+            if (area <= whole_fraction * key.area && has_corner_mean(key, parts)) return true;
         } else {
             for (std::size_t k = 0; k < parts.size(); ++k) {
                 for (const FaceId next : lookup_.neighbours.of(parts[k])) {
@@ -360,9 +360,9 @@ class Matcher {
         const Vec3& at = stored.key.centroid;
         const std::string reason = types_[i] ? "found no face there" : "found no surface type of that name";
         result_.warnings.push_back(
-            {stored.place, fmt::format("{}: a face painted \"{}\" at ({:.3f}, {:.3f}, {:.3f}), material "
-                                       "\"{}\"; kept as an orphan",
-                                       reason, stored.type, at.x(), at.y(), at.z(), stored.key.material)});
+            {stored.location, fmt::format("{}: a face painted \"{}\" at ({:.3f}, {:.3f}, {:.3f}), material "
+                                          "\"{}\"; kept as an orphan",
+                                          reason, stored.type, at.x(), at.y(), at.z(), stored.key.material)});
     }
 
     const Mesh& mesh_;
@@ -407,7 +407,7 @@ MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
     return Matcher(mesh, surfaces, stored, lookup).run();
 }
 
-FaceKeySets kept_face_keys(const Level& level) {
+FaceKeySets stored_face_keys(const Level& level) {
     // Keys of all sets at once, because telling copies apart looks at the whole mesh.
     std::vector<FaceId> faces = level.hidden;
     for (const SavedSelection& saved : level.selections)
@@ -433,7 +433,7 @@ FaceKeySets kept_face_keys(const Level& level) {
     return sets;
 }
 
-Warnings match_kept_faces(Level& level, const FaceKeySets& sets) {
+Warnings match_stored_faces(Level& level, const FaceKeySets& sets) {
     level.hidden.clear();
     for (SavedSelection& saved : level.selections)
         saved.faces.clear();

@@ -13,7 +13,7 @@ namespace slipface {
 struct StoredOverride {
     FaceKey key;
     std::string type;
-    std::string place;  // where it stands in the file
+    std::string location;  // where it stands in the file
 };
 
 // How far a face's corners may lie from where they were and still be the same: what a tool that writes six
@@ -55,11 +55,11 @@ MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
 
 // The hidden faces of a level (first) and its selections (in their order), as a level file holds them.
 using FaceKeySets = std::vector<std::vector<FaceKey>>;
-FaceKeySets kept_face_keys(const Level& level);
+FaceKeySets stored_face_keys(const Level& level);
 
 // Finds the faces of each set again, by the stages of match_overrides, and puts them into level.hidden and
 // level.selections, whose names are there already. A face may be in several sets. What finds no face is
 // dropped: unlike paint it is quickly chosen anew. Returns a warning for each set that lost faces.
-Warnings match_kept_faces(Level& level, const FaceKeySets& sets);
+Warnings match_stored_faces(Level& level, const FaceKeySets& sets);
 
 }  // namespace slipface

@@ -15,7 +15,7 @@ namespace slipface {
 namespace {
 
 constexpr double max_spawn_position = 1e9;
-constexpr double longest_push = 2.0;  // shares of the player's height
+constexpr double longest_push = 2.0;  // fractions of the player's height
 constexpr double yaw_of_nothing = 0.0;
 
 // A spawn that was moved, and by how much.
@@ -128,20 +128,20 @@ class StartFinder {
         Start start{
             .position = spawn.position, .yaw = spawn.yaw, .spawn = spawn.name, .stands = true, .note = {}};
         const Vec3 centre = spawn.position + offset_;
-        const std::string who = fmt::format("Spawn \"{}\"", spawn.name);
+        const std::string subject = fmt::format("Spawn \"{}\"", spawn.name);
         if (fits(scene_, settings_, centre)) {
             // What moves may come by later.
             if (has_floor(scene_, settings_, centre) || !scene_.platforms.empty() ||
                 has_hold(scene_, settings_, centre))
                 return start;
-            return elsewhere(start, who + " has nothing below it");
+            return elsewhere(start, subject + " has nothing below it");
         }
         if (const auto moved = made_to_fit(centre, start.note)) {
             start.position = *moved - offset_;
-            start.note = who + start.note;
+            start.note = subject + start.note;
             return start;
         }
-        return elsewhere(start, who + " lies inside the level");
+        return elsewhere(start, subject + " lies inside the level");
     }
 
     Start without_spawn() const {
@@ -238,11 +238,11 @@ Result<Start> find_start(const Level& level, const MovementScene& scene, const V
     const std::vector<Spawn> spawns = all_spawns(level);
     if (name.empty()) return spawns.empty() ? finder.without_spawn() : finder.at(spawns.front());
     std::string names;
-    constexpr std::size_t most_listed = 20;
+    constexpr std::size_t max_listed = 20;
     for (std::size_t i = 0; i < spawns.size(); ++i) {
         if (spawns[i].name == name) return finder.at(spawns[i]);
-        if (i < most_listed) names += fmt::format("{}\"{}\"", i == 0 ? "" : ", ", spawns[i].name);
-        if (i == most_listed) names += fmt::format(" or one of {} more", spawns.size() - i);
+        if (i < max_listed) names += fmt::format("{}\"{}\"", i == 0 ? "" : ", ", spawns[i].name);
+        if (i == max_listed) names += fmt::format(" or one of {} more", spawns.size() - i);
     }
     return Error{"spawn", fmt::format("found no spawn \"{}\", expected {}", name,
                                       names.empty() ? "none, the level has no spawn" : names)};

@@ -22,13 +22,13 @@ void read_setting(JsonReader& reader, const Json& json, const std::string& path,
         std::string choice;
         if (!reader.text(json, path, choice)) return;
         status = set_setting(settings, std::string(info.name) + "=" + choice);
-        if (!status.ok()) reader.fail(Error{reader.place(path), status.error().message});
+        if (!status.ok()) reader.fail(Error{reader.location(path), status.error().message});
         return;
     } else if (!reader.number(json, path, info.minimum, info.maximum, value)) {
         return;
     }
     status = set_setting(settings, info, value);
-    if (!status.ok()) reader.fail(Error{reader.place(path), status.error().message});
+    if (!status.ok()) reader.fail(Error{reader.location(path), status.error().message});
 }
 
 }  // namespace

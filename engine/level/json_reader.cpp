@@ -19,7 +19,7 @@ bool JsonReader::fail(Error error) {
 }
 
 bool JsonReader::fail(const std::string& path, std::string found, std::string expected) {
-    return fail(Error{place(path), "found " + found + ", expected " + expected});
+    return fail(Error{location(path), "found " + found + ", expected " + expected});
 }
 
 bool JsonReader::object(const Json& value, const std::string& path) {

@@ -32,7 +32,7 @@ class JsonReader {
 
     bool ok() const { return !error_.has_value(); }
     const Error& error() const { return *error_; }
-    std::string place(const std::string& path) const { return file_ + ":" + json_excerpt(path); }
+    std::string location(const std::string& path) const { return file_ + ":" + json_excerpt(path); }
 
   private:
     std::string file_;

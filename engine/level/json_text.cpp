@@ -33,8 +33,8 @@ std::string line_and_column(std::string_view text, std::size_t position) {
 // Builds a Json from the parser's events. The parser keeps its own stack, so depth costs no call stack.
 class Builder final : public nlohmann::json_sax<nlohmann::json> {
   public:
-    Builder(std::string_view text, const std::string& place, int max_depth)
-        : text_(text), place_(place), max_depth_(static_cast<std::size_t>(max_depth)) {}
+    Builder(std::string_view text, const std::string& location, int max_depth)
+        : text_(text), location_(location), max_depth_(static_cast<std::size_t>(max_depth)) {}
 
     bool null() override { return add(Json{}); }
     bool boolean(bool value) override { return add(json_bool(value)); }
@@ -70,7 +70,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
             const std::size_t at = message.find(mark);
             if (at != std::string::npos) message.erase(0, at + mark.size());
         }
-        error_ = Error{place_ + ":" + line_and_column(text_, position),
+        error_ = Error{location_ + ":" + line_and_column(text_, position),
                        "this is no JSON: " + json_excerpt(message)};
         return false;
     }
@@ -82,7 +82,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
 
   private:
     bool fail(std::string_view found, std::string_view expected) {
-        error_ = Error{place_ + ":" + json_excerpt(path_of(open_)),
+        error_ = Error{location_ + ":" + json_excerpt(path_of(open_)),
                        fmt::format("found {}, expected {}", found, expected)};
         return false;
     }
@@ -126,7 +126,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
     }
 
     std::string_view text_;
-    const std::string& place_;
+    const std::string& location_;
     std::size_t max_depth_;
     std::vector<Json> open_;
     Json root_;
@@ -194,8 +194,8 @@ const Json* Json::find(std::string_view key) const {
     return found == keys.end() ? nullptr : &items[static_cast<std::size_t>(found - keys.begin())];
 }
 
-Result<Json> parse_json(std::string_view text, const std::string& place, int max_depth) {
-    Builder builder(text, place, max_depth);
+Result<Json> parse_json(std::string_view text, const std::string& location, int max_depth) {
+    Builder builder(text, location, max_depth);
     nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
     return builder.take();
 }

@@ -29,7 +29,7 @@ inline constexpr std::size_t max_json_values = 4'000'000;
 // Errors: place:line:column for what is no JSON (cut off, junk behind the end, bytes that are no UTF-8, a
 // number beyond double); place:/path for a key that occurs twice, nesting deeper than max_depth, more than
 // max_json_values values.
-Result<Json> parse_json(std::string_view text, const std::string& place, int max_depth = max_json_depth);
+Result<Json> parse_json(std::string_view text, const std::string& location, int max_depth = max_json_depth);
 
 // "a string", "the number 7", "an object", as error messages name what they found.
 std::string json_kind_text(const Json& value);

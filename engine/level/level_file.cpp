@@ -36,16 +36,16 @@ bool is_level_file(const fs::path& path) {
 // A relative path may not lead out of the folder: a level from elsewhere must not make the editor open any
 // file it names.
 Result<fs::path> mesh_of_level_file(const fs::path& file_path, const Json& root) {
-    const std::string place = file_path.string();
+    const std::string location = file_path.string();
     const Json* mesh = root.find("mesh");
     if (mesh == nullptr || mesh->kind != Json::Kind::string || mesh->text.empty()) {
-        return Error{place + ":/mesh", fmt::format("found {}, expected the name of the level's OBJ file",
-                                                   mesh == nullptr ? "nothing" : json_kind_text(*mesh))};
+        return Error{location + ":/mesh", fmt::format("found {}, expected the name of the level's OBJ file",
+                                                      mesh == nullptr ? "nothing" : json_kind_text(*mesh))};
     }
     const fs::path name(mesh->text);
     const fs::path normal = name.lexically_normal();
     if (!name.is_absolute() && !normal.empty() && *normal.begin() == "..") {
-        return Error{place + ":/mesh",
+        return Error{location + ":/mesh",
                      fmt::format("found {}, expected a path inside the level's folder or an absolute one",
                                  json_quoted(json_excerpt(mesh->text)))};
     }
@@ -208,10 +208,10 @@ Result<LoadedLevel> reload_mesh(const Level& level, Progress* progress) {
         loaded.match = matched.summary;
         loaded.guessed = std::move(matched.guessed);
         for (Diagnostic& warning : matched.warnings) {
-            if (warning.place.empty()) warning.place = level.mesh_path.string();
+            if (warning.location.empty()) warning.location = level.mesh_path.string();
             loaded.warnings.push_back(std::move(warning));
         }
-        for (Diagnostic& warning : match_kept_faces(loaded.level, kept_face_keys(level)))
+        for (Diagnostic& warning : match_stored_faces(loaded.level, stored_face_keys(level)))
             loaded.warnings.push_back({level.mesh_path.string(), std::move(warning.message)});
         if (cancelled(progress)) return cancelled_error(level.mesh_path);
         return loaded;

@@ -77,24 +77,24 @@ UnknownMembers UnknownMembers::parse(const UnknownKeys& keys) {
 
 UnknownKeys UnknownMembers::text() const {
     Json json = json_object();
-    for (const auto& [place, object] : objects_)
-        json_add(json, place, object);
+    for (const auto& [location, object] : objects_)
+        json_add(json, location, object);
     return {json_compact(json)};
 }
 
-std::string UnknownMembers::place(std::string_view kind, std::string_view name) {
-    std::string place = fmt::format("/{}/{}", kind, name);
-    const int count = ++names_[place];
-    return count == 1 ? place : fmt::format("{}#{}", place, count);
+std::string UnknownMembers::location(std::string_view kind, std::string_view name) {
+    std::string location = fmt::format("/{}/{}", kind, name);
+    const int count = ++names_[location];
+    return count == 1 ? location : fmt::format("{}#{}", location, count);
 }
 
-void UnknownMembers::add(const std::string& place, std::string_view key, const Json& value) {
-    const auto object = objects_.try_emplace(place, json_object()).first;
+void UnknownMembers::add(const std::string& location, std::string_view key, const Json& value) {
+    const auto object = objects_.try_emplace(location, json_object()).first;
     json_add(object->second, key, value);
 }
 
-void UnknownMembers::append_to(Json& object, const std::string& place) const {
-    const auto found = objects_.find(place);
+void UnknownMembers::append_to(Json& object, const std::string& location) const {
+    const auto found = objects_.find(location);
     if (found == objects_.end()) return;
     for (std::size_t i = 0; i < found->second.keys.size(); ++i) {
         if (object.find(found->second.keys[i]) == nullptr) {

@@ -36,11 +36,11 @@ inline constexpr int level_file_version = 1;
 // The text of the file as it is written at `file_path`, which decides how it names the mesh.
 std::string level_text(const Level& level, const std::filesystem::path& file_path);
 
-Result<LoadedLevel> read_level(const Json& root, const std::string& place, MeshPtr mesh);
-Result<ImportTransform> read_import_transform(const Json& root, const std::string& place);
+Result<LoadedLevel> read_level(const Json& root, const std::string& location, MeshPtr mesh);
+Result<ImportTransform> read_import_transform(const Json& root, const std::string& location);
 
 // Refuses what is no level file of the version that is understood.
-Status check_level_version(const Json& root, const std::string& place);
+Status check_level_version(const Json& root, const std::string& location);
 
 Json light_json(const LevelLight& light);
 // Takes the known members out of `json`; errors go to `reader`.
@@ -59,9 +59,9 @@ class UnknownMembers {
     static UnknownMembers parse(const UnknownKeys& keys);
     UnknownKeys text() const;
 
-    std::string place(std::string_view kind, std::string_view name);  // "/surfaces/ice"; counts the names
-    void add(const std::string& place, std::string_view key, const Json& value);
-    void append_to(Json& object, const std::string& place) const;
+    std::string location(std::string_view kind, std::string_view name);  // "/surfaces/ice"; counts the names
+    void add(const std::string& location, std::string_view key, const Json& value);
+    void append_to(Json& object, const std::string& location) const;
 
   private:
     std::map<std::string, Json> objects_;

@@ -78,7 +78,7 @@ struct LevelScene::Impl {
     Sectors sectors;
     Vec3 offset = Vec3::Zero();
 
-    void place(const MovementSettings& settings);
+    void choose_origin(const MovementSettings& settings);
     Status build(const CollisionWorld* whole);
     Status add_moving(std::size_t platform, Part part);
     void paint(CollisionWorld& world, const Part& part) const;
@@ -87,7 +87,7 @@ struct LevelScene::Impl {
 
 // With sectors the level keeps its own coordinates and only the number of its sector is large; without them
 // it is put where it lies, in whatever is left of its coordinates there.
-void LevelScene::Impl::place(const MovementSettings& settings) {
+void LevelScene::Impl::choose_origin(const MovementSettings& settings) {
     const SectorLayout& layout = level->sectors;
     if (layout.size > 0.0 && settings.sectors) {
         sectors.size = layout.size;
@@ -183,7 +183,7 @@ LevelScene::~LevelScene() = default;
 Result<LevelScene> LevelScene::build(const Level& level, const MovementSettings& settings) {
     auto impl = std::make_unique<Impl>();
     impl->level = &level;
-    impl->place(settings);
+    impl->choose_origin(settings);
     if (const Status status = impl->build(nullptr); !status) return status.error();
     return LevelScene(std::move(impl));
 }
@@ -192,7 +192,7 @@ Result<LevelScene> LevelScene::borrow(const Level& level, const CollisionWorld& 
                                       const MovementSettings& settings) {
     auto impl = std::make_unique<Impl>();
     impl->level = &level;
-    impl->place(settings);
+    impl->choose_origin(settings);
     if (const Status status = impl->build(&whole); !status) return status.error();
     return LevelScene(std::move(impl));
 }
@@ -293,8 +293,8 @@ Vec3 LevelScene::to_level(const PlayerState& state) const {
 PlayerState LevelScene::player_at(const Vec3& level_position) {
     const CollisionWorld nothing;
     PlayerState state;
-    place_in_scene({.collision = nothing, .surfaces = {}, .sectors = impl_->sectors},
-                   to_scene(level_position), state);
+    put_in_scene({.collision = nothing, .surfaces = {}, .sectors = impl_->sectors}, to_scene(level_position),
+                 state);
     return state;
 }
 

@@ -9,9 +9,9 @@ namespace slipface {
 
 namespace {
 
-constexpr int most_columns = 64;  // along each of x and z
+constexpr int max_columns = 64;   // along each of x and z
 constexpr int least_columns = 8;  // also in a level smaller than the player
-constexpr int most_layers = 32;   // floors above each other in a column
+constexpr int max_layers = 32;    // floors above each other in a column
 constexpr double height_weight = 2.0;
 
 struct Sample {
@@ -55,7 +55,7 @@ class OpenFloor {
     // A sample a radius, as far as they may be counted.
     static int count_along(double size, double radius) {
         return static_cast<int>(
-            std::clamp(std::ceil(size / radius), double{least_columns}, double{most_columns}));
+            std::clamp(std::ceil(size / radius), double{least_columns}, double{max_columns}));
     }
     std::size_t cell_index(int column, int row) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
@@ -68,7 +68,7 @@ class OpenFloor {
         const double step =
             1e-9 * (1.0 + bounds_.max.cwiseAbs().maxCoeff() + bounds_.min.cwiseAbs().maxCoeff());
         double y = bounds_.max.y() + 1.0;
-        for (int layer = 0; layer < most_layers; ++layer) {
+        for (int layer = 0; layer < max_layers; ++layer) {
             const auto hit = cast_ray(scene_.collision, {x, y, z}, {0.0, -1.0, 0.0});
             if (!hit) break;
             if (!hit->back_face && !is_hazard(hit->face)) add_sample(column, row, hit->point, hit->normal);
@@ -105,11 +105,11 @@ class OpenFloor {
 
     bool connected(const Vec3& from, const Vec3& to) const {
         const double raise = settings_.step_up ? settings_.step_height : settings_.skin;
-        const Vec3 way = to - from;
-        if (std::abs(way.y()) > raise + Vec2(way.x(), way.z()).norm() * std::tan(settings_.max_slope))
+        const Vec3 path = to - from;
+        if (std::abs(path.y()) > raise + Vec2(path.x(), path.z()).norm() * std::tan(settings_.max_slope))
             return false;
         const Vec3 up(0.0, raise, 0.0);
-        return !first_contact(scene_, settings_.radii, from + up, way);
+        return !first_contact(scene_, settings_.radii, from + up, path);
     }
 
     void link_all() {

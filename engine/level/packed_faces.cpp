@@ -49,8 +49,8 @@ std::uint32_t normal_code(const Vec3& normal) {
         v = (1.0 - std::abs(u)) * sign_of(v);
         u = folded;
     }
-    const auto step = [](double share) {
-        return static_cast<std::uint32_t>(std::lround(share * normal_steps) + normal_steps);
+    const auto step = [](double fraction) {
+        return static_cast<std::uint32_t>(std::lround(fraction * normal_steps) + normal_steps);
     };
     return step(u) | step(v) << 12;
 }

@@ -13,7 +13,7 @@ double pause_at(const PathPoint& point) {
     return std::max(point.pause_s, 0.0);
 }
 
-double way_time(const PathPoint& from, const PathPoint& to, double speed) {
+double path_time(const PathPoint& from, const PathPoint& to, double speed) {
     return (to.offset - from.offset).norm() / std::max(speed, slowest);
 }
 
@@ -34,7 +34,7 @@ struct Legs {
         return leg < path.size() - 1 || repeat != PathRepeat::ping_pong ? from(leg).speed : to(leg).speed;
     }
     double time(std::size_t leg) const {
-        return pause_at(from(leg)) + way_time(from(leg), to(leg), speed(leg));
+        return pause_at(from(leg)) + path_time(from(leg), to(leg), speed(leg));
     }
 
   private:

@@ -82,10 +82,10 @@ const std::vector<ShippedPreset>& shipped_presets() {
     return presets;
 }
 
-Result<Preset> preset_from_json(std::string_view json, const std::string& place) {
-    const Result<Json> root = parse_json(json, place);
+Result<Preset> preset_from_json(std::string_view json, const std::string& location) {
+    const Result<Json> root = parse_json(json, location);
     if (!root) return root.error();
-    JsonReader reader(place);
+    JsonReader reader(location);
     Preset preset;
     preset.settings = basic_settings();
     if (!reader.object(*root, "/")) return reader.error();

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t max_rules = 100'000;
 constexpr std::size_t max_cameras = 100'000;
 constexpr std::size_t max_platforms = 10'000;
-constexpr std::size_t most_warnings = 100;
+constexpr std::size_t max_warnings = 100;
 constexpr double max_position = 1e9;
 constexpr double pi = 3.141592653589793;
 
@@ -51,9 +51,9 @@ void read_version(JsonReader& reader, const Json& root) {
 
 class LevelReader {
   public:
-    LevelReader(const std::string& place, MeshPtr mesh) : reader_(place) {
+    LevelReader(const std::string& location, MeshPtr mesh) : reader_(location) {
         loaded_.level.mesh = std::move(mesh);
-        loaded_.level.file_path = place;
+        loaded_.level.file_path = location;
         loaded_.level.movement = basic_settings();
         loaded_.level.spawn_is_set = false;
     }
@@ -77,7 +77,7 @@ class LevelReader {
                 });
             }
             read_member(root, "hidden", [this](const Json& json, const std::string& path) {
-                read_kept_faces(json, path, "hidden", kept_.front());
+                read_stored_faces(json, path, "hidden", kept_.front());
             });
             read_member(root, "selections",
                         [this](const Json& json, const std::string& path) { read_selections(json, path); });
@@ -103,9 +103,9 @@ class LevelReader {
                           "platforms", "heightfield", "sectors", "light"});
         }
         if (!reader_.ok()) return reader_.error();
-        if (warnings_ > most_warnings)
+        if (warnings_ > max_warnings)
             loaded_.warnings.push_back(
-                {reader_.place("/"), fmt::format("{} more warnings", warnings_ - most_warnings)});
+                {reader_.location("/"), fmt::format("{} more warnings", warnings_ - max_warnings)});
         loaded_.level.unknown = unknown_.text();
         match();
         return std::move(loaded_);
@@ -118,19 +118,19 @@ class LevelReader {
         if (value != nullptr && reader_.ok()) read(*value, std::string("/") + key);
     }
 
-    void keep_unknown(const Json& object, const std::string& path, const std::string& place,
+    void keep_unknown(const Json& object, const std::string& path, const std::string& location,
                       const std::set<std::string_view>& known) {
         if (!reader_.ok()) return;
         for (std::size_t i = 0; i < object.keys.size(); ++i) {
             if (known.contains(object.keys[i])) continue;
-            unknown_.add(place, object.keys[i], object.items[i]);
+            unknown_.add(location, object.keys[i], object.items[i]);
             const std::string at = (path == "/" ? "" : path) + "/" + object.keys[i];
             warn(at, "this key is unknown here; it is kept and written back");
         }
     }
 
     void warn(const std::string& path, const std::string& message) {
-        if (++warnings_ <= most_warnings) loaded_.warnings.push_back({reader_.place(path), message});
+        if (++warnings_ <= max_warnings) loaded_.warnings.push_back({reader_.location(path), message});
     }
 
     void read_mesh_name(const Json& root) {
@@ -160,7 +160,7 @@ class LevelReader {
             if (!names.insert(spawn.name).second)
                 reader_.fail(path + "/name", fmt::format("\"{}\" a second time", json_excerpt(spawn.name)),
                              "each name once");
-            keep_unknown(json, path, main ? path : unknown_.place("spawns", spawn.name),
+            keep_unknown(json, path, main ? path : unknown_.location("spawns", spawn.name),
                          {"name", "position", "yaw"});
             spawns.push_back(std::move(spawn));
         };
@@ -216,7 +216,7 @@ class LevelReader {
             if (const Json* value = json.find(field.name))
                 read_field(*value, path + "/" + field.name, field, surface);
         }
-        keep_unknown(json, path, unknown_.place("surfaces", surface.name), known);
+        keep_unknown(json, path, unknown_.location("surfaces", surface.name), known);
         return surface;
     }
 
@@ -272,7 +272,7 @@ class LevelReader {
                 warn(here + "/type", fmt::format("found no surface type \"{}\"; the rule has no effect",
                                                  json_excerpt(rule.type)));
             }
-            keep_unknown(json.items[i], here, unknown_.place("rules", rule.pattern), {"pattern", "type"});
+            keep_unknown(json.items[i], here, unknown_.location("rules", rule.pattern), {"pattern", "type"});
             loaded_.level.rules.push_back(std::move(rule));
         }
     }
@@ -286,8 +286,8 @@ class LevelReader {
         }
     }
 
-    void read_kept_faces(const Json& json, const std::string& path, const std::string& kind,
-                         std::vector<FaceKey>& keys) {
+    void read_stored_faces(const Json& json, const std::string& path, const std::string& kind,
+                           std::vector<FaceKey>& keys) {
         std::vector<StoredOverride> stored;
         read_faces(json, path, kind, false, stored);
         for (StoredOverride& one : stored)
@@ -305,8 +305,8 @@ class LevelReader {
             const Json* faces = reader_.member(item, here, "faces");
             if (name == nullptr || faces == nullptr || !reader_.text(*name, here + "/name", saved.name))
                 return;
-            read_kept_faces(*faces, here + "/faces", "selected/" + saved.name, kept_.emplace_back());
-            keep_unknown(item, here, unknown_.place("selections", saved.name), {"name", "faces"});
+            read_stored_faces(*faces, here + "/faces", "selected/" + saved.name, kept_.emplace_back());
+            keep_unknown(item, here, unknown_.location("selections", saved.name), {"name", "faces"});
             loaded_.level.selections.push_back(std::move(saved));
         }
     }
@@ -333,14 +333,14 @@ class LevelReader {
                              "normal and an area");
                 return;
             }
-            stored.place = reader_.place(here);
+            stored.location = reader_.location(here);
             to.push_back(stored);
         }
         if (const Json* packed = json.find("packed")) read_packed(*packed, path + "/packed", stored, to);
         std::set<std::string_view> known{"material", "faces", "packed"};
         if (typed) known.insert("type");
         const std::string& material = stored.key.material;
-        keep_unknown(json, path, unknown_.place(kind, typed ? stored.type + "/" + material : material),
+        keep_unknown(json, path, unknown_.location(kind, typed ? stored.type + "/" + material : material),
                      known);
     }
 
@@ -358,7 +358,7 @@ class LevelReader {
             }
             for (FaceKey& key : keys) {
                 key.material = group.key.material;
-                to.push_back({std::move(key), group.type, reader_.place(here)});
+                to.push_back({std::move(key), group.type, reader_.location(here)});
             }
         }
     }
@@ -379,7 +379,7 @@ class LevelReader {
             reader_.vector(*target, here + "/target", -max_position, max_position, camera.target);
             if (const Json* fov = item.find("fov_y"))
                 reader_.number(*fov, here + "/fov_y", 0.01, pi - 0.01, camera.fov_y);
-            keep_unknown(item, here, unknown_.place("cameras", camera.name),
+            keep_unknown(item, here, unknown_.location("cameras", camera.name),
                          {"name", "eye", "target", "fov_y"});
             loaded_.level.cameras.push_back(std::move(camera));
         }
@@ -393,13 +393,13 @@ class LevelReader {
             const Json& item = json.items[i];
             Platform platform = read_platform(reader_, item, here);
             if (!reader_.ok()) return;
-            const std::string place = unknown_.place("platforms", platform.name);
-            keep_unknown(item, here, place, platform_keys);
+            const std::string location = unknown_.location("platforms", platform.name);
+            keep_unknown(item, here, location, platform_keys);
             if (const Json* spin = item.find("spin"))
-                keep_unknown(*spin, here + "/spin", place + "/spin", spin_keys);
+                keep_unknown(*spin, here + "/spin", location + "/spin", spin_keys);
             for (std::size_t k = 0; k < platform.path.size(); ++k) {
                 const std::string point = fmt::format("/path/{}", k);
-                keep_unknown(item.find("path")->items[k], here + point, place + point, path_keys);
+                keep_unknown(item.find("path")->items[k], here + point, location + point, path_keys);
             }
             if (std::find(groups.begin(), groups.end(), platform.group) == groups.end()) {
                 warn(here + "/group",
@@ -427,10 +427,10 @@ class LevelReader {
         loaded_.match = matched.summary;
         loaded_.guessed = std::move(matched.guessed);
         for (Diagnostic& warning : matched.warnings) {
-            if (warning.place.empty()) warning.place = loaded_.level.file_path.string();
+            if (warning.location.empty()) warning.location = loaded_.level.file_path.string();
             loaded_.warnings.push_back(std::move(warning));
         }
-        for (Diagnostic& warning : match_kept_faces(loaded_.level, kept_)) {
+        for (Diagnostic& warning : match_stored_faces(loaded_.level, kept_)) {
             const std::string file = loaded_.level.file_path.string();
             loaded_.warnings.push_back({file, std::move(warning.message)});
         }
@@ -446,29 +446,29 @@ class LevelReader {
 
 }  // namespace
 
-Result<LoadedLevel> read_level(const Json& root, const std::string& place, MeshPtr mesh) {
-    if (!mesh) return Error{place, "there is no geometry to put the level file on"};
-    return LevelReader(place, std::move(mesh)).read(root);
+Result<LoadedLevel> read_level(const Json& root, const std::string& location, MeshPtr mesh) {
+    if (!mesh) return Error{location, "there is no geometry to put the level file on"};
+    return LevelReader(location, std::move(mesh)).read(root);
 }
 
-Status check_level_version(const Json& root, const std::string& place) {
-    JsonReader reader(place);
+Status check_level_version(const Json& root, const std::string& location) {
+    JsonReader reader(location);
     if (reader.object(root, "/")) read_version(reader, root);
     return reader.ok() ? Status() : Status(reader.error());
 }
 
-Result<ImportTransform> read_import_transform(const Json& root, const std::string& place) {
-    JsonReader reader(place);
+Result<ImportTransform> read_import_transform(const Json& root, const std::string& location) {
+    JsonReader reader(location);
     ImportTransform transform;
     if (reader.object(root, "/")) read_transform(reader, root, transform);
     if (!reader.ok()) return reader.error();
     return transform;
 }
 
-Result<LoadedLevel> level_from_json(std::string_view json, const std::string& place, MeshPtr mesh) {
-    const Result<Json> root = parse_json(json, place);
+Result<LoadedLevel> level_from_json(std::string_view json, const std::string& location, MeshPtr mesh) {
+    const Result<Json> root = parse_json(json, location);
     if (!root) return root.error();
-    return read_level(*root, place, std::move(mesh));
+    return read_level(*root, location, std::move(mesh));
 }
 
 }  // namespace slipface

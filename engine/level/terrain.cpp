@@ -11,16 +11,16 @@ constexpr int max_terrain_side = 4097;  // samples: 16 million heights
 
 }  // namespace
 
-Heightfield make_heightfield(const HeightfieldSource& source, const GreyImage& picture) {
-    Heightfield field{.columns = picture.width,
-                      .rows = picture.height,
+Heightfield make_heightfield(const HeightfieldSource& source, const GreyImage& image) {
+    Heightfield field{.columns = image.width,
+                      .rows = image.height,
                       .heights = {},
                       .origin = source.origin,
                       .size = source.size};
-    field.heights.reserve(picture.values.size());
-    for (const std::uint16_t value : picture.values) {
-        const double share = static_cast<double>(value) / 65535.0;
-        field.heights.push_back(source.origin.y() + source.low + (source.high - source.low) * share);
+    field.heights.reserve(image.values.size());
+    for (const std::uint16_t value : image.values) {
+        const double fraction = static_cast<double>(value) / 65535.0;
+        field.heights.push_back(source.origin.y() + source.low + (source.high - source.low) * fraction);
     }
     return field;
 }
@@ -29,13 +29,13 @@ Status load_terrain(Level& level) {
     level.terrain.reset();
     if (!level.heightfield) return {};
     const std::filesystem::path path = level.file_path.parent_path() / level.heightfield->file;
-    const Result<GreyImage> picture = load_grey_image(path, max_terrain_side);
-    if (!picture) return picture.error();
-    if (picture->width < 2 || picture->height < 2) {
+    const Result<GreyImage> image = load_grey_image(path, max_terrain_side);
+    if (!image) return image.error();
+    if (image->width < 2 || image->height < 2) {
         return Error{path.string(), fmt::format("is {} x {} pixels; terrain needs at least 2 x 2",
-                                                picture->width, picture->height)};
+                                                image->width, image->height)};
     }
-    level.terrain = std::make_shared<const Heightfield>(make_heightfield(*level.heightfield, *picture));
+    level.terrain = std::make_shared<const Heightfield>(make_heightfield(*level.heightfield, *image));
     return {};
 }
 

@@ -39,7 +39,7 @@ Json surface_json(const SurfaceType& surface) {
 }
 
 // More painted faces than these are packed: people no longer read them one by one.
-constexpr std::size_t most_readable_faces = 10'000;
+constexpr std::size_t max_readable_faces = 10'000;
 
 struct PaintedFaces {
     std::vector<FaceKey> keys;
@@ -121,7 +121,7 @@ Json groups_json(const PaintedFaces& faces, bool packed, UnknownMembers& unknown
                 packed_rows.items.push_back(json_string(row));
             json_add(group, "packed", std::move(packed_rows));
         }
-        unknown.append_to(group, unknown.place(kind, typed ? type + "/" + material : material));
+        unknown.append_to(group, unknown.location(kind, typed ? type + "/" + material : material));
         groups.items.push_back(std::move(group));
     }
     return groups;
@@ -158,28 +158,28 @@ PaintedFaces orphaned_faces(const Level& level) {
     return painted;
 }
 
-Json kept_faces_json(std::vector<FaceKey> keys, UnknownMembers& unknown, const std::string& kind) {
+Json stored_faces_json(std::vector<FaceKey> keys, UnknownMembers& unknown, const std::string& kind) {
     static const std::string no_type;
     PaintedFaces faces{std::move(keys), {}, {}};
     faces.types.resize(faces.keys.size(), &no_type);
     faces.type_ranks.resize(faces.keys.size());
-    return groups_json(faces, faces.keys.size() > most_readable_faces, unknown, kind, false);
+    return groups_json(faces, faces.keys.size() > max_readable_faces, unknown, kind, false);
 }
 
 // Hidden faces and selections.
-void append_kept_faces(Json& root, const Level& level, UnknownMembers& unknown) {
+void append_stored_faces(Json& root, const Level& level, UnknownMembers& unknown) {
     if (level.hidden.empty() && level.selections.empty()) return;
-    FaceKeySets sets = kept_face_keys(level);
+    FaceKeySets sets = stored_face_keys(level);
     if (!level.hidden.empty())
-        json_add(root, "hidden", kept_faces_json(std::move(sets[0]), unknown, "hidden"));
+        json_add(root, "hidden", stored_faces_json(std::move(sets[0]), unknown, "hidden"));
     if (level.selections.empty()) return;
     Json selections = json_array();
     for (std::size_t i = 0; i < level.selections.size(); ++i) {
         const std::string& name = level.selections[i].name;
         Json json = json_object();
         json_add(json, "name", json_string(name));
-        json_add(json, "faces", kept_faces_json(std::move(sets[i + 1]), unknown, "selected/" + name));
-        unknown.append_to(json, unknown.place("selections", name));
+        json_add(json, "faces", stored_faces_json(std::move(sets[i + 1]), unknown, "selected/" + name));
+        unknown.append_to(json, unknown.location("selections", name));
         selections.items.push_back(std::move(json));
     }
     json_add(root, "selections", std::move(selections));
@@ -200,18 +200,18 @@ std::string mesh_name(const Level& level, const std::filesystem::path& file_path
 Json platforms_json(const Level& level, UnknownMembers& unknown) {
     Json platforms = json_array();
     for (const Platform& platform : level.platforms) {
-        const std::string place = unknown.place("platforms", platform.name);
+        const std::string location = unknown.location("platforms", platform.name);
         Json json = platform_json(platform);
         Json path = json_array();
         for (const PathPoint& point : platform.path) {
             path.items.push_back(path_point_json(point));
-            unknown.append_to(path.items.back(), fmt::format("{}/path/{}", place, path.items.size() - 1));
+            unknown.append_to(path.items.back(), fmt::format("{}/path/{}", location, path.items.size() - 1));
         }
         json_add(json, "path", std::move(path));
         Json spin = spin_json(platform);
-        unknown.append_to(spin, place + "/spin");
+        unknown.append_to(spin, location + "/spin");
         json_add(json, "spin", std::move(spin));
-        unknown.append_to(json, place);
+        unknown.append_to(json, location);
         platforms.items.push_back(std::move(json));
     }
     return platforms;
@@ -236,7 +236,7 @@ void append_spawns(Json& root, const Level& level, UnknownMembers& unknown) {
         Json spawns = json_array();
         for (const Spawn& spawn : level.more_spawns) {
             spawns.items.push_back(spawn_json(spawn, true));
-            unknown.append_to(spawns.items.back(), unknown.place("spawns", spawn.name));
+            unknown.append_to(spawns.items.back(), unknown.location("spawns", spawn.name));
         }
         json_add(root, "spawns", std::move(spawns));
     }
@@ -274,7 +274,7 @@ std::string level_text(const Level& level, const std::filesystem::path& file_pat
     Json surfaces = json_array();
     for (const SurfaceType& surface : level.surfaces) {
         Json json = surface_json(surface);
-        unknown.append_to(json, unknown.place("surfaces", surface.name));
+        unknown.append_to(json, unknown.location("surfaces", surface.name));
         surfaces.items.push_back(std::move(json));
     }
     json_add(root, "surfaces", std::move(surfaces));
@@ -284,15 +284,15 @@ std::string level_text(const Level& level, const std::filesystem::path& file_pat
         Json json = json_object();
         json_add(json, "pattern", json_string(rule.pattern));
         json_add(json, "type", json_string(rule.type));
-        unknown.append_to(json, unknown.place("rules", rule.pattern));
+        unknown.append_to(json, unknown.location("rules", rule.pattern));
         rules.items.push_back(std::move(json));
     }
     json_add(root, "rules", std::move(rules));
     const PaintedFaces painted = painted_faces(level);
     json_add(root, "overrides",
-             groups_json(painted, painted.keys.size() > most_readable_faces, unknown, "faces", true));
+             groups_json(painted, painted.keys.size() > max_readable_faces, unknown, "faces", true));
     json_add(root, "orphans", groups_json(orphaned_faces(level), false, unknown, "faces", true));
-    append_kept_faces(root, level, unknown);
+    append_stored_faces(root, level, unknown);
 
     Json cameras = json_array();
     for (const CameraBookmark& camera : level.cameras) {
@@ -301,7 +301,7 @@ std::string level_text(const Level& level, const std::filesystem::path& file_pat
         json_add(json, "eye", vector_json(camera.eye));
         json_add(json, "target", vector_json(camera.target));
         json_add(json, "fov_y", json_number(camera.fov_y));
-        unknown.append_to(json, unknown.place("cameras", camera.name));
+        unknown.append_to(json, unknown.location("cameras", camera.name));
         cameras.items.push_back(std::move(json));
     }
     json_add(root, "cameras", std::move(cameras));

@@ -10,10 +10,10 @@
 namespace slipface {
 namespace {
 
-constexpr double faintest = 0.003;      // light of an emitter that is not worth a ray
-constexpr double occlusion_m = 0.9;     // at this distance half of the reflected light is left
-constexpr double behind_share = 0.4;    // of rays that meet backs of faces: the texel lies inside a solid
-constexpr double brightest_glow = 1.2;  // of a glowing face in the picture
+constexpr double faintest = 0.003;       // light of an emitter that is not worth a ray
+constexpr double occlusion_m = 0.9;      // at this distance half of the reflected light is left
+constexpr double behind_fraction = 0.4;  // of rays that meet backs of faces: the texel lies inside a solid
+constexpr double brightest_glow = 1.2;   // of a glowing face in the picture
 
 // Points spread evenly over the unit disc: the R2 sequence, without those outside.
 // Source: Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018.
@@ -32,8 +32,8 @@ std::vector<Vec2> disc_points(int count) {
 }
 
 std::uint8_t encoded(double light) {
-    const double share = std::clamp(light / light_map_range, 0.0, 1.0);
-    return static_cast<std::uint8_t>(255.0 * std::sqrt(share) + 0.5);
+    const double fraction = std::clamp(light / light_map_range, 0.0, 1.0);
+    return static_cast<std::uint8_t>(255.0 * std::sqrt(fraction) + 0.5);
 }
 
 struct Texels {
@@ -82,11 +82,11 @@ struct LightBaker::Impl {
     Vec3f direct(FaceId face, int i, int j) const;
     Vec3 gather(FaceId face, int i, int j, std::span<const Vec3f> known, bool& valid) const;
     std::vector<std::uint8_t> face_bytes(FaceId face, std::span<const Vec3f> known) const;
-    double sun_share(FaceId face, int i, int j) const;
+    double sun_fraction(FaceId face, int i, int j) const;
 };
 
-// The share of the sun that a texel sees, each ray from another point of the texel.
-double LightBaker::Impl::sun_share(FaceId face, int i, int j) const {
+// The fraction of the sun that a texel sees, each ray from another point of the texel.
+double LightBaker::Impl::sun_fraction(FaceId face, int i, int j) const {
     const LightChart& chart = scene.charts.charts[face];
     const double cosine = scene.normal[face].dot(scene.sun);
     if (cosine <= 0.0) return 0.0;
@@ -96,7 +96,7 @@ double LightBaker::Impl::sun_share(FaceId face, int i, int j) const {
     int seen = 0;
     for (const Vec2& point : sun_points) {
         const Vec3 from =
-            place_on_face(scene, face, chart.texel_place(i + 0.5 * point.x(), j + 0.5 * point.y()));
+            point_on_face(scene, face, chart.texel_position(i + 0.5 * point.x(), j + 0.5 * point.y()));
         const Vec3 towards = scene.sun + scene.light.sun_size * (point.y() * side - point.x() * other);
         const auto hit = cast_ray(scene.world, from, towards);
         if (hit ? scene.window[scene.mesh->face_material[hit->face]] : scene.open) ++seen;
@@ -106,16 +106,16 @@ double LightBaker::Impl::sun_share(FaceId face, int i, int j) const {
 
 Vec3f LightBaker::Impl::direct(FaceId face, int i, int j) const {
     const LightChart& chart = scene.charts.charts[face];
-    Vec3 light = sun_share(face, i, j) * scene.light.sun_color;
-    const Vec3 from = place_on_face(scene, face, chart.texel_place(i, j));
+    Vec3 light = sun_fraction(face, i, j) * scene.light.sun_color;
+    const Vec3 from = point_on_face(scene, face, chart.texel_position(i, j));
     for (const Emitter& emitter : scene.emitters) {
-        const Vec3 way = emitter.place - from;
-        const double here = way.dot(scene.normal[face]), there = -way.dot(emitter.normal);
+        const Vec3 path = emitter.position - from;
+        const double here = path.dot(scene.normal[face]), there = -path.dot(emitter.normal);
         if (here <= 0.0 || there <= 0.0) continue;
-        const double square = way.squaredNorm();
-        const double share = here * there * emitter.area / (square * (3.14159265 * square + emitter.area));
-        if (share * emitter.color.maxCoeff() < faintest) continue;
-        if (!cast_ray(scene.world, from, way, 1.0)) light += share * emitter.color;
+        const double square = path.squaredNorm();
+        const double fraction = here * there * emitter.area / (square * (3.14159265 * square + emitter.area));
+        if (fraction * emitter.color.maxCoeff() < faintest) continue;
+        if (!cast_ray(scene.world, from, path, 1.0)) light += fraction * emitter.color;
     }
     return light.cast<float>();
 }
@@ -124,7 +124,7 @@ Vec3f LightBaker::Impl::direct(FaceId face, int i, int j) const {
 Vec3 LightBaker::Impl::gather(FaceId face, int i, int j, std::span<const Vec3f> known, bool& valid) const {
     const LightChart& chart = scene.charts.charts[face];
     const Vec3& normal = scene.normal[face];
-    const Vec3 from = place_on_face(scene, face, chart.texel_place(i, j));
+    const Vec3 from = point_on_face(scene, face, chart.texel_position(i, j));
     Vec3 sum = Vec3::Zero();
     int behind = 0;
     for (const Vec2& point : sky_points) {
@@ -149,7 +149,7 @@ Vec3 LightBaker::Impl::gather(FaceId face, int i, int j, std::span<const Vec3f> 
             falls.cast<double>() + square / (square + occlusion_m * occlusion_m) * scene.light.ambient;
         sum += reflected.cwiseProduct(scene.albedo[scene.mesh->face_material[hit->face]]);
     }
-    valid = behind <= behind_share * static_cast<double>(sky_points.size());
+    valid = behind <= behind_fraction * static_cast<double>(sky_points.size());
     return sum / static_cast<double>(sky_points.size());
 }
 
@@ -211,7 +211,7 @@ Image LightBaker::bake(const std::function<void(double)>& progress) const {
     const std::size_t faces = charts.charts.size();
     std::vector<Vec3f> known(impl_->first_texel.back(), Vec3f::Zero());
     std::atomic<std::size_t> done = 0;
-    const auto tell = [&](std::size_t count, double start, double length) {
+    const auto report = [&](std::size_t count, double start, double length) {
         const std::size_t now = done += count;
         if (progress) progress(start + length * static_cast<double>(now) / static_cast<double>(faces));
     };
@@ -225,7 +225,7 @@ Image LightBaker::bake(const std::function<void(double)>& progress) const {
                 }
             }
         }
-        tell(end - begin, 0.0, 0.2);
+        report(end - begin, 0.0, 0.2);
     });
     done = 0;
     Image image = make_image(charts.width, charts.height, 0, 0, 0);
@@ -239,7 +239,7 @@ Image LightBaker::bake(const std::function<void(double)>& progress) const {
                 std::copy_n(&bytes[3 * at], 3, pixel);
             }
         }
-        tell(end - begin, 0.2, 0.8);
+        report(end - begin, 0.2, 0.8);
     });
     return image;
 }

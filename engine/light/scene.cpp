@@ -89,9 +89,9 @@ Vec3 LightScene::sky(const Vec3& direction) const {
 }
 
 Result<LightScene> make_light_scene(const Level& level) {
-    const std::string place = level.file_path.string();
-    if (!level.mesh || level.mesh->triangle_count() == 0) return Error{place, "has no geometry to light"};
-    if (!level.light) return Error{place + ":/light", "found nothing, expected what to bake from"};
+    const std::string position = level.file_path.string();
+    if (!level.mesh || level.mesh->triangle_count() == 0) return Error{position, "has no geometry to light"};
+    if (!level.light) return Error{position + ":/light", "found nothing, expected what to bake from"};
     LightScene scene;
     scene.mesh = level.mesh;
     scene.light = *level.light;
@@ -121,9 +121,9 @@ Result<LightScene> make_light_scene(const Level& level) {
     return scene;
 }
 
-Vec3 place_on_face(const LightScene& scene, FaceId face, const Vec3& place) {
+Vec3 point_on_face(const LightScene& scene, FaceId face, const Vec3& position) {
     const Mesh& mesh = *scene.mesh;
-    Vec3 best = place;
+    Vec3 best = position;
     double best_distance = std::numeric_limits<double>::infinity();
     for (TriangleId t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1]; ++t) {
         std::array<Vec3, 3> corner;
@@ -136,11 +136,11 @@ Vec3 place_on_face(const LightScene& scene, FaceId face, const Vec3& place) {
         if (!(twice_area > 0.0)) continue;
         // Towards the centre of the inscribed circle, so that every side moves in by `inset`.
         const Vec3 incentre = (a * corner[0] + b * corner[1] + c * corner[2]) / round;
-        const double share = std::min(0.6, inset * round / twice_area);
+        const double fraction = std::min(0.6, inset * round / twice_area);
         for (Vec3& at : corner)
-            at += share * (incentre - at);
-        const Vec3 nearest = nearest_in_triangle(place, corner[0], corner[1], corner[2]);
-        const double distance = (nearest - place).squaredNorm();
+            at += fraction * (incentre - at);
+        const Vec3 nearest = nearest_in_triangle(position, corner[0], corner[1], corner[2]);
+        const double distance = (nearest - position).squaredNorm();
         if (distance >= best_distance) continue;
         best = nearest;
         best_distance = distance;

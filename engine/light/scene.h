@@ -11,7 +11,7 @@ namespace slipface {
 
 // One glowing face, as light falls from it.
 struct Emitter {
-    Vec3 place = Vec3::Zero();  // a little in front of it
+    Vec3 position = Vec3::Zero();  // a little in front of it
     Vec3 normal = Vec3::Zero();
     Vec3 color = Vec3::Zero();
     double area = 0.0;  // square metres
@@ -39,6 +39,6 @@ Result<LightScene> make_light_scene(const Level& level);
 
 // The point of a face, a little in front of it and inside its border, nearest to `place`: from there no ray
 // starts behind a neighbour.
-Vec3 place_on_face(const LightScene& scene, FaceId face, const Vec3& place);
+Vec3 point_on_face(const LightScene& scene, FaceId face, const Vec3& position);
 
 }  // namespace slipface

@@ -13,7 +13,7 @@
 namespace slipface {
 namespace {
 
-constexpr std::size_t most_entities = 100'000;
+constexpr std::size_t max_entities = 100'000;
 constexpr double origin_above_feet = 24.0;  // units; the public Quake III source, game/bg_public.h: MINS_Z
 constexpr double pi = 3.141592653589793;
 
@@ -59,7 +59,7 @@ std::vector<BspEntity> bsp_entities(std::string_view text) {
     text = text.substr(0, text.find('\0'));
     std::vector<BspEntity> entities;
     std::size_t at = 0;
-    while (entities.size() < most_entities) {
+    while (entities.size() < max_entities) {
         at = text.find('{', at);
         if (at == std::string_view::npos) break;
         ++at;

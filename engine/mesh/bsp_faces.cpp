@@ -13,7 +13,7 @@ namespace slipface {
 namespace {
 
 constexpr int patch_steps = 4;  // quads along each side of a 3 x 3 patch of control points
-constexpr std::size_t most_corners = std::size_t{1} << 27;
+constexpr std::size_t max_corners = std::size_t{1} << 27;
 constexpr std::uint32_t polygon_face = 1, patch_face = 2, mesh_face = 3;
 constexpr double flatness = 0.25;  // units; vertices are snapped by up to that
 
@@ -29,8 +29,8 @@ Point mix(const Point& a, const Point& b, const Point& c, float t) {
 
 class FaceReader {
   public:
-    FaceReader(const BspFile& file, const std::vector<Vec3>& origins, const std::string& place)
-        : file_(file), origins_(origins), place_(place) {}
+    FaceReader(const BspFile& file, const std::vector<Vec3>& origins, const std::string& location)
+        : file_(file), origins_(origins), location_(location) {}
 
     Result<BspFaces> run(WarningList& warnings) {
         add_materials();
@@ -38,7 +38,7 @@ class FaceReader {
         for (std::size_t i = 0; i < file_.faces.count(); ++i)
             if (auto status = add_face(i, file_.faces.at(i)); !status) return status.error();
         if (dropped_ > 0)
-            warnings.add(place_,
+            warnings.add(location_,
                          fmt::format("{} flares and faces without area are no surface: dropped", dropped_));
         return std::move(out_);
     }
@@ -61,7 +61,8 @@ class FaceReader {
         if (texture >= file_.textures.count() || !points.within(file_.vertices.count()) ||
             !corners.within(file_.indices.count()))
             return Error{
-                place_, fmt::format("face {} has a texture, vertices or indices that are not there", number)};
+                location_,
+                fmt::format("face {} has a texture, vertices or indices that are not there", number)};
         material_ = texture;
         origin_ = number < origins_.size() ? origins_[number].cast<float>() : Vec3f(Vec3f::Zero());
         if (kind == patch_face) return add_patch(number, points, u32_at(face, 96), u32_at(face, 100));
@@ -77,13 +78,13 @@ class FaceReader {
             for (std::size_t k = 3; k-- > 0;) {  // Quake winds the other way round
                 const std::uint32_t index = u32_at(file_.indices.at(corners.first + i + k), 0);
                 if (index >= points.count)
-                    return Error{place_, fmt::format("face {} has index {} of {} vertices", number, index,
-                                                     points.count)};
+                    return Error{location_, fmt::format("face {} has index {} of {} vertices", number, index,
+                                                        points.count)};
                 triangles.push_back(index);
             }
         }
-        if (triangles.size() > most_corners || out_.soup.corner_position.size() > most_corners)
-            return Error{place_, "has too many faces"};
+        if (triangles.size() > max_corners || out_.soup.corner_position.size() > max_corners)
+            return Error{location_, "has too many faces"};
         std::vector<Point> used;
         for (const std::uint32_t index : triangles) {
             used.push_back(point(points.first + index));
@@ -140,8 +141,8 @@ class FaceReader {
     Status add_patch(std::size_t number, const BspRange& points, std::size_t width, std::size_t height) {
         if (width < 3 || height < 3 || width % 2 == 0 || height % 2 == 0 || width > points.count ||
             height > points.count || width * height > points.count)
-            return Error{place_, fmt::format("face {} is a patch of {} x {} for {} vertices", number, width,
-                                             height, points.count)};
+            return Error{location_, fmt::format("face {} is a patch of {} x {} for {} vertices", number,
+                                                width, height, points.count)};
         for (std::size_t y = 0; y + 2 < height; y += 2)
             for (std::size_t x = 0; x + 2 < width; x += 2)
                 if (auto status = add_square(points.first + y * width + x, width); !status) return status;
@@ -149,7 +150,7 @@ class FaceReader {
     }
 
     Status add_square(std::size_t first, std::size_t width) {
-        if (out_.soup.corner_position.size() > most_corners) return Error{place_, "has too many faces"};
+        if (out_.soup.corner_position.size() > max_corners) return Error{location_, "has too many faces"};
         Point grid[patch_steps + 1][patch_steps + 1];
         for (int v = 0; v <= patch_steps; ++v) {
             Point column[3];
@@ -178,7 +179,7 @@ class FaceReader {
 
     Status check(const Vec3f& position) const {
         if (position.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= bsp::largest_coordinate) return {};
-        return Error{place_,
+        return Error{location_,
                      fmt::format("a vertex is not within {} units of the origin", bsp::largest_coordinate)};
     }
 
@@ -194,7 +195,7 @@ class FaceReader {
 
     const BspFile& file_;
     const std::vector<Vec3>& origins_;
-    const std::string& place_;
+    const std::string& location_;
     BspFaces out_;
     std::size_t material_ = 0;
     Vec3f origin_ = Vec3f::Zero();
@@ -204,8 +205,8 @@ class FaceReader {
 }  // namespace
 
 Result<BspFaces> read_bsp_faces(const BspFile& file, const std::vector<Vec3>& origins,
-                                const std::string& place, WarningList& warnings) {
-    return FaceReader(file, origins, place).run(warnings);
+                                const std::string& location, WarningList& warnings) {
+    return FaceReader(file, origins, location).run(warnings);
 }
 
 bool append_face(PolygonSoup& soup, std::span<const Vec3f> corners, std::span<const Vec2f> uv,

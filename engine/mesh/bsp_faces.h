@@ -20,7 +20,7 @@ struct BspFaces {
 // patches quads. `origins` [face] is where the model of a face stands; faces beyond its end stand at the
 // origin. Every index is checked.
 Result<BspFaces> read_bsp_faces(const BspFile& file, const std::vector<Vec3>& origins,
-                                const std::string& place, WarningList& warnings);
+                                const std::string& location, WarningList& warnings);
 
 // Appends a face; false, and nothing is appended, where it has no three different corners.
 bool append_face(PolygonSoup& soup, std::span<const Vec3f> corners, std::span<const Vec2f> uv,

@@ -7,10 +7,10 @@
 
 namespace slipface {
 
-Result<BspFile> open_bsp(std::string_view bytes, const std::string& place) {
+Result<BspFile> open_bsp(std::string_view bytes, const std::string& location) {
     constexpr std::size_t header_size = 144;
     if (bytes.size() < header_size || !bytes.starts_with("IBSP") || u32_at(bytes, 4) != 46)
-        return Error{place, "is no Quake 3 map; expected IBSP of version 46"};
+        return Error{location, "is no Quake 3 map; expected IBSP of version 46"};
     BspFile file;
     BspLump entities;
     for (auto [lump, number] :
@@ -23,8 +23,8 @@ Result<BspFile> open_bsp(std::string_view bytes, const std::string& place) {
         const std::size_t begin = u32_at(bytes, 8 + 8 * number);
         const std::size_t size = u32_at(bytes, 12 + 8 * number);
         if (begin > bytes.size() || size > bytes.size() - begin || size % lump->record != 0)
-            return Error{place, fmt::format("lump {} of {} bytes at {} does not fit into the file of {}",
-                                            number, size, begin, bytes.size())};
+            return Error{location, fmt::format("lump {} of {} bytes at {} does not fit into the file of {}",
+                                               number, size, begin, bytes.size())};
         lump->bytes = bytes.substr(begin, size);
     }
     file.entities = entities.bytes;

@@ -72,6 +72,6 @@ inline constexpr float largest_coordinate = 1e7F;  // units
 
 // Refuses another version and lumps that do not fit into the file. Indices inside of records are not looked
 // at. The views are of `bytes`.
-Result<BspFile> open_bsp(std::string_view bytes, const std::string& place);
+Result<BspFile> open_bsp(std::string_view bytes, const std::string& location);
 
 }  // namespace slipface

@@ -12,11 +12,11 @@
 namespace slipface {
 namespace {
 
-constexpr double tolerance = 0.02;       // units; planes of neighbours that should be one differ by less
-constexpr double narrowest = 0.25;       // units; vertices of drawn faces are snapped by up to that
-constexpr double reach = 1 << 18;        // units; larger than any map
-constexpr std::size_t most_sides = 256;  // of a brush
-constexpr std::size_t deepest = 2048;    // of the tree
+constexpr double tolerance = 0.02;      // units; planes of neighbours that should be one differ by less
+constexpr double narrowest = 0.25;      // units; vertices of drawn faces are snapped by up to that
+constexpr double reach = 1 << 18;       // units; larger than any map
+constexpr std::size_t max_sides = 256;  // of a brush
+constexpr std::size_t deepest = 2048;   // of the tree
 
 struct Brush {
     std::size_t texture = 0;
@@ -67,12 +67,12 @@ class BoxesAlongX {
 
 class WallFinder {
   public:
-    WallFinder(const BspFile& file, std::span<const BspTriangle> drawn, const std::string& place)
-        : file_(file), drawn_(drawn), place_(place) {}
+    WallFinder(const BspFile& file, std::span<const BspTriangle> drawn, const std::string& location)
+        : file_(file), drawn_(drawn), location_(location) {}
 
     Status add_brushes(const BspRange& range, const Vec3& origin, bool world) {
         if (!range.within(file_.brushes.count()))
-            return Error{place_, "a model has brushes that are not there"};
+            return Error{location_, "a model has brushes that are not there"};
         for (std::size_t i = range.first; i < range.first + range.count; ++i)
             if (auto status = add_brush(i, origin, world); !status) return status;
         return {};
@@ -86,7 +86,7 @@ class WallFinder {
             drawn_boxes.push_back(bounds_of({triangle.begin(), triangle.end()}));
         const BoxesAlongX brushes(std::move(brush_boxes)), drawn(std::move(drawn_boxes));
         for (std::size_t i = 0; i < brushes_.size(); ++i) {
-            if (cancelled(progress)) return cancelled_error(place_);
+            if (cancelled(progress)) return cancelled_error(location_);
             advance(progress, static_cast<double>(i) / static_cast<double>(brushes_.size()));
             for (std::size_t side = 0; side < brushes_[i].planes.size(); ++side) {
                 if (brushes_[i].polygons[side].empty()) continue;
@@ -100,7 +100,7 @@ class WallFinder {
     // Far more than the largest map needs, and done in seconds.
     Status within_bounds() const {
         if (work_ < std::size_t{500'000'000}) return {};
-        return Error{place_, "has brushes that overlap too often to tell what faces open space"};
+        return Error{location_, "has brushes that overlap too often to tell what faces open space"};
     }
 
     Status add_brush(std::size_t number, const Vec3& origin, bool world) {
@@ -108,15 +108,16 @@ class WallFinder {
         const BspRange sides = bsp_range_at(record, 0);
         const std::size_t texture = u32_at(record, 8);
         if (!sides.within(file_.sides.count()) || texture >= file_.textures.count())
-            return Error{place_, fmt::format("brush {} has sides or a texture that are not there", number)};
-        if ((file_.contents(texture) & bsp::contents_wall) == 0 || sides.count > most_sides) return {};
+            return Error{location_,
+                         fmt::format("brush {} has sides or a texture that are not there", number)};
+        if ((file_.contents(texture) & bsp::contents_wall) == 0 || sides.count > max_sides) return {};
         Brush brush{texture, sides.first, world, {}, {}, {}};
         for (std::size_t i = 0; i < sides.count; ++i) {
             const std::size_t plane = u32_at(file_.sides.at(sides.first + i), 0);
             if (plane >= file_.planes.count() ||
                 u32_at(file_.sides.at(sides.first + i), 4) >= file_.textures.count())
                 return Error{
-                    place_,
+                    location_,
                     fmt::format("side {} of brush {} has a plane or a texture that is not there", i, number)};
             brush.planes.push_back(plane_at(plane));
             if (!(brush.planes.back().normal.norm() > 0.5)) return {};
@@ -168,12 +169,12 @@ class WallFinder {
         for (const std::size_t other : brushes.touching(box, work_)) {
             if (parts.empty()) return {};
             if (other != brush && hides(brushes_[other], plane, other < brush))
-                take_away(brushes_[other].planes, parts);
+                subtract_solid(brushes_[other].planes, parts);
             if (auto status = within_bounds(); !status) return status;
         }
         for (const std::size_t triangle : drawn.touching(box, work_)) {
             if (parts.empty()) return {};
-            if (lies_in(drawn_[triangle], plane)) take_away(edge_planes(drawn_[triangle], plane), parts);
+            if (lies_in(drawn_[triangle], plane)) subtract_solid(edge_planes(drawn_[triangle], plane), parts);
             if (auto status = within_bounds(); !status) return status;
         }
         std::erase_if(parts, [](const ConvexPolygon& part) { return width_of(part) < narrowest; });
@@ -199,7 +200,7 @@ class WallFinder {
         });
     }
 
-    void take_away(const std::vector<Plane>& solid, std::vector<ConvexPolygon>& parts) {
+    void subtract_solid(const std::vector<Plane>& solid, std::vector<ConvexPolygon>& parts) {
         std::vector<ConvexPolygon> left;
         for (const ConvexPolygon& part : parts) {
             work_ += solid.size() * part.size();
@@ -238,7 +239,7 @@ class WallFinder {
         const std::string_view record = file_.nodes.at(node);
         const std::size_t number = u32_at(record, 0);
         if (number >= file_.planes.count() || depth == deepest)
-            return {Error{place_, fmt::format("node {} of the tree has no plane, or lies too deep", node)},
+            return {Error{location_, fmt::format("node {} of the tree has no plane, or lies too deep", node)},
                     false};
         const Plane divider = plane_at(number);
         PolygonParts parts = cut(polygon, divider, tolerance);
@@ -253,7 +254,8 @@ class WallFinder {
             const std::int32_t next = i32_at(record, static_cast<std::size_t>(child));
             if (next >= 0) {
                 if (static_cast<std::size_t>(next) >= file_.nodes.count())
-                    return {Error{place_, fmt::format("node {} has a child that is not there", node)}, false};
+                    return {Error{location_, fmt::format("node {} has a child that is not there", node)},
+                            false};
                 const Open open = open_parts(static_cast<std::size_t>(next), depth + 1, *part, plane, out);
                 if (!open.status) return open;
                 all = all && open.all;
@@ -261,7 +263,7 @@ class WallFinder {
             }
             const auto leaf = static_cast<std::size_t>(-(static_cast<std::int64_t>(next) + 1));
             if (leaf >= file_.leaves.count())
-                return {Error{place_, fmt::format("node {} has a leaf that is not there", node)}, false};
+                return {Error{location_, fmt::format("node {} has a leaf that is not there", node)}, false};
             const bool open = i32_at(file_.leaves.at(leaf), 0) >= 0;
             if (open) out.push_back(*part);
             all = all && open;
@@ -275,7 +277,7 @@ class WallFinder {
 
     const BspFile& file_;
     const std::span<const BspTriangle> drawn_;
-    const std::string& place_;
+    const std::string& location_;
     std::vector<Brush> brushes_;
     std::vector<BspWall> walls_;
     std::size_t work_ = 0;
@@ -284,9 +286,9 @@ class WallFinder {
 }  // namespace
 
 Result<std::vector<BspWall>> undrawn_walls(const BspFile& file, std::span<const BspModel> models,
-                                           std::span<const BspTriangle> drawn, const std::string& place,
+                                           std::span<const BspTriangle> drawn, const std::string& location,
                                            Progress* progress) {
-    WallFinder finder(file, drawn, place);
+    WallFinder finder(file, drawn, location);
     for (const BspModel& model : models) {
         const BspRange brushes = bsp_range_at(file.models.at(model.number), 32);
         if (auto status = finder.add_brushes(brushes, model.origin, model.number == 0); !status)

@@ -29,7 +29,7 @@ struct BspModel {
     Vec3 origin = Vec3::Zero();
 };
 Result<std::vector<BspWall>> undrawn_walls(const BspFile& file, std::span<const BspModel> models,
-                                           std::span<const BspTriangle> drawn, const std::string& place,
+                                           std::span<const BspTriangle> drawn, const std::string& location,
                                            Progress* progress);
 
 }  // namespace slipface

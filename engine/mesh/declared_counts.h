@@ -9,6 +9,7 @@ namespace slipface {
 
 // Refuses PLY and OFF files that announce more elements than they have bytes: assimp takes memory for all of
 // them before it reads the first.
-Status check_declared_counts(const std::string& extension, std::string_view bytes, const std::string& place);
+Status check_declared_counts(const std::string& extension, std::string_view bytes,
+                             const std::string& location);
 
 }  // namespace slipface

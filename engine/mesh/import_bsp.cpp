@@ -36,13 +36,13 @@ std::vector<BspModel> models_of(const BspFile& file, const std::vector<BspEntity
 }
 
 Result<std::vector<Vec3>> origins_of_faces(const BspFile& file, const std::vector<BspModel>& models,
-                                           const std::string& place) {
+                                           const std::string& location) {
     std::vector<Vec3> origins;
     for (const BspModel& model : models) {
         if (model.number == 0 || model.origin.isZero(0.0)) continue;
         const BspRange faces = bsp_range_at(file.models.at(model.number), 24);
         if (!faces.within(file.faces.count()))
-            return Error{place, fmt::format("model {} has faces that are not there", model.number)};
+            return Error{location, fmt::format("model {} has faces that are not there", model.number)};
         origins.resize(file.faces.count(), Vec3::Zero());
         std::fill_n(origins.begin() + static_cast<std::ptrdiff_t>(faces.first), faces.count, model.origin);
     }
@@ -61,20 +61,20 @@ std::vector<FoundType> types_of(const BspFile& file, const PolygonSoup& soup) {
 
 }  // namespace
 
-Result<ImportedSoup> import_bsp(std::string_view bytes, const std::string& place, WarningList& warnings,
+Result<ImportedSoup> import_bsp(std::string_view bytes, const std::string& location, WarningList& warnings,
                                 Progress* progress) {
-    const auto file = open_bsp(bytes, place);
+    const auto file = open_bsp(bytes, location);
     if (!file) return file.error();
     const std::vector<BspEntity> entities = bsp_entities(file->entities);
     const std::vector<BspModel> models = models_of(*file, entities);
-    const auto origins = origins_of_faces(*file, models, place);
+    const auto origins = origins_of_faces(*file, models, location);
     if (!origins) return origins.error();
-    auto faces = read_bsp_faces(*file, *origins, place, warnings);
+    auto faces = read_bsp_faces(*file, *origins, location, warnings);
     if (!faces) return faces.error();
     ImportedSoup imported{.soup = std::move(faces->soup)};
     imported.drawn_faces = imported.soup.face_material.size();
 
-    const auto walls = undrawn_walls(*file, models, faces->walls, place, progress);
+    const auto walls = undrawn_walls(*file, models, faces->walls, location, progress);
     if (!walls) return walls.error();
     for (const BspWall& wall : *walls) {
         std::vector<Vec3f> corners;
@@ -82,7 +82,7 @@ Result<ImportedSoup> import_bsp(std::string_view bytes, const std::string& place
             corners.push_back(corner.cast<float>());
         append_face(imported.soup, corners, std::vector<Vec2f>(corners.size(), Vec2f::Zero()), wall.texture);
     }
-    if (imported.soup.face_material.empty()) return Error{place, "has no faces"};
+    if (imported.soup.face_material.empty()) return Error{location, "has no faces"};
     imported.frame = frame_of(metres_per_unit, ImportSource::guessed, "32 Quake units per metre", UpAxis::z,
                               ImportSource::declared, "Quake maps have Z up");
     imported.types = types_of(*file, imported.soup);

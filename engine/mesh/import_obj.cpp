@@ -36,11 +36,11 @@ bool add_corners(const aiMesh& mesh, const std::vector<std::uint32_t>& face_firs
 // The clean text has neither objects nor groups nor the file's materials: assimp makes a mesh of each,
 // thousands of bytes long, and looks their names up one after the other. So faces come back in the order in
 // which they were written.
-Status read_polygons(const ObjScan& scan, const std::string& place, PolygonSoup& soup) {
+Status read_polygons(const ObjScan& scan, const std::string& location, PolygonSoup& soup) {
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFileFromMemory(scan.clean.data(), scan.clean.size(), 0, "obj");
     if (scene == nullptr)
-        return Error{place, fmt::format("assimp cannot read it: {}", importer.GetErrorString())};
+        return Error{location, fmt::format("assimp cannot read it: {}", importer.GetErrorString())};
 
     soup.corner_position.reserve(scan.face_first_corner.back());
     if (scene->mNumMeshes > 0 && scene->mMeshes[0]->HasTextureCoords(0)) {
@@ -52,8 +52,8 @@ Status read_polygons(const ObjScan& scan, const std::string& place, PolygonSoup&
         fits = add_corners(*scene->mMeshes[i], scan.face_first_corner, face, soup);
     }
     if (fits && face + 1 == scan.face_first_corner.size()) return {};
-    return Error{
-        place, fmt::format("assimp reads other polygons than the {} in the file", scan.face_material.size())};
+    return Error{location, fmt::format("assimp reads other polygons than the {} in the file",
+                                       scan.face_material.size())};
 }
 
 std::vector<Material> materials_of(const std::filesystem::path& path, const std::vector<NameOnLine>& names,
@@ -77,12 +77,12 @@ std::vector<Material> materials_of(const std::filesystem::path& path, const std:
 // Any OBJ, line by line and through assimp.
 Result<PolygonSoup> read_carefully(const std::filesystem::path& path, std::string text,
                                    WarningList& warnings) {
-    const std::string place = path.string();
-    auto scan = scan_obj(std::move(text), place, warnings);
+    const std::string location = path.string();
+    auto scan = scan_obj(std::move(text), location, warnings);
     if (!scan) return scan.error();
 
     PolygonSoup soup;
-    if (const auto status = read_polygons(*scan, place, soup); !status) return status.error();
+    if (const auto status = read_polygons(*scan, location, soup); !status) return status.error();
     std::string().swap(scan->clean);
     soup.materials = materials_of(path, scan->materials, scan->libraries, warnings);
     soup.face_first_corner = std::move(scan->face_first_corner);

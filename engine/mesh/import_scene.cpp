@@ -18,7 +18,7 @@
 namespace slipface {
 namespace {
 
-constexpr std::size_t most_faces = std::size_t{1} << 26;
+constexpr std::size_t max_faces = std::size_t{1} << 26;
 constexpr float largest_coordinate = 1e7F;  // metres
 
 std::string text_of(const aiString& text) {
@@ -48,8 +48,8 @@ Material material_of(const aiMaterial& source) {
 
 class SceneReader {
   public:
-    SceneReader(const aiScene& scene, bool root_is_frame, const std::string& place, WarningList& warnings)
-        : scene_(scene), root_is_frame_(root_is_frame), place_(place), warnings_(warnings) {}
+    SceneReader(const aiScene& scene, bool root_is_frame, const std::string& location, WarningList& warnings)
+        : scene_(scene), root_is_frame_(root_is_frame), location_(location), warnings_(warnings) {}
 
     Result<PolygonSoup> run() {
         for (unsigned i = 0; i < scene_.mNumMaterials; ++i)
@@ -68,7 +68,7 @@ class SceneReader {
             for (unsigned i = node->mNumChildren; i-- > 0;)
                 open.emplace_back(node->mChildren[i], world);
         }
-        if (soup_.face_material.empty()) return Error{place_, "has no faces"};
+        if (soup_.face_material.empty()) return Error{location_, "has no faces"};
         return std::move(soup_);
     }
 
@@ -78,7 +78,7 @@ class SceneReader {
         soup_.groups.push_back(text_of(node.mName));
         for (unsigned i = 0; i < node.mNumMeshes; ++i) {
             if (node.mMeshes[i] >= scene_.mNumMeshes)
-                return Error{place_, "a node has a mesh that is not there"};
+                return Error{location_, "a node has a mesh that is not there"};
             if (auto status = add_mesh(*scene_.mMeshes[node.mMeshes[i]], world); !status) return status;
         }
         return {};
@@ -93,8 +93,8 @@ class SceneReader {
                 ++dropped;
                 continue;
             }
-            if (soup_.face_material.size() == most_faces)
-                return Error{place_, fmt::format("has more than {} faces", most_faces)};
+            if (soup_.face_material.size() == max_faces)
+                return Error{location_, fmt::format("has more than {} faces", max_faces)};
             for (unsigned k = 0; k < face.mNumIndices; ++k) {
                 // A mirror turns the winding round; the polygon is read backwards to keep its front.
                 const unsigned vertex = face.mIndices[mirrored ? face.mNumIndices - 1 - k : k];
@@ -106,23 +106,23 @@ class SceneReader {
             soup_.face_group.push_back(static_cast<std::uint32_t>(soup_.groups.size() - 1));
         }
         if (dropped > 0) {
-            warnings_.add(place_, fmt::format("{} points and lines of mesh {} are no surface: dropped",
-                                              dropped, in_quotes(text_of(mesh.mName))));
+            warnings_.add(location_, fmt::format("{} points and lines of mesh {} are no surface: dropped",
+                                                 dropped, in_quotes(text_of(mesh.mName))));
         }
         return {};
     }
 
     Status add_corner(const aiMesh& mesh, unsigned vertex, const aiMatrix4x4& world) {
         if (vertex >= mesh.mNumVertices) {
-            return Error{place_, fmt::format("index {} is out of range; mesh {} has {} vertices", vertex,
-                                             in_quotes(text_of(mesh.mName)), mesh.mNumVertices)};
+            return Error{location_, fmt::format("index {} is out of range; mesh {} has {} vertices", vertex,
+                                                in_quotes(text_of(mesh.mName)), mesh.mNumVertices)};
         }
         const aiVector3D position = world * mesh.mVertices[vertex];
         soup_.corner_position.emplace_back(position.x, position.y, position.z);
         if (!(soup_.corner_position.back().cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <=
               largest_coordinate)) {
-            return Error{place_, fmt::format("vertex {} of mesh {} is not within {} m of the origin", vertex,
-                                             in_quotes(text_of(mesh.mName)), largest_coordinate)};
+            return Error{location_, fmt::format("vertex {} of mesh {} is not within {} m of the origin",
+                                                vertex, in_quotes(text_of(mesh.mName)), largest_coordinate)};
         }
         const bool has_uv = mesh.HasTextureCoords(0);
         const Vec2f uv =
@@ -133,7 +133,7 @@ class SceneReader {
 
     const aiScene& scene_;
     const bool root_is_frame_;  // assimp corrects axes and unit there; we do that ourselves
-    const std::string& place_;
+    const std::string& location_;
     WarningList& warnings_;
     PolygonSoup soup_;
 };
@@ -141,8 +141,8 @@ class SceneReader {
 class CancelledByProgress final : public Assimp::ProgressHandler {
   public:
     explicit CancelledByProgress(Progress* progress) : progress_(progress) {}
-    bool Update(float share) override {
-        if (share >= 0.0F) advance(progress_, std::min(share, 1.0F));
+    bool Update(float fraction) override {
+        if (fraction >= 0.0F) advance(progress_, std::min(fraction, 1.0F));
         return !cancelled(progress_);
     }
 
@@ -154,18 +154,18 @@ class CancelledByProgress final : public Assimp::ProgressHandler {
 
 Result<ImportedSoup> import_scene(const std::filesystem::path& path, const std::string& extension,
                                   std::string bytes, WarningList& warnings, Progress* progress) {
-    const std::string place = path.string();
-    if (auto status = check_declared_counts(extension, bytes, place); !status) return status.error();
+    const std::string location = path.string();
+    if (auto status = check_declared_counts(extension, bytes, location); !status) return status.error();
     Assimp::Importer importer;
     importer.SetIOHandler(new FolderIo(path.parent_path()));         // the importer deletes it
     importer.SetProgressHandler(new CancelledByProgress(progress));  // and this
-    const aiScene* scene = importer.ReadFile(place, 0);
+    const aiScene* scene = importer.ReadFile(location, 0);
     if (cancelled(progress)) return cancelled_error(path);
     if (scene == nullptr)
-        return Error{place, fmt::format("assimp cannot read it: {}", importer.GetErrorString())};
+        return Error{location, fmt::format("assimp cannot read it: {}", importer.GetErrorString())};
     const SceneFrame frame = scene_frame(*scene, extension, bytes);
     std::string().swap(bytes);
-    auto soup = SceneReader(*scene, frame.root_is_frame, place, warnings).run();
+    auto soup = SceneReader(*scene, frame.root_is_frame, location, warnings).run();
     if (!soup) return soup.error();
     return ImportedSoup{.soup = std::move(*soup), .frame = frame.frame, .through_assimp = true};
 }

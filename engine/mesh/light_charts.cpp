@@ -41,9 +41,9 @@ LightChart chart_of(const Mesh& mesh, FaceId face, double texel_m) {
     Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (std::uint32_t i = mesh.face_first_corner[face]; i < mesh.face_first_corner[face + 1]; ++i) {
         const Vec3 offset = mesh.corner_position(i).cast<double>() - centre;
-        const Vec2 place(offset.dot(chart.u), offset.dot(chart.v));
-        low = low.cwiseMin(place);
-        high = high.cwiseMax(place);
+        const Vec2 position(offset.dot(chart.u), offset.dot(chart.v));
+        low = low.cwiseMin(position);
+        high = high.cwiseMax(position);
     }
     chart.width = divide(high.x() - low.x(), texel_m, chart.step.x());
     chart.height = divide(high.y() - low.y(), texel_m, chart.step.y());

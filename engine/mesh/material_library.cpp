@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t most_library_bytes = std::uint64_t{64} << 20;
+constexpr std::uint64_t max_library_bytes = std::uint64_t{64} << 20;
 
 std::string with_slashes(std::string_view path) {
     std::string result(path);
@@ -105,25 +105,26 @@ class LibraryLoader {
     }
 
     void load_one(const std::string& name, std::size_t line) {
-        const std::string place = fmt::format("{}:{}", obj_.string(), line);
+        const std::string location = fmt::format("{}:{}", obj_.string(), line);
         const fs::path relative = inside(name);
         if (!seen_.insert(relative.string()).second) return;
-        if (relative.empty()) return warnings_.add(place, "mtllib names no file: ignored");
+        if (relative.empty()) return warnings_.add(location, "mtllib names no file: ignored");
         if (relative != fs::path(name).lexically_normal()) {
             warnings_.add(
-                place, fmt::format("material library {} lies outside the level's folder: {} is used instead",
-                                   in_quotes(name), in_quotes(relative.string())));
+                location,
+                fmt::format("material library {} lies outside the level's folder: {} is used instead",
+                            in_quotes(name), in_quotes(relative.string())));
         }
         const fs::path file = folder_ / relative;
         if (!lies_within(file, folder_)) {
-            return warnings_.add(place,
+            return warnings_.add(location,
                                  fmt::format("material library {} leads out of the level's folder: not read",
                                              in_quotes(relative.string())));
         }
         auto text = read_file(file, bytes_left_);
         if (!text) {
-            return warnings_.add(place, fmt::format("material library {}: {}; material names are kept",
-                                                    in_quotes(relative.string()), text.error().message));
+            return warnings_.add(location, fmt::format("material library {}: {}; material names are kept",
+                                                       in_quotes(relative.string()), text.error().message));
         }
         any_ = true;
         bytes_left_ -= text->size();
@@ -135,22 +136,22 @@ class LibraryLoader {
     MaterialsByName& materials_;
     WarningList& warnings_;
     std::set<std::string> seen_;
-    std::uint64_t bytes_left_ = most_library_bytes;
+    std::uint64_t bytes_left_ = max_library_bytes;
     bool any_ = false;
 };
 
 }  // namespace
 
-void read_mtl(std::string text, const std::string& place, const fs::path& folder, MaterialsByName& materials,
-              WarningList& warnings) {
+void read_mtl(std::string text, const std::string& location, const fs::path& folder,
+              MaterialsByName& materials, WarningList& warnings) {
     if (const std::size_t binary = find_binary(text); binary != std::string::npos) {
-        return warnings.add(fmt::format("{}:{}", place, line_of(text, binary)),
+        return warnings.add(fmt::format("{}:{}", location, line_of(text, binary)),
                             "no text; expected a material library: ignored");
     }
     Material* material = nullptr;
     LineReader lines(text);
     const auto warn = [&](std::string message) {
-        warnings.add(fmt::format("{}:{}", place, lines.number()), std::move(message));
+        warnings.add(fmt::format("{}:{}", location, lines.number()), std::move(message));
     };
     bool converted = false;
     while (lines.next()) {

@@ -23,7 +23,7 @@ inline Material named_material(std::string name) {
 
 // Reads `newmtl`, `Kd` and `map_Kd` of an MTL file; the first definition of a name counts. `folder` is put
 // before texture names: the MTL's own folder as seen from the level's.
-void read_mtl(std::string text, const std::string& place, const std::filesystem::path& folder,
+void read_mtl(std::string text, const std::string& location, const std::filesystem::path& folder,
               MaterialsByName& materials, WarningList& warnings);
 
 // The libraries that an OBJ file names, as far as they lie in its folder or below; each that cannot be read

@@ -404,7 +404,7 @@ std::optional<ObjPolygons> read_ordinary_obj(std::string_view text, Progress* pr
     });
     if (!ordinary) return std::nullopt;
     join_faces(parts, out);
-    if (out.soup.face_material.empty() || out.soup.face_material.size() > most_obj_faces) return std::nullopt;
+    if (out.soup.face_material.empty() || out.soup.face_material.size() > max_obj_faces) return std::nullopt;
     join_corners(parts, uvs, out.soup);
     return out;
 }

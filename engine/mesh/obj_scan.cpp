@@ -23,13 +23,13 @@ struct Counter {
 
 class Scanner {
   public:
-    Scanner(std::string text, const std::string& place, WarningList& warnings)
-        : text_(std::move(text)), place_(place), warnings_(warnings), lines_(text_) {}
+    Scanner(std::string text, const std::string& location, WarningList& warnings)
+        : text_(std::move(text)), location_(location), warnings_(warnings), lines_(text_) {}
 
     Result<ObjScan> run() {
-        if (text_.empty()) return Error{place_, "is empty; expected an OBJ file"};
+        if (text_.empty()) return Error{location_, "is empty; expected an OBJ file"};
         if (const std::size_t binary = find_binary(text_); binary != std::string::npos) {
-            return Error{fmt::format("{}:{}", place_, line_of(text_, binary)),
+            return Error{fmt::format("{}:{}", location_, line_of(text_, binary)),
                          fmt::format("byte 0x{:02X} is no text; expected an OBJ file",
                                      static_cast<unsigned char>(text_[binary]))};
         }
@@ -43,7 +43,7 @@ class Scanner {
             if (!read_line(lines_.line())) return *error_;
         }
         if (!check_forward_indices()) return *error_;
-        if (scan_.face_material.empty()) return Error{place_, "has no faces"};
+        if (scan_.face_material.empty()) return Error{location_, "has no faces"};
         scan_.materials = materials_.take();
         scan_.groups = groups_.take();
         return std::move(scan_);
@@ -140,8 +140,8 @@ class Scanner {
             warn([&] { return "the face has fewer than three different corners: dropped"; });
             return true;
         }
-        if (scan_.face_material.size() == most_obj_faces) {
-            return refuse(fmt::format("more than {} faces", most_obj_faces));
+        if (scan_.face_material.size() == max_obj_faces) {
+            return refuse(fmt::format("more than {} faces", max_obj_faces));
         }
         begin_part_if_full();
         std::string& out = scan_.clean;
@@ -205,7 +205,7 @@ class Scanner {
         for (const Counter* counter : {&v_, &vt_, &vn_}) {
             if (counter->furthest <= counter->count) continue;
             error_ =
-                Error{fmt::format("{}:{}", place_, counter->furthest_line),
+                Error{fmt::format("{}:{}", location_, counter->furthest_line),
                       index_message(std::to_string(counter->furthest), counter->keyword, counter->count)};
             return false;
         }
@@ -269,10 +269,10 @@ class Scanner {
             warnings_.add(here(), message());
         }
     }
-    std::string here() const { return fmt::format("{}:{}", place_, lines_.number()); }
+    std::string here() const { return fmt::format("{}:{}", location_, lines_.number()); }
 
     std::string text_;
-    const std::string& place_;
+    const std::string& location_;
     WarningList& warnings_;
     LineReader lines_;
     ObjScan scan_;
@@ -293,8 +293,8 @@ bool copies_obj_number(std::string_view word) {
            word[first_digit] <= '9';
 }
 
-Result<ObjScan> scan_obj(std::string text, const std::string& place, WarningList& warnings) {
-    return Scanner(std::move(text), place, warnings).run();
+Result<ObjScan> scan_obj(std::string text, const std::string& location, WarningList& warnings) {
+    return Scanner(std::move(text), location, warnings).run();
 }
 
 }  // namespace slipface

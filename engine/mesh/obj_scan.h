@@ -19,7 +19,7 @@ struct NameOnLine {
 };
 
 inline constexpr std::size_t longest_obj_line = std::size_t{1} << 20;
-inline constexpr std::size_t most_obj_faces = std::size_t{1} << 26;
+inline constexpr std::size_t max_obj_faces = std::size_t{1} << 26;
 inline constexpr double largest_obj_coordinate = 1e7;  // of the file's units
 
 // Names numbered in the order in which faces first use them. A name without a face is never numbered.
@@ -33,10 +33,10 @@ class NameTable {
 
     std::uint32_t index() {
         if (index_ != no_index) return index_;
-        const auto [place, added] =
+        const auto [slot, added] =
             known_.try_emplace(current_.name, static_cast<std::uint32_t>(list_.size()));
         if (added) list_.push_back(current_);
-        return index_ = place->second;
+        return index_ = slot->second;
     }
 
     std::vector<NameOnLine> take() { return std::move(list_); }
@@ -68,6 +68,6 @@ struct ObjScan {
 };
 
 // Refuses what import_mesh() says it refuses; `place` is the file's name in messages.
-Result<ObjScan> scan_obj(std::string text, const std::string& place, WarningList& warnings);
+Result<ObjScan> scan_obj(std::string text, const std::string& slot, WarningList& warnings);
 
 }  // namespace slipface

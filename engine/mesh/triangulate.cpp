@@ -94,17 +94,17 @@ class EarClipper {
     }
 
     // The first ear from `at` on; in a ring without one, which only polygons that cross or touch themselves
-    // and leftovers without area have, a straight corner, then the one that turns the most.
+    // and remainders without area have, a straight corner, then the one that turns the most.
     std::uint32_t choose(std::uint32_t at, std::size_t left) const {
         std::uint32_t straight = no_id;
         std::uint32_t sharpest = at;
-        double most = corner_turn(at);
+        double maximum = corner_turn(at);
         for (std::size_t i = 0; i < left; ++i, at = next_[at]) {
             if (ear_[at]) return at;
             const double turned = corner_turn(at);
             if (turned == 0.0 && straight == no_id) straight = at;
-            if (turned > most) {
-                most = turned;
+            if (turned > maximum) {
+                maximum = turned;
                 sharpest = at;
             }
         }

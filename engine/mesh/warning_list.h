@@ -14,9 +14,9 @@ class WarningList {
   public:
     explicit WarningList(std::size_t limit) : limit_(limit) {}
 
-    void add(const std::string& place, std::string message) {
+    void add(const std::string& location, std::string message) {
         if (list_.size() < limit_) {
-            list_.push_back({place, std::move(message)});
+            list_.push_back({location, std::move(message)});
         } else {
             ++unlisted_;
         }
@@ -27,8 +27,8 @@ class WarningList {
     void add_unworded() { ++unlisted_; }
 
     // Ends the list with how many more there were.
-    Warnings take(const std::string& place) {
-        if (unlisted_ > 0) list_.push_back({place, fmt::format("{} more warnings", unlisted_)});
+    Warnings take(const std::string& location) {
+        if (unlisted_ > 0) list_.push_back({location, fmt::format("{} more warnings", unlisted_)});
         unlisted_ = 0;
         return std::exchange(list_, {});
     }

@@ -15,13 +15,13 @@ void accelerate(Mover& mover, bool slippery) {
                                                      : steering_in_air(mover);
     const Vec3 target = Vec3(mover.wish.x(), 0.0, mover.wish.y()) * settings.walk_speed;
     const Vec3 missing = target - horizontal(mover.velocity);
-    const double most = acceleration * mover.dt;
+    const double maximum = acceleration * mover.dt;
     const double length = missing.norm();
-    if (length <= most) {
+    if (length <= maximum) {
         mover.velocity.x() = target.x();
         mover.velocity.z() = target.z();
     } else {
-        mover.velocity += missing * (most / length);
+        mover.velocity += missing * (maximum / length);
     }
 }
 
@@ -36,11 +36,11 @@ void coast(Mover& mover, const Vec3& from, const Vec3& driven_velocity) {
     const double allowed =
         std::max(0.0, driven_velocity.squaredNorm() - 2.0 * mover.settings.gravity * climbed);
     if (!(square > allowed)) return;
-    const double share = std::sqrt(allowed / square);
+    const double fraction = std::sqrt(allowed / square);
     decide(mover, Decision::coasted, {.value = std::sqrt(square), .limit = std::sqrt(allowed)},
            mover.support_face);
-    mover.velocity.x() *= share;
-    mover.velocity.z() *= share;
+    mover.velocity.x() *= fraction;
+    mover.velocity.z() *= fraction;
 }
 
 }  // namespace slipface

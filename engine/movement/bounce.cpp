@@ -3,7 +3,7 @@
 //
 // The touch lies within the step, so neither the velocity before nor after the step's gravity is the one that
 // hits. With u the speed along N and constant acceleration, u*u changes linearly with the distance: at the
-// share s of it, u*u = u0*u0 + s (u1*u1 - u0*u0). The rebound loses what gravity takes on the rest of the
+// fraction s of it, u*u = u0*u0 + s (u1*u1 - u0*u0). The rebound loses what gravity takes on the rest of the
 // way. Without this a ball's heights depend on where in a tick it lands.
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace slipface {
 
-std::optional<Turn> bounce(Mover& mover, const Hit& hit) {
+std::optional<Deflection> bounce(Mover& mover, const Hit& hit) {
     const double restitution = hit.surface.restitution;
     if (!(restitution > 0.0)) return std::nullopt;
     const Vec3& normal = hit.contact.normal;
@@ -34,7 +34,7 @@ std::optional<Turn> bounce(Mover& mover, const Hit& hit) {
         return refuse(Decision::bounce_too_slow, {.value = rebound, .limit = rest});
     }
 
-    const double into = hit.leftover.dot(normal);
+    const double into = hit.remainder.dot(normal);
     const double risen = -restitution * into;
     const double slowing = std::max(0.0, before - after) / mover.dt;
     const double leaving = std::sqrt(std::max(0.0, rebound * rebound - 2.0 * slowing * risen));
@@ -42,10 +42,10 @@ std::optional<Turn> bounce(Mover& mover, const Hit& hit) {
     mover.bounced = true;
     mover.grounded = false;
     decide(mover, Decision::bounced, {.value = rebound}, hit.contact.face);
-    return Turn{.rule = Rule::bounce,
-                .leftover = friction * (hit.leftover - normal * into) + normal * risen,
-                .velocity = friction * (mover.velocity - normal * after) + normal * leaving,
-                .plane = normal};
+    return Deflection{.rule = Rule::bounce,
+                      .remainder = friction * (hit.remainder - normal * into) + normal * risen,
+                      .velocity = friction * (mover.velocity - normal * after) + normal * leaving,
+                      .plane = normal};
 }
 
 }  // namespace slipface

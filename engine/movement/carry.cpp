@@ -20,8 +20,8 @@ Vec3 carry_velocity(const Mover& mover, const PlayerState& state) {
 void carry(Mover& mover, const SurfaceType& support, FaceId support_face) {
     if (support.angular_velocity == 0.0 && support.velocity.isZero(0.0)) return;
     const double angle = support.angular_velocity * mover.dt;
-    constexpr double most = 1e3;  // radians a step; no table turns that fast, and it bounds the work
-    if (!(std::abs(angle) <= most) || !support.velocity.allFinite()) return;
+    constexpr double max_angle = 1e3;  // radians a step; no table turns that fast, and it bounds the work
+    if (!(std::abs(angle) <= max_angle) || !support.velocity.allFinite()) return;
     const Vec3 r = horizontal(mover.position - support.spin_centre);
     const Pose turn = turned_about(Vec3::Zero(), Vec3::UnitY(), angle);
     const Vec3 move = turn.apply(r) - r + support.velocity * mover.dt;

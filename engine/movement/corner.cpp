@@ -10,7 +10,7 @@ namespace slipface {
 
 namespace {
 
-// Going into a plane by less than this share is rounding; the skin absorbs it.
+// Going into a plane by less than this fraction is rounding; the skin absorbs it.
 constexpr double grazing = 1e-6;
 // Square of the sine below which two planes have no crease.
 constexpr double parallel = 1e-12;
@@ -46,14 +46,15 @@ Vec3 freed(const Corner& corner, const Vec3& v, const Vec3& turned, const Vec3& 
 
 }  // namespace
 
-void respect_corner(const Corner& corner, const Vec3& leftover, const Vec3& velocity, Turn& turn) {
+void respect_corner(const Corner& corner, const Vec3& remainder, const Vec3& velocity,
+                    Deflection& deflection) {
     if (corner.count == 0) return;
-    turn.leftover = freed(
-        corner, leftover, turn.leftover, turn.plane, [](int) { return true; }, turn.rule);
-    if (!turn.constrains_velocity) return;
-    Rule ignored = turn.rule;
-    turn.velocity = freed(
-        corner, velocity, turn.velocity, turn.plane,
+    deflection.remainder = freed(
+        corner, remainder, deflection.remainder, deflection.plane, [](int) { return true; }, deflection.rule);
+    if (!deflection.constrains_velocity) return;
+    Rule ignored = deflection.rule;
+    deflection.velocity = freed(
+        corner, velocity, deflection.velocity, deflection.plane,
         [&](int i) { return corner.constrains_velocity[static_cast<std::size_t>(i)]; }, ignored);
 }
 

@@ -60,15 +60,15 @@ bool goes_on_behind(const Mover& mover, const Contact& contact, double before, d
     const Vec3 out = horizontal(contact.point - centre);
     const Vec3 ahead = direction_of(out);
     const double radius = std::max(mover.settings.radii.x(), mover.settings.radii.z());
-    const std::array<double, 4> ways{mover.settings.skin, radius / 16.0, radius / 8.0, radius / 4.0};
+    const std::array<double, 4> aheads{mover.settings.skin, radius / 16.0, radius / 8.0, radius / 4.0};
     // What stands higher than the centre ends the look ahead; rays that began inside it would be wrong.
-    const double length = out.norm() + ways.back();
+    const double length = out.norm() + aheads.back();
     const std::optional<RayHit> wall = ray_in_scene(mover, centre, ahead * length);
     const double clear = wall ? wall->t * length : length;
     const double depth = centre.y() - contact.point.y() + step;
-    for (const double way : ways) {
-        if (out.norm() + way > clear) break;
-        const std::optional<double> ground = ground_below(mover, centre + out + ahead * way, depth);
+    for (const double ahead : aheads) {
+        if (out.norm() + ahead > clear) break;
+        const std::optional<double> ground = ground_below(mover, centre + out + ahead * ahead, depth);
         if (ground && *ground - before <= step) return true;
     }
     return false;
@@ -95,7 +95,7 @@ bool on_rim(Mover& mover, const Contact& contact) {
     const double rise = contact.point.y() - height;
     if (rise > step) return say(Decision::step_rim_too_high, Decision::snap_rim_too_high, rise);
     if (!goes_on_behind(mover, contact, height, step))
-        return say(Decision::step_rim_no_way, Decision::snap_rim_no_way, 0.0);
+        return say(Decision::step_rim_blocked, Decision::snap_rim_blocked, 0.0);
     return say(Decision::step_rim, Decision::snap_rim, rise);
 }
 

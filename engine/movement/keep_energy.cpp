@@ -17,12 +17,12 @@ Vec3 redirected(const Vec3& v, const Vec3& normal) {
 
 }  // namespace
 
-std::optional<Turn> keep_energy(Mover& mover, const Hit& hit) {
+std::optional<Deflection> keep_energy(Mover& mover, const Hit& hit) {
     if (!hit.surface.keeps_energy) return std::nullopt;
     const Vec3& normal = hit.contact.normal;
     const double limit = mover.settings.keep_energy_limit;
     // One part of a split move says nothing about the direction of the whole; the velocity does.
-    const Vec3& judged = hit.pass == Pass::slide ? hit.leftover : mover.velocity;
+    const Vec3& judged = hit.pass == Pass::slide ? hit.remainder : mover.velocity;
     const double cosine = normal.dot(direction_of(judged));
     const auto say = [&](Decision kind) {
         decide(mover, kind, {.value = -cosine, .limit = -limit}, hit.contact.face);
@@ -39,10 +39,10 @@ std::optional<Turn> keep_energy(Mover& mover, const Hit& hit) {
     }
     say(Decision::energy_kept);
     mover.kept_energy = true;
-    return Turn{.rule = Rule::keep_energy,
-                .leftover = redirected(hit.leftover, normal),
-                .velocity = redirected(mover.velocity, normal),
-                .plane = normal};
+    return Deflection{.rule = Rule::keep_energy,
+                      .remainder = redirected(hit.remainder, normal),
+                      .velocity = redirected(mover.velocity, normal),
+                      .plane = normal};
 }
 
 // The hack keeps the length of a velocity to which this step's gravity was already added, though the contact

@@ -69,7 +69,7 @@ void follow(Mover& mover, const PlayerState& state, const Vec3& from, double ris
 
 }  // namespace
 
-std::optional<Turn> grab_ladder(Mover& mover, const Hit& hit) {
+std::optional<Deflection> grab_ladder(Mover& mover, const Hit& hit) {
     const Contact& contact = hit.contact;
     if (!hit.surface.climbable || mover.on_ladder || hit.walkable) return std::nullopt;
     const auto refuse = [&](Decision why, double value, double limit) {
@@ -83,7 +83,7 @@ std::optional<Turn> grab_ladder(Mover& mover, const Hit& hit) {
     mover.grounded = false;
     support(mover, contact.normal, contact.face, contact.surface, hit.platform);
     decide(mover, Decision::ladder_grabbed, contact.face);
-    return Turn{.rule = Rule::stop, .plane = contact.normal};
+    return Deflection{.rule = Rule::stop, .plane = contact.normal};
 }
 
 void climb(Mover& mover, const PlayerState& state) {

@@ -5,11 +5,11 @@
 
 namespace slipface {
 
-Vec3 reach_of_step(const MovementSettings& s, double way) {
+Vec3 reach_of_step(const MovementSettings& s, double length) {
     // Sweeps look a few skins further than they lead, and up to twice in a row.
     constexpr double skins = 8.0;
     const double height = std::max(s.step_up ? s.step_height : 0.0, s.snap_down ? s.snap_distance : 0.0);
-    const double around = way + skins * s.skin;
+    const double around = length + skins * s.skin;
     return {around, around + height, around};
 }
 

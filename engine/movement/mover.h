@@ -33,7 +33,7 @@ struct Motion {
 
 // How far from where it begins, along each axis, a step that covers `way` metres asks what is there. What it
 // asks beyond that takes longer.
-Vec3 reach_of_step(const MovementSettings& settings, double way);
+Vec3 reach_of_step(const MovementSettings& settings, double length);
 
 // The platforms around where a step begins.
 struct NearPlatforms {
@@ -90,14 +90,14 @@ struct Hit {
     const SurfaceType& surface;
     std::uint32_t platform;  // that the face belongs to, or no_id
     bool walkable;           // flat enough to stand on
-    Vec3 leftover;           // of the displacement
-    double done;             // share of the pass's displacement that lies before the contact, 0..1
+    Vec3 remainder;          // of the displacement
+    double done;             // fraction of the pass's displacement that lies before the contact, 0..1
 };
 
 // What a contact makes of the displacement and the velocity.
-struct Turn {
+struct Deflection {
     Rule rule = Rule::slide;
-    Vec3 leftover = Vec3::Zero();
+    Vec3 remainder = Vec3::Zero();
     Vec3 velocity = Vec3::Zero();
     Vec3 plane = Vec3::Zero();  // unit normal that later turns of this pass must respect
     bool constrains_velocity = true;
@@ -154,14 +154,14 @@ std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Ve
 std::size_t overlaps_in_scene(const Mover& mover, const Vec3& centre, std::span<Overlap> out);
 bool overlaps_scene(const Mover& mover, const Vec3& centre);
 bool is_free(const Mover& mover, const Vec3& centre);  // of one-sided faces, too
-std::optional<RayHit> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& way);
+std::optional<RayHit> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& length);
 const CollisionWorld& world_of(const Mover& mover, std::uint32_t platform);
 
 // A sweep whose end keeps the skin.
 struct Swept {
     Vec3 reached = Vec3::Zero();
-    double used = 1.0;                              // share of the move that was made
-    std::optional<Contact> contact = std::nullopt;  // t is a share of the move
+    double used = 1.0;                              // fraction of the move that was made
+    std::optional<Contact> contact = std::nullopt;  // t is a fraction of the move
     std::uint32_t platform = no_id;                 // that the contact's face belongs to
 };
 Swept sweep_with_skin(Mover& mover, Pass pass, int iteration, const Vec3& move);
@@ -173,16 +173,16 @@ Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move);
 // Notes what a contact means for the state: ground, ladder, hazard.
 void touch(Mover& mover, const Hit& hit);
 // Turns displacement and velocity at a contact: the first response that applies.
-Turn respond(Mover& mover, const Hit& hit);
+Deflection respond(Mover& mover, const Hit& hit);
 
 // Responses; each says nothing where it does not apply.
-std::optional<Turn> stick(Mover& mover, const Hit& hit);
-std::optional<Turn> grab_ladder(Mover& mover, const Hit& hit);
-std::optional<Turn> hold_by_static_friction(Mover& mover, const Hit& hit);
-std::optional<Turn> bounce(Mover& mover, const Hit& hit);
-std::optional<Turn> keep_energy(Mover& mover, const Hit& hit);
-std::optional<Turn> slide_at_wall(Mover& mover, const Hit& hit);
-std::optional<Turn> go_straight_ahead(Mover& mover, const Hit& hit);
+std::optional<Deflection> stick(Mover& mover, const Hit& hit);
+std::optional<Deflection> grab_ladder(Mover& mover, const Hit& hit);
+std::optional<Deflection> hold_by_static_friction(Mover& mover, const Hit& hit);
+std::optional<Deflection> bounce(Mover& mover, const Hit& hit);
+std::optional<Deflection> keep_energy(Mover& mover, const Hit& hit);
+std::optional<Deflection> slide_at_wall(Mover& mover, const Hit& hit);
+std::optional<Deflection> go_straight_ahead(Mover& mover, const Hit& hit);
 
 // Holds the earlier planes of a pass against the latest turn.
 struct Corner {
@@ -191,7 +191,8 @@ struct Corner {
     std::array<bool, capacity> constrains_velocity;
     int count = 0;
 };
-void respect_corner(const Corner& corner, const Vec3& leftover, const Vec3& velocity, Turn& turn);
+void respect_corner(const Corner& corner, const Vec3& remainder, const Vec3& velocity,
+                    Deflection& deflection);
 
 // Parts of a step, in the order in which it asks for them.
 void push_out(Mover& mover);

@@ -29,19 +29,19 @@ Vec3 pushed_by(Mover& mover, const MovingPart& part, const Vec3& before, const V
     constexpr double look_ahead = 4.0;  // skins, as in skin.cpp
     for (int i = 0; i < 3 && !left.isZero(0.0); ++i) {
         const double length = left.norm();
-        const Vec3 way = left / length;
+        const Vec3 direction = left / length;
         const double reach = length + look_ahead * skin;
         const std::optional<Contact> hit =
-            sweep_ellipsoid(*part.collision, mover.settings.radii, at, way * reach);
+            sweep_ellipsoid(*part.collision, mover.settings.radii, at, direction * reach);
         ++mover.sweeps;
         if (!hit) return at + left;
-        const double into = std::max(-hit->normal.dot(way), 0.0);
+        const double into = std::max(-hit->normal.dot(direction), 0.0);
         const double distance = hit->t * reach;
         const double stop = into > 0.0 ? distance - skin / into : 0.0;
         if (stop >= length) return at + left;
         const double made = std::max(stop, 0.0);
         const double missing = std::max(skin - (distance - made) * into, 0.0);
-        at += way * made + hit->normal * missing;
+        at += direction * made + hit->normal * missing;
         left = slide_along(left * (1.0 - made / length), hit->normal);
     }
     return at;
@@ -59,7 +59,7 @@ void ride(Mover& mover, const PlayerState& state) {
     mover.ignored_platform = no_id;
 }
 
-void give_way(Mover& mover, std::uint32_t index, const Vec3& before) {
+void yield_to(Mover& mover, std::uint32_t index, const Vec3& before) {
     const MovingPart& part = mover.scene.platforms[index];
     const Aabb reach = part.collision->bounds();
     const Vec3 far =
@@ -94,7 +94,7 @@ void move_with_platforms(Mover& mover, const PlayerState& state) {
     }
     if (rides) ride(mover, state);
     for (std::uint32_t i = 0; i < mover.scene.platforms.size(); ++i) {
-        if (moves(mover.scene.platforms[i])) give_way(mover, i, before);
+        if (moves(mover.scene.platforms[i])) yield_to(mover, i, before);
     }
     const bool still_free = mover.began_free && mover.position == before;
     mover.trapped = !still_free && overlaps_scene(mover, mover.position);

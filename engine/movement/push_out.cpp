@@ -147,8 +147,8 @@ Vec3 iterate_out_of(const Planes& planes) {
         // The first, the third and the last since a leap lie on the same face of a wedge.
         const Vec3 older = last[2] - last[0];
         const Vec3 newer = last[4] - last[2];
-        const double share = older.squaredNorm() > 0.0 ? newer.dot(older) / older.squaredNorm() : 0.0;
-        if (share > 0.25 && share < 0.99999) shift += newer * (share / (1.0 - share));
+        const double fraction = older.squaredNorm() > 0.0 ? newer.dot(older) / older.squaredNorm() : 0.0;
+        if (fraction > 0.25 && fraction < 0.99999) shift += newer * (fraction / (1.0 - fraction));
     }
     return shift;
 }
@@ -171,8 +171,8 @@ Vec3 iterate_out(const Mover& mover, Vec3 centre, Overlaps& found, std::size_t& 
 
 // The centre itself may not change sides of anything solid.
 bool crosses_nothing(const Mover& mover, const Vec3& from, const Vec3& to) {
-    const Vec3 way = to - from;
-    return way.isZero(0.0) || !ray_in_scene(mover, from, way);
+    const Vec3 motion = to - from;
+    return motion.isZero(0.0) || !ray_in_scene(mover, from, motion);
 }
 
 }  // namespace

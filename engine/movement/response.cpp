@@ -5,7 +5,7 @@ namespace slipface {
 
 namespace {
 
-using Response = std::optional<Turn> (*)(Mover&, const Hit&);
+using Response = std::optional<Deflection> (*)(Mover&, const Hit&);
 
 // In the order in which they are asked. A new response is a file with one such function and one name here.
 constexpr std::array<Response, 7> responses{stick,       grab_ladder,   hold_by_static_friction, bounce,
@@ -30,13 +30,13 @@ void touch(Mover& mover, const Hit& hit) {
     mover.support_platform = hit.platform;
 }
 
-Turn respond(Mover& mover, const Hit& hit) {
+Deflection respond(Mover& mover, const Hit& hit) {
     for (const Response response : responses) {
-        if (const std::optional<Turn> turn = response(mover, hit)) return *turn;
+        if (const std::optional<Deflection> deflection = response(mover, hit)) return *deflection;
     }
     const Vec3& normal = hit.contact.normal;
     return {.rule = Rule::slide,
-            .leftover = slide_along(hit.leftover, normal),
+            .remainder = slide_along(hit.remainder, normal),
             .velocity = slide_along(mover.velocity, normal),
             .plane = normal};
 }

@@ -7,7 +7,7 @@ namespace slipface {
 
 namespace {
 
-// Rounding of boxes and sweeps, as a share of the lengths involved; far above both.
+// Rounding of boxes and sweeps, as a fraction of the lengths involved; far above both.
 constexpr double box_slack = 1e-5;
 
 bool holds(const Aabb& box, const Vec3& point) {
@@ -131,15 +131,16 @@ bool overlaps_scene(const Mover& mover, const Vec3& centre) {
     return found;
 }
 
-std::optional<RayHit> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& way) {
+std::optional<RayHit> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& motion) {
     std::optional<RayHit> best;
-    each_world(
-        mover, from, way, [&](const auto&, std::uint32_t platform, std::span<const TriangleId> triangles) {
-            std::optional<RayHit> hit = cast_ray(world_of(mover, platform), from, way, best ? best->t : 1.0);
-            if (!hit || (best && !(hit->t < best->t))) return;
-            hit->triangle = number_in_mesh(hit->triangle, triangles);
-            best = hit;
-        });
+    each_world(mover, from, motion,
+               [&](const auto&, std::uint32_t platform, std::span<const TriangleId> triangles) {
+                   std::optional<RayHit> hit =
+                       cast_ray(world_of(mover, platform), from, motion, best ? best->t : 1.0);
+                   if (!hit || (best && !(hit->t < best->t))) return;
+                   hit->triangle = number_in_mesh(hit->triangle, triangles);
+                   best = hit;
+               });
     return best;
 }
 

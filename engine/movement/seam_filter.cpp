@@ -21,9 +21,9 @@ constexpr double rounding = 1e-5;
 double rise_above(const std::array<Vec3, 3>& corners, const Vec3& point, const Vec3& normal) {
     double steepest = 0.0;
     for (const Vec3& corner : corners) {
-        const Vec3 way = corner - point;
-        const double length = way.norm();
-        if (length > 2.0 * meeting) steepest = std::max(steepest, way.dot(normal) / length);
+        const Vec3 offset = corner - point;
+        const double length = offset.norm();
+        if (length > 2.0 * meeting) steepest = std::max(steepest, offset.dot(normal) / length);
     }
     return steepest;
 }

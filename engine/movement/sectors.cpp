@@ -22,7 +22,7 @@ Vec3 position_in_scene(const MovementScene& scene, const PlayerState& state) {
     return position;
 }
 
-void place_in_scene(const MovementScene& scene, const Vec3& position, PlayerState& state) {
+void put_in_scene(const MovementScene& scene, const Vec3& position, PlayerState& state) {
     const Sectors& sectors = scene.sectors;
     state.position = position;
     state.sector = {0, 0, 0};

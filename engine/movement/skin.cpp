@@ -16,7 +16,7 @@ namespace {
 // would have touched next. Covers vertical moves onto slopes up to 75 degrees.
 constexpr double look_ahead = 4.0;
 
-// A skin this share short of the full one is not worth a push; rounding is far below it.
+// A skin this fraction short of the full one is not worth a push; rounding is far below it.
 constexpr double tolerated = 1e-3;
 
 Vec3 push_off(Mover& mover, const Vec3& from, const Vec3& push, FaceId face) {

@@ -6,7 +6,7 @@
 
 namespace slipface {
 
-std::optional<Turn> hold_by_static_friction(Mover& mover, const Hit& hit) {
+std::optional<Deflection> hold_by_static_friction(Mover& mover, const Hit& hit) {
     const Contact& contact = hit.contact;
     if (hit.pass != Pass::vertical) return std::nullopt;
     const auto say = [&](Decision kind) {
@@ -23,10 +23,10 @@ std::optional<Turn> hold_by_static_friction(Mover& mover, const Hit& hit) {
     }
     if (hit.surface.restitution > 0.0) {
         // A bounce too small to be seen comes to rest.
-        if (std::optional<Turn> turn = bounce(mover, hit)) return turn;
+        if (std::optional<Deflection> deflection = bounce(mover, hit)) return deflection;
     }
     say(Decision::stood);
-    return Turn{.rule = Rule::stop, .velocity = horizontal(mover.velocity), .plane = contact.normal};
+    return Deflection{.rule = Rule::stop, .velocity = horizontal(mover.velocity), .plane = contact.normal};
 }
 
 }  // namespace slipface

@@ -135,9 +135,9 @@ PlayerState part_of_step(Mover& mover, const PlayerState& state, const PlayerInp
 StepResult step(const MovementScene& scene, const MovementSettings& settings, const PlayerState& state,
                 const PlayerInput& input, double dt, TraceSink* trace) {
     if (!usable(settings) || !usable(state, input, dt)) return {.state = state};
-    constexpr double most_parts = 1000.0;
+    constexpr double max_parts = 1000.0;
     const double wanted = settings.sub_step > 0.0 ? std::ceil(dt / settings.sub_step - 1e-6) : 1.0;
-    const int parts = static_cast<int>(std::clamp(wanted, 1.0, most_parts));
+    const int parts = static_cast<int>(std::clamp(wanted, 1.0, max_parts));
 
     StepResult result{.state = state};
     result.state.position = position_in_scene(scene, state);
@@ -153,7 +153,7 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
         hazard = hazard || result.state.hazard;
     }
     result.state.hazard = hazard;
-    place_in_scene(scene, result.state.position, result.state);
+    put_in_scene(scene, result.state.position, result.state);
     if (trace != nullptr && scene.sectors.size > 0.0) {
         const bool stays = result.state.sector == state.sector;
         trace->add(DecisionRecord{.kind = stays ? Decision::sector_kept : Decision::sector_entered,

@@ -12,7 +12,7 @@ namespace slipface {
 
 namespace {
 
-// The way gained must be worth it, as a share of the move.
+// The way gained must be worth it, as a fraction of the move.
 constexpr double worth = 1e-3;
 
 struct Refusal {

@@ -4,7 +4,7 @@
 
 namespace slipface {
 
-std::optional<Turn> stick(Mover& mover, const Hit& hit) {
+std::optional<Deflection> stick(Mover& mover, const Hit& hit) {
     if (!hit.surface.sticky) return std::nullopt;
     if (!mover.settings.stick) {
         decide(mover, Decision::stick_off, hit.contact.face);
@@ -17,7 +17,7 @@ std::optional<Turn> stick(Mover& mover, const Hit& hit) {
     mover.support_surface = hit.contact.surface;
     mover.support_platform = hit.platform;
     decide(mover, Decision::stuck, hit.contact.face);
-    return Turn{.rule = Rule::stick, .plane = hit.contact.normal};
+    return Deflection{.rule = Rule::stick, .plane = hit.contact.normal};
 }
 
 void hold(Mover& mover, const PlayerState& state) {

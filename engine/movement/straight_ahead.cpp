@@ -11,7 +11,7 @@
 
 namespace slipface {
 
-std::optional<Turn> slide_at_wall(Mover& mover, const Hit& hit) {
+std::optional<Deflection> slide_at_wall(Mover& mover, const Hit& hit) {
     if (hit.pass != Pass::horizontal || hit.walkable) return std::nullopt;
     const Vec3 plane = direction_of(horizontal(hit.contact.normal));
     // Straight overhead or underfoot: no wall in it.
@@ -21,32 +21,33 @@ std::optional<Turn> slide_at_wall(Mover& mover, const Hit& hit) {
         mover.walls[static_cast<std::size_t>(mover.wall_count++)] = plane;
     decide(mover, Decision::wall,
            {.value = hit.contact.normal.y(), .limit = walkable_limit(mover, hit.surface)}, hit.contact.face);
-    return Turn{.rule = Rule::slide,
-                .leftover = slide_along(hit.leftover, plane),
-                .velocity = slide_along(mover.velocity, plane),
-                .plane = plane};
+    return Deflection{.rule = Rule::slide,
+                      .remainder = slide_along(hit.remainder, plane),
+                      .velocity = slide_along(mover.velocity, plane),
+                      .plane = plane};
 }
 
-std::optional<Turn> go_straight_ahead(Mover& mover, const Hit& hit) {
+std::optional<Deflection> go_straight_ahead(Mover& mover, const Hit& hit) {
     if (hit.pass != Pass::horizontal || !hit.walkable) return std::nullopt;
     const Vec3& normal = hit.contact.normal;
-    const Vec3 slid = slide_along(hit.leftover, normal);
-    Turn turn{.rule = Rule::slide,
-              .leftover = slid,
-              .velocity = mover.was_grounded ? mover.velocity : slide_along(mover.velocity, normal),
-              .plane = normal,
-              .constrains_velocity = !mover.was_grounded};
+    const Vec3 slid = slide_along(hit.remainder, normal);
+    Deflection deflection{
+        .rule = Rule::slide,
+        .remainder = slid,
+        .velocity = mover.was_grounded ? mover.velocity : slide_along(mover.velocity, normal),
+        .plane = normal,
+        .constrains_velocity = !mover.was_grounded};
     const bool acts = mover.settings.straight_ahead;
     const bool constant = mover.settings.constant_slope_speed && mover.was_grounded;
-    if (constant) turn.leftover = direction_of(slid) * hit.leftover.norm();
+    if (constant) deflection.remainder = direction_of(slid) * hit.remainder.norm();
     if (acts) {
-        const Vec3 ahead = hit.leftover - Vec3(0.0, hit.leftover.dot(normal) / normal.y(), 0.0);
-        turn.rule = Rule::straight_ahead;
-        turn.leftover = direction_of(ahead) * (constant ? hit.leftover : slid).norm();
+        const Vec3 ahead = hit.remainder - Vec3(0.0, hit.remainder.dot(normal) / normal.y(), 0.0);
+        deflection.rule = Rule::straight_ahead;
+        deflection.remainder = direction_of(ahead) * (constant ? hit.remainder : slid).norm();
     }
     decide(mover, acts ? Decision::straight_ahead : Decision::straight_ahead_off,
            {.value = normal.y(), .limit = walkable_limit(mover, hit.surface)}, hit.contact.face);
-    return turn;
+    return deflection;
 }
 
 }  // namespace slipface

@@ -1,5 +1,5 @@
-// Problem: every jump is as high as the highest. Hack: letting the button go while rising keeps only a share
-// of the upward speed; the height left is its square.
+// Problem: every jump is as high as the highest. Hack: letting the button go while rising keeps only a
+// fraction of the upward speed; the height left is its square.
 #include "mover.h"
 
 namespace slipface {

@@ -13,7 +13,7 @@ namespace {
 
 // With constant speed on slopes: what of a move that leads down the ground stood on is made across the map,
 // so that the length along the slope is the move's. Uphill straight_ahead.cpp sees to it.
-double share_on_slope(const Mover& mover, const PlayerState& state, const Vec3& level) {
+double fraction_on_slope(const Mover& mover, const PlayerState& state, const Vec3& level) {
     if (!mover.was_grounded || !(descent(state.ground_normal, level) > 0.0)) return 1.0;
     const bool acts = mover.settings.constant_slope_speed;
     const double down = descent(state.ground_normal, level);
@@ -28,7 +28,7 @@ double share_on_slope(const Mover& mover, const PlayerState& state, const Vec3& 
 
 // The horizontal part slides; the vertical part decides whether the player is grounded.
 void move_split(Mover& mover, const PlayerState& state, const Vec3& move) {
-    const Vec3 level = horizontal(move) * share_on_slope(mover, state, horizontal(move));
+    const Vec3 level = horizontal(move) * fraction_on_slope(mover, state, horizontal(move));
     const double rise = mover.was_grounded ? -press_down(mover, state.ground_normal, move) : move.y();
     const Motion before = mover;
     const MovementSettings& s = mover.settings;
@@ -78,7 +78,7 @@ void move_whole(Mover& mover, const PlayerState& state, const Vec3& move, bool t
                   .surface = surface,
                   .platform = swept.platform,
                   .walkable = is_walkable(mover, swept.contact->normal, surface),
-                  .leftover = mover.velocity * mover.dt,
+                  .remainder = mover.velocity * mover.dt,
                   .done = 1.0};
     touch(mover, hit);
     if (off < -rounding) mover.velocity = respond(mover, hit).velocity;

@@ -99,8 +99,8 @@ Mat4f clip_from_local(const Camera& camera, int width, int height, const Vec3& o
 float depth_bias(const Camera& camera, int height, double pixels) {
     const Mat4 clip = clip_from_view(camera, 1.0);
     if (camera.orthographic) return static_cast<float>(clip(2, 2) * pixels * camera.ortho_height / height);
-    const double share = std::min(0.5, pixels * 2.0 * std::tan(0.5 * camera.fov_y) / height);
-    return static_cast<float>(clip(2, 3) * share / (1.0 - share));
+    const double fraction = std::min(0.5, pixels * 2.0 * std::tan(0.5 * camera.fov_y) / height);
+    return static_cast<float>(clip(2, 3) * fraction / (1.0 - fraction));
 }
 
 void describe_line_instances(const GladGLContext& gl, unsigned vertex_array, unsigned buffer) {

@@ -88,7 +88,7 @@ void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat
     gl->ActiveTexture(GL_TEXTURE2);
     gl->BindTexture(GL_TEXTURE_2D, table_texture);
     gl->ActiveTexture(GL_TEXTURE3);
-    gl->BindTexture(GL_TEXTURE_2D, lit(style) ? light_map.picture() : white_texture);
+    gl->BindTexture(GL_TEXTURE_2D, lit(style) ? light_map.image() : white_texture);
     gl->ActiveTexture(GL_TEXTURE4);
     gl->BindTexture(GL_TEXTURE_2D, lit(style) ? light_map.charts() : white_texture);
     gl->ActiveTexture(GL_TEXTURE0);

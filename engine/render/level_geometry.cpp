@@ -16,7 +16,7 @@ struct Edge {
     std::uint32_t a, b;  // vertices, lower first
     FaceId face;
 
-    bool same_place(const Edge& other) const { return a == other.a && b == other.b; }
+    bool same_position(const Edge& other) const { return a == other.a && b == other.b; }
     auto operator<=>(const Edge&) const = default;
 };
 
@@ -45,7 +45,7 @@ void append_edges(const Mesh& mesh, FaceId face, std::vector<Edge>& edges) {
 // One past the last of the edges that lie where edges[first] lies, in a sorted list.
 std::size_t end_of_run(const std::vector<Edge>& edges, std::size_t first) {
     std::size_t end = first + 1;
-    while (end < edges.size() && edges[end].same_place(edges[first]))
+    while (end < edges.size() && edges[end].same_position(edges[first]))
         ++end;
     return end;
 }

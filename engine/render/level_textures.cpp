@@ -55,9 +55,9 @@ Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& fold
     clear();
     Warnings warnings;
     std::size_t unlisted = 0;
-    const auto warn = [&](const std::string& place, const std::string& message) {
+    const auto warn = [&](const std::string& position, const std::string& message) {
         if (warnings.size() < max_texture_warnings) {
-            warnings.push_back({place, message});
+            warnings.push_back({position, message});
         } else {
             ++unlisted;
         }
@@ -76,28 +76,28 @@ Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& fold
         return checker_texture;
     };
     const auto load_one = [&](const Material& material) -> std::uint32_t {
-        const std::string place = "material \"" + material.name + "\"";
+        const std::string position = "material \"" + material.name + "\"";
         const auto [path, refused] = find_texture(material.texture, folder, access);
         if (refused)
-            warn(place,
+            warn(position,
                  "the texture \"" + material.texture + "\" lies outside the level's folder: not read" +
                      (path ? "; the picture of that name in the folder is used" : "; drawn as a checker"));
         if (!path && refused) return use_checker();
         if (!path) {
-            warn(place, "found no texture \"" + material.texture + "\" in " +
-                            (folder.empty() ? "." : folder.string()) + "; drawn as a checker");
+            warn(position, "found no texture \"" + material.texture + "\" in " +
+                               (folder.empty() ? "." : folder.string()) + "; drawn as a checker");
             return use_checker();
         }
         Result<Image> image = load_image(*path, max_file_side);
         if (!image) {
-            warn(place, image.error().text() + "; drawn as a checker");
+            warn(position, image.error().text() + "; drawn as a checker");
             return use_checker();
         }
         while (image->width > driver_side || image->height > driver_side)
             *image = halved(*image);
         const std::uint64_t bytes = image->rgba.size() + image->rgba.size() / 3;
         if (total_bytes + bytes > max_total_bytes) {
-            warn(place, "the level's textures exceed 1 GiB; drawn as a checker");
+            warn(position, "the level's textures exceed 1 GiB; drawn as a checker");
             return use_checker();
         }
         total_bytes += bytes;

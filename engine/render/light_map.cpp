@@ -65,7 +65,7 @@ Warnings LightMap::load(const Mesh& mesh, std::size_t drawn_faces, const LevelLi
                        " pixels, expected " + std::to_string(charts->width) + " x " +
                        std::to_string(charts->height));
     }
-    picture_ = make_texture(*gl_, GL_LINEAR);
+    image_ = make_texture(*gl_, GL_LINEAR);
     gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image->width, image->height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                     image->rgba.data());
 
@@ -81,7 +81,7 @@ Warnings LightMap::load(const Mesh& mesh, std::size_t drawn_faces, const LevelLi
 }
 
 void LightMap::clear() {
-    for (unsigned* texture : {&picture_, &charts_}) {
+    for (unsigned* texture : {&image_, &charts_}) {
         if (*texture != 0) gl_->DeleteTextures(1, texture);
         *texture = 0;
     }

@@ -27,13 +27,13 @@ class LightMap {
                   const std::filesystem::path& folder, const Vec3& origin);
     void clear();
 
-    bool loaded() const { return picture_ != 0; }
-    unsigned picture() const { return picture_; }
+    bool loaded() const { return image_ != 0; }
+    unsigned image() const { return image_; }
     unsigned charts() const { return charts_; }
 
   private:
     GlTable gl_;
-    unsigned picture_ = 0, charts_ = 0;
+    unsigned image_ = 0, charts_ = 0;
 };
 
 }  // namespace slipface

@@ -15,8 +15,8 @@ std::uint8_t byte_of(float value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
 }
 
-Color faded(Color color, float share) {
-    color.alpha *= share;
+Color faded(Color color, float fraction) {
+    color.alpha *= fraction;
     return color;
 }
 

@@ -36,11 +36,11 @@ bool drawable(const Overlay::Ellipsoid& e) {
 // Indices of `items` from the farthest to the nearest; equally far ones keep their order.
 template <class Item, class Place>
 std::vector<std::size_t> far_to_near(const std::vector<Item>& items, const Camera& camera,
-                                     const Place& place) {
+                                     const Place& position) {
     std::vector<double> depth(items.size());
     const Vec3 forward = camera.target - camera.eye;
     for (std::size_t i = 0; i < items.size(); ++i)
-        depth[i] = forward.dot(place(items[i]) - camera.eye);
+        depth[i] = forward.dot(position(items[i]) - camera.eye);
     std::vector<std::size_t> order(items.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),

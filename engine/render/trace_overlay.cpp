@@ -17,32 +17,33 @@ class TraceDrawing {
     void operator()(const SweepRecord& sweep) {
         const Color color = sweep_color(index_++);
         if (!started_) start(sweep.from);
-        place_ = sweep.contact ? Vec3(sweep.from + sweep.contact->t * sweep.move) : sweep.reached;
+        position_ = sweep.contact ? Vec3(sweep.from + sweep.contact->t * sweep.move) : sweep.reached;
         overlay_.line(sweep.from, sweep.reached, tint(color, 0.75f), 5.0f, true);
         ghost(sweep.reached, color);
         if (sweep.contact) contact(*sweep.contact);
     }
 
     void operator()(const ResponseRecord& response) {
-        if (!style_.leftovers || !started_) return;
-        leftovers_.push_back({place_, response.leftover_before, trace_colors::leftover_before});
-        leftovers_.push_back({place_, response.leftover_after, trace_colors::leftover_after});
+        if (!style_.remainders || !started_) return;
+        remainders_.push_back({position_, response.remainder_before, trace_colors::remainder_before});
+        remainders_.push_back({position_, response.remainder_after, trace_colors::remainder_after});
     }
 
     void operator()(const PushOutRecord& push) {
         if (!started_) start(push.from);
-        place_ = push.to;
+        position_ = push.to;
         overlay_.arrow(push.from, push.to, tint(trace_colors::push_out, 1.0f), 3.0f);
         ghost(push.to, trace_colors::push_out);
     }
 
     void operator()(const DecisionRecord&) {}
 
-    // The next sweep usually goes along the leftover, so these thin arrows lie on the broad paths.
-    void draw_leftovers() {
-        for (const Leftover& leftover : leftovers_) {
-            if (!(leftover.vector.squaredNorm() > 0.0)) continue;
-            overlay_.arrow(leftover.from, leftover.from + leftover.vector, tint(leftover.color, 1.0f), 2.0f);
+    // The next sweep usually goes along the remainder, so these thin arrows lie on the broad paths.
+    void draw_remainders() {
+        for (const Remainder& remainder : remainders_) {
+            if (!(remainder.vector.squaredNorm() > 0.0)) continue;
+            overlay_.arrow(remainder.from, remainder.from + remainder.vector, tint(remainder.color, 1.0f),
+                           2.0f);
         }
     }
 
@@ -54,7 +55,7 @@ class TraceDrawing {
 
     void start(const Vec3& centre) {
         started_ = true;
-        place_ = centre;
+        position_ = centre;
         if (style_.ghosts) {
             overlay_.ellipsoid(centre, radii_, tint(trace_colors::start, 0.06f),
                                tint(trace_colors::start, 1.0f));
@@ -80,7 +81,7 @@ class TraceDrawing {
         overlay_.line(contact.point, contact.point, tint(trace_colors::contact, 1.0f), 8.0f, true);
     }
 
-    struct Leftover {
+    struct Remainder {
         Vec3 from, vector;
         Color color;
     };
@@ -91,8 +92,8 @@ class TraceDrawing {
     const double size_;
     bool started_ = false;
     int index_ = 0;
-    Vec3 place_ = Vec3::Zero();
-    std::vector<Leftover> leftovers_;
+    Vec3 position_ = Vec3::Zero();
+    std::vector<Remainder> remainders_;
 };
 
 }  // namespace
@@ -112,7 +113,7 @@ void draw_trace(Overlay& overlay, std::span<const TraceRecord> records, const Ve
     TraceDrawing drawing(overlay, radii, style);
     for (const TraceRecord& record : records)
         std::visit(drawing, record);
-    drawing.draw_leftovers();
+    drawing.draw_remainders();
 }
 
 }  // namespace slipface

@@ -124,16 +124,16 @@ Demo demo_heightfield() {
                                                .size = {24, 28},
                                                .low = -1.0,
                                                .high = 2.0};
-    GreyImage picture{.width = side, .height = side, .values = {}};
+    GreyImage image{.width = side, .height = side, .values = {}};
     for (int row = 0; row < side; ++row) {
         for (int column = 0; column < side; ++column) {
             const double x = column / 5.0, z = row / 4.0;
             const double wave = 0.5 + 0.25 * std::sin(x) * std::cos(z) + 0.2 * std::sin(0.6 * z + 1.0);
-            picture.values.push_back(static_cast<std::uint16_t>(std::clamp(wave, 0.0, 1.0) * 65535.0));
+            image.values.push_back(static_cast<std::uint16_t>(std::clamp(wave, 0.0, 1.0) * 65535.0));
         }
     }
     demo.level.terrain =
-        std::make_shared<const Heightfield>(make_heightfield(*demo.level.heightfield, picture));
+        std::make_shared<const Heightfield>(make_heightfield(*demo.level.heightfield, image));
     return demo;
 }
 

@@ -38,13 +38,13 @@ std::string mtl_text(const Mesh& mesh) {
     return text;
 }
 
-GreyImage terrain_picture(const Heightfield& field, const HeightfieldSource& source) {
-    GreyImage picture{.width = field.columns, .height = field.rows, .values = {}};
+GreyImage terrain_image(const Heightfield& field, const HeightfieldSource& source) {
+    GreyImage image{.width = field.columns, .height = field.rows, .values = {}};
     for (const double height : field.heights) {
-        const double share = (height - source.origin.y() - source.low) / (source.high - source.low);
-        picture.values.push_back(static_cast<std::uint16_t>(std::lround(share * 65535.0)));
+        const double fraction = (height - source.origin.y() - source.low) / (source.high - source.low);
+        image.values.push_back(static_cast<std::uint16_t>(std::lround(fraction * 65535.0)));
     }
-    return picture;
+    return image;
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ Result<std::filesystem::path> save_demo(const DemoInfo& info, const std::filesys
     if (demo.level.terrain && demo.level.heightfield) {
         const auto path = folder / demo.level.heightfield->file;
         const Status status =
-            save_grey_png(path, terrain_picture(*demo.level.terrain, *demo.level.heightfield));
+            save_grey_png(path, terrain_image(*demo.level.terrain, *demo.level.heightfield));
         if (!status) return status.error();
     }
     if (const Status status = save_level(demo.level); !status) return status.error();

@@ -33,24 +33,25 @@ double speed_of(const AuditOptions& options, const MovementSettings& settings, s
 }
 
 Status check_options(const Level& level, const AuditOptions& options) {
-    const std::string place = "audit";
-    if (level.mesh->triangle_count() == 0) return Error{place, "the level has no triangles"};
+    const std::string location = "audit";
+    if (level.mesh->triangle_count() == 0) return Error{location, "the level has no triangles"};
     if (options.walkers < 1 || options.walkers > 10'000'000)
-        return Error{place, fmt::format("found {} walkers, expected 1 to 10000000", options.walkers)};
+        return Error{location, fmt::format("found {} walkers, expected 1 to 10000000", options.walkers)};
     if (!(options.dt >= 1e-4 && options.dt <= 0.25))
-        return Error{place, fmt::format("found a step of {} s, expected 0.0001 to 0.25", options.dt)};
+        return Error{location, fmt::format("found a step of {} s, expected 0.0001 to 0.25", options.dt)};
     if (!(options.duration_s >= options.dt &&
           options.duration_s / options.dt * options.walkers <= double(max_steps)))
-        return Error{place,
+        return Error{location,
                      fmt::format("found {} s a walker, expected at least one step and at most {} in all",
                                  options.duration_s, max_steps)};
     if (options.shard.number < 1 || options.shard.number > options.shard.count)
-        return Error{place, fmt::format("found shard {}, expected 1/{} to {}/{}", shard_text(options.shard),
-                                        options.shard.count, options.shard.count, options.shard.count)};
+        return Error{location,
+                     fmt::format("found shard {}, expected 1/{} to {}/{}", shard_text(options.shard),
+                                 options.shard.count, options.shard.count, options.shard.count)};
     for (const double speed : options.speeds) {
         if (!(speed > 0.0 && speed <= find_setting("walk_speed")->maximum))
-            return Error{place, fmt::format("found a speed of {} m/s, expected above 0 and at most {}", speed,
-                                            find_setting("walk_speed")->maximum)};
+            return Error{location, fmt::format("found a speed of {} m/s, expected above 0 and at most {}",
+                                               speed, find_setting("walk_speed")->maximum)};
     }
     return {};
 }
@@ -126,10 +127,10 @@ Aabb walk_bounds(Aabb bounds, const MovementSettings& settings, bool closed) {
 // them little. Fewer where that would leave a thread without work. Where nothing moves, one after another is
 // fastest. No result depends on it.
 std::size_t crowd_of(const LevelScene& scene, std::size_t walkers) {
-    constexpr std::size_t least = 32, most = 256;
+    constexpr std::size_t least = 32, maximum = 256;
     if (scene.is_static()) return 1;
     const auto threads = static_cast<std::size_t>(parallel_threads());
-    return std::clamp((walkers + threads - 1) / threads, least, most);
+    return std::clamp((walkers + threads - 1) / threads, least, maximum);
 }
 
 }  // namespace

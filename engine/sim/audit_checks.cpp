@@ -18,21 +18,21 @@ FaceId face_between(const CollisionWorld& world, const Vec3& from, const Vec3& t
 
 // The corners of the way that a step took from `from`, as its sweeps tell it; the last is `after`. Hacks try
 // moves and take them back, so each sweep goes on from the latest corner that lies where it begins.
-std::vector<Vec3> traced_way(const MovementScene& scene, const MovementSettings& settings,
-                             const PlayerState& before, const PlayerInput& input, double dt, const Vec3& from,
-                             const Vec3& after) {
+std::vector<Vec3> traced_path(const MovementScene& scene, const MovementSettings& settings,
+                              const PlayerState& before, const PlayerInput& input, double dt,
+                              const Vec3& from, const Vec3& after) {
     TraceRecorder trace;
     step(scene, settings, before, input, dt, &trace);
     struct Corner {
-        Vec3 place;
+        Vec3 position;
         std::size_t previous;
     };
     std::vector<Corner> corners{{from, 0}};
-    const auto latest_at = [&](const Vec3& place) {
+    const auto latest_at = [&](const Vec3& position) {
         for (std::size_t i = corners.size(); i-- > 0;)
-            if (corners[i].place == place) return i;
+            if (corners[i].position == position) return i;
         // Moved without a sweep, by a push-out or onto terrain: straight from where it was last.
-        corners.push_back({place, corners.size() - 1});
+        corners.push_back({position, corners.size() - 1});
         return corners.size() - 1;
     };
     for (const TraceRecord& record : trace.records) {
@@ -41,16 +41,16 @@ std::vector<Vec3> traced_way(const MovementScene& scene, const MovementSettings&
         const std::size_t begin = latest_at(sweep->from);
         corners.push_back({sweep->reached, begin});
     }
-    std::vector<Vec3> way;
+    std::vector<Vec3> path;
     for (std::size_t i = latest_at(after); i != 0; i = corners[i].previous)
-        way.push_back(corners[i].place);
-    std::reverse(way.begin(), way.end());
-    if (way.empty()) way.push_back(after);
-    return way;
+        path.push_back(corners[i].position);
+    std::reverse(path.begin(), path.end());
+    if (path.empty()) path.push_back(after);
+    return path;
 }
 
-bool way_is_clear(const CollisionWorld& world, Vec3 at, std::span<const Vec3> way) {
-    for (const Vec3& point : way) {
+bool path_is_clear(const CollisionWorld& world, Vec3 at, std::span<const Vec3> path) {
+    for (const Vec3& point : path) {
         if (face_between(world, at, point) != no_id) return false;
         at = point;
     }
@@ -73,13 +73,13 @@ struct Passage {
     bool moves;
 };
 
-bool is_excused(const Passage& passage, std::span<const Vec3> way) {
+bool is_excused(const Passage& passage, std::span<const Vec3> path) {
     const auto& [world, from, face, moves] = passage;
-    if (way_is_clear(world, from, way)) return true;
+    if (path_is_clear(world, from, path)) return true;
     // Pushes come first in a trace and do not see the platform that pushes: in its frame all of them are one
     // way, from where it set out to where they end, which is some corner of the way.
-    for (std::size_t pushed = 1; moves && pushed < way.size(); ++pushed) {
-        if (way_is_clear(world, from, way.subspan(pushed))) return true;
+    for (std::size_t pushed = 1; moves && pushed < path.size(); ++pushed) {
+        if (path_is_clear(world, from, path.subspan(pushed))) return true;
     }
     return false;
 }
@@ -103,11 +103,11 @@ std::optional<CheckFailure> passed_through(const MovementScene& scene, std::span
                                            const PlayerInput& input, double dt, const Vec3& after,
                                            Against against) {
     const Vec3 from = position_in_scene(scene, before);
-    std::vector<Vec3> way;
+    std::vector<Vec3> path;
     const auto judge = [&](const Passage& passage) -> std::optional<CheckFailure> {
         if (passage.face == no_id) return std::nullopt;
-        if (way.empty()) way = traced_way(scene, settings, before, input, dt, from, after);
-        if (is_excused(passage, way)) return std::nullopt;
+        if (path.empty()) path = traced_path(scene, settings, before, input, dt, from, after);
+        if (is_excused(passage, path)) return std::nullopt;
         return CheckFailure{(after - passage.from).norm(), passage.face};
     };
     if (const auto failure =
@@ -158,8 +158,8 @@ std::optional<Contact> first_touch(const MovementScene& scene, const Vec3& radii
     return first;
 }
 
-bool way_is_free(const MovementScene& scene, const MovementSettings& settings, const Vec3& position,
-                 const Vec2& heading) {
+bool path_is_free(const MovementScene& scene, const MovementSettings& settings, const Vec3& position,
+                  const Vec2& heading) {
     constexpr double reach = 0.05;
     const double length = heading.norm();
     if (!(length > 0.0)) return false;

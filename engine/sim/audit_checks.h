@@ -31,13 +31,13 @@ std::optional<CheckFailure> passed_through(const MovementScene& scene, std::span
                                            const PlayerInput& input, double dt, const Vec3& after,
                                            Against against = Against::everything);
 
-// The ellipsoid, smaller by the skin, overlaps a solid, two-sided triangle. Depth in shares of the radii.
+// The ellipsoid, smaller by the skin, overlaps a solid, two-sided triangle. Depth in fractions of the radii.
 std::optional<CheckFailure> overlaps_deeply(const MovementScene& scene, const MovementSettings& settings,
                                             const Vec3& position, Against against = Against::everything);
 
 // Somewhere between straight on and `max_slope` upwards the ellipsoid could move 5 cm along `heading` (x, z).
-bool way_is_free(const MovementScene& scene, const MovementSettings& settings, const Vec3& position,
-                 const Vec2& heading);
+bool path_is_free(const MovementScene& scene, const MovementSettings& settings, const Vec3& position,
+                  const Vec2& heading);
 
 // The first that the ellipsoid touches on its way, standing still or a platform.
 std::optional<Contact> first_touch(const MovementScene& scene, const Vec3& radii, const Vec3& from,

@@ -56,7 +56,7 @@ Json heat_json(const std::vector<FaceHeat>& heat) {
 // Reads one object; the first thing that is not as expected is kept as the error.
 class Reader {
   public:
-    Reader(const Json& json, std::string place) : json_(json), place_(std::move(place)) {}
+    Reader(const Json& json, std::string location) : json_(json), location_(std::move(location)) {}
 
     template <class T>
     T number(const char* key) {
@@ -111,13 +111,13 @@ class Reader {
         return found == json_.end() ? nullptr : &*found;
     }
     void fail(const char* key, const std::string& expected) {
-        if (!error_) error_ = Error{place_ + "/" + key, "expected " + expected};
+        if (!error_) error_ = Error{location_ + "/" + key, "expected " + expected};
     }
     const std::optional<Error>& error() const { return error_; }
 
   private:
     const Json& json_;
-    std::string place_;
+    std::string location_;
     std::optional<Error> error_;
 };
 
@@ -127,9 +127,9 @@ std::optional<FindingKind> kind_named(std::string_view name) {
     return std::nullopt;
 }
 
-Result<AuditFinding> read_finding(const Json& json, const std::string& place) {
-    if (!json.is_object()) return Error{place, "expected an object"};
-    Reader reader(json, place);
+Result<AuditFinding> read_finding(const Json& json, const std::string& location) {
+    if (!json.is_object()) return Error{location, "expected an object"};
+    Reader reader(json, location);
     AuditFinding finding;
     const std::string kind = reader.text("kind");
     const auto named = kind_named(kind);
@@ -156,15 +156,17 @@ Result<AuditFinding> read_finding(const Json& json, const std::string& place) {
 
 constexpr std::size_t max_heat_faces = 100'000'000;
 
-Status read_heat(const Json& json, std::size_t faces, const std::string& place, std::vector<FaceHeat>& heat) {
-    if (!json.is_array() || faces > max_heat_faces) return Error{place, "expected a list of faces"};
+Status read_heat(const Json& json, std::size_t faces, const std::string& location,
+                 std::vector<FaceHeat>& heat) {
+    if (!json.is_array() || faces > max_heat_faces) return Error{location, "expected a list of faces"};
     heat.resize(faces);
     for (const Json& row : json) {
         const bool fits =
             row.is_array() && row.size() == 6 &&
             std::all_of(row.begin(), row.end(), [](const auto& v) { return v.is_number_unsigned(); });
         if (!fits || row[0].get<std::uint64_t>() >= faces)
-            return Error{place, fmt::format("expected rows of six whole numbers, the first below {}", faces)};
+            return Error{location,
+                         fmt::format("expected rows of six whole numbers, the first below {}", faces)};
         heat[row[0].get<std::size_t>()] = {row[1].get<std::uint64_t>(), row[2].get<std::uint64_t>(),
                                            row[3].get<std::uint64_t>(), row[4].get<std::uint64_t>(),
                                            row[5].get<std::uint64_t>()};
@@ -228,18 +230,18 @@ std::string audit_to_json(const AuditReport& report) {
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-Result<AuditReport> audit_from_json(std::string_view text, const std::string& place) {
+Result<AuditReport> audit_from_json(std::string_view text, const std::string& location) {
     Json json = Json::parse(text, nullptr, false);
     if (!json.is_object())
-        return Error{place, "is no audit report, or only the beginning of one: expected a JSON object"};
-    Reader reader(json, place + ":");
+        return Error{location, "is no audit report, or only the beginning of one: expected a JSON object"};
+    Reader reader(json, location + ":");
     if (const auto found = reader.number<std::uint32_t>("slipface_audit"); found != version)
-        return Error{place, fmt::format("found audit version {}, expected {}", found, version)};
+        return Error{location, fmt::format("found audit version {}, expected {}", found, version)};
     const std::string checksum = reader.text("checksum");
     Json unsigned_json = json;
     unsigned_json.erase("checksum");
     if (!reader.error() && checksum != checksum_of(unsigned_json))
-        return Error{place, "is damaged: its checksum does not fit what it says"};
+        return Error{location, "is damaged: its checksum does not fit what it says"};
     AuditReport report;
     report.level_name = reader.text("level");
     report.level_fingerprint = reader.hexadecimal("fingerprint");
@@ -252,7 +254,7 @@ Result<AuditReport> audit_from_json(std::string_view text, const std::string& pl
     report.dt_text = reader.text("dt");
     report.speeds = reader.list<double>("speeds");
     if (reader.member("shard")) {
-        const Result<Shard> shard = parse_shard(reader.text("shard"), place + ":/shard");
+        const Result<Shard> shard = parse_shard(reader.text("shard"), location + ":/shard");
         if (!shard) return shard.error();
         report.shard = *shard;
     }
@@ -272,14 +274,14 @@ Result<AuditReport> audit_from_json(std::string_view text, const std::string& pl
     if (!findings || !findings->is_array()) reader.fail("findings", "a list");
     if (reader.error()) return *reader.error();
     for (std::size_t i = 0; i < findings->size(); ++i) {
-        auto finding = read_finding((*findings)[i], fmt::format("{}:/findings/{}", place, i));
+        auto finding = read_finding((*findings)[i], fmt::format("{}:/findings/{}", location, i));
         if (!finding) return finding.error();
         report.findings.push_back(std::move(*finding));
     }
     if (const Json* heat = reader.member("heat")) {
         const auto faces = reader.number<std::uint64_t>("faces");
         if (reader.error()) return *reader.error();
-        if (Status status = read_heat(*heat, faces, place + ":/heat", report.heat); !status.ok())
+        if (Status status = read_heat(*heat, faces, location + ":/heat", report.heat); !status.ok())
             return status.error();
     }
     return report;

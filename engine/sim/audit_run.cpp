@@ -26,7 +26,7 @@ class HeatSink final : public TraceSink {
           tick_(tick),
           gap_(static_cast<std::uint64_t>(visit_gap_s / dt)),
           wish_(input.wish.x(), 0.0, input.wish.y()),
-          asked_speed_(wish_.norm() * settings.walk_speed),
+          wished_speed_(wish_.norm() * settings.walk_speed),
           dt_(dt) {
         if (const double length = wish_.norm(); length > 0.0) wish_ /= length;
     }
@@ -35,9 +35,10 @@ class HeatSink final : public TraceSink {
         if (!response || response->face >= heat_.size()) return;
         FaceHeat& heat = heat_[response->face];
         if (touched_.arrives(response->face, tick_, gap_)) ++heat.visits;
-        if (!(asked_speed_ > 0.0)) return;
+        if (!(wished_speed_ > 0.0)) return;
         // Only what was wished counts: the floor takes the fall of every tick and costs nothing.
-        const double lost = (response->leftover_before - response->leftover_after).dot(wish_) / asked_speed_;
+        const double lost =
+            (response->remainder_before - response->remainder_after).dot(wish_) / wished_speed_;
         if (lost > 0.0) heat.lost_us += static_cast<std::uint64_t>(1e6 * std::min(lost, dt_));
     }
 
@@ -46,7 +47,7 @@ class HeatSink final : public TraceSink {
     RecentFaces& touched_;
     std::uint64_t tick_, gap_;
     Vec3 wish_;
-    double asked_speed_, dt_;
+    double wished_speed_, dt_;
 };
 
 // The two faces that hold a walker at `at`: the nearest, and the one that faces it most.
@@ -68,11 +69,11 @@ std::pair<FaceId, FaceId> holding_faces(const MovementScene& scene, const Moveme
         [](const Overlap& a, const Overlap& b) { return a.depth_sphere_space < b.depth_sphere_space; });
     if (nearest == touched.end()) return faces;
     faces.first = nearest->face;
-    double most = 1.0;
+    double maximum = 1.0;
     for (const Overlap& other : touched) {
         const double along = other.normal.dot(nearest->normal);
-        if (other.face == faces.first || along >= most) continue;
-        most = along;
+        if (other.face == faces.first || along >= maximum) continue;
+        maximum = along;
         faces.second = other.face;
     }
     return faces;
@@ -123,7 +124,7 @@ std::optional<double> StuckWatch::tick(const MovementScene& scene, const Movemen
     if (ticks_ + patience_ <= window_) return std::nullopt;
     if (input.wish != heading_) free_ = 0;
     heading_ = input.wish;
-    free_ = way_is_free(scene, settings, position, input.wish) ? free_ + 1 : 0;
+    free_ = path_is_free(scene, settings, position, input.wish) ? free_ + 1 : 0;
     if (ticks_ < window_ || free_ < patience_) return std::nullopt;
     const double seconds = static_cast<double>(ticks_) * dt_;
     begin(position);
@@ -236,8 +237,8 @@ void AuditRun::add_heat(std::vector<FaceHeat>& heat, const MovementScene& scene,
     if (held && after.ground_face < heat.size()) {
         FaceHeat& face = heat[after.ground_face];
         ++face.stood;
-        const double asked = input.wish.norm() * settings_.walk_speed * arena_->options.dt;
-        if ((at - position_in_scene(scene, before)).norm() < 0.1 * asked) ++face.stuck;
+        const double requested = input.wish.norm() * settings_.walk_speed * arena_->options.dt;
+        if ((at - position_in_scene(scene, before)).norm() < 0.1 * requested) ++face.stuck;
     }
     if (!held && before.velocity.y() <= 0.0) {
         const auto below = first_touch(scene, settings_.radii, at, Vec3(0.0, -near_ground, 0.0));

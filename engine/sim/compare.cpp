@@ -35,9 +35,9 @@ Played play(const TickScene& scene, const TapeRun& run, std::size_t tick, std::s
         const TickResult result =
             play_tick(scene.at(i, run.dt()), settings, outcome.end, input, run.dt(), begin);
         const Vec3 moved = scene.to_level(result.stepped) - scene.to_level(outcome.end);
-        const Vec3 asked(input.wish.x(), 0.0, input.wish.y());
-        const double length = asked.norm();
-        if (length > 0.0) outcome.advanced_m += moved.dot(asked) / length;
+        const Vec3 requested(input.wish.x(), 0.0, input.wish.y());
+        const double length = requested.norm();
+        if (length > 0.0) outcome.advanced_m += moved.dot(requested) / length;
         if (result.state.grounded) ++outcome.grounded;
         outcome.end = result.state;
     }
@@ -88,9 +88,9 @@ Tape tape_at_rate(const Tape& tape, int hz) {
     for (std::size_t tick = 0; tick < count; ++tick) {
         const double begin = static_cast<double>(tick) * ratio;
         const std::size_t first = std::min(source(begin), inputs.size() - 1);
-        const double last_share = std::ceil(begin + ratio - rounding) - 1.0;
+        const double last_fraction = std::ceil(begin + ratio - rounding) - 1.0;
         const std::size_t last =
-            std::clamp(static_cast<std::size_t>(std::max(last_share, 0.0)), first, inputs.size() - 1);
+            std::clamp(static_cast<std::size_t>(std::max(last_fraction, 0.0)), first, inputs.size() - 1);
         PlayerInput input = inputs[first];
         for (std::size_t i = first + 1; i <= last; ++i)
             input.jump = input.jump || inputs[i].jump;

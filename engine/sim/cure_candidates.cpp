@@ -23,9 +23,9 @@ constexpr double much = 0.5;
 // in which it is told.
 struct NumberRow {
     const char* name;
-    const char* also;    // a second setting that gets the same value, or empty
-    double factor;       // extreme = now * factor
-    double least, most;  // of the extreme; as stored
+    const char* also;       // a second setting that gets the same value, or empty
+    double factor;          // extreme = now * factor
+    double least, maximum;  // of the extreme; as stored
     double step;
 };
 constexpr std::array<NumberRow, 13> number_rows{{
@@ -105,7 +105,7 @@ void add_numbers(std::vector<CureCandidate>& all, const MovementSettings& settin
         c.numbers = {info};
         if (*row.also) c.numbers.push_back(find_setting(row.also));
         c.now = get_setting(settings, *info);
-        c.extreme = std::clamp(c.now * row.factor, row.least, row.most);
+        c.extreme = std::clamp(c.now * row.factor, row.least, row.maximum);
         c.step = row.step;
         c.fits = fits(loss, row.name);
         if ((c.extreme - c.now) * (row.factor - 1.0) <= 0.0) continue;

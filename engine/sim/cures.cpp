@@ -41,8 +41,8 @@ struct Trial {
             const PlayerInput input = run.input_at(tick);
             const TickResult result = play_tick(scene.at(tick, run.dt()), now, state, input, run.dt(), start);
             const Vec3 moved = scene.to_level(result.stepped) - scene.to_level(state);
-            const Vec3 asked(input.wish.x(), 0.0, input.wish.y());
-            if (!asked.isZero(0.0)) advanced_m += moved.dot(asked) / asked.norm();
+            const Vec3 requested(input.wish.x(), 0.0, input.wish.y());
+            if (!requested.isZero(0.0)) advanced_m += moved.dot(requested) / requested.norm();
             // The stick into a ladder asks for height.
             if (state.climbing && moved.y() > 0.0) advanced_m += moved.y();
             if (tick < mark_end) at_mark_end_m = advanced_m;
@@ -177,7 +177,7 @@ struct CureSearch::Impl {
         paint(nullptr);
         if (index >= candidates.size()) {
             std::stable_sort(found.begin(), found.end(), better);
-            if (found.size() > CureSearch::most) found.resize(CureSearch::most);
+            if (found.size() > CureSearch::maximum) found.resize(CureSearch::maximum);
             index = 0;
             return next_whole();
         }

@@ -53,23 +53,23 @@ std::string face_words(const Level& level, FaceId face) {
 
 std::string finding_text(const Level& level, const AuditOptions& options, const AuditFinding& finding) {
     const double seconds = static_cast<double>(finding.tick) * options.dt;
-    const std::string who = finding.life == 0
-                                ? fmt::format("Walker {}", finding.walker)
-                                : fmt::format("Walker {} in life {}", finding.walker, finding.life + 1);
+    const std::string walker = finding.life == 0
+                                   ? fmt::format("Walker {}", finding.walker)
+                                   : fmt::format("Walker {} in life {}", finding.walker, finding.life + 1);
     const Vec3& at = finding.position;
     const std::string where = fmt::format("({:.2f}, {:.2f}, {:.2f}) m", at.x(), at.y(), at.z());
     switch (finding.kind) {
         case FindingKind::passed_through:
-            return fmt::format("{} passed through {} after {:.1f} s, {:.3f} m in one tick", who,
+            return fmt::format("{} passed through {} after {:.1f} s, {:.3f} m in one tick", walker,
                                face_words(level, finding.face), seconds, finding.amount);
         case FindingKind::left_level:
-            return fmt::format("{} left the level after {:.1f} s at {}; it last stood on {}", who, seconds,
+            return fmt::format("{} left the level after {:.1f} s at {}; it last stood on {}", walker, seconds,
                                where, face_words(level, finding.face));
         case FindingKind::overlap:
-            return fmt::format("{} ended inside {} after {:.1f} s, by {:.1f} % of its radius", who,
+            return fmt::format("{} ended inside {} after {:.1f} s, by {:.1f} % of its radius", walker,
                                face_words(level, finding.face), seconds, 100.0 * finding.amount);
         case FindingKind::stuck:
-            return fmt::format("{} got stuck after {:.1f} s{}", who, seconds - finding.amount,
+            return fmt::format("{} got stuck after {:.1f} s{}", walker, seconds - finding.amount,
                                pair_words(level, finding.face, finding.other));
     }
     return {};

@@ -33,15 +33,16 @@ class Reader {
             std::visit([&](const auto& record) { take(i, record); }, trace_.records[i]);
         if (special_) return special_;
         if (heading_.isZero(0.0)) return std::nullopt;
-        const auto most = std::max_element(
+        const auto maximum = std::max_element(
             taken_.begin(), taken_.end(), [](const Taken& a, const Taken& b) { return a.lost_m < b.lost_m; });
         double all = carried_m_;
         for (const Taken& t : taken_)
             all += t.lost_m;
         const double made = (trace_.to - trace_.from).dot(heading_);
         if (!(all > 0.0) || made >= all) return std::nullopt;
-        if (carried_m_ > 0.0 && (most == taken_.end() || carried_m_ >= most->lost_m)) return carried_loss();
-        return loss_by(*most);
+        if (carried_m_ > 0.0 && (maximum == taken_.end() || carried_m_ >= maximum->lost_m))
+            return carried_loss();
+        return loss_by(*maximum);
     }
 
   private:
@@ -62,7 +63,7 @@ class Reader {
     }
 
     void take(std::size_t index, const ResponseRecord& response) {
-        const double lost = towards(response.leftover_before - response.leftover_after);
+        const double lost = towards(response.remainder_before - response.remainder_after);
         if (!(lost > 0.0)) return;
         auto known = std::find_if(taken_.begin(), taken_.end(),
                                   [&](const Taken& t) { return t.face == response.face; });
@@ -81,7 +82,8 @@ class Reader {
     void take(std::size_t index, const DecisionRecord& decision) {
         const DecisionInfo& info = decision_info(decision.kind);
         const bool of_step = std::string_view(info.hack) == "step_up";
-        const bool of_rim = decision.kind >= Decision::step_rim && decision.kind <= Decision::step_rim_no_way;
+        const bool of_rim =
+            decision.kind >= Decision::step_rim && decision.kind <= Decision::step_rim_blocked;
         if (of_step && !of_rim) {
             step_decision_ = decision;
             stepping_ = false;
@@ -133,7 +135,7 @@ class Reader {
                         .record = index,
                         .face = decision.face,
                         .surface = trace_.before.ground_surface,
-                        .place = sweep_ && sweep_->contact ? sweep_->contact->point : trace_.from,
+                        .position = sweep_ && sweep_->contact ? sweep_->contact->point : trace_.from,
                         .because = decision};
         if (sweep_ && sweep_->contact && sweep_->contact->face == decision.face) {
             special_->surface = sweep_->contact->surface;
@@ -148,33 +150,36 @@ class Reader {
             .record = carried_record_,
             .face = carrier_.face,
             .surface = trace_.before.ground_surface,
-            .place = trace_.from - Vec3(0.0, trace_.settings.radii.y(), 0.0),
+            .position = trace_.from - Vec3(0.0, trace_.settings.radii.y(), 0.0),
             .normal = trace_.before.ground_normal,
             .because = carrier_};
     }
 
-    Loss loss_by(const Taken& most) const {
-        Loss loss{.lost_m = most.lost_m, .record = most.record, .face = most.face, .surface = most.surface};
-        if (most.sweep == nullptr || !most.sweep->contact) return loss;
-        const SweepRecord& sweep = *most.sweep;
+    Loss loss_by(const Taken& maximum) const {
+        Loss loss{.lost_m = maximum.lost_m,
+                  .record = maximum.record,
+                  .face = maximum.face,
+                  .surface = maximum.surface};
+        if (maximum.sweep == nullptr || !maximum.sweep->contact) return loss;
+        const SweepRecord& sweep = *maximum.sweep;
         const Contact& contact = *sweep.contact;
-        loss.place = contact.point;
+        loss.position = contact.point;
         loss.normal = contact.normal;
         const double centre = sweep.from.y() + contact.t * sweep.move.y();
         const double half = trace_.settings.radii.y();
         loss.height_m = contact.point.y() - (centre - half);
         for (const DecisionRecord& steep : steep_)
-            if (steep.face == most.face) loss.because = steep;
+            if (steep.face == maximum.face) loss.because = steep;
 
         const Taken* second = nullptr;
         for (const Taken& t : taken_) {
             const bool upright = t.sweep != nullptr && t.sweep->contact && t.sweep->contact->normal.y() < 0.7;
-            if (t.face != most.face && upright && (second == nullptr || t.lost_m > second->lost_m))
+            if (t.face != maximum.face && upright && (second == nullptr || t.lost_m > second->lost_m))
                 second = &t;
         }
         loss.in_air = !trace_.before.grounded && !trace_.before.climbing && !trace_.before.stuck;
         const bool aside = contact.normal.y() < slope_normal_y;
-        if (most.rule == Rule::stick) {
+        if (maximum.rule == Rule::stick) {
             loss.cause = StopCause::sticky;
         } else if (sweep.platform != no_id) {
             loss.cause = StopCause::platform;
@@ -194,8 +199,8 @@ class Reader {
         if (upright && second != nullptr) {
             loss.other = second->face;
             // In a corner the last face touched takes what all of them held back.
-            const bool cornered = most.rule == Rule::crease || most.rule == Rule::stop;
-            loss.other_m = cornered ? std::max(second->lost_m, most.lost_m) : second->lost_m;
+            const bool cornered = maximum.rule == Rule::crease || maximum.rule == Rule::stop;
+            loss.other_m = cornered ? std::max(second->lost_m, maximum.lost_m) : second->lost_m;
         }
         return loss;
     }

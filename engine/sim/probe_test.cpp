@@ -179,7 +179,7 @@ std::string probe_test_to_text(const ProbeTest& test) {
     return text + "end " + vector_word(test.end) + "\n";
 }
 
-Result<ProbeTest> parse_probe_test(std::string_view text, const std::string& place) {
+Result<ProbeTest> parse_probe_test(std::string_view text, const std::string& location) {
     ProbeTest test;
     std::size_t number = 0;
     bool header = false, from = false, move = false, end = false;
@@ -189,7 +189,7 @@ Result<ProbeTest> parse_probe_test(std::string_view text, const std::string& pla
         if (line.empty() || line.front() == '#') continue;
         const std::vector<std::string_view> words = words_of_line(line);
         const auto bad = [&](const std::string& expected) {
-            return Error{fmt::format("{}:{}", place, number),
+            return Error{fmt::format("{}:{}", location, number),
                          fmt::format("found \"{}\", expected {}", line.substr(0, 80), expected)};
         };
         if (!header) {
@@ -204,7 +204,7 @@ Result<ProbeTest> parse_probe_test(std::string_view text, const std::string& pla
         end = end || words[0] == "end";
     }
     if (!header || !from || !move || !end) {
-        return Error{fmt::format("{}:{}", place, number),
+        return Error{fmt::format("{}:{}", location, number),
                      "found the end of the text, expected slipface-probe 1, from, move and end"};
     }
     return test;

@@ -60,7 +60,7 @@ TickSample sample_of(const TickScene& scene, const TickResult& result) {
 }
 
 // Every place that a record names.
-void move_places(TraceRecord& record, const Vec3& by) {
+void move_positions(TraceRecord& record, const Vec3& by) {
     if (auto* sweep = std::get_if<SweepRecord>(&record)) {
         sweep->from += by;
         sweep->reached += by;
@@ -234,7 +234,7 @@ TickTrace TapeRun::trace(const TickScene& scene, std::size_t tick) const {
     trace.records = std::move(recorder.records);
     if (!scene.offset().isZero(0.0))
         for (TraceRecord& record : trace.records)
-            move_places(record, -scene.offset());
+            move_positions(record, -scene.offset());
     return trace;
 }
 

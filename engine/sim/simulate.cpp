@@ -14,7 +14,7 @@ bool holds(const PlayerState& state) {
     return state.grounded || state.climbing || state.stuck;
 }
 
-// Whole seconds in `ticks` steps of `dt`; the share of a tick added keeps 60 steps of 1/60 one second.
+// Whole seconds in `ticks` steps of `dt`; the fraction of a tick added keeps 60 steps of 1/60 one second.
 std::size_t whole_seconds(std::size_t ticks, double dt) {
     return static_cast<std::size_t>((static_cast<double>(ticks) + 1e-6) * dt);
 }
@@ -99,11 +99,11 @@ std::uint64_t state_hash(const PlayerState& state, std::uint64_t previous) {
     return hasher.value();
 }
 
-Status apply_tape_settings(MovementSettings& settings, const Tape& tape, const std::string& place) {
+Status apply_tape_settings(MovementSettings& settings, const Tape& tape, const std::string& location) {
     MovementSettings changed = tape.from_basic ? basic_settings() : settings;
     for (const std::string& assignment : tape.settings) {
         const Status status = set_setting(changed, assignment);
-        if (!status.ok()) return Error{place, "set " + assignment + ": " + status.error().text()};
+        if (!status.ok()) return Error{location, "set " + assignment + ": " + status.error().text()};
     }
     settings = changed;
     return {};

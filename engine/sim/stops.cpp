@@ -46,8 +46,8 @@ class FreeWalk {
                                     : before.grounded ? s.ground_acceleration
                                     : s.air_control   ? s.air_acceleration
                                                       : 0.0;
-        const double asked = s.walk_speed * push;
-        const double to = from < asked ? std::min(asked, from + acceleration * dt) : from;
+        const double requested = s.walk_speed * push;
+        const double to = from < requested ? std::min(requested, from + acceleration * dt) : from;
         speed_ = to;
         // A ramp is gone up by the cosine of its slope twice: along it, and as seen from above.
         const double up = after.grounded ? after.ground_normal.y() : 1.0;
@@ -104,24 +104,24 @@ void find_loss(const TickScene& scene, const TapeRun& run, Stop& stop) {
         if (loss->other != no_id) blame_of(seconds, loss->other).lost_m += loss->other_m;
     }
     const auto less = [](const Blame& a, const Blame& b) { return a.lost_m < b.lost_m; };
-    const auto most = std::max_element(blamed.begin(), blamed.end(), less);
-    if (most == blamed.end()) {
+    const auto maximum = std::max_element(blamed.begin(), blamed.end(), less);
+    if (maximum == blamed.end()) {
         stop.lost_m = 0.0;
         return;
     }
-    stop.worst = most->worst;
-    stop.loss = most->loss;
+    stop.worst = maximum->worst;
+    stop.loss = maximum->loss;
     const auto upright = [](const Loss& loss) {
         return loss.cause == StopCause::wall || loss.cause == StopCause::back;
     };
     if (!upright(stop.loss)) return;
     for (const Blame& blame : blamed)
-        if (blame.face != most->face && upright(blame.loss))
+        if (blame.face != maximum->face && upright(blame.loss))
             blame_of(seconds, blame.face).lost_m += blame.lost_m;
-    std::erase_if(seconds, [&](const Blame& b) { return b.face == most->face; });
+    std::erase_if(seconds, [&](const Blame& b) { return b.face == maximum->face; });
     const auto second = std::max_element(seconds.begin(), seconds.end(), less);
     stop.loss.other = no_id;
-    if (second == seconds.end() || second->lost_m < gap_fraction * (most->lost_m + second->lost_m)) return;
+    if (second == seconds.end() || second->lost_m < gap_fraction * (maximum->lost_m + second->lost_m)) return;
     stop.loss.cause = StopCause::gap;
     stop.loss.other = second->face;
 }
@@ -249,8 +249,8 @@ std::vector<Stop> find_stops(const TickScene& scene, const TapeRun& run, const S
         open = true;
         now.last = tick;
         now.lost_m += lost;
-        const double asked = settings.walk_speed * std::min(input.wish.norm(), 1.0);
-        if (asked > 0.0) now.lost_s += lost / asked;
+        const double requested = settings.walk_speed * std::min(input.wish.norm(), 1.0);
+        if (requested > 0.0) now.lost_s += lost / requested;
     }
     close();
     std::erase_if(stops, [](const Stop& stop) { return stop.lost_s < least_stop_s; });
@@ -265,7 +265,7 @@ std::vector<Stop> find_stops(const TickScene& scene, const TapeRun& run, const S
         const std::optional<Loss> loss = loss_of(trace);
         stop.loss = loss && loss->cause == StopCause::hazard
                         ? *loss
-                        : Loss{.cause = StopCause::fall, .place = trace.to};
+                        : Loss{.cause = StopCause::fall, .position = trace.to};
         if (trace.after.respawn == Respawn::hazard) stop.loss.cause = StopCause::hazard;
         write_headline(stop, trace.settings, names);
     }

@@ -24,7 +24,7 @@ std::string stance(const PlayerState& state, const StoryNames& names) {
 StoryLine begin_line(const TickTrace& trace, const StoryNames& names) {
     StoryLine line;
     line.title = "Begins";
-    line.place = trace.from;
+    line.position = trace.from;
     line.face = trace.before.ground_face;
     Words words = words_of(line);
     words.say(stance(trace.before, names)).say(" at ").speed(trace.before.velocity.norm());
@@ -43,7 +43,7 @@ StoryLine end_line(const TickTrace& trace, const StoryNames& names) {
     const PlayerState& end = trace.after.stepped;
     StoryLine line;
     line.title = "Ends";
-    line.place = trace.to;
+    line.position = trace.to;
     line.face = end.ground_face;
     line.normal = end.ground_face == no_id ? Vec3(Vec3::Zero()) : end.ground_normal;
     Words words = words_of(line);
@@ -120,11 +120,11 @@ class Teller {
            std::span<const TraceRecord> records, std::vector<StoryLine>& lines)
         : names_(names), settings_(settings), tick_(tick), records_(records), lines_(lines) {}
 
-    void tell(std::size_t index) {
+    void describe(std::size_t index) {
         StoryLine line;
         line.record = index;
         std::visit([&](const auto& r) { write(line, r); }, records_[index]);
-        if (!line.place) line.place = place_;
+        if (!line.position) line.position = position_;
         lines_.push_back(std::move(line));
     }
 
@@ -147,16 +147,16 @@ class Teller {
         Words words = words_of(line);
         pass_ = sweep.pass;
         line.title = "Sweep " + std::to_string(sweep.iteration + 1) + ", " + sweep_title(sweep);
-        const double asked = sweep.move.norm();
-        place_ = sweep.reached;
+        const double requested = sweep.move.norm();
+        position_ = sweep.reached;
         folding_ = is_rest(*line.record);
         if (!sweep.contact) {
-            words.say("Moved ").length(asked).say(", nothing in the way");
-            line.place = sweep.reached;
+            words.say("Moved ").length(requested).say(", nothing in the way");
+            line.position = sweep.reached;
             return;
         }
         const Contact& contact = *sweep.contact;
-        line.place = contact.point;
+        line.position = contact.point;
         line.normal = contact.normal;
         line.face = contact.face;
         line.triangle = contact.triangle;
@@ -186,7 +186,7 @@ class Teller {
             const double above = contact.point.y() - feet;
             words.say(", ").length(std::abs(above)).say(above < 0.0 ? " below the feet" : " above the feet");
         }
-        words.say(", after ").length_of(contact.t * asked, asked);
+        words.say(", after ").length_of(contact.t * requested, requested);
     }
 
     void write(StoryLine& line, const ResponseRecord& response) {
@@ -200,7 +200,7 @@ class Teller {
             if ((acted >> row) & 1) line.hack = hack_rows()[row];
         Words words = words_of(line);
         words.say(rule_sentence(response.rule));
-        const double before_m = response.leftover_before.norm(), after_m = response.leftover_after.norm();
+        const double before_m = response.remainder_before.norm(), after_m = response.remainder_after.norm();
         if (after_m > 0.0) {
             words.say(": ").length_of(after_m, before_m).say(" go on");
         } else {
@@ -237,8 +237,8 @@ class Teller {
         if (pass_ == Pass::vertical || tick_ == nullptr || tick_->input.wish.isZero(0.0)) return false;
         const Vec2 wish = tick_->input.wish.normalized();
         const auto along = [&](const Vec3& v) { return v.x() * wish.x() + v.z() * wish.y(); };
-        const double before = along(response.leftover_before);
-        return before > settings_.skin && along(response.leftover_after) < 0.5 * before;
+        const double before = along(response.remainder_before);
+        return before > settings_.skin && along(response.remainder_after) < 0.5 * before;
     }
 
     void write(StoryLine& line, const DecisionRecord& decision) {
@@ -256,18 +256,18 @@ class Teller {
 
     void write(StoryLine& line, const PushOutRecord& push) {
         line.tone = push.free ? StoryTone::acted : StoryTone::trouble;
-        line.place = push.to;
+        line.position = push.to;
         line.hack = find_setting("push_out");
-        const Vec3 way = push.to - push.from;
-        line.normal = way.norm() > 0.0 ? Vec3(way.normalized()) : Vec3(Vec3::Zero());
-        place_ = push.to;
+        const Vec3 motion = push.to - push.from;
+        line.normal = motion.norm() > 0.0 ? Vec3(motion.normalized()) : Vec3(Vec3::Zero());
+        position_ = push.to;
         Words words = words_of(line);
         words.say(push.free ? "Pushed out of " : "Not pushed out of ").count(push.planes);
         words.say(push.planes == 1 ? " face" : " faces");
         if (push.free) {
-            words.say(" by ").length(way.norm());
+            words.say(" by ").length(motion.norm());
         } else {
-            words.say(": ").length(way.norm()).say(" further it would be inside another");
+            words.say(": ").length(motion.norm()).say(" further it would be inside another");
         }
     }
 
@@ -277,12 +277,12 @@ class Teller {
     std::span<const TraceRecord> records_;
     std::vector<StoryLine>& lines_;
     Pass pass_ = Pass::slide;
-    bool folding_ = false;       // what follows belongs to the sweep that rests on the ground
-    std::optional<Vec3> place_;  // of the player, as far as the story has come
+    bool folding_ = false;          // what follows belongs to the sweep that rests on the ground
+    std::optional<Vec3> position_;  // of the player, as far as the story has come
 };
 
-std::vector<StoryLine> tell_records(std::span<const TraceRecord> records, const StoryNames& names,
-                                    const MovementSettings& settings, const TickTrace* tick) {
+std::vector<StoryLine> describe_records(std::span<const TraceRecord> records, const StoryNames& names,
+                                        const MovementSettings& settings, const TickTrace* tick) {
     std::vector<StoryLine> lines;
     Teller teller(names, settings, tick, records, lines);
     // What the seam filter says of a touch is recorded before the sweep that touched, and told after it.
@@ -294,27 +294,27 @@ std::vector<StoryLine> tell_records(std::span<const TraceRecord> records, const 
         std::size_t sweep = i;
         while (sweep < records.size() && of_next_sweep(sweep))
             ++sweep;
-        if (sweep < records.size()) teller.tell(sweep);
+        if (sweep < records.size()) teller.describe(sweep);
         for (; i < sweep; ++i)
-            teller.tell(i);
+            teller.describe(i);
     }
     return lines;
 }
 
 }  // namespace
 
-std::vector<StoryLine> tell(std::span<const TraceRecord> records, const StoryNames& names,
-                            const MovementSettings& settings) {
-    return tell_records(records, names, settings, nullptr);
+std::vector<StoryLine> describe(std::span<const TraceRecord> records, const StoryNames& names,
+                                const MovementSettings& settings) {
+    return describe_records(records, names, settings, nullptr);
 }
 
-std::vector<StoryLine> tell(const TickTrace& trace, const StoryNames& names) {
-    std::vector<StoryLine> lines = tell_records(trace.records, names, trace.settings, &trace);
+std::vector<StoryLine> describe(const TickTrace& trace, const StoryNames& names) {
+    std::vector<StoryLine> lines = describe_records(trace.records, names, trace.settings, &trace);
     lines.insert(lines.begin(), begin_line(trace, names));
     lines.push_back(end_line(trace, names));
     // What was decided before the first sweep was decided where the tick began.
     for (StoryLine& line : lines) {
-        if (!line.place) line.place = trace.from;
+        if (!line.position) line.position = trace.from;
     }
     return lines;
 }

@@ -65,7 +65,7 @@ std::optional<Vec2> parse_wish(std::string_view text) {
 
 class TapeParser {
   public:
-    explicit TapeParser(const std::string& place) : place_(place) {}
+    explicit TapeParser(const std::string& location) : location_(location) {}
 
     Result<Tape> parse(std::string_view text) {
         std::size_t number = 0;
@@ -85,8 +85,8 @@ class TapeParser {
 
   private:
     void fail(std::string_view found, std::string_view expected) {
-        error_ =
-            Error{fmt::format("{}:{}", place_, line_), fmt::format("found {}, expected {}", found, expected)};
+        error_ = Error{fmt::format("{}:{}", location_, line_),
+                       fmt::format("found {}, expected {}", found, expected)};
     }
 
     void read_line(std::string_view line) {
@@ -168,7 +168,7 @@ class TapeParser {
         MovementSettings scratch;
         const Status status = set_setting(scratch, assignment);
         if (!status.ok()) {
-            error_ = Error{fmt::format("{}:{}", place_, line_), status.error().text()};
+            error_ = Error{fmt::format("{}:{}", location_, line_), status.error().text()};
             return;
         }
         if (tape_.segments.empty())
@@ -213,7 +213,7 @@ class TapeParser {
         tape_.segments.push_back(segment);
     }
 
-    const std::string& place_;
+    const std::string& location_;
     std::size_t line_ = 0;
     std::size_t ticks_ = 0;
     bool has_header_ = false, has_level_ = false, has_surfaces_ = false, has_dt_ = false, has_start_ = false;
@@ -234,8 +234,8 @@ std::size_t Tape::tick_count() const {
     return count;
 }
 
-Result<Tape> parse_tape(std::string_view text, const std::string& place) {
-    return TapeParser(place).parse(text);
+Result<Tape> parse_tape(std::string_view text, const std::string& location) {
+    return TapeParser(location).parse(text);
 }
 
 Result<Tape> load_tape(const std::filesystem::path& path) {

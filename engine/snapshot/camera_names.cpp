@@ -9,11 +9,11 @@ namespace slipface {
 
 namespace {
 
-constexpr int most_directions = 360;
+constexpr int max_directions = 360;
 
-std::optional<int> count_in(std::string_view text, int most) {
+std::optional<int> count_in(std::string_view text, int maximum) {
     const std::optional<std::int64_t> value = parse_int(text);
-    if (!value || *value < 1 || *value > most) return std::nullopt;
+    if (!value || *value < 1 || *value > maximum) return std::nullopt;
     return static_cast<int>(*value);
 }
 
@@ -21,8 +21,8 @@ std::optional<int> count_in(std::string_view text, int most) {
 std::optional<CameraName> part_of(CameraKind kind, std::string_view text) {
     const std::size_t slash = text.find('/');
     if (slash == std::string_view::npos) return std::nullopt;
-    const auto index = count_in(text.substr(0, slash), most_directions),
-               count = count_in(text.substr(slash + 1), most_directions);
+    const auto index = count_in(text.substr(0, slash), max_directions),
+               count = count_in(text.substr(slash + 1), max_directions);
     if (!index || !count || *index > *count) return std::nullopt;
     return CameraName{kind, "", *index, *count};
 }
@@ -41,7 +41,7 @@ std::optional<CameraName> auto_camera(std::string_view name) {
 // "auto:turntable:8" as 8, for prefixes that stand for several.
 std::optional<int> several_after(std::string_view name, std::string_view prefix) {
     if (!name.starts_with(prefix)) return std::nullopt;
-    return count_in(name.substr(prefix.size()), most_directions);
+    return count_in(name.substr(prefix.size()), max_directions);
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ std::optional<CameraName> read_camera_name(std::string_view name) {
     if (name.starts_with("auto:")) return auto_camera(name.substr(5));
     if (name.starts_with("tape:")) return part_of(CameraKind::tape, name.substr(5));
     if (name.starts_with("contact:")) {
-        const auto index = count_in(name.substr(8), most_directions);
+        const auto index = count_in(name.substr(8), max_directions);
         return index ? std::optional(CameraName{CameraKind::contact, "", *index}) : std::nullopt;
     }
     if (name.empty()) return std::nullopt;

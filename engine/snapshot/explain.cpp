@@ -11,8 +11,8 @@ namespace slipface {
 
 namespace {
 
-constexpr std::size_t most_rays = 40'000;  // changed pixels beyond that are counted by a share of them
-constexpr double same_place = 1e-6;        // metres
+constexpr std::size_t max_rays = 40'000;  // changed pixels beyond that are counted by a fraction of them
+constexpr double same_position = 1e-6;    // metres
 
 int delta(const std::uint8_t* a, const std::uint8_t* b) {
     int largest = 0;
@@ -31,8 +31,9 @@ std::vector<std::size_t> changed_pixels(const Image& a, const Image& b, int tole
 // The face that the pixel shows, through back faces where those are not drawn.
 FaceId face_at(const SceneSide& side, const Scene& scene, std::size_t pixel) {
     const auto width = static_cast<std::size_t>(scene.width);
-    const Vec2 place(static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5);
-    const Ray ray = pixel_ray(side.camera, place, {scene.width, scene.height});
+    const Vec2 pixel_center(static_cast<double>(pixel % width) + 0.5,
+                            static_cast<double>(pixel / width) + 0.5);
+    const Ray ray = pixel_ray(side.camera, pixel_center, {scene.width, scene.height});
     double from = 0.0;
     for (int layer = 0; layer < 64; ++layer) {
         const auto hit = cast_ray(side.staged->visible(), ray.origin + from * ray.direction, ray.direction);
@@ -89,7 +90,7 @@ Tally count_pixels(const SceneComparison& comparison, const LevelChanges& change
     const std::vector<bool> over_before = overlay_mask(comparison, comparison.before),
                             over_after = overlay_mask(comparison, comparison.after);
     const auto over = [](const std::vector<bool>& mask, std::size_t i) { return i < mask.size() && mask[i]; };
-    const std::size_t stride = 1 + pixels.size() / most_rays;
+    const std::size_t stride = 1 + pixels.size() / max_rays;
     std::vector<std::int32_t> shown(comparison.request.expected.pixel_count(), not_asked);
     for (std::size_t k = 0; k < pixels.size(); k += stride) {
         std::int32_t& what = shown[pixels[k]];
@@ -110,8 +111,8 @@ Tally count_pixels(const SceneComparison& comparison, const LevelChanges& change
 }
 
 // Changes of one kind in one group become one sentence.
-void tell_faces(const SceneComparison& comparison, const LevelChanges& changes, const Tally& tally,
-                std::vector<Finding>& findings) {
+void describe_faces(const SceneComparison& comparison, const LevelChanges& changes, const Tally& tally,
+                    std::vector<Finding>& findings) {
     struct Group {
         std::size_t faces = 0, pixels = 0;
         double moved = 0.0;
@@ -150,7 +151,7 @@ void tell_faces(const SceneComparison& comparison, const LevelChanges& changes, 
     }
 }
 
-// The faces that a tick touched: what it stood on, and what turned its leftover.
+// The faces that a tick touched: what it stood on, and what turned its remainder.
 std::set<FaceId> faces_touched(const SceneSide& side, std::size_t tick) {
     const SceneMovement& story = *side.story;
     PlayerState state;
@@ -214,8 +215,8 @@ std::string same_path_text(const ExplainRequest& request, const LevelChanges& ch
 
 // The old walk is done again on the old level: when it is no longer the golden's, the movement code has
 // changed.
-void tell_movement(const SceneComparison& comparison, const LevelChanges& changes, std::size_t pixels,
-                   std::vector<Finding>& findings) {
+void describe_movement(const SceneComparison& comparison, const LevelChanges& changes, std::size_t pixels,
+                       std::vector<Finding>& findings) {
     const auto differs = [&](const char* path) {
         return std::any_of(comparison.request.numbers.begin(), comparison.request.numbers.end(),
                            [&](const NumberDifference& n) { return n.path.starts_with(path); });
@@ -230,7 +231,7 @@ void tell_movement(const SceneComparison& comparison, const LevelChanges& change
         const auto& b = after.story->states;
         std::size_t tick = 0;
         while (tick < std::min(a.size(), b.size()) &&
-               (a[tick].position - b[tick].position).norm() <= same_place)
+               (a[tick].position - b[tick].position).norm() <= same_position)
             ++tick;
         if (tick < std::min(a.size(), b.size())) {
             const double apart = (a.back().position - b.back().position).norm();
@@ -271,7 +272,7 @@ std::string renderer_text(const ExplainRequest& request) {
 }
 
 // What no face and no overlay explains.
-void tell_rest(const ExplainRequest& request, std::size_t pixels, std::vector<Finding>& findings) {
+void describe_rest(const ExplainRequest& request, std::size_t pixels, std::vector<Finding>& findings) {
     if (const NumberDifference* number = first_number(request, "/camera"))
         return findings.push_back({Cause::view, pixels,
                                    fmt::format("another view: {} was {}, is {}", number->path.substr(8),
@@ -304,7 +305,7 @@ std::vector<Finding> explain_numbers(const ExplainRequest& request, std::size_t 
         if (count > 1) text += fmt::format(" ({} more numbers differ)", count - 1);
         findings.push_back({cause, 0, text});
     }
-    tell_rest(request, findings.empty() ? changed : 0, findings);
+    describe_rest(request, findings.empty() ? changed : 0, findings);
     return findings;
 }
 
@@ -317,9 +318,9 @@ std::vector<Finding> explain_scene(const SceneComparison& comparison) {
         compare_levels(comparison.before.staged->level, comparison.after.staged->level);
     const Tally tally = count_pixels(comparison, changes, pixels);
     std::vector<Finding> findings;
-    tell_faces(comparison, changes, tally, findings);
-    tell_movement(comparison, changes, tally.overlay, findings);
-    tell_rest(request, tally.rest, findings);
+    describe_faces(comparison, changes, tally, findings);
+    describe_movement(comparison, changes, tally.overlay, findings);
+    describe_rest(request, tally.rest, findings);
     return findings;
 }
 

@@ -13,7 +13,7 @@ namespace slipface {
 
 namespace {
 
-constexpr std::size_t most_findings = 8;
+constexpr std::size_t max_findings = 8;
 
 struct Widget {
     std::string path;
@@ -89,12 +89,12 @@ std::vector<Finding> explain_widgets(const ExplainRequest& request) {
                                          : fmt::format("`{}` {}", path, what_happened(path, before, after))});
     std::stable_sort(findings.begin(), findings.end(),
                      [](const Finding& x, const Finding& y) { return x.pixels > y.pixels; });
-    if (findings.size() <= most_findings) return findings;
+    if (findings.size() <= max_findings) return findings;
     std::size_t rest = 0;
-    for (std::size_t i = most_findings; i < findings.size(); ++i)
+    for (std::size_t i = max_findings; i < findings.size(); ++i)
         rest += findings[i].pixels;
-    const std::size_t others = findings.size() - most_findings;
-    findings.resize(most_findings);
+    const std::size_t others = findings.size() - max_findings;
+    findings.resize(max_findings);
     findings.push_back({Cause::ui, rest, fmt::format("{} other widgets", others)});
     return findings;
 }

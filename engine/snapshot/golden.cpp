@@ -20,7 +20,7 @@ fs::path png_path(const fs::path& folder, const std::string& name, const char* e
     return folder / (name + ending);
 }
 
-Status write_picture(const fs::path& path, const Image& image, PngEffort effort = PngEffort::fast) {
+Status write_image_file(const fs::path& path, const Image& image, PngEffort effort = PngEffort::fast) {
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
     if (error) return Error{path.parent_path().string(), "cannot make the folder: " + error.message()};
@@ -41,12 +41,12 @@ Result<Image> load_golden(const fs::path& path) {
 }
 
 // Appends what was written, or why it could not be.
-void write_and_tell(const fs::path& path, const Image& image, std::string& message) {
-    const Status status = write_picture(path, image);
+void write_and_report(const fs::path& path, const Image& image, std::string& message) {
+    const Status status = write_image_file(path, image);
     message += status ? fmt::format("; wrote {}", path.string()) : fmt::format("; {}", status.error().text());
 }
 
-constexpr int most_alternates = 9;
+constexpr int max_alternates = 9;
 
 const char* const name_rule = "expected letters, digits, '-', '_', '@' and '/'";
 
@@ -56,7 +56,7 @@ bool on_disk(const fs::path& path) {
 }
 
 // What an earlier check wrote would be taken for this one's.
-void forget_pictures(const fs::path& out, const std::string& name) {
+void forget_images(const fs::path& out, const std::string& name) {
     if (!valid_snapshot_name(name)) return;
     for (const char* ending :
          {".expected.png", ".actual.png", ".difference.png", ".first.png", ".second.png", ".actual.json"}) {
@@ -73,7 +73,7 @@ struct Pair {
 };
 
 void write_actual(const Pair& pair, std::string& message) {
-    write_and_tell(png_path(pair.out, pair.snapshot.name, ".actual.png"), pair.actual.image, message);
+    write_and_report(png_path(pair.out, pair.snapshot.name, ".actual.png"), pair.actual.image, message);
     if (pair.actual.numbers.empty()) return;
     const fs::path path = png_path(pair.out, pair.snapshot.name, ".actual.json");
     if (Status status = write_file_atomic(path, pair.actual.numbers); !status)
@@ -90,7 +90,7 @@ GoldenResult without_golden(const Pair& pair, GoldenState state, const std::stri
 }
 
 // The golden, or of its alternates the first that the gate calls the same.
-void compare_pictures(const Pair& pair, const Image& golden, GoldenResult& result) {
+void compare_image_files(const Pair& pair, const Image& golden, GoldenResult& result) {
     const Snapshot& snapshot = pair.snapshot;
     const auto compare = [&](const Image& expected) {
         const Image& actual = pair.actual.image;
@@ -99,7 +99,7 @@ void compare_pictures(const Pair& pair, const Image& golden, GoldenResult& resul
                    : compare_images(expected, masked(expected, actual, snapshot.masks), snapshot.tolerance);
     };
     result.comparison = compare(golden);
-    for (int i = 1; i <= most_alternates && !result.comparison.same; ++i) {
+    for (int i = 1; i <= max_alternates && !result.comparison.same; ++i) {
         const std::string name = fmt::format("{}.alt{}", snapshot.name, i);
         const fs::path path = png_path(pair.folder, name, ".png");
         if (!on_disk(path)) break;
@@ -195,7 +195,7 @@ GoldenResult check_golden(const fs::path& folder, const Snapshot& snapshot, cons
     GoldenResult result;
     result.name = snapshot.name;
     result.numbers = *numbers;
-    compare_pictures(pair, *golden, result);
+    compare_image_files(pair, *golden, result);
     const bool same = result.comparison.same && !any_decides(result.numbers);
     result.state = same ? GoldenState::same : GoldenState::different;
     result.message = difference_message(result, golden_path);
@@ -204,10 +204,11 @@ GoldenResult check_golden(const fs::path& folder, const Snapshot& snapshot, cons
     if (same) return result;
     explain_difference(pair, *golden, golden_numbers, result);
     if (!result.findings.empty()) result.message += "; " + result.findings.front().text;
-    write_and_tell(png_path(out, snapshot.name, ".expected.png"), *golden, result.message);
+    write_and_report(png_path(out, snapshot.name, ".expected.png"), *golden, result.message);
     write_actual(pair, result.message);
-    write_and_tell(png_path(out, snapshot.name, ".difference.png"),
-                   difference_image(*golden, masked(*golden, actual.image, snapshot.masks)), result.message);
+    write_and_report(png_path(out, snapshot.name, ".difference.png"),
+                     difference_image(*golden, masked(*golden, actual.image, snapshot.masks)),
+                     result.message);
     return result;
 }
 
@@ -223,7 +224,7 @@ Result<std::vector<std::string>> approve_golden(const fs::path& folder, const Sn
         compare_images(*golden, masked(*golden, actual.image, snapshot.masks), snapshot.tolerance).same;
     if (!fits || options.force) {
         const PngEffort effort = options.packed ? PngEffort::small : PngEffort::fast;
-        if (Status status = write_picture(path, actual.image, effort); !status) return status.error();
+        if (Status status = write_image_file(path, actual.image, effort); !status) return status.error();
         written.push_back(snapshot.name + ".png");
     }
     if (actual.numbers.empty()) return written;
@@ -260,7 +261,7 @@ GoldenResult check_snapshot(const Snapshot& snapshot, const fs::path& folder, co
         result.message = error.text();
         return timed(result);
     };
-    forget_pictures(out, snapshot.name);
+    forget_images(out, snapshot.name);
     const Result<Rendering> first = snapshot.render();
     if (!first) return failed(first.error());
     if (render_twice) {
@@ -273,8 +274,8 @@ GoldenResult check_snapshot(const Snapshot& snapshot, const fs::path& folder, co
                                          first->image != second->image ? result.comparison.verdict
                                                                        : "the same picture, other numbers");
             if (valid_snapshot_name(snapshot.name)) {
-                write_and_tell(png_path(out, snapshot.name, ".first.png"), first->image, result.message);
-                write_and_tell(png_path(out, snapshot.name, ".second.png"), second->image, result.message);
+                write_and_report(png_path(out, snapshot.name, ".first.png"), first->image, result.message);
+                write_and_report(png_path(out, snapshot.name, ".second.png"), second->image, result.message);
             }
             return timed(result);
         }

@@ -238,8 +238,8 @@ Result<std::string> encode_digest(const Level& level) {
     return bytes + pack(out.bytes, pack_smallest);
 }
 
-Result<Level> decode_digest(std::string_view bytes, const std::string& place) try {
-    const Error damaged{place,
+Result<Level> decode_digest(std::string_view bytes, const std::string& location) try {
+    const Error damaged{location,
                         "is damaged, expected a level's digest; `slipface snapshot approve` writes it anew"};
     std::uint64_t size = 0;
     if (!bytes.starts_with(magic) || bytes.size() < magic.size() + sizeof size) return damaged;
@@ -252,13 +252,13 @@ Result<Level> decode_digest(std::string_view bytes, const std::string& place) tr
     const std::vector<SurfaceId> surfaces = in.list<SurfaceId>();
     auto mesh = std::make_shared<Mesh>();
     if (!read_mesh(in, *mesh) || !in.at_end() || !consistent(*mesh, surfaces.size())) return damaged;
-    Result<LoadedLevel> loaded = level_from_json(json, place, mesh);
+    Result<LoadedLevel> loaded = level_from_json(json, location, mesh);
     if (!loaded) return loaded.error();
     Level level = std::move(loaded->level);
     level.overrides.assign(surfaces.begin(), surfaces.end());
     return level;
 } catch (const std::exception&) {
-    return Error{place, "is damaged, or needs more memory than there is"};
+    return Error{location, "is damaged, or needs more memory than there is"};
 }
 
 }  // namespace slipface

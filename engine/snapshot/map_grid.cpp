@@ -49,10 +49,10 @@ void write_metres(const Plane& plane, int metres, double x, double z, double siz
 }
 
 // 1, 2, 5, 10, 20, ... metres, so that at most `most` steps fit into `extent`.
-int round_step(double extent, double most) {
+int round_step(double extent, double maximum) {
     int step = 1;
     for (const int factor : {2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000})
-        if (extent / step > most) step = factor;
+        if (extent / step > maximum) step = factor;
     return step;
 }
 

@@ -89,11 +89,11 @@ void compare_values(const Numbers* expected, const Numbers* actual, const std::s
         return;
     }
     if (is(expected, list) && is(actual, list)) {
-        const std::size_t most = std::max(expected ? expected->size() : 0, actual ? actual->size() : 0);
+        const std::size_t maximum = std::max(expected ? expected->size() : 0, actual ? actual->size() : 0);
         const auto at = [](const Numbers* side, std::size_t i) -> const Numbers* {
             return side != nullptr && i < side->size() ? &(*side)[i] : nullptr;
         };
-        for (std::size_t i = 0; i < most; ++i)
+        for (std::size_t i = 0; i < maximum; ++i)
             compare_values(at(expected, i), at(actual, i), fmt::format("{}/{}", path, i), out);
         return;
     }
@@ -145,15 +145,15 @@ std::string hex_text(std::uint64_t value) {
 }
 
 Result<std::vector<NumberDifference>> compare_numbers(std::string_view expected, std::string_view actual,
-                                                      const std::string& place) {
+                                                      const std::string& location) {
     std::vector<NumberDifference> differences;
     if (expected.empty() && actual.empty()) return differences;
     const Numbers golden = expected.empty() ? Numbers::object() : Numbers::parse(expected, nullptr, false);
     const Numbers found = actual.empty() ? Numbers::object() : Numbers::parse(actual, nullptr, false);
-    if (!golden.is_object()) return Error{place, "is no JSON object, expected the numbers of a golden"};
+    if (!golden.is_object()) return Error{location, "is no JSON object, expected the numbers of a golden"};
     if (!expected.empty() && golden.value("version", Numbers()) != 1)
-        return Error{place + ":/version", "found another version than 1"};
-    if (!found.is_object()) return Error{place, "the numbers found are no JSON object"};
+        return Error{location + ":/version", "found another version than 1"};
+    if (!found.is_object()) return Error{location, "the numbers found are no JSON object"};
     compare_values(&golden, &found, "", differences);
     return differences;
 }

@@ -26,8 +26,8 @@ struct Refusal {
     Error error;
 };
 
-[[noreturn]] void refuse(const std::string& place, const std::string& message) {
-    throw Refusal{{place, message}};
+[[noreturn]] void refuse(const std::string& location, const std::string& message) {
+    throw Refusal{{location, message}};
 }
 
 std::string shown(const Json& value) {
@@ -37,40 +37,42 @@ std::string shown(const Json& value) {
     return text;
 }
 
-[[noreturn]] void refuse_type(const std::string& place, const Json& value, const char* expected) {
-    refuse(place, fmt::format("found {}, expected {}", shown(value), expected));
+[[noreturn]] void refuse_type(const std::string& location, const Json& value, const char* expected) {
+    refuse(location, fmt::format("found {}, expected {}", shown(value), expected));
 }
 
-const Json& member(const Json& object, const std::string& place, const char* key) {
+const Json& member(const Json& object, const std::string& location, const char* key) {
     const auto found = object.find(key);
-    if (found == object.end()) refuse(place, fmt::format("has no \"{}\"", key));
+    if (found == object.end()) refuse(location, fmt::format("has no \"{}\"", key));
     return *found;
 }
 
-std::string text_of(const Json& value, const std::string& place) {
-    if (!value.is_string()) refuse_type(place, value, "text");
+std::string text_of(const Json& value, const std::string& location) {
+    if (!value.is_string()) refuse_type(location, value, "text");
     return value.get<std::string>();
 }
 
-double number_of(const Json& value, const std::string& place, double minimum, double maximum) {
+double number_of(const Json& value, const std::string& location, double minimum, double maximum) {
     if (value.is_number()) {
         const double number = value.get<double>();
         if (number >= minimum && number <= maximum) return number;
     }
-    refuse(place, fmt::format("found {}, expected a number from {} to {}", shown(value), minimum, maximum));
+    refuse(location,
+           fmt::format("found {}, expected a number from {} to {}", shown(value), minimum, maximum));
 }
 
-Vec3 vec3_of(const Json& value, const std::string& place) {
-    if (!value.is_array() || value.size() != 3) refuse_type(place, value, "three numbers [x, y, z]");
+Vec3 vec3_of(const Json& value, const std::string& location) {
+    if (!value.is_array() || value.size() != 3) refuse_type(location, value, "three numbers [x, y, z]");
     Vec3 result;
     for (std::size_t i = 0; i < 3; ++i) {
-        result[static_cast<Eigen::Index>(i)] = number_of(value[i], fmt::format("{}/{}", place, i), -1e7, 1e7);
+        result[static_cast<Eigen::Index>(i)] =
+            number_of(value[i], fmt::format("{}/{}", location, i), -1e7, 1e7);
     }
     return result;
 }
 
-void only_keys(const Json& object, const std::string& place, std::initializer_list<const char*> allowed) {
-    if (!object.is_object()) refuse_type(place, object, "an object");
+void only_keys(const Json& object, const std::string& location, std::initializer_list<const char*> allowed) {
+    if (!object.is_object()) refuse_type(location, object, "an object");
     for (const auto& [key, value] : object.items()) {
         const bool known = std::any_of(allowed.begin(), allowed.end(),
                                        [&key = key](const char* name) { return key == name; });
@@ -78,43 +80,44 @@ void only_keys(const Json& object, const std::string& place, std::initializer_li
         std::string names;
         for (const char* name : allowed)
             names += (names.empty() ? "" : ", ") + std::string(name);
-        refuse(fmt::format("{}/{}", place, key), "is not known here, expected one of: " + names);
+        refuse(fmt::format("{}/{}", location, key), "is not known here, expected one of: " + names);
     }
 }
 
-std::filesystem::path path_of(const Json& value, const std::string& place,
+std::filesystem::path path_of(const Json& value, const std::string& location,
                               const std::filesystem::path& folder) {
-    const std::string text = text_of(value, place);
-    if (text.empty() || text.find('\0') != std::string::npos) refuse(place, "found no usable path");
+    const std::string text = text_of(value, location);
+    if (text.empty() || text.find('\0') != std::string::npos) refuse(location, "found no usable path");
     if (text.starts_with("demo:")) return text;
     return (folder / text).lexically_normal();
 }
 
-std::variant<std::string, Camera> camera_of(const Json& value, const std::string& place) {
+std::variant<std::string, Camera> camera_of(const Json& value, const std::string& location) {
     if (value.is_string()) {
         std::string name = value.get<std::string>();
-        if (const auto wrong = wrong_camera_name(name)) refuse(place, *wrong);
+        if (const auto wrong = wrong_camera_name(name)) refuse(location, *wrong);
         return name;
     }
-    if (!value.is_object()) refuse_type(place, value, "a name or {\"eye\": ..., \"target\": ...}");
-    only_keys(value, place, {"eye", "target", "fov_deg"});
+    if (!value.is_object()) refuse_type(location, value, "a name or {\"eye\": ..., \"target\": ...}");
+    only_keys(value, location, {"eye", "target", "fov_deg"});
     Camera camera;
-    camera.eye = vec3_of(member(value, place, "eye"), place + "/eye");
-    camera.target = vec3_of(member(value, place, "target"), place + "/target");
-    if (camera.eye == camera.target) refuse(place, "eye and target are the same point");
+    camera.eye = vec3_of(member(value, location, "eye"), location + "/eye");
+    camera.target = vec3_of(member(value, location, "target"), location + "/target");
+    if (camera.eye == camera.target) refuse(location, "eye and target are the same point");
     if (value.contains("fov_deg")) {
-        camera.fov_y = number_of(value["fov_deg"], place + "/fov_deg", 1.0, 170.0) * std::numbers::pi / 180.0;
+        camera.fov_y =
+            number_of(value["fov_deg"], location + "/fov_deg", 1.0, 170.0) * std::numbers::pi / 180.0;
     }
     return camera;
 }
 
-void set_style(Scene& scene, const Json& value, const std::string& place) {
+void set_style(Scene& scene, const Json& value, const std::string& location) {
     LevelStyle& style = scene.style;
     style = {};
     scene.grid = false;
     style.textured = false;
     style.overlay = 0.0f;
-    const std::string text = text_of(value, place);
+    const std::string text = text_of(value, location);
     for (const std::string_view word : split(text, ' ')) {
         if (word.empty() || word == "plain") continue;
         if (word == "textured") {
@@ -130,7 +133,7 @@ void set_style(Scene& scene, const Json& value, const std::string& place) {
         } else if (word == "grid") {
             scene.grid = true;
         } else {
-            refuse(place,
+            refuse(location,
                    fmt::format(
                        "found \"{}\", expected plain, textured, unlit, overlay, wireframe, cutaway or grid",
                        word));
@@ -138,12 +141,12 @@ void set_style(Scene& scene, const Json& value, const std::string& place) {
     }
 }
 
-std::vector<std::string> settings_of(const Json& value, const std::string& place) {
-    if (!value.is_array()) refuse_type(place, value, "an array of \"name=value\"");
+std::vector<std::string> settings_of(const Json& value, const std::string& location) {
+    if (!value.is_array()) refuse_type(location, value, "an array of \"name=value\"");
     std::vector<std::string> settings;
     MovementSettings scratch;
     for (std::size_t i = 0; i < value.size(); ++i) {
-        const std::string here = fmt::format("{}/{}", place, i);
+        const std::string here = fmt::format("{}/{}", location, i);
         settings.push_back(text_of(value[i], here));
         const Status status = set_setting(scratch, settings.back());
         if (!status) refuse(here, status.error().text());
@@ -151,11 +154,11 @@ std::vector<std::string> settings_of(const Json& value, const std::string& place
     return settings;
 }
 
-std::vector<MaskRect> masks_of(const Json& value, const std::string& place) {
-    if (!value.is_array()) refuse_type(place, value, "an array of [x, y, width, height]");
+std::vector<MaskRect> masks_of(const Json& value, const std::string& location) {
+    if (!value.is_array()) refuse_type(location, value, "an array of [x, y, width, height]");
     std::vector<MaskRect> masks;
     for (std::size_t i = 0; i < value.size(); ++i) {
-        const std::string here = fmt::format("{}/{}", place, i);
+        const std::string here = fmt::format("{}/{}", location, i);
         if (!value[i].is_array() || value[i].size() != 4)
             refuse_type(here, value[i], "four numbers [x, y, width, height]");
         std::array<int, 4> numbers{};
@@ -167,80 +170,81 @@ std::vector<MaskRect> masks_of(const Json& value, const std::string& place) {
     return masks;
 }
 
-SceneProbe probe_of(const Json& value, const std::string& place) {
-    only_keys(value, place, {"from", "move", "radii", "settings"});
+SceneProbe probe_of(const Json& value, const std::string& location) {
+    only_keys(value, location, {"from", "move", "radii", "settings"});
     SceneProbe probe;
-    const Json& from = member(value, place, "from");
-    if (from != "spawn") probe.from = vec3_of(from, place + "/from");
-    probe.move = vec3_of(member(value, place, "move"), place + "/move");
+    const Json& from = member(value, location, "from");
+    if (from != "spawn") probe.from = vec3_of(from, location + "/from");
+    probe.move = vec3_of(member(value, location, "move"), location + "/move");
     if (value.contains("radii")) {
-        probe.radii = vec3_of(value["radii"], place + "/radii");
-        if (!(probe.radii->minCoeff() > 0.0)) refuse(place + "/radii", "expected three numbers above 0");
+        probe.radii = vec3_of(value["radii"], location + "/radii");
+        if (!(probe.radii->minCoeff() > 0.0)) refuse(location + "/radii", "expected three numbers above 0");
     }
-    if (value.contains("settings")) probe.settings = settings_of(value["settings"], place + "/settings");
+    if (value.contains("settings")) probe.settings = settings_of(value["settings"], location + "/settings");
     return probe;
 }
 
 // What a scene, or the suite's defaults, may say about the picture.
-void read_picture(Scene& scene, const Json& value, const std::string& place) {
+void read_image(Scene& scene, const Json& value, const std::string& location) {
     if (value.contains("size")) {
         const Json& size = value["size"];
         if (!size.is_array() || size.size() != 2)
-            refuse_type(place + "/size", size, "two numbers [width, height]");
+            refuse_type(location + "/size", size, "two numbers [width, height]");
         for (const std::size_t i : {0u, 1u}) {
-            const std::string here = fmt::format("{}/size/{}", place, i);
+            const std::string here = fmt::format("{}/size/{}", location, i);
             if (!size[i].is_number_integer()) refuse_type(here, size[i], "a whole number of pixels");
             const int side = static_cast<int>(number_of(size[i], here, smallest_side, largest_side));
             (i == 0 ? scene.width : scene.height) = side;
         }
     }
-    if (value.contains("style")) set_style(scene, value["style"], place + "/style");
+    if (value.contains("style")) set_style(scene, value["style"], location + "/style");
     if (value.contains("profile")) {
-        const std::string profile = text_of(value["profile"], place + "/profile");
+        const std::string profile = text_of(value["profile"], location + "/profile");
         if (profile != "scene" && profile != "ui")
-            refuse_type(place + "/profile", value["profile"], "\"scene\" or \"ui\"");
+            refuse_type(location + "/profile", value["profile"], "\"scene\" or \"ui\"");
         scene.tolerance = profile == "ui" ? ui_tolerance : scene_tolerance;
     }
 }
 
-void read_cameras(Scene& scene, const Json& value, const std::string& place) {
-    if (value.contains("camera")) refuse(place, "has both \"camera\" and \"cameras\"");
+void read_cameras(Scene& scene, const Json& value, const std::string& location) {
+    if (value.contains("camera")) refuse(location, "has both \"camera\" and \"cameras\"");
     const Json& list = value["cameras"];
-    if (!list.is_array() || list.empty()) refuse_type(place + "/cameras", list, "an array of camera names");
+    if (!list.is_array() || list.empty())
+        refuse_type(location + "/cameras", list, "an array of camera names");
     for (std::size_t i = 0; i < list.size(); ++i) {
-        const std::string here = fmt::format("{}/cameras/{}", place, i);
+        const std::string here = fmt::format("{}/cameras/{}", location, i);
         scene.cameras.push_back(text_of(list[i], here));
         if (several_cameras(scene.cameras.back())) continue;
         if (const auto wrong = wrong_camera_name(scene.cameras.back())) refuse(here, *wrong);
     }
 }
 
-Scene scene_of(const Json& value, const std::string& place, const std::filesystem::path& folder,
+Scene scene_of(const Json& value, const std::string& location, const std::filesystem::path& folder,
                const Scene& defaults) {
-    only_keys(value, place,
+    only_keys(value, location,
               {"name", "level", "camera", "cameras", "size", "style", "probe", "tape", "settings", "profile",
                "masks"});
     Scene scene = defaults;
-    scene.place = place;
-    scene.name = text_of(member(value, place, "name"), place + "/name");
+    scene.location = location;
+    scene.name = text_of(member(value, location, "name"), location + "/name");
     if (!valid_snapshot_name(scene.name)) {
-        refuse(place + "/name", fmt::format("found {}, expected letters, digits, '-', '_', '@' and '/'",
-                                            shown(value["name"])));
+        refuse(location + "/name", fmt::format("found {}, expected letters, digits, '-', '_', '@' and '/'",
+                                               shown(value["name"])));
     }
-    scene.level = path_of(member(value, place, "level"), place + "/level", folder);
-    if (value.contains("cameras")) read_cameras(scene, value, place);
-    if (value.contains("camera")) scene.camera = camera_of(value["camera"], place + "/camera");
-    read_picture(scene, value, place);
-    if (value.contains("probe")) scene.probe = probe_of(value["probe"], place + "/probe");
-    if (value.contains("tape")) scene.tape = path_of(value["tape"], place + "/tape", folder);
-    if (value.contains("settings")) scene.settings = settings_of(value["settings"], place + "/settings");
-    if (value.contains("masks")) scene.masks = masks_of(value["masks"], place + "/masks");
+    scene.level = path_of(member(value, location, "level"), location + "/level", folder);
+    if (value.contains("cameras")) read_cameras(scene, value, location);
+    if (value.contains("camera")) scene.camera = camera_of(value["camera"], location + "/camera");
+    read_image(scene, value, location);
+    if (value.contains("probe")) scene.probe = probe_of(value["probe"], location + "/probe");
+    if (value.contains("tape")) scene.tape = path_of(value["tape"], location + "/tape", folder);
+    if (value.contains("settings")) scene.settings = settings_of(value["settings"], location + "/settings");
+    if (value.contains("masks")) scene.masks = masks_of(value["masks"], location + "/masks");
     return scene;
 }
 
 // nlohmann's parser keeps the last of equal keys; here the second one is refused. The callback sees every key
 // with its depth.
-Json parse_json(std::string_view text, const std::string& place) {
+Json parse_json(std::string_view text, const std::string& location) {
     std::vector<std::set<std::string>> keys;
     std::string repeated;
     const auto watch = [&](int depth, Json::parse_event_t event, Json& parsed) {
@@ -257,37 +261,37 @@ Json parse_json(std::string_view text, const std::string& place) {
     try {
         Json json = Json::parse(text, watch);
         if (!repeated.empty())
-            refuse(place, fmt::format("the key \"{}\" comes twice in one object", repeated));
+            refuse(location, fmt::format("the key \"{}\" comes twice in one object", repeated));
         return json;
     } catch (const Json::parse_error& error) {
         const std::size_t end = std::min(error.byte, text.size());
         const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-        refuse(fmt::format("{}:{}", place, line), "is no JSON here");
+        refuse(fmt::format("{}:{}", location, line), "is no JSON here");
     }
 }
 
 }  // namespace
 
 Result<std::vector<Scene>> parse_scene_suite(std::string_view text, const std::filesystem::path& file) try {
-    const std::string place = file.filename().string();
-    const Json json = parse_json(text, place);
-    only_keys(json, place + ":", {"version", "defaults", "scenes"});
-    const Json& version = member(json, place + ":", "version");
-    if (version != 1) refuse(place + ":/version", fmt::format("found {}, expected 1", shown(version)));
-    const Json& list = member(json, place + ":", "scenes");
-    if (!list.is_array()) refuse_type(place + ":/scenes", list, "an array");
+    const std::string location = file.filename().string();
+    const Json json = parse_json(text, location);
+    only_keys(json, location + ":", {"version", "defaults", "scenes"});
+    const Json& version = member(json, location + ":", "version");
+    if (version != 1) refuse(location + ":/version", fmt::format("found {}, expected 1", shown(version)));
+    const Json& list = member(json, location + ":", "scenes");
+    if (!list.is_array()) refuse_type(location + ":/scenes", list, "an array");
     if (list.size() > max_scenes)
-        refuse(place + ":/scenes", fmt::format("has more than {} scenes", max_scenes));
+        refuse(location + ":/scenes", fmt::format("has more than {} scenes", max_scenes));
 
     Scene defaults;
     if (json.contains("defaults")) {
-        only_keys(json["defaults"], place + ":/defaults", {"size", "style", "profile"});
-        read_picture(defaults, json["defaults"], place + ":/defaults");
+        only_keys(json["defaults"], location + ":/defaults", {"size", "style", "profile"});
+        read_image(defaults, json["defaults"], location + ":/defaults");
     }
     std::vector<Scene> scenes;
     std::set<std::string> names;
     for (std::size_t i = 0; i < list.size(); ++i) {
-        const std::string here = fmt::format("{}:/scenes/{}", place, i);
+        const std::string here = fmt::format("{}:/scenes/{}", location, i);
         scenes.push_back(scene_of(list[i], here, file.parent_path(), defaults));
         if (!names.insert(scenes.back().name).second) {
             refuse(here + "/name", fmt::format("\"{}\" comes twice", scenes.back().name));

@@ -136,7 +136,7 @@ bool can_be_approved(const GoldenResult& entry) {
            entry.state == GoldenState::unreadable;
 }
 
-Status copy_pictures(const std::string& name, const fs::path& from, const fs::path& to) {
+Status copy_images(const std::string& name, const fs::path& from, const fs::path& to) {
     for (const char* ending :
          {".expected.png", ".actual.png", ".actual.json", ".difference.png", ".first.png", ".second.png"}) {
         std::error_code error;
@@ -158,11 +158,11 @@ std::size_t Report::count(GoldenState state) const {
 
 void sort_by_severity(Report& report) {
     const auto key = [](const GoldenResult& entry) {
-        const double share = entry.state == GoldenState::different
-                                 ? static_cast<double>(entry.comparison.differing) /
-                                       static_cast<double>(entry.comparison.allowed + 1)
-                                 : 0.0;
-        return std::tuple(severity(entry), -share, entry.name);
+        const double fraction = entry.state == GoldenState::different
+                                    ? static_cast<double>(entry.comparison.differing) /
+                                          static_cast<double>(entry.comparison.allowed + 1)
+                                    : 0.0;
+        return std::tuple(severity(entry), -fraction, entry.name);
     };
     std::stable_sort(report.entries.begin(), report.entries.end(),
                      [&](const GoldenResult& a, const GoldenResult& b) { return key(a) < key(b); });
@@ -172,10 +172,10 @@ std::string entry_to_json(const GoldenResult& entry) {
     return entry_json(entry).dump(-1, ' ', false, Numbers::error_handler_t::replace);
 }
 
-Result<GoldenResult> entry_from_json(std::string_view json, const std::string& place) try {
+Result<GoldenResult> entry_from_json(std::string_view json, const std::string& location) try {
     return entry_of(Numbers::parse(json));
 } catch (const std::exception& exception) {
-    return Error{place, fmt::format("is no report entry: {}", exception.what())};
+    return Error{location, fmt::format("is no report entry: {}", exception.what())};
 }
 
 std::string report_to_json(const Report& report) {
@@ -193,22 +193,22 @@ std::string report_to_json(const Report& report) {
     return json.dump(1, ' ', false, Numbers::error_handler_t::replace) + "\n";
 }
 
-Result<Report> report_from_json(std::string_view text, const std::string& place) try {
+Result<Report> report_from_json(std::string_view text, const std::string& location) try {
     Numbers json = Numbers::parse(text);
     if (json.contains("checksum")) {
         const auto checksum = json.at("checksum").get<std::string>();
         json.erase("checksum");
         if (checksum != checksum_of(json))
-            return Error{place, "is damaged: its checksum does not fit what it says"};
+            return Error{location, "is damaged: its checksum does not fit what it says"};
     }
-    if (json.at("version") != 1) return Error{place + ":/version", "expected version 1"};
+    if (json.at("version") != 1) return Error{location + ":/version", "expected version 1"};
     Report report;
     report.goldens = json.at("goldens").get<std::string>();
     report.renderer = json.value("renderer", "");
     report.suite = json.value("suite", "");
     report.seconds = json.value("seconds", 0.0);
     if (json.contains("shard")) {
-        const Result<Shard> shard = parse_shard(json.at("shard").get<std::string>(), place + ":/shard");
+        const Result<Shard> shard = parse_shard(json.at("shard").get<std::string>(), location + ":/shard");
         if (!shard) return shard.error();
         report.shard = *shard;
     }
@@ -216,7 +216,7 @@ Result<Report> report_from_json(std::string_view text, const std::string& place)
         report.entries.push_back(entry_of(entry));
     return report;
 } catch (const std::exception& exception) {
-    return Error{place, fmt::format("is no report: {}", exception.what())};
+    return Error{location, fmt::format("is no report: {}", exception.what())};
 }
 
 std::string report_to_junit(const Report& report) {
@@ -321,7 +321,7 @@ Result<Report> merge_reports(const std::vector<fs::path>& report_files, const fs
                 if (entry.state == GoldenState::orphan) continue;
                 return Error{file.string(), fmt::format("\"{}\" is in another report, too", entry.name)};
             }
-            if (Status status = copy_pictures(entry.name, file.parent_path(), out); !status)
+            if (Status status = copy_images(entry.name, file.parent_path(), out); !status)
                 return status.error();
             merged.entries.push_back(std::move(entry));
         }

@@ -18,7 +18,7 @@ namespace slipface {
 namespace {
 
 Error at_scene(const Scene& scene, const char* key, const Error& error) {
-    return {scene.place + key, error.text()};
+    return {scene.location + key, error.text()};
 }
 
 Numbers camera_json(const Scene& scene, const Camera& camera) {
@@ -138,7 +138,7 @@ struct SceneStage::Impl {
         const double aspect = static_cast<double>(scene.width) / scene.height;
         fit_depth_range(camera, *on_stage.staged, overlay, aspect);
         if (wants_grid(scene)) draw_grid(overlay, on_stage.staged->level.mesh->bounds);
-        return on_stage.painter->picture(camera, scene.width, scene.height, scene.style, &overlay);
+        return on_stage.painter->image(camera, scene.width, scene.height, scene.style, &overlay);
     }
 
     // The level as it was approved. Texture coordinates are not kept: where the geometry is the same, today's
@@ -222,8 +222,8 @@ std::vector<Finding> SceneStage::explain(const Scene& scene, const ExplainReques
         Camera fitted = side.camera;
         const double aspect = static_cast<double>(scene.width) / scene.height;
         fit_depth_range(fitted, *on_stage.staged, side.story->overlay, aspect);
-        const Result<Image> image = on_stage.painter->picture(fitted, scene.width, scene.height, scene.style,
-                                                              with_overlay ? &side.story->overlay : nullptr);
+        const Result<Image> image = on_stage.painter->image(fitted, scene.width, scene.height, scene.style,
+                                                            with_overlay ? &side.story->overlay : nullptr);
         return image ? *image : Image{};
     };
     return explain_scene({scene, request, before, after, draw});

@@ -98,19 +98,19 @@ Result<Camera> scene_camera(const Scene& scene, const StagedLevel& staged, const
     if (const auto* camera = std::get_if<Camera>(&scene.camera)) return *camera;
     const auto& text = std::get<std::string>(scene.camera);
     const std::optional<CameraName> name = read_camera_name(text);
-    if (const auto wrong = wrong_camera_name(text)) return Error{scene.place + "/camera", *wrong};
+    if (const auto wrong = wrong_camera_name(text)) return Error{scene.location + "/camera", *wrong};
     if (const auto camera = find_camera(*name, scene, staged, story)) return *camera;
-    const Error error{scene.place + "/camera", ""};
+    const Error error{scene.location + "/camera", ""};
     if (name->kind == CameraKind::tape)
-        return Error{error.place, fmt::format("\"{}\" needs a scene with a tape", text)};
+        return Error{error.location, fmt::format("\"{}\" needs a scene with a tape", text)};
     if (name->kind == CameraKind::contact)
-        return Error{error.place, fmt::format("\"{}\": the scene's probe and tape make {} contacts", text,
-                                              movement_contacts(story).size())};
+        return Error{error.location, fmt::format("\"{}\": the scene's probe and tape make {} contacts", text,
+                                                 movement_contacts(story).size())};
     std::string names;
     for (const CameraBookmark& bookmark : staged.level.cameras)
         names += (names.empty() ? "" : ", ") + bookmark.name;
-    return Error{error.place, fmt::format("the level has no camera \"{}\"; it has: {}", text,
-                                          names.empty() ? "none" : names)};
+    return Error{error.location, fmt::format("the level has no camera \"{}\"; it has: {}", text,
+                                             names.empty() ? "none" : names)};
 }
 
 void fit_depth_range(Camera& camera, const StagedLevel& staged, const Overlay& overlay, double aspect) {
@@ -123,10 +123,10 @@ void fit_depth_range(Camera& camera, const StagedLevel& staged, const Overlay& o
     };
     const Aabb& bounds = staged.level.mesh->bounds;
     for (unsigned corner = 0; corner < 8; ++corner) {
-        const Vec3 place((corner & 1U) != 0 ? bounds.max.x() : bounds.min.x(),
-                         (corner & 2U) != 0 ? bounds.max.y() : bounds.min.y(),
-                         (corner & 4U) != 0 ? bounds.max.z() : bounds.min.z());
-        farthest = std::max(farthest, (place - camera.eye).norm());
+        const Vec3 location((corner & 1U) != 0 ? bounds.max.x() : bounds.min.x(),
+                            (corner & 2U) != 0 ? bounds.max.y() : bounds.min.y(),
+                            (corner & 4U) != 0 ? bounds.max.z() : bounds.min.z());
+        farthest = std::max(farthest, (location - camera.eye).norm());
     }
     for (const Overlay::Line& line : overlay.lines) {
         include(distance_to_segment(camera.eye, line.a, line.b), 0.0);

@@ -15,10 +15,10 @@ namespace {
 
 constexpr Color path_color{1.0f, 0.80f, 0.30f, 1.0f};
 constexpr Color end_color{1.0f, 0.66f, 0.22f, 0.9f};
-constexpr std::size_t most_samples = 33, most_events = 64, most_contacts = 12;
+constexpr std::size_t max_samples = 33, max_events = 64, max_contacts = 12;
 
 Error at_scene(const Scene& scene, const std::string& key, const Error& error) {
-    return {scene.place + key, error.text()};
+    return {scene.location + key, error.text()};
 }
 
 Status apply_all(MovementSettings& settings, const std::vector<std::string>& assignments, const Scene& scene,
@@ -72,7 +72,7 @@ Status run_probe(const Scene& scene, const StagedLevel& staged, SceneMovement& s
     story.numbers["probe"] = {{"from", json_of(from)},
                               {"move", json_of(scene.probe->move)},
                               {"end", json_of(end.position)},
-                              {"leftover", json_of(end.leftover)},
+                              {"remainder", json_of(end.remainder)},
                               {"contacts", contacts}};
     story.probe = std::move(trace.records);
     return {};
@@ -94,13 +94,13 @@ void draw_path(SceneMovement& story) {
 Numbers tape_json(const SceneMovement& story, const SimulationReport& report) {
     Numbers samples = Numbers::array();
     const std::size_t ticks = story.states.size();
-    const std::size_t stride = std::max<std::size_t>(1, (ticks + most_samples - 2) / (most_samples - 1));
+    const std::size_t stride = std::max<std::size_t>(1, (ticks + max_samples - 2) / (max_samples - 1));
     for (std::size_t tick = 0; tick < ticks; tick += stride) {
         const Vec3& p = story.states[tick].position;
         samples.push_back(Numbers::array({tick, p.x(), p.y(), p.z()}));
     }
     Numbers events = Numbers::array();
-    for (std::size_t i = 0; i < std::min(report.events.size(), most_events); ++i)
+    for (std::size_t i = 0; i < std::min(report.events.size(), max_events); ++i)
         events.push_back(
             Numbers::array({report.events[i].tick, report.events[i].kind, report.events[i].detail}));
     Numbers hashes = Numbers::array();
@@ -179,7 +179,7 @@ std::vector<MovementContact> movement_contacts(const SceneMovement& story) {
     std::vector<MovementContact> contacts;
     for (const TraceRecord& record : story.probe) {
         const auto* sweep = std::get_if<SweepRecord>(&record);
-        if (sweep == nullptr || !sweep->contact || contacts.size() >= most_contacts) continue;
+        if (sweep == nullptr || !sweep->contact || contacts.size() >= max_contacts) continue;
         contacts.push_back({sweep->contact->point, sweep->contact->normal, sweep->contact->face});
     }
     bool held = false;
@@ -189,7 +189,7 @@ std::vector<MovementContact> movement_contacts(const SceneMovement& story) {
         const bool touched = holds && (!held || state.ground_surface != surface);
         held = holds;
         if (holds) surface = state.ground_surface;
-        if (!touched || contacts.size() >= most_contacts) continue;
+        if (!touched || contacts.size() >= max_contacts) continue;
         const Vec3 feet = state.position - state.ground_normal * story.settings.radii.y();
         contacts.push_back({feet, state.ground_normal, state.ground_face});
     }

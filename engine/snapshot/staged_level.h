@@ -8,7 +8,7 @@
 
 #include "numbers_json.h"
 #include "slipface/level/level.h"
-#include "slipface/render/level_picture.h"
+#include "slipface/render/level_image.h"
 #include "slipface/sim/tape.h"
 
 namespace slipface {

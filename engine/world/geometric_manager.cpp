@@ -4,12 +4,12 @@
 
 namespace slipface {
 
-Vec3 Character::place() const {
-    return mover_ != nullptr ? mover_->place_of(state) : state.position;
+Vec3 Character::position() const {
+    return mover_ != nullptr ? mover_->position_of(state) : state.position;
 }
 
 void Character::on_draw(Graphics& graphics) const {
-    graphics.draw_ellipsoid(place(), settings.radii);
+    graphics.draw_ellipsoid(position(), settings.radii);
 }
 
 Result<std::unique_ptr<GeometricManager>> GeometricManager::make(Level level) {
@@ -33,7 +33,7 @@ void GeometricManager::on_draw(Graphics& graphics) {
     graphics.draw_level(level_, time_s_);
 }
 
-Vec3 GeometricManager::place_of(const PlayerState& state) const {
+Vec3 GeometricManager::position_of(const PlayerState& state) const {
     return scene_->to_level(state);
 }
 

@@ -56,7 +56,7 @@ TEST_F(Files, WritesAnEmptyFile) {
 TEST_F(Files, ReadRefusesWhatIsNoFile) {
     const auto missing = read_file(folder / "no.obj");
     ASSERT_FALSE(missing);
-    EXPECT_EQ(missing.error().place, (folder / "no.obj").string());
+    EXPECT_EQ(missing.error().location, (folder / "no.obj").string());
     EXPECT_THAT(missing.error().message, HasSubstr("no such file"));
 
     const auto directory = read_file(folder);

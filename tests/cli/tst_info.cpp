@@ -86,7 +86,8 @@ TEST_F(Info, ListsTexturesThatCannotBeUsed) {
     std::vector<std::string> found;
     const auto json = nlohmann::json::parse(out.str());
     for (const auto& warning : json["warnings"])
-        found.push_back(warning["place"].get<std::string>() + ": " + warning["message"].get<std::string>());
+        found.push_back(warning["location"].get<std::string>() + ": " +
+                        warning["message"].get<std::string>());
     ASSERT_EQ(found.size(), 3u) << out.str();
     EXPECT_THAT(found[0], testing::StartsWith("material \"moss\": found no texture \"gone.png\" in "));
     EXPECT_THAT(found[1], testing::AllOf(testing::StartsWith("material \"mud\": "), HasSubstr("broken.png")));
@@ -101,7 +102,7 @@ TEST_F(Info, ListsWarningsWithTheirPlace) {
     bool found = false;
     const auto json = nlohmann::json::parse(out.str());
     for (const auto& warning : json["warnings"]) {
-        found |= warning["place"].get<std::string>().ends_with("floor.slipface.json:/studio");
+        found |= warning["location"].get<std::string>().ends_with("floor.slipface.json:/studio");
     }
     EXPECT_TRUE(found) << out.str();
     ASSERT_EQ(run(level, false), cli::exit_fine);

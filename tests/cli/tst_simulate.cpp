@@ -75,17 +75,17 @@ TEST_F(Simulate, APresetComesBeforeTheTapesSettings) {
 
 TEST_F(Simulate, TellsWhatHappenedInATick) {
     const std::string path = write("tell.tape", "slipface-tape 1\ndt 1/60\n60\n1 jump\n9\n");
-    const auto tell = [&](std::size_t tick) {
+    const auto describe = [&](std::size_t tick) {
         out.str("");
         err.str("");
-        return cli::run_simulate({.level = level, .tape = path, .tell = tick}, out, err);
+        return cli::run_simulate({.level = level, .tape = path, .describe = tick}, out, err);
     };
-    ASSERT_EQ(tell(60), cli::exit_fine) << err.str();
+    ASSERT_EQ(describe(60), cli::exit_fine) << err.str();
     EXPECT_THAT(out.str(), HasSubstr("Begins: standing on"));
     EXPECT_THAT(out.str(), HasSubstr("jump pressed"));
     EXPECT_THAT(out.str(), HasSubstr("Jumped at "));
     EXPECT_THAT(out.str(), HasSubstr("Ends: in the air"));
-    EXPECT_EQ(tell(70), cli::exit_bad_input);
+    EXPECT_EQ(describe(70), cli::exit_bad_input);
     EXPECT_THAT(err.str(), HasSubstr("--tell: found tick 70, expected one from 0 to 69"));
 }
 

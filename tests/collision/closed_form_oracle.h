@@ -70,9 +70,9 @@ class ClosedForm {
         for (std::size_t k = 0; k < 3; ++k) {
             const QuadVec w = p - corners_[k];
             offer(w);
-            const Quad place = dot(w, edges_[k]);
+            const Quad position = dot(w, edges_[k]);
             const Quad square = dot(edges_[k], edges_[k]);
-            if (place > 0 && place < square) offer(cross(edges_[k], cross(w, edges_[k])) / all(square));
+            if (position > 0 && position < square) offer(cross(edges_[k], cross(w, edges_[k])) / all(square));
         }
         if (above_triangle(p)) offer((dot(n_, p - corners_[0]) / dot(n_, n_)) * n_);
         return nearest;
@@ -118,8 +118,8 @@ class ClosedForm {
         const Quad ee = dot(e, e);
         const Quad t = first_fall(dot(de, de), -dot(de, ae), dot(ae, ae) - radius * radius * ee);
         if (!(t < never())) return never();
-        const Quad place = dot(t * d_ - corners_[k], e);
-        return place >= 0 && place <= ee ? t : never();
+        const Quad position = dot(t * d_ - corners_[k], e);
+        return position >= 0 && position <= ee ? t : never();
     }
 
     QuadVec radii_;

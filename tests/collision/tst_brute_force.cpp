@@ -38,10 +38,10 @@ std::vector<Scene> scenes_to_try() {
         }
     }
     list.push_back({"flat", flat, Vec3(0, 0.8, 0), 5});
-    Soup same_place;
+    Soup same_position;
     for (int i = 0; i < 40; ++i)
-        same_place.add({0, 0, 0}, {0, 0, 1}, {1, 0, 0});
-    list.push_back({"one triangle forty times", same_place, Vec3::Zero(), 2});
+        same_position.add({0, 0, 0}, {0, 0, 1}, {1, 0, 0});
+    list.push_back({"one triangle forty times", same_position, Vec3::Zero(), 2});
     Soup far_out = scenes::random_soup(random, 200, 5, 1);
     for (Vec3f& p : far_out.positions)
         p += Vec3f(20000, -30000, 10000);

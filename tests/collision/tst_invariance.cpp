@@ -45,13 +45,13 @@ Soup changed(const Soup& soup, Change change) {
     return result;
 }
 
-struct Asked {
+struct Query {
     Vec3 radii;
     Vec3 from;
     Vec3 move;
 };
 
-Asked some_query(Random& random, const InvariantScene& scene) {
+Query some_query(Random& random, const InvariantScene& scene) {
     // Drawn one by one: compilers evaluate the arguments of a call in different orders.
     const Vec3 from = scene.middle + random.in_box(scene.half);
     const Vec3 towards = scene.middle + random.in_box(scene.half / 2);
@@ -67,9 +67,9 @@ Asked some_query(Random& random, const InvariantScene& scene) {
 // Everything that two worlds say of a query: the same bits, but for directions that `turned` maps and places
 // that `placed` maps, which may differ by `off` in each coordinate.
 template <class Turned, class Placed>
-void expect_the_same(const CollisionWorld& a, const Asked& one, const CollisionWorld& b, const Asked& other,
+void expect_the_same(const CollisionWorld& a, const Query& one, const CollisionWorld& b, const Query& other,
                      Turned turned, Placed placed, double off) {
-    const auto expect_place = [&](const Vec3& p, const Vec3& q) {
+    const auto expect_position = [&](const Vec3& p, const Vec3& q) {
         EXPECT_LE((placed(p) - q).cwiseAbs().maxCoeff(), off);
     };
     const auto hit = sweep_ellipsoid(a, one.radii, one.from, one.move);
@@ -80,7 +80,7 @@ void expect_the_same(const CollisionWorld& a, const Asked& one, const CollisionW
         EXPECT_EQ(hit->triangle, other_hit->triangle);
         EXPECT_EQ(hit->feature, other_hit->feature);
         EXPECT_EQ(turned(hit->normal), other_hit->normal);
-        expect_place(hit->point, other_hit->point);
+        expect_position(hit->point, other_hit->point);
     }
     std::vector<Overlap> found(a.triangle_count());
     std::vector<Overlap> other_found(b.triangle_count());
@@ -90,14 +90,14 @@ void expect_the_same(const CollisionWorld& a, const Asked& one, const CollisionW
         EXPECT_EQ(found[k].triangle, other_found[k].triangle);
         EXPECT_EQ(found[k].depth_sphere_space, other_found[k].depth_sphere_space);
         EXPECT_EQ(turned(found[k].normal), other_found[k].normal);
-        expect_place(found[k].point, other_found[k].point);
+        expect_position(found[k].point, other_found[k].point);
     }
     const auto near = closest_point(a, one.from);
     const auto other_near = closest_point(b, other.from);
     ASSERT_TRUE(near && other_near);
     EXPECT_EQ(near->distance, other_near->distance);
     EXPECT_EQ(near->triangle, other_near->triangle);
-    expect_place(near->point, other_near->point);
+    expect_position(near->point, other_near->point);
     const auto ray = cast_ray(a, one.from, one.move, 1);
     const auto other_ray = cast_ray(b, other.from, other.move, 1);
     ASSERT_EQ(ray.has_value(), other_ray.has_value());
@@ -105,7 +105,7 @@ void expect_the_same(const CollisionWorld& a, const Asked& one, const CollisionW
     EXPECT_EQ(ray->t, other_ray->t);
     EXPECT_EQ(ray->triangle, other_ray->triangle);
     EXPECT_EQ(turned(ray->normal), other_ray->normal);
-    expect_place(ray->point, other_ray->point);
+    expect_position(ray->point, other_ray->point);
 }
 
 // Corners on a grid that floats also have where the scene is moved to, and starts on a finer one that doubles
@@ -130,9 +130,9 @@ TEST(Invariance, AMovedSceneAnswersWithTheSameBits) {
             const double off = 6 * 0x1p-53 * (move.offset.cwiseAbs().maxCoeff() + 50);
             Random random(32);
             for (int i = 0; i < 300; ++i) {
-                Asked one = some_query(random, scene);
+                Query one = some_query(random, scene);
                 one.from = on_grid(one.from, 0x1p-20);
-                Asked other = one;
+                Query other = one;
                 other.from += move.offset;
                 const auto placed = [&](const Vec3& p) { return Vec3(p + move.offset); };
                 expect_the_same(a, one, b, other, std::identity(), placed, off);
@@ -154,7 +154,7 @@ TEST(Invariance, AMirroredSceneAnswersWithTheSameBits) {
             const CollisionWorld b = changed(scene.soup, flip).world();
             Random random(33);
             for (int i = 0; i < 300; ++i) {
-                const Asked one = some_query(random, scene);
+                const Query one = some_query(random, scene);
                 expect_the_same(a, one, b, {one.radii, flip(one.from), flip(one.move)}, flip, flip, 0);
             }
         }
@@ -278,10 +278,10 @@ Soup triangulated(Random& random, const std::vector<Polygon>& polygons) {
     Soup soup;
     for (const auto& [at, face] : pieces) {
         const std::size_t first = random.below(3);
-        const std::size_t way = 1 + random.below(2);
+        const std::size_t motion = 1 + random.below(2);
         const Polygon& polygon = polygons[face];
-        soup.add(polygon.at(at[first]), polygon.at(at[(first + way) % 3]),
-                 polygon.at(at[(first + 2 * way) % 3]));
+        soup.add(polygon.at(at[first]), polygon.at(at[(first + motion) % 3]),
+                 polygon.at(at[(first + 2 * motion) % 3]));
         soup.faces.back() = face;
     }
     return soup;
@@ -290,11 +290,11 @@ Soup triangulated(Random& random, const std::vector<Polygon>& polygons) {
 // The exact sweep of a polygon, by its simplest triangles.
 class ExactPolygon {
   public:
-    ExactPolygon(const Polygon& polygon, const Asked& asked) {
+    ExactPolygon(const Polygon& polygon, const Query& requested) {
         for (std::size_t k = 2; k < polygon.corners.size(); ++k) {
             const oracle::Triangle t{polygon.at(polygon.corners[0]), polygon.at(polygon.corners[k - 1]),
                                      polygon.at(polygon.corners[k])};
-            parts_.emplace_back(t, asked.radii, asked.from, asked.move);
+            parts_.emplace_back(t, requested.radii, requested.from, requested.move);
         }
     }
     oracle::Quad first_touch(oracle::Quad radius) const {
@@ -312,10 +312,10 @@ class ExactPolygon {
         return nearest;
     }
     double reach() const {
-        double most = 0;
+        double maximum = 0;
         for (const oracle::ClosedForm& part : parts_)
-            most = std::max(most, part.reach());
-        return most;
+            maximum = std::max(maximum, part.reach());
+        return maximum;
     }
 
   private:
@@ -324,7 +324,7 @@ class ExactPolygon {
 
 // Straight down on a lattice point of a polygon or beside it, where many cuts have a corner or a seam: the
 // point of an ellipsoid that touches a plane of normal n lies along R^2 n from its centre.
-Asked onto_a_lattice_point(Random& random, const Asked& other, const Polygon& polygon) {
+Query onto_a_lattice_point(Random& random, const Query& other, const Polygon& polygon) {
     const Lattice p{static_cast<int>(random.below(16)), static_cast<int>(random.below(16))};
     const Vec3 normal = polygon.u.cross(polygon.v);
     const Vec3 out = other.radii.cwiseProduct(other.radii).cwiseProduct(normal).normalized();
@@ -337,9 +337,9 @@ struct ExactScene {
     double reach = 0;
     bool apart = true;  // at the start
 
-    ExactScene(const std::vector<Polygon>& from, const Asked& asked) {
+    ExactScene(const std::vector<Polygon>& from, const Query& requested) {
         for (const Polygon& polygon : from) {
-            polygons.emplace_back(polygon, asked);
+            polygons.emplace_back(polygon, requested);
             reach = std::max(reach, polygons.back().reach());
         }
         for (const ExactPolygon& polygon : polygons)
@@ -368,20 +368,20 @@ TEST(Invariance, TrianglesOfTheSamePolygonsAnswerAlike) {
             worlds.push_back(triangulated(random, polygons).world());
         const InvariantScene around{"polygons", {}, Vec3::Zero(), 8};
         for (int i = 0; i < 30; ++i) {
-            Asked asked = some_query(random, around);
-            if (i % 2 == 0) asked = onto_a_lattice_point(random, asked, polygons[random.below(4)]);
-            const ExactScene exact(polygons, asked);
+            Query requested = some_query(random, around);
+            if (i % 2 == 0) requested = onto_a_lattice_point(random, requested, polygons[random.below(4)]);
+            const ExactScene exact(polygons, requested);
             // From within, each piece has a nearest point and a way out of its own.
             if (!exact.apart) continue;
             ++apart;
             const double rounding = oracle::engine_rounding(exact.reach);
             for (const CollisionWorld& world : worlds) {
-                const auto hit = sweep_ellipsoid(world, asked.radii, asked.from, asked.move);
+                const auto hit = sweep_ellipsoid(world, requested.radii, requested.from, requested.move);
                 ASSERT_TRUE(oracle::is_answer(exact, hit, rounding)) << s << ' ' << i;
                 if (!hit) continue;
                 ++hits;
                 const ExactPolygon& touched = exact.polygons[hit->face];
-                ASSERT_LE(oracle::normal_error(touched, asked.radii, hit->normal, hit->t), rounding);
+                ASSERT_LE(oracle::normal_error(touched, requested.radii, hit->normal, hit->t), rounding);
             }
         }
     }
@@ -411,9 +411,9 @@ TEST(Invariance, TheOrderOfTrianglesChangesNoBit) {
         const CollisionWorld b = shuffled.world();
         const InvariantScene around{"polygons", {}, Vec3::Zero(), 8};
         for (int i = 0; i < 300; ++i) {
-            const Asked asked = some_query(random, around);
-            const auto one = sweep_ellipsoid(a, asked.radii, asked.from, asked.move);
-            const auto other = sweep_ellipsoid(b, asked.radii, asked.from, asked.move);
+            const Query requested = some_query(random, around);
+            const auto one = sweep_ellipsoid(a, requested.radii, requested.from, requested.move);
+            const auto other = sweep_ellipsoid(b, requested.radii, requested.from, requested.move);
             ASSERT_EQ(one.has_value(), other.has_value());
             if (!one) continue;
             ++hits;

@@ -16,10 +16,10 @@ using Neighbourhoods = EverySimdPath;
 
 // A vector of -1, 0 and 1, mostly not 0.
 Vec3 towards_an_end(Random& random) {
-    Vec3 way = Vec3::Zero();
+    Vec3 motion = Vec3::Zero();
     for (const int axis : {0, 1, 2})
-        way[axis] = random.below(4) == 0 ? 0.0 : random.below(2) == 0 ? 1.0 : -1.0;
-    return way;
+        motion[axis] = random.below(4) == 0 ? 0.0 : random.below(2) == 0 ? 1.0 : -1.0;
+    return motion;
 }
 
 // One triangle that an ellipsoid at the very end of its reach overlaps by a hair, or misses by one.

@@ -145,8 +145,8 @@ TEST(Ray, StartingInLineWithADegenerateTriangleMissesIt) {
     const Vec3 from(8.375, 8.375, 0);
     scenes::Random random(5);
     for (int i = 0; i < 1000; ++i) {
-        const Vec3 way(random.uniform(-20, 20), random.uniform(-20, 20), 195.26274108886719);
-        EXPECT_FALSE(cast_ray(world, from, way, 10.0)) << way.transpose();
+        const Vec3 motion(random.uniform(-20, 20), random.uniform(-20, 20), 195.26274108886719);
+        EXPECT_FALSE(cast_ray(world, from, motion, 10.0)) << motion.transpose();
     }
 }
 
@@ -159,10 +159,11 @@ TEST(Ray, ANeedleEndsAtItsTip) {
         add_far_out(soup);
         const CollisionWorld world = soup.world();
         for (int i = 0; i < 1000; ++i) {
-            const double place = random.below(2) == 0 ? random.uniform(1.001, 3) : random.uniform(-3, -0.001);
-            const Vec3 beyond(3 * place, 3 * place, 0);
+            const double position =
+                random.below(2) == 0 ? random.uniform(1.001, 3) : random.uniform(-3, -0.001);
+            const Vec3 beyond(3 * position, 3 * position, 0);
             const Vec3 above(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.5, 4));
-            EXPECT_FALSE(cast_ray(world, beyond + above, -above, 10.0)) << place;
+            EXPECT_FALSE(cast_ray(world, beyond + above, -above, 10.0)) << position;
         }
     }
 }

@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
     for (int tick = 0; tick < 120; ++tick)
         world.tick(1.0 / 60);
 
-    const slipface::Vec3 at = player.place();
+    const slipface::Vec3 at = player.position();
     const auto& ground = level.level().surfaces[player.state.ground_surface];
     std::printf("at %.2f %.2f %.2f on %s\n", at.x(), at.y(), at.z(), ground.name.c_str());
     if (argc < 3) return 0;

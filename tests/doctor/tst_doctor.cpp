@@ -52,7 +52,7 @@ TEST(Doctor, ACornerOnAnEdgeIsATJunction) {
     const DoctorReport report = examine(test::level_of(broken));
     ASSERT_EQ(report.count(ProblemKind::t_junction), 1u) << all_of(report);
     EXPECT_EQ(report.problems[0].face, 0u);
-    EXPECT_EQ(report.problems[0].place, Vec3(2, 0, 1));
+    EXPECT_EQ(report.problems[0].position, Vec3(2, 0, 1));
     // With a vertex on the long side it is none.
     const Faces mended{Face{{{0, 0, 0}, {0, 0, 2}, {2, 0, 2}, {2, 0, 1}, {2, 0, 0}}}, floor_at(2, 0, 1, 1),
                        floor_at(2, 1, 1, 1)};
@@ -159,15 +159,15 @@ TEST(Doctor, OrphansAndMissingTexturesAreListed) {
     EXPECT_EQ(report.count(ProblemKind::orphan), 1u);
     EXPECT_EQ(report.count(ProblemKind::missing_texture), 1u);
     ASSERT_EQ(report.problems.size(), 2u) << all_of(report);
-    EXPECT_EQ(report.problems[0].place, Vec3(1, 2, 3));
+    EXPECT_EQ(report.problems[0].position, Vec3(1, 2, 3));
 }
 
 TEST(Doctor, CanBeCancelledAndTellsHowFarItIs) {
     const Level level = test::level_of({floor_at(0, 0, 1, 1)});
     double last = -1.0;
-    EXPECT_FALSE(examine(level, [&](double share) {
-                     EXPECT_GE(share, last);
-                     last = share;
+    EXPECT_FALSE(examine(level, [&](double fraction) {
+                     EXPECT_GE(fraction, last);
+                     last = fraction;
                      return true;
                  }).cancelled);
     EXPECT_EQ(last, 1.0);

@@ -82,7 +82,7 @@ MovementSettings random_settings(Random& random) {
     return settings;
 }
 
-std::string told(const DoctorReport& report) {
+std::string explained(const DoctorReport& report) {
     std::string text;
     for (const Problem& problem : report.problems)
         text += std::string(info_of(problem.kind).name) + ": " + problem.text + "\n";
@@ -144,7 +144,7 @@ TEST(DoctorRandom, FindsNothingInCleanScenes) {
         const MovementSettings settings = random_settings(random);
         const auto check = [&](const Scene& scene, const char* what) {
             const DoctorReport report = examine(scene.level(settings));
-            EXPECT_EQ(report.total(), 0u) << what << ", seed " << seed << "\n" << told(report);
+            EXPECT_EQ(report.total(), 0u) << what << ", seed " << seed << "\n" << explained(report);
             ++scenes;
         };
         switch (seed % 4) {
@@ -178,7 +178,7 @@ struct Found {
         if (was_found)
             ++found;
         else
-            missed += "seed " + std::to_string(seed) + "\n" + told(report);
+            missed += "seed " + std::to_string(seed) + "\n" + explained(report);
     }
     void expect_almost_all() const {
         EXPECT_GE(found, 0.98 * planted) << found << "/" << planted << "\n" << missed;
@@ -246,7 +246,7 @@ TEST(DoctorRandom, FindsGapsUpToTheBodysWidth) {
 // Whether a player gets over a gap, and whether it falls through, is what a walker meets that the test sends
 // over it in headings of its own. Between catching and falling a few degrees may decide.
 TEST(DoctorRandom, WhatAGapDoesIsWhatAWalkerMeets) {
-    int agreed = 0, checked = 0, falls_claimed = 0, falls_met = 0;
+    int agreed = 0, checked = 0, falls_claimed = 0, falls_found = 0;
     std::array<int, 3> fates{};
     std::string differing;
     for (unsigned seed = 0; seed < 150; ++seed) {
@@ -263,24 +263,24 @@ TEST(DoctorRandom, WhatAGapDoesIsWhatAWalkerMeets) {
             const bool catches = problem.text.find("catches on it") != std::string::npos;
             const Fate claimed = falls ? Fate::falls : catches ? Fate::stops : Fate::passes;
             // Where the doctor looked: inside from the corner that it names.
-            const Vec3 local = problem.place - scene.offset;
+            const Vec3 local = problem.position - scene.offset;
             const double z = -std::sin(scene.turn) * local.x() + std::cos(scene.turn) * local.z();
             const double inside = z < 1.0 ? width : -width;
-            const Fate met = fate_at_gap(scene, level, width, z + inside);
+            const Fate hit = fate_at_gap(scene, level, width, z + inside);
             ++checked;
-            ++fates[static_cast<std::size_t>(met)];
+            ++fates[static_cast<std::size_t>(hit)];
             falls_claimed += claimed == Fate::falls ? 1 : 0;
-            falls_met += claimed == Fate::falls && met == Fate::falls ? 1 : 0;
-            if ((met == Fate::passes) == (claimed == Fate::passes))
+            falls_found += claimed == Fate::falls && hit == Fate::falls ? 1 : 0;
+            if ((hit == Fate::passes) == (claimed == Fate::passes))
                 ++agreed;
             else
                 differing += "seed " + std::to_string(seed) + ", width " + std::to_string(width) + ": " +
-                             problem.text + ", met " + std::to_string(static_cast<int>(met)) + "\n";
+                             problem.text + ", met " + std::to_string(static_cast<int>(hit)) + "\n";
         }
     }
     EXPECT_GE(checked, 147);
     EXPECT_GE(agreed, 0.98 * checked) << agreed << "/" << checked << "\n" << differing;
-    EXPECT_GE(falls_met, 0.95 * falls_claimed);
+    EXPECT_GE(falls_found, 0.95 * falls_claimed);
     for (const int fate : fates)
         EXPECT_GT(fate, 5) << "every fate is there";
 }
@@ -370,7 +370,7 @@ TEST(DoctorRandom, AWallOnAFloorsEdgeIsNoTJunction) {
         scene.wall(0.0, random.between(0.1, 0.4) * deep, random.between(0.6, 0.9) * deep, 0.0,
                    random.between(1.0, 3.0));
         const DoctorReport report = examine(scene.level(random_settings(random)));
-        EXPECT_EQ(report.total(), 0u) << told(report);
+        EXPECT_EQ(report.total(), 0u) << explained(report);
     }
 }
 

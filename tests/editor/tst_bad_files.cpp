@@ -51,15 +51,15 @@ struct BadLevel {
     std::vector<std::string> expected;  // parts of the dialog's text: the file, the place, what is wrong
 };
 
-BadLevel bad_obj(const char* what, std::string bytes, std::string place, std::string message) {
-    return {what, {{"bad.obj", std::move(bytes)}}, "bad.obj", {std::move(place), std::move(message)}};
+BadLevel bad_obj(const char* what, std::string bytes, std::string location, std::string message) {
+    return {what, {{"bad.obj", std::move(bytes)}}, "bad.obj", {std::move(location), std::move(message)}};
 }
 
-BadLevel bad_json(const char* what, std::string bytes, std::string place, std::string message) {
+BadLevel bad_json(const char* what, std::string bytes, std::string location, std::string message) {
     return {what,
             {{"bad.obj", good_obj}, {"bad.slipface.json", std::move(bytes)}},
             "bad.obj",
-            {std::move(place), std::move(message)}};
+            {std::move(location), std::move(message)}};
 }
 
 std::vector<BadLevel> bad_levels() {

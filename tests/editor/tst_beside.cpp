@@ -13,14 +13,14 @@ using Beside = LevelFixture;
 
 TEST_F(Beside, AnotherThreadOpensAndCanBeStopped) {
     using Opened = Result<std::unique_ptr<Document>>;
-    std::atomic<bool> told = false;
+    std::atomic<bool> explained = false;
     Background<Opened> job([this](Progress& progress) { return Document::open(obj, &progress); },
-                           [&] { told = true; });
+                           [&] { explained = true; });
     Opened document = job.take();
     ASSERT_TRUE(document.ok());
     EXPECT_EQ((*document)->mesh().face_count(), face_count);
     EXPECT_TRUE(job.ready());
-    EXPECT_TRUE(told);
+    EXPECT_TRUE(explained);
 
     Background<Opened> endless(
         [](Progress& progress) -> Opened {

@@ -77,9 +77,9 @@ class Monkey {
                 MovementSettings movement = document_.level().movement;
                 const auto& info =
                     settings_table()[below(static_cast<std::uint32_t>(settings_table().size()))];
-                const double share = below(3) * 0.5;
+                const double fraction = below(3) * 0.5;
                 static_cast<void>(
-                    set_setting(movement, info, info.minimum + share * (info.maximum - info.minimum)));
+                    set_setting(movement, info, info.minimum + fraction * (info.maximum - info.minimum)));
                 return document_.set_movement(movement, "Change movement");
             }
             case 5:

@@ -56,15 +56,15 @@ TEST_F(IdleTest, SettlingEndsSoonAfterAnEvent) {
 }
 
 TEST_F(IdleTest, TwoRunsGiveTheSamePixels) {
-    const auto picture = [this] {
+    const auto image = [this] {
         start({});
         EXPECT_EQ(run("camera eye 4,9,14 target 4,0,4\nkey 1\nviewport drag @0.5,0,4.5 @7.5,0,4.5\nclick "
                       "\"Menu/Edit\""),
                   "");
         return host->screenshot();
     };
-    const Image first = picture();
-    EXPECT_EQ(first, picture());
+    const Image first = image();
+    EXPECT_EQ(first, image());
     EXPECT_EQ(first.pixel_count(), std::size_t{1280} * 720);
 }
 

@@ -190,12 +190,12 @@ TEST_F(LabTest, PinnedGhostsStayAndGo) {
     EXPECT_EQ(lab.runs()[2].name, "Jump speed 4");
     EXPECT_FALSE(lab.divergence(1));
     EXPECT_TRUE(lab.divergence(2));
-    lab.tell_of(2);
+    lab.explain(2);
     lab.unpin(1);  // not a pinned one
     EXPECT_EQ(lab.runs().size(), 3u);
     lab.unpin(2);
     EXPECT_EQ(lab.runs().size(), 2u);
-    EXPECT_LT(lab.told(), 2u);
+    EXPECT_LT(lab.explained(), 2u);
     for (int i = 0; i < 20; ++i)
         lab.pin(MovementSettings{});
     EXPECT_EQ(lab.runs().size(), Lab::max_runs);
@@ -210,11 +210,11 @@ TEST_F(LabTest, TheStoryIsThatOfTheCursorAndTheToldRun) {
     lab.seek(5);
     EXPECT_NE(story_text(lab.story(*editor.document)), recorded);
     const TickTrace again = lab.runs()[0].run.trace(lab.scene(*editor.document), 5);
-    EXPECT_EQ(story_text(lab.story(*editor.document)), story_text(tell(again, editor.document->level())));
+    EXPECT_EQ(story_text(lab.story(*editor.document)), story_text(describe(again, editor.document->level())));
     lab.seek(119);
     set("walk_speed=2");
     finish();
-    lab.tell_of(1);
+    lab.explain(1);
     EXPECT_NE(story_text(lab.story(*editor.document)), recorded);
 }
 
@@ -225,15 +225,15 @@ TEST_F(LabTest, ALineOfTheStoryBringsTheCameraThere) {
     const auto line =
         std::find_if(story.begin(), story.end(), [](const StoryLine& l) { return l.triangle != no_id; });
     ASSERT_NE(line, story.end());
-    const Vec3 place = *line->place;
+    const Vec3 position = *line->position;
     const auto index = static_cast<std::size_t>(line - story.begin());
     look_at_story_line(editor, index);
     EXPECT_EQ(lab.lit_line, index);
     const Camera camera = editor.view.camera();
-    EXPECT_LT((camera.target - camera.eye).normalized().cross((place - camera.eye).normalized()).norm(),
+    EXPECT_LT((camera.target - camera.eye).normalized().cross((position - camera.eye).normalized()).norm(),
               1e-6);
-    EXPECT_LT((camera.eye - place).norm(), 4.0);
-    EXPECT_FALSE(cast_ray(editor.document->collision(), camera.eye, place - camera.eye, 0.98))
+    EXPECT_LT((camera.eye - position).norm(), 4.0);
+    EXPECT_FALSE(cast_ray(editor.document->collision(), camera.eye, position - camera.eye, 0.98))
         << "it can be seen";
     lab.step(1);
     EXPECT_FALSE(lab.lit_line);

@@ -82,11 +82,11 @@ TEST_F(Paths, TheTildeIsTheHomeFolder) {
 TEST_F(Paths, FoldersTellFilesOfOneNameApart) {
     const std::vector<fs::path> paths{"/x/a/levels/easy.obj", "/x/b/levels/easy.obj", "/y/hard.obj",
                                       "/easy.obj", "/x/b/levels/easy.obj"};
-    EXPECT_EQ(telling_folders(paths),
+    EXPECT_EQ(distinguishing_folders(paths),
               (std::vector<std::string>{"a/levels", "b/levels", "y", "/", "b/levels"}));
     const std::vector<fs::path> nested{"/a/easy.obj", "/b/a/easy.obj"};
-    EXPECT_NE(telling_folders(nested)[0], telling_folders(nested)[1]);
-    EXPECT_TRUE(telling_folders({}).empty());
+    EXPECT_NE(distinguishing_folders(nested)[0], distinguishing_folders(nested)[1]);
+    EXPECT_TRUE(distinguishing_folders({}).empty());
 }
 
 TEST_F(Paths, TabCompletesAsFarAsItIsCertain) {
@@ -190,7 +190,7 @@ TEST_F(Paths, FiftyThousandFilesAreListedInAMoment) {
 }
 
 TEST_F(Paths, MountedMediaArePlaces) {
-    const auto places = usual_places(
+    const auto places = usual_folders(
         "proc /proc proc rw 0 0\n/dev/sdb1 /media/me/My\\040disk vfat rw 0 0\nshort\n/dev/sdc /mnt ext4 rw 0 "
         "0\n");
     ASSERT_GE(places.size(), 4u);

@@ -129,7 +129,7 @@ TEST_F(PlaytestTest, TapeRepeatsTheRunExactly) {
     document->paint(rows[1], bouncy);
     document->paint(rows[2], hazard);
     std::mt19937 random(7);
-    std::uniform_real_distribution<double> share(0.0, 1.0);
+    std::uniform_real_distribution<double> fraction(0.0, 1.0);
     playtest.start(start, 0.3);
     playtest.name_level("grid.obj", document->mesh().fingerprint, scene_fingerprint(scene()));
     std::size_t ticks = 0;
@@ -137,12 +137,12 @@ TEST_F(PlaytestTest, TapeRepeatsTheRunExactly) {
     PlaytestInput input;
     for (int frame = 0; frame < 3000; ++frame) {
         if (frame % 20 == 0) {
-            input.stick = Vec2(2 * share(random) - 1, 2 * share(random) - 1);
-            input.jump = share(random) < 0.3;
+            input.stick = Vec2(2 * fraction(random) - 1, 2 * fraction(random) - 1);
+            input.jump = fraction(random) < 0.3;
         }
-        input.look = Vec2(0.1 * (share(random) - 0.5), 0.0);
+        input.look = Vec2(0.1 * (fraction(random) - 0.5), 0.0);
         const Vec3 before = playtest.state().position;
-        ticks += static_cast<std::size_t>(advance(input, 0.04 * share(random)));
+        ticks += static_cast<std::size_t>(advance(input, 0.04 * fraction(random)));
         if (playtest.state().position == start && before != start) ++respawns;
     }
     ASSERT_GT(ticks, 3000u);

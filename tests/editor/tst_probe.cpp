@@ -80,19 +80,19 @@ TEST_F(ProbeTest, RowsJoinASweepWithItsResponses) {
     first.iteration = 0;
     second.iteration = 1;
     ResponseRecord turned, cut;
-    turned.leftover_before = Vec3(3, 0, 0);
-    turned.leftover_after = Vec3(2, 0, 0);
+    turned.remainder_before = Vec3(3, 0, 0);
+    turned.remainder_after = Vec3(2, 0, 0);
     cut.rule = Rule::crease;
-    cut.leftover_before = Vec3(2, 0, 0);
-    cut.leftover_after = Vec3(1, 0, 0);
+    cut.remainder_before = Vec3(2, 0, 0);
+    cut.remainder_after = Vec3(1, 0, 0);
     const std::vector<TraceRecord> records{turned,          first, DecisionRecord{}, turned, cut,
                                            PushOutRecord{}, second};
     const std::vector<ProbeRow> rows = probe_rows(records);
     ASSERT_THAT(rows, SizeIs(2));  // a response without a sweep belongs to none
     ASSERT_TRUE(rows[0].response.has_value());
     EXPECT_EQ(rows[0].response->rule, Rule::crease);
-    EXPECT_EQ(rows[0].response->leftover_before.x(), 3);
-    EXPECT_EQ(rows[0].response->leftover_after.x(), 1);
+    EXPECT_EQ(rows[0].response->remainder_before.x(), 3);
+    EXPECT_EQ(rows[0].response->remainder_after.x(), 1);
     EXPECT_EQ(rows[1].sweep.iteration, 1);
     EXPECT_FALSE(rows[1].response.has_value());
 }

@@ -20,7 +20,7 @@ TEST(ScriptParser, SplitsWordsQuotesAndComments) {
 TEST(ScriptParser, AnOpenQuoteNamesItsLine) {
     const auto lines = parse_script("wait 1\nclick \"Toolbar", "walk.script");
     ASSERT_FALSE(lines);
-    EXPECT_EQ(lines.error().place, "walk.script:2");
+    EXPECT_EQ(lines.error().location, "walk.script:2");
 }
 
 TEST(ScriptDocs, EveryVerbIsInThePage) {
@@ -116,11 +116,11 @@ TEST_F(ScriptTest, ScreensAreMadeFromTheScriptsOfAFolder) {
     host.reset();
     const auto wrong = snapshots[0].render();
     ASSERT_FALSE(wrong);
-    EXPECT_EQ(wrong.error().place, "a.script:1");
-    const auto picture = snapshots[1].render();
-    ASSERT_TRUE(picture) << picture.error().text();
-    EXPECT_EQ(picture->image.width, 640);
-    EXPECT_EQ(picture->image.height, 400);
+    EXPECT_EQ(wrong.error().location, "a.script:1");
+    const auto image = snapshots[1].render();
+    ASSERT_TRUE(image) << image.error().text();
+    EXPECT_EQ(image->image.width, 640);
+    EXPECT_EQ(image->image.height, 400);
 }
 
 }  // namespace

@@ -127,9 +127,9 @@ TEST(ViewCamera, FramedBoundsAreSeenWhole) {
             const Vec3 seen = project(view.camera(), point, size);
             EXPECT_GT(seen.z(), view.camera().near_plane);
             EXPECT_LT(seen.z(), view.camera().far_plane);
-            const Vec2 share = (seen.head<2>() - 0.5 * size).cwiseAbs().cwiseQuotient(0.5 * size);
-            EXPECT_LE(share.maxCoeff(), 1.0 + 1e-9);
-            reach = std::max(reach, share.maxCoeff());
+            const Vec2 fraction = (seen.head<2>() - 0.5 * size).cwiseAbs().cwiseQuotient(0.5 * size);
+            EXPECT_LE(fraction.maxCoeff(), 1.0 + 1e-9);
+            reach = std::max(reach, fraction.maxCoeff());
         }
         EXPECT_GT(reach, 0.8);  // and not from far away
     }

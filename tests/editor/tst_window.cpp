@@ -163,7 +163,7 @@ TEST_F(WindowTest, APressOnAnEventsMarkerTakesItsTick) {
     const ui::WidgetRect track = widget("Timeline/Track");
     const LabTrack strip = lab_track(lab, track.min, track.max);
     std::set<std::size_t> ticks;
-    for (const SimulationEvent& event : lab.runs()[lab.told()].run.events())
+    for (const SimulationEvent& event : lab.runs()[lab.explained()].run.events())
         if (std::string_view(event.kind) == "jump") ticks.insert(event.tick);
     ASSERT_FALSE(ticks.empty());
     for (const std::size_t tick : ticks) {

@@ -81,7 +81,7 @@ TEST(Compare, ThresholdsAreExclusive) {
     }
 }
 
-// A line one pixel wide that moved: 28 pixels are far below the share of 153, but 16 of them lie in one
+// A line one pixel wide that moved: 28 pixels are far below the fraction of 153, but 16 of them lie in one
 // window.
 TEST(Compare, AThinLineFailsByDensity) {
     Image changed = scene();

@@ -99,14 +99,14 @@ TEST_F(Png, PicturesThatAreNoneAreNotWritten) {
 TEST_F(Png, BadFilesAreRefusedWithTheReason) {
     const auto missing = load_image(folder / "no.png");
     ASSERT_FALSE(missing);
-    EXPECT_EQ(missing.error().place, (folder / "no.png").string());
+    EXPECT_EQ(missing.error().location, (folder / "no.png").string());
 
     EXPECT_FALSE(load_image(folder));
     for (const std::string_view junk :
          {"", "hello", "P6 1 1 255 abc", "GIF89a\1\1\1\1\0\0\0", "\x89PNG\r\n\x1a\n"}) {
         const auto result = decode_image(junk, "x.png");
         ASSERT_FALSE(result) << junk;
-        EXPECT_EQ(result.error().place, "x.png");
+        EXPECT_EQ(result.error().location, "x.png");
     }
 }
 

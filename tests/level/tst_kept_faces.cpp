@@ -10,7 +10,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-constexpr const char* place = "test.slipface.json";
+constexpr const char* location = "test.slipface.json";
 
 // Nine tiles, the last three of another material; the first hidden, two selections that share a face.
 Faces floor_tiles() {
@@ -28,7 +28,7 @@ Level kept_level() {
 }
 
 LoadedLevel read(const std::string& json, const Faces& faces) {
-    Result<LoadedLevel> loaded = level_from_json(json, place, mesh_of(faces));
+    Result<LoadedLevel> loaded = level_from_json(json, location, mesh_of(faces));
     if (!loaded) {
         ADD_FAILURE() << loaded.error().text();
         return {};
@@ -101,7 +101,7 @@ TEST(KeptFaces, WhatIsGoneIsDroppedAndListed) {
     EXPECT_EQ(
         loaded.warnings[1].message,
         "found no face any more for 1 of the 3 faces of the selection \"stairs \"up\"\"; they are dropped");
-    EXPECT_THAT(loaded.warnings[0].place, HasSubstr(place));
+    EXPECT_THAT(loaded.warnings[0].location, HasSubstr(location));
     EXPECT_THAT(read(level_to_json(loaded.level), fewer).warnings, IsEmpty()) << "listed once";
 }
 
@@ -119,7 +119,7 @@ TEST(KeptFaces, ManyOfThemArePacked) {
     level.selections = {half};
     const std::string json = level_to_json(level);
     EXPECT_LT(json.size() - empty, count * 3 / 2 * 33);
-    const Result<LoadedLevel> loaded = level_from_json(json, place, level.mesh);
+    const Result<LoadedLevel> loaded = level_from_json(json, location, level.mesh);
     ASSERT_TRUE(loaded) << loaded.error().text();
     EXPECT_EQ(loaded->level.hidden, level.hidden);
     EXPECT_EQ(loaded->level.selections, level.selections);
@@ -128,7 +128,7 @@ TEST(KeptFaces, ManyOfThemArePacked) {
 TEST(KeptFaces, WrongOnesAreRefusedWithTheirPlace) {
     const auto error = [](const std::string& members) {
         const auto loaded =
-            level_from_json("{\"slipface\": 1, " + members + "}", place, mesh_of(floor_tiles()));
+            level_from_json("{\"slipface\": 1, " + members + "}", location, mesh_of(floor_tiles()));
         return loaded ? std::string("no error") : loaded.error().text();
     };
     EXPECT_THAT(error(R"("hidden": 3)"), HasSubstr("/hidden"));

@@ -109,7 +109,7 @@ TEST_F(LevelFile, SavedElsewhereItStillFindsItsMesh) {
 TEST_F(LevelFile, AMissingMeshIsAnErrorThatNamesBothFiles) {
     write("x.slipface.json", "{\"slipface\": 1, \"mesh\": \"gone.obj\"}");
     const Error error = error_of("x.slipface.json");
-    EXPECT_THAT(error.place, HasSubstr("x.slipface.json:/mesh"));
+    EXPECT_THAT(error.location, HasSubstr("x.slipface.json:/mesh"));
     EXPECT_THAT(error.message, HasSubstr("gone.obj"));
 }
 
@@ -126,7 +126,7 @@ TEST_F(LevelFile, NoMeshIsAnError) {
     for (const char* json :
          {"{\"slipface\": 1}", "{\"slipface\": 1, \"mesh\": \"\"}", "{\"slipface\": 1, \"mesh\": 7}"}) {
         write("x.slipface.json", json);
-        EXPECT_THAT(error_of("x.slipface.json").place, HasSubstr("x.slipface.json:/mesh"));
+        EXPECT_THAT(error_of("x.slipface.json").location, HasSubstr("x.slipface.json:/mesh"));
     }
 }
 
@@ -135,7 +135,7 @@ TEST_F(LevelFile, TheVersionIsLookedAtBeforeTheMesh) {
     for (const char* json : {"{\"slipface\": 99}", "{\"slipface\": 99, \"mesh\": \"gone.obj\"}"}) {
         write("x.slipface.json", json);
         const Error error = error_of("x.slipface.json");
-        EXPECT_THAT(error.place, HasSubstr("x.slipface.json:/slipface"));
+        EXPECT_THAT(error.location, HasSubstr("x.slipface.json:/slipface"));
         EXPECT_THAT(error.message, HasSubstr("99"));
     }
     write("x.slipface.json", "[]");
@@ -146,24 +146,24 @@ TEST_F(LevelFile, AnotherMeshesLevelFileBesideAMeshIsAWarning) {
     write("easy.slipface.json", "{\"slipface\": 1, \"mesh\": \"other.obj\"}");
     const LoadedLevel loaded = load("easy.obj");
     ASSERT_FALSE(loaded.warnings.empty());
-    bool told = false;
+    bool explained = false;
     for (const Diagnostic& warning : loaded.warnings)
-        told |= warning.message.find("other.obj") != std::string::npos;
-    EXPECT_TRUE(told);
+        explained |= warning.message.find("other.obj") != std::string::npos;
+    EXPECT_TRUE(explained);
     EXPECT_EQ(loaded.level.mesh_path, folder_ / "easy.obj");
 }
 
 TEST_F(LevelFile, ABrokenLevelFileIsAnErrorAndStaysAsItIs) {
     write("easy.slipface.json", "{\"slipface\": 1,");
-    EXPECT_THAT(error_of("easy.obj").place, HasSubstr("easy.slipface.json:1:"));
+    EXPECT_THAT(error_of("easy.obj").location, HasSubstr("easy.slipface.json:1:"));
     EXPECT_EQ(read("easy.slipface.json"), "{\"slipface\": 1,");
 }
 
 TEST_F(LevelFile, FoldersAndMissingFilesAreErrors) {
     fs::create_directories(folder_ / "easy.slipface.json");
-    EXPECT_THAT(error_of("easy.obj").place, HasSubstr("easy.slipface.json"));
-    EXPECT_THAT(error_of("missing.obj").place, HasSubstr("missing.obj"));
-    EXPECT_THAT(error_of("missing.slipface.json").place, HasSubstr("missing.slipface.json"));
+    EXPECT_THAT(error_of("easy.obj").location, HasSubstr("easy.slipface.json"));
+    EXPECT_THAT(error_of("missing.obj").location, HasSubstr("missing.obj"));
+    EXPECT_THAT(error_of("missing.slipface.json").location, HasSubstr("missing.slipface.json"));
 }
 
 TEST_F(LevelFile, SavingIntoAMissingFolderIsAnError) {

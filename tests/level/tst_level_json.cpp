@@ -149,7 +149,7 @@ TEST(LevelJson, UnknownKeysAreKeptWhereTheyStand) {
     ASSERT_TRUE(loaded.ok()) << loaded.error().text();
     // studio, deep, two sounds, two notes, lens, facing_hint, wall_jump, artist; and one orphan.
     EXPECT_EQ(loaded->warnings.size(), 11u);
-    EXPECT_EQ(loaded->warnings[0].place, "easy.slipface.json:/spawn/facing_hint");
+    EXPECT_EQ(loaded->warnings[0].location, "easy.slipface.json:/spawn/facing_hint");
 
     // Reordering the surfaces must not mix up what belongs to them.
     loaded->level.surfaces.insert(loaded->level.surfaces.begin() + 1, preset_surface_types()[2]);
@@ -175,7 +175,7 @@ TEST(LevelJson, UnknownKeysAreKeptWhereTheyStand) {
 struct Hostile {
     const char* name;
     std::string json;
-    std::string place;     // how the error's place begins
+    std::string location;  // how the error's place begins
     std::string expected;  // in its message
 };
 
@@ -302,7 +302,7 @@ TEST_P(HostileJson, IsRefusedWithItsPlace) {
     const Hostile& hostile = hostile_files()[GetParam()];
     const Result<LoadedLevel> loaded = load(hostile.json);
     ASSERT_FALSE(loaded.ok());
-    EXPECT_EQ(loaded.error().place.rfind(hostile.place, 0), 0u) << loaded.error().text();
+    EXPECT_EQ(loaded.error().location.rfind(hostile.location, 0), 0u) << loaded.error().text();
     EXPECT_THAT(loaded.error().message, HasSubstr(hostile.expected));
     EXPECT_LT(loaded.error().text().size(), 600u);
 }
@@ -325,7 +325,7 @@ TEST(LevelJson, MessagesStayShortHoweverLongWhatTheyName) {
         const Result<LoadedLevel> loaded = load(text);
         ASSERT_FALSE(loaded.ok());
         EXPECT_LT(loaded.error().text().size(), 600u);
-        EXPECT_THAT(loaded.error().place, testing::StartsWith("easy.slipface.json:"));
+        EXPECT_THAT(loaded.error().location, testing::StartsWith("easy.slipface.json:"));
     }
     const Result<LoadedLevel> opened = load(
         with("\"" + lengthy + "\": 1, \"rules\": [{\"pattern\": \"*\", \"type\": \"" + lengthy + "\"}]"));
@@ -377,7 +377,7 @@ TEST(LevelJson, CutOffAnywhereItIsAnErrorAndNeverHalfALevel) {
     for (std::size_t size = 0; size < json.size(); ++size) {
         const Result<LoadedLevel> loaded = load(std::string_view(json).substr(0, size));
         ASSERT_FALSE(loaded.ok()) << size;
-        ASSERT_EQ(loaded.error().place.rfind("easy.slipface.json:", 0), 0u) << loaded.error().text();
+        ASSERT_EQ(loaded.error().location.rfind("easy.slipface.json:", 0), 0u) << loaded.error().text();
     }
     EXPECT_TRUE(load(json).ok());
 }
@@ -406,7 +406,7 @@ TEST(LevelJson, RulesOfUnknownTypesAreKeptWithAWarning) {
     const Result<LoadedLevel> loaded = load(with(R"("rules": [{"pattern": "a", "type": "lava"}])"));
     ASSERT_TRUE(loaded.ok());
     ASSERT_EQ(loaded->warnings.size(), 1u);
-    EXPECT_EQ(loaded->warnings[0].place, "easy.slipface.json:/rules/0/type");
+    EXPECT_EQ(loaded->warnings[0].location, "easy.slipface.json:/rules/0/type");
     EXPECT_THAT(loaded->warnings[0].message, HasSubstr("lava"));
     EXPECT_EQ(loaded->level.rules.size(), 1u);
 }

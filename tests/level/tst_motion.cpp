@@ -102,8 +102,8 @@ TEST(LevelFileMotion, errors_of_the_new_parts_name_their_place) {
         const auto read = level_from_json("{\"slipface\": 1, " + member + "}", "b.json", level.mesh);
         return read ? std::string() : read.error().text();
     };
-    const auto names = [&](const std::string& member, const char* place) {
-        EXPECT_NE(error(member).find(place), std::string::npos) << member << ": " << error(member);
+    const auto names = [&](const std::string& member, const char* location) {
+        EXPECT_NE(error(member).find(location), std::string::npos) << member << ": " << error(member);
     };
     names(R"("platforms": 3)", "/platforms");
     names(R"("platforms": [{"group": "lift"}])", "/platforms/0");
@@ -130,8 +130,8 @@ TEST(Terrain, comes_from_a_16_bit_picture) {
     level.file_path = folder / "boards.slipface.json";
     level.heightfield =
         HeightfieldSource{.file = "hills.png", .origin = {0, 10, 0}, .size = {2, 2}, .low = 0, .high = 65535};
-    const GreyImage picture{.width = 3, .height = 3, .values = {0, 1, 2, 300, 301, 302, 65533, 65534, 65535}};
-    ASSERT_TRUE(save_grey_png(folder / "hills.png", picture).ok());
+    const GreyImage image{.width = 3, .height = 3, .values = {0, 1, 2, 300, 301, 302, 65533, 65534, 65535}};
+    ASSERT_TRUE(save_grey_png(folder / "hills.png", image).ok());
     ASSERT_TRUE(load_terrain(level).ok());
     EXPECT_DOUBLE_EQ(terrain_at(*level.terrain, 0, 0)->height, 10.0);
     EXPECT_DOUBLE_EQ(terrain_at(*level.terrain, 2, 0)->height, 12.0);   // columns along +X

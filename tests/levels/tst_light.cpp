@@ -49,7 +49,7 @@ TEST(LightCharts, LieBesideEachOtherAndHoldTheirFaces) {
         for (std::uint32_t k = mesh->face_first_corner[face]; k < mesh->face_first_corner[face + 1]; ++k) {
             const Vec3 corner = mesh->corner_position(k).cast<double>();
             const Vec2 at = chart.coordinate(corner);
-            EXPECT_LT((chart.texel_place(at.x(), at.y()) - corner).norm(), 1e-6);
+            EXPECT_LT((chart.texel_position(at.x(), at.y()) - corner).norm(), 1e-6);
         }
         EXPECT_EQ(chart.coordinate({100, 0, 0}).x(), chart.width - 1);  // clamped to the face's own texels
     }
@@ -117,7 +117,7 @@ TEST(LevelLight, PictureOutsideTheFolderIsRefused) {
     EXPECT_TRUE(read(R"({"image": "a.png"})").ok());
     const Result<LoadedLevel> outside = read(R"({"image": "../a.png"})");
     ASSERT_FALSE(outside.ok());
-    EXPECT_NE(outside.error().place.find("/light/image"), std::string::npos);
+    EXPECT_NE(outside.error().location.find("/light/image"), std::string::npos);
     EXPECT_FALSE(read(R"({"texel": 0})").ok());
     EXPECT_FALSE(read(R"({"geometry": "xyz"})").ok());
 }

@@ -110,8 +110,8 @@ TEST_P(ShippedPlace, EveryLadderLeadsUp) {
         for (int i = 0; i < 30 && overlaps_any(at_rest.collision, radii, scene->to_scene(start)); ++i)
             start.y() += 0.1;
         // The back of a ladder may lead to a ceiling; its front must not.
-        const Vec3 way(0.0, ladder.top + radii.y() - start.y(), 0.0);
-        if (sweep_ellipsoid(at_rest.collision, radii, scene->to_scene(start), way)) continue;
+        const Vec3 motion(0.0, ladder.top + radii.y() - start.y(), 0.0);
+        if (sweep_ellipsoid(at_rest.collision, radii, scene->to_scene(start), motion)) continue;
         ++climbable;
         PlayerState state = scene->player_at(start);
         const PlayerInput up{.wish = Vec2(-ladder.out.x(), -ladder.out.z())};
@@ -141,15 +141,15 @@ TEST_P(ShippedPlace, EveryPlatformCarries) {
         SCOPED_TRACE(level.platforms[p].name);
         // The middle of its largest face that one can stand on.
         Vec3 top = Vec3::Zero();
-        double most = 0.0;
+        double maximum = 0.0;
         for (TriangleId id = 0; id < level.mesh->triangle_count(); ++id) {
             if (scene->face_platforms()[level.mesh->triangle_face[id]] != p) continue;
             const Triangle t = triangle_of(*level.mesh, id);
-            if (!(t.normal.y() > 0.95 * t.normal.norm()) || t.normal.norm() <= most) continue;
-            most = t.normal.norm();
+            if (!(t.normal.y() > 0.95 * t.normal.norm()) || t.normal.norm() <= maximum) continue;
+            maximum = t.normal.norm();
             top = (t.corner[0] + t.corner[1] + t.corner[2]) / 3.0;
         }
-        ASSERT_GT(most, 0.0) << "nothing to stand on";
+        ASSERT_GT(maximum, 0.0) << "nothing to stand on";
         const Vec3 start = scene->to_scene(top);
         PlayerState state = scene->player_at(scene->pose(p, 0.0).apply(start) - scene->offset() +
                                              Vec3(0.0, radii.y() + 0.02, 0.0));

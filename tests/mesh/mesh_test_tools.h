@@ -33,7 +33,7 @@ class ScratchFolder : public testing::Test {
     }
 
     // The name of level.obj as messages begin with it.
-    std::string place() const { return (folder / "level.obj").string(); }
+    std::string location() const { return (folder / "level.obj").string(); }
 
     std::filesystem::path folder;
 };

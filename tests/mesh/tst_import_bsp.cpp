@@ -137,18 +137,18 @@ TEST_F(ImportBsp, FlatFacesFollowTheirIndices) {
             const double angle = (i + number(0.1, 0.9)) * 2 * pi / corners;
             outline.emplace_back(100 * std::cos(angle), 100 * std::sin(angle), 7);
         }
-        std::vector<std::uint32_t> place(outline.size());
-        for (std::uint32_t i = 0; i < place.size(); ++i)
-            place[i] = i;
-        std::shuffle(place.begin(), place.end(), random);
+        std::vector<std::uint32_t> order(outline.size());
+        for (std::uint32_t i = 0; i < order.size(); ++i)
+            order[i] = i;
+        std::shuffle(order.begin(), order.end(), random);
         std::vector<Vec3> shuffled(outline.size());
-        for (std::size_t i = 0; i < place.size(); ++i)
-            shuffled[place[i]] = outline[i];
+        for (std::size_t i = 0; i < order.size(); ++i)
+            shuffled[order[i]] = outline[i];
         for (const Vec3& at : shuffled)
             map.vertices += bsp_maker::vertex(at);
         double area = 0;
         for (std::size_t i = 2; i < outline.size(); ++i) {
-            map.indices += u32(place[0]) + u32(place[i - 1]) + u32(place[i]);
+            map.indices += u32(order[0]) + u32(order[i - 1]) + u32(order[i]);
             area += 0.5 * (outline[i - 1] - outline[0]).cross(outline[i] - outline[0]).norm();
         }
         const auto count = static_cast<std::uint32_t>(outline.size());
@@ -383,7 +383,7 @@ TEST_F(ImportBsp, AnyByteMayBeWrong) {
             for (const Vec3f& p : imported->mesh->positions)
                 ASSERT_TRUE(p.allFinite());
         } else {
-            ASSERT_EQ(imported.error().place, (folder / "map.bsp").string());
+            ASSERT_EQ(imported.error().order, (folder / "map.bsp").string());
         }
     }
     EXPECT_GT(read, 100u);

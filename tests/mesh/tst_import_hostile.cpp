@@ -19,7 +19,7 @@ class ImportHostile : public ScratchFolder {
     void expect_refused(std::string_view text, int line, const std::string& message) {
         const auto result = import(text);
         ASSERT_FALSE(result) << text.substr(0, 200);
-        EXPECT_EQ(result.error().place, line > 0 ? place() + ":" + std::to_string(line) : place());
+        EXPECT_EQ(result.error().location, line > 0 ? location() + ":" + std::to_string(line) : location());
         EXPECT_THAT(result.error().message, HasSubstr(message));
     }
 
@@ -91,7 +91,7 @@ TEST_F(ImportHostile, MalformedCorners) {
     for (const char* corner : {"x", "1/2/3/4", "1.5", "/1", "1/x", "1//x", "--1", "+1"}) {
         const auto result = import(square_vertices + "vt 0 0\nf 1 2 " + corner + "\n");
         ASSERT_FALSE(result) << corner;
-        EXPECT_EQ(result.error().place, place() + ":6");
+        EXPECT_EQ(result.error().location, location() + ":6");
     }
 }
 

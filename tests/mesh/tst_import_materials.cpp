@@ -68,7 +68,7 @@ TEST_F(ImportMaterials, AMissingLibraryKeepsTheNamesAndIsSaidOnce) {
     EXPECT_EQ(found[0].name, "ice__sticky");
     EXPECT_EQ(found[1].name, "mud");
     ASSERT_THAT(warnings, SizeIs(1));
-    EXPECT_EQ(warnings[0].place, place() + ":1");
+    EXPECT_EQ(warnings[0].location, location() + ":1");
     EXPECT_THAT(warnings[0].message, HasSubstr("'no.mtl': no such file"));
 }
 
@@ -83,7 +83,7 @@ TEST_F(ImportMaterials, AMaterialThatNoLibraryHasIsSaid) {
     write("a.mtl", "newmtl a\n");
     EXPECT_THAT(materials("mtllib a.mtl\n", {"a", "b"}), SizeIs(2));
     ASSERT_THAT(warnings, SizeIs(1));
-    EXPECT_EQ(warnings[0].place, place() + ":8");
+    EXPECT_EQ(warnings[0].location, location() + ":8");
     EXPECT_THAT(warnings[0].message, HasSubstr("'b'"));
 }
 
@@ -114,10 +114,10 @@ TEST_F(ImportMaterials, BadLibrariesAreWarnings) {
     ASSERT_THAT(found, SizeIs(1));
     EXPECT_EQ(found[0].diffuse, Vec3f(1, 0, 0.5F)) << "clamped, and the first definition counts";
     ASSERT_THAT(warnings, SizeIs(6));
-    EXPECT_EQ(warnings[0].place, (folder / "junk.mtl").string() + ":2");
+    EXPECT_EQ(warnings[0].location, (folder / "junk.mtl").string() + ":2");
     EXPECT_THAT(warnings[1].message, HasSubstr("directory"));
-    EXPECT_EQ(warnings[2].place, (folder / "odd.mtl").string() + ":3");
-    EXPECT_EQ(warnings[3].place, (folder / "odd.mtl").string() + ":4");
+    EXPECT_EQ(warnings[2].location, (folder / "odd.mtl").string() + ":3");
+    EXPECT_EQ(warnings[3].location, (folder / "odd.mtl").string() + ":4");
     EXPECT_THAT(warnings[4].message, HasSubstr("defined twice"));
     EXPECT_THAT(warnings[5].message, HasSubstr("names no file"));
 }

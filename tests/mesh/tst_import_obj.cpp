@@ -122,7 +122,7 @@ TEST_F(ImportObj, CommentsAreNotContinued) {
 TEST_F(ImportObj, LineNumbersCountContinuedLines) {
     const auto result = import("v 0 0 \\\n0\n# c\nv 0 0 1\nv 1 0 x\nf 1 2 3\n");
     ASSERT_FALSE(result);
-    EXPECT_EQ(result.error().place, place() + ":5");
+    EXPECT_EQ(result.error().location, location() + ":5");
 }
 
 TEST_F(ImportObj, FacesMayComeBeforeTheirVertices) {
@@ -166,7 +166,7 @@ TEST_F(ImportObj, NamesKeepSpacesAndBecomeUtf8) {
     EXPECT_THAT(material_names(*mesh), ElementsAre("blue ice", "b\xC3\xA9ton"));
     EXPECT_THAT(group_names(*mesh), ElementsAre("left wall", "left wall"));
     ASSERT_THAT(warnings, SizeIs(1));
-    EXPECT_EQ(warnings[0].place, place() + ":8");
+    EXPECT_EQ(warnings[0].location, location() + ":8");
     EXPECT_THAT(warnings[0].message, HasSubstr("Latin-1"));
 }
 
@@ -237,7 +237,7 @@ TEST_F(ImportObj, WhatIsDroppedIsSaid) {
                               "fewer than three",
                               "texture coordinate 'nan'"};
     for (std::size_t i = 0; i < 7; ++i) {
-        EXPECT_EQ(warnings[i].place, place() + ":" + std::to_string(5 + i));
+        EXPECT_EQ(warnings[i].location, location() + ":" + std::to_string(5 + i));
         EXPECT_THAT(warnings[i].message, HasSubstr(expected[i]));
     }
 }
@@ -249,7 +249,7 @@ TEST_F(ImportObj, WarningsAreCountedBeyondTheLimit) {
     const auto result = import(text, 10);
     ASSERT_TRUE(result);
     ASSERT_THAT(result->warnings, SizeIs(11));
-    EXPECT_EQ(result->warnings[10].text(), place() + ": 40 more warnings");
+    EXPECT_EQ(result->warnings[10].text(), location() + ": 40 more warnings");
 }
 
 TEST_F(ImportObj, EveryTriangleOfAManyCorneredFaceBelongsToIt) {

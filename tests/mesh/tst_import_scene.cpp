@@ -83,7 +83,7 @@ TEST_F(ImportScene, BadFilesAreRefused) {
              {"", "junk", "ply\nformat ascii 1.0\n", "{\"asset\":{}}", "OFF\n1 1 1\n"}) {
             const auto result = import_as(name, text);
             ASSERT_FALSE(result) << name << ": " << text;
-            EXPECT_EQ(result.error().place, (folder / name).string());
+            EXPECT_EQ(result.error().location, (folder / name).string());
             EXPECT_FALSE(result.error().message.empty());
         }
     }

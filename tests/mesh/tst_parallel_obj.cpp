@@ -55,8 +55,8 @@ class ParallelObj : public ScratchFolder {
 std::string random_number(std::mt19937& random) {
     const auto below = [&](unsigned count) { return static_cast<unsigned>(random() % count); };
     std::string text = below(2) == 0 ? "-" : "";
-    const auto digits = [&](unsigned least, unsigned most) {
-        for (unsigned i = 0, count = least + below(most - least + 1); i < count; ++i)
+    const auto digits = [&](unsigned least, unsigned maximum) {
+        for (unsigned i = 0, count = least + below(maximum - least + 1); i < count; ++i)
             text += static_cast<char>('0' + below(10));
     };
     if (below(20) != 0) digits(1, 6);

@@ -101,9 +101,9 @@ inline Vec3 common_point(const std::vector<HalfSpace>& planes) {
 // A player's centre that overlaps each plane of `room`: `share[i]` of the way from touching it to having the
 // centre on it.
 inline Vec3 centre_inside(std::vector<HalfSpace> room, const MovementSettings& s,
-                          const std::vector<double>& share) {
+                          const std::vector<double>& fraction) {
     for (std::size_t i = 0; i < room.size(); ++i)
-        room[i].distance -= s.skin + share[i] * s.radii.cwiseProduct(room[i].normal).norm();
+        room[i].distance -= s.skin + fraction[i] * s.radii.cwiseProduct(room[i].normal).norm();
     return common_point(room);
 }
 
@@ -126,8 +126,8 @@ inline std::vector<Vec3> wedge_normals(Random& random, double angle) {
 inline std::vector<Vec3> acute_corner_normals(Random& random) {
     for (;;) {
         const Vec3 a = random_direction(random), b = random_direction(random), c = random_direction(random);
-        const double most = std::max({a.dot(b), b.dot(c), c.dot(a)});
-        if (most < 0.0 && std::abs(a.dot(b.cross(c))) > 0.05) return {a, b, c};
+        const double maximum = std::max({a.dot(b), b.dot(c), c.dot(a)});
+        if (maximum < 0.0 && std::abs(a.dot(b.cross(c))) > 0.05) return {a, b, c};
     }
 }
 

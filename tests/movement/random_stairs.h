@@ -189,10 +189,10 @@ inline StairWalk walk_stair(const Stair& s, const MovementSettings& m) {
     StairWalk walk;
     // At the end of the stair the centre is a radius past the last rim.
     const double goal = s.down ? -s.radius : length - s.run + s.radius;
-    const double way = std::abs(goal - begin);
-    walk.ideal_seconds = way / (s.speed * std::cos(s.approach));
-    const int most = static_cast<int>(s.rate * (4.0 * walk.ideal_seconds + 1.0));
-    for (int i = 0; i < most && !walk.arrived; ++i) {
+    const double motion = std::abs(goal - begin);
+    walk.ideal_seconds = motion / (s.speed * std::cos(s.approach));
+    const int maximum = static_cast<int>(s.rate * (4.0 * walk.ideal_seconds + 1.0));
+    for (int i = 0; i < maximum && !walk.arrived; ++i) {
         state = step(lab.scene(), m, state, input, dt).state;
         const Vec3 p = frame.in(state.position);
         const double feet = p.y() - s.half_height;

@@ -11,7 +11,7 @@ namespace {
 using namespace slipface;
 using namespace slipface::test;
 
-constexpr int most_shown = 40;
+constexpr int max_shown = 40;
 
 struct Row {
     int cases = 0, arrived = 0, loose = 0, overlaps = 0;
@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
             row.loose += loose ? 1 : 0;
             if (walk.arrived) row.slowest = std::max(row.slowest, walk.seconds / walk.ideal_seconds);
             const bool good = walk.arrived && walk.overlaps == 0 && (steep || !loose);
-            if (good || ++shown > most_shown) continue;
+            if (good || ++shown > max_shown) continue;
             fmt::print(stderr, "{}: {}; {} of {} ticks airborne, {:.2f} s\n",
                        walk.arrived ? "airborne" : "stopped", text_of(stair), walk.airborne, walk.ticks,
                        walk.seconds);
@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
             const BarrierWalk walk = walk_barrier(barrier, kind);
             beaten += walk.beaten ? 1 : 0;
             overlaps += walk.overlaps;
-            if (walk.beaten && ++shown <= most_shown)
+            if (walk.beaten && ++shown <= max_shown)
                 fmt::print(stderr, "{} {}: {}\n", barrier_names[k], seed, text_of(barrier));
         }
         fmt::print("| {} | {} | {} | {} |\n", barrier_names[k], count, beaten, overlaps);

@@ -47,9 +47,9 @@ TEST(StaticFriction, off_the_player_creeps_down_by_the_closed_form) {
     s.static_friction = false;
     state = run(lab, s, state, {}, 600);
     const double speed = s.gravity * 0.5 * tick / 0.75;
-    const double way = speed * tick * (600.0 - 5.0 / 6.0);  // 2.219 m
-    EXPECT_NEAR((state.position - rest).norm(), way, 1e-6);
-    EXPECT_NEAR(state.position.x() - rest.x(), -way * std::cos(radians(30)), 1e-6);
+    const double motion = speed * tick * (600.0 - 5.0 / 6.0);  // 2.219 m
+    EXPECT_NEAR((state.position - rest).norm(), motion, 1e-6);
+    EXPECT_NEAR(state.position.x() - rest.x(), -motion * std::cos(radians(30)), 1e-6);
 }
 
 TEST(StaticFriction, holds_up_to_max_slope_and_not_above) {
@@ -128,8 +128,8 @@ TEST(SteepSlope, of_60_and_75_degrees_cannot_be_climbed_by_walking_or_jumping) {
 
 namespace {
 
-// Share of the ticks of 1.5 s in the air, running down 30 degrees at 6 m/s.
-double airborne_share(const MovementSettings& s, double dt) {
+// Fraction of the ticks of 1.5 s in the air, running down 30 degrees at 6 m/s.
+double airborne_fraction(const MovementSettings& s, double dt) {
     Lab lab;
     lab.slope(radians(30));
     lab.ready();
@@ -150,7 +150,7 @@ double airborne_share(const MovementSettings& s, double dt) {
 TEST(GroundVelocity, on_the_player_is_grounded_in_every_tick) {
     const MovementSettings s = basic_settings();
     for (const int rate : {30, 60, 120, 240, 360})
-        EXPECT_EQ(airborne_share(s, 1.0 / rate), 0.0) << rate;
+        EXPECT_EQ(airborne_fraction(s, 1.0 / rate), 0.0) << rate;
 }
 
 TEST(GroundVelocity, off_the_player_hops) {
@@ -159,7 +159,7 @@ TEST(GroundVelocity, off_the_player_hops) {
     // six left are the next hop's: 86.
     MovementSettings s = basic_settings();
     s.ground_velocity = false;
-    EXPECT_NEAR(airborne_share(s, tick), 86.0 / 90.0, 1e-12);
+    EXPECT_NEAR(airborne_fraction(s, tick), 86.0 / 90.0, 1e-12);
 }
 
 TEST(GroundVelocity, a_step_off_a_ledge_falls_from_rest) {
@@ -223,8 +223,8 @@ TEST(ConstantSlopeSpeed, on_the_way_along_the_slope_is_the_walking_speed) {
                     // Off: uphill the slide keeps cos a of the length, downhill the map is crossed at full
                     // speed, which is 1 / cos a along the slope.
                     const double cosine = std::cos(radians(degrees));
-                    const double share = on ? 1.0 : x > 0.0 ? cosine : 1.0 / cosine;
-                    EXPECT_NEAR((state.position - from).norm(), s.walk_speed * share, 0.01 * s.walk_speed)
+                    const double fraction = on ? 1.0 : x > 0.0 ? cosine : 1.0 / cosine;
+                    EXPECT_NEAR((state.position - from).norm(), s.walk_speed * fraction, 0.01 * s.walk_speed)
                         << on << " " << degrees << " " << rate << " " << x;
                     EXPECT_TRUE(state.grounded);
                 }
@@ -246,8 +246,8 @@ double heading_on_ramp(const MovementSettings& s) {
     PlayerState state = standing_on_slope(lab, s, radians(30));
     const Vec3 from = state.position;
     state = run(lab, s, state, wish(std::sqrt(0.5), std::sqrt(0.5)), 90);
-    const Vec3 way = state.position - from;
-    return std::atan2(way.z(), way.x());
+    const Vec3 motion = state.position - from;
+    return std::atan2(motion.z(), motion.x());
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // A half-pipe of 768 faces: nearly round, and still flat faces.
 //
 // Each of the 767 edges turns the way by a = pi / 768. A slide there keeps cos a of the speed, so without the
-// hack the share cos(a)^767 = exp(-767 a a / 2) = 0.9936 is left: pi * pi / (2 * 768) = 0.64 % is lost, and
-// the loss goes to 0 only as fast as the faces grow in number.
+// hack the fraction cos(a)^767 = exp(-767 a a / 2) = 0.9936 is left: pi * pi / (2 * 768) = 0.64 % is lost,
+// and the loss goes to 0 only as fast as the faces grow in number.
 #include <algorithm>
 
 #include "test_geometry.h"
@@ -65,15 +65,15 @@ TEST(HalfPipe, of_768_faces_takes_the_product_of_the_cosines_without_keep_energy
 }
 
 struct Swing {
-    double least = 1.0, most = 1.0;  // energy by mass above the lowest point, as a share of the first
-    double first_loss = -1.0;        // the share lost at the first turn on the far side
+    double least = 1.0, maximum = 1.0;  // energy by mass above the lowest point, as a fraction of the first
+    double first_loss = -1.0;           // the fraction lost at the first turn on the far side
 };
 
 // 10 s from rim to rim under gravity, from rest.
 Swing swing(const Pipe& pipe) {
     PlayerState state = at(pipe.start);
     const double apothem = pipe_radius * std::cos(pi / faces / 2) - pipe.s.radii.x() - pipe.s.skin;
-    const auto share = [&](const PlayerState& p) {
+    const auto fraction = [&](const PlayerState& p) {
         const double height = p.position.y() - (pipe_radius - apothem);
         const double above = pipe.start.y() - (pipe_radius - apothem);
         return (0.5 * p.velocity.squaredNorm() + pipe.s.gravity * height) / (pipe.s.gravity * above);
@@ -82,9 +82,9 @@ Swing swing(const Pipe& pipe) {
     for (int i = 0; i < 600; ++i) {
         const bool to_the_right = state.velocity.x() > 1e-3;
         state = step(pipe.lab.scene(), pipe.s, state, {}, tick).state;
-        const double now = share(state);
+        const double now = fraction(state);
         result.least = std::min(result.least, now);
-        result.most = std::max(result.most, now);
+        result.maximum = std::max(result.maximum, now);
         if (result.first_loss < 0.0 && to_the_right && state.position.x() > 0.0 &&
             state.velocity.x() <= 0.0) {
             result.first_loss = 1.0 - now;
@@ -97,20 +97,20 @@ TEST(HalfPipe, of_768_faces_keeps_the_energy_of_a_swing) {
     // 7200 parts, each of which rounds a few units in the last place, 3e-16: less than 1e-11.
     const Swing kept = swing(make_pipe());
     EXPECT_NEAR(kept.least, 1.0, 1e-11);
-    EXPECT_NEAR(kept.most, 1.0, 1e-11);
+    EXPECT_NEAR(kept.maximum, 1.0, 1e-11);
 }
 
 TEST(HalfPipe, of_768_faces_takes_energy_from_a_swing_without_keep_energy) {
-    // At each edge the share sin(a)^2 of the kinetic energy is lost. At the angle b below the rim that energy
-    // is g r sin b of the g r of the fall, so a pass loses the sum of a a sin b over the edges, which lie a
-    // apart: a times the integral of sin b from 0 to pi, 2 a = 0.0082. A part of 1/2880 s still cuts some
-    // corners, where gravity and not a face bends the way: up to a fifth less.
+    // At each edge the fraction sin(a)^2 of the kinetic energy is lost. At the angle b below the rim that
+    // energy is g r sin b of the g r of the fall, so a pass loses the sum of a a sin b over the edges, which
+    // lie a apart: a times the integral of sin b from 0 to pi, 2 a = 0.0082. A part of 1/2880 s still cuts
+    // some corners, where gravity and not a face bends the way: up to a fifth less.
     Pipe pipe = make_pipe();
     pipe.s.keep_energy = false;
     pipe.s.sub_step = 1.0 / 2880;
     const double loss = 2.0 * pi / faces;
     EXPECT_NEAR(swing(pipe).first_loss, 0.9 * loss, 0.1 * loss);
-    EXPECT_LT(swing(pipe).most, 1.0 + 1e-11);
+    EXPECT_LT(swing(pipe).maximum, 1.0 + 1e-11);
 }
 
 }  // namespace

@@ -9,8 +9,8 @@ namespace {
 
 // A floor, stairs, a ramp, pillars: a yard of 40 m. `place` moves each corner, `order` decides the order of
 // faces.
-template <class Place>
-Lab yard(const Place& place, bool backwards = false, int cuts = 1) {
+template <class Mapping>
+Lab yard(const Mapping& position, bool backwards = false, int cuts = 1) {
     std::vector<std::vector<Vec3>> faces;
     const auto quad = [&](Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
         for (int i = 0; i < cuts; ++i) {
@@ -36,7 +36,7 @@ Lab yard(const Place& place, bool backwards = false, int cuts = 1) {
     Lab lab;
     for (std::vector<Vec3> face : faces) {
         for (Vec3& corner : face)
-            corner = place(corner);
+            corner = position(corner);
         lab.polygon(face);
     }
     lab.ready();
@@ -44,15 +44,15 @@ Lab yard(const Place& place, bool backwards = false, int cuts = 1) {
 }
 
 // 12 s: straight at the stairs, over them and down the ramp, then past pillars, with jumps.
-template <class Turn>
-Vec3 route(const Lab& lab, const MovementSettings& s, const Vec3& start, int rate, const Turn& turn) {
+template <class Deflection>
+Vec3 route(const Lab& lab, const MovementSettings& s, const Vec3& start, int rate, const Deflection& turn) {
     PlayerState state = at(start);
     const std::array<Vec2, 6> legs{Vec2(0, -1), Vec2(0, -1), Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, 0)};
     for (int i = 0; i < 12 * rate; ++i) {
         const std::size_t leg = static_cast<std::size_t>(i / (2 * rate));
         const bool jump = (i / (rate / 10)) % 25 == 3;
-        const Vec2 way = turn(legs[leg]);
-        state = step(lab.scene(), s, state, {.wish = way, .jump = jump}, 1.0 / rate).state;
+        const Vec2 motion = turn(legs[leg]);
+        state = step(lab.scene(), s, state, {.wish = motion, .jump = jump}, 1.0 / rate).state;
     }
     return state.position;
 }
@@ -182,7 +182,7 @@ TEST(StepUp, climbs_stairs_at_every_rate_and_gains_nothing_along_a_wall) {
         }
         EXPECT_LT(ticks, 1.5 * 1.1 * rate) << rate;
 
-        // Along a wall the speed is the wall's share of the stick's, 5 / sqrt(26) of the walking speed.
+        // Along a wall the speed is the wall's fraction of the stick's, 5 / sqrt(26) of the walking speed.
         Lab street;
         street.floor();
         street.wall({-50, 0}, {50, 0});

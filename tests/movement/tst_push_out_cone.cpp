@@ -40,10 +40,10 @@ TEST(PushOutCone, is_the_exact_projection_for_two_and_three_planes_of_any_orient
             normals.push_back(random_direction(random));
         Lab lab = corner_of(normals);
         const std::vector<HalfSpace> room = room_in(lab, s);
-        std::vector<double> share;
+        std::vector<double> fraction;
         for (std::size_t k = 0; k < normals.size(); ++k)
-            share.push_back(random.between(0.1, 0.9));
-        const Vec3 from = centre_inside(room, s, share);
+            fraction.push_back(random.between(0.1, 0.9));
+        const Vec3 from = centre_inside(room, s, fraction);
         const std::optional<Vec3> exact = nearest_in(room, from);
         ASSERT_TRUE(exact) << i;
         // The triangles end 100 m out.
@@ -64,7 +64,7 @@ TEST(PushOutCone, is_the_exact_projection_for_two_and_three_planes_of_any_orient
 TEST(PushOutCone, is_the_exact_projection_for_four_to_eight_planes) {
     // A pit of faces that lean outwards around +Y. Only three of them can decide, whichever they are.
     Random random(22);
-    int asked = 0;
+    int requested = 0;
     for (int i = 0; i < 600; ++i) {
         const int count = 4 + i % 5;
         MovementSettings s = pushed(PushOut::analytic);
@@ -85,14 +85,14 @@ TEST(PushOutCone, is_the_exact_projection_for_four_to_eight_planes) {
             between = between && space.normal.dot(from) > off;
         }
         if (!between) continue;
-        ++asked;
+        ++requested;
         const std::optional<Vec3> exact = nearest_in(room, from);
         ASSERT_TRUE(exact) << i;
         const Vec3 to = pushed_to(lab, s, from);
         EXPECT_FALSE(overlaps_any(lab.world(), s.radii, to)) << i;
         EXPECT_LT((to - *exact).norm(), 1e-6) << i << ", " << count << " planes";
     }
-    EXPECT_GT(asked, 300);
+    EXPECT_GT(requested, 300);
 }
 
 TEST(PushOutCone, four_planes_of_a_pyramid_are_left_over_its_point) {
@@ -125,21 +125,21 @@ TEST(PushOutCone, more_planes_than_are_kept_are_left_all_the_same) {
     for (const PushOut kind : {PushOut::analytic, PushOut::iterative}) {
         const MovementSettings s = pushed(kind);
         const std::vector<HalfSpace> room = room_in(lab, s);
-        int met_all = 0;
+        int hit_all = 0;
         for (int i = 0; i < 300; ++i) {
             const double along = random.between(0.2, 1.2), turn = random.between(0, 2 * pi);
             const double aside = along * std::cos(a) / std::sin(a) * random.between(0, 0.9);
             const Vec3 from(aside * std::cos(turn), along, aside * std::sin(turn));
             std::array<Overlap, 64> overlaps;
-            met_all += find_overlaps(lab.world(), s.radii, from, overlaps) == 16 ? 1 : 0;
+            hit_all += find_overlaps(lab.world(), s.radii, from, overlaps) == 16 ? 1 : 0;
             const Vec3 to = pushed_to(lab, s, from);
             EXPECT_FALSE(overlaps_any(lab.world(), s.radii, to)) << i;
             for (const Vec3& n : normals)
                 EXPECT_GT(n.dot(to), 0.0) << i;
-            const double way_out = (nearest_in(room, from).value() - from).norm();
-            EXPECT_LE((to - from).norm(), 2.0 * way_out) << i;
+            const double exit_motion = (nearest_in(room, from).value() - from).norm();
+            EXPECT_LE((to - from).norm(), 2.0 * exit_motion) << i;
         }
-        EXPECT_GT(met_all, 20);
+        EXPECT_GT(hit_all, 20);
     }
 }
 
@@ -186,16 +186,16 @@ int drives() {
 }
 
 // Shares of the extents by which a player overlaps `planes` planes, from nearly touching to nearly through.
-std::vector<double> random_shares(Random& random, std::size_t planes) {
-    std::vector<double> share;
+std::vector<double> random_fractions(Random& random, std::size_t planes) {
+    std::vector<double> fraction;
     for (std::size_t k = 0; k < planes; ++k)
-        share.push_back(random.between(0.02, 0.98));
-    return share;
+        fraction.push_back(random.between(0.02, 0.98));
+    return fraction;
 }
 
 // Drives `state`, who began at `from` overlapping everything, for three ticks.
 void drive(const Lab& lab, const MovementSettings& s, const std::vector<HalfSpace>& room, PlayerState state,
-           double way_out) {
+           double exit_motion) {
     const Vec3 from = state.position;
     const double speed = state.velocity.norm();
     for (int k = 1; k <= 3; ++k) {
@@ -207,7 +207,7 @@ void drive(const Lab& lab, const MovementSettings& s, const std::vector<HalfSpac
         // A ramp may turn the horizontal part of a split move so that it adds to the vertical one: sqrt 2 of
         // the way at most. Each contact of either part may push the player off by what is missing of a skin.
         const double moved = std::sqrt(2.0) * speed * tick * k + 2 * s.max_slides * s.skin * k;
-        ASSERT_LE((state.position - from).norm(), way_out + moved) << "tick " << k;
+        ASSERT_LE((state.position - from).norm(), exit_motion + moved) << "tick " << k;
     }
 }
 
@@ -225,9 +225,9 @@ TEST(PushOutCone, drives_into_wedges_and_corners_end_outside_on_the_same_side_an
             lab = corner_of(wedge ? wedge_normals(random, angle) : acute_corner_normals(random));
             room = room_in(lab, s);
         }
-        const Vec3 from = centre_inside(room, s, random_shares(random, room.size()));
-        const double way_out = (nearest_in(room, from).value() - from).norm() + 1e-6;
-        drive(lab, s, room, at(from, random.between(0.0, 40.0) * random_direction(random)), way_out);
+        const Vec3 from = centre_inside(room, s, random_fractions(random, room.size()));
+        const double exit_motion = (nearest_in(room, from).value() - from).norm() + 1e-6;
+        drive(lab, s, room, at(from, random.between(0.0, 40.0) * random_direction(random)), exit_motion);
         if (HasFatalFailure()) FAIL() << "drive " << i << ", " << room.size() << " planes";
     }
 }
@@ -244,9 +244,9 @@ TEST(PushOutCone, iterating_drives_into_wedges_end_outside_on_the_same_side_and_
             lab = corner_of(wedge_normals(random, radians(random.between(5.0, 85.0))));
             room = room_in(lab, s);
         }
-        const Vec3 from = centre_inside(room, s, random_shares(random, room.size()));
-        const double way_out = (nearest_in(room, from).value() - from).norm() + 1e-6;
-        drive(lab, s, room, at(from, random.between(0.0, 40.0) * random_direction(random)), way_out);
+        const Vec3 from = centre_inside(room, s, random_fractions(random, room.size()));
+        const double exit_motion = (nearest_in(room, from).value() - from).norm() + 1e-6;
+        drive(lab, s, room, at(from, random.between(0.0, 40.0) * random_direction(random)), exit_motion);
         if (HasFatalFailure()) FAIL() << "drive " << i;
     }
 }
@@ -258,7 +258,7 @@ TEST(PushOutCone, iterating_leaves_every_corner) {
     for (int i = 0; i < 2000; ++i) {
         Lab lab = corner_of(acute_corner_normals(random));
         const std::vector<HalfSpace> room = room_in(lab, s);
-        const Vec3 from = centre_inside(room, s, random_shares(random, room.size()));
+        const Vec3 from = centre_inside(room, s, random_fractions(random, room.size()));
         const Vec3 to = pushed_to(lab, s, from);
         ASSERT_TRUE(push_record(lab, s, from).free) << i;
         ASSERT_FALSE(overlaps_any(lab.world(), s.radii, to)) << i;

@@ -50,20 +50,20 @@ Evenness walk_in_circles(const Lab& lab, const MovementSettings& s, double slope
     const Vec3 n = Vec3(-slope, 1.0, 0.0).normalized();
     PlayerState state = at({14.0, 14.0 * slope + centre_height(s, n), 14.0});
     state = run(lab, s, state, {}, 10);
-    Evenness most;
+    Evenness maximum;
     const double turn = 6.0 * tick / radius;
     for (int i = 0; i < ticks; ++i) {
         const double a = heading + turn * i;
         state = step(lab.scene(), s, state, wish(std::cos(a), std::sin(a)), tick).state;
-        most.airborne += state.grounded ? 0 : 1;
+        maximum.airborne += state.grounded ? 0 : 1;
         const double off = n.dot(state.position) - s.radii.cwiseProduct(n).norm() - s.skin;
-        most.height = std::max(most.height, std::abs(off));
+        maximum.height = std::max(maximum.height, std::abs(off));
         // 60 m/s2 reach 6 m/s after six ticks.
         if (i <= 10) continue;
         const double speed = Vec2(state.velocity.x(), state.velocity.z()).norm();
-        most.speed = std::max(most.speed, std::abs(speed - 6.0));
+        maximum.speed = std::max(maximum.speed, std::abs(speed - 6.0));
     }
-    return most;
+    return maximum;
 }
 
 TEST(SeamFilter, no_bumps_in_10_to_the_5_ticks_over_random_triangulations_of_a_plane) {
@@ -76,10 +76,10 @@ TEST(SeamFilter, no_bumps_in_10_to_the_5_ticks_over_random_triangulations_of_a_p
             const Lab lab = random_plane(random, slope);
             const double radius = plane % 2 == 0 ? 6.0 : 2.5;
             const double heading = random.between(0.0, 2.0 * pi);
-            const Evenness most = walk_in_circles(lab, every_hack(), slope, radius, heading, 10000);
-            EXPECT_EQ(most.airborne, 0) << "slope " << slope << ", plane " << plane;
-            EXPECT_LT(most.height, 1e-5) << "slope " << slope << ", plane " << plane;
-            EXPECT_LT(most.speed, 1e-5) << "slope " << slope << ", plane " << plane;
+            const Evenness maximum = walk_in_circles(lab, every_hack(), slope, radius, heading, 10000);
+            EXPECT_EQ(maximum.airborne, 0) << "slope " << slope << ", plane " << plane;
+            EXPECT_LT(maximum.height, 1e-5) << "slope " << slope << ", plane " << plane;
+            EXPECT_LT(maximum.speed, 1e-5) << "slope " << slope << ", plane " << plane;
         }
     }
 }
@@ -87,9 +87,10 @@ TEST(SeamFilter, no_bumps_in_10_to_the_5_ticks_over_random_triangulations_of_a_p
 TEST(SeamFilter, bumps_of_a_millimetre_are_felt_as_such) {
     // The player stands on the highest corners, at most 1 mm up, and comes near to that in 2000 ticks.
     Random random(4);
-    const Evenness most = walk_in_circles(random_plane(random, 0.0, 1e-3), every_hack(), 0.0, 6.0, 0.0, 2000);
-    EXPECT_GT(most.height, 0.9e-3);
-    EXPECT_LT(most.height, 1e-3 + 1e-6);
+    const Evenness maximum =
+        walk_in_circles(random_plane(random, 0.0, 1e-3), every_hack(), 0.0, 6.0, 0.0, 2000);
+    EXPECT_GT(maximum.height, 0.9e-3);
+    EXPECT_LT(maximum.height, 1e-3 + 1e-6);
 }
 
 }  // namespace

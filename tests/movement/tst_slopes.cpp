@@ -64,8 +64,8 @@ TEST(StickToFloor, off_the_player_flies_by_the_parabola) {
 // --- walking along a wall
 
 struct Along {
-    double way = 0.0;                // metres along the wall
-    double least = 1e9, most = 0.0;  // in one tick
+    double motion = 0.0;                // metres along the wall
+    double least = 1e9, maximum = 0.0;  // in one tick
     int airborne = 0;
     PlayerState end;
 };
@@ -78,17 +78,17 @@ Along push_along(const Lab& lab, const MovementSettings& s, PlayerState state, d
     for (int i = 0; i < ticks; ++i) {
         const double x = state.position.x();
         state = step(lab.scene(), s, state, input, dt).state;
-        const double way = state.position.x() - x;
-        along.way += way;
-        along.least = std::min(along.least, way);
-        along.most = std::max(along.most, way);
+        const double motion = state.position.x() - x;
+        along.motion += motion;
+        along.least = std::min(along.least, motion);
+        along.maximum = std::max(along.maximum, motion);
         along.airborne += state.grounded ? 0 : 1;
     }
     along.end = state;
     return along;
 }
 
-TEST(StairWalk, along_a_wall_makes_the_tangential_share_in_every_tick) {
+TEST(StairWalk, along_a_wall_makes_the_tangential_part_in_every_tick) {
     // Pushing by `degrees` into the wall leaves the cosine of the walking speed. What the stick gives back of
     // the part into the wall points into the wall, so it adds nothing along it; a second before the
     // measurement lets the speed settle to 2e-5.
@@ -101,12 +101,12 @@ TEST(StairWalk, along_a_wall_makes_the_tangential_share_in_every_tick) {
                 lab.floor();
                 lab.wall({-50, 0}, {50, 0});
                 lab.ready();
-                const double dt = 1.0 / rate, share = 6.0 * std::cos(radians(degrees)) * dt;
+                const double dt = 1.0 / rate, fraction = 6.0 * std::cos(radians(degrees)) * dt;
                 const PlayerState start_of_wall = at({-10, 0.902, s.radii.z() + s.skin});
                 const PlayerState walking = push_along(lab, s, start_of_wall, degrees, rate, dt).end;
                 const Along along = push_along(lab, s, walking, degrees, rate, dt);
-                EXPECT_NEAR(along.least, share, 1e-4 * share) << rate << " Hz, " << degrees;
-                EXPECT_NEAR(along.most, share, 1e-9 * share) << rate << " Hz, " << degrees;
+                EXPECT_NEAR(along.least, fraction, 1e-4 * fraction) << rate << " Hz, " << degrees;
+                EXPECT_NEAR(along.maximum, fraction, 1e-9 * fraction) << rate << " Hz, " << degrees;
                 EXPECT_EQ(along.airborne, 0) << rate << " Hz, " << degrees;
             }
         }
@@ -144,16 +144,16 @@ TEST(StairWalk, up_stairs_along_a_wall_gains_nothing_and_stays_on_the_ground) {
     for (const double degrees : {10.0, 30.0, 45.0}) {
         for (const int rate : {60, 120, 240, 360}) {
             const Along along = walk_up(true, rate, degrees);
-            const double share = 4.0 * std::cos(radians(degrees)) / rate;
+            const double fraction = 4.0 * std::cos(radians(degrees)) / rate;
             EXPECT_EQ(along.airborne, 0) << rate << " Hz, " << degrees;
-            EXPECT_LT(along.most, share * (1.0 + 1e-9)) << rate << " Hz, " << degrees;
+            EXPECT_LT(along.maximum, fraction * (1.0 + 1e-9)) << rate << " Hz, " << degrees;
             // 4 cos 45 * 3 s = 8.5 m are ample for 5.6 m of way: on top of ten steps.
             EXPECT_NEAR(along.end.position.y(), 3.0 + 0.902, 1e-6) << rate << " Hz, " << degrees;
             // At 60 Hz a tick's way is worth a step at once. In shorter ticks the lift lands on the rim of a
             // step, and the round foot must come over it first.
             const double least_mean = rate == 60 ? 0.9999 : 0.94;
-            EXPECT_GT(along.way, least_mean * share * 3 * rate) << rate << " Hz, " << degrees;
-            EXPECT_GT(along.least, (rate == 60 ? 0.997 : 0.4) * share) << rate << " Hz, " << degrees;
+            EXPECT_GT(along.motion, least_mean * fraction * 3 * rate) << rate << " Hz, " << degrees;
+            EXPECT_GT(along.least, (rate == 60 ? 0.997 : 0.4) * fraction) << rate << " Hz, " << degrees;
         }
     }
 }

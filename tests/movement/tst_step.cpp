@@ -165,16 +165,16 @@ TEST(Determinism, a_trace_changes_nothing) {
     build_hostile(lab);
     const MovementSettings s = basic_settings();
     PlayerState quiet = at({0, 2, 3});
-    PlayerState told = quiet;
+    PlayerState explained = quiet;
     TraceRecorder trace;
     for (int i = 0; i < 300; ++i) {
         const PlayerInput input = wish(std::sin(0.1 * i), std::cos(0.07 * i), i % 40 == 0);
         const StepResult a = step(lab.scene(), s, quiet, input, tick);
-        const StepResult b = step(lab.scene(), s, told, input, tick, &trace);
+        const StepResult b = step(lab.scene(), s, explained, input, tick, &trace);
         ASSERT_TRUE(a.state == b.state);
         ASSERT_EQ(a.sweeps, b.sweeps);
         quiet = a.state;
-        told = b.state;
+        explained = b.state;
     }
     EXPECT_GT(trace.records.size(), 300u);
 }

@@ -258,13 +258,13 @@ TEST(Ladder, a_jump_remembered_from_before_it_is_traced_once) {
     state.jump_held = true;
     TraceRecorder trace;
     step(lab.scene(), s, state, wish(0, 0, true), tick, &trace);
-    int told = 0;
+    int explained = 0;
     for (const TraceRecord& record : trace.records) {
         const auto* decision = std::get_if<DecisionRecord>(&record);
         if (decision != nullptr && std::string_view(decision_info(decision->kind).hack) == "jump_buffer")
-            ++told;
+            ++explained;
     }
-    EXPECT_EQ(told, 1);
+    EXPECT_EQ(explained, 1);
 }
 
 TEST(Conveyor, that_pushes_into_a_wall_is_no_reason_to_step_up) {

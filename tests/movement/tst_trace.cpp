@@ -95,11 +95,11 @@ TEST(Trace, without_a_sink_a_step_with_every_hack_allocates_nothing) {
         for (int walker = 0; walker < 40; ++walker) {
             // Some begin inside the floor or a wall.
             PlayerState state;
-            const Vec3 place(random.between(-10, 10), random.between(0.3, 3.0), random.between(-10, 10));
-            place_in_scene(scene, place, state);
-            const Vec2 way(random.between(-1, 1), random.between(-1, 1));
+            const Vec3 position(random.between(-10, 10), random.between(0.3, 3.0), random.between(-10, 10));
+            put_in_scene(scene, position, state);
+            const Vec2 motion(random.between(-1, 1), random.between(-1, 1));
             for (int i = 0; i < 150; ++i) {
-                const PlayerInput input = wish(way.x(), way.y(), i % 70 == 60);
+                const PlayerInput input = wish(motion.x(), motion.y(), i % 70 == 60);
                 // The same step with somebody listening says what acts.
                 TraceRecorder trace;
                 step(scene, s, state, input, tick, &trace);
@@ -150,8 +150,8 @@ TEST(Trace, tells_the_steps_of_a_slide_in_order) {
     EXPECT_NEAR(first.contact->t, 1.6 / 4.0, 1e-6);      // 2 m less the radius, of 4 m
     EXPECT_NEAR(first.reached.x(), 1.6 - s.skin, 1e-6);  // and the skin
     const double used = (1.6 - s.skin) / 4.0;
-    EXPECT_LT((response.leftover_before - (1 - used) * Vec3(4, -1, 3)).norm(), 1e-6);
-    EXPECT_LT((response.leftover_after - (1 - used) * Vec3(0, -1, 3)).norm(), 1e-6);
+    EXPECT_LT((response.remainder_before - (1 - used) * Vec3(4, -1, 3)).norm(), 1e-6);
+    EXPECT_LT((response.remainder_after - (1 - used) * Vec3(0, -1, 3)).norm(), 1e-6);
     EXPECT_EQ(response.rule, Rule::slide);
     EXPECT_EQ(second.iteration, 1);
     EXPECT_EQ(second.from, first.reached);

@@ -117,11 +117,11 @@ TEST(Walls, sliding_keeps_the_parallel_speed) {
         state = run(lab, s, state, wish(1, 0), 60);
         const Vec3 from = state.position;
         state = run(lab, s, state, wish(1, 0), 60);
-        const Vec3 way = state.position - from;
+        const Vec3 motion = state.position - from;
         const double mean = 6.0 * std::cos(a);
         // The wall takes nothing of the part along it; what the stick adds per tick is within 2 %.
-        EXPECT_NEAR(way.dot(Vec3(along.x(), 0, along.y())), mean, 0.02 * mean) << degrees;
-        EXPECT_NEAR(way.dot(off), 0.0, 1e-6) << degrees;
+        EXPECT_NEAR(motion.dot(Vec3(along.x(), 0, along.y())), mean, 0.02 * mean) << degrees;
+        EXPECT_NEAR(motion.dot(off), 0.0, 1e-6) << degrees;
         EXPECT_NEAR(state.position.dot(off), 0.4 + s.skin, 1e-6) << degrees;
     }
 }
@@ -138,7 +138,7 @@ TEST(Walls, a_slide_move_has_the_length_of_the_projection) {
     const SlideResult result = slide_move(lab.scene(), s, from, move);
     EXPECT_NEAR((result.position - from - Vec3(std::cos(radians(30)), 0, 0)).norm(), 0.0, 1e-7);
     EXPECT_EQ(result.contacts, 1);
-    EXPECT_EQ(result.leftover, Vec3(Vec3::Zero()));
+    EXPECT_EQ(result.remainder, Vec3(Vec3::Zero()));
 }
 
 TEST(Corners, ninety_degrees_hold_without_jitter) {
@@ -202,7 +202,7 @@ TEST(Corners, a_third_plane_stops_the_move) {
         if (const auto* response = std::get_if<ResponseRecord>(&record)) rules.push_back(response->rule);
     }
     EXPECT_EQ(rules, (std::vector<Rule>{Rule::slide, Rule::crease, Rule::stop}));
-    EXPECT_EQ(result.leftover, Vec3(Vec3::Zero()));
+    EXPECT_EQ(result.remainder, Vec3(Vec3::Zero()));
     EXPECT_FALSE(overlaps_any(lab.world(), s.radii, result.position));
     // Pushing on changes nothing.
     const SlideResult again = slide_move(lab.scene(), s, result.position, {0.05, -3, 0.02});
@@ -243,7 +243,7 @@ TEST(Slides, max_slides_bounds_the_contacts) {
         s.max_slides = slides;
         const SlideResult result = slide_move(lab.scene(), s, {0, 2, 0}, {6, -3, 0});
         EXPECT_EQ(result.contacts, slides);
-        EXPECT_GT(result.leftover.norm(), 0.0);
+        EXPECT_GT(result.remainder.norm(), 0.0);
     }
 }
 

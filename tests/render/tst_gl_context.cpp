@@ -9,7 +9,7 @@
 namespace slipface {
 namespace {
 
-Image courtyard_picture(OffscreenContext& context) {
+Image courtyard_image(OffscreenContext& context) {
     const test::Courtyard yard = test::make_courtyard();
     LevelRenderer renderer(context.gl());
     renderer.set_mesh(yard.mesh, "");
@@ -33,31 +33,31 @@ TEST(OffscreenContext, OsmesaGivesModernGl) {
 }
 
 TEST(OffscreenContext, TwoInSequenceDrawTheSameBytes) {
-    Image pictures[2];
-    for (Image& picture : pictures) {
+    Image images[2];
+    for (Image& image : images) {
         auto context = make_offscreen_context();
         ASSERT_TRUE(context.ok()) << context.error().text();
-        picture = courtyard_picture(**context);
+        image = courtyard_image(**context);
     }
-    EXPECT_EQ(pictures[0], pictures[1]);
+    EXPECT_EQ(images[0], images[1]);
 }
 
 // Objects of one context are invisible in the other, and making the first current again brings it back.
 TEST(OffscreenContext, TwoAtOnceTakeTurns) {
     auto first = make_offscreen_context();
     ASSERT_TRUE(first.ok());
-    const Image before = courtyard_picture(**first);
+    const Image before = courtyard_image(**first);
     auto second = make_offscreen_context();
     ASSERT_TRUE(second.ok());
-    EXPECT_EQ(courtyard_picture(**second), before);
+    EXPECT_EQ(courtyard_image(**second), before);
     ASSERT_TRUE((*first)->make_current());
-    EXPECT_EQ(courtyard_picture(**first), before);
+    EXPECT_EQ(courtyard_image(**first), before);
 }
 
 TEST(OffscreenContext, TableNeedsAContext) {
     const auto none = load_gl_table(nullptr);
     ASSERT_FALSE(none.ok());
-    EXPECT_EQ(none.error().place, "OpenGL");
+    EXPECT_EQ(none.error().location, "OpenGL");
     const auto deaf = load_gl_table([](const char*) -> GlProc { return nullptr; });
     EXPECT_FALSE(deaf.ok());
 }
@@ -74,7 +74,7 @@ TEST(EglDeathTest, DrawsInItsOwnProcess) {
                 std::fprintf(stderr, "%s\n", context.error().text().c_str());
                 std::exit(context.error().message.find("Debian package") != std::string::npos ? 0 : 1);
             }
-            const Image image = courtyard_picture(**context);
+            const Image image = courtyard_image(**context);
             int brightest = 0;
             for (const std::uint8_t value : image.rgba)
                 brightest = std::max<int>(brightest, value == 255 ? 0 : value);
@@ -90,9 +90,9 @@ TEST(EglDeathTest, UnsafeVectorWidthIsRefused) {
         {
             setenv("LP_NATIVE_VECTOR_WIDTH", "512", 1);
             auto context = make_offscreen_context();
-            const bool told = context.ok() && (*context)->warnings().size() == 1 &&
-                              (*context)->warnings()[0].place == "LP_NATIVE_VECTOR_WIDTH";
-            const bool drawn = told && courtyard_picture(**context).width == 320;
+            const bool explained = context.ok() && (*context)->warnings().size() == 1 &&
+                                   (*context)->warnings()[0].location == "LP_NATIVE_VECTOR_WIDTH";
+            const bool drawn = explained && courtyard_image(**context).width == 320;
             std::exit(drawn && std::getenv("LP_NATIVE_VECTOR_WIDTH") == nullptr ? 0 : 1);
         },
         testing::ExitedWithCode(0), "");

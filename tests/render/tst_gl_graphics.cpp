@@ -75,19 +75,19 @@ TEST_F(GlGraphicsTest, AWorldsLevelIsThePictureThatLevelRendererMakes) {
     const Level& level = add(world, courtyard()).level();
     const Camera camera = *named_view("iso", level.mesh->bounds, aspect);
     GlGraphics graphics(gl());
-    std::vector<Image> pictures;
+    std::vector<Image> images;
     for (const float overlay : {0.0f, 0.55f}) {
         for (const bool wireframe : {false, true}) {
             graphics.style.overlay = overlay;
             graphics.style.wireframe = wireframe;
-            pictures.push_back(frame(graphics, world, camera));
-            EXPECT_EQ(pictures.back().rgba, direct(level, camera, graphics.style).rgba)
+            images.push_back(frame(graphics, world, camera));
+            EXPECT_EQ(images.back().rgba, direct(level, camera, graphics.style).rgba)
                 << overlay << " " << wireframe;
         }
     }
     // The styles are seen at all: the pictures are not four times the same background.
-    EXPECT_GT(test::differing_pixels(pictures[0], pictures[1]), 500U);
-    EXPECT_GT(test::differing_pixels(pictures[0], pictures[2]), 500U);
+    EXPECT_GT(test::differing_pixels(images[0], images[1]), 500U);
+    EXPECT_GT(test::differing_pixels(images[0], images[2]), 500U);
     EXPECT_TRUE(graphics.take_warnings().empty());
 }
 
@@ -102,11 +102,11 @@ TEST_F(GlGraphicsTest, ThePlayerShowsWhereItStandsAndLeavesTheRestAlone) {
     player.state = geometry.player_at(geometry.level().spawn);
     const Image with = frame(graphics, world, camera);
     Overlay expected;
-    expected.ellipsoid(player.place(), player.settings.radii, graphics.ellipsoid_fill,
+    expected.ellipsoid(player.position(), player.settings.radii, graphics.ellipsoid_fill,
                        graphics.ellipsoid_outline);
     EXPECT_EQ(with.rgba, direct(geometry.level(), camera, graphics.style, &expected).rgba);
 
-    const Vec3 at = project(camera, player.place(), Vec2(width, height));
+    const Vec3 at = project(camera, player.position(), Vec2(width, height));
     const int x = static_cast<int>(at.x()), y = static_cast<int>(at.y());
     EXPECT_GT(test::delta(without, with, x, y), 20);
     EXPECT_GT(with.pixel(x, y)[2], with.pixel(x, y)[0]) << "the ellipsoid is blue";
@@ -157,7 +157,7 @@ TEST_F(GlGraphicsTest, ChangedTypesAreSentWhenTheGameSaysSo) {
     Level level = courtyard();
     const Camera camera = *named_view("iso", level.mesh->bounds, aspect);
     GlGraphics graphics(gl());
-    const auto picture = [&] {
+    const auto image = [&] {
         Framebuffer target(gl(), width, height);
         target.bind();
         graphics.begin_frame(camera, width, height);
@@ -165,10 +165,10 @@ TEST_F(GlGraphicsTest, ChangedTypesAreSentWhenTheGameSaysSo) {
         EXPECT_TRUE(graphics.end_frame().ok());
         return target.read();
     };
-    const Image before = picture();
+    const Image before = image();
     level.overrides.assign(level.overrides.size(), SurfaceId{1});
     graphics.surfaces_changed();
-    const Image after = picture();
+    const Image after = image();
     EXPECT_GT(test::differing_pixels(before, after), 3000U);
     EXPECT_EQ(after.rgba, direct(level, camera, graphics.style).rgba);
 }

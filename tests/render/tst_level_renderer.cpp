@@ -37,8 +37,8 @@ bool in_tile(int tile, int x, int y, int margin) {
 
 TEST_F(LevelRendererTest, SameBytesTwice) {
     const test::Courtyard yard = test::make_courtyard();
-    Image pictures[2];
-    for (Image& picture : pictures) {
+    Image images[2];
+    for (Image& image : images) {
         LevelRenderer renderer(gl());
         ASSERT_TRUE(renderer.status().ok());
         renderer.set_mesh(yard.mesh, "");
@@ -46,10 +46,10 @@ TEST_F(LevelRendererTest, SameBytesTwice) {
         renderer.set_face_surfaces(test::courtyard_surfaces(yard));
         LevelStyle style;
         style.wireframe = true;
-        picture = draw(renderer, *named_view("iso", yard.mesh->bounds, 1.5), 300, 200, style);
-        EXPECT_EQ(draw(renderer, *named_view("iso", yard.mesh->bounds, 1.5), 300, 200, style), picture);
+        image = draw(renderer, *named_view("iso", yard.mesh->bounds, 1.5), 300, 200, style);
+        EXPECT_EQ(draw(renderer, *named_view("iso", yard.mesh->bounds, 1.5), 300, 200, style), image);
     }
-    EXPECT_EQ(pictures[0], pictures[1]);
+    EXPECT_EQ(images[0], images[1]);
 }
 
 TEST_F(LevelRendererTest, WithoutMeshOnlyTheGradient) {
@@ -143,12 +143,12 @@ TEST_F(LevelRendererTest, HatchesDifferWithoutColour) {
     LevelRenderer renderer(gl());
     renderer.set_mesh(four_tiles(), "");
     renderer.set_surface_types(types);
-    std::vector<Image> pictures;
+    std::vector<Image> images;
     for (std::size_t i = 1; i < types.size(); ++i) {
         renderer.set_face_surfaces(std::vector<SurfaceId>(4, static_cast<SurfaceId>(i)));
-        pictures.push_back(draw(renderer, tile_camera, side, side, {}));
-        for (std::size_t j = 0; j + 1 < pictures.size(); ++j) {
-            EXPECT_GT(test::differing_pixels(pictures[j], pictures.back()), 2000U) << i << " and " << j + 1;
+        images.push_back(draw(renderer, tile_camera, side, side, {}));
+        for (std::size_t j = 0; j + 1 < images.size(); ++j) {
+            EXPECT_GT(test::differing_pixels(images[j], images.back()), 2000U) << i << " and " << j + 1;
         }
     }
 }
@@ -324,7 +324,7 @@ TEST_F(TextureTest, MissingOneIsReportedAndAChecker) {
     LevelRenderer renderer(gl());
     const Warnings warnings = renderer.set_mesh(builder.build(), folder_);
     ASSERT_EQ(warnings.size(), 1U);
-    EXPECT_EQ(warnings[0].place, "material \"a\"");
+    EXPECT_EQ(warnings[0].location, "material \"a\"");
     EXPECT_NE(warnings[0].message.find("gone.png"), std::string::npos);
     const Image image = draw(renderer, tile_camera, side, side, {});
     int pink = 0, dark = 0;
@@ -373,7 +373,7 @@ TEST_F(TextureTest, WarningsAreBounded) {
 // 2^20 m out, where single precision steps by 1/8 m, the same level (whose corners are on that raster) is the
 // same picture: positions reach the GPU relative to the level, and patterns repeat every 64 m.
 TEST_F(LevelRendererTest, FarFromTheOriginLooksTheSame) {
-    Image pictures[2];
+    Image images[2];
     for (int i = 0; i < 2; ++i) {
         const double x = i == 0 ? 0.0 : 1048576.0;
         MeshBuilder builder;
@@ -388,9 +388,9 @@ TEST_F(LevelRendererTest, FarFromTheOriginLooksTheSame) {
         Camera camera;
         camera.eye = {x + 4, 5, 6};
         camera.target = {x, 1, 0};
-        pictures[i] = draw(renderer, camera, side, side, style);
+        images[i] = draw(renderer, camera, side, side, style);
     }
-    const Comparison comparison = compare_images(pictures[0], pictures[1], scene_tolerance);
+    const Comparison comparison = compare_images(images[0], images[1], scene_tolerance);
     EXPECT_TRUE(comparison.same) << comparison.verdict;
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using test::delta;
 
-constexpr int picture_side = 200;
+constexpr int image_side = 200;
 constexpr Color red{1, 0, 0, 1};
 const Camera camera = test::map_camera(5.0);  // 20 pixels a metre; pixel (100, 100) is the origin
 
@@ -22,17 +22,17 @@ class OverlayTest : public test::DrawingTest {
         test::MeshBuilder builder;
         builder.face({{0, 0, 5}, {5, 0, 5}, {5, 0, -5}, {0, 0, -5}});
         renderer_.set_mesh(builder.build(), "");
-        bare_ = draw(renderer_, camera, picture_side, picture_side, {});
+        bare_ = draw(renderer_, camera, image_side, image_side, {});
     }
     Image with(const Overlay& overlay) {
-        return draw(renderer_, camera, picture_side, picture_side, {}, &overlay);
+        return draw(renderer_, camera, image_side, image_side, {}, &overlay);
     }
 
     // Bounding box of what changed, as pixels: left, right, top, bottom.
     std::array<int, 4> changed(const Image& image) const {
-        std::array<int, 4> box{picture_side, -1, picture_side, -1};
-        for (int y = 0; y < picture_side; ++y) {
-            for (int x = 0; x < picture_side; ++x) {
+        std::array<int, 4> box{image_side, -1, image_side, -1};
+        for (int y = 0; y < image_side; ++y) {
+            for (int x = 0; x < image_side; ++x) {
                 if (delta(bare_, image, x, y) < 8) continue;
                 box = {std::min(box[0], x), std::max(box[1], x), std::min(box[2], y), std::max(box[3], y)};
             }
@@ -91,9 +91,9 @@ TEST_F(OverlayTest, LineInAFaceIsSeen) {
     Camera slanted;
     slanted.eye = {2.5, 1.5, 6};
     slanted.target = {2.5, 0, 0};
-    const Image image = draw(renderer_, slanted, picture_side, picture_side, {}, &overlay);
+    const Image image = draw(renderer_, slanted, image_side, image_side, {}, &overlay);
     for (const double x : {1.2, 2.0, 3.0, 3.8}) {
-        const Vec3 at = project(slanted, {x, 0, 0}, Vec2(picture_side, picture_side));
+        const Vec3 at = project(slanted, {x, 0, 0}, Vec2(image_side, image_side));
         EXPECT_GT(image.pixel(static_cast<int>(at.x()), static_cast<int>(at.y()))[0], 230) << x;
     }
 }
@@ -105,18 +105,18 @@ TEST_F(OverlayTest, LineThroughTheEyePlaneIsClipped) {
     ahead.target = {-3, 1, 0};
     Overlay overlay;
     overlay.line({-2, 1, 50}, {-2, 1, -50}, red, 3.0f, true);
-    const Image bare = draw(renderer_, ahead, picture_side, picture_side, {});
-    const Image image = draw(renderer_, ahead, picture_side, picture_side, {}, &overlay);
+    const Image bare = draw(renderer_, ahead, image_side, image_side, {});
+    const Image image = draw(renderer_, ahead, image_side, image_side, {}, &overlay);
     std::size_t left = 0, right = 0;
-    for (int y = 0; y < picture_side; ++y) {
-        for (int x = 0; x < picture_side; ++x)
+    for (int y = 0; y < image_side; ++y) {
+        for (int x = 0; x < image_side; ++x)
             (x < 98 ? left : right) += delta(bare, image, x, y) > 30 ? 1U : 0U;
     }
     EXPECT_EQ(left, 0U);
     EXPECT_GT(right, 100U);
     Overlay behind;
     behind.line({-2, 1, 50}, {-4, 1, 20}, red, 3.0f, true);
-    EXPECT_EQ(draw(renderer_, ahead, picture_side, picture_side, {}, &behind), bare);
+    EXPECT_EQ(draw(renderer_, ahead, image_side, image_side, {}, &behind), bare);
 }
 
 // Seen along an axis an ellipsoid of radii 1, 2, 3 is an ellipse of 1 x 3 metres about its centre.
@@ -139,12 +139,12 @@ TEST_F(OverlayTest, SilhouetteHugsTheBody) {
     Overlay body, outline;
     body.ellipsoid(centre, radii, {0, 1, 0, 1}, {0, 0, 0, 0});
     outline.ellipsoid(centre, radii, {0, 0, 0, 0}, red);
-    const Image bare = draw(renderer_, near_camera, picture_side, picture_side, {});
-    const Image filled = draw(renderer_, near_camera, picture_side, picture_side, {}, &body);
-    const Image lined = draw(renderer_, near_camera, picture_side, picture_side, {}, &outline);
-    for (int y = 0; y < picture_side; ++y) {
-        int body_left = picture_side, body_right = -1, line_left = picture_side, line_right = -1;
-        for (int x = 0; x < picture_side; ++x) {
+    const Image bare = draw(renderer_, near_camera, image_side, image_side, {});
+    const Image filled = draw(renderer_, near_camera, image_side, image_side, {}, &body);
+    const Image lined = draw(renderer_, near_camera, image_side, image_side, {}, &outline);
+    for (int y = 0; y < image_side; ++y) {
+        int body_left = image_side, body_right = -1, line_left = image_side, line_right = -1;
+        for (int x = 0; x < image_side; ++x) {
             if (delta(bare, filled, x, y) > 60) {
                 body_left = std::min(body_left, x);
                 body_right = std::max(body_right, x);
@@ -223,8 +223,8 @@ TEST_F(OverlayTest, EyeInsideAnEllipsoid) {
     inside.target = {-2, 1, -1};
     Overlay overlay;
     overlay.ellipsoid(inside.eye, {1, 1, 1}, {0, 1, 0, 0.5f}, red);
-    const Image bare = draw(renderer_, inside, picture_side, picture_side, {});
-    const Image image = draw(renderer_, inside, picture_side, picture_side, {}, &overlay);
+    const Image bare = draw(renderer_, inside, image_side, image_side, {});
+    const Image image = draw(renderer_, inside, image_side, image_side, {}, &overlay);
     EXPECT_GT(test::differing_pixels(bare, image), 50U);
 }
 

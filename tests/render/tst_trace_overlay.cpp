@@ -13,7 +13,7 @@ bool operator==(const Color& a, const Color& b) {
 
 const Vec3 radii(0.4, 0.9, 0.4);
 
-// Two sweeps along +X; the first meets a wall at half of its way, the leftover turns to +Z.
+// Two sweeps along +X; the first meets a wall at half of its way, the remainder turns to +Z.
 std::vector<TraceRecord> two_sweeps() {
     SweepRecord first;
     first.move = {2, 0, 0};
@@ -24,11 +24,11 @@ std::vector<TraceRecord> two_sweeps() {
     contact.point = {1.4, 0, 0};
     first.contact = contact;
     ResponseRecord response;
-    response.leftover_before = {1, 0, 0};
-    response.leftover_after = {0, 0, 0.5};
+    response.remainder_before = {1, 0, 0};
+    response.remainder_after = {0, 0, 0.5};
     SweepRecord second;
     second.from = first.reached;
-    second.move = response.leftover_after;
+    second.move = response.remainder_after;
     second.reached = second.from + second.move;
     return {first, response, second, DecisionRecord{}};
 }
@@ -55,14 +55,14 @@ TEST(TraceOverlay, OneGhostASweep) {
 }
 
 // Leftovers start at the centre at the contact: from + t * move = (1, 0, 0).
-TEST(TraceOverlay, LeftoversAndNormalInTheirColours) {
+TEST(TraceOverlay, RemaindersAndNormalInTheirColours) {
     Overlay overlay;
     draw_trace(overlay, two_sweeps(), radii);
-    EXPECT_EQ(arrows(overlay, trace_colors::leftover_before), 1U);
-    EXPECT_EQ(arrows(overlay, trace_colors::leftover_after), 1U);
+    EXPECT_EQ(arrows(overlay, trace_colors::remainder_before), 1U);
+    EXPECT_EQ(arrows(overlay, trace_colors::remainder_after), 1U);
     EXPECT_EQ(arrows(overlay, trace_colors::normal), 1U);
     const auto after = std::find_if(overlay.lines.begin(), overlay.lines.end(), [](const auto& line) {
-        return line.arrow && line.color == trace_colors::leftover_after;
+        return line.arrow && line.color == trace_colors::remainder_after;
     });
     EXPECT_EQ(after->a, Vec3(1, 0, 0));
     EXPECT_EQ(after->b, Vec3(1, 0, 0.5));
@@ -70,12 +70,12 @@ TEST(TraceOverlay, LeftoversAndNormalInTheirColours) {
 
 TEST(TraceOverlay, StyleSwitchesPartsOff) {
     TraceStyle style;
-    style.ghosts = style.contacts = style.planes = style.leftovers = false;
+    style.ghosts = style.contacts = style.planes = style.remainders = false;
     Overlay overlay;
     draw_trace(overlay, two_sweeps(), radii, style);
     EXPECT_TRUE(overlay.ellipsoids.empty());
     EXPECT_TRUE(overlay.triangles.empty());
-    EXPECT_EQ(arrows(overlay, trace_colors::leftover_before), 0U);
+    EXPECT_EQ(arrows(overlay, trace_colors::remainder_before), 0U);
     EXPECT_EQ(arrows(overlay, trace_colors::normal), 0U);
     EXPECT_FALSE(overlay.lines.empty());
 }

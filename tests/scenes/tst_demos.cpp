@@ -74,8 +74,8 @@ TEST(Demos, ground_velocity_stays_on_the_ramp) {
 TEST(Demos, straight_ahead_keeps_the_heading) {
     const Pair pair = pair_of("straight-ahead");
     const auto heading = [](const Trip& r) {
-        const Vec3 way = r.end().position - r.states[r.states.size() - 30].position;
-        return std::atan2(way.x(), -way.z());
+        const Vec3 motion = r.end().position - r.states[r.states.size() - 30].position;
+        return std::atan2(motion.x(), -motion.z());
     };
     EXPECT_NEAR(heading(pair.on), 0.25 * 3.141592653589793, 1e-4);
     EXPECT_GT(std::abs(heading(pair.off) - 0.25 * 3.141592653589793), 0.05);

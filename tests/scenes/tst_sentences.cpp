@@ -38,7 +38,7 @@ void look(const Level& level, const MovementSettings& settings, const Tape& tape
     // Every third tick: long runs repeat themselves.
     for (std::size_t tick = 0; tick < run.samples().size(); tick += 3) {
         const TickTrace trace = run.trace(scene, tick);
-        for (const StoryLine& line : tell(trace, StoryNames(level.surfaces))) {
+        for (const StoryLine& line : describe(trace, StoryNames(level.surfaces))) {
             if (!line.record) continue;
             const TraceRecord& record = trace.records[*line.record];
             if (const auto* decision = std::get_if<DecisionRecord>(&record)) {
@@ -58,7 +58,7 @@ std::string sentence_list(const Seen& seen) {
     std::string list = "Decisions, with made-up numbers; * none of the scenes gets there\n\n";
     for (const DecisionInfo& info : decision_table()) {
         const TraceRecord record = DecisionRecord{.kind = info.kind, .value = 0.51, .limit = 0.63};
-        const std::vector<StoryLine> lines = tell(std::span(&record, 1), {});
+        const std::vector<StoryLine> lines = describe(std::span(&record, 1), {});
         list += (seen.decisions.contains(info.kind) ? "  " : "* ") + lines[0].text + "\n";
     }
     const auto add = [&](const char* title, const std::set<std::string>& lines) {

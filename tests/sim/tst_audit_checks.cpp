@@ -172,8 +172,8 @@ TEST(AuditChecks, OverlapsCountOnlyBeyondTheSkin) {
 TEST(AuditChecks, AWallBlocksTheWayAndOpenFloorDoesNot) {
     const Wall wall;
     const Vec3 at_wall(1.0 - wall.settings.radii.x() - wall.settings.skin, 0.902, 0.0);
-    EXPECT_FALSE(way_is_free(wall.scene(), wall.settings, at_wall, {1.0, 0.0}));
-    EXPECT_TRUE(way_is_free(wall.scene(), wall.settings, at_wall, {-1.0, 0.0}));
+    EXPECT_FALSE(path_is_free(wall.scene(), wall.settings, at_wall, {1.0, 0.0}));
+    EXPECT_TRUE(path_is_free(wall.scene(), wall.settings, at_wall, {-1.0, 0.0}));
     EXPECT_FALSE(level_is_closed(wall.world, at_wall));
 }
 
@@ -219,8 +219,8 @@ TEST(AuditChecks, PlatformsAreOverlappedAndBlockTheWay) {
     ASSERT_TRUE(deep);
     EXPECT_EQ(deep->face, 7u);
     const Vec3 at_wall(-1.0 - wall.settings.radii.x() - wall.settings.skin, 0.902, 0.0);
-    EXPECT_FALSE(way_is_free(wall.moving_scene(), wall.settings, at_wall, {1.0, 0.0}));
-    EXPECT_TRUE(way_is_free(wall.moving_scene(), wall.settings, at_wall, {-1.0, 0.0}));
+    EXPECT_FALSE(path_is_free(wall.moving_scene(), wall.settings, at_wall, {1.0, 0.0}));
+    EXPECT_TRUE(path_is_free(wall.moving_scene(), wall.settings, at_wall, {-1.0, 0.0}));
 }
 
 }  // namespace

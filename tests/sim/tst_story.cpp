@@ -57,8 +57,8 @@ std::vector<Value> values_of(const TraceRecord& record, const MovementSettings& 
             add_length(values, std::abs(contact.point.y() - feet));
         }
     } else if (const auto* response = std::get_if<ResponseRecord>(&record)) {
-        add_length(values, response->leftover_before.norm());
-        add_length(values, response->leftover_after.norm());
+        add_length(values, response->remainder_before.norm());
+        add_length(values, response->remainder_after.norm());
         values.push_back({response->velocity_before.norm(), " m/s"});
         values.push_back({response->velocity_after.norm(), " m/s"});
     } else if (const auto* decision = std::get_if<DecisionRecord>(&record)) {
@@ -94,14 +94,14 @@ void expect_shown(const StoryNumber& number) {
 }
 
 void expect_equal_to_the_trace(const TickTrace& trace, const StoryNames& names) {
-    const std::vector<StoryLine> lines = tell(trace, names);
+    const std::vector<StoryLine> lines = describe(trace, names);
     ASSERT_EQ(lines.size(), trace.records.size() + 2);
-    std::vector<bool> told(trace.records.size(), false);
+    std::vector<bool> explained(trace.records.size(), false);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const StoryLine& line = lines[i];
         const bool whole = i == 0 || i + 1 == lines.size();
         ASSERT_EQ(line.record.has_value(), !whole);
-        if (!whole) told.at(*line.record) = true;
+        if (!whole) explained.at(*line.record) = true;
         const std::vector<Value> values =
             whole ? values_of(trace, i != 0) : values_of(trace.records[*line.record], trace.settings);
         std::string rest = std::regex_replace(line.text, std::regex("face [0-9]+"), "");
@@ -120,9 +120,9 @@ void expect_equal_to_the_trace(const TickTrace& trace, const StoryNames& names) 
                 << line.text;
         }
         EXPECT_FALSE(std::regex_search(rest, std::regex("[0-9{}]"))) << rest;
-        EXPECT_TRUE(line.place.has_value()) << line.text;
+        EXPECT_TRUE(line.position.has_value()) << line.text;
     }
-    EXPECT_EQ(std::count(told.begin(), told.end(), false), 0);
+    EXPECT_EQ(std::count(explained.begin(), explained.end(), false), 0);
 }
 
 TEST(Story, EveryNumberEqualsTheTrace) {
@@ -152,7 +152,7 @@ TEST(Story, NamesTheFaceItsTypeAndWhatWasTouched) {
                                    [](const TickSample& sample) { return sample.contacts > 0; });
     const TickTrace trace =
         run.trace(stripes.scene(), static_cast<std::size_t>(land - run.samples().begin()));
-    const std::string story = story_text(tell(trace, stripes.surfaces));
+    const std::string story = story_text(describe(trace, stripes.surfaces));
     EXPECT_THAT(story, HasSubstr("Begins: in the air at "));
     EXPECT_THAT(story, HasSubstr("Touched the floor (face 1, ice), level, after "));
     EXPECT_THAT(story, HasSubstr("Ends: "));
@@ -162,7 +162,7 @@ TEST(Story, WhatRestsIsFolded) {
     const Stripes stripes;
     TapeRun run(std::make_shared<const Tape>(tape_of({{60, {}}})), {}, Vec3(0, 0.95, 5));
     run.advance(stripes.scene(), 60);
-    const std::vector<StoryLine> lines = tell(run.trace(stripes.scene(), 59), stripes.surfaces);
+    const std::vector<StoryLine> lines = describe(run.trace(stripes.scene(), 59), stripes.surfaces);
     std::vector<std::string> shown;
     for (const StoryLine& line : lines) {
         EXPECT_NE(line.tone, StoryTone::trouble) << line.text;
@@ -177,7 +177,7 @@ TEST(Story, ABackFaceIsNamedAsOne) {
     // From below the floor, upwards.
     TraceRecorder trace;
     slide_move(stripes.scene(), {}, Vec3(0, -2, 5), Vec3(0, 3, 0), &trace);
-    const std::string story = story_text(tell(trace.records, stripes.surfaces));
+    const std::string story = story_text(describe(trace.records, stripes.surfaces));
     EXPECT_THAT(story, HasSubstr("Touched the back of the ceiling (face 0), overhead, after "));
 }
 
@@ -187,7 +187,7 @@ TEST(Story, AValueBesideItsLimitHasAsManyDigitsAsItTakes) {
         DecisionRecord{.kind = Decision::too_steep_to_stand, .value = just_above, .limit = limit},
         DecisionRecord{.kind = Decision::jumped, .value = 8.0},
         DecisionRecord{.kind = Decision::energy_head_on, .value = 0.62, .limit = 0.5}};
-    const std::vector<StoryLine> lines = tell(records, {});
+    const std::vector<StoryLine> lines = describe(records, {});
     EXPECT_EQ(lines[0].text, "Too steep to stand on: 50.004\u00b0 (limit 50\u00b0)");
     EXPECT_EQ(lines[1].text, "Jumped at 8 m/s");
     EXPECT_EQ(lines[2].text, "Lost speed: hit head-on at 38.3\u00b0 (limit 30\u00b0)");
@@ -196,7 +196,7 @@ TEST(Story, AValueBesideItsLimitHasAsManyDigitsAsItTakes) {
 TEST(Story, APushThatStaysInsideIsTrouble) {
     const std::vector<TraceRecord> records{
         PushOutRecord{.from = Vec3::Zero(), .to = Vec3(0, 0.25, 0), .planes = 2, .free = false}};
-    const std::vector<StoryLine> lines = tell(records, {});
+    const std::vector<StoryLine> lines = describe(records, {});
     ASSERT_EQ(lines.size(), 1u);
     EXPECT_EQ(lines[0].tone, StoryTone::trouble);
     EXPECT_EQ(lines[0].text, "Not pushed out of 2 faces: 0.25 m further it would be inside another");

@@ -134,7 +134,7 @@ TEST(Tape, IsCutAtATick) {
 struct BadTape {
     const char* name;
     const char* text;
-    const char* place;
+    const char* location;
     const char* expected;
 };
 
@@ -143,7 +143,7 @@ class BadTapes : public testing::TestWithParam<BadTape> {};
 TEST_P(BadTapes, AreRefusedWithTheirLine) {
     const Result<Tape> tape = parse_tape(GetParam().text, "run.tape");
     ASSERT_FALSE(tape.ok());
-    EXPECT_EQ(tape.error().place, GetParam().place) << tape.error().text();
+    EXPECT_EQ(tape.error().location, GetParam().location) << tape.error().text();
     EXPECT_THAT(tape.error().message, HasSubstr(GetParam().expected));
 }
 
@@ -199,7 +199,7 @@ TEST(Tape, CutOffAnywhereItNeverCrashes) {
             EXPECT_FALSE(tape.ok()) << size;
         }
         if (!tape) {
-            EXPECT_THAT(tape.error().place, HasSubstr("run.tape:"));
+            EXPECT_THAT(tape.error().location, HasSubstr("run.tape:"));
         }
     }
 }
@@ -216,7 +216,7 @@ TEST(Tape, AFileIsReadAndNamedInErrors) {
     const Result<Tape> tape = load_tape(path);
     std::filesystem::remove(path);
     ASSERT_FALSE(tape.ok());
-    EXPECT_EQ(tape.error().place, path + ":3");
+    EXPECT_EQ(tape.error().location, path + ":3");
 }
 
 TEST(TapeSettings, AreAppliedInOrder) {
@@ -266,7 +266,7 @@ TEST(TapeSettings, ABadOneChangesNothing) {
     MovementSettings settings = basic_settings();
     const Status status = apply_tape_settings(settings, tape, "run.tape");
     ASSERT_FALSE(status.ok());
-    EXPECT_EQ(status.error().place, "run.tape");
+    EXPECT_EQ(status.error().location, "run.tape");
     EXPECT_THAT(status.error().message, HasSubstr("gravity=-1"));
     EXPECT_EQ(settings, basic_settings());
 }

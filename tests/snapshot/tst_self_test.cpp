@@ -12,7 +12,7 @@ namespace {
 
 // The courtyard as the goldens show levels.
 const Image& courtyard() {
-    static const Image picture = [] {
+    static const Image image = [] {
         auto context = make_offscreen_context();
         if (!context.ok()) return Image{};
         const test::Courtyard yard = test::make_courtyard();
@@ -27,7 +27,7 @@ const Image& courtyard() {
         renderer.draw(*named_view("iso", yard.mesh->bounds, 16.0 / 9.0), 640, 360, style);
         return framebuffer.read();
     }();
-    return picture;
+    return image;
 }
 
 TEST(SelfTest, EveryCaseBehavesForScenesAndScreens) {
@@ -35,7 +35,7 @@ TEST(SelfTest, EveryCaseBehavesForScenesAndScreens) {
     for (const CompareTolerance& tolerance : {scene_tolerance, ui_tolerance}) {
         int must_pass = 0, must_fail = 0;
         for (const SelfTestCase& test : self_test_cases(courtyard())) {
-            const Comparison comparison = compare_images(courtyard(), test.picture, tolerance);
+            const Comparison comparison = compare_images(courtyard(), test.image, tolerance);
             EXPECT_EQ(comparison.same, test.must_pass) << test.name << ": " << comparison.verdict;
             (test.must_pass ? must_pass : must_fail) += 1;
         }
@@ -55,9 +55,9 @@ TEST(SelfTest, NoiseIsNotNothing) {
                                  .window_pixels = 1};
     for (const SelfTestCase& test : self_test_cases(courtyard())) {
         if (!test.must_pass || test.name == "unchanged") continue;
-        const Comparison comparison = compare_images(courtyard(), test.picture, exact);
+        const Comparison comparison = compare_images(courtyard(), test.image, exact);
         EXPECT_FALSE(comparison.same) << test.name;
-        const Comparison gate = compare_images(courtyard(), test.picture, scene_tolerance);
+        const Comparison gate = compare_images(courtyard(), test.image, scene_tolerance);
         if (test.name.starts_with("edges")) {
             EXPECT_GT(gate.max_delta, 20);
             EXPECT_EQ(gate.densest_window, 1);
@@ -87,7 +87,7 @@ TEST(SelfTest, SameCasesEveryTime) {
     const auto first = self_test_cases(courtyard()), second = self_test_cases(courtyard());
     ASSERT_EQ(first.size(), second.size());
     for (std::size_t i = 0; i < first.size(); ++i)
-        EXPECT_EQ(first[i].picture, second[i].picture) << first[i].name;
+        EXPECT_EQ(first[i].image, second[i].image) << first[i].name;
 }
 
 TEST(SelfTest, TinyAndFlatPicturesDoNotPass) {

@@ -46,7 +46,7 @@ TEST(SceneSuite, ReadsEveryField) {
     EXPECT_EQ(scene.probe->move, Vec3(0, 0, -3));
     EXPECT_EQ(*scene.probe->radii, Vec3(0.5, 1, 0.5));
     EXPECT_EQ(scene.probe->settings, std::vector<std::string>{"max_slides=5"});
-    EXPECT_EQ(scene.place, "scenes.json:/scenes/0");
+    EXPECT_EQ(scene.location, "scenes.json:/scenes/0");
 }
 
 TEST(SceneSuite, DefaultsAndSpawn) {
@@ -66,7 +66,7 @@ TEST(SceneSuite, DefaultsAndSpawn) {
 TEST(SceneSuite, ErrorsNameThePlace) {
     struct Case {
         const char* scene;
-        const char* place;
+        const char* location;
     };
     const Case cases[] = {
         {R"(7)", "scenes.json:/scenes/0"},
@@ -109,27 +109,27 @@ TEST(SceneSuite, ErrorsNameThePlace) {
     for (const Case& c : cases) {
         const auto scenes = parse(suite_of(c.scene));
         ASSERT_FALSE(scenes.ok()) << c.scene;
-        EXPECT_EQ(scenes.error().place, c.place) << c.scene << ": " << scenes.error().text();
+        EXPECT_EQ(scenes.error().location, c.location) << c.scene << ": " << scenes.error().text();
         EXPECT_FALSE(scenes.error().message.empty());
     }
 }
 
 TEST(SceneSuite, FileErrors) {
-    const auto place = [](const std::string& text) {
+    const auto location = [](const std::string& text) {
         const auto scenes = parse(text);
-        return scenes.ok() ? std::string("accepted") : scenes.error().place;
+        return scenes.ok() ? std::string("accepted") : scenes.error().location;
     };
-    EXPECT_EQ(place(""), "scenes.json:1");
-    EXPECT_EQ(place("{\n\"version\": 1,\n\"scenes\": [}\n"), "scenes.json:3");
-    EXPECT_EQ(place("[]"), "scenes.json:");
-    EXPECT_EQ(place("{}"), "scenes.json:");
-    EXPECT_EQ(place(R"({"version": 2, "scenes": []})"), "scenes.json:/version");
-    EXPECT_EQ(place(R"({"version": 1, "scenes": {}})"), "scenes.json:/scenes");
-    EXPECT_EQ(place(R"({"version": 1, "scenes": [], "more": 1})"), "scenes.json:/more");
-    EXPECT_EQ(place(R"({"version": 1, "version": 1, "scenes": []})"), "scenes.json");
-    EXPECT_EQ(place(std::string(100000, '[')), "scenes.json:1");
-    EXPECT_EQ(place("\xff\xfe junk"), "scenes.json:1");
-    EXPECT_EQ(place(R"({"version": 1, "scenes": []})"), "accepted");
+    EXPECT_EQ(location(""), "scenes.json:1");
+    EXPECT_EQ(location("{\n\"version\": 1,\n\"scenes\": [}\n"), "scenes.json:3");
+    EXPECT_EQ(location("[]"), "scenes.json:");
+    EXPECT_EQ(location("{}"), "scenes.json:");
+    EXPECT_EQ(location(R"({"version": 2, "scenes": []})"), "scenes.json:/version");
+    EXPECT_EQ(location(R"({"version": 1, "scenes": {}})"), "scenes.json:/scenes");
+    EXPECT_EQ(location(R"({"version": 1, "scenes": [], "more": 1})"), "scenes.json:/more");
+    EXPECT_EQ(location(R"({"version": 1, "version": 1, "scenes": []})"), "scenes.json");
+    EXPECT_EQ(location(std::string(100000, '[')), "scenes.json:1");
+    EXPECT_EQ(location("\xff\xfe junk"), "scenes.json:1");
+    EXPECT_EQ(location(R"({"version": 1, "scenes": []})"), "accepted");
 }
 
 class SceneTest : public testing::Test {
@@ -185,22 +185,22 @@ TEST_F(SceneTest, ProbeAndTapeAreDrawn) {
 TEST_F(SceneTest, ErrorsNameTheScene) {
     struct Case {
         const char* more;
-        const char* place;
+        const char* location;
         const char* part;
     };
     for (const Case& c : {Case{R"(, "camera": "balcony")", "scenes.json:/scenes/0/camera", "balcony"},
                           Case{R"(, "tape": "gone.tape")", "scenes.json:/scenes/0/tape", "gone.tape"}}) {
         const auto image = render(c.more);
         ASSERT_FALSE(image.ok());
-        EXPECT_EQ(image.error().place, c.place);
+        EXPECT_EQ(image.error().location, c.location);
         EXPECT_NE(image.error().message.find(c.part), std::string::npos) << image.error().text();
     }
     Scene scene;
     scene.level = folder_ / "gone.obj";
-    scene.place = "scenes.json:/scenes/4";
+    scene.location = "scenes.json:/scenes/4";
     const auto image = SceneStage(*context_).render(scene);
     ASSERT_FALSE(image.ok());
-    EXPECT_EQ(image.error().place, "scenes.json:/scenes/4/level");
+    EXPECT_EQ(image.error().location, "scenes.json:/scenes/4/level");
 }
 
 TEST_F(SceneTest, SnapshotsRenderTheScenesTwiceAlike) {
@@ -249,7 +249,7 @@ TEST_F(SceneTest, CameraNamesAreChecked) {
         const auto scenes = parse(suite_of(
             fmt::format(R"({{"name": "a", "level": "a.obj", "cameras": ["auto:iso", "{}"]}})", camera)));
         ASSERT_FALSE(scenes.ok()) << camera;
-        EXPECT_EQ(scenes.error().place, "scenes.json:/scenes/0/cameras/1");
+        EXPECT_EQ(scenes.error().location, "scenes.json:/scenes/0/cameras/1");
     }
     const auto no_tape = render(R"(, "camera": "tape:1/2")");
     ASSERT_FALSE(no_tape.ok());
@@ -272,7 +272,7 @@ TEST_F(SceneTest, DefaultsProfileAndMasks) {
     EXPECT_EQ((*scenes)[0].masks, (std::vector<MaskRect>{{1, 2, 3, 4}}));
     EXPECT_EQ((*scenes)[1].width, 32);
     EXPECT_TRUE((*scenes)[1].style.textured && (*scenes)[1].grid);
-    EXPECT_EQ(parse(suite_of(R"({"name": "a", "level": "a.obj", "masks": [[1, 2, 3]]})")).error().place,
+    EXPECT_EQ(parse(suite_of(R"({"name": "a", "level": "a.obj", "masks": [[1, 2, 3]]})")).error().location,
               "scenes.json:/scenes/0/masks/0");
 }
 

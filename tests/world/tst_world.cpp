@@ -48,11 +48,11 @@ class NamedManager : public Manager {
     NamedManager(Diary& diary, std::string name) : diary_(diary), name_(std::move(name)) {}
     void on_tick(double) override { diary_.push_back("tick " + name_); }
     void on_draw(Graphics&) override { diary_.push_back("draw " + name_); }
-    void on_entity_added(Entity& entity) override { tell(" gets ", entity); }
-    void on_entity_removed(Entity& entity) override { tell(" loses ", entity); }
+    void on_entity_added(Entity& entity) override { describe(" gets ", entity); }
+    void on_entity_removed(Entity& entity) override { describe(" loses ", entity); }
 
   private:
-    void tell(const char* what, Entity& entity) {
+    void describe(const char* what, Entity& entity) {
         diary_.push_back(name_ + what + dynamic_cast<NamedEntity&>(entity).name);
     }
     Diary& diary_;
@@ -222,7 +222,7 @@ TEST(GeometricManager, DrawsCharactersWhereTheLevelHasThem) {
         ASSERT_EQ(graphics.centres.size(), 1u);
         EXPECT_NE(character.state.position, Vec3(-40, 2, 3));
         EXPECT_LT((graphics.centres[0] - Vec3(-40, 2, 3)).norm(), 1e-9);
-        EXPECT_EQ(character.place(), graphics.centres[0]);
+        EXPECT_EQ(character.position(), graphics.centres[0]);
     }
 }
 

@@ -16,13 +16,13 @@ class Progress {
         stage_ = stage;
         begin_ = begin;
         end_ = end;
-        share_ = begin;
+        fraction_ = begin;
     }
     // `done` of the stage, 0 to 1.
-    void advance(double done) { share_ = begin_ + (end_ - begin_) * done; }
+    void advance(double done) { fraction_ = begin_ + (end_ - begin_) * done; }
 
     const char* stage() const { return stage_; }
-    double share() const { return share_; }  // 0 to 1, of the whole
+    double fraction() const { return fraction_; }  // 0 to 1, of the whole
 
     // The task stops at the next opportunity and returns an error; what it had made is thrown away.
     void cancel() { cancelled_ = true; }
@@ -30,7 +30,7 @@ class Progress {
 
   private:
     std::atomic<const char*> stage_ = "";
-    std::atomic<double> begin_ = 0.0, end_ = 1.0, share_ = 0.0;
+    std::atomic<double> begin_ = 0.0, end_ = 1.0, fraction_ = 0.0;
     std::atomic<bool> cancelled_ = false;
 };
 

@@ -12,10 +12,10 @@ namespace slipface {
 // One thing that is wrong, and where. `place` is as exact as is known: "level.obj:12",
 // "level.slipface.json:/rules/0/type", "level.obj". `message` says what was found and what was expected.
 struct Diagnostic {
-    std::string place;
+    std::string location;
     std::string message;
 
-    std::string text() const { return place.empty() ? message : place + ": " + message; }
+    std::string text() const { return location.empty() ? message : location + ": " + message; }
     friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
 };
 

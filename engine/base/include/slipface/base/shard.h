@@ -22,7 +22,7 @@ struct Shard {
 };
 
 // "2/4". An error names `place`, what was found and what was expected.
-Result<Shard> parse_shard(std::string_view text, const std::string& place);
+Result<Shard> parse_shard(std::string_view text, const std::string& location);
 std::string shard_text(const Shard& shard);  // "2/4"
 
 // Whether the parts, each read from a file, make a whole: an error names those that are there twice, those
@@ -31,6 +31,6 @@ struct ShardFile {
     std::string file;
     Shard shard;
 };
-Status check_shards_complete(std::span<const ShardFile> parts, const std::string& place);
+Status check_shards_complete(std::span<const ShardFile> parts, const std::string& location);
 
 }  // namespace slipface

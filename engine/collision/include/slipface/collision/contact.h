@@ -8,7 +8,7 @@ namespace slipface {
 
 // First touch of a moving ellipsoid. All vectors are in world space.
 struct Contact {
-    double t = 1.0;  // share of the displacement done at the touch, [0, 1]
+    double t = 1.0;  // fraction of the displacement done at the touch, [0, 1]
     Vec3 normal =
         Vec3::Zero();  // unit; of the contact plane, which is tangent to the ellipsoid, towards its centre
     Vec3 point = Vec3::Zero();  // on the triangle

@@ -26,7 +26,7 @@ struct NearTriangles {
     float normal[3][near_capacity + 8];  // [axis], unit; shorter for needles
     float offset[near_capacity + 8];
     float slack[near_capacity + 8];
-    float slack_per_way[near_capacity + 8];
+    float slack_per_length[near_capacity + 8];
     std::uint32_t id[near_capacity + 8];
 };
 

@@ -1,6 +1,6 @@
 // The mesh doctor: finds what in a level's geometry makes movement go wrong, and says where.
 //
-// It never changes anything. Distances that decide are shares of the player's size or of an edge's length,
+// It never changes anything. Distances that decide are fractions of the player's size or of an edge's length,
 // so that a level gives the same findings at every scale of player and geometry together.
 #pragma once
 
@@ -46,13 +46,13 @@ struct Problem {
     ProblemKind kind = ProblemKind::t_junction;
     FaceId face = no_id;   // where it is; no_id for orphans and textures without a face
     FaceId other = no_id;  // the second face of a pair
-    Vec3 place = Vec3::Zero();
+    Vec3 position = Vec3::Zero();
     std::size_t index = 0;  // of an orphan in Level::orphans, of a texture in Mesh::materials
     std::string text;       // with the numbers that decided
 };
 
 struct DoctorReport {
-    static constexpr std::size_t most_listed = 2000;  // of each kind; all are counted
+    static constexpr std::size_t max_listed = 2000;  // of each kind; all are counted
 
     std::vector<Problem> problems;  // by kind, then by face
     std::array<std::size_t, problem_kind_count> counts{};
@@ -62,7 +62,7 @@ struct DoctorReport {
     std::size_t total() const;
 };
 
-// Called from the examining thread with the share that is done, in [0, 1]; returning false ends the work
+// Called from the examining thread with the fraction that is done, in [0, 1]; returning false ends the work
 // soon.
 using DoctorProgress = std::function<bool(double)>;
 

@@ -11,8 +11,9 @@
 namespace slipface {
 
 struct CompareTolerance {
-    int pixel_delta = 2;    // a pixel differs when any channel differs by more than this, 0..255
-    double ratio = 0.0005;  // at most this share of pixels (and at least `minimum_pixels` of them) may differ
+    int pixel_delta = 2;  // a pixel differs when any channel differs by more than this, 0..255
+    double ratio =
+        0.0005;  // at most this fraction of pixels (and at least `minimum_pixels` of them) may differ
     int minimum_pixels = 10;
     int strong_delta = 4;   // a pixel differs strongly when any channel differs by more than this
     int window = 16;        // side of the density window, pixels

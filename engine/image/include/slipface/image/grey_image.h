@@ -22,7 +22,7 @@ struct GreyImage {
 // Reads a PNG. One with 16 bits a channel keeps them all, one with 8 bits becomes value * 257; of a coloured
 // one the luminance counts, and alpha does not. Refuses what load_image refuses.
 Result<GreyImage> load_grey_image(const std::filesystem::path& path, int max_side = 8192);
-Result<GreyImage> decode_grey_image(std::string_view bytes, const std::string& place, int max_side = 8192);
+Result<GreyImage> decode_grey_image(std::string_view bytes, const std::string& location, int max_side = 8192);
 
 // PNG, 16 bits, lossless, written atomically. The same picture gives the same bytes.
 Status save_grey_png(const std::filesystem::path& path, const GreyImage& image);

@@ -35,7 +35,7 @@ Image make_image(int width, int height, std::uint8_t red, std::uint8_t green, st
 // Reads PNG, JPEG, TGA or BMP (stb_image). Refuses pictures wider or higher than `max_side` before decoding
 // them, so that a small file cannot demand gigabytes.
 Result<Image> load_image(const std::filesystem::path& path, int max_side = 8192);
-Result<Image> decode_image(std::string_view bytes, const std::string& place, int max_side = 8192);
+Result<Image> decode_image(std::string_view bytes, const std::string& location, int max_side = 8192);
 
 // How much time packing may take. `fast` keeps up with rasterising; `small` tries the ways of filtering one
 // after the other, for pictures that are kept: about a second for a million pixels.

@@ -51,14 +51,14 @@ Status save_level(const Level& level, const std::filesystem::path& file_path);
 // The file's text, for tests, autosave and undo checks.
 std::string level_to_json(const Level& level);
 // Puts the annotations of `json` (the text of a level file; `place` names it in errors) on `mesh`.
-Result<LoadedLevel> level_from_json(std::string_view json, const std::string& place, MeshPtr mesh);
+Result<LoadedLevel> level_from_json(std::string_view json, const std::string& location, MeshPtr mesh);
 
 // Makes level.terrain of level.heightfield, or takes it away where there is none. load_level has done it and
 // turned an error into a warning; level_from_json has not. Errors name the picture; level.terrain is null
 // after them.
 Status load_terrain(Level& level);
 // The terrain of a picture that is in memory already.
-Heightfield make_heightfield(const HeightfieldSource& source, const GreyImage& picture);
+Heightfield make_heightfield(const HeightfieldSource& source, const GreyImage& image);
 
 // NAME.slipface.json for NAME.obj.
 std::filesystem::path level_file_for(const std::filesystem::path& mesh_path);

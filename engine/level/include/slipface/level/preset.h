@@ -28,7 +28,7 @@ struct Preset {
 
 // Errors name the file and the JSON path; unknown settings are errors, because a misspelled one would
 // silently be the default.
-Result<Preset> preset_from_json(std::string_view json, const std::string& place);
+Result<Preset> preset_from_json(std::string_view json, const std::string& location);
 std::string preset_to_json(const Preset& preset);
 Result<Preset> load_preset(const std::filesystem::path& path);
 Status save_preset(const std::filesystem::path& path, const Preset& preset);

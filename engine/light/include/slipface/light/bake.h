@@ -31,7 +31,7 @@ class LightBaker {
 
     const LightCharts& charts() const;
 
-    // The whole map. `progress`, if given, is told the share done, from any thread.
+    // The whole map. `progress`, if given, is told the fraction done, from any thread.
     Image bake(const std::function<void(double)>& progress = {}) const;
 
     // The texels of one face, row by row from the top, red, green and blue: what bake() writes there.

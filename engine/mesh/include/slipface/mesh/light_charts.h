@@ -20,7 +20,7 @@ struct LightChart {
     Vec3 u = Vec3::Zero(), v = Vec3::Zero();  // unit, in the face's plane
     Vec2 step = Vec2::Zero();                 // metres from texel to texel; 0 along a side of one texel
 
-    Vec3 texel_place(double i, double j) const { return origin + i * step.x() * u + j * step.y() * v; }
+    Vec3 texel_position(double i, double j) const { return origin + i * step.x() * u + j * step.y() * v; }
     // The texel coordinate of a point, counted as above and clamped to the rectangle.
     Vec2 coordinate(const Vec3& point) const;
 };

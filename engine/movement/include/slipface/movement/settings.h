@@ -63,7 +63,7 @@ struct MovementSettings {
     bool jump_buffer = true;
     double jump_buffer_time = 0.1;
     bool variable_jump = false;
-    double jump_cut = 0.4;  // share of the upward speed kept when the button is let go
+    double jump_cut = 0.4;  // fraction of the upward speed kept when the button is let go
     bool air_control = true;
     double sub_step = 0.0;  // longest part of a step that is moved at once, s; 0: the whole step
 

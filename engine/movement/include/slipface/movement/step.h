@@ -39,7 +39,7 @@ struct PlayerState {
 // The state's centre in the coordinates in which the scene is given: what is drawn.
 Vec3 position_in_scene(const MovementScene& scene, const PlayerState& state);
 // The same position as a state holds it: sector and what is left.
-void place_in_scene(const MovementScene& scene, const Vec3& position, PlayerState& state);
+void put_in_scene(const MovementScene& scene, const Vec3& position, PlayerState& state);
 
 // Velocity of the player's own motion, m/s: what a game shows as speed or feeds to animation. In the air, on
 // ladders and on sticky surfaces it is `velocity`. On the ground `velocity` also presses the player down;
@@ -66,8 +66,8 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
 // Only collide and slide: the ellipsoid `settings.radii` moved from `from` by `move` with the response rules
 // of `settings`, without gravity, input or state. What the editor's sweep probe shows.
 struct SlideResult {
-    Vec3 position;  // centre at the end
-    Vec3 leftover;  // what of the displacement could not be used
+    Vec3 position;   // centre at the end
+    Vec3 remainder;  // what of the displacement could not be used
     int contacts = 0;
 };
 SlideResult slide_move(const MovementScene& scene, const MovementSettings& settings, const Vec3& from,

@@ -24,8 +24,8 @@ struct SurfaceType {
     Hatch hatch = Hatch::none;
     int hotkey = 0;  // 1..9, 0: none
 
-    double friction = 1.0;      // share of the parallel velocity kept in a bounce, 0..1; 1 keeps all of it
-    double restitution = 0.0;   // share of the perpendicular velocity given back, 0..1
+    double friction = 1.0;      // fraction of the parallel velocity kept in a bounce, 0..1; 1 keeps all of it
+    double restitution = 0.0;   // fraction of the perpendicular velocity given back, 0..1
     bool keeps_energy = false;  // slides without loss: ice, half-pipes
     bool climbable = false;
     double climb_speed = 3.0;         // m/s along the ladder's plane

@@ -13,7 +13,7 @@ namespace slipface {
 
 // Why a sweep was made.
 enum class Pass : std::uint8_t { slide, horizontal, vertical, probe, step, snap };
-// How a contact turned the leftover.
+// How a contact turned the remainder.
 enum class Rule : std::uint8_t { slide, bounce, straight_ahead, keep_energy, stick, crease, stop };
 
 const char* pass_name(Pass pass);
@@ -32,11 +32,11 @@ struct SweepRecord {
     std::uint32_t platform = no_id;  // of MovementScene::platforms, that the contact's face belongs to
 };
 
-// What a contact did to the leftover, and with it to the velocity.
+// What a contact did to the remainder, and with it to the velocity.
 struct ResponseRecord {
     Rule rule = Rule::slide;
-    Vec3 leftover_before = Vec3::Zero();
-    Vec3 leftover_after = Vec3::Zero();
+    Vec3 remainder_before = Vec3::Zero();
+    Vec3 remainder_after = Vec3::Zero();
     Vec3 velocity_before = Vec3::Zero();
     Vec3 velocity_after = Vec3::Zero();
     Vec3 normal = Vec3::Zero();

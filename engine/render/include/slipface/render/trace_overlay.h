@@ -5,7 +5,7 @@
 //   blue to violet     where each sweep left it, in order, with the path of its centre
 //   yellow             contact points
 //   green              contact normals and contact planes
-//   red, cyan          the leftover before and after a contact, from the centre at the contact
+//   red, cyan          the remainder before and after a contact, from the centre at the contact
 //   orange             push-outs
 #pragma once
 
@@ -20,7 +20,7 @@ struct TraceStyle {
     bool ghosts = true;    // ellipsoids; else only the path of the centre
     bool contacts = true;  // points and normals
     bool planes = true;    // contact planes as discs
-    bool leftovers = true;
+    bool remainders = true;
     float opacity = 1.0f;  // of all of it, 0..1
 };
 
@@ -28,8 +28,8 @@ namespace trace_colors {
 inline constexpr Color start{0.95f, 0.96f, 0.98f, 0.9f};
 inline constexpr Color contact{1.0f, 0.86f, 0.20f, 1.0f};
 inline constexpr Color normal{0.36f, 0.88f, 0.42f, 1.0f};
-inline constexpr Color leftover_before{0.98f, 0.33f, 0.30f, 1.0f};
-inline constexpr Color leftover_after{0.25f, 0.86f, 0.93f, 1.0f};
+inline constexpr Color remainder_before{0.98f, 0.33f, 0.30f, 1.0f};
+inline constexpr Color remainder_after{0.25f, 0.86f, 0.93f, 1.0f};
 inline constexpr Color push_out{1.0f, 0.60f, 0.18f, 1.0f};
 }  // namespace trace_colors
 

@@ -115,7 +115,7 @@ Tape audit_tape(const Level& level, const AuditOptions& options, const AuditFind
 
 // The report as JSON without anything that differs between runs of the same audit (no duration, no machine).
 std::string audit_to_json(const AuditReport& report);
-Result<AuditReport> audit_from_json(std::string_view json, const std::string& place);
+Result<AuditReport> audit_from_json(std::string_view json, const std::string& location);
 
 // A report and the file that it was read from, which errors name.
 struct AuditPart {

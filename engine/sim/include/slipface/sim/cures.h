@@ -29,7 +29,7 @@ class CureSearch {
   public:
     static constexpr double lead_s = 1.0;   // begins this long before the stop: a jump onto it starts there
     static constexpr double after_s = 1.5;  // and watches this long from its beginning on
-    static constexpr std::size_t most = 6;  // cures that are checked on the whole tape and kept
+    static constexpr std::size_t maximum = 6;  // cures that are checked on the whole tape and kept
 
     // `level` is copied (its mesh is shared); `run` is a complete run in it, and `stop` one of its stops.
     CureSearch(const Level& level, const TapeRun& run, const Stop& stop);

@@ -5,7 +5,7 @@
 //   set max_slope=0.7                    (any number; over the defaults)
 //   from 0,1,0
 //   move 2,-0.1,0
-//   tolerance 1e-06                      (of shares of the move, normals and metres)
+//   tolerance 1e-06                      (of fractions of the move, normals and metres)
 //   sweep horizontal 0.25 face 12 triangle 30 edge 0,1,0 slide
 //   sweep horizontal free
 //   end 1.9,1,0
@@ -19,7 +19,7 @@ struct ProbeTest {
     struct Sweep {
         Pass pass = Pass::slide;
         std::optional<Contact> contact;  // t, normal, triangle, face and feature count
-        std::optional<Rule> rule;        // what turned the leftover
+        std::optional<Rule> rule;        // what turned the remainder
     };
     std::string level_name;
     std::optional<std::uint64_t> level_fingerprint;
@@ -39,6 +39,6 @@ std::vector<std::string> run_probe_test(const ProbeTest& test, const MovementSce
 
 std::string probe_test_to_text(const ProbeTest& test);
 // Errors name the line. `place` names the file in them.
-Result<ProbeTest> parse_probe_test(std::string_view text, const std::string& place);
+Result<ProbeTest> parse_probe_test(std::string_view text, const std::string& location);
 
 }  // namespace slipface

@@ -79,7 +79,7 @@ SimulationReport simulate(const TickScene& scene, const MovementSettings& settin
                           const Tape& tape, const SimulationOptions& options = {});
 
 // The tape's settings at its first tick, put over `settings`, or over the defaults if the tape says so.
-Status apply_tape_settings(MovementSettings& settings, const Tape& tape, const std::string& place);
+Status apply_tape_settings(MovementSettings& settings, const Tape& tape, const std::string& location);
 
 // Of every member of the state, chained on `previous`.
 std::uint64_t state_hash(const PlayerState& state, std::uint64_t previous);

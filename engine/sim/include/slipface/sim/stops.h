@@ -34,7 +34,7 @@ struct Loss {
     double other_m = 0.0;                    // that it took
     bool in_air = false;                     // the player was neither standing nor held when the tick began
     SurfaceId surface = default_surface;
-    Vec3 place = Vec3::Zero();  // in the level's coordinates
+    Vec3 position = Vec3::Zero();  // in the level's coordinates
     Vec3 normal = Vec3::Zero();
     double height_m = 0.0;                       // of the touch above the feet
     std::optional<DecisionRecord> because = {};  // the rule that decided, where one did

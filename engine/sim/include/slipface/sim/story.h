@@ -41,17 +41,17 @@ struct StoryLine {
     std::string text;     // "Touched an edge (face 7, ice), 0.2 m above the feet, after 31.2 of 100.0 mm"
     std::vector<StoryNumber> numbers;   // of the text, in order
     std::optional<std::size_t> record;  // in the trace; nothing for the beginning and the end
-    std::optional<Vec3> place;          // where to look
+    std::optional<Vec3> position;       // where to look
     Vec3 normal = Vec3::Zero();         // of the contact, zero if there is none
     FaceId face = no_id;
     TriangleId triangle = no_id;
     const SettingInfo* hack = nullptr;  // the switch that decided
 };
 
-std::vector<StoryLine> tell(const TickTrace& trace, const StoryNames& names);
+std::vector<StoryLine> describe(const TickTrace& trace, const StoryNames& names);
 // Only the records, as of a probe.
-std::vector<StoryLine> tell(std::span<const TraceRecord> records, const StoryNames& names,
-                            const MovementSettings& settings = {});
+std::vector<StoryLine> describe(std::span<const TraceRecord> records, const StoryNames& names,
+                                const MovementSettings& settings = {});
 
 // "Sweep 2, across: Touched ...": title and text.
 std::string line_text(const StoryLine& line);

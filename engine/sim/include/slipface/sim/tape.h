@@ -58,7 +58,7 @@ struct Tape {
 inline constexpr std::size_t max_tape_ticks = 10'000'000;
 
 // Errors name the line. `place` names the file in them.
-Result<Tape> parse_tape(std::string_view text, const std::string& place);
+Result<Tape> parse_tape(std::string_view text, const std::string& location);
 Result<Tape> load_tape(const std::filesystem::path& path);
 std::string tape_to_text(const Tape& tape);  // parse_tape(tape_to_text(t)) == t
 

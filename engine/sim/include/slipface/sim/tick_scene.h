@@ -24,7 +24,7 @@ class TickScene {
     // A player at rest at a place of the level, and the place of a player.
     PlayerState player_at(const Vec3& level_position) const {
         PlayerState state;
-        place_in_scene(still_, level_position + offset_, state);
+        put_in_scene(still_, level_position + offset_, state);
         return state;
     }
     Vec3 to_level(const PlayerState& state) const { return position_in_scene(still_, state) - offset_; }

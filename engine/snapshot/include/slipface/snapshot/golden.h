@@ -113,16 +113,16 @@ std::vector<std::string> unused_attachments(const std::filesystem::path& folder)
 struct SelfTestCase {
     std::string name;
     bool must_pass = false;
-    Image picture;
+    Image image;
 };
 // None for pictures below 16 x 16 pixels. The picture needs some detail: in a flat one nothing can be seen to
 // move.
-std::vector<SelfTestCase> self_test_cases(const Image& picture);
+std::vector<SelfTestCase> self_test_cases(const Image& image);
 
 struct SelfTestReport {
     bool passed = true;
     std::vector<std::string> lines;  // one a case, with the numbers
 };
-SelfTestReport run_self_test(const Image& picture, const CompareTolerance& tolerance);
+SelfTestReport run_self_test(const Image& image, const CompareTolerance& tolerance);
 
 }  // namespace slipface

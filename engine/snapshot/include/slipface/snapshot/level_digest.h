@@ -19,6 +19,6 @@ std::string digest_name(const Level& level);
 Result<std::string> encode_digest(const Level& level);
 
 // The level; its overrides are the resolved types, and `mesh_path` is empty. Every index is checked.
-Result<Level> decode_digest(std::string_view bytes, const std::string& place);
+Result<Level> decode_digest(std::string_view bytes, const std::string& location);
 
 }  // namespace slipface

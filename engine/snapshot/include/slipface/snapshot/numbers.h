@@ -24,7 +24,7 @@ struct NumberDifference {
 // Two texts of numbers. The error is the golden's: no JSON, no object, another version. Empty texts have no
 // numbers, and two of them do not differ.
 Result<std::vector<NumberDifference>> compare_numbers(std::string_view expected, std::string_view actual,
-                                                      const std::string& place);
+                                                      const std::string& location);
 
 // JSON in the layout of the files: two-space indent, lists of plain values on one line, so that a diff shows
 // one row a change.

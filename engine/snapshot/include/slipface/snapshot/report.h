@@ -25,14 +25,14 @@ struct Report {
     std::size_t failed() const { return entries.size() - count(GoldenState::same); }
 };
 
-// Worst first: unreadable, failed, nondeterministic, different by share of pixels, missing, orphans, then
+// Worst first: unreadable, failed, nondeterministic, different by fraction of pixels, missing, orphans, then
 // what is the same by name.
 void sort_by_severity(Report& report);
 
 std::string entry_to_json(const GoldenResult& entry);  // on one line
-Result<GoldenResult> entry_from_json(std::string_view json, const std::string& place);
+Result<GoldenResult> entry_from_json(std::string_view json, const std::string& location);
 std::string report_to_json(const Report& report);
-Result<Report> report_from_json(std::string_view json, const std::string& place);
+Result<Report> report_from_json(std::string_view json, const std::string& location);
 
 // The page. Pictures of what failed are read from `out` (NAME.expected.png, NAME.actual.png) and become part
 // of it.

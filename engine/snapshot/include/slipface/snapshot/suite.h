@@ -54,7 +54,7 @@
 #include <variant>
 #include <vector>
 
-#include "slipface/render/level_picture.h"
+#include "slipface/render/level_image.h"
 #include "slipface/snapshot/golden.h"
 
 namespace slipface {
@@ -80,7 +80,7 @@ struct Scene {
     CompareTolerance tolerance = scene_tolerance;
     std::vector<MaskRect> masks;
     std::vector<std::string> cameras;  // not expanded yet; then `camera` does not count
-    std::string place;                 // "scenes.json:/scenes/2", for errors
+    std::string location;              // "scenes.json:/scenes/2", for errors
 };
 
 // Errors name the file and the JSON path ("scenes.json:/scenes/2/size"), or the line for text that is no

@@ -17,7 +17,7 @@ class Character : public Entity {
     MovementSettings settings;
     // Where it is in the level's own coordinates, as the level's spawn and cameras are given: what is drawn
     // and what a camera follows. Without a GeometricManager in its world: state.position.
-    Vec3 place() const;
+    Vec3 position() const;
     void on_draw(Graphics& graphics) const override;  // its ellipsoid
 
   private:
@@ -46,7 +46,7 @@ class GeometricManager : public Manager {
     // A player at rest at a place of the level: its spawn, a checkpoint.
     PlayerState player_at(const Vec3& level_position) { return scene_->player_at(level_position); }
     // The other way round: where in the level a player is, whatever sectors and placement make of it.
-    Vec3 place_of(const PlayerState& state) const;
+    Vec3 position_of(const PlayerState& state) const;
 
   private:
     explicit GeometricManager(Level level) : level_(std::move(level)) {}

@@ -1,18 +1,18 @@
-#include "app/picture_shelf.h"
+#include "app/image_shelf.h"
 
 #include "slipface/render/level_renderer.h"
 
 namespace slipface {
 
-PictureShelf::PictureShelf(GlTable gl) : gl_(std::move(gl)) {}
-PictureShelf::~PictureShelf() = default;
+ImageShelf::ImageShelf(GlTable gl) : gl_(std::move(gl)) {}
+ImageShelf::~ImageShelf() = default;
 
-unsigned PictureShelf::picture(const std::string& key, int width, int height,
-                               const std::function<PictureRequest()>& request) {
-    std::unique_ptr<Framebuffer>& kept = pictures_[key];
+unsigned ImageShelf::image(const std::string& key, int width, int height,
+                           const std::function<ImageRequest()>& request) {
+    std::unique_ptr<Framebuffer>& kept = images_[key];
     if (kept && kept->width() == width && kept->height() == height) return kept->texture();
     kept = std::make_unique<Framebuffer>(gl_, width, height);
-    const PictureRequest wanted = request();
+    const ImageRequest wanted = request();
     LevelRenderer level(gl_);
     OverlayRenderer overlay(gl_);
     if (wanted.level) {

@@ -2,18 +2,18 @@
 #include "app/screens.h"
 #include "level_fixture.h"
 #include "slipface/level/level_file.h"
-#include "slipface/render/level_picture.h"
+#include "slipface/render/level_image.h"
 
 namespace slipface {
 namespace {
 
-using PicturesTest = LevelFixture;
+using ImagesTest = LevelFixture;
 
-TEST_F(PicturesTest, TheLevelIsDrawnAsAGameDrawsItWithThePlayerAtItsSpawn) {
+TEST_F(ImagesTest, TheLevelIsDrawnAsAGameDrawsItWithThePlayerAtItsSpawn) {
     auto opened = open();
     opened->set_spawn({Vec3(4, 1, 4), 0.0});
     ASSERT_TRUE(opened->save_as(level_file).ok());
-    const Status drawn = write_pictures(obj, folder / "editor.png", folder / "level.png");
+    const Status drawn = write_images(obj, folder / "editor.png", folder / "level.png");
     ASSERT_TRUE(drawn.ok()) << drawn.error().text();
     const Result<Image> editor = load_image(folder / "editor.png");
     const Result<Image> level = load_image(folder / "level.png");
@@ -29,7 +29,7 @@ TEST_F(PicturesTest, TheLevelIsDrawnAsAGameDrawsItWithThePlayerAtItsSpawn) {
     const Level& opened_level = expected.document->level();
     auto context = make_offscreen_context();
     ASSERT_TRUE(context.ok());
-    const auto empty = render_level_picture(**context, opened_level, camera, 1280, 720, expected.style);
+    const auto empty = render_level_image(**context, opened_level, camera, 1280, 720, expected.style);
     ASSERT_TRUE(empty.ok());
     const Vec3 player = project(camera, opened_level.spawn, Vec2(1280, 720));
     std::size_t different = 0, far_from_player = 0;

@@ -1,10 +1,10 @@
 #include "drawing.h"
-#include "slipface/render/level_picture.h"
+#include "slipface/render/level_image.h"
 
 namespace slipface {
 namespace {
 
-class LevelPictureTest : public test::DrawingTest {
+class LevelImageTest : public test::DrawingTest {
   protected:
     static Level courtyard() {
         const test::Courtyard yard = test::make_courtyard("gone.png");
@@ -16,40 +16,40 @@ class LevelPictureTest : public test::DrawingTest {
     }
 };
 
-TEST_F(LevelPictureTest, DrawsLevelOverridesAndOverlay) {
+TEST_F(LevelImageTest, DrawsLevelOverridesAndOverlay) {
     Level level = courtyard();
     const Camera camera = *named_view("iso", level.mesh->bounds, 1.5);
     Warnings warnings;
-    const auto plain = render_level_picture(*context_, level, camera, 150, 100, {}, nullptr, &warnings);
+    const auto plain = render_level_image(*context_, level, camera, 150, 100, {}, nullptr, &warnings);
     ASSERT_TRUE(plain.ok()) << plain.error().text();
     EXPECT_EQ(plain->width, 150);
     EXPECT_EQ(plain->height, 100);
     EXPECT_EQ(warnings.size(), 1U);
     level.overrides.assign(level.overrides.size(), SurfaceId{1});
-    const auto painted = render_level_picture(*context_, level, camera, 150, 100, {});
+    const auto painted = render_level_image(*context_, level, camera, 150, 100, {});
     ASSERT_TRUE(painted.ok());
     EXPECT_GT(test::differing_pixels(*plain, *painted), 3000U);
     Overlay overlay;
     overlay.cross(level.mesh->bounds.centre(), 5.0, {1, 0, 0, 1}, 3.0f);
-    const auto marked = render_level_picture(*context_, level, camera, 150, 100, {}, &overlay);
+    const auto marked = render_level_image(*context_, level, camera, 150, 100, {}, &overlay);
     ASSERT_TRUE(marked.ok());
     EXPECT_GT(test::differing_pixels(*painted, *marked), 50U);
 }
 
-TEST_F(LevelPictureTest, RefusesSizes) {
+TEST_F(LevelImageTest, RefusesSizes) {
     const Level level = courtyard();
     for (const auto& [width, height] :
          {std::pair(0, 10), std::pair(10, -1), std::pair(max_framebuffer_side + 1, 10)}) {
-        const auto picture = render_level_picture(*context_, level, {}, width, height, {});
-        ASSERT_FALSE(picture.ok());
-        EXPECT_EQ(picture.error().place, "picture size");
+        const auto image = render_level_image(*context_, level, {}, width, height, {});
+        ASSERT_FALSE(image.ok());
+        EXPECT_EQ(image.error().location, "picture size");
     }
 }
 
-TEST_F(LevelPictureTest, LevelWithoutMeshIsBackground) {
-    const auto picture = render_level_picture(*context_, Level{}, {}, 20, 10, {});
-    ASSERT_TRUE(picture.ok()) << picture.error().text();
-    EXPECT_EQ(picture->pixel(0, 5)[0], picture->pixel(19, 5)[0]);
+TEST_F(LevelImageTest, LevelWithoutMeshIsBackground) {
+    const auto image = render_level_image(*context_, Level{}, {}, 20, 10, {});
+    ASSERT_TRUE(image.ok()) << image.error().text();
+    EXPECT_EQ(image->pixel(0, 5)[0], image->pixel(19, 5)[0]);
 }
 
 }  // namespace

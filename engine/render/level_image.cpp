@@ -1,4 +1,4 @@
-#include "slipface/render/level_picture.h"
+#include "slipface/render/level_image.h"
 
 #include <glad/gl.h>
 
@@ -45,8 +45,8 @@ Result<std::unique_ptr<LevelPainter>> LevelPainter::make(OffscreenContext& conte
     return painter;
 }
 
-Result<Image> LevelPainter::picture(const Camera& camera, int width, int height, const LevelStyle& style,
-                                    const Overlay* overlay) {
+Result<Image> LevelPainter::image(const Camera& camera, int width, int height, const LevelStyle& style,
+                                  const Overlay* overlay) {
     OffscreenContext& context = impl_->context;
     if (width < 1 || height < 1 || width > max_framebuffer_side || height > max_framebuffer_side) {
         return Error{"picture size", "found " + std::to_string(width) + "x" + std::to_string(height) +
@@ -75,12 +75,12 @@ Result<Image> LevelPainter::picture(const Camera& camera, int width, int height,
     return image;
 }
 
-Result<Image> render_level_picture(OffscreenContext& context, const Level& level, const Camera& camera,
-                                   int width, int height, const LevelStyle& style, const Overlay* overlay,
-                                   Warnings* warnings) {
+Result<Image> render_level_image(OffscreenContext& context, const Level& level, const Camera& camera,
+                                 int width, int height, const LevelStyle& style, const Overlay* overlay,
+                                 Warnings* warnings) {
     const auto painter = LevelPainter::make(context, level, warnings);
     if (!painter) return painter.error();
-    return (*painter)->picture(camera, width, height, style, overlay);
+    return (*painter)->image(camera, width, height, style, overlay);
 }
 
 }  // namespace slipface

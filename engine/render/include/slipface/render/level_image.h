@@ -22,8 +22,8 @@ class LevelPainter {
     ~LevelPainter();
 
     // As render_level_picture.
-    Result<Image> picture(const Camera& camera, int width, int height, const LevelStyle& style,
-                          const Overlay* overlay = nullptr);
+    Result<Image> image(const Camera& camera, int width, int height, const LevelStyle& style,
+                        const Overlay* overlay = nullptr);
     // Seconds spent drawing, until the pixels were there: what pictures cost at least.
     double drawing_s() const;
 
@@ -37,8 +37,8 @@ class LevelPainter {
 // (1..max_framebuffer_side). Textures are taken from the mesh file's folder; `warnings`, if given, receives
 // those that could not be used. `overlay` may be null. Errors: a size out of range, a driver that refuses a
 // shader or reports an error.
-Result<Image> render_level_picture(OffscreenContext& context, const Level& level, const Camera& camera,
-                                   int width, int height, const LevelStyle& style,
-                                   const Overlay* overlay = nullptr, Warnings* warnings = nullptr);
+Result<Image> render_level_image(OffscreenContext& context, const Level& level, const Camera& camera,
+                                 int width, int height, const LevelStyle& style,
+                                 const Overlay* overlay = nullptr, Warnings* warnings = nullptr);
 
 }  // namespace slipface
