@@ -1,7 +1,7 @@
 // The words of the level file, for reader and writer alike.
 //
 // {
-//   "slipface": 1,
+//   "slipface": 1,                                  (2 if a surface type has a friction other than 1)
 //   "mesh": "easy.obj",
 //   "scale": 0.01, "up": "z",                   (metres a unit of the file, its upward axis; if not 1 and y)
 //   "spawn": {"name": "start", "position": [0, 1, 0], "yaw": 0},     (without a name: "start"; if there is
@@ -31,7 +31,9 @@
 
 namespace slipface {
 
-inline constexpr int level_file_version = 1;
+// What is written: 2 if a surface type has a friction other than 1, else 1, so that older programs read what
+// they understand. In version 1 "friction" was the fraction of the speed along a surface that a bounce keeps.
+inline constexpr int level_file_version = 2, plain_level_file_version = 1;
 
 // The text of the file as it is written at `file_path`, which decides how it names the mesh.
 std::string level_text(const Level& level, const std::filesystem::path& file_path);

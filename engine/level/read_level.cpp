@@ -10,6 +10,7 @@
 #include "json_reader.h"
 #include "level_json.h"
 #include "packed_faces.h"
+#include "slipface/base/text.h"
 #include "slipface/level/find_start.h"
 
 namespace slipface {
@@ -40,13 +41,15 @@ void read_transform(JsonReader& reader, const Json& root, ImportTransform& trans
     transform.up = static_cast<UpAxis>(found - std::begin(up_axis_names));
 }
 
-void read_version(JsonReader& reader, const Json& root) {
+int read_version(JsonReader& reader, const Json& root) {
     const Json* version = reader.member(root, "/", "slipface");
-    if (version == nullptr) return;
-    if (version->kind != Json::Kind::number || version->text != std::to_string(level_file_version)) {
-        reader.fail("/slipface", json_kind_text(*version),
-                    fmt::format("the version {}, the only one that is understood", level_file_version));
-    }
+    if (version == nullptr) return level_file_version;
+    for (const int known : {plain_level_file_version, level_file_version})
+        if (version->kind == Json::Kind::number && version->text == std::to_string(known)) return known;
+    reader.fail("/slipface", json_kind_text(*version),
+                fmt::format("the version {} or {}, the only ones that are understood",
+                            plain_level_file_version, level_file_version));
+    return level_file_version;
 }
 
 class LevelReader {
@@ -60,7 +63,7 @@ class LevelReader {
 
     Result<LoadedLevel> read(const Json& root) {
         if (reader_.object(root, "/")) {
-            read_version(reader_, root);
+            version_ = read_version(reader_, root);
             read_mesh_name(root);
             read_transform(reader_, root, loaded_.level.import_transform);
             read_spawns(root);
@@ -216,8 +219,29 @@ class LevelReader {
             if (const Json* value = json.find(field.name))
                 read_field(*value, path + "/" + field.name, field, surface);
         }
+        if (version_ == plain_level_file_version) take_old_friction(path + "/friction", surface);
         keep_unknown(json, path, unknown_.location("surfaces", surface.name), known);
         return surface;
+    }
+
+    // From the fraction that a bounce kept, which meant nothing without a bounce.
+    void take_old_friction(const std::string& path, SurfaceType& surface) {
+        const double kept = surface.friction;
+        if (!reader_.ok() || kept == 1.0) return;
+        if (kept > 1.0) {
+            reader_.fail(
+                path, to_text(kept),
+                fmt::format("a number from 0 to 1 in a file of version {} (up to {:g} in version {})",
+                            plain_level_file_version, max_friction, level_file_version));
+            return;
+        }
+        const bool bounces = surface.restitution > 0.0;
+        surface.friction = bounces ? 1.0 / std::max(kept, 1.0 / max_friction) : 1.0;
+        warn(path, bounces ? fmt::format("a bounce that keeps {} of the speed along the surface; "
+                                         "read as the friction {:.4g}",
+                                         to_text(kept), surface.friction)
+                           : fmt::format("{} meant nothing without a restitution; read as the friction 1",
+                                         to_text(kept)));
     }
 
     void read_color(const Json& json, const std::string& path, SurfaceType& surface) {
@@ -437,6 +461,7 @@ class LevelReader {
     }
 
     JsonReader reader_;
+    int version_ = level_file_version;
     LoadedLevel loaded_;
     std::size_t warnings_ = 0;  // of what stands in the file; the first of them are listed
     UnknownMembers unknown_;

@@ -263,7 +263,10 @@ void append_parts(Json& root, const Level& level, UnknownMembers& unknown) {
 std::string level_text(const Level& level, const std::filesystem::path& file_path) {
     UnknownMembers unknown = UnknownMembers::parse(level.unknown);
     Json root = json_object();
-    json_add(root, "slipface", json_number(std::int64_t{level_file_version}));
+    const bool plain = std::all_of(level.surfaces.begin(), level.surfaces.end(),
+                                   [](const SurfaceType& surface) { return surface.friction == 1.0; });
+    json_add(root, "slipface",
+             json_number(std::int64_t{plain ? plain_level_file_version : level_file_version}));
     if (!level.mesh_path.empty()) json_add(root, "mesh", json_string(mesh_name(level, file_path)));
     if (const auto& scale = level.import_transform.scale) json_add(root, "scale", json_number(*scale));
     if (const auto& up = level.import_transform.up)

@@ -6,12 +6,12 @@
 
 namespace slipface {
 
-void accelerate(Mover& mover, bool slippery) {
+double accelerate(Mover& mover, double friction, bool slippery) {
     const MovementSettings& settings = mover.settings;
     const bool idle = mover.wish.isZero(0.0);
-    if (idle && (slippery || !mover.was_grounded)) return;
-    const double acceleration = slippery             ? settings.slippery_acceleration
-                                : mover.was_grounded ? settings.ground_acceleration
+    if (idle && (slippery || !mover.was_grounded)) return 0.0;
+    const double acceleration = slippery             ? settings.slippery_acceleration * friction
+                                : mover.was_grounded ? settings.ground_acceleration * friction
                                                      : steering_in_air(mover);
     const Vec3 target = Vec3(mover.wish.x(), 0.0, mover.wish.y()) * settings.walk_speed;
     const Vec3 missing = target - horizontal(mover.velocity);
@@ -20,25 +20,33 @@ void accelerate(Mover& mover, bool slippery) {
     if (length <= maximum) {
         mover.velocity.x() = target.x();
         mover.velocity.z() = target.z();
-    } else {
-        mover.velocity += missing * (maximum / length);
+        return maximum - length;
     }
+    mover.velocity += missing * (maximum / length);
+    return 0.0;
 }
 
 // On the ground the horizontal speed is what the stick asks for, uphill and over crests. With the stick let
 // go nobody asks, and a coasting player pays for the height gained and for the turn into a descent; low
-// braking would otherwise lift it for nothing.
-void coast(Mover& mover, const Vec3& from, const Vec3& driven_velocity) {
-    const Vec3 level = horizontal(mover.velocity);
-    const double down = mover.settings.ground_velocity ? descent(mover.support_normal, level) : 0.0;
-    const double square = level.squaredNorm() + down * down;
+// braking would otherwise lift it for nothing. Ground of little friction takes from a player who goes up what
+// gravity along it takes, which is less: there the rise counts as motion.
+void coast(Mover& mover, const Vec3& from, const Drive& drive) {
+    const Vec3 flat = horizontal(mover.velocity);
+    const double down = mover.settings.ground_velocity ? descent(mover.support.normal, flat) : 0.0;
+    double square = flat.squaredNorm() + down * down;
+    double before = drive.driven.squaredNorm();
+    if (drive.friction < 1.0) {
+        const double rises = descent(mover.support.normal, -flat);
+        const double rose = descent(mover.state.ground_normal, -drive.driven);
+        square += (1.0 - drive.friction) * rises * rises;
+        before += (1.0 - drive.friction) * rose * rose;
+    }
     const double climbed = mover.position.y() - from.y();
-    const double allowed =
-        std::max(0.0, driven_velocity.squaredNorm() - 2.0 * mover.settings.gravity * climbed);
+    const double allowed = std::max(0.0, before - 2.0 * mover.settings.gravity * climbed);
     if (!(square > allowed)) return;
     const double fraction = std::sqrt(allowed / square);
     decide(mover, Decision::coasted, {.value = std::sqrt(square), .limit = std::sqrt(allowed)},
-           mover.support_face);
+           mover.support.face);
     mover.velocity.x() *= fraction;
     mover.velocity.z() *= fraction;
 }

@@ -1,5 +1,7 @@
-// Bounce (lecture, "Bouncing"): the part along the surface is kept (scaled by the surface's friction), the
-// part into it is given back times the restitution e: V - (1+e) N (V.N).
+// Bounce (lecture, "Bouncing"): the part along the surface is kept, the part into it is given back times the
+// restitution e: V - (1+e) N (V.N). Friction f above 1 takes of the part along what a rebound of the speed r
+// can, as Coulomb's law does: at most (f-1) r, and at most the fraction 1 - 1/f. So a weak rebound goes over
+// into a landing, of which the ground's braking takes care.
 //
 // The touch lies within the step, so neither the velocity before nor after the step's gravity is the one that
 // hits. With u the speed along N and constant acceleration, u*u changes linearly with the distance: at the
@@ -38,13 +40,14 @@ std::optional<Deflection> bounce(Mover& mover, const Hit& hit) {
     const double risen = -restitution * into;
     const double slowing = std::max(0.0, before - after) / mover.dt;
     const double leaving = std::sqrt(std::max(0.0, rebound * rebound - 2.0 * slowing * risen));
-    const double friction = hit.surface.friction;
+    const Vec3 along = mover.velocity - normal * after;
+    const double kept = kept_by_friction(mover, hit, along.norm(), rebound);
     mover.bounced = true;
     mover.grounded = false;
     decide(mover, Decision::bounced, {.value = rebound}, hit.contact.face);
     return Deflection{.rule = Rule::bounce,
-                      .remainder = friction * (hit.remainder - normal * into) + normal * risen,
-                      .velocity = friction * (mover.velocity - normal * after) + normal * leaving,
+                      .remainder = kept * (hit.remainder - normal * into) + normal * risen,
+                      .velocity = kept * along + normal * leaving,
                       .plane = normal};
 }
 

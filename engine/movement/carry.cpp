@@ -7,8 +7,9 @@
 
 namespace slipface {
 
-Vec3 carry_velocity(const Mover& mover, const PlayerState& state) {
-    const SurfaceType& support = support_of(mover, state);
+Vec3 carry_velocity(const Mover& mover) {
+    const PlayerState& state = mover.state;
+    const SurfaceType& support = support_of(mover);
     const Vec3 r = mover.position - support.spin_centre;
     Vec3 velocity = support.velocity + support.angular_velocity * Vec3(r.z(), 0.0, -r.x());
     if (mover.settings.platforms && state.ground_platform < mover.scene.platforms.size()) {
@@ -17,16 +18,18 @@ Vec3 carry_velocity(const Mover& mover, const PlayerState& state) {
     return velocity;
 }
 
-void carry(Mover& mover, const SurfaceType& support, FaceId support_face) {
+void move_with_surface(Mover& mover) {
+    const SurfaceType& support = support_of(mover);
+    if (!mover.state.grounded && !(mover.state.stuck && sticks(mover, support))) return;
     if (support.angular_velocity == 0.0 && support.velocity.isZero(0.0)) return;
     const double angle = support.angular_velocity * mover.dt;
-    constexpr double max_angle = 1e3;  // radians a step; no table turns that fast, and it bounds the work
+    constexpr double max_angle = 1e3;  // radians per step; no table turns that fast, and it bounds the work
     if (!(std::abs(angle) <= max_angle) || !support.velocity.allFinite()) return;
     const Vec3 r = horizontal(mover.position - support.spin_centre);
     const Pose turn = turned_about(Vec3::Zero(), Vec3::UnitY(), angle);
     const Vec3 move = turn.apply(r) - r + support.velocity * mover.dt;
     if (move.isZero(0.0)) return;
-    decide(mover, Decision::surface_carried, {.value = move.norm()}, support_face);
+    decide(mover, Decision::surface_carried, {.value = move.norm()}, mover.state.ground_face);
     mover.on_ladder = true;  // being carried past a ladder is no wish to climb it
     collide_and_slide(mover, move.y() == 0.0 ? Pass::horizontal : Pass::slide, move);
     mover.on_ladder = false;

@@ -6,7 +6,8 @@
 
 namespace slipface {
 
-bool may_jump(const Mover& mover, const PlayerState& state) {
+bool may_jump(const Mover& mover) {
+    const PlayerState& state = mover.state;
     if (state.grounded || state.climbing || state.stuck) return true;
     const bool on = mover.settings.coyote;
     const bool late = on && is_open(state.coyote_s, mover.dt);
@@ -18,7 +19,8 @@ bool may_jump(const Mover& mover, const PlayerState& state) {
     return late;
 }
 
-double coyote_after(const Mover& mover, const PlayerState& state) {
+double coyote_after(const Mover& mover) {
+    const PlayerState& state = mover.state;
     if (!mover.settings.coyote || mover.jumped || mover.bounced) return 0.0;
     if (mover.grounded || mover.climbing || mover.stuck || state.grounded) return mover.settings.coyote_time;
     return std::max(0.0, state.coyote_s - mover.dt);

@@ -62,6 +62,10 @@ constexpr auto make_decisions() {
          "Not pressed down: Ground velocity is off"},
         {coasted, "ground_acceleration", acted, speed,
          "Coasted: slowed from {value} to {limit} by the height gained"},
+        {friction_held, "surface_types", acted, speed,
+         "Held on the slope: it pulls by {value} in this tick, the surface's friction holds {limit}"},
+        {friction_slid, "surface_types", acted, speed,
+         "Slid down the slope: it pulls by {value} in this tick, the surface's friction holds {limit}"},
         {slope_speed_kept, "constant_slope_speed", acted, metres,
          "Went {value} along the slope, as far as on level ground"},
         {slope_speed_off, "constant_slope_speed", switched_off, metres,
@@ -114,6 +118,7 @@ constexpr auto make_decisions() {
          "Ignored an edge inside a surface: the face counts, which rises {value} above the contact"},
         // Surfaces with a response of their own
         {bounced, "bounce", acted, speed, "Bounced off at {value}"},
+        {bounce_scraped, "bounce", acted, speed, "Lost {value} along the surface by its friction"},
         {bounce_off, "bounce", switched_off, no_unit, "Did not bounce: Bounce is off"},
         {bounce_walked, "bounce", refused, no_unit, "Did not bounce: it was walked onto, not fallen onto"},
         {bounce_too_slow, "bounce", refused, speed, "Did not bounce: {value} is too slow (limit {limit})"},

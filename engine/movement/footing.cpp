@@ -60,15 +60,15 @@ bool goes_on_behind(const Mover& mover, const Contact& contact, double before, d
     const Vec3 out = horizontal(contact.point - centre);
     const Vec3 ahead = direction_of(out);
     const double radius = std::max(mover.settings.radii.x(), mover.settings.radii.z());
-    const std::array<double, 4> aheads{mover.settings.skin, radius / 16.0, radius / 8.0, radius / 4.0};
+    const std::array<double, 4> distances{mover.settings.skin, radius / 16.0, radius / 8.0, radius / 4.0};
     // What stands higher than the centre ends the look ahead; rays that began inside it would be wrong.
-    const double length = out.norm() + aheads.back();
+    const double length = out.norm() + distances.back();
     const std::optional<RayHit> wall = ray_in_scene(mover, centre, ahead * length);
     const double clear = wall ? wall->t * length : length;
     const double depth = centre.y() - contact.point.y() + step;
-    for (const double ahead : aheads) {
-        if (out.norm() + ahead > clear) break;
-        const std::optional<double> ground = ground_below(mover, centre + out + ahead * ahead, depth);
+    for (const double further : distances) {
+        if (out.norm() + further > clear) break;
+        const std::optional<double> ground = ground_below(mover, centre + out + ahead * further, depth);
         if (ground && *ground - before <= step) return true;
     }
     return false;
@@ -125,19 +125,6 @@ bool no_deeper_than_steps(const Mover& mover, const Vec3& begin, const Contact& 
     from.y() = begin.y();
     const std::optional<double> left = ground_below(mover, begin, begin.y() - height + step);
     return left && climbs_by_steps(mover, from, begin, step, height) && *left - height <= step;
-}
-
-void stand_on(Mover& mover, const Contact& contact, std::uint32_t platform) {
-    const SurfaceType& surface = surface_of(mover, contact.surface);
-    mover.grounded = true;
-    mover.hazard = mover.hazard || surface.hazardous;
-    // A rim is stood on as if it were level.
-    const bool flat = is_walkable(mover, contact.normal, surface);
-    mover.support_normal = flat ? contact.normal : Vec3(Vec3::UnitY());
-    mover.support_face = contact.face;
-    mover.support_surface = contact.surface;
-    mover.support_platform = platform;
-    mover.support_rise = std::max(0.0, contact.point.y() - (mover.position.y() - mover.settings.radii.y()));
 }
 
 }  // namespace slipface

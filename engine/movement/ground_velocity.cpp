@@ -33,15 +33,15 @@ double press_down(const Mover& mover, const Vec3& ground_normal, const Vec3& mov
 }
 
 void set_ground_velocity(Mover& mover) {
-    const double needed = descent(mover.support_normal, mover.velocity);
+    const double needed = descent(mover.support.normal, mover.velocity);
     const double speed = std::max(mover.settings.ground_speed, needed);
     const bool acts = mover.settings.ground_velocity;
     mover.velocity.y() = acts ? -speed : 0.0;
     if (acts) {
         decide(mover, Decision::pressed_down, {.value = speed, .limit = mover.settings.ground_speed},
-               mover.support_face);
+               mover.support.face);
     } else {
-        decide(mover, Decision::pressed_down_off, mover.support_face);
+        decide(mover, Decision::pressed_down_off, mover.support.face);
     }
 }
 

@@ -6,8 +6,9 @@
 
 namespace slipface {
 
-bool wants_jump(const Mover& mover, const PlayerState& state, bool pressed) {
-    if (pressed) return true;
+bool wants_jump(const Mover& mover) {
+    const PlayerState& state = mover.state;
+    if (mover.jump_pressed) return true;
     if (!mover.settings.jump_buffer || !is_open(state.jump_buffer_s, mover.dt)) return false;
     const bool held = state.grounded || state.climbing || state.stuck;
     decide(mover, held ? Decision::jump_buffered : Decision::jump_remembered, {.value = state.jump_buffer_s},
@@ -15,14 +16,14 @@ bool wants_jump(const Mover& mover, const PlayerState& state, bool pressed) {
     return held;
 }
 
-double jump_buffer_after(const Mover& mover, const PlayerState& state, bool pressed) {
+double jump_buffer_after(const Mover& mover) {
     if (mover.jumped) return 0.0;
     if (!mover.settings.jump_buffer) {
-        if (pressed) decide(mover, Decision::jump_buffer_off);
+        if (mover.jump_pressed) decide(mover, Decision::jump_buffer_off);
         return 0.0;
     }
-    if (pressed) return mover.settings.jump_buffer_time;
-    return std::max(0.0, state.jump_buffer_s - mover.dt);
+    if (mover.jump_pressed) return mover.settings.jump_buffer_time;
+    return std::max(0.0, mover.state.jump_buffer_s - mover.dt);
 }
 
 }  // namespace slipface

@@ -57,7 +57,7 @@ void cap_energy(Mover& mover, const Vec3& from, const Vec3& driven_velocity) {
     const bool capped = speed > allowed;
     if (mover.kept_energy) {
         decide(mover, capped ? Decision::energy_capped : Decision::energy_within,
-               {.value = speed, .limit = allowed}, mover.support_face);
+               {.value = speed, .limit = allowed}, mover.support.face);
     }
     if (capped) mover.velocity *= allowed / speed;
 }

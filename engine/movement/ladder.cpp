@@ -21,21 +21,14 @@ Vec3 as_vector(const Vec2& wish) {
 void leave(Mover& mover, const Vec3& velocity, Decision why) {
     mover.climbing = false;
     mover.velocity = velocity;
-    decide(mover, why, mover.support_face);
-    if (!mover.grounded) mover.support_face = no_id;
-}
-
-void support(Mover& mover, const Vec3& normal, FaceId face, SurfaceId surface, std::uint32_t platform) {
-    mover.support_normal = normal;
-    mover.support_face = face;
-    mover.support_surface = surface;
-    mover.support_platform = platform;
+    decide(mover, why, mover.support.face);
+    if (!mover.grounded) mover.support.face = no_id;
 }
 
 // After the move the ladder is looked for where it was; its face may have bent or ended.
-void follow(Mover& mover, const PlayerState& state, const Vec3& from, double rising, double sideways) {
+void follow(Mover& mover, const Vec3& from, double rising, double sideways) {
     const Vec3 moved = mover.position - from;
-    const Vec3 towards = -state.ground_normal * (moved.norm() + mover.settings.skin);
+    const Vec3 towards = -mover.state.ground_normal * (moved.norm() + mover.settings.skin);
     const Vec3 before = mover.position;
     const Swept swept = sweep_with_skin(mover, Pass::probe, 0, towards);
     if (!swept.contact) {
@@ -45,21 +38,23 @@ void follow(Mover& mover, const PlayerState& state, const Vec3& from, double ris
     mover.position = swept.reached;
     const Contact& contact = *swept.contact;
     const SurfaceType& surface = surface_of(mover, contact.surface);
+    const Support found{contact.normal, contact.face, contact.surface, swept.platform};
     mover.hazard = mover.hazard || surface.hazardous;
     if (is_walkable(mover, contact.normal, surface)) {
         mover.grounded = true;
-        support(mover, contact.normal, contact.face, contact.surface, swept.platform);
+        mover.support = found;
         leave(mover, Vec3::Zero(), Decision::ladder_top);
     } else if (surface.climbable) {
-        support(mover, contact.normal, contact.face, contact.surface, swept.platform);
+        mover.support = found;
     } else if (contact.feature != Feature::interior && rising > 0.0) {
         // The rim belongs to the faces of the top as well; whichever of them was touched, the way up goes on.
-        support(mover, contact.normal, state.ground_face, state.ground_surface, state.ground_platform);
+        mover.support = support_before(mover);
+        mover.support.normal = contact.normal;
     } else if (rising >= std::abs(sideways)) {
         // A plain wall goes on above the ladder: stepping onto it would drop the player back at every tick.
         mover.position = from;
         mover.velocity = Vec3::Zero();
-        support(mover, state.ground_normal, state.ground_face, state.ground_surface, state.ground_platform);
+        mover.support = support_before(mover);
         decide(mover, Decision::ladder_wall_above, contact.face);
     } else {
         mover.position = before;
@@ -81,14 +76,14 @@ std::optional<Deflection> grab_ladder(Mover& mover, const Hit& hit) {
     if (mover.was_grounded && into < meant) return refuse(Decision::ladder_passed, into, meant);
     mover.climbing = true;
     mover.grounded = false;
-    support(mover, contact.normal, contact.face, contact.surface, hit.platform);
+    mover.support = {contact.normal, contact.face, contact.surface, hit.platform};
     decide(mover, Decision::ladder_grabbed, contact.face);
     return Deflection{.rule = Rule::stop, .plane = contact.normal};
 }
 
-void climb(Mover& mover, const PlayerState& state) {
-    const Vec3& normal = state.ground_normal;
-    const SurfaceType& ladder = support_of(mover, state);
+void climb(Mover& mover) {
+    const Vec3& normal = mover.state.ground_normal;
+    const SurfaceType& ladder = support_of(mover);
     const Vec3 out = direction_of(horizontal(normal));
     const Vec3 up = direction_of(Vec3::UnitY() - normal * normal.y());
     const Vec3 side = Vec3::UnitY().cross(out);
@@ -100,11 +95,11 @@ void climb(Mover& mover, const PlayerState& state) {
     mover.on_ladder = true;
     mover.climbing = true;
     mover.hazard = mover.hazard || ladder.hazardous;
-    support(mover, normal, state.ground_face, state.ground_surface, state.ground_platform);
+    mover.support = support_before(mover);
     mover.velocity = ladder.climb_speed * (up * rising + side * sideways);
     mover.velocity_before = mover.velocity;
     decide(mover, Decision::ladder_climbed, {.value = mover.velocity.norm(), .limit = ladder.climb_speed},
-           state.ground_face);
+           mover.support.face);
     if (mover.velocity.isZero(0.0)) return;
 
     collide_and_slide(mover, Pass::slide, mover.velocity * mover.dt);
@@ -113,7 +108,7 @@ void climb(Mover& mover, const PlayerState& state) {
     } else if (mover.grounded) {
         leave(mover, Vec3::Zero(), Decision::ladder_ground);
     } else {
-        follow(mover, state, from, rising, sideways);
+        follow(mover, from, rising, sideways);
     }
 }
 

@@ -43,10 +43,16 @@ const SurfaceType& surface_of(const Mover& mover, SurfaceId surface) {
     return mover.scene.surfaces[surface];
 }
 
-const SurfaceType& support_of(const Mover& mover, const PlayerState& state) {
+const SurfaceType& support_of(const Mover& mover) {
+    const PlayerState& state = mover.state;
     const CollisionWorld& world = world_of(mover, state.ground_platform);
     return surface_of(mover,
                       state.ground_face == no_id ? default_surface : world.face_surface(state.ground_face));
+}
+
+Support support_before(const Mover& mover) {
+    const PlayerState& state = mover.state;
+    return {state.ground_normal, state.ground_face, state.ground_surface, state.ground_platform};
 }
 
 double walkable_limit(const Mover& mover, const SurfaceType& surface) {

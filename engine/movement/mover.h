@@ -1,4 +1,4 @@
-// What the parts of one step share. A Mover lives for one call of step() or slide_move().
+// What the phases of one step work on. A Mover lives for one part of step() or for one slide_move().
 #pragma once
 
 #include <array>
@@ -9,12 +9,32 @@
 
 namespace slipface {
 
-// What a part of a step changes; kept and put back by hacks that try a move and compare.
-struct Motion {
-    Vec3 position = Vec3::Zero();  // centre of the ellipsoid now, in the scene's coordinates
-    Vec3 velocity = Vec3::Zero();  // at the end of the step, as far as contacts have turned it
+// The surface that the player stands on, climbs, is stuck to or slides along.
+struct Support {
+    Vec3 normal = Vec3::UnitY();
+    FaceId face = no_id;
+    SurfaceId surface = default_surface;
+    std::uint32_t platform = no_id;  // that the face belongs to, or no_id
+};
 
-    // Found out on the way.
+// Given: what the caller passed. Nothing in it changes.
+struct Given {
+    const MovementScene& scene;
+    const MovementSettings& settings;
+    const PlayerState& state;  // of the player before, its position in the scene's coordinates
+    TraceSink* trace;          // may be null
+    double dt;                 // s
+    Vec2 wish;                 // at most 1 long
+    bool jump_held;            // the button, this step
+    bool jump_pressed;         // the button was not held in the step before
+    double walkable_cosine;    // of settings.max_slope
+};
+
+// Carried: what the phases change one after the other, and what becomes the new state. Hacks that try a move
+// copy it and put it back.
+struct Motion {
+    Vec3 position = Vec3::Zero();  // centre of the ellipsoid, in the scene's coordinates
+    Vec3 velocity = Vec3::Zero();  // m/s, at the end of the step, as far as contacts have changed it
     bool grounded = false;
     bool climbing = false;
     bool stuck = false;
@@ -22,65 +42,55 @@ struct Motion {
     bool bounced = false;
     bool kept_energy = false;
     bool trapped = false;
-    std::array<Vec3, 2> walls;  // that turned a horizontal pass: horizontal unit normals, the first two
+    bool jumping = false;       // rising by a jump whose button is still held
+    std::array<Vec3, 2> walls;  // horizontal unit normals of the first two walls that a horizontal pass hit
     int wall_count = 0;
-    Vec3 support_normal = Vec3::UnitY();  // of the surface stood on, climbed, stuck to or slid along
-    FaceId support_face = no_id;
-    SurfaceId support_surface = default_surface;
-    std::uint32_t support_platform = no_id;
+    Support support;
     double support_rise = 0.0;  // of the point stood on above the ellipsoid's lowest point, m
 };
 
-// How far from where it begins, along each axis, a step that covers `way` metres asks what is there. What it
-// asks beyond that takes longer.
-Vec3 reach_of_step(const MovementSettings& settings, double length);
-
-// The platforms around where a step begins.
+// Platforms that a step can touch.
 struct NearPlatforms {
     static constexpr std::size_t capacity = 16;
-    Aabb room;                                 // whose centre stays in it can touch no others
+    Aabb room;  // while the centre stays inside, no unlisted platform can be hit
     std::array<std::uint32_t, capacity> list;  // ascending
     std::size_t count = 0;                     // above the capacity: not listed
 };
 NearPlatforms platforms_near(const MovementScene& scene, const Vec3& radii, const Vec3& from,
                              const Vec3& reach);
 
-struct Mover : Motion {
-    // `reach`: as reach_of_step says; decides only what is kept at hand.
-    Mover(const MovementScene& in_scene, const MovementSettings& by_settings, TraceSink* sink, double seconds,
-          const Vec3& from, const Vec3& reach)
-        : scene(in_scene),
-          settings(by_settings),
-          trace(sink),
-          dt(seconds),
-          near(in_scene.collision, by_settings.radii, from, reach),
-          near_platforms(platforms_near(in_scene, by_settings.radii, from, reach)) {
-        position = from;
-    }
-    Motion& motion() { return *this; }
-
-    const MovementScene& scene;
-    const MovementSettings& settings;
-    TraceSink* trace = nullptr;
-    double dt = 1.0;
-    Neighbourhood near;  // of what stands still, around where the step begins
+// Scratch: what the phases leave for one another. It is gone when the part ends.
+struct Scratch {
+    Neighbourhood near;  // of what stands still, around where the part begins
     NearPlatforms near_platforms;
-    double walkable_cosine = 1.0;  // of settings.max_slope
-    Vec2 wish = Vec2::Zero();      // at most 1 long
-    bool jump_held = false;        // the button, this step
-    bool jumping = false;          // rising by a jump whose button is still held
-
-    Vec3 velocity_before =
-        Vec3::Zero();  // at the start of the step: what a bounce gives back lies between the two
-    bool was_grounded = false;
+    Vec3 velocity_before = Vec3::Zero();  // at the start of the part: what a bounce gives back lies between
+    bool was_grounded = false;            // before, and does not jump now
     bool jumped = false;
-    bool began_free = false;                 // touches nothing where it began, not even from behind
+    bool began_free = false;                 // touched nothing where it began, not even from behind
     bool on_ladder = false;                  // the move climbs: ladders are slid along instead of grabbed
-    std::uint32_t ignored_platform = no_id;  // the one that carries the player now, or pushes
-
+    std::uint32_t ignored_platform = no_id;  // the one that carries or pushes the player now
     int sweeps = 0;
     int contacts = 0;
     bool end_is_free = false;  // by the last check
+};
+
+// Half-extents of the region that is cached for a step of that length, m. Queries beyond it are slower.
+Vec3 reach_of_step(const MovementSettings& settings, double length);
+
+struct Mover : Given, Motion, Scratch {
+    // `length`: how far the player may move, m; it decides only what is cached.
+    Mover(const Given& given, double length)
+        : Given(given),
+          Scratch{.near = Neighbourhood(given.scene.collision, given.settings.radii, given.state.position,
+                                        reach_of_step(given.settings, length)),
+                  .near_platforms = platforms_near(given.scene, given.settings.radii, given.state.position,
+                                                   reach_of_step(given.settings, length))} {
+        position = given.state.position;
+        jumping = given.state.jumping;
+        trapped = given.state.trapped;
+        support_rise = given.state.grounded ? given.state.ground_rise : 0.0;
+    }
+    Motion& motion() { return *this; }
 };
 
 // One contact, ready to be responded to.
@@ -90,16 +100,16 @@ struct Hit {
     const SurfaceType& surface;
     std::uint32_t platform;  // that the face belongs to, or no_id
     bool walkable;           // flat enough to stand on
-    Vec3 remainder;          // of the displacement
+    Vec3 remainder;          // of the displacement, m
     double done;             // fraction of the pass's displacement that lies before the contact, 0..1
 };
 
 // What a contact makes of the displacement and the velocity.
 struct Deflection {
     Rule rule = Rule::slide;
-    Vec3 remainder = Vec3::Zero();
-    Vec3 velocity = Vec3::Zero();
-    Vec3 plane = Vec3::Zero();  // unit normal that later turns of this pass must respect
+    Vec3 remainder = Vec3::Zero();  // m
+    Vec3 velocity = Vec3::Zero();   // m/s
+    Vec3 plane = Vec3::Zero();      // unit normal that later deflections of this pass must respect
     bool constrains_velocity = true;
 };
 
@@ -117,15 +127,14 @@ Vec3 slide_along(const Vec3& v, const Vec3& normal);
 // the same bits.
 double slope_cosine(double angle);
 
-const SurfaceType& surface_of(const Mover& mover,
-                              SurfaceId surface);  // `default` for unknown ids and when switched off
-const SurfaceType& support_of(const Mover& mover,
-                              const PlayerState& state);                // what the state stands on or holds
+// Surfaces. `default` for unknown ids and when surface types are switched off.
+const SurfaceType& surface_of(const Mover& mover, SurfaceId surface);
+const SurfaceType& support_of(const Mover& mover);                      // what the player stood on before
+Support support_before(const Mover& mover);                             // the same as faces and normals
 double walkable_limit(const Mover& mover, const SurfaceType& surface);  // least N.y that can be stood on
 inline bool is_walkable(const Mover& mover, const Vec3& normal, const SurfaceType& surface) {
     return normal.y() >= walkable_limit(mover, surface);
 }
-
 // What a surface type does, as far as it is not switched off.
 inline bool sticks(const Mover& mover, const SurfaceType& surface) {
     return surface.sticky && mover.settings.stick;
@@ -133,6 +142,8 @@ inline bool sticks(const Mover& mover, const SurfaceType& surface) {
 inline double restitution_of(const Mover& mover, const SurfaceType& surface) {
     return mover.settings.bounce ? surface.restitution : 0.0;
 }
+// How well a surface holds, 0..max_friction whatever its type says.
+double friction_of(const SurfaceType& surface);
 
 // What the sentence of a decision says in numbers, in the unit of decision_info().
 struct Quantity {
@@ -141,21 +152,29 @@ struct Quantity {
 };
 void decide(const Mover& mover, Decision kind, FaceId face = no_id);
 void decide(const Mover& mover, Decision kind, const Quantity& quantity, FaceId face = no_id);
+// Why a hack that was tried does not apply.
+struct Refusal {
+    Decision why;
+    Quantity quantity = {};
+};
 
 // Queries of the whole scene: what stands still, and every platform but the ignored one.
 struct SceneContact {
     Contact contact;
     std::uint32_t platform = no_id;
-    double depth = 0.0;  // metres behind the contact plane already, where the seam filter turned it
+    double depth = 0.0;  // metres behind the contact plane already, where the seam filter replaced it
     bool back = false;   // the middle of a triangle was touched from behind; known only while tracing
 };
 std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Vec3& move);
-// At most out.size() are kept; returns how many are in `out`.
+// At most out.size() overlaps are stored; returns how many are in `out`.
 std::size_t overlaps_in_scene(const Mover& mover, const Vec3& centre, std::span<Overlap> out);
 bool overlaps_scene(const Mover& mover, const Vec3& centre);
 bool is_free(const Mover& mover, const Vec3& centre);  // of one-sided faces, too
-std::optional<RayHit> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& length);
+std::optional<RayHit> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& move);
 const CollisionWorld& world_of(const Mover& mover, std::uint32_t platform);
+// Replaces the normal of a touch of an edge that is inside a flat or hollow surface by the face's. Returns
+// how deep the ellipsoid at `centre` is behind that face's plane, metres; 0 where nothing was replaced.
+double filter_seam(const Mover& mover, const Vec3& centre, std::uint32_t platform, Contact& contact);
 
 // A sweep whose end keeps the skin.
 struct Swept {
@@ -169,22 +188,21 @@ Swept sweep_with_skin(Mover& mover, Pass pass, int iteration, const Vec3& move);
 // Collide and slide: moves the mover by `move`, at most settings.max_slides sweeps. Returns what could not be
 // used.
 Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move);
-
 // Notes what a contact means for the state: ground, ladder, hazard.
 void touch(Mover& mover, const Hit& hit);
-// Turns displacement and velocity at a contact: the first response that applies.
+// Deflects displacement and velocity at a contact: by the first response that applies.
 Deflection respond(Mover& mover, const Hit& hit);
 
-// Responses; each says nothing where it does not apply.
+// Responses, one file each; nothing where one does not apply. The list of them is in response.cpp.
 std::optional<Deflection> stick(Mover& mover, const Hit& hit);
 std::optional<Deflection> grab_ladder(Mover& mover, const Hit& hit);
 std::optional<Deflection> hold_by_static_friction(Mover& mover, const Hit& hit);
 std::optional<Deflection> bounce(Mover& mover, const Hit& hit);
 std::optional<Deflection> keep_energy(Mover& mover, const Hit& hit);
-std::optional<Deflection> slide_at_wall(Mover& mover, const Hit& hit);
+std::optional<Deflection> slide_at_steep_wall(Mover& mover, const Hit& hit);
 std::optional<Deflection> go_straight_ahead(Mover& mover, const Hit& hit);
 
-// Holds the earlier planes of a pass against the latest turn.
+// Holds the earlier planes of a pass against the latest deflection.
 struct Corner {
     static constexpr int capacity = 8;
     std::array<Vec3, capacity> planes;
@@ -194,34 +212,76 @@ struct Corner {
 void respect_corner(const Corner& corner, const Vec3& remainder, const Vec3& velocity,
                     Deflection& deflection);
 
-// Parts of a step, in the order in which it asks for them.
+// The phases of a step, in order.
+//
+// 1. A player inside geometry is put outside, if the settings allow.
+void leave_geometry(Mover& mover);
 void push_out(Mover& mover);
 bool nudge(Mover& mover);  // true if the player is free afterwards
-void move_with_platforms(Mover& mover, const PlayerState& state);
+// 2. Platforms carry who stands on them and push who is in their way.
+void move_with_platforms(Mover& mover);
 Vec3 velocity_of(const MovingPart& part, const Vec3& point);  // m/s, of the platform at that point
-void carry(Mover& mover, const SurfaceType& support, FaceId support_face);
-void hold(Mover& mover, const PlayerState& state);
-void climb(Mover& mover, const PlayerState& state);
-void walk(Mover& mover, const PlayerState& state, bool wants_to_jump);
-bool clamp_to_terrain(Mover& mover, const Vec3& from);  // false if there is no room above the terrain
-bool ends_inside(Mover& mover, const Vec3& from);
+// 3. Conveyors and turntables carry who stands on them.
+void move_with_surface(Mover& mover);
+Vec3 carry_velocity(const Mover& mover);  // m/s, of surface and platform at the player's position
+// 4. What moves the player: nothing, a ladder, or its own velocity.
+struct Drive {
+    enum class Kind { held, climb, walk } kind = Kind::held;
+    Vec3 move = Vec3::Zero();    // displacement, m
+    Vec3 driven = Vec3::Zero();  // velocity without this step's gravity, m/s
+    double friction = 1.0;       // of the ground stood on
+    bool split = false;          // the horizontal and the vertical part are moved by themselves
+    bool glides = false;         // was in touch with a surface and does not jump off it
+};
+Drive choose_drive(Mover& mover);
+void hold(Mover& mover);
+// 5. The move.
+void move_player(Mover& mover, const Drive& drive);
+void climb(Mover& mover);
+// 6. The feet are lifted to the terrain. False if there is no room above it.
+bool clamp_to_terrain(Mover& mover, const Vec3& from);
+// 7. A position inside geometry is not accepted: the player stays at `safe` and stops.
+PlayerState accept(Mover& mover, const Motion& safe, bool room_above_terrain);
 
 // Parts of a walk.
-void accelerate(Mover& mover, bool slippery);
+// Returns how much more the ground could have changed the velocity, m/s; 0 where all of it was used, and in
+// the air.
+double accelerate(Mover& mover, double friction, bool slippery);
 double steering_in_air(const Mover& mover);  // m/s2; the stick is not let go
-void coast(Mover& mover, const Vec3& from, const Vec3& driven_velocity);
+// Gravity along the ground stood on, as far as its friction does not hold: `spare` is what accelerate() left.
+void pull_down_slope(Mover& mover, double friction, double spare);
+void coast(Mover& mover, const Vec3& from, const Drive& drive);
+// The fraction of the speed `along` the surface that a bounce with the speed `rebound` keeps, m/s both.
+double kept_by_friction(const Mover& mover, const Hit& hit, double along, double rebound);
 // How far `along`, a displacement or a velocity, leads down on ground of that normal; 0 going up.
 double descent(const Vec3& ground_normal, const Vec3& along);
 double press_down(const Mover& mover, const Vec3& ground_normal, const Vec3& move);  // metres this step, >= 0
 void set_ground_velocity(Mover& mover);
-// What the plain move made of `level` is in the mover; `before` is where it began. True if a step was climbed
-// instead, which includes the way down onto it.
-bool step_up(Mover& mover, const Motion& before, const Vec3& level);
+void cap_energy(Mover& mover, const Vec3& from, const Vec3& driven_velocity);
+// Static friction besides the response: two steep faces that wedge the player hold it, and an idle player
+// keeps its position bit for bit. `height`, `contacts`: before the vertical pass by `rise`.
+void hold_where_wedged(Mover& mover, double rise, double height, int contacts);
+void rest(Mover& mover, const Vec3& from);
+
+// Steps. `before` is where the horizontal move `flat` began.
+// What the plain move made of `flat` is in the mover. True if a step was climbed instead, which includes the
+// way down onto it.
+bool step_up(Mover& mover, const Motion& before, const Vec3& flat);
 // The lecture's form: the whole move, lifted before and dropped after. False if it leads to no ground.
-bool step_every_move(Mover& mover, const Motion& before, const Vec3& level);
+bool step_every_move(Mover& mover, const Motion& before, const Vec3& flat);
 void snap_down(Mover& mover, const Motion& before);
 
-// Steps: which steep contacts can be stood on, and what is no higher than a step (footing.cpp).
+// Landing, which a step up and a snap to the floor end with: the player stands on what a sweep down touched,
+// unless the surface has a response of its own or is too steep; then nothing is changed.
+struct LandingRules {
+    Decision own_response, too_steep;  // what a refusal is called
+    bool on_ice;                       // surfaces that keep energy may be landed on
+};
+std::optional<Refusal> land(Mover& mover, const Swept& swept, const LandingRules& rules);
+// Notes what the player stands on.
+void stand_on(Mover& mover, const Contact& contact, std::uint32_t platform);
+
+// Footing: which steep contacts can be stood on, and what is no higher than a step.
 // The contact is on the front of a step, and walkable ground leads there from below the centre.
 bool on_rim(Mover& mover, const Contact& contact);
 // The contact is at most `highest` metres above the point stood on when the player was at `begin`, or steps
@@ -229,10 +289,6 @@ bool on_rim(Mover& mover, const Contact& contact);
 bool no_higher_than_steps(const Mover& mover, const Motion& begin, const Contact& contact, double highest);
 // The same downwards: from the ground below `begin` to the contact no step is deeper.
 bool no_deeper_than_steps(const Mover& mover, const Vec3& begin, const Contact& contact, double deepest);
-// Notes what the player stands on.
-void stand_on(Mover& mover, const Contact& contact, std::uint32_t platform);
-void cap_energy(Mover& mover, const Vec3& from, const Vec3& driven_velocity);
-Vec3 carry_velocity(const Mover& mover, const PlayerState& state);  // m/s at the mover's position
 
 // Jumping. Windows are counted down in the state, so they are exact to the tick at every rate: one of w
 // seconds holds for the w / dt steps after it opened. Repeated subtraction may leave a little of one that has
@@ -240,15 +296,12 @@ Vec3 carry_velocity(const Mover& mover, const PlayerState& state);  // m/s at th
 inline bool is_open(double window_s, double dt) {
     return window_s > 1e-6 * dt;
 }
-bool wants_jump(const Mover& mover, const PlayerState& state, bool pressed);  // pressed now, or remembered
-bool may_jump(const Mover& mover, const PlayerState& state);  // held by something, or just left it
+bool wants_jump(const Mover& mover);  // pressed now, or remembered
+bool may_jump(const Mover& mover);    // held by something, or just left it
+Vec3 jump_velocity(const Mover& mover);
 void cut_jump(Mover& mover);
 // What the timers are after the step.
-double coyote_after(const Mover& mover, const PlayerState& state);
-double jump_buffer_after(const Mover& mover, const PlayerState& state, bool pressed);
-
-// Replaces the normal of a touch of an edge that is inside a flat or hollow surface by the face's. Returns
-// how deep the ellipsoid at `centre` is behind that face's plane, metres; 0 where nothing was replaced.
-double filter_seam(const Mover& mover, const Vec3& centre, std::uint32_t platform, Contact& contact);
+double coyote_after(const Mover& mover);
+double jump_buffer_after(const Mover& mover);
 
 }  // namespace slipface

@@ -47,7 +47,8 @@ Vec3 pushed_by(Mover& mover, const MovingPart& part, const Vec3& before, const V
     return at;
 }
 
-void ride(Mover& mover, const PlayerState& state) {
+void ride(Mover& mover) {
+    const PlayerState& state = mover.state;
     const MovingPart& part = mover.scene.platforms[state.ground_platform];
     const Vec3 move = carried(part, mover.position) - mover.position;
     if (move.isZero(0.0)) return;
@@ -84,7 +85,8 @@ Vec3 velocity_of(const MovingPart& part, const Vec3& point) {
     return part.velocity + part.angular_velocity.cross(point - part.pivot);
 }
 
-void move_with_platforms(Mover& mover, const PlayerState& state) {
+void move_with_platforms(Mover& mover) {
+    const PlayerState& state = mover.state;
     if (mover.scene.platforms.empty()) return;
     const Vec3 before = mover.position;
     const bool rides = state.ground_platform < mover.scene.platforms.size();
@@ -92,21 +94,22 @@ void move_with_platforms(Mover& mover, const PlayerState& state) {
         if (rides) decide(mover, Decision::platform_off, state.ground_face);
         return;
     }
-    if (rides) ride(mover, state);
+    if (rides) ride(mover);
     for (std::uint32_t i = 0; i < mover.scene.platforms.size(); ++i) {
         if (moves(mover.scene.platforms[i])) yield_to(mover, i, before);
     }
-    const bool still_free = mover.began_free && mover.position == before;
-    mover.trapped = !still_free && overlaps_scene(mover, mover.position);
+    mover.began_free = mover.began_free && mover.position == before;
+    mover.trapped = !mover.began_free && overlaps_scene(mover, mover.position);
     if (mover.trapped) {
         decide(mover, Decision::platform_crushed);
     }
-    // What was touched on the way tells nothing about where the step ends, but for what holds.
+    // Contacts of the platform phase are discarded, except sticky surfaces and ladders.
     mover.grounded = false;
     mover.kept_energy = false;
     mover.bounced = false;
     mover.wall_count = 0;
     mover.velocity = Vec3::Zero();
+    mover.support_rise = state.grounded ? state.ground_rise : 0.0;
 }
 
 }  // namespace slipface

@@ -8,8 +8,8 @@ namespace {
 using Response = std::optional<Deflection> (*)(Mover&, const Hit&);
 
 // In the order in which they are asked. A new response is a file with one such function and one name here.
-constexpr std::array<Response, 7> responses{stick,       grab_ladder,   hold_by_static_friction, bounce,
-                                            keep_energy, slide_at_wall, go_straight_ahead};
+constexpr std::array<Response, 7> responses{stick,       grab_ladder,         hold_by_static_friction, bounce,
+                                            keep_energy, slide_at_steep_wall, go_straight_ahead};
 
 }  // namespace
 
@@ -24,10 +24,7 @@ void touch(Mover& mover, const Hit& hit) {
     const bool ground = hit.walkable && hit.pass != Pass::horizontal;
     if (mover.grounded && !ground) return;
     if (ground) return stand_on(mover, hit.contact, hit.platform);
-    mover.support_normal = hit.contact.normal;
-    mover.support_face = hit.contact.face;
-    mover.support_surface = hit.contact.surface;
-    mover.support_platform = hit.platform;
+    mover.support = {hit.contact.normal, hit.contact.face, hit.contact.surface, hit.platform};
 }
 
 Deflection respond(Mover& mover, const Hit& hit) {

@@ -51,7 +51,7 @@ Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move) {
         corner.constrains_velocity[slot] = deflection.constrains_velocity;
     }
     if (remainder.norm() > negligible) {
-        decide(mover, Decision::slides_used_up, {.value = remainder.norm()}, mover.support_face);
+        decide(mover, Decision::slides_used_up, {.value = remainder.norm()}, mover.support.face);
     }
     return remainder;
 }
@@ -59,8 +59,17 @@ Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move) {
 SlideResult slide_move(const MovementScene& scene, const MovementSettings& settings, const Vec3& from,
                        const Vec3& move, TraceSink* trace) {
     if (!from.allFinite() || !move.allFinite()) return {.position = from, .remainder = Vec3::Zero()};
-    Mover mover(scene, settings, trace, 1.0, from, reach_of_step(settings, move.norm()));
-    mover.walkable_cosine = slope_cosine(settings.max_slope);
+    const PlayerState before{.position = from};
+    Mover mover({.scene = scene,
+                 .settings = settings,
+                 .state = before,
+                 .trace = trace,
+                 .dt = 1.0,
+                 .wish = Vec2::Zero(),
+                 .jump_held = false,
+                 .jump_pressed = false,
+                 .walkable_cosine = slope_cosine(settings.max_slope)},
+                move.norm());
     mover.velocity = move;
     mover.velocity_before = move;
     const Vec3 remainder = collide_and_slide(mover, move.y() == 0.0 ? Pass::horizontal : Pass::slide, move);

@@ -18,22 +18,12 @@ void snap_down(Mover& mover, const Motion& before) {
         decide(mover, kind, quantity, swept.contact ? swept.contact->face : no_id);
     };
     if (!swept.contact) return say(Decision::snap_no_floor, {.value = s.snap_distance});
-    const Contact& contact = *swept.contact;
-    const SurfaceType& surface = surface_of(mover, contact.surface);
-    if (sticks(mover, surface) || restitution_of(mover, surface) > 0.0 || surface.keeps_energy) {
-        return say(Decision::snap_own_response, {});
-    }
     const double dropped = mover.position.y() - swept.reached.y();
-    if (dropped > reach && !no_deeper_than_steps(mover, before.position, contact, s.snap_distance))
+    if (dropped > reach && !no_deeper_than_steps(mover, before.position, *swept.contact, s.snap_distance))
         return say(Decision::snap_too_deep, {.value = dropped, .limit = s.snap_distance});
-    const Vec3 high = mover.position;
-    mover.position = swept.reached;
-    if (!is_walkable(mover, contact.normal, surface) && !on_rim(mover, contact)) {
-        mover.position = high;
-        return say(Decision::snap_too_steep,
-                   {.value = contact.normal.y(), .limit = walkable_limit(mover, surface)});
-    }
-    stand_on(mover, contact, swept.platform);
+    const LandingRules rules{
+        .own_response = Decision::snap_own_response, .too_steep = Decision::snap_too_steep, .on_ice = false};
+    if (const auto refusal = land(mover, swept, rules)) return say(refusal->why, refusal->quantity);
     ++mover.contacts;
     say(Decision::snapped, {.value = dropped, .limit = s.snap_distance});
 }

@@ -1,7 +1,7 @@
 // Problem: gravity makes a player who stands on a slope creep down it.
 // Hack (lecture, "Sliding while standing"): the move is split; the horizontal part slides, the vertical part
 // gets one sweep, and what it stands on holds. Ground steeper than max_slope lets the vertical part slide
-// after all.
+// after all, unless two such faces wedge the player between them.
 #include "mover.h"
 
 namespace slipface {
@@ -27,6 +27,22 @@ std::optional<Deflection> hold_by_static_friction(Mover& mover, const Hit& hit) 
     }
     say(Decision::stood);
     return Deflection{.rule = Rule::stop, .velocity = horizontal(mover.velocity), .plane = contact.normal};
+}
+
+void hold_where_wedged(Mover& mover, double rise, double height, int contacts) {
+    // Without this there would be no jumping out of a ditch.
+    const double dropped = height - mover.position.y();
+    if (!(rise < 0.0) || mover.contacts - contacts < 2 || !(dropped < -0.01 * rise)) return;
+    mover.grounded = true;
+    mover.support.normal = Vec3::UnitY();
+    mover.velocity.y() = 0.0;
+    decide(mover, Decision::wedged, {.value = dropped}, mover.support.face);
+}
+
+void rest(Mover& mover, const Vec3& from) {
+    // Rounding must not make an idle player creep.
+    if (!mover.was_grounded || !mover.wish.isZero(0.0)) return;
+    if ((mover.position - from).norm() <= 1e-3 * mover.settings.skin) mover.position = from;
 }
 
 }  // namespace slipface

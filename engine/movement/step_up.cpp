@@ -3,7 +3,7 @@
 // there.
 //
 // When blocked: tried only where a wall stopped the plain move, and kept only where it led further: along a
-// wall both lead as far, so nobody gains speed there. Every move: the lecture's own form.
+// wall both lead as far, so no player gains speed there. Every move: the lecture's own form.
 #include <algorithm>
 
 #include "mover.h"
@@ -12,17 +12,12 @@ namespace slipface {
 
 namespace {
 
-// The way gained must be worth it, as a fraction of the move.
+// The distance gained must be worth it, as a fraction of the move.
 constexpr double worth = 1e-3;
-
-struct Refusal {
-    Decision why;
-    Quantity quantity = {};
-};
 
 // Lift, move, drop. The lift leaves room for the skin on both sides of the rim; what may be climbed is judged
 // by where the player lands.
-std::optional<Refusal> lift_move_drop(Mover& mover, const Motion& before, const Vec3& level) {
+std::optional<Refusal> lift_move_drop(Mover& mover, const Motion& before, const Vec3& flat) {
     const double height = mover.settings.step_height;
     const double skin = mover.settings.skin;
     mover.motion() = before;
@@ -30,71 +25,64 @@ std::optional<Refusal> lift_move_drop(Mover& mover, const Motion& before, const 
     const double lifted = mover.position.y() - before.position.y();
     if (!(lifted > skin)) return Refusal{Decision::step_up_no_room, {.value = lifted}};
 
-    collide_and_slide(mover, Pass::horizontal, level);
+    collide_and_slide(mover, Pass::horizontal, flat);
     if (mover.stuck || mover.climbing) return Refusal{Decision::step_up_held};
 
     const double drop =
         mover.position.y() - before.position.y() + press_down(mover, Vec3::UnitY(), Vec3::Zero());
     const Swept landing = sweep_with_skin(mover, Pass::step, 1, Vec3(0.0, -drop, 0.0));
     if (!landing.contact) return Refusal{Decision::step_up_no_ground, {.value = drop}};
-    const Contact& contact = *landing.contact;
-    const SurfaceType& surface = surface_of(mover, contact.surface);
-    if (sticks(mover, surface) || restitution_of(mover, surface) > 0.0)
-        return Refusal{Decision::step_up_own_response};
-    if (!no_higher_than_steps(mover, before, contact, height)) {
-        const double feet = before.position.y() - mover.settings.radii.y() + before.support_rise;
-        return Refusal{Decision::step_up_too_high, {.value = contact.point.y() - feet, .limit = height}};
-    }
-    mover.position = landing.reached;
-    if (!is_walkable(mover, contact.normal, surface) && !on_rim(mover, contact)) {
-        return Refusal{Decision::step_up_too_steep,
-                       {.value = contact.normal.y(), .limit = walkable_limit(mover, surface)}};
-    }
-    stand_on(mover, contact, landing.platform);
-    return std::nullopt;
+    const double feet = before.position.y() - mover.settings.radii.y() + before.support_rise;
+    if (!no_higher_than_steps(mover, before, *landing.contact, height))
+        return Refusal{Decision::step_up_too_high,
+                       {.value = landing.contact->point.y() - feet, .limit = height}};
+    return land(mover, landing,
+                {.own_response = Decision::step_up_own_response,
+                 .too_steep = Decision::step_up_too_steep,
+                 .on_ice = true});
 }
 
 // What a slow or slanting move lacks to get two skins into the walls that stopped it. Less ends within the
 // skin that the plain move kept, drops back beside the rim, and does so again in every tick.
-Vec3 push_into_walls(const Motion& plain, const Vec3& level, double depth) {
+Vec3 push_into_walls(const Motion& plain, const Vec3& flat, double depth) {
     Vec3 push = Vec3::Zero();
     for (int i = 0; i < plain.wall_count; ++i) {
         const Vec3& wall = plain.walls[static_cast<std::size_t>(i)];
-        push -= wall * std::max(0.0, depth + level.dot(wall));
+        push -= wall * std::max(0.0, depth + flat.dot(wall));
     }
     return push;
 }
 
 }  // namespace
 
-bool step_up(Mover& mover, const Motion& before, const Vec3& level) {
+bool step_up(Mover& mover, const Motion& before, const Vec3& flat) {
     const Motion plain = mover;
     const auto refuse = [&](const Refusal& refusal) {
-        decide(mover, refusal.why, refusal.quantity, plain.support_face);
+        decide(mover, refusal.why, refusal.quantity, plain.support.face);
         mover.motion() = plain;
         return false;
     };
     if (!mover.settings.step_up) return refuse({Decision::step_up_off});
     if (!mover.was_grounded) return refuse({Decision::step_up_in_air});
 
-    const Vec3 heading = direction_of(level);
-    const double least = worth * level.norm();
+    const Vec3 heading = direction_of(flat);
+    const double least = worth * flat.norm();
     const auto gained = [&] { return (mover.position - plain.position).dot(heading); };
     const auto accept = [&] {
         decide(mover, Decision::stepped_up,
                {.value = mover.position.y() - before.position.y(), .limit = mover.settings.step_height},
-               mover.support_face);
+               mover.support.face);
         return true;
     };
-    const Vec3 push = push_into_walls(plain, level, 2.0 * mover.settings.skin);
-    std::optional<Refusal> refusal = lift_move_drop(mover, before, level);
+    const Vec3 push = push_into_walls(plain, flat, 2.0 * mover.settings.skin);
+    std::optional<Refusal> refusal = lift_move_drop(mover, before, flat);
     if (!refusal && !(gained() > least))
         return refuse({Decision::step_up_no_further, {.value = gained(), .limit = least}});
     const bool climbed = mover.position.y() - plain.position.y() > 0.1 * gained();
     if (!refusal && (climbed || push.isZero(0.0))) return accept();
 
     const Motion beside = mover;
-    if (!push.isZero(0.0) && !lift_move_drop(mover, before, level + push) && gained() > least &&
+    if (!push.isZero(0.0) && !lift_move_drop(mover, before, flat + push) && gained() > least &&
         mover.position.y() - plain.position.y() > 0.5 * mover.settings.skin) {
         return accept();
     }
@@ -103,14 +91,14 @@ bool step_up(Mover& mover, const Motion& before, const Vec3& level) {
     return accept();
 }
 
-bool step_every_move(Mover& mover, const Motion& before, const Vec3& level) {
-    if (const auto refusal = lift_move_drop(mover, before, level)) {
-        decide(mover, refusal->why, refusal->quantity, before.support_face);
+bool step_every_move(Mover& mover, const Motion& before, const Vec3& flat) {
+    if (const auto refusal = lift_move_drop(mover, before, flat)) {
+        decide(mover, refusal->why, refusal->quantity, before.support.face);
         mover.motion() = before;
         return false;
     }
     decide(mover, Decision::step_every_move, {.value = mover.position.y() - before.position.y()},
-           mover.support_face);
+           mover.support.face);
     return true;
 }
 

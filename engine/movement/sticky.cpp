@@ -12,23 +12,17 @@ std::optional<Deflection> stick(Mover& mover, const Hit& hit) {
     }
     mover.stuck = true;
     mover.grounded = false;
-    mover.support_normal = hit.contact.normal;
-    mover.support_face = hit.contact.face;
-    mover.support_surface = hit.contact.surface;
-    mover.support_platform = hit.platform;
+    mover.support = {hit.contact.normal, hit.contact.face, hit.contact.surface, hit.platform};
     decide(mover, Decision::stuck, hit.contact.face);
     return Deflection{.rule = Rule::stick, .plane = hit.contact.normal};
 }
 
-void hold(Mover& mover, const PlayerState& state) {
+void hold(Mover& mover) {
     mover.stuck = true;
     mover.velocity = Vec3::Zero();
-    mover.support_normal = state.ground_normal;
-    mover.support_face = state.ground_face;
-    mover.support_surface = state.ground_surface;
-    mover.support_platform = state.ground_platform;
-    mover.hazard = mover.hazard || support_of(mover, state).hazardous;
-    decide(mover, Decision::still_stuck, state.ground_face);
+    mover.support = support_before(mover);
+    mover.hazard = mover.hazard || support_of(mover).hazardous;
+    decide(mover, Decision::still_stuck, mover.support.face);
 }
 
 }  // namespace slipface

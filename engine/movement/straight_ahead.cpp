@@ -2,30 +2,13 @@
 // Hack (lecture, "Deflection on ramps"): a horizontal move goes on in the direction V - (0, 1/N.y, 0) (N.V),
 // straight ahead on the contact plane, by the length of V - N (N.V), what plain sliding would have made.
 //
-// Only ground that can be walked on is a ramp. Anything steeper is a wall to a horizontal move: it slides
-// along the horizontal part of the normal, or a player would run up a cliff by pushing against it.
+// Only ground that can be walked on is a ramp; steep_walls.cpp has what is steeper.
 //
-// A ramp turns the displacement and leaves the velocity: the velocity of a walking player is what the stick
-// asks for, and turning it at every tick would brake the player more the shorter the ticks are.
+// A ramp deflects the displacement and leaves the velocity: the velocity of a walking player is what the
+// stick asks for, and deflecting it in every tick would brake the player more the shorter the ticks are.
 #include "mover.h"
 
 namespace slipface {
-
-std::optional<Deflection> slide_at_wall(Mover& mover, const Hit& hit) {
-    if (hit.pass != Pass::horizontal || hit.walkable) return std::nullopt;
-    const Vec3 plane = direction_of(horizontal(hit.contact.normal));
-    // Straight overhead or underfoot: no wall in it.
-    if (plane.isZero(0.0)) return std::nullopt;
-    const int known = mover.wall_count;
-    if (known == 0 || (known == 1 && mover.walls[0].dot(plane) < 0.99))
-        mover.walls[static_cast<std::size_t>(mover.wall_count++)] = plane;
-    decide(mover, Decision::wall,
-           {.value = hit.contact.normal.y(), .limit = walkable_limit(mover, hit.surface)}, hit.contact.face);
-    return Deflection{.rule = Rule::slide,
-                      .remainder = slide_along(hit.remainder, plane),
-                      .velocity = slide_along(mover.velocity, plane),
-                      .plane = plane};
-}
 
 std::optional<Deflection> go_straight_ahead(Mover& mover, const Hit& hit) {
     if (hit.pass != Pass::horizontal || !hit.walkable) return std::nullopt;

@@ -53,8 +53,10 @@ void apply_surface_rules(CollisionWorld& world, SurfaceTable surfaces) {
 std::span<const SurfaceField> surface_fields() {
     using T = SurfaceType;
     static const std::array<SurfaceField, 13> fields{{
-        {"friction", "Friction", "", 0.0, 1.0,
-         "Share of the velocity along the surface that a bounce keeps; 1 keeps all of it.", &T::friction},
+        {"friction", "Friction", "", 0.0, max_friction,
+         "How well the ground holds: 1 as plain ground, 0 slides, more starts and stops faster. Multiplies "
+         "acceleration and braking; below 1 slopes pull; above 1 a bounce loses speed along the surface.",
+         &T::friction},
         {"restitution", "Restitution", "", 0.0, 1.0,
          "Share of the velocity into the surface that it gives back: 0 slides, 1 bounces for ever. A fall "
          "from h bounces "

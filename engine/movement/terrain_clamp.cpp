@@ -29,10 +29,7 @@ bool clamp_to_terrain(Mover& mover, const Vec3& from) {
         } else {
             mover.velocity = slide_along(mover.velocity, ground->normal);
         }
-        mover.support_normal = ground->normal;
-        mover.support_face = no_id;
-        mover.support_surface = default_surface;
-        mover.support_platform = no_id;
+        mover.support = {.normal = ground->normal};
         mover.support_rise = 0.0;
         decide(mover, outcome, {.value = missing});
     };

@@ -238,7 +238,7 @@ TEST(Bouncy, comes_to_rest_and_can_be_walked_on) {
 TEST(Bouncy, walls_reflect_and_scale_the_parallel_part_by_friction) {
     Lab lab;
     lab.surfaces[bouncy].restitution = 0.5;
-    lab.surfaces[bouncy].friction = 0.25;
+    lab.surfaces[bouncy].friction = 4.0;  // keeps a quarter
     lab.wall({2, -90}, {2, 90}, -50, 50, bouncy);
     lab.ready();
     MovementSettings s = basic_settings();

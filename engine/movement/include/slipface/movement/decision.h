@@ -43,6 +43,8 @@ enum class Decision : std::uint8_t {
     pressed_down,
     pressed_down_off,
     coasted,
+    friction_held,
+    friction_slid,
     slope_speed_kept,
     slope_speed_off,
     // Steps and edges
@@ -78,6 +80,7 @@ enum class Decision : std::uint8_t {
     seam_filtered,
     // Surfaces with a response of their own
     bounced,
+    bounce_scraped,
     bounce_off,
     bounce_walked,
     bounce_too_slow,

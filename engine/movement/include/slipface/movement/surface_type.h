@@ -18,13 +18,15 @@ enum class Hatch : std::uint8_t { none, diagonal, cross, dots, horizontal, verti
 inline constexpr std::array<const char*, 8> hatch_names{"none",       "diagonal", "cross",   "dots",
                                                         "horizontal", "vertical", "checker", "rings"};
 
+inline constexpr double max_friction = 10.0;
+
 struct SurfaceType {
     std::string name = "default";
     std::array<float, 3> color{0.62f, 0.64f, 0.67f};  // sRGB, 0..1
     Hatch hatch = Hatch::none;
     int hotkey = 0;  // 1..9, 0: none
 
-    double friction = 1.0;      // fraction of the parallel velocity kept in a bounce, 0..1; 1 keeps all of it
+    double friction = 1.0;      // how well the ground holds, 0..max_friction: 1 as plain ground, 0 slides
     double restitution = 0.0;   // fraction of the perpendicular velocity given back, 0..1
     bool keeps_energy = false;  // slides without loss: ice, half-pipes
     bool climbable = false;

@@ -1,0 +1,75 @@
+// What moves the player: a sticky surface holds it, a ladder is climbed, or its own velocity does, after jump,
+// acceleration and gravity.
+//
+// The displacement is the mean of the velocities before and after the step's acceleration times dt. For
+// constant acceleration that is exact, so jumps are as high at 30 Hz as at 360.
+#include "mover.h"
+
+namespace slipface {
+
+namespace {
+
+// Gravity; of a player who slides on a surface only what pulls along it. What presses onto it is no speed to
+// be lost or kept at the contact.
+void fall(Mover& mover, const Vec3& surface_normal) {
+    const Vec3 pull = slide_along(Vec3(0.0, -mover.settings.gravity, 0.0), surface_normal);
+    mover.velocity += pull * mover.dt;
+    const double fastest = mover.settings.terminal_speed;
+    if (!(mover.velocity.y() < -fastest)) return;
+    decide(mover, Decision::fell_at_terminal_speed, {.value = -mover.velocity.y(), .limit = fastest});
+    mover.velocity.y() = -fastest;
+}
+
+Drive drive_freely(Mover& mover, bool jumps) {
+    const PlayerState& state = mover.state;
+    const MovementSettings& settings = mover.settings;
+    const SurfaceType& support = support_of(mover);
+    const bool touching = state.ground_face != no_id;
+    const bool slippery = touching && support.keeps_energy;
+    Drive drive{.kind = Drive::Kind::walk,
+                .split = settings.static_friction && !slippery,
+                .glides = touching && !jumps};
+
+    mover.was_grounded = state.grounded && !jumps;
+    mover.velocity = state.velocity;
+    if (jumps) {
+        mover.velocity = jump_velocity(mover);
+        mover.jumped = true;
+        mover.jumping = true;
+    } else if (state.grounded && drive.split) {
+        // The downward press is not a motion: what the player does have is the descent along the slope.
+        mover.velocity.y() = settings.ground_velocity ? -descent(state.ground_normal, mover.velocity) : 0.0;
+    }
+    if (!jumps) cut_jump(mover);
+    mover.velocity_before = mover.velocity;
+    if (mover.was_grounded || slippery) drive.friction = friction_of(support);
+    const double spare = accelerate(mover, drive.friction, slippery);
+    drive.driven = mover.velocity;
+    if (mover.was_grounded && drive.split) pull_down_slope(mover, drive.friction, spare);
+    fall(mover, !drive.split && drive.glides ? state.ground_normal : Vec3(Vec3::Zero()));
+    drive.move = 0.5 * mover.dt * (mover.velocity_before + mover.velocity);
+    return drive;
+}
+
+}  // namespace
+
+Drive choose_drive(Mover& mover) {
+    const PlayerState& state = mover.state;
+    const SurfaceType& support = support_of(mover);
+    const bool held = state.stuck && sticks(mover, support);
+    const bool on_ladder = state.climbing && support.climbable;
+    const bool jump = wants_jump(mover);
+    // The surface that carries the player may have carried it into a sticky one.
+    if (mover.stuck) {
+        mover.velocity = Vec3::Zero();
+        return {};
+    }
+    if (held && !jump) {
+        hold(mover);
+        return {};
+    }
+    if (on_ladder && !jump) return {.kind = Drive::Kind::climb};
+    return drive_freely(mover, jump && may_jump(mover));
+}
+
+}  // namespace slipface

@@ -1,0 +1,116 @@
+// The move: collide and slide in one piece or split, and what the velocity is afterwards.
+#include <cmath>
+
+#include "mover.h"
+
+namespace slipface {
+
+namespace {
+
+// With constant speed on slopes: the fraction of a horizontal move down the ground stood on that is made, so
+// that the length along the slope is the move's. Uphill straight_ahead.cpp does it.
+double fraction_on_slope(const Mover& mover, const Vec3& flat) {
+    const PlayerState& state = mover.state;
+    if (!mover.was_grounded || !(descent(state.ground_normal, flat) > 0.0)) return 1.0;
+    const bool acts = mover.settings.constant_slope_speed;
+    const double down = descent(state.ground_normal, flat);
+    const double along = std::sqrt(flat.squaredNorm() + down * down);
+    if (acts) {
+        decide(mover, Decision::slope_speed_kept, {.value = flat.norm()}, state.ground_face);
+    } else {
+        decide(mover, Decision::slope_speed_off, {.value = along, .limit = flat.norm()}, state.ground_face);
+    }
+    return acts ? flat.norm() / along : 1.0;
+}
+
+// The horizontal part slides; the vertical part decides whether the player is grounded.
+void move_split(Mover& mover, const Vec3& move) {
+    const Vec3 flat = horizontal(move) * fraction_on_slope(mover, horizontal(move));
+    const double rise =
+        mover.was_grounded ? -press_down(mover, mover.state.ground_normal, move) : move.y();
+    const Motion before = mover;
+    const MovementSettings& s = mover.settings;
+    const bool moves = !flat.isZero(0.0);
+    const bool lifts = s.step_up && s.step_form == StepForm::every_move && mover.was_grounded && moves;
+    if (lifts && step_every_move(mover, before, flat)) return;
+    if (moves) collide_and_slide(mover, Pass::horizontal, flat);
+    const bool blocked = !mover.stuck && !mover.climbing && mover.wall_count > 0;
+    if (!lifts && blocked && step_up(mover, before, flat)) return;
+    if (mover.stuck || mover.climbing) return;
+
+    const double height = mover.position.y();
+    const int contacts = mover.contacts;
+    collide_and_slide(mover, Pass::vertical, Vec3(0.0, rise, 0.0));
+    if (mover.grounded || mover.stuck || mover.climbing || mover.bounced) return;
+    if (mover.was_grounded) snap_down(mover, before);
+    if (!mover.grounded) hold_where_wedged(mover, rise, height, contacts);
+}
+
+// The whole move slides. Gravity alone may not bring a gliding player back to within reach of a sweep in
+// every tick, so the surface slid along is looked for where it was.
+void move_whole(Mover& mover, const Drive& drive) {
+    const int contacts = mover.contacts;
+    collide_and_slide(mover, Pass::slide, drive.move);
+    if (!drive.glides || mover.contacts != contacts) return;
+    const Swept swept =
+        sweep_with_skin(mover, Pass::probe, 0, -mover.state.ground_normal * mover.settings.skin);
+    if (!swept.contact) return;
+    // Moving off faster than gravity pulls back is leaving, not gliding.
+    const double off = mover.velocity.dot(swept.contact->normal);
+    const double rounding = 1e-9 * mover.velocity.norm();
+    if (off > mover.settings.gravity * mover.dt + rounding) return;
+    mover.position = swept.reached;
+    ++mover.contacts;
+    const SurfaceType& surface = surface_of(mover, swept.contact->surface);
+    const Hit hit{.pass = Pass::slide,
+                  .contact = *swept.contact,
+                  .surface = surface,
+                  .platform = swept.platform,
+                  .walkable = is_walkable(mover, swept.contact->normal, surface),
+                  .remainder = mover.velocity * mover.dt,
+                  .done = 1.0};
+    touch(mover, hit);
+    if (off < -rounding) mover.velocity = respond(mover, hit).velocity;
+}
+
+// The velocity that the next step begins with.
+void settle(Mover& mover, const Drive& drive, const Vec3& from) {
+    if (mover.grounded && drive.split && !surface_of(mover, mover.support.surface).keeps_energy) {
+        if (mover.wish.isZero(0.0)) coast(mover, from, drive);
+        set_ground_velocity(mover);
+        rest(mover, from);
+    }
+    // In the air nothing but speed pays for the height that a ramp gives.
+    const bool flying = !mover.was_grounded && !mover.grounded && mover.contacts > 0;
+    // Where the ground was left, a fall has the height that the slope's pull had counted on.
+    const bool slid_off = mover.was_grounded && !mover.grounded && drive.friction < 1.0;
+    if (!drive.split || flying || slid_off || mover.kept_energy || mover.bounced)
+        cap_energy(mover, from, drive.driven);
+    if (!mover.was_grounded || mover.grounded || mover.stuck || mover.climbing) return;
+    const Vec3 carried = carry_velocity(mover);
+    if (!carried.isZero(0.0)) {
+        const bool platform = mover.state.ground_platform != no_id;
+        decide(mover, platform ? Decision::platform_velocity_kept : Decision::surface_velocity_kept,
+               {.value = carried.norm()}, mover.state.ground_face);
+    }
+    mover.velocity += carried;
+}
+
+}  // namespace
+
+void move_player(Mover& mover, const Drive& drive) {
+    if (drive.kind == Drive::Kind::held) return;
+    if (drive.kind == Drive::Kind::climb) return climb(mover);
+    const Vec3 from = mover.position;
+    if (drive.split) {
+        move_split(mover, drive.move);
+    } else {
+        decide(mover,
+               mover.settings.static_friction ? Decision::whole_move_on_ice : Decision::static_friction_off,
+               mover.state.ground_face);
+        move_whole(mover, drive);
+    }
+    settle(mover, drive, from);
+}
+
+}  // namespace slipface

@@ -1,0 +1,24 @@
+// Problem: a player who pushes against a cliff would slide up it.
+// Rule: what is too steep to stand on is a wall to a horizontal move. The move slides along the horizontal
+// part of the normal.
+#include "mover.h"
+
+namespace slipface {
+
+std::optional<Deflection> slide_at_steep_wall(Mover& mover, const Hit& hit) {
+    if (hit.pass != Pass::horizontal || hit.walkable) return std::nullopt;
+    const Vec3 plane = direction_of(horizontal(hit.contact.normal));
+    // Straight overhead or underfoot: no wall in it.
+    if (plane.isZero(0.0)) return std::nullopt;
+    const int known = mover.wall_count;
+    if (known == 0 || (known == 1 && mover.walls[0].dot(plane) < 0.99))
+        mover.walls[static_cast<std::size_t>(mover.wall_count++)] = plane;
+    decide(mover, Decision::wall,
+           {.value = hit.contact.normal.y(), .limit = walkable_limit(mover, hit.surface)}, hit.contact.face);
+    return Deflection{.rule = Rule::slide,
+                      .remainder = slide_along(hit.remainder, plane),
+                      .velocity = slide_along(mover.velocity, plane),
+                      .plane = plane};
+}
+
+}  // namespace slipface
