@@ -1,7 +1,7 @@
-// slipface_audit_rate LEVEL...: how many steps a second an audit makes, beside nothing but the steps: the
-// same number of walkers with the same wishes, on one thread, in turns, so that what slows the machine slows
-// both. Each figure is the median over the rounds of processor time, and the fraction the median of the
-// rounds' own shares.
+// slipface_audit_rate LEVEL...: compares the steps per second of an audit with those of bare steps: the same
+// number of walkers with the same wishes, on one thread, in alternation, so that disturbances affect both.
+// Each figure is the median of processor time over the rounds; the fraction is the median of the fractions of
+// the rounds.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -32,8 +32,8 @@ Wishes wishes_of(const Level& level, const AuditOptions& options) {
     return wishes;
 }
 
-// Nothing but steps; who leaves the level goes on from the spawn point. A level in which something moves is
-// walked side by side, as audits do. Steps made.
+// Makes only steps; a walker that leaves the level continues from the spawn point. If something in the level
+// moves, all walkers advance tick by tick together, as in audits. Returns the number of steps.
 double only_step(const Level& level, LevelScene& moving, const AuditOptions& options, const Wishes& wishes) {
     const TickScene scene(moving);
     const PlayerState spawn = scene.player_at(level.spawn);

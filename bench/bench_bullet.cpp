@@ -1,4 +1,4 @@
-// The same sweeps through Bullet 3.
+// The sweeps of bench_sweep.cpp through Bullet 3.
 #include <benchmark/benchmark.h>
 
 #include "bullet_level.h"

@@ -1,4 +1,4 @@
-// Build and closest-hit rays through Embree 3 on the same mesh.
+// Builds and closest-hit rays through Embree 3 on the same meshes.
 #include <benchmark/benchmark.h>
 
 #include "embree_scene.h"

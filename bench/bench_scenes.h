@@ -1,4 +1,4 @@
-// The levels and queries that every engine is measured on.
+// The levels and queries that every engine is measured with.
 #pragma once
 
 #include <map>
@@ -7,10 +7,11 @@
 
 namespace slipface::bench {
 
-// Of the same density at every size: a building of furnished rooms, or rolling ground with boxes on it.
+// Each kind has the same density at every size: a building of furnished rooms, or rolling ground with boxes.
 enum class Kind { rooms, ground };
 
-// What the tables of docs/performance.md are made of: about how many triangles, and moves in metres.
+// The rows and columns of the tables in docs/performance.md: approximate numbers of triangles, and moves in
+// metres.
 inline constexpr std::int64_t sizes[] = {3000, 10000, 30000, 100000, 300000, 1000000};
 inline constexpr double lengths[] = {0.02, 0.2, 2, 20};
 
@@ -19,7 +20,7 @@ struct Level {
     CollisionWorld world;
 };
 
-// A building has at least so many triangles, ground a few per cent more or fewer.
+// A building has at least `triangles`, ground a few per cent more or fewer.
 inline scenes::Soup make_soup(Kind kind, std::int64_t triangles) {
     scenes::Random random(1);
     const auto count = static_cast<double>(triangles);
@@ -51,7 +52,7 @@ inline Vec3 radii_of(bool ellipsoid) {
     return ellipsoid ? Vec3(0.4, 0.9, 0.4) : Vec3(0.5, 0.5, 0.5);
 }
 
-// Starts in free space within a metre of a surface, random directions.
+// 4096 queries that start in free space within a metre of a surface, in random directions.
 inline std::vector<Query> queries(const Level& level, const Vec3& radii, double length) {
     scenes::Random random(2);
     std::vector<Query> list;
@@ -61,14 +62,14 @@ inline std::vector<Query> queries(const Level& level, const Vec3& radii, double 
         const Vec3 at = (corners[0] + corners[1] + corners[2]) / 3;
         const Vec3 from = at + random.uniform(0, 1.0 + radii.maxCoeff()) * random.direction();
         if (overlaps_any(level.world, radii, from)) continue;
-        // Where there is no ground there is nothing to play.
+        // Positions without ground below are outside the level.
         if (!cast_ray(level.world, from, {0, -1, 0})) continue;
         list.push_back({from, length * random.direction()});
     }
     return list;
 }
 
-// The arguments of the Google Benchmark programs, from the tables' own sizes and lengths.
+// The arguments of the Google Benchmark programs: the sizes and lengths of the tables.
 inline std::vector<std::int64_t> size_arguments() {
     return {std::begin(sizes), std::end(sizes)};
 }
@@ -92,7 +93,7 @@ void build_arguments(Benchmark* benchmark) {
     benchmark->ArgNames({"triangles", "threads"})->ArgsProduct({size_arguments(), {1, 2}});
 }
 
-// What the arguments of a sweep benchmark say.
+// The task that the arguments of a sweep benchmark describe.
 struct SweepTask {
     const Level& scene;
     Vec3 radii;

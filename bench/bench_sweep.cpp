@@ -1,5 +1,5 @@
-// The levels and queries of docs/performance.md as Google Benchmark programs: sweeps one by one and as
-// batches on one thread, rays, points, and builds on one thread and on two.
+// The levels and queries of docs/performance.md as Google Benchmark programs: single sweeps, batches on one
+// thread, rays, points, and builds on one and two threads.
 #include <benchmark/benchmark.h>
 
 #include "bench_scenes.h"
@@ -22,7 +22,7 @@ void slipface_sweep(benchmark::State& state) {
 }
 BENCHMARK(slipface_sweep)->Apply(sweep_arguments);
 
-// All queries a time; items_per_second counts single sweeps.
+// All queries per iteration; items_per_second counts single sweeps.
 void slipface_sweep_batch(benchmark::State& state) {
     const SweepTask task(state);
     const ThreadLimit one(1);

@@ -1,6 +1,6 @@
-// A level in Bullet 3, with its documented settings: btBvhTriangleMeshShape with quantised boxes, no allowed
-// penetration. An ellipsoid is a btMultiSphereShape of one sphere scaled along the axes, which is the nearest
-// that Bullet has.
+// A level in Bullet 3 with its documented settings: btBvhTriangleMeshShape with quantised boxes, no allowed
+// penetration. An ellipsoid is a btMultiSphereShape of one sphere scaled along the axes, the nearest that
+// Bullet offers.
 #pragma once
 
 #include <btBulletCollisionCommon.h>

@@ -1,7 +1,7 @@
-// slipface_characters LEVEL.obj...: one full step of a walking character, beside Bullet's
-// btKinematicCharacterController on the same level with the same inputs, in turns, so that what slows the
-// machine slows both; with and without a trace; and many characters on threads. Each figure is the median
-// over the rounds of processor time, and each ratio the median of the rounds' own ratios.
+// slipface_characters LEVEL.obj...: measures one full step of a walking character against Bullet's
+// btKinematicCharacterController on the same level with the same inputs, in alternation, so that disturbances
+// affect both; with and without a trace; and many characters on threads. Each figure is the median of
+// processor time over the rounds, and each ratio the median of the ratios of the rounds.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ double seconds_now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Headings that change twice a second; the same for every engine.
+// Headings that change twice per second; the same for every engine.
 Wishes wishes_of(std::size_t walkers) {
     Wishes wishes;
     for (std::uint64_t walker = 0; walker < walkers; ++walker) {
@@ -59,7 +59,7 @@ MovementSettings every_hack() {
     return s;
 }
 
-// Places where a walker stands, found by dropping one at random points.
+// Positions where a walker can stand, found by dropping one at random points.
 std::vector<Vec3> spawns(LevelScene& scene, const MovementSettings& s, std::size_t count) {
     const MovementScene world = scene.at(0.0, dt);
     const Aabb box = world.collision.bounds();
@@ -82,8 +82,8 @@ std::vector<Vec3> spawns(LevelScene& scene, const MovementSettings& s, std::size
 
 struct Timing {
     double step_us = 0.0;
-    double falls = 0.0;   // a walker; out of the level, and begins again
-    double sweeps = 0.0;  // a step
+    double falls = 0.0;   // per walker: it fell out of the level and restarted
+    double sweeps = 0.0;  // per step
 };
 
 // `sink` may be null.

@@ -1,6 +1,6 @@
-// slipface_editor_speed [SIDE]: what the editor answers cost on a level of 2 SIDE^2 triangles (707: a
-// million), each its own face. Processor time of the whole frame that answers, uploads included, drawing of
-// the level not.
+// slipface_editor_speed [SIDE]: measures how long the editor takes to respond on a level of 2 SIDE^2
+// triangles (707: a million), each its own face. Processor time of the whole frame that shows the response,
+// including uploads but not the drawing of the level.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ double cpu_ms() {
     return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
 }
 
-// Gentle hills, so that floods by angle have something to decide.
+// Gentle hills, so that flood fills by angle have a decision to make.
 void write_hills(const std::filesystem::path& path, int side) {
     std::ofstream out(path);
     for (int i = 0; i <= side; ++i)
@@ -43,7 +43,7 @@ class Bench {
   public:
     explicit Bench(OffscreenHost& host) : host_(host) {}
 
-    // `prepare` and the frames that let it come to rest do not count.
+    // `prepare` and the frames that settle after it are not measured.
     void measure(const char* name, int times, const std::function<void(int)>& prepare,
                  const std::function<void(int)>& act) {
         std::vector<double> took;

@@ -1,4 +1,4 @@
-// A level in Embree 3: medium quality.
+// A level in Embree 3, built with medium quality.
 #pragma once
 
 #include <embree3/rtcore.h>
@@ -11,7 +11,8 @@ namespace slipface::bench {
 
 class EmbreeScene {
   public:
-    // `robust`: no ray slips between two triangles that share an edge, as none of ours does. `threads` build.
+    // `robust`: no ray passes between two triangles that share an edge; ours never do. `threads`: for the
+    // build.
     explicit EmbreeScene(const scenes::Soup& soup, bool robust = false, int threads = 1)
         : device_(rtcNewDevice(("threads=" + std::to_string(threads)).c_str())),
           scene_(rtcNewScene(device_)) {

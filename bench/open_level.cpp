@@ -1,7 +1,7 @@
 // slipface_open_level [SIDE] [quads]: writes an OBJ of 2 * SIDE^2 triangles (707: a million), opens it as the
-// editor does up to the first picture, off-screen, then paints every face and saves. One table: wall and
-// processor seconds a stage, and the peak of memory. assimp's bare parsing of the same file, in a process of
-// its own, tells how fast the machine is.
+// editor does up to the first image, off-screen, then paints every face and saves. Prints a table: wall and
+// processor seconds per stage, and peak memory. The time of assimp's parsing of the same file, in a separate
+// process, shows how fast the machine is.
 #include <assimp/scene.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -75,7 +75,7 @@ void write_hills(const std::filesystem::path& path, int side, bool quads) {
     if (!write_file_atomic(path, text)) std::abort();
 }
 
-// In a process of its own: its memory is none of ours. Negative if it failed.
+// In a separate process, so that its memory does not count here. Negative if it failed.
 double assimp_s(const std::filesystem::path& obj) {
     int ends[2] = {-1, -1};
     if (::pipe(ends) != 0) return -1.0;

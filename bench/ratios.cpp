@@ -1,8 +1,8 @@
-// Prints how fast the engine is beside Bullet 3 and Embree 3: the same queries on the same mesh in the same
-// run, in turns, so that what slows the machine slows both. Each engine makes a round's queries once
-// unmeasured before they are timed, as a game that asks it every tick does. Each figure is the median over
-// the rounds of processor time of one thread, and each ratio the median of the rounds' own ratios. Only
-// builds on two threads are timed by the clock on the wall.
+// Prints how fast the engine is compared with Bullet 3 and Embree 3: the same queries on the same mesh in the
+// same run, in alternation, so that disturbances affect both. Each engine first makes the queries of a round
+// once unmeasured, because a game queries it every tick. Each figure is the median over the rounds of
+// processor time of one thread, and each ratio the median of the ratios of the rounds. Only builds on two
+// threads are measured in elapsed time.
 #include <fmt/core.h>
 #include <tbb/task_arena.h>
 
@@ -33,14 +33,14 @@ auto over(const std::vector<Query>& list, Answer&& answer) {
     };
 }
 
-// Fewer of the long ones, which take Bullet long.
+// Fewer of the long queries, which are slow in Bullet.
 std::vector<Query> some_queries(const Level& level, const Vec3& radii, double length) {
     std::vector<Query> list = queries(level, radii, length);
     list.resize(length > 2.0 ? 1024 : 2048);
     return list;
 }
 
-// Nanoseconds a query.
+// Nanoseconds per query.
 template <class Work>
 double clock(std::size_t count, Work&& work, double (*now)() = seconds) {
     work();
@@ -68,9 +68,9 @@ Pair race(std::size_t count, Mine&& mine, Other&& other, double (*now)() = secon
     return {median(a), median(b), median(ratio)};
 }
 
-// One by one, and as a batch on the same thread.
+// Single sweeps, and a batch on the same thread.
 void sweeps(Kind kind, bool ellipsoid) {
-    // A batch uses all threads there are; here it may have one.
+    // A batch uses all available threads; here it may use one.
     const ThreadLimit one(1);
     const Vec3 radii = radii_of(ellipsoid);
     fmt::print("\n{}, sweeps of {}: ns one by one and as a batch, and how many times Bullet's rate\n\n",
@@ -155,7 +155,7 @@ void rays() {
     }
 }
 
-// The same number of threads for both.
+// Both use the same number of threads.
 Pair build_race(const Level& scene, int threads) {
     const ThreadLimit limit(threads);
     tbb::task_arena arena(threads);
@@ -207,7 +207,7 @@ void builds() {
 }  // namespace
 }  // namespace slipface::bench
 
-// Without arguments all tables, otherwise those named: sweeps, rays, builds.
+// Without arguments all tables, otherwise the named ones: sweeps, rays, builds.
 int main(int count, char** arguments) {
     using namespace slipface::bench;
     const auto wanted = [&](std::string_view table) {

@@ -28,7 +28,7 @@ int complain(const Error& error, int code) {
     return code;
 }
 
-// Without a display the same editor runs off-screen, so that there is something to look at.
+// Without a display the same editor runs off-screen and writes images.
 int show_images(const fs::path& level, const Error& reason) {
     fmt::print("No window ({}). Drawing the editor off-screen instead.\n", reason.message);
     const fs::path editor_png = fs::path("out") / "editor.png", level_png = fs::path("out") / "level.png";
@@ -57,7 +57,7 @@ void print_warnings(const Warnings& warnings) {
         fmt::print(stderr, "slipface: warning: {}\n", warning.text());
 }
 
-// The warnings of every level that is opened, once each time.
+// Prints the warnings of every opened level, once per opening.
 class WarningPrinter {
   public:
     explicit WarningPrinter(const Editor& editor) : editor_(editor) {}
@@ -163,8 +163,8 @@ Status write_docs(const DocsArguments& arguments, const CLI::App& app) {
     return {};
 }
 
-// What is made from tables: the pages of docs/, which a test holds against them, and what an installation
-// adds.
+// Output made from tables: the pages of docs/, which a test compares with them, and files for an
+// installation.
 void add_docs_verb(CLI::App& app, int& exit_code) {
     auto arguments = std::make_shared<DocsArguments>();
     CLI::App* const verb = app.add_subcommand("docs", "Write commands.md, settings.md and scripting.md");
@@ -224,7 +224,7 @@ int run(int argument_count, char** arguments) {
 int main(int argument_count, char** arguments) {
     try {
         const int code = slipface::run(argument_count, arguments);
-        // A full disk or a closed pipe must not pass for a result.
+        // With a full disk or a closed pipe the program must not report success.
         std::cout.flush();
         if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout) {
             std::fprintf(stderr, "slipface: the output could not be written\n");

@@ -22,7 +22,7 @@ int usual_jobs() {
     return static_cast<int>(processors == 0 ? 1 : std::min(processors, 16U));
 }
 
-// Every context of this process and of its workers is then made by that library.
+// All contexts of this process and of its workers are then made by that library.
 void choose_gl(const Shared& arguments) {
     if (arguments->work.suite.gl != "auto") ::setenv("SLIPFACE_GL", arguments->work.suite.gl.c_str(), 1);
 }
@@ -33,7 +33,7 @@ void add_gl(CLI::App& verb, const Shared& arguments) {
         ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
 }
 
-// Which snapshots there are.
+// The options that name snapshots.
 void add_suite(CLI::App& verb, const Shared& arguments) {
     SuiteArguments& suite = arguments->work.suite;
     verb.add_option("--goldens", suite.goldens, "Folder of the goldens")->capture_default_str();
@@ -51,7 +51,7 @@ void add_levels(CLI::App& verb, const Shared& arguments, const char* name) {
     verb.add_option("--tape", suite.tape, "For levels: a tape to draw");
 }
 
-// Which of them, and how the work is shared out.
+// The options that choose among them and divide the work.
 void add_choice(CLI::App& verb, const Shared& arguments) {
     verb.add_option("--only", arguments->only, "Names, with * and ?");
     verb.add_option("--out", arguments->work.out, "Folder for pictures and reports")->capture_default_str();
@@ -195,7 +195,7 @@ void add_doctor_verb(CLI::App& group, int& exit_code) {
     });
 }
 
-// Not for people: one of the processes of --jobs.
+// Internal: one of the processes of --jobs.
 void add_worker_verb(CLI::App& group, int& exit_code) {
     const Shared worker = new_arguments(WorkKind::check);
     CLI::App* const verb = group.add_subcommand("worker", "")->group("");

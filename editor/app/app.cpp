@@ -50,13 +50,13 @@ struct App::Impl {
         editor.style.background_bottom = color(ui::palette().view_bottom);
     }
 
-    // What the level's pictures lacked is known once it was sent to the graphics card. Like all other
-    // warnings of an opening it opens their panel.
+    // Which images are missing is known only after the level was uploaded to the graphics card. These
+    // warnings open the warnings panel, like all others from opening.
     void take_texture_warnings() {
         if (editor.texture_warnings == scene.texture_warnings()) return;
         editor.texture_warnings = scene.texture_warnings();
         if (!editor.texture_warnings.empty()) editor.layout.show(PanelId::warnings);
-        frame.animating = true;  // a frame more shows it
+        frame.animating = true;  // one more frame shows it
     }
 
     AppOptions options;
@@ -119,7 +119,7 @@ void App::key_pressed(const KeyPress& press) {
     if (guide_key(editor, key)) return;
     if (dialog_is_open(editor)) {
         if (escape && !GImGui->ActiveId) close_dialog(editor);
-        // In a text box Enter belongs to the box; buttons that have the keyboard's focus react to Space.
+        // In a text box Enter belongs to the box; buttons with the keyboard focus react to Space.
         if (key == Shortcut{.key = "Enter"} && !io.WantTextInput && !editor.session.loading)
             ui::request_accept();
         return;
@@ -140,7 +140,7 @@ void App::key_pressed(const KeyPress& press) {
             return;
         }
     }
-    // Letters belong to a text box while one is edited, and so do its own undo, clipboard and selection keys.
+    // While a text box is edited it gets the letters and the keys for its own undo, clipboard and selection.
     const bool plain = !key.ctrl && !key.alt &&
                        (key.key.size() == 1 || key.key == "Delete" || key.key == "Space" ||
                         key.key == "Backspace" || key.key == "Enter" || key.key == "Tab");
@@ -150,7 +150,7 @@ void App::key_pressed(const KeyPress& press) {
     if (io.WantTextInput && (plain || editing_key || escape)) return;
     const Command* const command = editor.session.keymap.command_for(key);
     if (!command) return;
-    // Keys that move the player or the camera are no commands meanwhile.
+    // Keys that move the player or the camera run no commands meanwhile.
     if (plain && viewport_is_flying()) return;
     if (editor.playtest && plain && std::string_view(command->menu) != "Playtest") return;
     run_command(editor, command->id);

@@ -19,7 +19,7 @@ struct PaletteState {
     bool was_shown = false;
     std::string query;
     std::size_t chosen = 0;
-    bool moved = false;  // by a key: the row is scrolled into view
+    bool moved = false;  // by a key: scrolls the row into view
 };
 
 PaletteState& palette_state() {

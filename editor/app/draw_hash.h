@@ -1,4 +1,4 @@
-// Fingerprints of pictures before they are drawn: equal hashes, equal pixels.
+// Hashes of images before they are drawn: equal hashes mean equal pixels.
 #pragma once
 
 #include <imgui.h>

@@ -1,4 +1,4 @@
-// Choosing a file: places, a path box, a filter and a list, the same on every machine.
+// Choosing a file: folders to start from, a path box, a filter and a list, the same on every machine.
 #include "app/file_browser.h"
 
 #include <imgui_internal.h>
@@ -36,7 +36,7 @@ void list_again(FileBrowser& browser) {
     sort_rows(browser);
 }
 
-// A folder that was renamed or taken away since: the nearest one that is still there.
+// If a folder was renamed or deleted since: its nearest existing parent.
 fs::path nearest_folder(fs::path folder) {
     while (!is_folder(folder) && folder.has_relative_path())
         folder = folder.parent_path();
@@ -94,7 +94,7 @@ void follow_typing(Parts& parts) {
 void take_typing(Parts& parts) {
     FileBrowser& browser = parts.browser;
     ImVector<ImWchar>& typed = ImGui::GetIO().InputQueueCharacters;
-    // The box that was begun with gets the focus some frames later.
+    // The box in which typing began gets the focus some frames later.
     const bool goes_on = browser.caret_to_end || browser.wants_typing != FileBrowser::Box::none;
     std::string text;
     for (const ImWchar c : typed) {
@@ -170,14 +170,14 @@ int filter_box_event(ImGuiInputTextCallbackData* data) {
         data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
         browser.caret_to_end = false;
     }
-    return 0;  // Up and Down are the list's; asking for them keeps them from moving the focus
+    return 0;  // Up and Down belong to the list; querying them stops them from moving the focus
 }
 
 bool enter_pressed() {
     return ui::key_pressed(ImGuiKey_Enter) || ui::key_pressed(ui::key_pad_enter);
 }
 
-// Puts the keyboard's focus where the user began to type. True for the box it is.
+// Moves the keyboard focus to the box in which the user began to type. True for that box.
 void focus_if_wanted(FileBrowser& browser, FileBrowser::Box box) {
     if (browser.wants_typing != box) return;
     ImGui::SetKeyboardFocusHere();
@@ -185,7 +185,7 @@ void focus_if_wanted(FileBrowser& browser, FileBrowser::Box box) {
     browser.caret_to_end = true;
 }
 
-// True: Enter was pressed in it.
+// True: the user pressed Enter in it.
 bool path_box(Parts& parts) {
     FileBrowser& browser = parts.browser;
     focus_if_wanted(browser, FileBrowser::Box::path);
@@ -217,7 +217,7 @@ bool filter_row(Parts& parts) {
     ui::record_last_item("Filter");
     if (ImGui::IsItemActive()) browser.edited = FileBrowser::Box::filter;
     const bool entered = ImGui::IsItemDeactivated() && enter_pressed();
-    // Escape takes the filter away first.
+    // Escape first clears the filter.
     if (ImGui::IsItemDeactivated() && ui::key_pressed(ImGuiKey_Escape)) browser.filter.clear();
     if (changed || ImGui::IsItemDeactivated()) filter_rows(browser);
     if (opens) {
@@ -242,7 +242,7 @@ bool filter_row(Parts& parts) {
     return entered;
 }
 
-// At the left of the buttons, no longer than there is room for.
+// At the left of the buttons, clipped to the free width.
 void footer_text(const ImVec4& color, const std::string& text, float right) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::PushClipRect(at, {ImGui::GetWindowPos().x + right, at.y + ImGui::GetFrameHeight()}, true);

@@ -1,4 +1,4 @@
-// The file dialog's columns: places, the folder's entries, and recent levels over a picture.
+// The file dialog's columns: start folders, the folder's entries, and recent levels above a preview.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -46,9 +46,8 @@ void muted_at_right(const std::string& text) {
     ImGui::TextColored(ui::palette().muted, "%s", text.c_str());
 }
 
-// A row of any text, which may hold "##"; true when it was clicked. Clipped at the column's end; then the
-// tooltip has all of it.
-// `beside` follows in a weaker colour where there is room.
+// A row of any text, which may contain "##"; true when it was clicked. Clipped at the column's end; the
+// tooltip then shows all of it. `beside` follows in a muted colour if there is room.
 bool named_row(const std::string& name, const std::string& shown, const std::string& tip,
                const std::string& beside = {}) {
     const ImVec2 at = ImGui::GetCursorScreenPos();

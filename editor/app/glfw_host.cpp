@@ -22,7 +22,7 @@ namespace slipface {
 namespace {
 
 constexpr int frames_after_event =
-    3;  // popups, tooltips and auto-sized windows need up to this many to come to rest
+    3;  // popups, tooltips and auto-sized windows need up to this many frames to settle
 constexpr double stick_dead_zone = 0.18;
 constexpr double stick_look_radians_s = 2.6;
 
@@ -186,7 +186,8 @@ void run_loop(Window& window) {
             app.draw_frame();
             glfwSwapBuffers(window.handle);
         } else {
-            // Nothing to wait for the screen with: without a pause this would spin.
+            // No frame is drawn, so no buffer swap waits for the screen: without a pause this loop would
+            // spin.
             std::this_thread::sleep_for(std::chrono::milliseconds(8));
         }
         capture_cursor(
@@ -195,15 +196,15 @@ void run_loop(Window& window) {
     }
 }
 
-// The window's place is kept in design pixels of the screen; a place that no screen shows any more is not
-// taken.
+// The window's position is stored in design pixels of the screen. It is not restored if no screen shows it
+// any more.
 bool on_a_screen(int x, int y, int width) {
     int count = 0;
     GLFWmonitor** const monitors = glfwGetMonitors(&count);
     for (int i = 0; i < count; ++i) {
         int left = 0, top = 0, screen_width = 0, screen_height = 0;
         glfwGetMonitorWorkarea(monitors[i], &left, &top, &screen_width, &screen_height);
-        // Enough of the title bar to take hold of.
+        // Enough of the title bar to grab it.
         if (y >= top && y < top + screen_height - 40 && x + width > left + 80 && x < left + screen_width - 80)
             return true;
     }

@@ -12,12 +12,12 @@ struct WindowOptions {
     std::filesystem::path level{};   // opened at once; empty: none
     std::filesystem::path config{};  // folder for preferences and recent files
     std::filesystem::path state{};   // folder for autosaves
-    std::filesystem::path review{};  // a snapshot report to go through; empty: none
+    std::filesystem::path review{};  // a snapshot report to review; empty: none
     int width = 1440, height = 900;
-    float scale = 0.0f;  // 0: what the screen says
+    float scale = 0.0f;  // 0: the screen's scale
 };
 
-// Runs until the user quits. The error says why there is no window: no display, or no OpenGL 3.3.
+// Runs until the user quits. Fails if there is no display or no OpenGL 3.3.
 Status run_window(const WindowOptions& options);
 
 }  // namespace slipface

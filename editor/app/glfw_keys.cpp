@@ -34,7 +34,7 @@ std::string label(int key, int scancode) {
     for (const auto& [code, name] : named)
         if (code == key) return name;
     if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
-    // Where digits need Shift (AZERTY), the keys of that row still count as digits.
+    // On layouts where digits need Shift (AZERTY), the keys of that row still count as digits.
     if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) return std::to_string(key - GLFW_KEY_0);
     if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return std::to_string(key - GLFW_KEY_KP_0);
     const char* const name = glfwGetKeyName(key, scancode);

@@ -5,11 +5,11 @@
 
 namespace slipface {
 
-// The key's label on the user's keyboard with its modifiers; an empty key for those that are no shortcut by
-// themselves.
+// The key's label on the user's keyboard with its modifiers; an empty key for keys that are no shortcut
+// alone.
 Shortcut shortcut_of(int key, int scancode, int mods);
 
-// The flag that the key at this place on the keyboard holds, or null.
+// The flag for the key at this position on the keyboard, or null.
 bool* held_flag(HeldKeys& held, int key);
 
 }  // namespace slipface

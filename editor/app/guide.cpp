@@ -1,4 +1,4 @@
-// Help that lies over the window: the first tour, anchored to real widgets, and the keys that work now.
+// Help on top of the window: the first tour, attached to real widgets, and the keys that work now.
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -16,10 +16,10 @@ namespace slipface {
 namespace {
 
 struct Step {
-    const char* anchor;  // path of a widget; "" or not there: the card stands in the middle
+    const char* anchor;  // path of a widget; "" or missing: the card is in the middle
     const char* title;
     const char* text;
-    const char* command;  // whose key is shown; "" for none
+    const char* command;  // whose key is shown; "": none
 };
 constexpr std::array<Step, 7> steps{{
     {"", "Welcome to Slipface",
@@ -59,7 +59,7 @@ struct Hole {
     ImVec2 min, max;
 };
 
-// Dims the window but for `hole`. Takes the mouse, so that nothing happens under it by accident.
+// Dims the window except `hole`. Takes the mouse, so that nothing below is clicked by accident.
 void shade(const std::optional<Hole>& hole) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0, 0});
@@ -145,7 +145,7 @@ void step_buttons(Editor& editor, int step, float width) {
     if (ui::primary_button(last ? "Done" : "Next", true, {button, 0})) go_to_step(editor, step + 1);
 }
 
-// Beside the hole where there is room: below, else to the right, else to the left.
+// Next to the hole where there is room: below, else at the right, else at the left.
 ImVec2 card_position(const std::optional<Hole>& hole, ImVec2 size) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float gap = 14 * ui::scale();
@@ -260,7 +260,7 @@ void help_overlay(Editor& editor) {
     ImGui::PushFont(ui::fonts().semibold);
     ImGui::TextUnformatted(editor.playtest ? "While you walk" : "What you can do here");
     ImGui::PopFont();
-    // As many columns as the window has room for; the rest goes below and scrolls.
+    // As many columns as fit into the window; the rest is below and scrolls.
     const float column = 300 * scale;
     const int columns =
         std::clamp(static_cast<int>((screen.x * 0.96f - 70 * scale) / (column + 8 * scale)), 1, 3);

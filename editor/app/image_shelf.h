@@ -1,4 +1,4 @@
-// Small pictures of levels that are not open, drawn once and kept as textures.
+// Small images of levels that are not open, drawn once and stored as textures.
 #pragma once
 
 #include <map>

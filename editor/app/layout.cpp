@@ -36,7 +36,7 @@ bool begin_region(const char* name, const Region& region, ImVec2 padding, const 
     return open;
 }
 
-// A border that can be dragged. `line` is where it is, across `region`; returns by how many pixels it moved.
+// A border that can be dragged. `line` is its position across `region`; returns by how many pixels it moved.
 float splitter(const char* name, const Region& region, bool vertical) {
     float moved = 0.0f;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
@@ -54,7 +54,7 @@ float splitter(const char* name, const Region& region, bool vertical) {
     return moved;
 }
 
-// What a right click on a tab offers.
+// The context menu of a tab.
 void tab_menu(Editor& editor, PanelId panel) {
     if (!ImGui::BeginPopupContextItem(panel_info(panel).name)) return;
     struct DockChoice {
@@ -72,7 +72,8 @@ void tab_menu(Editor& editor, PanelId panel) {
     ImGui::EndPopup();
 }
 
-// As many lines as they need: every panel of the dock can be seen and pressed, however narrow it is.
+// As many lines as needed: every panel of the dock stays visible and can be clicked, however narrow the dock
+// is.
 void tabs(Editor& editor, Dock dock, PanelId front) {
     const ui::Scope scope("Tabs");
     const float scale = ui::scale();
@@ -92,7 +93,7 @@ void tabs(Editor& editor, Dock dock, PanelId front) {
     ImGui::Dummy({1, 2 * scale});
 }
 
-// The panels of a dock as tabs, and the open one under them.
+// The panels of a dock as tabs, with the open one below.
 void dock_panels(Parts& parts, Dock dock) {
     Editor& editor = parts.editor;
     const std::optional<PanelId> front = editor.layout.front_of(dock);
@@ -153,7 +154,7 @@ void layout(Parts& parts, ImVec2 size) {
 
     const float top = menu_height + toolbar_height + 1.0f;
     const float bottom = std::max(top + 1.0f, size.y - status_height);
-    // A small window keeps at least a third for the view.
+    // In a small window the view keeps at least a third.
     const float left_width = std::round(std::min(sizes.left * scale, size.x * 0.30f));
     const float right_width = std::round(std::min(sizes.right * scale, size.x * 0.36f));
     const float low_height = std::round(std::min(sizes.bottom * scale, (bottom - top) * 0.5f));
@@ -162,8 +163,8 @@ void layout(Parts& parts, ImVec2 size) {
     const float view_left = left_shown ? left_width + gap : 0.0f;
     const float view_right = right_shown ? size.x - right_width - gap : size.x;
     const float view_bottom = low_shown ? bottom - low_height - gap : bottom;
-    // A timeline is no use in a strip: where the view is narrow, the lower dock takes the left column's width
-    // too.
+    // A narrow timeline is useless: where the view is narrow, the lower dock also takes the left column's
+    // width.
     const bool low_is_wide = low_shown && view_right - view_left < 440.0f * scale;
     const float left_bottom = low_is_wide ? view_bottom : bottom, low_left = low_is_wide ? 0.0f : view_left;
 
@@ -201,7 +202,7 @@ void layout(Parts& parts, ImVec2 size) {
 
     begin_region("##viewport", {{view_left, top}, {view_right, view_bottom}}, {0, 0}, p.window);
     if (review_view(editor, parts.frame)) {
-        // The snapshots' pictures are in the place of the level.
+        // The snapshots' images replace the level.
     } else if (editor.document)
         viewport_panel(editor, parts.frame);
     else

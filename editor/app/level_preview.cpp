@@ -11,7 +11,7 @@
 namespace slipface {
 namespace {
 
-constexpr std::uintmax_t max_bytes = 96u << 20;  // of a file that is read only to be looked at
+constexpr std::uintmax_t max_bytes = 96u << 20;  // of a file that is read only for its preview
 
 std::string facts_of(const LoadedLevel& loaded) {
     std::size_t painted = 0;
@@ -39,7 +39,7 @@ void LevelPreview::take(Result<LoadedLevel> loaded) {
     static_cast<void>(renderer_->set_mesh(level.mesh, level.mesh_path.parent_path()));
     renderer_->set_surface_types(level.surfaces);
     renderer_->set_face_surfaces(resolve_surfaces(level).surface);
-    // Rooms are looked into.
+    // Rooms are viewed from inside.
     const Result<CollisionWorld> world = build_collision_world(level);
     back_faces_ = !world || !is_made_of_rooms(*world);
     camera_ = named_view("iso", level.mesh->bounds, 1.5);

@@ -1,5 +1,5 @@
-// A small picture of a level that is not open, for the file browser. Read beside the window, drawn by the
-// window's own context.
+// A small image of a level that is not open, for the file browser. A thread reads the level; the window's
+// context draws it.
 #pragma once
 
 #include <filesystem>
@@ -17,15 +17,16 @@ class LevelPreview {
     LevelPreview(GlTable gl, const Session& session);
 
     struct Shown {
-        unsigned texture = 0;  // rows from the bottom; 0: there is no picture
-        std::string facts;     // "6456 faces, 12 painted", why there is no picture, or that it is being read
+        unsigned texture = 0;  // rows from the bottom; 0: there is no image
+        std::string facts;  // "6456 faces, 12 painted", why there is no image, or that the file is being read
     };
-    // Of this file, in a picture of that many pixels; draw() makes it. Only the file asked for last is kept.
+    // The preview of `file` as an image of that many pixels, which draw() makes. Only the last file is
+    // stored.
     Shown show(const std::filesystem::path& file, int width, int height);
 
     std::uint64_t hash() const { return wanted_ ? images_ : 0; }
     void begin_frame() { wanted_ = requested_ = false; }
-    // show(), which was called in this frame, has something new for the next.
+    // Something new is there for the next frame. Valid if show() was called in this frame.
     bool ready() const { return requested_ && job_ && job_->ready(); }
     void draw();
 
@@ -37,7 +38,7 @@ class LevelPreview {
     std::filesystem::path file_;
     std::unique_ptr<Background<Result<LoadedLevel>>> job_;
     std::string facts_;
-    std::optional<Camera> camera_;  // nothing: no picture
+    std::optional<Camera> camera_;  // nothing: no image
     std::unique_ptr<LevelRenderer> renderer_;
     std::unique_ptr<Framebuffer> target_;
     bool requested_ = false, wanted_ = false, drawn_ = false;

@@ -1,5 +1,5 @@
-// Small pictures of levels that are not open, for the welcome screen. Read beside the window one after the
-// other, drawn once by the window's own context, and kept.
+// Small images of levels that are not open, for the welcome screen. A thread reads them one after the other;
+// the window's context draws each once and stores it.
 #pragma once
 
 #include <filesystem>
@@ -18,22 +18,22 @@ class LevelThumbnails {
     LevelThumbnails(GlTable gl, const Session& session);
 
     struct Shown {
-        unsigned texture = 0;  // rows from the bottom; 0: there is no picture yet
-        std::string facts;     // "6456 faces"; why there is no picture
+        unsigned texture = 0;  // rows from the bottom; 0: there is no image yet
+        std::string facts;     // "6456 faces", or why there is no image
     };
-    // Seen from the level's first camera, in a picture of that many pixels; draw() makes it.
+    // The view from the level's first camera as an image of that many pixels, which draw() makes.
     Shown show(const std::filesystem::path& file, int width, int height);
 
-    std::uint64_t hash() const { return images_; }  // of what was ready to be shown
+    std::uint64_t hash() const { return images_; }  // of the images that are ready
     void begin_frame() { requested_ = false; }
-    // show(), which was called in this frame, has something new for the next.
+    // Something new is there for the next frame. Valid if show() was called in this frame.
     bool ready() const { return requested_ && job_ && job_->ready(); }
     void draw();
 
   private:
     struct Picture {
         std::string facts;
-        std::optional<Level> level;  // read and not drawn yet
+        std::optional<Level> level;  // read but not drawn yet
         std::unique_ptr<Framebuffer> target;
     };
     void take(Picture& image, Result<LoadedLevel> loaded, int width, int height);

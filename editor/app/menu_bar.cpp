@@ -36,7 +36,7 @@ std::string_view top_menu(const Command& command) {
     return menu.substr(0, menu.find('/'));
 }
 
-// The rows of the menu with this full name, and where its first row stands each of its submenus.
+// The rows of the menu with this full name; each submenu is at the position of its first row.
 void menu(Editor& editor, const std::string& name) {
     const std::size_t slash = name.find('/');
     if (!ui::begin_menu(slash == std::string::npos ? name.c_str() : name.c_str() + slash + 1)) return;

@@ -1,5 +1,5 @@
-// The editor without a window: input is fed by function calls, pictures are read back. Scripts, tests and
-// goldens use it.
+// The editor without a window: function calls give the input and read images back. For scripts, tests and
+// goldens.
 #pragma once
 
 #include <imgui.h>
@@ -16,8 +16,8 @@ struct OffscreenOptions {
     int width = 1280, height = 720;
     float scale = 1.0f;
     std::string hidden_folder;     // left out of messages
-    std::filesystem::path config;  // folder for preferences and recent files; empty: nothing is remembered
-    std::filesystem::path state;  // folder for autosaves; empty: one of its own when a script wants autosaves
+    std::filesystem::path config;  // folder for preferences and recent files; empty: nothing is stored
+    std::filesystem::path state;   // folder for autosaves; empty: a temporary one if a script uses autosaves
 };
 
 class OffscreenHost {
@@ -33,32 +33,32 @@ class OffscreenHost {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    void frame();  // builds one frame of 1/60 s, and does what is due beside the frames
-    // Lets an autosave come due and writes it. The reason why not.
+    void frame();  // builds one frame of 1/60 s, with the background work that is due
+    // Lets the time for an autosave pass and writes it. Returns its error.
     Status autosave();
-    // Leaves the autosaves as a crash would, and looks for what it left as the next run would.
+    // Leaves the autosaves as a crash would, and finds them as the next run would.
     void crash();
-    // Builds frames until two in a row are equal, at most `most`. Returns how many.
-    // While somebody is walking nothing comes to rest: then it is one.
+    // Builds frames until two in a row change nothing, at most `maximum`, and returns their number. During a
+    // playtest every frame differs: then it builds one.
     int settle(int maximum = 60);
     Image screenshot();  // draws the frame built last
-    // Draws the frame built last unless the picture shows it already. True if it drew.
+    // Draws the last frame unless the image shows it already. True if it drew.
     bool draw_if_needed();
 
-    // Input as a person would give it; each takes effect in the next frame.
+    // Input as from a person; each takes effect in the next frame.
     void move_mouse(ImVec2 to);
     void park_mouse();  // outside the window
     void mouse_button(int button, bool down);
     void wheel(float notches);
     void modifiers(bool ctrl, bool shift, bool alt);
-    void press_key(const Shortcut& key);  // down for a frame, up for a frame, with its modifiers
+    void press_key(const Shortcut& key);  // with its modifiers; down for one frame, up for one
     void type(const std::string& utf8);
     ImVec2 mouse() const { return mouse_; }
 
   private:
     OffscreenHost() = default;
 
-    // In this order: the app's GL objects go before the context.
+    // In this order: the app's GL objects are destroyed before the context.
     std::unique_ptr<OffscreenContext> context_;
     std::unique_ptr<Framebuffer> target_;
     std::unique_ptr<App> app_;

@@ -1,4 +1,4 @@
-// The parts of the window. Each draws itself every frame; layout() gives each its place.
+// The parts of the window. Each draws itself in every frame; layout() positions them.
 #pragma once
 
 #include <imgui.h>
@@ -18,33 +18,33 @@ namespace slipface {
 
 // The file dialog's state between frames.
 struct FileBrowser {
-    FileDialogKind shown = FileDialogKind::none;  // what the rest was filled for
+    FileDialogKind shown = FileDialogKind::none;  // the dialog for which the rest was filled in
     std::filesystem::path folder;
     std::string path_text;  // the path box
-    std::string chosen;   // the entry of `folder` that the path box shows, byte for byte; empty: it was typed
-    std::string problem;  // why the last answer was not taken
-    std::vector<std::string> candidates;  // what Tab found to go on with
-    std::optional<std::vector<std::string>>
-        completed;  // the same, while the path box still has to take the text
+    std::string chosen;     // the entry of `folder` in the path box, byte for byte; empty: the path was typed
+    std::string problem;    // why the last choice was rejected
+    std::vector<std::string> candidates;  // the possible names after Tab
+    // The candidates, until the path box has taken the completed text.
+    std::optional<std::vector<std::string>> completed;
     std::vector<StartFolder> places;
 
     FolderListing listing;          // of `folder`, sorted
-    std::vector<std::size_t> rows;  // of its entries, what passes the filter
+    std::vector<std::size_t> rows;  // the entries that pass the filter
     ListingOrder order = ListingOrder::name;
     bool descending = false;
     std::string filter;
-    std::size_t format = 0;  // of level_formats()
-    bool hidden = false;     // files
+    std::size_t format = 0;  // index into level_formats()
+    bool hidden = false;     // show hidden files
 
     enum class Box { none, path, filter };
-    Box edited = Box::none;        // in the frame before
-    Box wants_typing = Box::none;  // gets the keyboard's focus
-    Box typed_into = Box::none;    // what wanted it last
-    bool caret_to_end = false;     // when it has it; until then typing goes on into it
+    Box edited = Box::none;        // the box edited in the previous frame
+    Box wants_typing = Box::none;  // this box gets the keyboard focus
+    Box typed_into = Box::none;    // the box that was typed into last
+    bool caret_to_end = false;     // once it has the focus, so that typing continues at the end
 
-    std::filesystem::path overwrite;  // asked about; empty: nothing
-    int scroll_to = -1;               // the row that the keyboard chose; -1: none
-    std::filesystem::path previewed;  // the level that was looked at last, by click or key
+    std::filesystem::path overwrite;  // the file to confirm; empty: none
+    int scroll_to = -1;               // row selected by key; -1: none
+    std::filesystem::path previewed;  // the level selected last, by click or key
 };
 
 struct Parts {
@@ -53,31 +53,31 @@ struct Parts {
     Editor& editor;
     FrameContext& frame;
     bool deterministic = false;
-    std::string hidden_folder;  // left out of messages, so that pictures do not depend on where the files lie
+    std::string hidden_folder;  // left out of messages, so that images do not depend on the files' location
     FileBrowser browser;
     LevelPreview* preview = nullptr;
     LevelThumbnails* thumbnails = nullptr;
-    std::optional<std::vector<std::filesystem::path>> samples;  // the levels that come with the program
-    Tool last_tool = Tool::select;  // to notice a change: the probe tool opens the probe's numbers
+    std::optional<std::vector<std::filesystem::path>> samples;  // the levels that ship with the program
+    Tool last_tool = Tool::select;  // to detect a change: the probe tool opens the probe's numbers
 };
 
 void layout(Parts& parts, ImVec2 size);
 float menu_bar(Parts& parts);                                // returns its height
 void toolbar(Parts& parts);                                  // into the current window
-float toolbar_height_in(const Editor& editor, float width);  // of a window so wide: one line or two
+float toolbar_height_in(const Editor& editor, float width);  // for a window this wide: one or two rows
 void status_bar(Parts& parts);                               // into the current window
-void welcome(Parts& parts);                                  // into the current window: nothing is open
+void welcome(Parts& parts);                                  // into the current window, while nothing is open
 void dialogs(Parts& parts);
 void shortcuts_window(Editor& editor);
 void command_palette(Editor& editor);
-bool take_key_for_rebinding(Editor& editor, const Shortcut& key);  // true: it was waited for
-void guide(Parts& parts);                             // the tour and the overlay of keys, over everything
-bool guide_key(Editor& editor, const Shortcut& key);  // true: the tour or the overlay took it
+bool take_key_for_rebinding(Editor& editor, const Shortcut& key);  // true: the key was used
+void guide(Parts& parts);  // the tour and the overlay of keys, on top of everything
+bool guide_key(Editor& editor, const Shortcut& key);  // true: the tour or the overlay used the key
 bool dialog_is_open(const Editor& editor);
-void close_dialog(Editor& editor);  // as its Cancel does
+void close_dialog(Editor& editor);  // as its Cancel button does
 void file_browser(Parts& parts);    // inside the dialog's window
 
-// Of the window: "easy.obj • — Slipface".
+// The window's title: "easy.obj • — Slipface".
 std::string window_title(const Editor& editor);
 // The open level's name without its folder; empty when nothing is open.
 std::string document_name(const Editor& editor);

@@ -40,8 +40,7 @@ void SceneView::upload() {
         ++uploads_;
     }
 
-    // Platforms stand where the playtest's last tick left them, and at the level's beginning while it is
-    // edited.
+    // Platforms are where the playtest's last tick left them; while editing, at the level's start.
     const std::vector<std::uint32_t> parts = face_platforms(document.level());
     if (!parts.empty() || moved_) {
         const double time_s =
@@ -54,7 +53,7 @@ void SceneView::upload() {
         }
     }
 
-    // Everything that face_highlights() looks at.
+    // Everything that face_highlights() depends on.
     Hasher highlights;
     highlights.u64(document.revision());
     highlights.u64(editor_.hovered);

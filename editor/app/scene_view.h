@@ -1,4 +1,4 @@
-// The 3D view's picture: keeps the GPU's copy of the level up to date and draws only when something shown has
+// The image of the 3D view: updates the GPU's copy of the level and draws only if something visible has
 // changed.
 #pragma once
 
@@ -15,14 +15,14 @@ class SceneView final : public ViewportServices {
     SceneView(GlTable gl, Editor& editor);
     ~SceneView() override;
 
-    // Remembers what is wanted; draw() makes it.
+    // Stores the request; draw() draws it.
     unsigned render(std::size_t pane, const Camera& camera, const Overlay& overlay, int width,
                     int height) override;
     unsigned still(int slot, const Image& image, std::uint64_t revision) override;
 
     void begin_frame();
     std::uint64_t wanted_hash() const;
-    void draw();  // into the textures that render() returned; nothing if they hold those pictures already
+    void draw();  // draws into the textures that render() returned; skips those that are up to date
 
     const Warnings& texture_warnings() const { return texture_warnings_; }
 
@@ -37,8 +37,8 @@ class SceneView final : public ViewportServices {
     std::optional<LevelLight> light_;
     std::uint64_t face_revision_ = 0, highlights_hash_ = 0;
     std::vector<std::uint8_t> highlights_;
-    std::optional<double> moved_;  // time for which the platforms were placed; nothing: nothing moves
-    std::uint64_t uploads_ = 0;    // counts up whenever the GPU's copy changed
+    std::optional<double> moved_;  // the time of the platforms' positions; nothing: nothing moves
+    std::uint64_t uploads_ = 0;    // grows whenever the GPU's copy changed
     Warnings texture_warnings_;
 
     struct Picture {

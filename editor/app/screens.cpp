@@ -71,7 +71,7 @@ Result<ScreenHeader> read_header(std::string_view text, const std::string& locat
     return header;
 }
 
-// The widgets that can be seen, and what drew them.
+// The visible widgets, and the renderer.
 std::string screen_numbers(const OffscreenHost& host, const ScreenHeader& header) {
     nlohmann::ordered_json numbers;
     numbers["version"] = 1;
@@ -148,7 +148,7 @@ std::optional<std::pair<int, int>> parse_size(std::string_view text) {
 
 namespace {
 
-// The open level as a game has it, seen as the editor sees it.
+// The open level as a game draws it, from the editor's viewpoint.
 Result<Image> game_image(const GlTable& gl, const Editor& editor) {
     Result<std::unique_ptr<GeometricManager>> made = GeometricManager::make(editor.document->snapshot());
     if (!made) return made.error();

@@ -159,7 +159,7 @@ void verb_wait(ScriptContext& context, const Words& words) {
         context.host.frame();
 }
 
-// Runs and audits do their work a frame at a time or on threads of their own.
+// Runs and audits work frame by frame or in threads.
 void verb_finish(ScriptContext& context, const Words&) {
     constexpr int max_frames = 20000;
     for (int i = 0; i < max_frames; ++i) {

@@ -1,5 +1,4 @@
-// Text scripts that use the editor as a person would: by the names of widgets, by gestures in the view, by
-// keys.
+// Text scripts that use the editor as a person does: widgets by name, gestures in the view, keys.
 #pragma once
 
 #include <filesystem>
@@ -14,31 +13,30 @@ namespace slipface {
 
 struct ScriptLine {
     int number = 0;                  // from 1
-    std::vector<std::string> words;  // the verb first; "quoted words" may hold spaces
+    std::vector<std::string> words;  // the verb first; "quoted words" may contain spaces
 };
 
-// The lines with a verb in them. Errors name PLACE:LINE.
+// The lines that have a verb. Errors name LOCATION:LINE.
 Result<std::vector<ScriptLine>> parse_script(std::string_view text, const std::string& location);
 
-// What a script may be told apart by: bad input (a verb, a widget or a file that does not exist) or an
-// `expect` that failed.
+// Why a script failed: bad input (an unknown verb, widget or file) or an `expect` that does not hold.
 enum class ScriptFailure { none, bad_input, expectation };
 
 struct ScriptResult {
     ScriptFailure failure = ScriptFailure::none;
-    Error error;  // place "FILE:LINE"
+    Error error;  // its location is "FILE:LINE"
     int lines_done = 0;
     explicit operator bool() const { return failure == ScriptFailure::none; }
 };
 
-// Runs `text`; relative paths in it start at `folder`. Stops at the first failure. `after_line` is called
-// after each line that was done.
+// Runs `text`; relative paths start at `folder`. Stops at the first failure. Calls `after_line` after each
+// completed line.
 ScriptResult run_script(OffscreenHost& host, std::string_view text, const std::string& location,
                         const std::filesystem::path& folder, const std::function<void()>& after_line = {});
 ScriptResult run_script_file(OffscreenHost& host, const std::filesystem::path& file,
                              const std::function<void()>& after_line = {});
 
-// One row a verb; the interpreter, its errors and docs/scripting.md are made from these.
+// One row per verb; the interpreter, its errors and docs/scripting.md are made from these.
 struct ScriptContext;
 struct ScriptVerb {
     const char* name;

@@ -1,4 +1,4 @@
-// What the verbs of a script share.
+// What the verbs of a script have in common.
 #pragma once
 
 #include "app/script.h"
@@ -26,11 +26,11 @@ struct ScriptContext {
 
 using Words = std::vector<std::string>;
 
-// The widget, scrolled into view if it has to be; fails, naming the nearest, if there is none.
+// The widget, scrolled into view if needed. If it does not exist the script fails and names the nearest ones.
 std::optional<ui::WidgetRect> find_widget(ScriptContext& context, const std::string& path);
 std::string nearest_widgets(const std::string& path);  // "a", "b", ...
-// "x" "y" in pixels of the view, or "@x,y,z" in the level, as a pixel of the window. `next` is moved past
-// what was read.
+// Reads "x" "y" in pixels of the view, or "@x,y,z" in the level, and returns a pixel of the window. Moves
+// `next` past what was read.
 std::optional<ImVec2> view_point(ScriptContext& context, const Words& words, std::size_t& next);
 std::optional<double> number(ScriptContext& context, const std::string& word);
 std::optional<Vec3> vec3(ScriptContext& context, const std::string& word);

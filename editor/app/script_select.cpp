@@ -1,4 +1,4 @@
-// The verbs that choose faces, keep choices and cameras, and replace types.
+// The verbs that select faces, store selections and cameras, and replace types.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -104,7 +104,7 @@ void verb_replace(ScriptContext& context, const Words& words) {
     context.host.frame();
 }
 
-// What verb_camera() does with bookmarks. False: it was none of these.
+// The bookmark part of verb_camera(). False: the words are not about bookmarks.
 bool camera_bookmark(ScriptContext& context, const Words& words) {
     Editor& editor = context.editor();
     const std::string& what = words[1];

@@ -1,4 +1,4 @@
-// The verbs that use the view, the camera and movement keys, and the finding of widgets.
+// The verbs for the view, the camera and movement keys, and for finding widgets.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -85,7 +85,7 @@ std::optional<ui::WidgetRect> find_widget(ScriptContext& context, const std::str
         return std::nullopt;
     }
     if (!found->second.visible) {
-        // One try may fall short of a row that is far away.
+        // One scroll may not reach a row that is far away.
         for (int i = 0; i < 4 && found != ui::widgets().end() && !found->second.visible; ++i) {
             ui::bring_into_view(path);
             for (int frame = 0; frame < 3; ++frame)

@@ -1,4 +1,4 @@
-// Dialogs about what goes on beside the editing: opening, recovering, files that changed on disk.
+// Dialogs about background work: opening, recovering, files that changed on disk.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 

@@ -22,7 +22,7 @@ bool matches(const Editor& editor, const Command& command, const std::string& fi
     return true;
 }
 
-// What else has the same key.
+// The other commands with the same key.
 std::string conflict_text(const Editor& editor, const Command& command) {
     const Keymap& keymap = editor.session.keymap;
     std::string names;
@@ -188,7 +188,7 @@ void shortcuts_window(Editor& editor) {
         ImGuiCond_Appearing);
     ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.5f}, ImGuiCond_Appearing, {0.5f, 0.5f});
     const ui::Scope scope("Shortcuts");
-    // It floats over panels of its own colour.
+    // It needs a border over panels of its own colour.
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0f, scale));
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ui::palette().popup);
     const bool open = ImGui::Begin("Keyboard and mouse", &editor.show_shortcuts,

@@ -1,4 +1,4 @@
-// One line: what the mouse would do, what was done last, and what lies under the mouse.
+// One line: what the mouse would do, the last action, and what is under the mouse.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ void status_bar(Parts& parts) {
     const float right_width = ImGui::CalcTextSize(right.c_str()).x;
     const float end = ImGui::GetWindowWidth() - right_width - ImGui::GetStyle().WindowPadding.x * 2;
 
-    // What was done last matters more than the hint: it gets up to two thirds of the room.
+    // The last action matters more than the hint: it gets up to two thirds of the width.
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float y = at.y + ImGui::GetStyle().FramePadding.y, gap = 24 * ui::scale();
     const float room = ImGui::GetWindowPos().x + end - 20 * ui::scale() - at.x;

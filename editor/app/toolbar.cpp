@@ -1,4 +1,4 @@
-// The commands used most, as icons, and the options of the tool in hand.
+// The most used commands as icons, and the options of the current tool.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -66,7 +66,7 @@ void command_button(Editor& editor, const Command& command) {
 constexpr float play_width = 92, slider_width = 120, name_width = 130, window_padding = 10;  // design pixels
 constexpr float line_height = 46;
 
-// All icons, their groups and the play button beside each other.
+// The width of all icons, their groups and the play button.
 float icons_width() {
     const auto groups = std::count(std::begin(shown_commands), std::end(shown_commands), std::string_view());
     const auto icons = static_cast<float>(std::size(shown_commands)) - static_cast<float>(groups);
@@ -74,7 +74,7 @@ float icons_width() {
            (21 * static_cast<float>(groups) + play_width + 3 * window_padding) * ui::scale();
 }
 
-// What the widest tool's options need.
+// The width of the widest tool's options.
 float options_width() {
     const float icons =
         static_cast<float>(std::size(select_options)) * (ui::icon_button_side() + 3 * ui::scale());
@@ -85,7 +85,7 @@ bool has_two_lines(const Editor& editor, float width) {
     return editor.document && !editor.playtest && width < icons_width() + options_width();
 }
 
-// What the tool in hand can be set to.
+// The options of the current tool.
 void tool_options(Editor& editor, bool own_line) {
     const float scale = ui::scale();
     if (!editor.document || editor.playtest || editor.tool == Tool::probe) return;

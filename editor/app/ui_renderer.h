@@ -1,6 +1,5 @@
 // Draws Dear ImGui's lists through our own table of OpenGL functions, so that one process can use any
-// context. The renderer that ships with Dear ImGui 1.86 always loads libGL, which knows nothing of a context
-// made by OSMesa.
+// context. The renderer of Dear ImGui 1.86 always loads libGL, which does not know contexts made by OSMesa.
 #pragma once
 
 #include <imgui.h>
@@ -17,7 +16,7 @@ class UiRenderer {
     UiRenderer(const UiRenderer&) = delete;
     UiRenderer& operator=(const UiRenderer&) = delete;
 
-    // Over the bound framebuffer; sets every state that it needs and leaves blending and the scissor switched
+    // Draws over the bound framebuffer. Sets all state that it needs; leaves blending and scissor switched
     // off.
     void draw(const ImDrawData& data);
 

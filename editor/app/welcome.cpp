@@ -1,4 +1,4 @@
-// What the window shows while nothing is open: how to begin.
+// The window while nothing is open: ways to begin.
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A picture with the level's name under it. True when it was clicked.
+// An image with the level's name below it. True when it was clicked.
 bool sample_card(Parts& parts, const fs::path& level, float width) {
     const float scale = ui::scale();
     const float image = std::round(width / 1.6f);
@@ -67,7 +67,7 @@ void samples(Parts& parts) {
     if (!chosen.empty()) request_open(parts.editor, chosen);
 }
 
-// A file's name, and behind it, muted, what tells it from others. True when it was clicked.
+// A file's name, followed by muted text that distinguishes it from others. True when it was clicked.
 bool file_row(const char* icon, const std::string& name, const std::string& about, const std::string& tip) {
     const float x = ImGui::GetCursorPosX();
     const bool clicked =

@@ -108,7 +108,7 @@ void print_audit(const AuditReport& report, double seconds, std::ostream& out) {
     }
 }
 
-// The report to `out`, or to a file; a clean one is fine.
+// Writes the report to `out` or to a file. The exit code is exit_fine for a report without findings.
 int deliver(const AuditReport& report, bool json, const std::string& file, double seconds) {
     const std::string text = audit_to_json(report);
     if (!file.empty()) {
@@ -168,7 +168,7 @@ int merge(const std::vector<std::string>& files, const AuditWords& words) {
     return deliver(*whole, words.json, words.out, 0.0);
 }
 
-// The parser alone would take -1 for the largest number.
+// The parser alone would read -1 as the largest number.
 std::string seed_number(const std::string& text) {
     std::uint64_t number = 0;
     const char* const end = text.data() + text.size();

@@ -12,7 +12,7 @@ namespace {
 struct BakeLightOptions {
     std::filesystem::path level;
     int rays = LightQuality{}.sky_rays;
-    double texel_m = 0.0;  // 0: as the level says
+    double texel_m = 0.0;  // 0: the level's value
 };
 
 Result<std::filesystem::path> bake(const BakeLightOptions& options, Warnings& warnings) {

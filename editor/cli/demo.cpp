@@ -1,4 +1,4 @@
-// slipface demo: the demos of the hacks as files, to be opened, played and changed. slipface preset: sets of
+// slipface demo: writes the hacks' demos as files to open, play and change. slipface preset: writes sets of
 // movement settings as files.
 #include "slipface/scenes/demo.h"
 

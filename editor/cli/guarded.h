@@ -1,4 +1,4 @@
-// Every verb ends with an exit code, whatever a library throws.
+// Every verb ends with an exit code, even if a library throws.
 #pragma once
 
 #include <exception>
@@ -8,7 +8,7 @@
 
 namespace slipface::cli {
 
-// The verb's exit code; bad input for an exception that got through, such as too little memory.
+// The verb's exit code; bad input for an uncaught exception such as too little memory.
 template <class Run>
 int guarded(Run run) {
     try {

@@ -29,7 +29,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Every picture once, as the editor's drawing would find it.
+// Reports each missing image once, as the editor's drawing would.
 void add_texture_warnings(LoadedLevel& loaded) {
     constexpr std::size_t maximum = 100;
     Warnings found;

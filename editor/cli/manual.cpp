@@ -16,7 +16,7 @@ std::vector<const CLI::App*> listed_verbs(const CLI::App& app) {
 std::vector<const CLI::Option*> listed_options(const CLI::App& verb) {
     const auto listed = [](const CLI::Option* option) { return !option->get_group().empty(); };
     std::vector<const CLI::Option*> options = verb.get_options(listed);
-    // CLI11 keeps a group of options as a part without a name.
+    // CLI11 stores a group of options as a subcommand without a name.
     for (const CLI::App* group :
          verb.get_subcommands([](const CLI::App* part) { return part->get_name().empty(); }))
         for (const CLI::Option* option : group->get_options(listed))
@@ -24,7 +24,7 @@ std::vector<const CLI::Option*> listed_options(const CLI::App& verb) {
     return options;
 }
 
-// Text as troff shows it unchanged, whatever it begins with.
+// Escapes text so that troff shows it unchanged.
 std::string plain(const std::string& text) {
     std::string escaped;
     for (const char c : text) {
@@ -117,7 +117,7 @@ std::string program_page(const CLI::App& app, const std::string& version) {
     return text + ".SH NOTES\n" + plain(app.get_footer()) + "\n";
 }
 
-// One row of the completion's tables per verb: the words that lead to it, and the words that may follow.
+// One row of the completion's tables per verb: the words that lead to it, and the words that can follow.
 void completion_rows(const CLI::App& verb, const std::string& path, std::string& paths, std::string& follow) {
     std::string words;
     for (const CLI::App* part : listed_verbs(verb)) {

@@ -1,4 +1,4 @@
-// Manual pages and shell completion, made from the table of verbs that also reads the command line.
+// Manual pages and shell completion, made from the same table of verbs that parses the command line.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct ManualPage {
     std::string text;  // troff, for man(1)
 };
 
-// One page for the program and one for each verb that --help lists.
+// One page for the program and one for each verb in --help.
 std::vector<ManualPage> manual_pages(const CLI::App& app, const std::string& version);
 
 // A script for bash that completes verbs, their options, and file names.

@@ -15,7 +15,7 @@ struct Run {
     TapeOnLevel base;
     SimulationReport report = {};
     Vec3 end = Vec3::Zero();  // where the player ended, in the level's coordinates
-    std::string text = {};    // instead of the report, if it was asked for
+    std::string text = {};    // replaces the report if not empty
     bool as_recorded = true;  // nothing was changed on the command line
 };
 

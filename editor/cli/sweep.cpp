@@ -51,7 +51,7 @@ void print_csv(const std::vector<Answer>& answers, const Level& level, std::ostr
 void print_json_answers(const std::vector<Answer>& answers, const Level& level, bool single,
                         std::ostream& out) {
     if (single) return print_json(out, answer_json(answers.front(), level));
-    // Row by row, so that a million answers are not held as one document.
+    // Row by row, so that a million results are not held as one document.
     out << "[";
     for (std::size_t i = 0; i < answers.size(); ++i) {
         out << (i == 0 ? "\n  " : ",\n  ")

@@ -19,7 +19,7 @@ std::string excerpt(std::string_view text) {
     return text.size() <= longest ? std::string(text) : std::string(text.substr(0, longest)) + "...";
 }
 
-// Empty if all is well, else what is wrong.
+// Empty on success, else the error.
 std::string read_row(std::string_view line, SweepQuery& query) {
     const auto count = static_cast<std::size_t>(std::count(line.begin(), line.end(), ',') + 1);
     if (count != columns.size()) return fmt::format("found {} values, expected 6 (ox,oy,oz,dx,dy,dz)", count);

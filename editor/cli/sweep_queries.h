@@ -1,4 +1,4 @@
-// Sweeps asked for by a CSV file.
+// Sweep queries from a CSV file.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,8 @@ struct SweepQuery {
     Vec3 move = Vec3::Zero();
 };
 
-// Header ox,oy,oz,dx,dy,dz, then six finite numbers a line. Empty lines only at the end. Errors name
-// file:line.
+// The header is ox,oy,oz,dx,dy,dz, then six finite numbers per line. Empty lines are allowed only at the end.
+// Errors name file:line.
 Result<std::vector<SweepQuery>> parse_sweep_queries(std::string_view text, const std::string& location);
 Result<std::vector<SweepQuery>> load_sweep_queries(const std::filesystem::path& path);
 

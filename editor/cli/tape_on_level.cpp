@@ -25,7 +25,7 @@ Result<TapeOnLevel> load_tape_on_level(const TapeOptions& options) {
         if (Status status = set_setting(settings, assignment); !status.ok())
             return Error{"--set " + assignment, status.error().message};
     }
-    // The scene refers to the level, so the level goes to its last place before the scene is built.
+    // The scene refers to the level, so the level moves to its final address before the scene is built.
     auto owned = std::make_unique<LoadedLevel>(std::move(*loaded));
     Result<LevelScene> scene = LevelScene::build(owned->level, settings);
     if (!scene) return scene.error();

@@ -1,4 +1,4 @@
-// A tape with the level and the settings that it runs under: what simulate, why and compare begin with.
+// A tape with its level and settings: the input of simulate, why and compare.
 #pragma once
 
 #include <filesystem>
@@ -15,18 +15,18 @@ namespace slipface::cli {
 struct TapeOptions {
     std::filesystem::path level;
     std::filesystem::path tape;
-    std::vector<std::string> settings = {};  // "name=value"; after the level's and the tape's, so they win
-    std::optional<std::string> preset = {};  // name or file; instead of the level's and the tape's settings
-    std::string spawn = {};                  // its name; instead of where the tape begins
+    std::vector<std::string> settings = {};  // "name=value"; override the level's and the tape's
+    std::optional<std::string> preset = {};  // name or file; replaces the level's and the tape's settings
+    std::string spawn = {};                  // name of a spawn; replaces the tape's start
 };
 
 struct TapeOnLevel {
-    std::unique_ptr<LoadedLevel> loaded;  // at a place of its own, which `scene` refers to
+    std::unique_ptr<LoadedLevel> loaded;  // on the heap: `scene` refers to it
     Tape tape;
     MovementSettings settings;
     Vec3 start = Vec3::Zero();
     LevelScene scene;
-    Warnings warnings;  // the tape was recorded on something else
+    Warnings warnings;  // the tape was recorded on another level
 };
 
 Result<TapeOnLevel> load_tape_on_level(const TapeOptions& options);

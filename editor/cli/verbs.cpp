@@ -16,7 +16,7 @@ std::string level_help() {
 
 namespace {
 
-// What the options' texts hold until the command line is complete.
+// The options' texts, until the command line is complete.
 struct SweepWords {
     std::string level, radii, from, move, queries, test;
     bool json = false, csv = false;

@@ -1,6 +1,6 @@
-// The verbs that answer with data (info, sweep, simulate, doctor) and those that exchange files with other
-// programs (import, bake, export). Results go to `out`; errors and warnings go to `err`, one a line, as
-// "slipface: PLACE: message". Each returns an exit code.
+// The verbs that print data (info, sweep, simulate, doctor) and those that exchange files with other programs
+// (import, bake, export). Results go to `out`; errors and warnings go to `err`, one per line, as "slipface:
+// LOCATION: message". Each returns an exit code.
 #pragma once
 
 #include <filesystem>
@@ -15,14 +15,14 @@
 #include "slipface/base/types.h"
 #include "slipface/mesh/import.h"
 
-// CLI/CLI.hpp takes a compiler seconds wherever it is included, so only who defines options does.
+// CLI/CLI.hpp takes seconds to compile, so only files that define options include it.
 namespace CLI {
 class App;
 }
 
 namespace slipface::cli {
 
-// What a LEVEL on the command line may be: every format that can be read, for --help.
+// The formats of LEVEL on the command line, for --help.
 std::string level_help();
 
 struct InfoOptions {
@@ -30,8 +30,8 @@ struct InfoOptions {
     bool json = false;
 };
 
-// How many faces, triangles and faces a type, bounds, warnings, the durations of loading and of building the
-// BVH, its bytes.
+// Prints counts of faces, triangles and faces per type, bounds, warnings, times of loading and of building
+// the BVH, and its size in bytes.
 int run_info(const InfoOptions& options, std::ostream& out, std::ostream& err);
 
 enum class SweepFormat { text, json, csv };
@@ -46,28 +46,28 @@ struct SweepOptions {
     SweepFormat format = SweepFormat::text;
 };
 
-// Runs a probe's test (slipface/sim/probe_test.h): exit_fine if it holds, else a line a difference and
-// exit_check_failed.
+// Runs a probe's test (slipface/sim/probe_test.h). exit_fine if it holds; otherwise prints one line per
+// difference and returns exit_check_failed.
 int run_sweep_test(const std::filesystem::path& level, const std::filesystem::path& test, std::ostream& out,
                    std::ostream& err);
 
-// The first contact of each query. One row of output a row of `queries`; if any row is bad, none and the
-// row's line as error.
+// The first contact of each query, one row of output per row of `queries`. If any row is bad, prints no rows,
+// only an error with the row's line.
 int run_sweep(const SweepOptions& options, std::ostream& out, std::ostream& err);
 
 struct SimulateOptions {
     std::filesystem::path level;
     std::filesystem::path tape;
-    std::vector<std::string> settings = {};  // "name=value"; after the level's and the tape's, so they win
+    std::vector<std::string> settings = {};  // "name=value"; override the level's and the tape's
     bool json = false;
-    std::string spawn = {};                    // instead of the main one, and of the tape's start
-    std::optional<std::string> preset = {};    // name or file; instead of the level's and the tape's settings
-    bool csv = false;                          // the run's numbers, a row a tick, instead of the report
-    std::optional<std::size_t> describe = {};  // instead of the report what happened in that tick, from 0
+    std::string spawn = {};                  // instead of the main one and of the tape's start
+    std::optional<std::string> preset = {};  // name or file; replaces the level's and the tape's settings
+    bool csv = false;  // print the run's numbers, one row per tick, instead of the report
+    std::optional<std::size_t> describe = {};  // print the events of that tick, from 0, instead of the report
 };
 
-// Runs the tape: final state, a hash a second, distance, events. Fails if the tape names the hash that its
-// end has (`end HASH`), no setting is changed here, and another comes out.
+// Runs the tape and prints final state, one hash per second, distance and events. Fails if the tape contains
+// its final hash (`end HASH`), no setting is changed here, and the hash differs.
 int run_simulate(const SimulateOptions& options, std::ostream& out, std::ostream& err);
 
 struct WhyOptions {
@@ -75,16 +75,16 @@ struct WhyOptions {
     bool json = false;
 };
 
-// What stopped the tape's player, and what would have let it pass (slipface/sim/cures.h).
+// What stopped the tape's player, and what would have prevented it (slipface/sim/cures.h).
 int run_why(const WhyOptions& options, std::ostream& out, std::ostream& err);
 
 struct CompareOptions {
     TapeOptions tape;
-    std::vector<std::string> presets = {};  // names or files; none: all that ship with Slipface
+    std::vector<std::string> presets = {};  // names or files; none: all shipped ones
     bool json = false;
 };
 
-// The tape under several presets, a row each: distance, stops, time in the air, falls.
+// The tape under several presets, one row each: distance, stops, time in the air, falls.
 int run_compare(const CompareOptions& options, std::ostream& out, std::ostream& err);
 
 // slipface why LEVEL, slipface compare LEVEL.
@@ -101,7 +101,7 @@ struct DoctorOptions {
     bool json = false;
 };
 
-// What in the geometry makes movement go wrong. exit_check_failed if anything does.
+// What in the geometry makes movement fail. Returns exit_check_failed if there is anything.
 int run_doctor(const DoctorOptions& options, std::ostream& out, std::ostream& err);
 
 // Moves painted types into the material names of the level's OBJ file and saves the level file.
@@ -113,7 +113,7 @@ struct ExportOptions {
 };
 int run_export(const ExportOptions& options, std::ostream& out, std::ostream& err);
 
-// Takes rules from other programs' files, and how to take the geometry's coordinates; saves the level file.
+// Reads rules from other programs' files and sets the import's scale and axis; saves the level file.
 struct ImportVerbOptions {
     std::filesystem::path level;
     std::vector<std::filesystem::path> rules;
@@ -125,11 +125,10 @@ int run_import(const ImportVerbOptions& options, std::ostream& out, std::ostream
 // slipface import, bake and export.
 void add_exchange_verbs(CLI::App& app, int& exit_code);
 
-// slipface bake-light LEVEL: bakes the level's light into a picture beside its level file.
+// slipface bake-light LEVEL: bakes the level's light into an image next to its level file.
 void add_bake_light_verb(CLI::App& app, int& exit_code);
 
-// Adds the subcommands to `app`. The one that is parsed runs on standard output and error and sets
-// `exit_code`.
+// Adds the subcommands to `app`. The parsed one writes to standard output and error and sets `exit_code`.
 void add_data_verbs(CLI::App& app, int& exit_code);
 
 void print_error(std::ostream& err, const Error& error);

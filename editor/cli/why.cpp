@@ -136,7 +136,7 @@ int run_compare(const CompareOptions& options, std::ostream& out, std::ostream& 
 
 namespace {
 
-// The options that every verb of a tape on a level has.
+// The options of every verb that runs a tape on a level.
 CLI::Option* add_tape_options(CLI::App& verb, TapeOptions& tape) {
     verb.add_option("LEVEL", tape.level, "OBJ or level file")->required();
     verb.add_option("--set", tape.settings, "Change a movement setting; may be repeated")

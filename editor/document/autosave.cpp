@@ -30,7 +30,7 @@ std::uint64_t hash_of(std::string_view text) {
     return hasher.value();
 }
 
-// Names may hold any byte but line ends.
+// Names may contain any byte except line ends.
 std::string one_line(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\0'; }, ' ');
@@ -62,7 +62,7 @@ std::optional<NameParts> parts_of(const fs::path& file) {
     return NameParts{std::string(words[0]), std::string(words[1]), static_cast<std::uint64_t>(*number)};
 }
 
-// The autosaves of the folder by session and level, oldest first. What is no autosave is passed over.
+// The autosaves of the folder by session and level, oldest first. Other files are ignored.
 std::map<std::pair<std::string, std::string>, std::map<std::uint64_t, fs::path>> autosaves_in(
     const fs::path& folder) {
     std::map<std::pair<std::string, std::string>, std::map<std::uint64_t, fs::path>> found;
@@ -76,7 +76,7 @@ std::map<std::pair<std::string, std::string>, std::map<std::uint64_t, fs::path>>
     return found;
 }
 
-// A handle that holds the lock, or -1 if somebody else does.
+// A handle that holds the lock, or -1 if another process has it.
 int take_lock(const fs::path& file, bool create) {
     const int handle = ::open(file.c_str(), O_RDWR | O_CLOEXEC | (create ? O_CREAT : 0), 0600);
     if (handle < 0) return -1;
@@ -183,7 +183,7 @@ AutosaveSession::~AutosaveSession() {
     for (const auto& [session, held] : held_)
         ::close(held.lock);
     if (lock_ < 0) return;
-    // An orderly end: what is left was not wanted.
+    // The program ends normally: nobody needs the remaining autosaves.
     for (const auto& [key, files] : autosaves_in(folder_)) {
         std::error_code ignored;
         if (key.first != name_) continue;
@@ -241,7 +241,7 @@ void AutosaveSession::tick(const Document& document, double now_s) {
         std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch())
             .count();
     info.steps = unsaved_steps(document);
-    // A name that something else has taken is passed over.
+    // Skips a name that is already used.
     do {
         info.file = folder_ / file_name(info.mesh_path, number_++);
     } while (fs::exists(info.file, ignored));
@@ -252,7 +252,7 @@ void AutosaveSession::tick(const Document& document, double now_s) {
     rotate(info.mesh_path);
 }
 
-// Only this session's own; the newest, being written just now, is not there yet.
+// Only this session's own files. The newest does not exist yet: it is being written.
 void AutosaveSession::rotate(const fs::path& mesh_path) {
     const std::string level = fmt::format("{:016x}", hash_of(mesh_path.string()));
     const auto all = autosaves_in(folder_);
@@ -301,7 +301,7 @@ std::vector<AutosaveInfo> AutosaveSession::recoverable() const {
             if (handle < 0) continue;  // that session is running
             ::close(handle);
         }
-        // The newest that can be read; one that a power failure cut short has an older one behind it.
+        // The newest that can be read: a power failure may have truncated the last one.
         std::size_t older = files.size();
         for (auto file = files.rbegin(); file != files.rend(); ++file) {
             --older;
@@ -327,7 +327,7 @@ bool AutosaveSession::hold(const AutosaveInfo& info) {
         held_.erase(parts->session);
         return false;
     }
-    // Its owner may have removed it between the look and the lock.
+    // Its owner may have removed it between the check and the lock.
     if (!fs::exists(info.file, error)) {
         let_go(info);
         return false;

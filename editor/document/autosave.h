@@ -1,8 +1,8 @@
-// Autosaves: what was done since the last save, kept where a crash cannot take it.
+// Autosaves: the changes since the last save, stored in files that survive a crash.
 //
-// A folder holds the autosaves of all running programs. Each session has a name and a lock that the system
-// gives back when the process ends, however it ends; a session that nobody holds left its autosaves behind,
-// and these are what is recovered. Files in the folder that are no autosaves are passed over.
+// One folder holds the autosaves of all running programs. Each session has a name and a lock file. The system
+// releases the lock when the process ends, however it ends. A session whose lock is free has ended, and its
+// autosaves can be recovered. Other files in the folder are ignored.
 #pragma once
 
 #include <chrono>
@@ -19,7 +19,7 @@
 
 namespace slipface {
 
-// What an autosave says of itself.
+// The header of an autosave.
 struct AutosaveInfo {
     std::filesystem::path file;        // the autosave
     std::filesystem::path mesh_path;   // of the level it belongs to
@@ -36,7 +36,8 @@ struct Autosave {
 
 // The file's text; what parse_autosave reads back.
 std::string autosave_text(const Autosave& autosave);
-// Refuses what is cut short or changed: the header holds the length and a hash of what follows.
+// Reads the text of an autosave. Fails if it is truncated or altered: the header holds the length and a hash
+// of the rest. `location` names the text in the error.
 Result<Autosave> parse_autosave(std::string_view text, const std::string& location);
 Result<Autosave> read_autosave(const std::filesystem::path& file);
 
@@ -50,7 +51,7 @@ class AutosaveSession {
         double longest_s = 20.0;
     };
 
-    AutosaveSession() = default;  // writes nothing
+    AutosaveSession() = default;  // inactive: writes nothing
     explicit AutosaveSession(std::filesystem::path folder) : AutosaveSession(std::move(folder), Timing()) {}
     AutosaveSession(std::filesystem::path folder, Timing timing);
     ~AutosaveSession();
@@ -59,25 +60,25 @@ class AutosaveSession {
 
     bool active() const { return lock_ >= 0; }
 
-    // Looks whether an autosave is due at `now_s` (any steadily growing clock) and starts to write it beside
-    // the caller. Never in the middle of a transaction, and only when something changed since the last.
+    // Starts to write an autosave in a thread if one is due at `now_s` (any steadily growing clock). Writes
+    // nothing during a transaction, or if nothing changed since the last autosave.
     void tick(const Document& document, double now_s);
-    // Seconds from `now_s` until tick() has something to do; nothing: not before the next change.
+    // Seconds from `now_s` until tick() has something to do. Nothing: only after the next change.
     std::optional<double> due_in(const Document& document, double now_s) const;
-    // Waits for the file that is being written. The reason why the last one failed, or success.
+    // Waits for the file that is being written. Returns the error of the last autosave, or success.
     Status finish();
-    // The document was saved, or its changes were thrown away on purpose: its autosaves go.
+    // Deletes the document's autosaves: it was saved, or the user discarded its changes.
     void forget(const Document& document);
-    // As after a crash: the files stay, the lock goes. For tests.
+    // Ends the session as a crash would: the files stay, the lock is released. For tests.
     void abandon();
 
-    // The newest autosave of each level that an ended session left, newest first.
+    // The newest autosave of each level that an ended session left, sorted newest first.
     std::vector<AutosaveInfo> recoverable() const;
-    // Takes it for this program, which recovers it, until it is discarded or let go, or this one ends: no
-    // other finds it recoverable meanwhile. False: another has taken it, or it is no more.
+    // Reserves the autosave for this program until discard(), let_go() or the end of the program. Meanwhile
+    // no other program finds it recoverable. False: another program has reserved it, or it does not exist.
     bool hold(const AutosaveInfo& info);
     void let_go(const AutosaveInfo& info);
-    // Deletes it and the older ones of the same level and session.
+    // Deletes the autosave and the older ones of the same level and session.
     void discard(const AutosaveInfo& info);
 
     std::size_t written() const { return written_; }
@@ -94,19 +95,19 @@ class AutosaveSession {
         int lock = -1;
         std::set<std::string> levels;  // hashes of their names
     };
-    std::map<std::string, Held> held_;  // of other sessions, which ended
+    std::map<std::string, Held> held_;  // of other sessions, which have ended
     std::uint64_t number_ = 0;          // of the next autosave
     std::size_t written_ = 0;
     std::future<Status> writing_;
     Status last_;
 
-    // What was seen of the document last.
+    // The document's state at the last tick().
     std::uint64_t seen_revision_ = 0, saved_revision_ = 0;
     std::optional<double> first_change_s_, last_change_s_;
 };
 
-// The document as it is on disk with the autosave's state as one step on top; where the level file cannot be
-// read, on the bare geometry.
+// Opens the saved document and applies the autosave's state on top as one step. If the level file cannot be
+// read, it starts from the geometry alone.
 Result<std::unique_ptr<Document>> open_recovered(const Autosave& autosave, Progress* progress = nullptr);
 
 }  // namespace slipface

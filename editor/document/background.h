@@ -1,4 +1,4 @@
-// Work beside the window: one thread, one result, progress and a way to stop it.
+// Work in a background thread: one result, a progress and cancellation.
 #pragma once
 
 #include <atomic>
@@ -10,14 +10,14 @@
 
 namespace slipface {
 
-// Runs `work` in a thread of its own. Destroying it cancels and waits.
+// Runs `work` in its own thread. The destructor cancels it and waits for it.
 template <class T>
 class Background {
   public:
-    // `done` is called from the thread when the result is there, to wake the window up; may be empty.
+    // The thread calls `done` once the result is ready, to wake the window up; may be empty.
     Background(std::function<T(Progress&)> work, std::function<void()> done)
         : thread_([this, work = std::move(work), done = std::move(done)] {
-              T result = work(progress_);  // named: GCC 12 sees a temporary deleted that is not
+              T result = work(progress_);  // a named result: GCC 12 wrongly reports a deleted temporary
               result_.emplace(std::move(result));
               ready_ = true;
               if (done) done();
@@ -32,7 +32,7 @@ class Background {
     const Progress& progress() const { return progress_; }
     void cancel() { progress_.cancel(); }
     bool ready() const { return ready_; }
-    T take() {  // waits if it is not ready; once
+    T take() {  // waits if it is not ready; call it only once
         if (thread_.joinable()) thread_.join();
         return std::move(*result_);
     }

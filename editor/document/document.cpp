@@ -72,7 +72,7 @@ Status Document::save_as(const std::filesystem::path& level_file) {
         level_.file_path = before;
         return status;
     }
-    // A stroke that is still being made may yet change what was written.
+    // A stroke in progress may still change what was written.
     if (open_step_.changes_file())
         saved_cursor_.reset();
     else
@@ -231,7 +231,7 @@ void Document::restore(Level level, std::string step_name, std::vector<FaceId> g
     Transaction transaction(*this, std::move(step_name));
     perform({}, LevelEdit{std::make_shared<const Level>(level_),
                           std::make_shared<const Level>(std::move(level))});
-    select({selection_.begin(), selection_.end()});  // without what is hidden now
+    select({selection_.begin(), selection_.end()});  // drops faces that are hidden now
     transaction.commit();
     guessed_ = std::move(guessed);
     tidy(guessed_, mesh().face_count());

@@ -1,4 +1,4 @@
-// An open level and its history. Every change goes through here, so that every change can be undone.
+// An open level and its history. All changes go through this class, so that all can be undone.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace slipface {
 
-// One reversible change. Values, never pointers: undoing cannot meet a stale object.
+// One reversible change. It holds values, never pointers, so that undo never uses a stale object.
 struct FaceEdit {
     struct Face {
         FaceId face;
@@ -47,7 +47,7 @@ struct FallLimit {
 using FallLimitEdit = ValueEdit<FallLimit>;
 using CamerasEdit = ValueEdit<std::vector<CameraBookmark>>;
 using OrphansEdit = ValueEdit<std::vector<Orphan>>;
-// What a new look at the geometry's file replaces at once.
+// What reading the geometry file again replaces.
 struct Geometry {
     MeshPtr mesh;
     ImportTransform import_transform;
@@ -64,12 +64,12 @@ struct Geometry {
 };
 using GeometryEdit = ValueEdit<Geometry>;
 using SavedSelectionsEdit = ValueEdit<std::vector<SavedSelection>>;
-using LevelEdit = ValueEdit<std::shared_ptr<const Level>>;  // everything on the same mesh: a recovery
+using LevelEdit = ValueEdit<std::shared_ptr<const Level>>;  // everything except the mesh: a recovery
 using Edit =
     std::variant<FaceEdit, SelectionEdit, HiddenEdit, SavedSelectionsEdit, MovementEdit, SurfacesEdit,
                  RulesEdit, SpawnsEdit, FallLimitEdit, CamerasEdit, OrphansEdit, GeometryEdit, LevelEdit>;
 
-// What is asked of faces again and again, worked out once.
+// Properties of faces that are used often, computed once per mesh.
 struct FaceFacts {
     std::vector<Vec3f> normal;  // [face] unit, or zero without area
     std::vector<float> area;    // [face] square metres
@@ -80,19 +80,19 @@ struct PickRay {
     Vec3 origin, direction;
 };
 
-// What undo takes back at once: a stroke, a slider drag, a command.
+// One unit of undo: a stroke, a slider drag, a command.
 struct HistoryStep {
     std::string name;         // "Paint ice", as menus show it
     std::vector<Edit> edits;  // at most one of each kind, so their order does not matter
-    bool keeps_file = false;  // the level file says the same with and without it
+    bool keeps_file = false;  // the level file is the same with and without it
 
-    bool changes_file() const;  // false: it only selects
+    bool changes_file() const;  // false: it changes only the selection
 };
 
 class Document {
   public:
-    // Opens an OBJ or a level file. `warnings()` tells what was repaired or dropped.
-    // May run on a thread of its own; another watches and cancels through `progress`.
+    // Opens an OBJ or a level file. `warnings()` describes what was repaired or dropped. May run in any
+    // thread; another thread watches and cancels it through `progress`.
     static Result<std::unique_ptr<Document>> open(const std::filesystem::path& path,
                                                   Progress* progress = nullptr);
 
@@ -103,105 +103,103 @@ class Document {
     const FaceNeighbours& neighbours() const { return neighbours_; }
     const Warnings& warnings() const { return warnings_; }
     const MatchSummary& match() const { return match_; }
-    // Faces that got their paint by plane or by nearest when the level was read, and were not accepted since.
+    // Faces whose paint was found by plane or by distance when the level was read, and which the user has not
+    // accepted yet.
     std::span<const FaceId> guessed() const { return guessed_; }  // ascending
-    void accept_guessed();                                        // they are right: no step of history
+    void accept_guessed();  // the user confirms them; no step of history
     MovementScene scene() const { return {collision_, level_.surfaces}; }
     const FaceFacts& facts() const { return facts_; }
     std::span<const FaceId> selection() const { return selection_; }  // ascending
     std::span<const FaceId> hidden() const { return level_.hidden; }  // ascending; neither drawn nor picked
     bool is_hidden(FaceId face) const { return !level_.hidden.empty() && hidden_flags_[face] != 0; }
     std::span<const SavedSelection> saved_selections() const { return level_.selections; }
-    SurfaceId unpainted(FaceId face) const {
-        return unpainted_.surface[face];
-    }  // what unsetting it would give
+    // The type that the face would have without its override.
+    SurfaceId unpainted(FaceId face) const { return unpainted_.surface[face]; }
     SurfaceSource unpainted_source(FaceId face) const { return unpainted_.source[face]; }
 
     std::size_t face_count_of(SurfaceId surface) const { return surface_counts_[surface]; }
-    double area_of(SurfaceId surface) const {
-        return std::max(0.0, surface_areas_[surface]);
-    }  // square metres
+    // Square metres.
+    double area_of(SurfaceId surface) const { return std::max(0.0, surface_areas_[surface]); }
 
-    // The nearest face that the ray meets, non-solid ones too, hidden ones never; with `front_only`, seen
-    // from the front. Nothing changes for an observer, but no other query may run meanwhile. The same holds
-    // for the others: every face along the ray, nearest first, each once; and the faces that any of the rays
-    // meets first, ascending.
+    // Ray queries. All find non-solid faces and never hidden ones; with `front_only` only faces seen from the
+    // front. They leave the document unchanged, but only one query may run at a time. pick: the nearest face
+    // that the ray hits. pick_through: all faces along the ray, each once, nearest first. pick_faces: the
+    // first face that each ray hits, ascending, each once.
     std::optional<RayHit> pick(const Vec3& origin, const Vec3& direction, bool front_only);
     std::vector<FaceId> pick_through(const Vec3& origin, const Vec3& direction, bool front_only);
     std::vector<FaceId> pick_faces(std::span<const PickRay> rays, bool front_only);
 
-    // Never the same for two documents. Counts up at every change of what is shown; face_revision only when a
-    // face's type or a type changed.
+    // Two documents never have the same revision. revision() grows at every change of what is shown;
+    // face_revision() only when a face's type or a type changed.
     std::uint64_t revision() const { return revision_; }
     std::uint64_t face_revision() const { return face_revision_; }
 
-    // Differs from the file on disk. Selecting does not count.
+    // True if it differs from the file on disk. The selection does not count.
     bool dirty() const;
     Status save();
-    Status save_as(
-        const std::filesystem::path& level_file);  // the level file's name; the OBJ stays where it is
+    // `level_file` is the level file's name; the OBJ file stays where it is.
+    Status save_as(const std::filesystem::path& level_file);
 
-    // The geometry's file is not what was read: another program has written it.
+    // True if the geometry file differs from what was read: another program has written it.
     bool changed_on_disk() const { return mesh_changed_on_disk(level_); }
-    // Reads the geometry again and finds the painted faces again, as one step of history; match() then says
-    // how many were found and how, and what found no face is an orphan. Nothing changes on an error. Not
-    // during a transaction. In two halves, so that the slow one can run on a thread of its own while the
-    // document stays on the screen: read_again() only reads the document.
+    // Reads the geometry file again and finds the painted faces in it again, as one step of history.
+    // Afterwards match() says how many were found and how; the paint of the others becomes orphans. On an
+    // error nothing changes. Not allowed during a transaction. It has two halves, so that the slow one can
+    // run in another thread while the document is shown: read_again() only reads the document.
     Status reload(Progress* progress = nullptr);
     Result<LoadedLevel> read_again(Progress* progress = nullptr) const {
         return reload_mesh(level_, progress);
     }
     Status take_geometry(LoadedLevel loaded, std::string step_name);
-    // Takes the file's coordinates otherwise; painted faces keep their types.
+    // Reads the geometry with another scale or up axis; painted faces keep their types.
     Status set_import_transform(const ImportTransform& transform, Progress* progress = nullptr);
 
     // Moves the painted types into the material names of the OBJ file (bake_level), saves the level file and
-    // takes the geometry anew, as one step. Undo brings the paint back, not the file: the backup does. Says
-    // what was done.
+    // reads the geometry again, as one step. Undo restores the paint but not the OBJ file; a backup file
+    // holds its old text. Returns a sentence about what was done.
     Result<std::string> bake();
 
-    // Paints `faces` with the type of an orphan, which is one no more: one step. Refuses an orphan that is
-    // not there, one whose type is not there, and no faces.
+    // Paints `faces` with the type of an orphan and removes the orphan, as one step. Fails if the orphan or
+    // its type does not exist, or if `faces` is empty.
     Status attach_orphan(std::size_t orphan, std::span<const FaceId> faces);
-    void drop_orphan(std::size_t orphan);  // gives it up: one step
-    void mark_saved();  // the file is known to hold this state, because it was read from there
+    void drop_orphan(std::size_t orphan);  // deletes it: one step
+    void mark_saved();  // the file on disk holds this state, because it was read from there
 
-    // Changes. Each is one step of history, unless a transaction is open; one that changes nothing leaves no
+    // Changes. Each is one step of history unless a transaction is open. A change without effect adds no
     // step.
-    // Nothing: unset. Returns how many faces changed.
     std::size_t paint(std::span<const FaceId> faces, std::optional<SurfaceId> surface);
-    void select(std::vector<FaceId> faces, std::string step_name = {});  // the hidden ones are left out
-    void hide(std::vector<FaceId> faces, std::string step_name);         // exactly these are hidden then
-    // More than max_saved_selections are ignored: the file could not be read again.
+    void select(std::vector<FaceId> faces, std::string step_name = {});  // hidden faces are left out
+    void hide(std::vector<FaceId> faces, std::string step_name);         // replaces the hidden set
+    // Ignored if there are more than max_saved_selections, because the file could not be read again.
     void set_saved_selections(std::vector<SavedSelection> selections, std::string step_name);
     void set_movement(const MovementSettings& movement, std::string step_name);
-    // Ids of kept types must not move. A table that is empty, too long, or too short for the painted faces is
-    // ignored.
+    // The types that stay must have the same ids. Ignored if the table is empty, too long, or too short for
+    // the painted faces.
     void set_surfaces(std::vector<SurfaceType> surfaces, std::string step_name);
-    // Rules and orphans that name the type follow. Ignored when rename_problem() says why not.
+    // Rules and orphans that name the type are renamed with it. Ignored if rename_problem() gives a reason.
     void rename_surface(SurfaceId surface, const std::string& name);
-    std::string rename_problem(SurfaceId surface,
-                               std::string_view name) const;  // empty: it may have that name
-    void remove_surface(
-        SurfaceId surface);  // later types move down by one; ignored while removal_problem() has a reason
+    // Why the type cannot have that name; empty: it can.
+    std::string rename_problem(SurfaceId surface, std::string_view name) const;
+    // Later ids move down by one. Ignored if removal_problem() gives a reason.
+    void remove_surface(SurfaceId surface);
     std::string removal_problem(SurfaceId surface) const;
     void set_rules(std::vector<MaterialRule> rules);
-    // The main spawn's place; it keeps its name.
+    // Changes position and yaw of the main spawn; its name stays.
     void set_spawn(const Spawn& spawn);
-    // All of them, the main one first. Ignored while spawns_problem() has a reason.
+    // Replaces all spawns, the main one first. Ignored if spawns_problem() gives a reason.
     void set_spawns(std::vector<Spawn> spawns, std::string step_name);
-    void set_fall_limit(std::optional<double> height);  // nothing: the usual one
+    void set_fall_limit(std::optional<double> height);  // nothing: the default; ignored if not within 1e9 m
     void set_cameras(std::vector<CameraBookmark> cameras, std::string step_name = "Change cameras");
-    // Takes over all that `level` adds to the mesh, which must be this document's. The files' names stay.
-    // Ignored during a transaction.
-    // `guessed`: of its painted faces, those whose paint was guessed.
+    // Replaces everything that the level adds to the mesh with that of `level`, which must have this
+    // document's mesh. The file names stay. Ignored during a transaction. `guessed`: the painted faces whose
+    // paint was guessed.
     void restore(Level level, std::string step_name, std::vector<FaceId> guessed = {});
-    // As it is now, for a thread that saves or examines it; it shares the mesh.
+    // A copy of the current state that shares the mesh, for a thread that saves or examines it.
     Level snapshot() const { return level_; }
 
-    // Gathers what follows into one step until commit(). Nested begins join the outer one, whose name counts.
-    // cancel() takes back everything since the outermost begin; like commit() it ends one begin. Both do
-    // nothing without a begin.
+    // Combines all changes until commit() into one step. A nested begin() joins the outer one, whose name is
+    // used. cancel() reverts everything since the outermost begin() and, like commit(), ends one begin().
+    // Both do nothing without a begin().
     void begin(std::string name);
     void commit();
     void cancel();
@@ -214,13 +212,12 @@ class Document {
     void redo();
     std::span<const HistoryStep> history() const { return history_; }
     std::size_t history_cursor() const { return cursor_; }  // steps [0, cursor) are done
-    std::optional<std::size_t> saved_cursor() const {
-        return saved_cursor_;
-    }                                // the file has these steps; nothing: none has
-    void go_to(std::size_t cursor);  // undoes or redoes until it is there
+    // How many steps the file has; nothing: the saved state is no longer in the history.
+    std::optional<std::size_t> saved_cursor() const { return saved_cursor_; }
+    void go_to(std::size_t cursor);  // undoes or redoes up to that step
 
   private:
-    // What applying edits touched, so that only that is worked out again.
+    // What a set of edits changed, so that only that is computed again.
     struct Touched {
         std::vector<FaceId> faces;
         bool hidden = false;
@@ -233,7 +230,7 @@ class Document {
     void apply(const Edit& edit, bool forward, Touched& touched);
     void apply(const HistoryStep& step, bool forward);
     void refresh(const Touched& touched);
-    Status rebuild_geometry();  // the collision world and the neighbours of the mesh
+    Status rebuild_geometry();  // the collision world and the neighbours
     void resolve_again();
     void resolve_face(FaceId face);
     void count_face(FaceId face, bool in);
@@ -262,7 +259,7 @@ class Document {
     std::uint64_t revision_, face_revision_;
 };
 
-// Begins on construction; takes everything back on destruction unless committed.
+// begin() on construction, cancel() on destruction unless committed.
 class Transaction {
   public:
     Transaction(Document& document, std::string name) : document_(&document) {

@@ -10,7 +10,7 @@
 namespace slipface {
 namespace {
 
-// Float coordinates bend what was authored flat by up to about this much, radians.
+// Faces that were modelled flat deviate by up to about this angle in float coordinates, radians.
 constexpr double flat_tolerance = 1e-4;
 
 double squared_distance_to_segment(const Vec3& point, const Vec3& a, const Vec3& b) {
@@ -75,7 +75,7 @@ std::vector<FaceId> flood_by_angle(const FaceFacts& facts, const FaceNeighbours&
     const AngleLimit within(max_angle + flat_tolerance);
     struct Reached {
         FaceId face;
-        Vec3f normal;  // a face without area carries on the normal it was reached with
+        Vec3f normal;  // a face without area passes on the normal of the face before it
     };
     std::vector<std::uint8_t> seen(count, 0);
     std::vector<Reached> open;

@@ -1,4 +1,4 @@
-// Choosing faces: connected regions and neighbourhoods.
+// Finding faces: connected regions and neighbourhoods.
 #pragma once
 
 #include "document/document.h"
@@ -15,7 +15,7 @@ class AngleLimit {
     explicit AngleLimit(double max_angle);
     bool operator()(const Vec3f& a, const Vec3f& b) const {
         const Vec3 u = a.cast<double>(), v = b.cast<double>();
-        // |u x v|^2 against sin^2 |u|^2 |v|^2 keeps its precision where the cosine is flat.
+        // |u x v|^2 against sin^2 |u|^2 |v|^2 stays precise for small angles, where the cosine is flat.
         const double along = u.dot(v), across2 = u.cross(v).squaredNorm();
         const double limit2 = sine2_ * (across2 + along * along);
         if (none_) return false;
@@ -27,17 +27,17 @@ class AngleLimit {
     double sine2_;
 };
 
-// The faces reached from `start` over shared edges where the angle between neighbouring normals is at most
-// `max_angle` (radians), ascending; contains `start`. Faces without area are crossed freely.
+// The faces reachable from `start` across shared edges whose two normals differ by at most `max_angle`
+// (radians). Ascending, `start` included. Faces without area are always crossed.
 std::vector<FaceId> flood_by_angle(const FaceFacts& facts, const FaceNeighbours& neighbours,
                                    std::span<const FaceId> start, double max_angle);
 
-// Faces with a corner or an inner point within `radius` of `centre` that are connected with `start` by such
-// faces; what a brush of that size paints. A radius of 0 gives `start` alone.
+// What a brush of that size paints: the faces connected with `start` that have a corner or an inner point
+// within `radius` of `centre`; the faces between must have one, too. A radius of 0 gives `start` alone.
 std::vector<FaceId> brush_faces(const Mesh& mesh, const FaceNeighbours& neighbours, FaceId start,
                                 const Vec3& centre, double radius);
 
-// The box around `faces`.
+// The bounding box of `faces`.
 Aabb faces_bounds(const Mesh& mesh, std::span<const FaceId> faces);
 
 }  // namespace slipface

@@ -1,4 +1,4 @@
-// Noticing that other programs change the open level's files.
+// Detects changes of the open level's files by other programs.
 #pragma once
 
 #include <cstdint>
@@ -8,21 +8,21 @@
 
 namespace slipface {
 
-// Looks at time of change and size, which together tell nearly every change, whenever it is polled.
+// Compares modification time and size at each poll, which finds nearly every change.
 class FileWatch {
   public:
-    // From now on these two, as they are now; after opening, saving and reloading.
+    // Watches these two files from their present state on. Call it after opening, saving and reloading.
     void start(const std::filesystem::path& mesh, const std::filesystem::path& level_file);
     void stop() { watching_ = false; }
-    // True once for each change that has come to rest: the same stamp in two polls in a row, and the
-    // geometry is there (tools that replace a file take it away for a moment).
+    // True once per completed change: two polls in a row found the same stamp, and the geometry file exists
+    // (tools that replace a file remove it for a moment).
     bool poll();
-    bool at_rest() const { return at_rest_; }  // the last poll saw what the one before saw
+    bool at_rest() const { return at_rest_; }  // the last two polls found the same
     bool mesh_changed() const { return mesh_now_ != mesh_known_; }
     bool level_changed() const { return level_now_ != level_known_; }
     bool level_gone() const { return !level_now_.there; }
-    // Reads the level file: false if it holds the bytes that it held at start(), as after a `touch`. (What
-    // the geometry held is known to the document.)
+    // Reads the level file. False if it has the same bytes as at start(), for example after `touch`. (The
+    // document knows the geometry's content.)
     bool level_has_other_content() const;
 
   private:

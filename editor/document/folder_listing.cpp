@@ -30,7 +30,7 @@ void look_at(const fs::path& path, FolderEntry& entry) {
     entry.changed_s = static_cast<std::int64_t>(status.st_mtim.tv_sec);
 }
 
-// Level files whose geometry is there, too, go into its row.
+// Merges a level file into the row of its geometry if that is listed, too.
 void join_levels(std::vector<FolderEntry>& entries) {
     std::set<std::string> joined;
     std::vector<const FolderEntry*> level_files;
@@ -100,7 +100,7 @@ FolderListing list_folder(const fs::path& folder, const FolderWants& wants) {
 }
 
 void sort_listing(std::vector<FolderEntry>& entries, ListingOrder order, bool descending) {
-    // Lower case once an entry, not once a comparison.
+    // Lower case once per entry, not once per comparison.
     struct Row {
         FolderEntry entry;
         std::string lower;

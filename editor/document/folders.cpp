@@ -8,7 +8,7 @@ namespace slipface {
 namespace {
 
 std::filesystem::path xdg_folder(const char* variable, const char* below_home) {
-    // Relative paths in the variable are to be ignored.
+    // The specification says to ignore relative paths in the variable.
     if (const char* given = std::getenv(variable); given && *given == '/')
         return std::filesystem::path(given) / "slipface";
     if (const char* home = std::getenv("HOME"); home && *home == '/')

@@ -1,5 +1,5 @@
-// Where the program stores its own files, as the XDG base directory specification says, and where those lie
-// that come with it.
+// Where the program stores its own files (XDG base directory specification), and where the files that ship
+// with it are.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ std::filesystem::path cache_folder();
 // the running program's file unless a caller names another.
 std::filesystem::path data_folder(std::filesystem::path program = {});
 
-// The OBJ files of the levels that come with the program, by name. None when data_folder() is empty.
+// The OBJ files of the levels that ship with the program, by name. Empty when data_folder() is empty.
 std::vector<std::filesystem::path> sample_levels();
 
 }  // namespace slipface

@@ -1,4 +1,4 @@
-// Reading the level's geometry again, and putting orphans back on faces.
+// Reading the level's geometry again, and attaching orphans to faces.
 #include <algorithm>
 #include <utility>
 
@@ -34,7 +34,7 @@ Status Document::set_import_transform(const ImportTransform& transform, Progress
     if (Status status = take_geometry(std::move(loaded).value(), "Change scale and up axis"); !status)
         return status;
     if (moved == all_spawns(level_)) return {};
-    // The spawns follow in the same step.
+    // The spawns move in the same step.
     Edit edit = SpawnsEdit{all_spawns(level_), std::move(moved)};
     Touched touched;
     apply(edit, true, touched);
@@ -43,7 +43,7 @@ Status Document::set_import_transform(const ImportTransform& transform, Progress
     return {};
 }
 
-// What the level file holds is found again exactly: reading it with the new geometry gives this state.
+// True if all annotations were found exactly: reading the level file with the new geometry gives this state.
 static bool annotations_stay(const Level& before, const LoadedLevel& after) {
     const auto painted = [](const Level& level) {
         return std::count_if(level.overrides.begin(), level.overrides.end(),
@@ -75,7 +75,7 @@ Status Document::take_geometry(LoadedLevel loaded, std::string step_name) {
                     match_,
                     guessed_};
     const bool stays = annotations_stay(level_, loaded);
-    // What is selected is for the moment: on another mesh it would have to be guessed.
+    // A selection is temporary: it stays only if the mesh is the same, and is never guessed.
     const bool same_faces = loaded.level.mesh->face_first_corner == level_.mesh->face_first_corner &&
                             loaded.level.mesh_stamp == level_.mesh_stamp;
     Geometry after{std::move(loaded.level.mesh),

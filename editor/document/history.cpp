@@ -73,7 +73,7 @@ void Document::perform(std::string step_name, Edit edit) {
 
 void Document::push(HistoryStep step) {
     if (saved_cursor_ && *saved_cursor_ > cursor_) {
-        // The file's state is about to leave the history, unless only selecting led from here to there.
+        // The saved state is about to leave the history, unless all steps from here to it only select.
         const auto first = history_.begin() + static_cast<std::ptrdiff_t>(cursor_);
         const auto last = history_.begin() + static_cast<std::ptrdiff_t>(*saved_cursor_);
         if (std::any_of(first, last, [](const HistoryStep& undone) { return undone.changes_file(); }))

@@ -7,7 +7,7 @@
 namespace slipface {
 namespace {
 
-constexpr int rays_across = 20;  // per side, both ways
+constexpr int rays_across = 20;  // per side, in both directions
 constexpr int sides_of_rooms = 4;
 constexpr int rays_around = 48;
 
@@ -17,7 +17,7 @@ struct Seen {
         if (hit) ++(hit->back_face ? backs : fronts);
     }
     bool mostly_backs() const { return backs > fronts; }
-    // A terrain from the side shows as many of the one as of the other.
+    // A terrain seen from the side shows as many backs as fronts.
     bool nearly_all_backs() const { return backs > 3 * fronts; }
 };
 
@@ -30,7 +30,8 @@ bool is_made_of_rooms(const CollisionWorld& world) {
     int sides = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-        for (const double from : {-0.5, 1.5}) {  // of the level's extent along the axis: before it, behind it
+        // In front of the level and behind it, in units of its extent along the axis.
+        for (const double from : {-0.5, 1.5}) {
             Vec3 direction = Vec3::Zero();
             direction[axis] = from < 0.0 ? 1.0 : -1.0;
             Seen seen;
@@ -50,7 +51,7 @@ bool is_made_of_rooms(const CollisionWorld& world) {
 bool is_outside_rooms(const CollisionWorld& world, const Vec3& eye) {
     const Aabb bounds = world.bounds();
     if ((eye.array() < bounds.min.array()).any() || (eye.array() > bounds.max.array()).any()) return true;
-    // Evenly over a sphere: points of a spiral whose turns lie the golden angle apart.
+    // Evenly over a sphere: points of a spiral, each rotated by the golden angle.
     const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
     Seen seen;
     for (int i = 0; i < rays_around; ++i) {

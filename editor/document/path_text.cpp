@@ -126,7 +126,7 @@ PathCompletion complete_path(std::string_view text, const fs::path& base, Folder
     std::size_t certain = names.front().size();
     for (const std::string& name : names)
         certain = std::min(certain, common_length(names.front(), name));
-    // Not into the middle of a character.
+    // Do not end in the middle of a character.
     while (certain > begun.size() && certain < names.front().size() &&
            (static_cast<unsigned char>(names.front()[certain]) & 0xc0) == 0x80)
         --certain;

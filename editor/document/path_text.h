@@ -11,26 +11,26 @@
 
 namespace slipface {
 
-// A file's name or path with what no font can show (control characters, line ends, bytes that are no UTF-8)
-// replaced by U+FFFD. A file may have any byte in its name but '/' and 0.
+// Replaces by U+FFFD what no font can show (control characters, line ends, invalid UTF-8) in a file's name or
+// path. A file name may hold any byte except '/' and 0.
 std::string printable(std::string_view bytes);
 
-// "~/levels/easy.obj" for a path below the home folder, and back. Printable; relative paths stay as they are.
+// "~/levels/easy.obj" for a path below the home folder, and back. Printable; relative paths stay unchanged.
 std::string with_tilde(const std::filesystem::path& path);
 std::filesystem::path expand_tilde(std::string_view text);
 
-// For each path the shortest end of its folder that tells it from the others of the same file name: "a" and
-// "b" for x/a/easy.obj and x/b/easy.obj, "a/levels" and "b/levels" for a/levels/easy.obj and
-// b/levels/easy.obj. Where the name alone would do, the last folder.
+// For each path the shortest end of its folder that distinguishes it from others with the same file name: "a"
+// and "b" for x/a/easy.obj and x/b/easy.obj, "a/levels" and "b/levels" for a/levels/easy.obj and
+// b/levels/easy.obj. If the file name is unique, the last folder.
 std::vector<std::string> distinguishing_folders(std::span<const std::filesystem::path> paths);
 
-// What Tab makes of a path that is being typed.
+// What the Tab key makes of a path.
 struct PathCompletion {
-    std::string text;                 // as far as it is certain; with a '/' behind a folder
-    std::vector<std::string> others;  // more than one: the names that go on from there, sorted
+    std::string text;                 // as far as it is unique; a folder ends with '/'
+    std::vector<std::string> others;  // if there are several: the possible names, sorted
 };
-// Relative paths count from `base`. What the dialog would list can follow; names that begin with a dot only
-// where a dot is typed, and names that are no UTF-8 never.
+// Relative paths start at `base`. Candidates are the names that the dialog would list. Names that begin with
+// a dot are candidates only after a typed dot; names that are not UTF-8 never are.
 PathCompletion complete_path(std::string_view text, const std::filesystem::path& base, FolderWants wants);
 
 }  // namespace slipface

@@ -1,5 +1,5 @@
-// What the editor remembers between two runs: a text file of "name = value" lines. Lines that it does not
-// know stay as they are, so that an older version keeps what a newer one wrote.
+// The editor's preferences: a text file of "name = value" lines. Unknown lines are preserved, so that an
+// older version does not delete those of a newer one.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@ namespace slipface {
 
 class Preferences {
   public:
-    Preferences() = default;                           // nothing is kept on disk
-    explicit Preferences(std::filesystem::path file);  // a missing or unreadable file is an empty one
+    Preferences() = default;                           // nothing is stored on disk
+    explicit Preferences(std::filesystem::path file);  // a missing or unreadable file counts as empty
 
     std::string text(std::string_view name, std::string fallback = {}) const;
     double number(std::string_view name, double fallback, double minimum, double maximum) const;
@@ -24,11 +24,10 @@ class Preferences {
     void set(std::string_view name, double value);
     void set(std::string_view name, bool value);
     void remove(std::string_view name);
-    void remove_all(std::string_view prefix);  // every name that starts with it
+    void remove_all(std::string_view prefix);  // all names with this prefix
 
     const std::map<std::string, std::string, std::less<>>& values() const { return values_; }
-    // Writes the file if anything changed since it was read or written. A file that cannot be written is no
-    // reason to bother anyone.
+    // Writes the file if anything changed since it was read or written. Errors are ignored.
     void save();
 
   private:

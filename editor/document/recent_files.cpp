@@ -42,8 +42,7 @@ void RecentFiles::add(const std::filesystem::path& path) {
     for (const std::filesystem::path& kept : paths_)
         text += kept.native() + '\n';
     std::filesystem::create_directories(file_.parent_path(), error);
-    // A list that cannot be kept is no reason to bother anyone: it is a convenience, and the next file tries
-    // again.
+    // Errors are ignored: the list is a convenience, and the next file tries again.
     static_cast<void>(write_file_atomic(file_, text));
 }
 

@@ -1,4 +1,4 @@
-// The files opened last, kept under $XDG_CONFIG_HOME/slipface (or ~/.config/slipface).
+// The files opened last, stored under $XDG_CONFIG_HOME/slipface (or ~/.config/slipface).
 #pragma once
 
 #include <filesystem>
@@ -12,11 +12,12 @@ class RecentFiles {
   public:
     static constexpr std::size_t capacity = 12;
 
-    RecentFiles() = default;  // remembers nothing on disk
-    explicit RecentFiles(
-        std::filesystem::path file);  // one path a line, newest first; a missing file is an empty list
+    RecentFiles() = default;  // stores nothing on disk
+    // The file has one path per line, newest first; a missing file counts as empty.
+    explicit RecentFiles(std::filesystem::path file);
 
-    void add(const std::filesystem::path& path);  // made absolute, moved to the front, written at once
+    // Makes the path absolute, moves it to the front and writes the file.
+    void add(const std::filesystem::path& path);
     const std::vector<std::filesystem::path>& paths() const { return paths_; }
 
   private:

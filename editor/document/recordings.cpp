@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "2026-01-31 09.05.00 easy.tape": in the order of names they are in the order of time.
+// "2026-01-31 09.05.00 easy.tape": sorted by name they are sorted by time.
 bool is_recording(const std::string& name) {
     constexpr std::string_view shape = "dddd-dd-dd dd.dd.dd ";
     if (name.size() <= shape.size() || !name.ends_with(".tape")) return false;
@@ -39,7 +39,7 @@ Status Recordings::keep(std::string_view name, std::string_view text) const {
     fs::create_directories(folder_, error);
     if (error) return Error{folder_.string(), "cannot be made: " + error.message()};
     fs::path file;
-    // A second that is taken already: the next one, so that the order of names stays the order of time.
+    // If a file of this second exists, use the next second, so that sorting by name stays sorting by time.
     for (std::time_t now = std::time(nullptr); file.empty() || fs::exists(file, error); ++now)
         file = folder_ / fmt::format("{:%Y-%m-%d %H.%M.%S} {}.tape", fmt::localtime(now), name);
     if (Status status = write_file_atomic(file, text); !status) return status;

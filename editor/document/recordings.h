@@ -1,4 +1,4 @@
-// Runs that were recorded and not saved, kept where neither quitting nor a crash can take them.
+// Recorded runs that the user has not saved, stored so that neither quitting nor a crash loses them.
 #pragma once
 
 #include <cstddef>
@@ -14,14 +14,14 @@ class Recordings {
   public:
     static constexpr std::size_t max_kept = 32;
 
-    Recordings() = default;  // keeps nothing
+    Recordings() = default;  // stores nothing
     explicit Recordings(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
     bool active() const { return !folder_.empty(); }
     const std::filesystem::path& folder() const { return folder_; }
 
-    // Writes the text of a tape as "YEAR-MONTH-DAY HOUR.MINUTE.SECOND NAME.tape" in local time and deletes
-    // the oldest files of such names beyond most_kept. Other files in the folder are left alone.
+    // Writes the text of a tape to "YEAR-MONTH-DAY HOUR.MINUTE.SECOND NAME.tape" (local time) and deletes the
+    // oldest files with such names beyond max_kept. Other files in the folder are not touched.
     Status keep(std::string_view name, std::string_view text) const;
 
   private:

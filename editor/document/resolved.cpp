@@ -1,4 +1,4 @@
-// What follows from the document's data: each face's type, the collision world's copy of it, and picking.
+// Data derived from the document: each face's type, the collision world's copy of it, and picking.
 #include <algorithm>
 
 #include "document/document.h"
@@ -14,7 +14,7 @@ void Document::refresh(const Touched& touched) {
             hidden_flags_[face] = 1;
     }
     if (touched.types || touched.parameters || !touched.faces.empty()) ++face_revision_;
-    // What was built once can be built again, unless memory has run out meanwhile.
+    // Building succeeded before, so it fails only if memory has run out since.
     if (touched.geometry)
         if (const Status status = rebuild_geometry(); !status) warnings_.push_back(status.error());
     if (touched.types) {
@@ -61,7 +61,7 @@ void Document::resolve_again() {
 
 namespace {
 
-// Painting a face as not solid must not make it unreachable: while this lives, every type is solid.
+// Non-solid faces must stay pickable: while this object exists, every type is solid.
 class AllSolid {
   public:
     AllSolid(CollisionWorld& world, std::size_t types) : world_(world) {
@@ -89,7 +89,7 @@ class AllSolid {
     std::vector<SurfaceId> opened_;
 };
 
-constexpr int max_layers = 4096;  // faces looked through
+constexpr int max_layers = 4096;  // faces passed by one ray
 
 // Calls visit(hit) for the faces along the ray, nearest first, until it returns true.
 template <class Visit>
@@ -102,7 +102,7 @@ void for_each_layer(const CollisionWorld& world, const Vec3& origin, const Vec3&
         if (!hit) return;
         hit->t += done;
         if (visit(*hit)) return;
-        // The next double along the ray that is sure to lie behind the face, whatever the level's size.
+        // The next parameter along the ray that is certain to lie behind the face, for any size of level.
         const double scale =
             std::max({hit->t, origin.norm() / direction.norm(), hit->point.norm() / direction.norm()});
         done = hit->t + scale * 1e-9;

@@ -13,7 +13,7 @@ namespace slipface {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-// Float coordinates bend what was authored flat by up to about this much, radians.
+// Faces that were modelled flat deviate by up to about this angle in float coordinates, radians.
 constexpr double flat_angle = 2e-4;
 constexpr double like_angle = 2.0 * degree;
 constexpr double like_area = 0.05;  // fraction
@@ -27,7 +27,7 @@ std::vector<FaceId> faces_where(const Document& document, const Keep& keep) {
     return faces;
 }
 
-// A mark for each face, set for those given.
+// One flag per face, set for `faces`.
 std::vector<std::uint8_t> marks(const Document& document, std::span<const FaceId> faces) {
     std::vector<std::uint8_t> marked(document.mesh().face_count(), 0);
     for (const FaceId face : faces)
@@ -35,8 +35,8 @@ std::vector<std::uint8_t> marks(const Document& document, std::span<const FaceId
     return marked;
 }
 
-// Reached from `start` over steps for which crosses(from, to, origin) holds; `origin` is the face of `start`
-// that the way began at.
+// Faces reachable from `start` over steps for which crosses(from, to, origin) holds; `origin` is the face of
+// `start` where the path began.
 template <class Crosses>
 std::vector<FaceId> connected(const Document& document, std::span<const FaceId> start,
                               const Crosses& crosses) {
@@ -61,7 +61,8 @@ std::vector<FaceId> connected(const Document& document, std::span<const FaceId> 
     return faces_where(document, [&](FaceId face) { return reached[face] != 0; });
 }
 
-// All corners of `face` lie in the plane through the first corner of `origin`, as far as floats can tell.
+// True if all corners of `face` lie in the plane through the first corner of `origin`, within float
+// precision.
 bool in_plane_of(const Document& document, FaceId face, FaceId origin) {
     const Mesh& mesh = document.mesh();
     const Vec3 normal = document.facts().normal[origin].cast<double>();
@@ -185,7 +186,7 @@ std::vector<FaceId> with_values(const Document& document, std::span<const FaceId
         document, [&](FaceId face) { return std::binary_search(wanted.begin(), wanted.end(), value(face)); });
 }
 
-// Directions sorted into cubes a little wider than the tolerance, so that a question looks at 27 cubes only.
+// Directions sorted into cubes a little larger than the tolerance, so that a query looks at 27 cubes only.
 class Directions {
   public:
     explicit Directions(double angle) : alike_(angle), side_(1.1f * static_cast<float>(angle)) {}

@@ -1,5 +1,5 @@
-// The selection algebra: from some faces to others. Every list of faces is ascending, each face once. Pure:
-// nothing here changes a document, and what is hidden is left to whoever selects.
+// Selection algebra: functions from sets of faces to sets of faces. Every list is ascending, each face once.
+// Nothing here changes a document or looks at hidden faces: the caller handles those.
 #pragma once
 
 #include <array>
@@ -10,19 +10,18 @@
 
 namespace slipface {
 
-// Faces reached from `start` over shared edges ("corners alone do not connect"), `start` among them.
-std::vector<FaceId> connected_flat(const Document& document,
-                                   std::span<const FaceId> start);  // in the start's plane
-// Over edges that bend by at most `max_angle`, radians.
+// Faces reachable from `start` across shared edges, `start` included; a shared corner does not connect.
+// connected_flat: only in the plane of the face of `start` where the path began.
+std::vector<FaceId> connected_flat(const Document& document, std::span<const FaceId> start);
+// Across edges that bend by at most `max_angle` (radians).
 std::vector<FaceId> connected_by_angle(const Document& document, std::span<const FaceId> start,
                                        double max_angle);
 std::vector<FaceId> connected_within_material(const Document& document, std::span<const FaceId> start);
 std::vector<FaceId> connected_within_type(const Document& document, std::span<const FaceId> start);
 
-// With all faces that share an edge with one of them.
+// With all faces that share an edge with one of `faces`.
 std::vector<FaceId> grown(const Document& document, std::span<const FaceId> faces);
-// Without those that share an edge with a face that is not among them. The level's open borders do not
-// shrink.
+// Without the faces that share an edge with a face outside `faces`. Open borders of the level do not count.
 std::vector<FaceId> shrunk(const Document& document, std::span<const FaceId> faces);
 std::vector<FaceId> inverted(const Document& document, std::span<const FaceId> faces);
 std::vector<FaceId> every_face(const Document& document);
@@ -40,14 +39,14 @@ struct SlopeCounts {
     std::array<std::size_t, 4> faces{};  // [SlopeClass]
     std::array<double, 4> area{};
 };
-const SlopeCounts& slope_counts(const Document& document);  // worked out anew only when something changed
+const SlopeCounts& slope_counts(const Document& document);  // cached until something changes
 std::vector<FaceId> faces_with_slope(const Document& document, SlopeClass slope);
 // The cosine of the limit for faces of this type.
 double slope_limit_cosine(const Document& document, SurfaceId surface);
 
 enum class Likeness { material, type, normal, area, slope, group };
-// Faces of the whole level that are like one of `samples`: the same material, type, group or slope class, a
-// normal within 2 degrees, or an area within 5 %.
+// The faces of the whole level that are like one of `samples`: of the same material, type, group or slope
+// class, with a normal within 2 degrees, or with an area within 5 %.
 std::vector<FaceId> similar_faces(const Document& document, std::span<const FaceId> samples,
                                   Likeness likeness);
 

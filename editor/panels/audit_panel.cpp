@@ -1,4 +1,4 @@
-// Random walkers in the level: run them, see where they lose speed and stand still, open what they found.
+// Random walkers in the level: run them, see where they lose speed and get stuck, open the findings.
 #include <fmt/format.h>
 
 #include "panels/panels.h"

@@ -1,4 +1,4 @@
-// The tape under several settings at once, where they part, and the same route at other rates.
+// The tape under several settings at once, where the runs diverge, and the same route at other rates.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -93,7 +93,7 @@ void run_rows(Editor& editor) {
     if (removed) lab.unpin(*removed);
 }
 
-// Both stories of the cursor's tick side by side, where they differ marked.
+// Both stories of the cursor's tick side by side, with the differences marked.
 void side_by_side(Editor& editor) {
     Lab& lab = editor.lab;
     const std::size_t other = lab.explained() == 0 ? 1 : lab.explained();

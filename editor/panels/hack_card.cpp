@@ -19,7 +19,7 @@
 namespace slipface {
 namespace {
 
-// The run under the settings as they are now, or nothing.
+// The run under the present settings, or null.
 const TapeRun* live_run(const Editor& editor) {
     if (!editor.lab.has_tape() || editor.playtest) return nullptr;
     return &editor.lab.runs()[1].run;
@@ -56,7 +56,7 @@ void effect_rows(Editor& editor, const SettingInfo& info) {
     }
 }
 
-// A demo with both of its runs, built when its card is opened first.
+// A demo with both of its runs, built when its card is opened for the first time.
 struct KeptDemo {
     Demo demo;
     TapeRun runs[2];  // off, on
@@ -78,7 +78,7 @@ const KeptDemo& kept_demo(const DemoInfo& info) {
     return *entry;
 }
 
-// The way of the run, and the player now and then.
+// The path of the run, with the player at intervals.
 ImageRequest demo_image(const DemoInfo& info, bool on) {
     const KeptDemo& kept = kept_demo(info);
     ImageRequest request;
@@ -148,7 +148,7 @@ void hack_cell(Editor& editor, FrameContext& frame, const SettingInfo& info) {
     const float em = ImGui::GetFontSize();
     const std::optional<std::size_t> row = hack_row(info.name);
     if (const TapeRun* run = live_run(editor); run && row) {
-        const std::string text = fmt::format("{}", run->acted_count(*row));  // of how many: in the tooltip
+        const std::string text = fmt::format("{}", run->acted_count(*row));  // the tooltip has the total
         const float width = ImGui::CalcTextSize(text.c_str()).x;
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, 2.6f * em - width));
         ImGui::AlignTextToFramePadding();

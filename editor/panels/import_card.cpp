@@ -31,7 +31,7 @@ void row(const char* label, float value_at) {
     ImGui::SameLine(value_at);
 }
 
-// What explains the control above it.
+// An explanation of the control above.
 void note(const std::string& text, float value_at) {
     ImGui::SetCursorPosX(value_at);
     ImGui::PushFont(ui::fonts().small);

@@ -17,7 +17,7 @@
 namespace slipface {
 namespace {
 
-// Summing up a large selection takes a while; it is done once for each change of the document.
+// Summarizing a large selection is slow; it is cached until the document changes.
 const FaceSummary& selection_summary(const Document& document) {
     static std::uint64_t revision = 0;
     static FaceSummary summary;
@@ -75,7 +75,7 @@ void type_fact(const Document& document, const FaceSummary& summary) {
     ImGui::Dummy({room, ImGui::GetTextLineHeight()});
 }
 
-// What unsetting the painted faces would make of them.
+// The types that the painted faces would have without their paint.
 std::string unpainted_text(const Document& document, const FaceSummary& summary) {
     if (!summary.unpainted || !summary.unpainted_source) return "Mixed";
     const std::string& name = document.level().surfaces[*summary.unpainted].name;

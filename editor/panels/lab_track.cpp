@@ -15,7 +15,7 @@ namespace {
 
 using RunColors = std::array<ImVec4, Lab::max_runs>;
 
-// Told apart without red and green (Okabe and Ito, 2008), light enough for a dark ground.
+// Distinguishable without red and green (Okabe and Ito, 2008), light enough for a dark background.
 const RunColors on_dark{{{0.93f, 0.94f, 0.96f, 1.0f},
                          {0.945f, 0.690f, 0.330f, 1.0f},
                          {0.34f, 0.71f, 0.91f, 1.0f},
@@ -24,8 +24,9 @@ const RunColors on_dark{{{0.93f, 0.94f, 0.96f, 1.0f},
                          {0.94f, 0.89f, 0.26f, 1.0f},
                          {0.90f, 0.45f, 0.15f, 1.0f},
                          {0.45f, 0.52f, 0.95f, 1.0f}}};
-// Ink, rust, blue, plum, teal, umber, navy, violet. The grey at the foot of a light view leaves only dark
-// colours 3:1; these are as far apart as eight of them can be for eyes without one kind of cone.
+// Ink, rust, blue, plum, teal, umber, navy, violet. The grey at the bottom of a light view leaves only dark
+// colours with a contrast of 3:1. These eight are as far apart as possible for eyes that lack one kind of
+// cone.
 const RunColors on_light{{{0.077f, 0.077f, 0.077f, 1.0f},
                           {0.615f, 0.231f, 0.000f, 1.0f},
                           {0.000f, 0.231f, 1.000f, 1.0f},

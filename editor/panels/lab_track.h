@@ -1,4 +1,4 @@
-// What timeline and plots share: the way between ticks and pixels, the cursor, the gestures, the colours of
+// What timeline and plots have in common: ticks to pixels and back, the cursor, the gestures, the colours of
 // runs.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace slipface {
 
-// Ticks along a strip of the window. Tick t lies at the middle of its fraction of the width.
+// Ticks along a strip of the window. Each tick has the same width and lies in the middle of it.
 struct LabTrack {
     ImVec2 min, max;
     double first = 0.0, last = 1.0;  // ticks shown, [first, last)
@@ -25,19 +25,19 @@ struct LabTrack {
 };
 
 LabTrack lab_track(const Lab& lab, ImVec2 min, ImVec2 max);
-// Pressing and dragging scrubs, the wheel goes one tick a notch, with Ctrl it zooms. After the strip's item.
-// `pressed`: the tick that was pressed, if it is not the pixel's.
+// Pressing and dragging moves the cursor, the wheel moves it by one tick, Ctrl with the wheel zooms. Call it
+// after the strip's item. `pressed`: the tick that was pressed, if not that of the pixel.
 void lab_track_gestures(Editor& editor, const LabTrack& track,
                         std::optional<std::size_t> pressed = std::nullopt);
 void draw_lab_cursor(const Editor& editor, const LabTrack& track);
 
-// Of run `index` of the lab, in the view as in the panels; of the record that is lit in the view; of the
-// place where two runs part. At least 3:1 against the grounds of the theme in use.
+// Colours of run `index` in the view and in the panels, of the highlighted record in the view, and of the
+// position where two runs diverge. Contrast of at least 3:1 on the backgrounds of the current theme.
 ImVec4 run_color(std::size_t index);
 ImVec4 lit_color();
 ImVec4 parting_color();
 
-// `text` with line breaks at spaces only, so that no number is cut in two.
+// Breaks the lines of `text` at spaces only, so that no number is split.
 std::string wrap_words(const std::string& text, float width);
 
 // The name of a tick: "tick 214, 3.583 s".

@@ -12,8 +12,8 @@ namespace slipface {
 // A type's colour with its hatch, as the overlay shows it on faces.
 void draw_swatch(ImDrawList& list, ImVec2 min, ImVec2 max, const SurfaceType& type, float rounding);
 
-// In the lower left corner of the view: swatch, name, number of faces and area of each type that is used, or
-// of each slope class while slopes are shown. A click selects the row's faces.
+// In the lower left corner of the view: swatch, name, number of faces and area of each used type, or of each
+// slope class while slopes are shown. A click selects the row's faces.
 struct LegendLayout {
     struct Row {
         std::string name, area;

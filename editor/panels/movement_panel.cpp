@@ -27,7 +27,7 @@ bool is_whole(const SettingInfo& info) {
     return std::holds_alternative<int MovementSettings::*>(info.member);
 }
 
-// What the panel compares with: the preset that the settings are nearest to.
+// The settings that the panel compares with: those of the nearest preset.
 const MovementSettings& standard_settings(const Editor& editor) {
     return nearest_preset(editor.document->level().movement).preset->preset.settings;
 }
@@ -116,7 +116,7 @@ void switch_row(Editor& editor, FrameContext& frame, const SettingInfo& info) {
     ImGui::PopID();
 }
 
-// The shipped sets of settings, which of them is in force, and sets in files.
+// The shipped presets, which of them is active, and presets in files.
 void preset_row(Editor& editor) {
     const std::vector<ShippedPreset>& presets = shipped_presets();
     const MovementSettings& movement = editor.document->level().movement;
@@ -141,7 +141,7 @@ void preset_row(Editor& editor) {
         run_command(editor, chosen == own + 1 ? "movement.open_preset" : "movement.save_preset");
 }
 
-// "Step height 0.4 -> 0.5" for each setting that differs from the preset; a click takes one back.
+// "Step height 0.4 -> 0.5" for each setting that differs from the preset; a click resets it.
 void changed_rows(Editor& editor, const PresetMatch& match) {
     constexpr std::size_t maximum = 6;
     const MovementSettings movement = editor.document->level().movement;
@@ -165,7 +165,7 @@ void changed_rows(Editor& editor, const PresetMatch& match) {
         ui::muted_text(("and " + std::to_string(match.changed.size() - maximum) + " more").c_str());
 }
 
-// Which preset the settings are nearest to, and what differs.
+// The nearest preset, and what differs.
 void header(Editor& editor) {
     const PresetMatch match = nearest_preset(editor.document->level().movement);
     const std::size_t changed = match.changed.size();

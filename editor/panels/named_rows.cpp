@@ -38,8 +38,8 @@ void name_box(Renaming& state, NamedRowResult& result,
     state.focus = false;
 }
 
-// Small buttons over the row's right end, shown while the mouse is on it. They come first, so that they get
-// the click.
+// Small buttons over the row's right end, shown while the mouse is over it. They are drawn first, so that
+// they get the click.
 bool row_button(const char* icon, const char* name, const char* tooltip, float x, float y, float side) {
     ImGui::SetCursorScreenPos({x, y});
     const bool pressed = ImGui::InvisibleButton(name, {side, side});

@@ -1,5 +1,4 @@
-// A list of things with names: one is chosen by a click, renamed in place, replaced or deleted by its
-// buttons.
+// A list of named things. A click selects one; its buttons rename, replace or delete it.
 #pragma once
 
 #include <functional>
@@ -8,16 +7,16 @@
 namespace slipface {
 
 struct NamedRow {
-    std::string name, detail;  // the detail stands muted at the right
+    std::string name, detail;  // the detail is shown muted at the right
     const char* tooltip = "";
     bool chosen = false;
     const char* replace_tooltip = "";
 };
 struct NamedRowResult {
     bool chosen = false, replace = false, remove = false;
-    std::string renamed;  // empty: not
+    std::string renamed;  // the new name; empty: not renamed
 };
-// The row number `index`; `problem` says why a name will not do.
+// Row `index`; `problem` says why a name is not allowed.
 NamedRowResult named_row(std::size_t index, const NamedRow& row,
                          const std::function<std::string(const std::string&)>& problem);
 

@@ -68,7 +68,7 @@ bool draw_row(const Row& row) {
     return pressed;
 }
 
-// What a right click on a type offers.
+// The context menu of a type.
 void row_menu(Editor& editor, std::optional<SurfaceId> surface) {
     if (!ImGui::BeginPopupContextItem("menu")) return;
     const ui::Scope scope("Type menu");

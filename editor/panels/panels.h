@@ -11,37 +11,37 @@ struct ImVec2;
 
 namespace slipface {
 
-// The part of the frame that draws the 3D view. The app owns the GL objects; the viewport panel asks for a
-// picture of the level.
+// The part of the frame that draws the 3D view. The app owns the GL objects; the viewport panel requests an
+// image of the level.
 struct ViewportServices {
     // Draws level and overlay with `camera` into the pane's target of that many pixels and returns the
     // texture (rows from the bottom).
     virtual unsigned render(std::size_t pane, const Camera& camera, const Overlay& overlay, int width,
                             int height) = 0;
-    // A picture as a texture (rows from the top). One a slot is kept; a new `revision` sends it again.
+    // An image as a texture (rows from the top). One per slot is stored; a new `revision` uploads it again.
     virtual unsigned still(int slot, const Image& image, std::uint64_t revision) = 0;
     virtual ~ViewportServices() = default;
 };
 
-// Small pictures of other levels than the open one, drawn once by the same renderer and kept.
+// Small images of levels that are not open, drawn once by the same renderer and stored.
 struct ImageRequest {
     const Level* level = nullptr;
     Camera camera;
     Overlay overlay;
 };
 struct ImageServices {
-    // The texture (rows from the bottom) kept under `key`; `request` is asked for it the first time.
+    // The texture (rows from the bottom) stored under `key`; `request` is called the first time.
     virtual unsigned image(const std::string& key, int width, int height,
                            const std::function<ImageRequest()>& request) = 0;
     virtual ~ImageServices() = default;
 };
 
-// Input that ImGui does not carry: keys held by position for movement (true while held), and the gamepad.
+// Input that ImGui does not carry: movement keys by position (true while held), and the gamepad.
 struct HeldKeys {
     bool forward = false, back = false, left = false, right = false, up = false, down = false, jump = false,
          fast = false;
     Vec2 stick = Vec2::Zero();        // gamepad, right and forward
-    Vec2 look_stick = Vec2::Zero();   // gamepad, radians a second
+    Vec2 look_stick = Vec2::Zero();   // gamepad, radians per second
     Vec2 look_pixels = Vec2::Zero();  // mouse movement while the cursor is captured by the playtest
 };
 
@@ -49,19 +49,19 @@ struct FrameContext {
     double seconds = 1.0 / 60.0;  // since the last frame, clamped
     HeldKeys held;
     ViewportServices* viewport = nullptr;
-    ImageServices* images = nullptr;    // null: there is nothing to draw with
+    ImageServices* images = nullptr;    // null: images cannot be drawn
     bool wants_cursor_capture = false;  // out: the host hides and captures the cursor
     bool animating = false;             // out: draw another frame soon even without events
 };
 
-void viewport_panel(Editor& editor,
-                    FrameContext& frame);  // picture, gestures, overlays, legend, playtest HUD
-// The card about unit, axis and size, where the editor shows it; in the view's upper left corner.
+// Image, gestures, overlays, legend, playtest HUD.
+void viewport_panel(Editor& editor, FrameContext& frame);
+// The card about unit, axis and size, if shown; in the view's upper left corner.
 void import_card(Editor& editor, const ImVec2& view_min, const ImVec2& view_size);
 void palette_panel(Editor& editor);     // surface types: choose, edit, counts
-void spawns_panel(Editor& editor);      // spawns: place, rename, delete, choose; the fall limit
+void spawns_panel(Editor& editor);      // spawns: add, rename, delete, choose; the fall limit
 void cameras_panel(Editor& editor);     // bookmarks: go there, add, rename, delete
-void selections_panel(Editor& editor);  // kept selections: recall, add, rename, delete
+void selections_panel(Editor& editor);  // saved selections: recall, add, rename, delete
 void movement_panel(Editor& editor, FrameContext& frame);  // every hack and parameter, from settings_table()
 void probe_panel(Editor& editor);                          // numbers of the sweep probe
 void inspector_panel(Editor& editor);                      // the hovered or selected faces
@@ -75,7 +75,7 @@ void timeline_panel(Editor& editor);  // the lab's tape
 void plots_panel(Editor& editor);     // the lab's runs as curves
 void audit_panel(Editor& editor, FrameContext& frame);
 
-// Whichever it is: the function of that name above.
+// Calls the function above for `panel`.
 void draw_panel(PanelId panel, Editor& editor, FrameContext& frame);
 
 }  // namespace slipface

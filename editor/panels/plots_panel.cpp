@@ -17,7 +17,7 @@ namespace {
 // Which channels are drawn, in the order of run_channels(); one bit each.
 struct Shown {
     std::uint32_t channels = 0;
-    bool differences = false;  // against the run as recorded, instead of the values
+    bool differences = false;  // from the recorded run, instead of the values
 };
 
 Shown& shown() {

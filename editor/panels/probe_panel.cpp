@@ -27,7 +27,7 @@ std::string vector_text(const Vec3& v) {
     return fmt::format("{:.3f} {:.3f} {:.3f}", v.x() + 0.0, v.y() + 0.0, v.z() + 0.0);
 }
 
-// A line that may be as long as it likes.
+// A line of any length.
 void line(const std::string& text, const char* tooltip) {
     ImGui::PushTextWrapPos(0.0f);
     ImGui::TextUnformatted(text.c_str());
@@ -40,7 +40,7 @@ std::string hit_text(const Contact& contact, const std::vector<SurfaceType>& sur
                        contact.surface < surfaces.size() ? surfaces[contact.surface].name : "unknown type");
 }
 
-// Each sweep with its number at the left: what was met, where, and what came of it.
+// Each sweep with its number at the left: what it hit, where, and the response.
 void sweep_rows(Editor& editor, const std::vector<ProbeRow>& rows) {
     const std::vector<SurfaceType>& surfaces = editor.document->level().surfaces;
     const std::size_t shown = std::min(editor.probe.shown_sweeps.value_or(rows.size()), rows.size());

@@ -10,7 +10,7 @@
 namespace slipface {
 namespace {
 
-// Orphans are listed as they are now: they change by hand.
+// The present number of orphans: the user can change it by hand.
 std::size_t count_now(const Editor& editor, ProblemKind kind) {
     return kind == ProblemKind::orphan ? editor.document->level().orphans.size()
                                        : editor.session.report->count(kind);
@@ -54,7 +54,7 @@ void head_row(Editor& editor) {
     ui::tooltip("Faces or types have changed since");
 }
 
-// One toggle a kind that was found, as many in a line as fit.
+// One toggle per kind found, as many per line as fit.
 void filter_row(Editor& editor) {
     const ui::Scope scope("Filter");
     const ui::Palette& p = ui::palette();
@@ -87,7 +87,7 @@ void filter_row(Editor& editor) {
     ImGui::PopStyleVar(2);
 }
 
-// A line that can be clicked; what it says is clipped at the right and whole in the tooltip.
+// A line that can be clicked. Its text is clipped at the right; the tooltip shows all of it.
 bool row(const std::string& id, const std::string& name, const std::string& text, bool open) {
     const float scale = ui::scale();
     const bool pressed = ImGui::Selectable(("##" + id).c_str(), open);
@@ -138,14 +138,13 @@ void orphan_rows(Editor& editor) {
 }
 
 void problem_rows(Editor& editor, ProblemKind kind) {
-    // A copy of what is clicked, because a fix may throw the report away.
     const DoctorReport& report = *editor.session.report;
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; i < report.problems.size(); ++i)
         if (report.problems[i].kind == kind) rows.push_back(i);
     std::optional<std::size_t> clicked;
     const bool has_open = editor.session.problem && report.problems[*editor.session.problem].kind == kind;
-    // Rows of one height can be skipped while they cannot be seen; the open one is higher.
+    // Rows of equal height can be skipped while they are not visible; the open one is higher.
     const auto draw = [&](std::size_t i) {
         const Problem& problem = report.problems[i];
         const bool open = editor.session.problem == i;

@@ -19,7 +19,7 @@ bool is_angle(const char* unit) {
     return std::string_view(unit) == "deg";
 }
 
-// What stands behind the number.
+// What follows the number.
 std::string suffix(const char* unit) {
     const std::string_view name(unit);
     if (name.empty()) return "";
@@ -119,7 +119,7 @@ bool number_slider(const char* label, double* value, double minimum, double maxi
                                            format.c_str(), logarithmic);
     ui::record_last_item(label);
     ui::tooltip(tooltip);
-    // Turning degrees into radians may round beyond the limit.
+    // Converting degrees to radians may round beyond the limit.
     if (changed) *value = std::clamp(shown / factor, minimum, maximum);
     return changed;
 }
@@ -145,7 +145,7 @@ void fact(const char* name, const std::string& value) {
     ImGui::PushStyleColor(ImGuiCol_Text, ui::palette().muted);
     ImGui::TextUnformatted(name);
     ImGui::PopStyleColor();
-    // The values stand in a column; beside a name that is longer where there is room, else below it.
+    // The values form a column. After a longer name the value follows if there is room, else it is below.
     const float column = std::max(5.0f * em, name_width + 0.8f * em);
     const bool beside =
         name_width + 0.4f * em <= 5.0f * em || column + ImGui::CalcTextSize(value.c_str()).x <= width;

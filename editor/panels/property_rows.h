@@ -1,4 +1,4 @@
-// Rows of "label, control, reset" that panels are made of, and drags that undo takes back in one step.
+// Rows of "label, control, reset", and drags that undo reverts in one step.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace slipface {
 
-// Ends the step of a drag or of typing once nothing is held any more. Every panel begins with it.
+// Ends the step of a drag or of typing once nothing is held. Every panel calls it first.
 void settle_live_edit(Editor& editor);
-// Call before changing the document from a widget that changes it again and again while it is held.
+// Call this before a widget that changes the document repeatedly while it is held.
 void live_edit(Editor& editor, const std::string& step_name);
 
 // A table of such rows in the current window; `longest_label` sets the width of the labels. False: not
@@ -20,8 +20,7 @@ float label_width_of(const char* label);
 
 // Starts a row with its label and moves to the control's cell. `modified` shows a dot before the label.
 void property_row(const char* label, const char* tooltip, bool modified = false, float indent = 0.0f);
-// The row's last cell: a button that takes the value back to its default, shown only where it would change
-// something.
+// The row's last cell: a button that resets the value to its default, shown only if they differ.
 bool reset_cell(const char* label, bool modified);
 
 // A number shown in `unit` ("deg" for radians as stored). Wide ranges get a logarithmic slider. True while it
@@ -29,14 +28,14 @@ bool reset_cell(const char* label, bool modified);
 bool number_slider(const char* label, double* value, double minimum, double maximum, const char* unit,
                    const char* tooltip, bool whole = false);
 
-// "12.5 m/s", "50°": a stored number as people read it.
+// A stored number as shown to users: "12.5 m/s", "50°".
 std::string number_text(double value, const char* unit);
 // "0 to 100 m/s²", "0° to 89°".
 std::string range_text(double minimum, double maximum, const char* unit);
 // Upper case for a row's label: "iterative" becomes "Iterative".
 std::string sentence_case(std::string text);
 
-// A name at the left and a value, wrapped, beside it.
+// A name at the left and a wrapped value next to it.
 void fact(const char* name, const std::string& value);
 
 }  // namespace slipface

@@ -1,4 +1,4 @@
-// Reviewing snapshots: the list and its reasons at the side, the pictures in the place of the view.
+// Reviewing snapshots: the list and its reasons at the side, the images in place of the view.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -106,7 +106,7 @@ struct Box {
     ImVec2 min, size;
 };
 
-// The largest box of the picture's shape in the middle of `room`; never enlarged beyond its pixels.
+// The largest box with the image's proportions in the middle of `room`; never enlarged beyond its pixels.
 Box fitted(const Image& image, Box room) {
     const float scale = std::min({1.0f, room.size.x / static_cast<float>(image.width),
                                   room.size.y / static_cast<float>(image.height)});
@@ -117,7 +117,7 @@ Box fitted(const Image& image, Box room) {
             size};
 }
 
-// Part of the picture from `from` to `to`, fractions of its width.
+// Part of the image from `from` to `to`, fractions of its width.
 void show(unsigned texture, const Box& box, float from = 0.0f, float to = 1.0f) {
     ImGui::GetWindowDrawList()->AddImage(ui::texture_id(texture), {box.min.x + from * box.size.x, box.min.y},
                                          {box.min.x + to * box.size.x, box.min.y + box.size.y}, {from, 0},

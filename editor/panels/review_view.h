@@ -4,7 +4,7 @@
 
 namespace slipface {
 
-// The pictures under review, in the current region. False, and nothing drawn: the level is to be shown.
+// Draws the images under review into the current region. False, with nothing drawn: the level is to be shown.
 bool review_view(Editor& editor, FrameContext& frame);
 
 }  // namespace slipface

@@ -1,4 +1,4 @@
-// Selections kept under a name.
+// Named selections.
 #include "panels/named_rows.h"
 #include "panels/panels.h"
 #include "panels/property_rows.h"

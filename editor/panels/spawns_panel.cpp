@@ -1,4 +1,4 @@
-// Where a walk may begin, and how deep a fall may be.
+// Where a walk can begin, and how deep a fall may be.
 #include <fmt/format.h>
 
 #include "panels/named_rows.h"

@@ -64,7 +64,7 @@ std::optional<std::array<float, 3>> swatch_color(const std::array<float, 3>& now
         const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
         list.AddRectFilled(min, max, ui::packed({colors[i][0], colors[i][1], colors[i][2], 1.0f}),
                            0.2f * side);
-        // A border of its own, or white would be lost on a light panel and black on a dark one.
+        // Without a border white would be lost on a light panel and black on a dark one.
         list.AddRect(min, max, ui::packed(ui::palette().muted), 0.2f * side);
         if (ImGui::IsItemHovered() || colors[i] == now)
             list.AddRect({min.x - 1, min.y - 1}, {max.x + 1, max.y + 1}, ui::packed(ui::palette().text),
@@ -145,7 +145,7 @@ void optional_row(const Target& target, const SurfaceField& field,
     bool set = (changed.*member).has_value();
     property_row(field.label, tooltip.c_str());
     if (ui::checkbox((std::string("##Own ") + to_lower(field.label)).c_str(), &set, tooltip.c_str())) {
-        // The player's own limit is where a different one starts from.
+        // A new limit starts from the player's own.
         changed.*member = set ? std::optional(std::clamp(target.editor.document->level().movement.max_slope,
                                                          field.minimum, field.maximum))
                               : std::nullopt;

@@ -1,4 +1,4 @@
-// The lab's tape, tick by tick: transport, one lane a run, and a marker for everything that begins.
+// The lab's tape, tick by tick: transport, one lane per run, and a marker for every event.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct Marker {
     ImVec4 color;
 };
 
-// A shape of its own for each kind, so that the colour is not needed to tell them apart.
+// Each kind has its own shape, so that the colour is not needed to distinguish them.
 const Marker markers[] = {
     {"jump", "jumps off", Shape::up, {0.34f, 0.71f, 0.91f, 1}},
     {"land", "lands on", Shape::down, {0.45f, 0.78f, 0.545f, 1}},
@@ -80,7 +80,7 @@ void command_button(Editor& editor, const char* id, const char* icon = nullptr) 
         run_command(editor, id);
 }
 
-// Buttons go on beside each other, and on the next line where the dock ends.
+// Buttons continue on the next line where the dock ends.
 void next_button(float gap = 3.0f) {
     ui::flow(ui::icon_button_side(), gap * ui::scale());
 }
@@ -161,7 +161,7 @@ void ruler(ImDrawList& list, const Lab& lab, const LabTrack& track, float y) {
     }
 }
 
-// What a run stands on, in the colours of the surface types; empty in the air.
+// The surface under the run at each tick, in the colours of the surface types; empty in the air.
 void lane(ImDrawList& list, const Document& document, const TapeRun& run, const LabTrack& track, float top,
           float bottom) {
     list.AddRectFilled({track.min.x, top}, {track.max.x, bottom}, ui::packed(ui::palette().raised), 2.0f);
@@ -242,7 +242,8 @@ void tracks(Editor& editor) {
     ImGui::InvisibleButton("track", {std::max(1.0f, max.x - min.x), height + ruler_height * scale});
     ui::record_last_item("Track");
     const TapeRun& explained = lab.runs()[lab.explained()].run;
-    // A press on a marker means its event, though the pixel may be another tick's; dragged on, it scrubs.
+    // A press on a marker means its event, even if the pixel belongs to another tick; dragging moves the
+    // cursor.
     const bool dragged = ImGui::IsMouseDragging(ImGuiMouseButton_Left);
     lab_track_gestures(
         editor, track,
@@ -273,7 +274,7 @@ void tracks(Editor& editor) {
     draw_lab_cursor(editor, track);
     list.PopClipRect();
 
-    // Names on the left; a click tells the story of that run.
+    // Names on the left; a click selects the run for the story.
     const ui::Scope scope("Runs");
     y = min.y + marker_height * scale;
     for (const std::size_t index : shown) {

@@ -1,5 +1,5 @@
-// The cube in a view's corner: shows which way one looks, turns the view when dragged, and jumps to the side,
-// edge or corner that is clicked.
+// The cube in a view's corner. It shows the direction of view, rotates the view when dragged, and jumps to
+// the side, edge or corner that is clicked.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace slipface {
 namespace {
 
 constexpr float half_side = 23.0f, margin = 54.0f;  // design pixels
-constexpr double rim = 0.56;  // of a side's half: beyond it an edge or a corner is meant
+constexpr double rim = 0.56;  // of half a side: beyond it a click means an edge or a corner
 
 struct Side {
     const char* name;
@@ -37,7 +37,7 @@ bool fits(const ViewportState& state) {
     return state.size.x >= 240 * ui::scale() && state.size.y >= 180 * ui::scale();
 }
 
-// The cube as it stands in the view: an orthographic picture of the box from -1 to 1.
+// The cube as seen in the view: an orthographic projection of the box from -1 to 1.
 struct Placed {
     ImVec2 centre;
     float half;
@@ -55,14 +55,14 @@ struct Placed {
     }
     bool shows(const Side& side) const { return (view * side.out).z() > 0.02; }
 
-    // The direction that a click there looks from; nothing beside the cube.
+    // The direction that a click at `mouse` views from; nothing outside the cube.
     std::optional<Vec3> direction_at(ImVec2 mouse) const {
         const Vec2 p{static_cast<double>((mouse.x - centre.x) / half),
                      static_cast<double>((centre.y - mouse.y) / half)};
         for (const Side& side : sides()) {
             if (!shows(side)) continue;
             const Vec3 out = view * side.out, right = view * side.right, up = view * side.up;
-            // p = out + u right + v up, in the two coordinates of the picture.
+            // p = out + u right + v up, in the two coordinates of the projection.
             const double determinant = right.x() * up.y() - right.y() * up.x();
             const Vec2 rest = p - out.head<2>();
             const double u = (rest.x() * up.y() - rest.y() * up.x()) / determinant;
@@ -96,14 +96,15 @@ std::optional<std::pair<Vec2, Vec2>> part_of(const Side& side, const Vec3& direc
     return std::pair{Vec2(u.x(), v.x()), Vec2(u.y(), v.y())};
 }
 
-// Letters lie in the side's plane, so that one sees how it is turned.
+// Letters lie in the side's plane, so that its rotation is visible.
 void label(ImDrawList& list, const Placed& cube, const Side& side, ImU32 color) {
     const Vec3 right = cube.view * side.right, up = cube.view * side.up;
     const ImFont* const font = ui::fonts().small;
     const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, 0.0f, side.name);
     const float shrink = 1.5f * cube.half / std::max(size.x, 1.4f * size.y);
     const ImVec2 middle = cube.pixel(side.out);
-    // Written where it will stand, for letters outside the view would be left out; then laid onto the side.
+    // Text is written near its final position, because letters outside the view would be left out; then it is
+    // projected onto the side.
     const ImVec2 from{middle.x - 0.5f * size.x, middle.y - 0.5f * size.y};
     const int first = list.VtxBuffer.Size;
     list.AddText(font, font->FontSize, from, color, side.name);
@@ -137,7 +138,7 @@ void view_cube(Editor& editor, ViewportState& state) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const std::optional<Vec3> direction = cube.direction_at(mouse);
     ImGui::SetCursorScreenPos({cube.centre.x - whole, cube.centre.y - whole});
-    if (!direction && !state.cube_held) return;  // beside the cube the view itself has the mouse
+    if (!direction && !state.cube_held) return;  // outside the cube the mouse belongs to the view
     ImGui::InvisibleButton("cube", {2 * whole, 2 * whole});
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) state.lit_cube = direction;
     state.cube_held = ImGui::IsItemActive();

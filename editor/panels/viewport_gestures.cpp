@@ -11,7 +11,7 @@
 namespace slipface {
 namespace {
 
-constexpr float click_slop = 4.0f;      // design pixels that a click may wander
+constexpr float click_slop = 4.0f;      // design pixels that the mouse may move during a click
 constexpr double stroke_spacing = 4.0;  // pixels between the points where a stroke paints
 constexpr int max_stroke_points = 400;  // of one frame
 
@@ -31,7 +31,7 @@ void hover_nothing(Editor& editor) {
     editor.hovered = no_id;
 }
 
-// Uses the tool along the way from the mouse's last place, so that a fast stroke leaves no gaps.
+// Uses the tool along the mouse's path since its last position, so that a fast stroke leaves no gaps.
 template <class Use>
 void stroke_along(Editor& editor, const ViewportState& state, ImVec2 mouse, const Use& use) {
     const Vec2 from = to_vec(state.last_mouse), to = to_vec(mouse);
@@ -57,7 +57,7 @@ void begin(ViewportState& state, const Editor& editor, Gesture gesture, ImVec2 m
     state.probe_before = editor.probe;
 }
 
-// Ctrl adds (and a click toggles), Shift takes away.
+// Ctrl adds (a click toggles), Shift removes.
 SelectBy select_by(bool click) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.KeyShift) return SelectBy::remove;
@@ -74,7 +74,7 @@ void press_select(Editor& editor, ViewportState& state, ImVec2 mouse) {
     state.outline.clear();
 }
 
-// The button is held and the mouse has left the place: the click becomes a box, a lasso or a stroke.
+// The mouse moved with the button held: the click becomes a box, a lasso or a stroke.
 void begin_select_drag(Editor& editor, ViewportState& state) {
     state.outline = {view_pixel(state, state.pressed_at)};
     if (editor.select_shape != SelectShape::brush) {
@@ -108,7 +108,7 @@ void end_outline(Editor& editor, ViewportState& state) {
     state.outline.clear();
 }
 
-// A second click at the same place goes on to the face behind.
+// A second click at the same position selects the face behind.
 void end_click(Editor& editor, ViewportState& state) {
     const ImVec2 at = state.pressed_at;
     hover_at(editor, state, at);
@@ -200,7 +200,7 @@ void release(Editor& editor, ViewportState& state) {
     if (ended == Gesture::click) end_click(editor, state);
 }
 
-// One frame of the gesture under way.
+// One frame of the gesture in progress.
 void go_on(Editor& editor, FrameContext& frame, ViewportState& state, ImVec2 mouse) {
     const ImGuiIO& io = ImGui::GetIO();
     const Vec2 moved = to_vec({mouse.x - state.last_mouse.x, mouse.y - state.last_mouse.y});
@@ -271,7 +271,7 @@ bool cancel_viewport_gesture(Editor& editor) {
     if (ended == Gesture::place_probe || ended == Gesture::drag_probe_end ||
         ended == Gesture::drag_probe_start)
         editor.probe = state.probe_before;
-    // The button is still down; the view must not take its next movement for a new gesture.
+    // The button is still down; the view must not treat the next movement as a new gesture.
     ImGui::ClearActiveID();
     return true;
 }
@@ -287,7 +287,8 @@ void viewport_gestures(Editor& editor, FrameContext& frame, ViewportState& state
     if (state.gesture != Gesture::none) {
         go_on(editor, frame, state, mouse);
         if (!io.MouseDown[button_of(state.gesture, io)]) release(editor, state);
-        // The face under a painting mouse stays lit; a camera drag or a probe drag has nothing under it.
+        // The face under a painting mouse stays highlighted; during a drag of the camera or the probe none
+        // is.
         const bool points = state.gesture == Gesture::none || state.gesture == Gesture::stroke ||
                             state.gesture == Gesture::select_stroke || state.gesture == Gesture::click;
         if (!points) hover_nothing(editor);

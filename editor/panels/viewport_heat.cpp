@@ -20,7 +20,8 @@ constexpr Color tapped_color{0.00f, 0.76f, 0.58f, 1.0f};
 constexpr Color standing_color{0.80f, 0.47f, 0.65f, 1.0f};
 constexpr Color coyote_color{0.945f, 0.690f, 0.330f, 1.0f};
 
-// Violet for a little, orange, yellow for the most: dark to light, so that it reads without colour.
+// Violet for small values, orange, yellow for the largest: dark to light, so that it is readable without
+// colour.
 Color heat_color(float fraction) {
     const float s = std::clamp(fraction, 0.0f, 1.0f);
     const auto between = [&](float a, float b, float t) { return a + (b - a) * t; };
@@ -37,7 +38,7 @@ struct Stand {
     Vec3 heading;  // horizontal, unit
 };
 
-// Where the arcs begin: at the player of the lab's cursor, else at the spawn point.
+// Where the arcs start: at the player at the lab's cursor, else at the spawn point.
 Stand reach_stand(const Editor& editor) {
     const Level& level = editor.document->level();
     Vec3 centre = level.spawn;
@@ -120,7 +121,7 @@ float draw_heat_bar(ImDrawList& draw, const ImVec2& corner, float width, const A
         draw.AddRectFilled({at(begin), corner.y}, {at(end), corner.y + bar},
                            ImGui::GetColorU32(ImVec4(color.red, color.green, color.blue, 1.0f)));
     }
-    // "0", a quarter of the most where half of the colours lie, and the most.
+    // Labels: "0", a quarter of the maximum in the middle of the colours, and the maximum.
     float free_until = corner.x + width;
     for (const float fraction : {1.0f, 0.0f, 0.5f}) {
         const std::string text =
@@ -139,7 +140,8 @@ void heat_legend(const Editor& editor, const ViewportState& state) {
     if (!job.fits(*editor.document) || job.kind == HeatKind::unreached || !(job.worst(job.kind) > 0.0))
         return;
     const float scale = ui::scale(), pad = 8 * scale, width = 320 * scale;
-    if (state.size.x < 640 * scale) return;  // no room beside the legend of the types; the panel has it, too
+    if (state.size.x < 640 * scale)
+        return;  // no room next to the legend of the types; the panel shows the bar, too
     const float height = 2 * ImGui::GetTextLineHeight() + 17 * scale;
     // The legend of the types has the other corner.
     const ImVec2 corner(state.min.x + state.size.x - width - 3 * pad,

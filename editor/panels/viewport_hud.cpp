@@ -1,4 +1,4 @@
-// What lies flat on the view: the playtest's numbers, the outline being drawn, the numbers of triangles.
+// Flat overlays of the view: the playtest's numbers, the outline being drawn, the numbers of triangles.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -106,7 +106,7 @@ void draw_spawn_names(const Editor& editor, const ViewportState& state) {
     list.PopClipRect();
 }
 
-// A flood may go much further than it seems from the face under the mouse.
+// A flood fill may reach much further than the face under the mouse suggests.
 std::string tool_preview(const Editor& editor) {
     if (editor.tool != Tool::fill || !editor.document || editor.hovered == no_id) return {};
     const std::vector<SurfaceType>& surfaces = editor.document->level().surfaces;
@@ -144,7 +144,7 @@ void draw_outline(const ViewportState& state) {
     const int count = static_cast<int>(points.size());
     const ImVec4 accent = ui::palette().accent;
     list.PushClipRect(state.min, {state.min.x + state.size.x, state.min.y + state.size.y}, true);
-    // Filled only where it is sure to be convex.
+    // Filled only if it is certainly convex.
     if (count == 4) list.AddConvexPolyFilled(points.data(), count, ui::packed(ui::with_alpha(accent, 0.10f)));
     points.push_back(points.front());
     list.AddPolyline(points.data(), count + 1, IM_COL32(0, 0, 0, 140), 0, 3.0f * ui::scale());
@@ -157,7 +157,7 @@ namespace {
 constexpr float ids_reach = 150.0f;  // design pixels around the mouse
 constexpr std::size_t max_id_faces = 600;
 
-// The faces around the hovered one, nearest first by steps over edges.
+// The faces around the hovered one, nearest first, counted in steps across edges.
 std::vector<FaceId> faces_around(const Document& document, FaceId start) {
     std::vector<FaceId> faces{start};
     std::set<FaceId> seen{start};

@@ -1,4 +1,4 @@
-// The lab in the view: the runs' ribbons and ghosts, where they part, and the record that is lit.
+// The lab in the view: the runs' ribbons and ghosts, where they diverge, and the highlighted record.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ Color to_color(const ImVec4& c, float alpha) {
     return {c.x, c.y, c.z, alpha};
 }
 
-// The way of the feet, brighter up to the cursor's time.
+// The path of the feet, brighter up to the cursor's time.
 void ribbon(Overlay& overlay, const TapeRun& run, double until_s, const Color& color) {
     const auto samples = run.samples();
     const Vec3 down(0.0, 0.02 - run.settings().radii.y(), 0.0);
@@ -147,7 +147,7 @@ void view_label(const ViewportState& state, const Camera& camera, const Vec3& po
                      state.min.y + static_cast<float>(pixel.y())};
     ImVec2 min{tip.x - 0.5f * extent.x - 7 * scale, tip.y - extent.y - 10 * scale};
     ImVec2 max{tip.x + 0.5f * extent.x + 7 * scale, tip.y - 4 * scale};
-    // Whole at the view's sides, and above the labels that are there already.
+    // Completely inside the view's sides, and above the labels that are there already.
     if (tip.x >= state.min.x && tip.x <= state.min.x + state.size.x) {
         const float right = std::min(0.0f, state.min.x + state.size.x - max.x);
         const float moved = std::max(right, state.min.x - min.x);
@@ -187,7 +187,7 @@ void lab_labels(const Editor& editor, const ViewportState& state) {
         const LabRun& run = lab.runs()[i];
         const auto samples = run.run.samples();
         if (!run.shown || lab.cursor() >= samples.size()) continue;
-        if (i != lab.explained() && !lab.divergence(i)) continue;  // it stands in the told one
+        if (i != lab.explained() && !lab.divergence(i)) continue;  // it coincides with the selected run's
         view_label(state, camera,
                    samples[lab.cursor()].position + Vec3(0.0, run.settings.radii.y() + 0.1, 0.0), run.name,
                    run_color(i));

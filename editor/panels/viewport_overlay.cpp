@@ -24,7 +24,7 @@ double metres_per_pixel(const Camera& camera, const Vec3& point, double viewport
     return 2.0 * depth * std::tan(0.5 * camera.fov_y) / std::max(1.0, viewport_height);
 }
 
-// The main spawn as the whole player, the others as where the feet are.
+// The main spawn as the whole player, the others as the position of the feet.
 void add_spawns(Overlay& overlay, const Document& document) {
     const Level& level = document.level();
     const double radius = level.movement.radii.x();

@@ -79,7 +79,7 @@ struct Rect {
     bool empty() const { return max.x - min.x < 1.0f || max.y - min.y < 1.0f; }
 };
 
-// A pane's place in the window: whole pixels, with a gap to its neighbours.
+// A pane's rectangle in the window: whole pixels, with a gap to its neighbours.
 Rect position_of(const PaneRect& pane, ImVec2 min, ImVec2 size) {
     if (pane.width <= 0.0) return {min, min};
     const float half_gap = 1.5f * ui::scale();
@@ -95,7 +95,7 @@ Rect position_of(const PaneRect& pane, ImVec2 min, ImVec2 size) {
     return rect;
 }
 
-// The borders between panes can be dragged; a double click puts them back in the middle.
+// The borders between panes can be dragged; a double click moves them back to the middle.
 void pane_borders(Panes& panes, ImVec2 min, ImVec2 size) {
     if (panes.maximised || panes.count == 1) return;
     const float reach = 4.0f * ui::scale();
@@ -143,7 +143,7 @@ void draw_image(Editor& editor, FrameContext& frame, std::size_t pane, const Rec
     ImGui::GetWindowDrawList()->AddImage(ui::texture_id(texture), rect.min, rect.max, {0, 1}, {1, 0});
 }
 
-// Which view it is, where that is not plain to see.
+// The name of the view, where it is not obvious.
 void pane_name(const Editor& editor, std::size_t pane, const Rect& rect) {
     const ViewCamera& view = pane_view(editor, pane);
     const bool several = editor.panes.count > 1 && !editor.panes.maximised;

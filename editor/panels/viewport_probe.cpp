@@ -10,7 +10,7 @@ namespace {
 
 constexpr double handle_reach = 11.0;  // design pixels
 
-// Where the ray meets the plane through `point` with `normal`, or nothing in front of the eye.
+// The point where the ray hits the plane through `point` with `normal`; nothing if it is behind the eye.
 std::optional<Vec3> intersect_plane(const Ray& ray, const Vec3& point, const Vec3& normal) {
     const double along = normal.dot(ray.direction);
     if (std::abs(along) < 1e-6) return std::nullopt;
@@ -19,8 +19,8 @@ std::optional<Vec3> intersect_plane(const Ray& ray, const Vec3& point, const Vec
     return ray.origin + t * ray.direction;
 }
 
-// Where the ellipsoid's centre belongs when the mouse points at a surface: standing on floors, but inside
-// walls, because that is where one wants to push it. In between both blend.
+// The ellipsoid's centre when the mouse points at a surface: standing on floors, but inside walls, because a
+// probe is usually pushed into them. Slopes in between blend both.
 Vec3 centre_over(const Vec3& point, const Vec3& normal, const MovementSettings& settings) {
     Probe standing;
     standing.place_on(point, normal, settings);

@@ -1,4 +1,4 @@
-// What was repaired, dropped or could not be placed while opening.
+// What was repaired, dropped or not found again while opening.
 #include <algorithm>
 #include <span>
 #include <string>
@@ -29,7 +29,7 @@ void entry(const std::string& title, const std::string& text) {
     ImGui::Spacing();
 }
 
-// Only the file's name: the folder says nothing that the title bar does not.
+// Only the file's name: the title bar shows the folder.
 std::string short_location(const std::string& location) {
     const std::size_t slash = location.find_last_of('/', location.find(':'));
     return slash == std::string::npos ? location : location.substr(slash + 1);

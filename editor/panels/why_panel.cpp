@@ -1,4 +1,4 @@
-// Why the tick at the cursor went as it did: its story line by line, and what a switch would have changed.
+// The story of the tick at the cursor, line by line, and what each switch would have changed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ const char* cure_icon(const Cure& cure) {
     return cure.passes ? icons::check : icons::why;
 }
 
-// The one thing to read first: what stopped the player, and the button that cures it.
+// The most important line: what stopped the player, and the button that cures it.
 void headline(Editor& editor, const Stop* stop) {
     const ui::Palette& p = ui::palette();
     if (stop == nullptr) {

@@ -1,4 +1,4 @@
-// Making pictures the goldens: rendered anew, or as a check has left them.
+// Making images the goldens: rendered again, or as a check has left them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ void count(const GoldenResult& result, Tally& tally) {
     std::fflush(stdout);
 }
 
-// What the check saw becomes the golden, so that what was looked at is what is approved.
+// The image that the check wrote becomes the golden, so that the approved image is the reviewed one.
 GoldenResult approve_seen(Studio& studio, const CheckArguments& arguments, const fs::path& folder,
                           const std::string& name) {
     GoldenResult result;

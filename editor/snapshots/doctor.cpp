@@ -1,4 +1,4 @@
-// Whether pictures can be trusted on this machine: both backends, their pixels, and the gate.
+// Tests whether images can be trusted on this machine: both backends, their pixels, and the gate.
 #include "snapshots/doctor.h"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A yard of hills, blocks and every kind of surface, so that a picture of it has all that a renderer may
+// A level with hills, blocks and every kind of surface, so that its image contains all that renderers may
 // round differently.
 std::string yard_obj() {
     constexpr const char* types[] = {"default", "ice",      "ladder",    "sticky",
@@ -61,7 +61,7 @@ constexpr std::string_view yard_suite = R"({"version": 1, "scenes": [
 
 struct Exam {
     bool works = false;
-    std::string text;  // renderer, or why not
+    std::string text;  // the renderer, or the error
     std::optional<Image> first, second;
 };
 
@@ -123,7 +123,7 @@ int snapshot_doctor_part(const std::string& folder) {
     const auto scenes = parse_scene_suite(yard_suite, out / "yard.json");
     if (!scenes) return fail(scenes.error());
     for (const char* name : {"first.png", "second.png"}) {
-        SceneStage stage(**context);  // anew, as another run would
+        SceneStage stage(**context);  // a new stage, as another run would have
         const Result<Rendering> rendering = stage.render(scenes->front());
         if (!rendering) return fail(rendering.error());
         if (Status status = save_png(out / name, rendering->image); !status) return fail(status.error());

@@ -4,7 +4,7 @@
 
 namespace slipface {
 
-// Opens the editor on what a check found. Without a display names the page that shows the same.
+// Opens the editor on the results of a check. Without a display it prints the page that shows the same.
 int snapshot_review(const std::string& report_file);
 
 }  // namespace slipface

@@ -18,7 +18,7 @@ constexpr int gap = 12, caption = 26;
 constexpr float caption_size = 17.0f;
 constexpr int text_grey = 225;
 
-// Each pixel is the mean of those that it covers; pictures are never enlarged.
+// Each pixel is the mean of the pixels that it covers; images are never enlarged.
 Image shrunk(const Image& image, int width, int height) {
     const double scale =
         std::min({1.0, static_cast<double>(width) / image.width, static_cast<double>(height) / image.height});

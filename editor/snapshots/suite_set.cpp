@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Levels from the command line, as the suite that a person would have written.
+// Levels from the command line as a suite.
 Result<std::vector<Scene>> scenes_of_levels(const SuiteArguments& arguments) {
     const auto size = parse_size(arguments.size);
     if (!size) return Error{"--size", "found \"" + arguments.size + "\", expected a size such as 960x540"};

@@ -1,4 +1,4 @@
-// Everything that can be rendered by name: the scenes of suites or of levels named on the command line, and
+// Everything that can be rendered by name: scenes of suites, scenes of levels named on the command line, and
 // the editor's screens.
 #pragma once
 
@@ -19,27 +19,27 @@ namespace slipface {
 struct SuiteArguments {
     std::string goldens = "screenshots";
     std::vector<std::string> suites;  // none: GOLDENS/scenes.json and GOLDENS/editor/*.script
-    std::vector<std::string> levels;  // instead of suites: these, from `cameras`
+    std::vector<std::string> levels;  // instead of suites: the cameras of these levels, from `cameras`
     std::vector<std::string> cameras{"auto:iso4", "auto:map", "bookmarks"};
     std::string size = "960x540", style = "textured overlay", tape;
     std::string gl = "auto";  // "osmesa", "egl"
 
-    std::vector<std::string> as_command_line() const;  // what a worker must be told
+    std::vector<std::string> as_command_line() const;  // the arguments for a worker process
 };
 
 struct SuiteSet {
     std::vector<Scene> scenes;  // cameras expanded
     std::vector<Snapshot> screens;
-    std::vector<std::string> names;  // scenes first; of these, levels one after the other
+    std::vector<std::string> names;  // scenes first, grouped by level
 };
 
-// Whether one of the patterns fits the name; without patterns every name is wanted.
+// True if a pattern matches the name, or if there are no patterns.
 bool is_wanted(const std::vector<std::string>& patterns, const std::string& name);
 
-// Reads suites and scripts; makes no context. Errors: no such folder, a suite that is not understood.
+// Reads suites and scripts; makes no context. Errors: a missing folder, an invalid suite.
 Result<SuiteSet> load_suite_set(const SuiteArguments& arguments);
 
-// Makes snapshots by name; one context and one copy of each level for all scenes.
+// Makes snapshots by name. All scenes use one context and one copy of each level.
 class Studio {
   public:
     explicit Studio(SuiteSet set) : set_(std::move(set)) {}

@@ -26,14 +26,14 @@ int bad_input(const Error& error) {
     return cli::exit_bad_input;
 }
 
-// What is asked for, and this process's part of it.
+// The selected snapshots, and this process's part of them.
 struct Chosen {
     std::vector<std::string> names;
     Shard shard;
     std::string suite;
 };
 
-// An error when nothing is asked for, or the shard makes no sense.
+// Fails if nothing is selected or the shard is invalid.
 Result<Chosen> chosen_names(const CheckArguments& arguments, const std::vector<std::string>& names) {
     std::vector<std::string> chosen;
     for (const std::string& name : names)
@@ -114,8 +114,7 @@ int finish(const CheckArguments& arguments, Report& report) {
     return exit_code_of(report.entries, arguments.detailed);
 }
 
-Rendering rendering_of(const fs::path& image, const fs::path& numbers, Image image) {
-    (void)image;
+Rendering rendering_of(const fs::path& numbers, Image image) {
     const Result<std::string> text = read_file(numbers, std::uint64_t{64} << 20U);
     return {std::move(image), text ? *text : std::string()};
 }
@@ -190,7 +189,7 @@ int snapshot_compare(const CheckArguments& arguments) {
         entry.message = !snapshot ? snapshot.error().text() : !image ? image.error().text() : "";
         if (snapshot && image)
             entry = check_golden(report.goldens, *snapshot,
-                                 rendering_of(image, fs::path(arguments.actual) / (name + ".json"), *image),
+                                 rendering_of(fs::path(arguments.actual) / (name + ".json"), *image),
                                  arguments.work.out);
         print_progress(arguments, entry);
         report.entries.push_back(std::move(entry));

@@ -80,19 +80,19 @@ GoldenResult approve(const Snapshot& snapshot, const WorkArguments& arguments) {
     return result;
 }
 
-// One process and what it is doing.
+// One process and its current work.
 struct Worker {
     pid_t pid = -1;
     int to = -1, from = -1;
-    std::string name;    // in hand
-    std::string buffer;  // read, not yet a line
+    std::string name;    // its current snapshot
+    std::string buffer;  // read, but not a complete line yet
 
     bool send(const std::string& next) {
         name = next;
         const std::string line = next + "\n";
         return ::write(to, line.data(), line.size()) == static_cast<ssize_t>(line.size());
     }
-    std::string end() {  // how it ended, in words
+    std::string end() {  // how the process ended, as text
         if (to >= 0) ::close(to);
         if (from >= 0) ::close(from);
         to = from = -1;
@@ -149,7 +149,7 @@ Result<Worker> start_worker(const WorkArguments& arguments) {
     return worker;
 }
 
-// Hands out names until none is left and every worker is idle.
+// Hands out names until none is left and all workers are idle.
 class Pool {
   public:
     Pool(const WorkArguments& arguments, const std::vector<std::string>& names,
@@ -259,7 +259,7 @@ Result<std::string> do_all_work(const WorkArguments& arguments, const SuiteSet& 
             done(do_work(studio, arguments, name));
         return studio.renderer();
     }
-    // One thread a process: together they have as many as there are processors.
+    // One rendering thread per process, because there are as many processes as processors.
     ::setenv("LP_NUM_THREADS", "0", 0);
     Pool pool(arguments, names, done);
     if (Status status = pool.run(); !status) return status.error();

@@ -1,5 +1,5 @@
-// Snapshots in several processes: each renders what it is told by name and answers with one line. A process
-// that dies takes only the snapshot with it that it had in hand.
+// Snapshots in several processes. Each renders the names that it receives and answers with one line per name.
+// If a process dies, only its current snapshot is lost.
 #pragma once
 
 #include <functional>
@@ -17,23 +17,22 @@ struct WorkArguments {
     SuiteArguments suite;
     std::string out = "out/snapshots";
     bool twice = false;         // check: render twice
-    bool force = false;         // approve: rewrite what passes, too
-    bool quick = false;         // approve: pack pictures fast instead of small
-    bool any_renderer = false;  // approve: not only software
+    bool force = false;         // approve: also rewrite what passes
+    bool quick = false;         // approve: compress images fast instead of small
+    bool any_renderer = false;  // approve: also with hardware renderers
     int jobs = 1;
 };
 
-// Does one snapshot. `state` same means that it worked; for `render` and `approve` the message names the
-// files.
+// Does one snapshot. State `same` means success; for `render` and `approve` the message names the files.
 GoldenResult do_work(Studio& studio, const WorkArguments& arguments, const std::string& name);
 
-// Does all of `names`, here or in `jobs` processes, and calls `done` as they finish, in no special order.
-// Returns the renderer. The error is that no process can be started.
+// Does all of `names`, here or in `jobs` processes, and calls `done` as each finishes, in any order. Returns
+// the renderer. Fails if no process can be started.
 Result<std::string> do_all_work(const WorkArguments& arguments, const SuiteSet& set,
                                 const std::vector<std::string>& names,
                                 const std::function<void(const GoldenResult&)>& done);
 
-// The other end: reads names from standard input until it ends, writes results to standard output.
+// The worker's side: reads names from standard input until it ends, writes results to standard output.
 int run_worker(const WorkArguments& arguments);
 
 }  // namespace slipface

@@ -114,7 +114,7 @@ const std::vector<float>& AuditJob::heat(const Document& document, HeatKind of) 
     heat_.assign(report_->heat.size(), 0.0f);
     const double maximum = worst(of);
     if (!(maximum > 0.0)) return heat_;
-    // Few faces take most of it; the root makes the others visible.
+    // A few faces have most of the value; the square root makes the others visible.
     for (std::size_t face = 0; face < heat_.size(); ++face)
         heat_[face] = static_cast<float>(std::sqrt(value(of, static_cast<FaceId>(face)) / maximum));
     return heat_;

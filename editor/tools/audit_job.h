@@ -1,4 +1,4 @@
-// An audit that runs beside the editor, and what it found.
+// An audit that runs in a background thread, and its results.
 #pragma once
 
 #include <atomic>
@@ -17,20 +17,20 @@ inline constexpr std::array<const char*, 5> heat_names{"Lost time", "Stuck", "Mi
 // One row per kind: what the panel, its tooltips and the legend in the view say.
 struct HeatInfo {
     const char* meaning;
-    const char* unit;  // of the values; empty where a face is or is not
+    const char* unit;  // of the values; empty for yes or no
 };
 const HeatInfo& info_of(HeatKind kind);
 std::string heat_text(HeatKind kind, double value);  // "0.12 s per visit"
 
 struct AuditSettings {
     int walkers = 60;
-    double duration_s = 30.0;  // simulated, each walker
+    double duration_s = 30.0;  // simulated, per walker
     int seed = 1;
 };
 
 class AuditJob {
   public:
-    // Copies what it needs of the document and begins at once.
+    // Copies what it needs from the document and starts at once.
     static std::shared_ptr<AuditJob> start(const Document& document, const AuditSettings& settings);
     ~AuditJob();
     AuditJob(const AuditJob&) = delete;
@@ -39,20 +39,20 @@ class AuditJob {
     bool running() const { return !done_; }
     double progress() const;  // 0..1
     void cancel() { cancelled_ = true; }
-    // When it has ended: the report, or why there is none.
+    // After the end: the report; null if there is none, and then problem() says why.
     const AuditReport* report() const { return done_ && report_ ? &*report_ : nullptr; }
     const std::string& problem() const { return problem_; }
-    // The level it ran in is the one that is open, unchanged in what is walked on.
+    // True if the audited level is the open one and its geometry and surfaces have not changed.
     bool fits(const Document& document) const;
 
-    // A face's fraction of what is worst in the level, 0..1; [face]. `unreached` is 1 for faces that could be
-    // stood on and were not.
+    // [face] square root of its value as a fraction of the worst in the level, 0..1; empty if there is no
+    // report or it does not fit. `unreached` is 1 for faces that a player could stand on and no walker
+    // reached.
     const std::vector<float>& heat(const Document& document, HeatKind kind) const;
     double worst(HeatKind kind) const;  // on one face, in the kind's unit
-    // The value that a face of this fraction has: the colours follow its square root, so that small ones
-    // show.
+    // The value of a face with this heat. The square root makes small values visible.
     double value_at(HeatKind of, double fraction) const { return fraction * fraction * worst(of); }
-    // The run of a finding up to the tick at which it went wrong.
+    // The run of a finding up to the tick at which the error occurred.
     Tape tape_of(const AuditFinding& finding) const;
 
     AuditSettings settings;

@@ -1,4 +1,4 @@
-// What the rows of the command table do. Only the commands_<area>.cpp need these.
+// The functions behind the rows of the command table. Only commands_<area>.cpp use them.
 #pragma once
 
 #include "tools/editor.h"
@@ -53,7 +53,7 @@ void toggle_setting_at(Editor& editor, std::size_t row);
 bool preset_is_used_at(const Editor& editor, std::size_t row);
 void use_preset_at(Editor& editor, std::size_t row);
 
-// Functions without captures for the table, one an argument.
+// Functions without captures for the table, one per argument.
 template <std::size_t Row>
 bool setting_is_on(const Editor& editor) {
     return setting_is_on_at(editor, Row);

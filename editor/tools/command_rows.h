@@ -1,6 +1,6 @@
-// The fragments of the command table, one file an area (commands_<area>.cpp), and short names for writing
-// rows. A new command is a row in its area's fragment; commands() joins them in the order that commands.cpp
-// lists.
+// The fragments of the command table, one file per area (commands_<area>.cpp), and short names for writing
+// rows. A new command is a row in its area's fragment. commands() joins them in the order listed in
+// commands.cpp.
 #pragma once
 
 #include <vector>

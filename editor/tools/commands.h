@@ -22,23 +22,23 @@ struct Command {
     bool (*enabled)(const Editor&);
     bool (*checked)(const Editor&);  // null: no check mark
     void (*run)(Editor&);
-    // The label while the command is enabled, where it is about something in the level that has a name of its
-    // own: "Brush: ice" instead of "Brush of key 1". Null: always `label`.
+    // For commands about something in the level with a name of its own: the label while the command is
+    // enabled, "Brush: ice" instead of "Brush of key 1". Null: always `label`.
     std::string (*name)(const Editor&) = nullptr;
 };
 
 std::span<const Command> commands();
 const Command* find_command(std::string_view id);
-// The table's command for a key, or null; a test keeps the table free of conflicts. What the user's own keys
-// are, Editor::session.keymap knows.
+// The table's command for a key, or null. A test checks that the table has no conflicts. Keys that the user
+// changed are in Editor::session.keymap.
 const Command* command_for(const Shortcut& pressed);
-// What menus, tooltips and lists call it now.
+// The present name in menus, tooltips and lists.
 std::string command_name(const Editor& editor, const Command& command);
-// Where the menus have it: "View > Snapshots > Review snapshots".
+// Where it is in the menus: "View > Snapshots > Review snapshots".
 std::string menu_location(const Command& command);
-// The key that runs it now, as text for menus and tooltips; empty: none.
+// Its present key as text for menus and tooltips; empty: none.
 std::string shortcut_text(const Editor& editor, const Command& command);
-// Runs it if it is enabled. False if not.
+// Runs it if it is enabled; false otherwise.
 bool run_command(Editor& editor, std::string_view id);
 
 }  // namespace slipface

@@ -1,4 +1,4 @@
-// Commands on the history and on what belongs to no face.
+// Commands on the history and on parts of the level that are not faces.
 #include "tools/command_actions.h"
 #include "tools/command_rows.h"
 #include "tools/icons.h"

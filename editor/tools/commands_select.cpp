@@ -1,4 +1,4 @@
-// Commands that choose faces, hide them, and keep choices under names.
+// Commands that select faces, hide them, and store named selections.
 #include <array>
 #include <utility>
 
@@ -40,7 +40,7 @@ void use_shape(Editor& editor) {
     editor.select_shape = Shape;
 }
 
-// What the brush stands for: its type, or everything unpainted.
+// The faces of the brush's type, or all unpainted ones.
 void select_brush_type(Editor& editor) {
     const Document& document = *editor.document;
     apply_selection(editor, editor.brush ? faces_of_type(document, *editor.brush) : unpainted_faces(document),
@@ -275,8 +275,8 @@ std::optional<std::size_t> saved_index(const Editor& editor) {
     return Digit - 1;
 }
 
-// For each digit: every face of the type with that hotkey, and the saved selection of that number. The texts
-// live as long as the program.
+// For each digit: every face of the type with that hotkey, and the saved selection with that number. The
+// texts live as long as the program.
 template <std::size_t... I>
 std::vector<Command> digit_rows(std::index_sequence<I...>) {
     static std::array<std::array<std::string, 6>, sizeof...(I)> texts;

@@ -1,4 +1,4 @@
-// Commands that take a tool in hand.
+// Commands that choose a tool.
 #include "tools/command_actions.h"
 #include "tools/command_rows.h"
 #include "tools/icons.h"

@@ -50,7 +50,7 @@ void show_panes(Editor& editor) {
 bool has_panes(const Editor& editor) {
     return editor.panes.count > 1;
 }
-// From the axis on which X, Y, Z say where the eye is; perspective gives way to a map of that side.
+// Views along an axis; X, Y, Z is the direction to the eye. A perspective view becomes orthographic.
 template <int X, int Y, int Z>
 void look_along(Editor& editor) {
     editor.view.orthographic = true;
@@ -108,7 +108,7 @@ template <BackFaces Which>
 void use_back_faces(Editor& editor) {
     set_back_faces(editor, Which);
 }
-// The opposite of what one sees, and from there back to automatic.
+// From automatic to the opposite of the present state, and from there back to automatic.
 void switch_back_faces(Editor& editor) {
     if (editor.back_faces != BackFaces::automatic)
         set_back_faces(editor, BackFaces::automatic);

@@ -18,7 +18,7 @@ bool same_bytes(const fs::path& a, const fs::path& b) {
     return first && second && *first == *second;
 }
 
-// Every file of `fresh` lies in `folder`, too, with the same bytes.
+// True if every file of `fresh` is also in `folder`, with the same bytes.
 bool holds(const fs::path& folder, const fs::path& fresh) {
     std::error_code error;
     for (fs::directory_iterator it(fresh, error), end; !error && it != end; it.increment(error))
@@ -26,8 +26,8 @@ bool holds(const fs::path& folder, const fs::path& fresh) {
     return !error;
 }
 
-// The demo's files in a folder of their own, below the system's folder for temporary files. What somebody
-// saved over an earlier demo stays: then the new one lies in another folder. Returns the path of the OBJ.
+// Writes the demo's files into their own folder below the system's temporary folder. If the user saved over
+// an earlier demo, that folder stays and the new files get another one. Returns the path of the OBJ.
 Result<fs::path> demo_files(const DemoInfo& info) {
     std::error_code error;
     const fs::path temporary = fs::temp_directory_path(error);

@@ -1,4 +1,4 @@
-// The pages of docs/ that are made from tables, so that they cannot drift from the program.
+// The pages of docs/ that are generated from tables, so that they always agree with the program.
 #pragma once
 
 #include <string>

@@ -30,14 +30,14 @@ void forget_hover(Editor& editor) {
     editor.hovered_normal = Vec3::Zero();
 }
 
-// Within the bounds of a stroke every touch adds to what was painted since it began.
+// "Painted ice on 12 faces".
 std::string painted_text(const Editor& editor, std::optional<SurfaceId> surface, std::size_t faces) {
     const std::string count = count_text(faces, "face", "faces");
     if (!surface) return "Unset on " + count;
     return "Painted " + editor.document->level().surfaces[*surface].name + " on " + count;
 }
 
-// A stroke or drag that is still going on ends where it is.
+// Ends a stroke or drag that is still in progress.
 void finish_edits(Editor& editor) {
     while (editor.document && editor.document->in_transaction())
         editor.document->commit();
@@ -86,7 +86,7 @@ void adopt_document(Editor& editor, std::unique_ptr<Document> opened, const std:
     editor.camera_shown.reset();
     editor.view.orthographic = false;
     const std::size_t panes = std::exchange(editor.panes, {}).count;
-    set_pane_count(editor, panes);  // the others look at the new level
+    set_pane_count(editor, panes);  // the other panes show the new level
     if (const std::vector<CameraBookmark>& cameras = document.level().cameras; !cameras.empty())
         editor.view.look_at(cameras.front().eye, cameras.front().target);
     else
@@ -161,7 +161,7 @@ void answer_unsaved(Editor& editor, UnsavedChoice choice) {
     if (choice == UnsavedChoice::cancel) return;
     if (choice == UnsavedChoice::save) {
         save_level(editor);
-        if (editor.document && editor.document->dirty()) return;  // saving failed and said why
+        if (editor.document && editor.document->dirty()) return;  // saving failed and reported why
     }
     do_next(editor, requested);
 }
@@ -222,7 +222,7 @@ const std::vector<FaceId>& tool_faces(const Editor& editor) {
         (!by_point || found.point == editor.hovered_point))
         return found.faces;
 
-    // Within a flood every face has the same flood.
+    // Every face of a flood fill has the same flood fill.
     if (editor.tool == Tool::fill && found.document == document && found.mesh == &document->mesh() &&
         found.tool == editor.tool && found.size == size &&
         std::binary_search(found.faces.begin(), found.faces.end(), editor.hovered)) {
@@ -317,7 +317,7 @@ void set_spawn_hovered(Editor& editor) {
 
 namespace {
 
-// By value: the position may be that of the playtest that ends here.
+// By value: the position may belong to the playtest that ends here.
 void begin_playtest(Editor& editor, const Vec3 position, double yaw, std::string note) {
     finish_edits(editor);
     const Document& document = *editor.document;
@@ -351,7 +351,7 @@ void restart_playtest(Editor& editor) {
 
 void play_from_hovered(Editor& editor) {
     if (!editor.document || editor.hovered == no_id) return;
-    Level here;  // find_start() asks a level for nothing but its spawns
+    Level here;  // find_start() needs only the spawns of a level
     here.movement = editor.document->level().movement;
     Spawn spawn = spawn_on_hovered(editor);
     spawn.name = "here";
@@ -372,7 +372,7 @@ std::vector<std::uint8_t> face_highlights(const Editor& editor) {
     std::vector<std::uint8_t> highlights(editor.document->mesh().face_count(), 0);
     for (const FaceId face : tool_faces(editor))
         highlights[face] = 1;
-    if (!editor.playtest)  // the player sees the paint, not what is being edited
+    if (!editor.playtest)  // the player sees the paint, not the selection
         for (const FaceId face : editor.document->selection())
             highlights[face] = static_cast<std::uint8_t>(highlights[face] | 2);
     for (const FaceId face : editor.document->hidden())

@@ -1,5 +1,5 @@
-// Everything the editor's windows show and change. Knows neither ImGui nor OpenGL, so that all of it can be
-// tested and scripted.
+// The state behind the editor's windows. It knows neither ImGui nor OpenGL, so that all of it can be tested
+// and scripted.
 #pragma once
 
 #include <filesystem>
@@ -28,7 +28,7 @@ enum class SelectShape { box, lasso, brush };
 
 // Whether faces are drawn, and can be picked, from behind.
 enum class BackFaces {
-    automatic,  // as `always`, but as `never` where they would hide the rooms that one looks at from outside
+    automatic,  // `never` where back faces would hide rooms seen from outside, otherwise `always`
     always,
     never
 };
@@ -36,7 +36,7 @@ enum class BackFaces {
 enum class Tool { select, paint, fill, probe };
 inline constexpr std::size_t tool_count = 4;
 
-// What the UI has to ask or tell. One at a time; the window on top of everything shows it.
+// A message that the user must close. One at a time, drawn over all windows.
 struct MessageDialog {
     std::string title;
     std::string text;
@@ -45,7 +45,7 @@ struct MessageDialog {
 };
 struct DemoInfo;
 
-// A decision about unsaved changes, before `then` is done.
+// The question about unsaved changes, asked before `then`.
 struct UnsavedDialog {
     enum class Then { open, quit, demo, recover } then = Then::quit;
     std::filesystem::path open_path;
@@ -68,7 +68,7 @@ enum class FileDialogKind {
     export_game
 };
 
-// A run that was recorded in a level, never saved, and left behind when another level was opened.
+// A run that was recorded in a level and not saved when another level was opened.
 struct KeptTape {
     std::filesystem::path level;  // its geometry
     Tape tape;
@@ -84,12 +84,12 @@ struct Editor {
     Session session;  // opening, autosaves, reloading, preferences, the doctor
 
     ViewCamera view;           // of the active pane
-    double view_aspect = 1.6;  // width to height of it, as drawn last
+    double view_aspect = 1.6;  // its width / height, as drawn last
     Panes panes;
-    std::optional<std::size_t> camera_shown;  // the bookmark gone to last
-    LevelStyle style;                         // its back_faces is for each view to say: draws_back_faces()
+    std::optional<std::size_t> camera_shown;  // the bookmark used last
+    LevelStyle style;                         // its back_faces is set per view by draws_back_faces()
     BackFaces back_faces = BackFaces::automatic;
-    float overlay_strength = LevelStyle{}.overlay;  // what switching the overlay on again brings back
+    float overlay_strength = LevelStyle{}.overlay;  // restored when the overlay is switched on again
     bool show_triangle_ids = false;                 // beside the mouse
     bool show_trace = true;                         // in playtest: contacts of the last tick
 
@@ -98,38 +98,40 @@ struct Editor {
     double brush_radius = 0.0;                      // metres; 0: single faces
     double fill_angle = 0.2617993877991494;         // radians, 15 degrees
     SelectShape select_shape = SelectShape::box;
-    bool select_through = false;  // box and lasso take what cannot be seen, too
-    bool select_whole = false;    // box and lasso take only what lies inside them as a whole
+    bool select_through = false;  // box and lasso also take faces that cannot be seen
+    bool select_whole = false;    // box and lasso take only faces that lie inside completely
     double select_radius = 0.0;   // metres, of the selecting brush; 0: single faces
     FaceId hovered = no_id;
     Vec3 hovered_point = Vec3::Zero();
     Vec3 hovered_normal = Vec3::Zero();
 
-    std::size_t stroke_painted = 0;  // faces, by the stroke under way
+    std::size_t stroke_painted = 0;  // faces painted by the present stroke
 
-    bool live_edit = false;  // a panel's widget holds a transaction open while it is dragged or typed in
+    // A panel's widget holds a transaction open while the user drags it or types in it.
+    bool live_edit = false;
 
     Probe probe;
     std::optional<Playtest> playtest;       // walking while set
-    Lab lab;                                // what was walked, and what would have been otherwise
+    Lab lab;                                // the tape, and its runs under other settings
     CureJob cures;                          // of the stop at the lab's cursor
-    std::vector<KeptTape> kept_tapes;       // the newest last; each comes back with its level
-    std::shared_ptr<class AuditJob> audit;  // random walkers at work, or what they found
+    std::vector<KeptTape> kept_tapes;       // newest last; each returns when its level is opened
+    std::shared_ptr<class AuditJob> audit;  // of random walkers: running, or with results
 
     // Open windows.
     PanelLayout layout;
     ImportCard import_card;
-    Warnings texture_warnings;  // of the level that is shown, known once it was drawn
+    Warnings texture_warnings;  // of the level that is shown; known once it was drawn
     bool show_shortcuts = false, show_command_palette = false;
     std::vector<std::string> recent_commands;  // ids, as run from the command palette, newest first
     std::optional<MessageDialog> message;
     std::optional<UnsavedDialog> unsaved;
     FileDialogKind file_dialog = FileDialogKind::none;
-    std::string status;                    // last thing done, for the status bar
-    std::optional<std::string> clipboard;  // text that the app puts there at the end of the frame
-    bool quit = false;                     // the host ends after this frame
+    std::string status;  // the last action, for the status bar
+    // Text that the app copies to the clipboard at the end of the frame.
+    std::optional<std::string> clipboard;
+    bool quit = false;  // the host ends after this frame
 
-    // What tool_faces() found last, for as long as nothing that it depends on changes.
+    // The last result of tool_faces(), valid until one of its inputs changes.
     struct ToolFaces {
         const Document* document = nullptr;
         const Mesh* mesh = nullptr;
@@ -140,7 +142,7 @@ struct Editor {
         std::vector<FaceId> faces;
     };
     mutable ToolFaces tool_faces;
-    // What is_made_of_rooms() says of this mesh.
+    // The result of is_made_of_rooms() for this mesh.
     struct Rooms {
         const Mesh* mesh = nullptr;
         bool made_of = false;
@@ -149,44 +151,46 @@ struct Editor {
 };
 
 // Each of these reports failure as a MessageDialog and leaves the open document as it was.
-void open_level(Editor& editor, const std::filesystem::path& path);  // no question asked
-// Shows a document that was opened elsewhere; `path` goes to the recent files.
+void open_level(Editor& editor, const std::filesystem::path& path);  // asks nothing
+// Shows a document that was opened elsewhere and adds `path` to the recent files.
 void adopt_document(Editor& editor, std::unique_ptr<Document> document, const std::filesystem::path& path);
-void geometry_changed(Editor& editor);  // the document has another mesh: what points into the old one goes
-// Does what `next` says; asks first when there are unsaved changes.
+void geometry_changed(Editor& editor);  // the document has another mesh: clears what refers to the old one
+// Does what `next` says; asks first if there are unsaved changes.
 void leave_document(Editor& editor, const UnsavedDialog& next);
 void request_open(Editor& editor, const std::filesystem::path& path);
 void save_level(Editor& editor);
 void save_level_as(Editor& editor, const std::filesystem::path& level_file);
 void request_quit(Editor& editor);
-void answer_unsaved(Editor& editor, UnsavedChoice choice);  // closes the dialog and goes on as decided
+// Closes the dialog and continues with the decision.
+void answer_unsaved(Editor& editor, UnsavedChoice choice);
 
-// Whether a view by this camera draws backs. Automatically it does not from outside a level made of rooms,
-// nor in its plans (orthographic views); walking always does.
+// Whether a view by this camera draws back faces. `automatic` does not draw them from outside a level made of
+// rooms, nor in orthographic views of one; during a playtest it draws them.
 bool draws_back_faces(const Editor& editor, const Camera& camera);
 bool sees_back_faces(const Editor& editor);  // the active view
 void set_back_faces(Editor& editor, BackFaces wanted);
 
-// The face under a ray, or no_id; fills hovered_*. Faces that are not solid are found too; back faces only
-// while they are drawn.
+// The face under a ray, or no_id; fills hovered_*. Finds non-solid faces, too; back faces only while they are
+// drawn.
 void hover(Editor& editor, const Ray& ray);
-// What a click with the tool would touch: nothing, the hovered face, the brush's or the flood's. Ascending.
+// The faces that a click with the tool would change: none, the hovered face, those under the brush, or the
+// flood fill's. Ascending.
 const std::vector<FaceId>& tool_faces(const Editor& editor);
-// Gives faces a type (nothing: unset) and says in the status line on how many it changed, within a stroke on
-// how many since the stroke began.
+// Gives faces a type (nothing: removes their paint) and writes to the status line how many changed; during a
+// stroke, how many since the stroke began.
 void paint_faces(Editor& editor, std::span<const FaceId> faces, std::optional<SurfaceId> surface);
-void paint_hovered(Editor& editor);  // with the brush, within the open transaction if there is one
+void paint_hovered(Editor& editor);  // with the brush, inside the open transaction if there is one
 void fill_hovered(Editor& editor);
 void pick_surface(Editor& editor);                   // eyedropper: the hovered face's type becomes the brush
-void frame_selected(Editor& editor, double aspect);  // or everything when nothing is selected
+void frame_selected(Editor& editor, double aspect);  // or all faces if none is selected
 void choose_brush(Editor& editor, std::optional<SurfaceId> surface);
-void keep_brush_valid(Editor& editor);         // undo may take the brush's type away; then it is `default`
-Spawn spawn_on_hovered(const Editor& editor);  // of a player standing there, looking where the camera looks
-void set_spawn_hovered(
-    Editor& editor);  // a player standing at the hovered point, looking where the camera looks
-void start_playtest(Editor& editor);     // at the main spawn, made to fit (find_start)
-void restart_playtest(Editor& editor);   // from where the running one began
-void play_from_hovered(Editor& editor);  // on the face under the mouse, looking where the view looks
+void keep_brush_valid(Editor& editor);  // if undo removed the brush's type, the brush becomes `default`
+Spawn spawn_on_hovered(const Editor& editor);  // for a player on the hovered face, with the camera's yaw
+// Moves the main spawn there, as spawn_on_hovered() says.
+void set_spawn_hovered(Editor& editor);
+void start_playtest(Editor& editor);     // at the main spawn, moved to a position that fits (find_start)
+void restart_playtest(Editor& editor);   // from the start of the running one
+void play_from_hovered(Editor& editor);  // on the face under the mouse, with the view's yaw
 void stop_playtest(Editor& editor);
 
 // Faces for LevelRenderer::set_face_highlights: bit 0 hovered (all faces that the tool would touch), bit 1

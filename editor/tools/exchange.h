@@ -1,4 +1,4 @@
-// Files that the editor exchanges with others: sets of movement settings, and levels for other programs.
+// Files exchanged with other programs: presets of movement settings, and exported levels.
 #pragma once
 
 #include <filesystem>
@@ -8,17 +8,17 @@
 
 namespace slipface {
 
-// Each reports failure as a MessageDialog and changes nothing then.
+// Each reports failure as a MessageDialog and then changes nothing.
 void open_preset(Editor& editor, const std::filesystem::path& path);  // one step of history
-// The level's settings. A preset that is replaced hands on its name and its sentence.
+// Writes the level's settings. If the file exists, its name and description are preserved.
 void save_preset(Editor& editor, const std::filesystem::path& path);
 
-// The level as it is now, unsaved changes too; by slipface/exchange/export.h. The status says what was
-// written.
+// Write the current level with its unsaved changes (slipface/exchange/export.h). The status line says what
+// was written.
 void export_level_obj(Editor& editor, const std::filesystem::path& path);
 void export_level_gltf(Editor& editor, const std::filesystem::path& path);  // .glb: all in one file
 void export_level_game(Editor& editor, const std::filesystem::path& path);
-// What these write for `path`: itself and the files that go with it.
+// All files that the export to `path` writes: `path` itself and those that belong to it.
 std::vector<std::filesystem::path> files_of_export(FileDialogKind kind, const std::filesystem::path& path);
 
 }  // namespace slipface

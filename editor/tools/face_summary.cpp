@@ -6,7 +6,7 @@
 namespace slipface {
 namespace {
 
-// Keeps `common` while every face says the same; the first face decides.
+// Leaves `common` set while all faces have the same value; the first face decides.
 template <class T>
 void agree(std::optional<T>& common, const T& value, bool first) {
     if (first)
@@ -15,7 +15,7 @@ void agree(std::optional<T>& common, const T& value, bool first) {
         common.reset();
 }
 
-// The same for a number; compared as such, the name is looked up once at the end.
+// The same for an index; its name is looked up once at the end.
 struct CommonIndex {
     std::uint32_t value = 0;
     bool any = false, mixed = false;

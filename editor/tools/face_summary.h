@@ -8,23 +8,23 @@
 
 namespace slipface {
 
-// A value that all faces share, or nothing when they differ.
+// Optional members hold a value that all faces have in common, or nothing if they differ.
 struct FaceSummary {
     std::size_t faces = 0;
     std::size_t triangles = 0;
     std::size_t painted = 0;  // with an override
-    double area = 0.0;        // square metres, all together
-    double slope_min = 0.0,
-           slope_max = 0.0;  // radians: 0 floor, pi/2 wall, pi ceiling; of the faces with area
+    double area = 0.0;        // square metres, in total
+    // Radians: 0 floor, pi/2 wall, pi ceiling; of the faces with area.
+    double slope_min = 0.0, slope_max = 0.0;
     bool has_slope = false;
     std::optional<std::string> material, group;  // names
     std::optional<SurfaceId> surface;
     std::optional<SurfaceSource> source;
-    std::optional<SurfaceId> unpainted;  // what the painted ones would be without their paint
+    std::optional<SurfaceId> unpainted;  // the painted faces' types without their paint
     std::optional<SurfaceSource> unpainted_source;
 };
 
-// Faces outside the level are left out.
+// Ignores faces that are not in the level.
 FaceSummary summarize_faces(const Document& document, std::span<const FaceId> faces);
 
 }  // namespace slipface

@@ -22,7 +22,8 @@ std::optional<int> word_score(std::string_view word, std::string_view text) {
         if (at == 0) best += 5;
     }
     if (best > 0) return best;
-    // Letters in order; the fewer gaps, the better. The first must begin a word: else everything would match.
+    // Letters in order; fewer gaps score higher. The first letter must begin a word, otherwise nearly
+    // everything would match.
     int score = 30;
     std::size_t next = 0;
     for (std::size_t i = 0; i < word.size(); ++i) {

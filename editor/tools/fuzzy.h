@@ -9,13 +9,12 @@
 
 namespace slipface {
 
-// How well `text` answers `query`, upper and lower case alike: higher is better, nothing when a word of the
-// query is missing. A word is found whole, at the beginning of a word, inside one, or as letters in this
-// order.
+// How well `text` matches `query`, ignoring case: higher is better, nothing if a word of the query is
+// missing. A word matches as a whole, at the beginning of a word, inside one, or as letters in this order.
 std::optional<int> fuzzy_score(std::string_view query, std::string_view text);
 
-// The commands that answer the query, the best first; those run lately first among equals, and when nothing
-// is asked. A command that cannot run now comes after those that can.
+// The commands that match the query, best first. Among equals, and for an empty query, recently run ones come
+// first. Commands that cannot run now come after all others.
 std::vector<const Command*> find_commands(const Editor& editor, std::string_view query);
 
 }  // namespace slipface

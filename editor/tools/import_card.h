@@ -1,4 +1,4 @@
-// What the card about a level's unit, axis and size shows and changes (panels/import_card.cpp draws it).
+// State and actions of the card about a level's unit, axis and size (drawn by panels/import_card.cpp).
 #pragma once
 
 #include <memory>
@@ -15,21 +15,21 @@ struct ImportCard {
     bool shown = false;
     std::string problem;  // why the last change was refused
     std::string scale_text;
-    // Of the mesh that they were worked out for.
+    // The mesh, and facts computed from it.
     MeshPtr mesh;
     std::size_t open_edges = 0;
     std::optional<SizeDoubt> doubt;
 };
 
-// Called for each level that was opened: shows the card where there is no level file, and nobody has closed
-// the card for that geometry yet.
+// Called for each opened level. Shows the card if the level has no level file and the card was never closed
+// for that geometry.
 void offer_import_card(Editor& editor);
 void toggle_import_card(Editor& editor);
-void close_import_card(Editor& editor);    // for good: remembered in the preferences
-void refresh_import_card(Editor& editor);  // its facts, where the mesh is another one
-// Reads the geometry with another scale or axis, as one step; a refusal is the card's `problem`.
+void close_import_card(Editor& editor);    // permanently: stored in the preferences
+void refresh_import_card(Editor& editor);  // computes its facts again if the mesh changed
+// Reads the geometry with another scale or axis, as one step; an error becomes the card's `problem`.
 void change_import(Editor& editor, const ImportTransform& transform);
-// The scale as typed by a person; what is no number above 0 is a `problem`.
+// The scale as typed; anything but a number above 0 becomes a `problem`.
 void change_import_scale(Editor& editor, std::string_view text);
 
 }  // namespace slipface

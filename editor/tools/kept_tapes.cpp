@@ -29,7 +29,7 @@ void bring_back_tape(Editor& editor) {
     const auto found = std::find_if(kept.rbegin(), kept.rend(), [&](const KeptTape& one) {
         return same_file(one.level, editor.document->level().mesh_path);
     });
-    // One that the level as it is now cannot run stays where it is.
+    // A tape that the present level cannot run stays in the list.
     if (found == kept.rend() || !editor.lab.open(*editor.document, found->tape, found->name)) return;
     kept.erase(std::next(found).base());
     editor.lab.unsaved = true;

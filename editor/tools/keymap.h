@@ -1,4 +1,4 @@
-// Which key runs which command: the table's shortcuts, and what the user made of them.
+// Which key runs which command: the table's shortcuts with the user's changes.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ struct Command;
 
 class Keymap {
   public:
-    // The key of the command; without one of the user's own, the table's.
+    // The user's key for the command, or the table's.
     const Shortcut& shortcut(const Command& command) const;
     // The command that a pressed key runs, or null.
     const Command* command_for(const Shortcut& pressed) const;
@@ -22,15 +22,15 @@ class Keymap {
     std::vector<const Command*> users_of(const Shortcut& shortcut) const;
 
     bool is_changed(const Command& command) const;
-    // Gives the command that key, or none if the key is empty. Others that have it keep it: that is a
-    // conflict, which the window shows, until resolve() or another bind().
+    // Gives the command this key; an empty key means none. Other commands with the key also have it: a
+    // conflict, which the window shows until take_from_others() or another bind().
     void bind(const Command& command, const Shortcut& shortcut);
     void take_from_others(const Command& command);  // other commands with the same key lose it
     void reset(const Command& command);
     void reset_all() { changed_.clear(); }
 
-    // As "shortcut.file.save = Ctrl+S" rows; an empty value means no key. Rows of commands that do not exist
-    // stay in the preferences and do nothing.
+    // Reads and writes rows "shortcut.file.save = Ctrl+S"; an empty value means no key. Rows of unknown
+    // commands stay in the preferences and have no effect.
     void load(const Preferences& preferences);
     void store(Preferences& preferences) const;
 

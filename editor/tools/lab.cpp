@@ -9,12 +9,12 @@
 namespace slipface {
 namespace {
 
-// Changes whenever the same tape could run otherwise.
+// Changes whenever the same tape could give another run.
 std::uint64_t state_of(const Document& document) {
     return (document.face_revision() * 0x9e3779b97f4a7c15ULL) ^ document.mesh().fingerprint;
 }
 
-// How two sets of settings differ, short enough for a list.
+// The difference of two sets of settings, short enough for a list.
 std::string difference_name(const MovementSettings& from, const MovementSettings& to) {
     std::string name;
     for (const SettingInfo& info : settings_table()) {

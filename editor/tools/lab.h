@@ -1,5 +1,5 @@
-// The movement lab: a tape, what it does under one or more sets of settings, and the tick that is looked at.
-// Knows neither ImGui nor OpenGL.
+// The movement lab: a tape, its runs under one or more sets of settings, and the tick in view. It knows
+// neither ImGui nor OpenGL.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@
 
 namespace slipface {
 
-// One run of the lab's tape. The first is as recorded, the second under the document's settings as they are
-// now; more are pinned by the user.
+// One run of the lab's tape. The first uses the recorded settings, the second the document's present
+// settings; the user can pin more.
 struct LabRun {
     enum class Kind { recorded, now, pinned } kind = Kind::recorded;
     std::string name;  // "As recorded", "Now", "keep energy off"
@@ -26,7 +26,7 @@ struct LabRun {
 
 enum class LabMotion { paused, forward, backward };
 
-// The story of one tick, kept until the cursor moves or something changes.
+// The story of one tick, cached until the cursor moves or something changes.
 struct ExplainedTick {
     std::uint64_t revision = 0;
     std::size_t run = 0, tick = 0;
@@ -38,14 +38,13 @@ struct ExplainedTick {
 class Lab {
   public:
     static constexpr std::size_t max_runs = 8;
-    static constexpr std::size_t ticks_per_frame = 6000;  // worked out at most, all runs together
+    static constexpr std::size_t ticks_per_frame = 6000;  // limit for all runs together
 
-    // The level as its ticks see it, for whoever steps a player through it. Valid until the next call.
+    // The level with its moving parts, for a caller that steps a player. Valid until the next call.
     TickScene scene(const Document& document) const;
 
     // --- the tape
-    // Takes `tape` for `document`. The error names what is wrong with it for this level; then nothing
-    // changes.
+    // Opens `tape` in `document`. The error says what does not fit the level; then nothing changes.
     Status open(const Document& document, Tape tape, std::string name);
     void close();
     bool has_tape() const { return tape_ != nullptr; }
@@ -53,31 +52,31 @@ class Lab {
     const std::string& name() const { return name_; }
     bool unsaved = false;  // the tape was recorded here and is in no file
     std::size_t ticks() const { return runs_.empty() ? 0 : runs_.front().run.length(); }
-    // The tape with all that is needed to repeat it elsewhere, the hash of its end included.
+    // The tape with everything needed to repeat it elsewhere, including the hash of its end.
     Tape sealed_tape() const;
-    // Why the tape may run otherwise than when it was recorded; empty if nothing speaks for that.
+    // Why the run may differ from the recorded one; empty: no known reason.
     const std::string& doubt() const { return doubt_; }
-    // Whether the run as recorded ended with the tape's hash; nothing: the tape has none, or it is not there
-    // yet.
+    // Whether the recorded run ended with the tape's hash. Nothing: the tape has no hash, or the run is not
+    // complete.
     std::optional<bool> repeats() const;
 
-    // --- once a frame
-    // Starts runs anew whose settings or level changed, works on those that are not complete, moves the
-    // cursor. True: another frame is needed.
+    // --- once per frame
+    // Restarts runs whose settings or level changed, continues incomplete ones, moves the cursor. True:
+    // another frame is needed.
     bool frame(const Document& document, double seconds);
 
     // --- runs
     std::vector<LabRun>& runs() { return runs_; }
     const std::vector<LabRun>& runs() const { return runs_; }
     bool complete() const;
-    void pin(const MovementSettings& settings);  // keeps the settings as another run
+    void pin(const MovementSettings& settings);  // adds a run with these settings
     void unpin(std::size_t index);               // pinned ones only
-    // The run whose story is told and whose plots lie on top.
+    // The selected run: the story is about it, and its plots are on top.
     std::size_t explained() const { return explained_; }
     void explain(std::size_t index);
-    // What run `index` does differently from the one as recorded; nothing: the same, or not known yet.
+    // Where run `index` differs from the recorded one. Nothing: no difference, or not known yet.
     const std::optional<Divergence>& divergence(std::size_t index) const { return divergences_[index]; }
-    // Counts up whenever a run's samples change: what is drawn from them can be kept until then.
+    // Grows whenever a run's samples change; drawings made from them are valid until then.
     std::uint64_t revision() const { return revision_; }
 
     // --- the cursor
@@ -87,37 +86,37 @@ class Lab {
     LabMotion motion = LabMotion::paused;
     double speed = 1.0;  // of playing: 1 is real time
     bool loop = false;
-    // The nearest tick after (before) the cursor at which something begins; the end (the start) if there is
+    // The nearest tick after (before) the cursor at which an event begins; the end (the start) if there is
     // none.
     void next_event();
     void previous_event();
 
-    // The part of the tape that timeline and plots show, in ticks; it follows the cursor.
+    // The range of ticks in timeline and plots; it follows the cursor.
     double shown_first() const { return shown_first_; }
     double shown_last() const { return shown_last_; }
     void zoom(double factor, double about_tick);  // below 1: closer
 
     // --- the tick
-    // Worked out when asked for and kept until the cursor, the run or the level changes.
+    // Computed on demand and cached until the cursor, the run or the level changes.
     const TickTrace& trace(const Document& document) const;
     const std::vector<StoryLine>& story(const Document& document) const;
     const std::vector<SwitchEffect>& switches(const Document& document) const;
     static constexpr std::size_t switch_ticks = 60;
-    // What stopped the player of the told run; empty until all of it is worked out.
+    // What stopped the player in the selected run; empty until the run is complete.
     const std::vector<Stop>& stops(const Document& document) const;
-    bool show_folded = false;             // lines of the story that every tick has
-    std::optional<std::size_t> lit_line;  // of the story: clicked on, drawn in the view
+    bool show_folded = false;             // show also the lines that every tick has
+    std::optional<std::size_t> lit_line;  // of the story: the line that was clicked and is drawn in the view
 
     // --- rates
-    // The same route at the standard rates, against the tape's own; worked out when asked for.
+    // The same route at the standard tick rates, compared with the tape's own; computed on demand.
     const std::vector<RateRow>& rates(const Document& document) const;
-    bool show_rates = false;  // ribbons of the rates in the view instead of the runs'
+    bool show_rates = false;  // show the ribbons of the rates instead of those of the runs
     // --- presets
-    // The tape under the level's settings and under every preset that ships; worked out when asked for.
+    // The tape under the level's settings and every shipped preset; computed on demand.
     const std::vector<SummaryRow>& presets(const Document& document) const;
     bool show_presets = false;
     // --- reach
-    // Jump arcs and the way to a stop from where the player stands at the cursor, or at the spawn point.
+    // Jump arcs and the stopping distance from the player at the cursor, or from the spawn point.
     bool show_reach = false;
 
   private:

@@ -113,7 +113,7 @@ Vec3 viewpoint(const CollisionWorld& world, const Vec3& position, const Vec3& no
     double best_free = -1.0;
     const double yaw_now = std::atan2(wanted.x(), wanted.z());
     const auto consider = [&](const Vec3& direction) {
-        // What is looked at must be seen from its outer side, and not along it.
+        // The eye must be on the surface's outer side, and not nearly in its plane.
         if (!normal.isZero() && direction.dot(normal) < 0.15) return false;
         const std::optional<RayHit> hit = cast_ray(world, begin, direction * distance, 1.0);
         const double free = hit ? hit->t : 1.0;
@@ -168,7 +168,7 @@ void open_finding(Editor& editor, std::size_t index) {
     if (!status) return report_problem(editor, "Cannot open the finding", status.error());
     editor.audit->opened = index;
     complete_runs(editor);
-    // State after tick n is the bad one: tick n - 1 makes it, and the one before is where to begin looking.
+    // The state after tick n is the bad one: tick n - 1 causes it, and the tick before that is a good start.
     const std::size_t ticks = editor.lab.ticks();
     editor.lab.seek(ticks > 1 ? ticks - 2 : 0);
     show_lab(editor);

@@ -1,4 +1,4 @@
-// What the commands and panels of the movement lab do to the Editor.
+// Actions of the movement lab's commands and panels on the Editor.
 #pragma once
 
 #include <filesystem>
@@ -10,11 +10,11 @@ namespace slipface {
 struct DemoInfo;
 struct Preset;
 
-// The tape of the playtest that ends goes to the lab, its cursor at the end.
+// Moves the tape of the ending playtest to the lab, with the cursor at the end.
 void take_playtest_tape(Editor& editor);
-// Before another level is opened: a recorded run that is in no file goes to editor.kept_tapes.
+// Called before another level is opened: stores an unsaved recorded run in editor.kept_tapes.
 void keep_tape(Editor& editor);
-// After it was opened: the newest run that was kept for it, if there is one, is in the lab again.
+// Called after a level was opened: puts its newest stored run, if any, back into the lab.
 void bring_back_tape(Editor& editor);
 void show_lab(Editor& editor);       // its panels
 void complete_runs(Editor& editor);  // now; tapes that end after a few minutes take milliseconds
@@ -22,33 +22,34 @@ void complete_runs(Editor& editor);  // now; tapes that end after a few minutes 
 void open_tape(Editor& editor, const std::filesystem::path& path);
 void save_tape(Editor& editor, const std::filesystem::path& path);
 void save_run_csv(Editor& editor, const std::filesystem::path& path);
-// Walks on from the cursor's tick; what comes after it on the tape is recorded anew.
+// Starts a playtest at the cursor's tick; it records over the rest of the tape.
 void resume_from_cursor(Editor& editor);
 
-// Where to look at `place` from, about `distance` metres away and with nothing in between: from where the
-// camera looks now if that is free, else from around it, on the side of `normal` (zero: any side).
+// A viewpoint about `distance` metres from `position` with free sight of it. Prefers the direction from
+// `position` to `from_now`, then others around it, on the side of `normal` (zero: any side). If all are
+// blocked, the one with the longest free sight.
 Vec3 viewpoint(const CollisionWorld& world, const Vec3& position, const Vec3& normal, const Vec3& from_now,
                double distance);
-// Lights up a line of the told tick's story and brings the camera there.
+// Highlights a line of the selected tick's story and moves the camera there.
 void look_at_story_line(Editor& editor, std::size_t line);
-void look_at_cursor(Editor& editor);  // the camera to the player at the cursor
+void look_at_cursor(Editor& editor);  // moves the camera to the player at the cursor
 
-// Opens the run of an audit's finding at the tick before it went wrong, and looks there.
+// Opens the run of an audit finding at the tick before the error and moves the camera there.
 void open_finding(Editor& editor, std::size_t finding);
 
-// Opens a hack's demo scene with its tape and, as a ghost, the run with its switch off. Asks first when there
-// are unsaved changes; a walk that is going on goes on until that is answered.
+// Opens a hack's demo scene with its tape; a ghost shows the run with the hack off. Asks first if there are
+// unsaved changes; a running playtest goes on until the answer.
 void open_demo(Editor& editor, const DemoInfo& info);
 void show_demo(Editor& editor, const DemoInfo& info);  // asks nothing
 
 // A whole set of settings as one step of history.
 void use_preset(Editor& editor, const Preset& preset);
 
-// The setting as one step of history; refused ones are left out.
+// Changes a setting as one step of history; a refused one has no effect.
 void apply_setting(Editor& editor, const std::string& assignment);
 
 namespace lab_actions {
-bool can_use_tape(const Editor& editor);  // there is one, and nobody walks
+bool can_use_tape(const Editor& editor);  // there is a tape and no playtest
 bool is_moving_forward(const Editor& editor);
 bool is_moving_backward(const Editor& editor);
 bool loops(const Editor& editor);

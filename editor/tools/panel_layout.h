@@ -1,5 +1,5 @@
-// Which panels there are and where in the window they stand. Knows no Dear ImGui: panels/ draws them, app/
-// places them, and the layout is plain data that can be kept.
+// Which panels exist and where in the window they are. It knows no Dear ImGui: panels/ draws them, app/
+// positions them, and the layout is plain data that can be saved.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ inline constexpr std::size_t panel_count = static_cast<std::size_t>(PanelId::cou
 
 struct PanelInfo {
     PanelId id;
-    const char* name;  // "history", as commands and kept layouts name it
+    const char* name;  // "history", as commands and saved layouts name it
     const char* label;
     const char* icon;
     Dock dock;
@@ -43,8 +43,8 @@ struct PanelState {
 
 struct PanelLayout {
     std::array<PanelState, panel_count> panels;
-    std::array<std::optional<PanelId>, dock_count>
-        front;                                   // the open tab; nothing, or hidden: the first shown
+    // The open tab of each dock. Nothing, or a hidden panel: the first shown panel.
+    std::array<std::optional<PanelId>, dock_count> front;
     float left = 264.0f, right = 344.0f;         // widths in design pixels
     float left_lower = 230.0f, bottom = 230.0f;  // heights
 
@@ -52,12 +52,12 @@ struct PanelLayout {
 
     bool shown(PanelId id) const { return panels[static_cast<std::size_t>(id)].shown; }
     Dock dock(PanelId id) const { return panels[static_cast<std::size_t>(id)].dock; }
-    std::optional<PanelId> front_of(Dock dock) const;  // what is seen of it; nothing: the dock is empty
+    std::optional<PanelId> front_of(Dock dock) const;  // the visible panel; nothing: the dock is empty
     bool is_front(PanelId id) const { return front_of(dock(id)) == id; }
 
     void show(PanelId id);  // and brings it to the front
     void hide(PanelId id);
-    void toggle(PanelId id);  // hides it if it can be seen, else shows it
+    void toggle(PanelId id);  // hides it if it is visible, else shows it
     void move(PanelId id, Dock dock);
 
     friend bool operator==(const PanelLayout&, const PanelLayout&) = default;

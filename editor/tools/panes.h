@@ -10,7 +10,7 @@ namespace slipface {
 
 struct Editor;
 
-// Editor::view is the active pane's camera; the cameras of the others wait here.
+// The active pane's camera is Editor::view; the others' are in `waiting`.
 struct Panes {
     static constexpr std::size_t maximum = 4;
 
@@ -18,17 +18,17 @@ struct Panes {
     std::size_t active = 0;  // the one that the mouse and commands use
     bool maximised = false;  // only the active one is shown
     std::array<ViewCamera, maximum> waiting;
-    double across = 0.5, down = 0.5;  // where the borders between them are, fractions of the view
+    double across = 0.5, down = 0.5;  // positions of the borders between them, as fractions of the view
 };
 
 struct PaneRect {
     double x = 0.0, y = 0.0, width = 0.0, height = 0.0;  // fractions of the view
 };
-// Where each of the panes stands; a width of zero: not shown.
+// The rectangle of each pane; width 0: not shown.
 std::array<PaneRect, Panes::maximum> pane_rects(const Panes& panes);
 const ViewCamera& pane_view(const Editor& editor, std::size_t pane);
 
-// Panes that were never shown begin as top, front and right views of the level.
+// Panes that are shown for the first time begin as top, front and right views of the level.
 void set_pane_count(Editor& editor, std::size_t count);
 void activate_pane(Editor& editor, std::size_t pane);  // ignored unless it is shown
 

@@ -53,7 +53,7 @@ std::vector<ProbeRow> probe_rows(std::span<const TraceRecord> records) {
         if (const auto* sweep = std::get_if<SweepRecord>(&record)) {
             rows.push_back({*sweep, std::nullopt});
         } else if (const auto* response = std::get_if<ResponseRecord>(&record); response && !rows.empty()) {
-            // Several rules may turn one remainder in turn; the row tells where it began and where it ended.
+            // Several rules may change one remainder in turn; the row shows the first and the last value.
             std::optional<ResponseRecord>& joined = rows.back().response;
             const Vec3 before = joined ? joined->remainder_before : response->remainder_before;
             joined = *response;

@@ -15,10 +15,10 @@ struct Probe {
     bool placed = false;
     Vec3 from = Vec3::Zero();  // centre
     Vec3 move = Vec3::Zero();  // metres
-    // How many of the sweeps are shown, from the first on; nothing: all.
+    // How many of the sweeps are shown, counted from the first; nothing: all.
     std::optional<std::size_t> shown_sweeps = std::nullopt;
 
-    // Puts the ellipsoid onto a surface hit at `point` with `normal`, just clear of it.
+    // Positions the ellipsoid on a surface hit at `point` with `normal`, just clear of it.
     void place_on(const Vec3& point, const Vec3& normal, const MovementSettings& settings);
 };
 
@@ -29,14 +29,14 @@ struct ProbeResult {
 };
 ProbeResult run_probe(const Probe& probe, const MovementScene& scene, const MovementSettings& settings);
 
-// One sweep with what its contact did to the remainder, for a table.
+// One sweep and the response to its contact, as a row of a table.
 struct ProbeRow {
     SweepRecord sweep;
     std::optional<ResponseRecord> response;
 };
 std::vector<ProbeRow> probe_rows(std::span<const TraceRecord> records);
 
-// The records up to and with the sweep of that number and what it led to.
+// The records of the first `sweeps` sweeps, each with its response.
 std::span<const TraceRecord> first_sweeps(std::span<const TraceRecord> records, std::size_t sweeps);
 
 // The probe as the text of a test, which `slipface sweep LEVEL --test FILE` runs.

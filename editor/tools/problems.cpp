@@ -1,5 +1,4 @@
-// The doctor in the editor: examining beside the window, going to a problem, and the fixes that paint can
-// make.
+// The doctor in the editor: background examination, going to a problem, and the fixes that paint can make.
 #include <algorithm>
 
 #include "document/faces.h"
@@ -42,7 +41,7 @@ void examine_level(Editor& editor) {
 
 void go_to_position(Editor& editor, const Vec3& position) {
     if (!editor.document) return;
-    // Near enough to see it, far enough to see where it is.
+    // Close enough to see the problem, with enough of its surroundings.
     const Vec3 around = 4.0 * editor.document->level().movement.radii;
     Aabb box;
     box.add(position - around);

@@ -1,4 +1,4 @@
-// What sessions that ended left behind, and taking it back.
+// Autosaves of ended sessions, and recovering them.
 #include <algorithm>
 #include <system_error>
 #include <utility>
@@ -48,7 +48,7 @@ void recover(Editor& editor, const AutosaveInfo& info) {
 }
 
 void discard_autosave(Editor& editor, const AutosaveInfo& given) {
-    const AutosaveInfo autosave = given;  // it may be a row of what follows
+    const AutosaveInfo autosave = given;  // a copy: `given` may be an element of the lists below
     editor.session.autosave.discard(autosave);
     forget(editor.session.recoverable, autosave);
     forget(editor.session.left_behind, autosave);

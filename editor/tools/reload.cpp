@@ -12,13 +12,13 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t max_level_file_bytes = std::uint64_t{256} << 20;
 
-// The file is whole again, so nothing is left to say about it.
+// The file can be read again: nothing remains to be reported.
 void forget_broken(Editor& editor) {
     editor.session.broken.reset();
     if (editor.message && editor.message->of_broken_file) editor.message.reset();
 }
 
-// Read unasked, a file that is broken now may be whole in a moment.
+// When read unasked, a file that is broken now may be complete in a moment.
 void read_failed(Editor& editor, const fs::path& file, const Error& error, bool unasked) {
     const std::string name = file.filename().string();
     if (!unasked) {
@@ -32,7 +32,7 @@ void read_failed(Editor& editor, const fs::path& file, const Error& error, bool 
     editor.status = name + " cannot be read as it is now; waiting for the rest of it";
 }
 
-// Says so at last. The level stays as it was read before, and is read again as soon as the file is whole.
+// Reports it after the delay. The level stays as it was, and is read again as soon as the file is complete.
 bool report_broken(Editor& editor) {
     std::optional<BrokenFile>& broken = editor.session.broken;
     if (!broken || broken->reported || editor.message ||
@@ -62,8 +62,8 @@ bool reload_annotations(Editor& editor) {
         read_failed(editor, file, loaded.error(), true);
         return false;
     }
-    // Changes that were never saved are behind one undo now. Until they are given up the level counts as
-    // unsaved and keeps its autosaves, so that nobody loses them by looking away.
+    // The unsaved changes are now one undo away. Until they are discarded the level counts as unsaved and its
+    // autosaves stay, so that the user cannot lose them unnoticed.
     const bool unsaved = document.dirty();
     stop_playtest(editor);
     document.restore(loaded->level, "Reload " + name, loaded->guessed);
@@ -87,7 +87,7 @@ void start_reload(Editor& editor, bool unasked) {
                     .autosave = {},
                     .unasked = unasked};
     using Reread = Result<std::optional<LoadedLevel>>;
-    // The document is not touched while this reads it: the dialog is in front, and it is a copy.
+    // The document does not change meanwhile: the dialog is in front. The thread works on a copy.
     loading.rereading = std::make_unique<Background<Reread>>(
         [level = std::make_shared<const Level>(editor.document->snapshot()), unasked](Progress& progress) {
             if (unasked && !mesh_changed_on_disk(*level)) return Reread(std::nullopt);
@@ -132,7 +132,7 @@ bool look_at_files(Editor& editor) {
     Session& session = editor.session;
     if (!editor.document || session.loading || editor.document->in_transaction() || editor.playtest)
         return false;
-    // A dialog that asks something keeps its place; the error of the last attempt does not.
+    // A dialog with a question stays; the error of the last attempt is replaced.
     if (editor.unsaved || !session.recoverable.empty() || editor.file_dialog != FileDialogKind::none)
         return false;
     if (!session.watch.poll()) {
@@ -160,7 +160,7 @@ void step_guessed(Editor& editor, bool forward) {
     if (!editor.document || editor.document->guessed().empty()) return;
     Document& document = *editor.document;
     const std::span<const FaceId> faces = document.guessed();
-    // From the face that is selected, wherever it lies between them.
+    // Starts at the selected face, wherever it lies between them.
     const FaceId from = document.selection().size() == 1 ? document.selection()[0] : no_id;
     std::size_t next = forward ? 0 : faces.size() - 1;
     if (from != no_id && forward)

@@ -74,8 +74,8 @@ void load_images(Review& review) {
         review.heat = difference_image(review.expected, review.actual);
 }
 
-// The program's own verb (of this program, or the one that is installed) does it in a process of its own: a
-// snapshot's context cannot live beside a window's.
+// Runs the verb of this program, or of the installed one, in its own process: a snapshot's context cannot
+// exist in the process of a window.
 Status approve_by_program(const Review& review) {
     std::vector<std::string> words{"slipface",
                                    "snapshot",
@@ -108,7 +108,7 @@ Status approve_by_program(const Review& review) {
     return {};
 }
 
-// The level of the scene that the snapshot is one camera of; empty if the suite does not say.
+// The level of the scene that this snapshot shows; empty if the suite does not say.
 fs::path level_of(const Review& review) {
     const auto scenes = load_scene_suite(fs::path(review.report.goldens) / "scenes.json");
     if (!scenes) return {};

@@ -1,4 +1,4 @@
-// Going through what a check of the snapshots found: look, go there, approve or reject.
+// The review of a snapshot check: look at each result, go to its viewpoint, approve or reject it.
 #pragma once
 
 #include <filesystem>
@@ -20,34 +20,35 @@ enum class ReviewMark { none, approved, rejected, skipped };
 struct Review {
     std::filesystem::path report_file;
     Report report;
-    std::vector<std::size_t> shown;  // entries that are not the same, worst first
+    std::vector<std::size_t> shown;  // entries that differ, worst first
     std::vector<ReviewMark> marks;   // [shown]
     std::size_t current = 0;         // index into shown
     ReviewMode mode = ReviewMode::side_by_side;
-    double swipe = 0.5;    // fraction of the width that shows the expected picture
-    bool images = true;    // the view shows them; else the level
-    double blink_s = 0.0;  // since the pictures last changed places
+    double swipe = 0.5;    // fraction of the width that shows the expected image
+    bool images = true;    // the view shows the images; false: the level
+    double blink_s = 0.0;  // since blinking last swapped the images
     bool blink_actual = true;
 
-    // Of the current entry; empty where the check wrote none.
+    // Of the current entry; empty if the check wrote none.
     Image expected, actual, heat;
-    std::uint64_t images_revision = 0;  // counts up when they change
-    std::optional<Camera> camera;       // where the current entry was taken from
+    std::uint64_t images_revision = 0;  // grows when they change
+    std::optional<Camera> camera;       // the camera of the current entry
 
     const GoldenResult* entry() const {
         return current < shown.size() ? &report.entries[shown[current]] : nullptr;
     }
 };
 
-// Reads the report and shows its worst entry. Failure is a message, and leaves an open review as it was.
+// Reads the report and shows its worst entry. On an error it shows a message and leaves an open review as it
+// was.
 void open_review(Editor& editor, const std::filesystem::path& report_file);
 void close_review(Editor& editor);
-void review_show(Editor& editor, std::size_t index);  // into shown
+void review_show(Editor& editor, std::size_t index);  // `index` into shown
 void review_step(Editor& editor, int by);
-// Approving makes the picture the golden at once; then goes on to the next.
+// Approving makes the image the golden at once. Then shows the next entry.
 void review_mark(Editor& editor, ReviewMark mark);
 bool review_can_approve(const Editor& editor);
-// Opens the level of the current entry and looks from where the snapshot was taken.
+// Opens the level of the current entry with the camera of the snapshot.
 void review_go_to_camera(Editor& editor);
 bool review_has_camera(const Editor& editor);
 

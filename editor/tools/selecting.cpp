@@ -113,7 +113,7 @@ bool inside_outline(std::span<const Vec2> outline, const Vec2& pixel) {
 
 namespace {
 
-// Where faces' centres appear, worked out by one matrix for all of them.
+// Projects faces' centres with one matrix for all.
 class Projector {
   public:
     Projector(const Camera& camera, const Vec2& size)
@@ -177,7 +177,7 @@ bool crosses(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
     return side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
 }
 
-// No corner lies outside, and no edge leaves the outline between two corners.
+// True if no corner lies outside and no edge leaves the outline between two corners.
 bool lies_inside(const Mesh& mesh, FaceId face, const Projector& project, std::span<const Vec2> outline) {
     std::vector<Vec2> corners;
     for (std::uint32_t t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1]; ++t)
@@ -214,8 +214,8 @@ std::vector<FaceId> faces_in_outline(Editor& editor, const Camera& camera, const
     };
     if (editor.select_through) return wanted(std::move(centred));
 
-    // What can be seen: rays on a grid find the faces that are larger than its cells, a ray to the centre of
-    // each other face finds those between.
+    // Visible faces: rays on a grid find those larger than its cells, one ray to the centre of each other
+    // face finds the smaller ones.
     std::vector<PickRay> rays;
     const Vec2 extent = (box.max - box.min).cwiseMax(0.0);
     const double spacing = std::max(finest_grid, std::sqrt(extent.prod() / max_grid_rays));

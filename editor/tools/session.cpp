@@ -136,7 +136,7 @@ void finish_loading(Editor& editor) {
 
 }  // namespace
 
-// Small levels are there before a progress bar could be drawn.
+// Small levels load before a progress bar could be drawn.
 void await_loading(Editor& editor) {
     constexpr auto moment = std::chrono::milliseconds(120);
     const auto end = std::chrono::steady_clock::now() + moment;
@@ -200,11 +200,11 @@ void cancel_loading(Editor& editor) {
     editor.session.loading->cancel();
     if (editor.session.loading->kind == Loading::Kind::recover)
         editor.session.autosave.let_go(editor.session.loading->autosave);
-    editor.session.loading.reset();  // waits for the thread, which ends at its next step
+    editor.session.loading.reset();  // waits for the thread, which stops at its next check
 }
 
 void set_zoom(Editor& editor, double zoom) {
-    // Steps of a twentieth, so that going up and down again arrives where it began.
+    // Steps of a twentieth, so that zooming in and out again returns to the same value.
     editor.session.zoom = std::clamp(std::round(zoom * 20.0) / 20.0, smallest_zoom, largest_zoom);
     editor.status =
         "Interface at " + std::to_string(static_cast<int>(std::lround(editor.session.zoom * 100.0))) + " %";

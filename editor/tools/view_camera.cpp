@@ -22,7 +22,7 @@ Vec3 right_direction(const ViewCamera& view) {
 
 void turn(ViewCamera& view, const Vec2& pixels) {
     if (!pixels.allFinite()) return;
-    // The angle stays small however long one turns, so that it keeps its precision.
+    // The angle is wrapped, so that it stays precise however often the view rotates.
     view.yaw = std::remainder(view.yaw - pixels.x() * radians_per_pixel, 2.0 * 3.14159265358979323846);
     view.pitch = std::clamp(view.pitch + pixels.y() * radians_per_pixel, -steepest, steepest);
 }
@@ -39,7 +39,7 @@ Camera ViewCamera::camera() const {
     if (orthographic) {
         camera.orthographic = true;
         camera.ortho_height = 2.0 * distance * std::tan(0.5 * fov_y);
-        camera.near_plane = -camera.far_plane;  // nothing is cut away, however far one zooms in
+        camera.near_plane = -camera.far_plane;  // nothing is clipped, however far the view zooms in
     }
     return camera;
 }
@@ -70,7 +70,7 @@ void ViewCamera::zoom_towards(double wheel, const Vec3& point) {
     if (!std::isfinite(wheel) || !point.allFinite()) return;
     const double before = distance;
     distance = std::clamp(distance * std::pow(zoom_per_notch, wheel), nearest_m, farthest_m);
-    // Shrinking the eye's and the pivot's offsets from the point alike moves the eye along the line to it.
+    // Scaling the offsets of eye and pivot from the point alike moves the eye along the line to the point.
     pivot = point + (pivot - point) * (distance / before);
 }
 

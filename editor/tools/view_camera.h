@@ -7,30 +7,29 @@ namespace slipface {
 
 class ViewCamera {
   public:
-    double yaw = 0.7,
-           pitch =
-               0.5;  // radians; direction from the pivot to the eye: yaw about +Y, pitch above the horizon
+    // Direction from the pivot to the eye, radians: yaw about +Y, pitch above the horizon.
+    double yaw = 0.7, pitch = 0.5;
     double distance = 12.0;  // metres from pivot to eye
     Vec3 pivot = Vec3::Zero();
     double fov_y = 1.0471975511965976;
     double fly_speed = 8.0;  // m/s
-    bool orthographic =
-        false;  // then `distance` only says how much is seen: what perspective shows at the pivot
+    // Orthographic: `distance` sets only the size, which is that of the perspective view at the pivot.
+    bool orthographic = false;
 
     Camera camera() const;
 
-    void orbit(const Vec2& pixels);  // mouse movement; turns around the pivot
-    void look(const Vec2& pixels);   // turns around the eye
-    void pan(const Vec2& pixels,
-             const Vec2& viewport_size);                 // the point at the pivot's depth follows the mouse
-    void zoom(double wheel);                             // towards the pivot; never through it
-    void zoom_towards(double wheel, const Vec3& point);  // keeps `point` under the mouse
+    void orbit(const Vec2& pixels);  // mouse movement; rotates around the pivot
+    void look(const Vec2& pixels);   // rotates around the eye
+    // The point at the pivot's depth follows the mouse.
+    void pan(const Vec2& pixels, const Vec2& viewport_size);
+    void zoom(double wheel);                                 // towards the pivot; never through it
+    void zoom_towards(double wheel, const Vec3& point);      // keeps `point` under the mouse
     void fly(const Vec3& right_up_forward, double seconds);  // each -1..1
     void frame(const Aabb& bounds, double aspect);           // keeps the direction; an empty box is ignored
     void look_at(const Vec3& eye, const Vec3& target);
-    // Sees the pivot from this direction (any length, not zero), straight up and down too.
+    // Views the pivot from this direction (any length except zero), also straight up and down.
     void look_from(const Vec3& direction);
-    // "Top", "Front", ... where it looks along an axis, else "Orthographic" or "Perspective".
+    // "Top", "Front", ... along an axis, otherwise "Orthographic" or "Perspective".
     const char* name() const;
 };
 

@@ -26,7 +26,7 @@ const std::vector<Cure>* cures_at_cursor(Editor& editor) {
         job = CureJob{.revision = lab.revision(), .run = lab.explained(), .first = stop->first};
         const auto search = [level = editor.document->snapshot(), run = lab.runs()[lab.explained()].run,
                              at = *stop](Progress& progress) {
-            constexpr std::size_t slice = 5000;  // ticks between two looks at whether it is still wanted
+            constexpr std::size_t slice = 5000;  // ticks between two checks for cancellation
             CureSearch cures(level, run, at);
             while (!progress.cancelled() && !cures.advance(slice)) {
             }

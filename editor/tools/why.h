@@ -1,4 +1,4 @@
-// What stopped the player of the lab's run, and what would cure it: the data of the Why panel.
+// What stopped the player in the lab's run, and what would cure it: the data of the Why panel.
 #pragma once
 
 #include <memory>
@@ -12,23 +12,24 @@ namespace slipface {
 
 struct Editor;
 
-// The cures of one stop, searched for beside the window.
+// The cures of one stop, searched for in a background thread.
 struct CureJob {
     std::uint64_t revision = 0;      // of the lab
     std::size_t run = 0, first = 0;  // the stop's first tick
     std::unique_ptr<Background<std::vector<Cure>>> work = {};
-    bool taken = false;  // `cures` are there
+    bool taken = false;  // `cures` is valid
     std::vector<Cure> cures = {};
 };
 
-// The stop that the lab's cursor is in, or nothing.
+// The stop at the lab's cursor; null: none.
 const Stop* stop_at_cursor(Editor& editor);
-// Its cures; null while they are searched for, which this starts.
+// Its cures. Null while the search, which this starts, is running.
 const std::vector<Cure>* cures_at_cursor(Editor& editor);
-void go_to_stop(Editor& editor, const Stop& stop);  // the cursor to its worst tick, the camera to its place
-// The cursor to the run's headline: after a playtest. The end of the run if nothing stopped the player.
+// Moves the cursor to the stop's worst tick and the camera to its position.
+void go_to_stop(Editor& editor, const Stop& stop);
+// Moves the cursor to the run's headline, or to its end if nothing stopped the player. Used after a playtest.
 void go_to_headline(Editor& editor);
-// One step of history; then the run under the settings as they are now is the one that is told.
+// Applies the cure as one step of history and selects the run under the present settings.
 void use_cure(Editor& editor, const Cure& cure);
 
 }  // namespace slipface

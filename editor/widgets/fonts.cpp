@@ -4,7 +4,7 @@
 #include "widgets/own_icons.h"
 #include "widgets/theme.h"
 
-// Put into the program by the assembler from the files that CMake found.
+// Embedded by the assembler from the files that CMake found.
 extern "C" {
 extern const unsigned char slipface_font_regular[], slipface_font_regular_end[];
 extern const unsigned char slipface_font_semibold[], slipface_font_semibold_end[];
@@ -29,7 +29,7 @@ void add(const unsigned char* begin, const unsigned char* end, float pixels, con
     config.OversampleH = 2;
     config.OversampleV = 1;
     config.RasterizerMultiply =
-        light_palette() ? 1.0f : 1.12f;  // light text on dark ground looks thinner than it is
+        light_palette() ? 1.0f : 1.12f;  // light text on a dark background looks thinner than it is
     config.MergeMode = merge;
     if (merge) {
         config.GlyphMinAdvanceX = std::round(pixels * 1.15f);  // icons of one width line up in menus

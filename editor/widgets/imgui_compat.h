@@ -1,5 +1,5 @@
-// What differs between Dear ImGui 1.86 and 1.92. Everything else includes ImGui through here or uses what
-// both have.
+// The differences between Dear ImGui 1.86 and 1.92. All other files include ImGui through this one or use
+// what both have.
 #pragma once
 
 #include <imgui.h>
@@ -45,8 +45,7 @@ inline constexpr NamedKey named_keys[] = {
     {"Z", ImGuiKey_Z},
 };
 
-// Tells Dear ImGui which of our key numbers is which named key. Hosts with their own platform backend do not
-// call this.
+// Gives Dear ImGui our key number for each named key. Hosts with their own platform backend do not call this.
 inline void fill_key_map() {
 #if IMGUI_VERSION_NUM < 18700
     ImGuiIO& io = ImGui::GetIO();
@@ -120,8 +119,7 @@ inline void feed_text(const char* utf8) {
     ImGui::GetIO().AddInputCharactersUTF8(utf8);
 }
 
-// One event a frame is what scripts do by themselves; the queue of later versions must not add its own
-// pauses.
+// Scripts feed one event per frame; the queue of later versions must not add its own delays.
 inline void feed_without_trickling() {
 #if IMGUI_VERSION_NUM >= 18700
     ImGui::GetIO().ConfigInputTrickleEventQueue = false;

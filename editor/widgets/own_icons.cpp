@@ -9,9 +9,9 @@ namespace slipface::ui {
 namespace {
 
 constexpr ImWchar lasso_code = 0xe000;  // icons::lasso
-constexpr float pen = 0.055f;           // half the width of a line, of the icon's side
+constexpr float pen = 0.055f;           // half the line width, as a fraction of the icon's side
 
-// A rope's loop, leaning, and its end hanging down: points of a line in a square from 0 to 1, y downwards.
+// A rope's loop, tilted, with its end hanging down: points of a line in a square from 0 to 1, y downwards.
 std::vector<ImVec2> lasso_line() {
     std::vector<ImVec2> line;
     constexpr int parts = 40;

@@ -21,8 +21,8 @@ Registry& registry() {
     return instance;
 }
 
-// What a label shows. The part after "###" stands for the whole where there is one, the part after "##" where
-// nothing is shown.
+// What a label shows. The part after "###" is the name if there is one, the part after "##" if nothing is
+// shown.
 std::string_view visible_name(std::string_view label) {
     if (const std::size_t id = label.find("###"); id != std::string_view::npos) return label.substr(id + 3);
     const std::size_t hash = label.find("##");
@@ -97,7 +97,7 @@ void mark_as_table_row() {
     WidgetRect& rect = *registry().last;
     rect.clip_min.x = table->InnerClipRect.Min.x;
     rect.clip_max.x = table->InnerClipRect.Max.x;
-    // The outermost headers reach over the table's sides by the padding of their cells, where nothing is
+    // The outermost headers extend beyond the table's sides by the padding of their cells, where nothing is
     // drawn.
     const float reach = table->CellSpacingX1 + table->CellSpacingX2;
     rect.min.x = std::max(rect.min.x, std::min(rect.min.x + reach, rect.clip_min.x));

@@ -6,7 +6,7 @@ namespace slipface::ui {
 
 namespace {
 
-// Warm paper instead of night; every text keeps at least 4.5:1 against the grounds it stands on.
+// Warm paper instead of night; all text has a contrast of at least 4.5:1 with its background.
 const Palette light_colors{
     .window{0.875f, 0.867f, 0.847f, 1.0f},
     .panel{0.957f, 0.953f, 0.941f, 1.0f},
@@ -95,7 +95,8 @@ void apply_theme(float scale) {
     color[ImGuiCol_ScrollbarGrabHovered] = p.pressed;
     color[ImGuiCol_ScrollbarGrabActive] = p.muted;
     color[ImGuiCol_CheckMark] = p.accent;
-    color[ImGuiCol_SliderGrab] = with_alpha(p.accent, 0.42f);  // the value is read through it
+    color[ImGuiCol_SliderGrab] =
+        with_alpha(p.accent, 0.42f);  // transparent, so that the value behind it can be read
     color[ImGuiCol_SliderGrabActive] = with_alpha(p.accent, 0.7f);
     color[ImGuiCol_Button] = p.raised;
     color[ImGuiCol_ButtonHovered] = p.hovered;

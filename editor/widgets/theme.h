@@ -1,11 +1,11 @@
-// The look: colours, spacing, fonts. One accent, calm greys, everything in design pixels times scale.
+// Colours, spacing and fonts. All sizes are in design pixels times scale.
 #pragma once
 
 #include <imgui.h>
 
 namespace slipface::ui {
 
-// Colours that panels draw with themselves. The dark theme's are the defaults.
+// Colours for what panels draw themselves. The defaults are the dark theme's.
 struct Palette {
     ImVec4 window{0.094f, 0.102f, 0.118f, 1.0f};  // behind everything
     ImVec4 panel{0.122f, 0.133f, 0.153f, 1.0f};
@@ -17,7 +17,7 @@ struct Palette {
     ImVec4 hairline{0.196f, 0.212f, 0.243f, 1.0f};
     ImVec4 text{0.875f, 0.890f, 0.914f, 1.0f};
     ImVec4 muted{0.545f, 0.580f, 0.635f, 1.0f};
-    ImVec4 accent{0.945f, 0.690f, 0.330f, 1.0f};  // sand in the sun; as text and as ground
+    ImVec4 accent{0.945f, 0.690f, 0.330f, 1.0f};  // sand in the sun; for text and backgrounds
     ImVec4 on_accent{0.110f, 0.086f, 0.047f, 1.0f};
     ImVec4 bad{0.937f, 0.400f, 0.361f, 1.0f};
     ImVec4 good{0.451f, 0.780f, 0.545f, 1.0f};
@@ -25,7 +25,7 @@ struct Palette {
     ImVec4 view_bottom{0.09f, 0.10f, 0.12f, 1.0f};
     ImVec4 shade{0.02f, 0.02f, 0.03f, 0.55f};  // over the window while a dialog is open
 };
-const Palette& palette();  // of the theme in use
+const Palette& palette();  // of the current theme
 void use_light_palette(bool light);
 bool light_palette();
 
@@ -36,7 +36,7 @@ inline ImU32 packed(const ImVec4& color) {
     return ImGui::ColorConvertFloat4ToU32(color);
 }
 
-// Sets the style of the current ImGui context, from scratch.
+// Sets all of the current ImGui context's style.
 void apply_theme(float scale);
 
 struct Fonts {
@@ -45,8 +45,8 @@ struct Fonts {
     ImFont* small = nullptr;
     ImFont* title = nullptr;  // welcome screen
 };
-// Puts the embedded fonts into the current context's atlas at `scale`, in place of those that are there.
-// Between frames only; the renderer has to upload the atlas again.
+// Replaces the fonts in the current context's atlas by the embedded ones at `scale`. Call it only between
+// frames; the renderer must then upload the atlas again.
 void load_fonts(float scale);
 const Fonts& fonts();
 

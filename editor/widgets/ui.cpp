@@ -27,7 +27,7 @@ TooltipTimer& tooltip_timer() {
     return timer;
 }
 
-// The frame in which Enter counts as the dialog's primary button.
+// The frame in which Enter presses the dialog's primary button.
 int& accepting_frame() {
     static int frame = -1;
     return frame;
@@ -38,14 +38,14 @@ std::vector<std::unique_ptr<Scope>>& menu_scopes() {
     return scopes;
 }
 
-// Groups have no id of their own; where an item lies tells it apart as well.
+// Groups have no id of their own; the item's position distinguishes them.
 ImGuiID place_id() {
     const ImVec2 min = ImGui::GetItemRectMin();
     return ImHashData(&min, sizeof min, ImGui::GetItemID());
 }
 
-// Below and right of the mouse, or on its other sides where the window ends. A text too high for the window
-// is set wider.
+// Below and right of the mouse, or on its other sides near the window's edge. Text that is too high for the
+// window is made wider.
 void show_tooltip(const char* text) {
     const ImVec2 padding{10 * scale(), 8 * scale()}, screen = ImGui::GetIO().DisplaySize;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -169,7 +169,7 @@ bool checkbox(const char* label, bool* value, const char* tip) {
         tooltip(tip);
         return changed;
     }
-    // A label too long for the place ends in an ellipsis.
+    // A label that is too long ends in an ellipsis.
     const bool changed = ImGui::Checkbox((std::string("##") + label).c_str(), value);
     record_last_item(label, true, *value);
     tooltip(tip);
@@ -193,7 +193,7 @@ bool number_slider(const char* id, double* value, double minimum, double maximum
     ImGui::PopStyleColor(2);
     const bool active = ImGui::IsItemActive();
     if (!ImGui::IsItemVisible() || ImGui::TempInputIsActive(ImGui::GetItemID())) return changed;
-    // Where the grab is: asked of the slider for an item that nobody holds, so that it changes nothing.
+    // The slider's grab, computed for an id that no item has, so that it changes nothing.
     const ImRect frame(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
     constexpr ImGuiID nobody = ~ImGuiID{0};
     ImRect grab;

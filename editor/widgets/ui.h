@@ -1,5 +1,5 @@
-// Widgets with a name: each records where it was drawn, so that scripts and tests find it by its path instead
-// of by pixels. Panels use these, and plain ImGui only where nothing needs to be found.
+// Widgets with a name. Each records its rectangle, so that scripts and tests find it by its path instead of
+// by pixels. Panels use these, and plain ImGui only for what nothing needs to find.
 #pragma once
 
 #include <imgui.h>
@@ -11,16 +11,16 @@
 
 namespace slipface::ui {
 
-// Where a widget was drawn in the last frame, in pixels of the window.
+// The rectangle of a widget in the last frame, in pixels of the window.
 struct WidgetRect {
     ImVec2 min, max;
     bool enabled = true;
-    bool visible = true;          // its centre is not scrolled or clipped away
+    bool visible = true;          // its centre is neither scrolled nor clipped away
     std::optional<bool> checked;  // of check boxes, toggles and tabs
-    ImVec2 clip_min, clip_max;    // what of the window around it can be seen
-    std::string window;           // in which it was drawn, as Dear ImGui names it
-    bool ground = false;          // others may lie on it
-    bool text_box = false;        // scrolls what does not fit
+    ImVec2 clip_min, clip_max;    // the visible part of the window around it
+    std::string window;           // its window's name in Dear ImGui
+    bool ground = false;          // other widgets may overlap it
+    bool text_box = false;        // it scrolls text that does not fit
     ImVec2 centre() const { return {(min.x + max.x) * 0.5f, (min.y + max.y) * 0.5f}; }
 };
 
@@ -28,12 +28,12 @@ struct WidgetRect {
 const std::map<std::string, WidgetRect, std::less<>>& widgets();
 void begin_widget_frame();
 void end_widget_frame();
-// Scrolls the widget into view when it is drawn next. For scripts: a person would turn the wheel.
+// Scrolls the widget into view when it is drawn next. For scripts; a person would use the wheel.
 void bring_into_view(std::string_view path);
-// The path that `name` has inside the current scopes.
+// The path of `name` inside the current scopes.
 std::string widget_path(std::string_view name);
 
-// Prefixes the paths of the widgets inside: Scope scope("Movement");
+// Prefixes the paths of the widgets in its scope: Scope scope("Movement");
 class Scope {
   public:
     explicit Scope(std::string_view name);
@@ -47,14 +47,14 @@ class Scope {
 
 // For items drawn with plain ImGui.
 void record_last_item(std::string_view name, bool enabled = true, std::optional<bool> checked = std::nullopt);
-// Others may lie on the item recorded last: buttons of a row, what is drawn over a view.
+// Other widgets may overlap the item recorded last: buttons of a row, overlays of a view.
 void mark_as_ground();
 void mark_as_text_box();
-// The item recorded last is a header, or a row that spans the columns: its own column does not cut it.
+// The item recorded last is a header, or a row that spans the columns: its own column does not clip it.
 void mark_as_table_row();
-// What is drawn without an item: a label in the view, a tooltip.
+// Records something drawn without an item: a label in the view, a tooltip.
 void record_rect(std::string_view name, ImVec2 min, ImVec2 max);
-// As in the frame before: while its popup is open, the last item is the popup's.
+// Records the rectangle of the previous frame: while a popup is open, the last item is the popup's.
 void record_again(std::string_view name);
 
 bool button(const char* label, const char* tooltip = nullptr, bool enabled = true, ImVec2 size = {0, 0});
@@ -62,8 +62,8 @@ bool icon_button(const char* icon, const char* name, const char* tooltip, bool a
 bool checkbox(const char* label, bool* value, const char* tooltip = nullptr);
 bool slider(const char* label, double* value, double minimum, double maximum, const char* format,
             const char* tooltip = nullptr);
-// The number's place in its range shows as a line under it, so that nothing lies over the digits. For the
-// next item width.
+// A line under the number shows its position in its range, so that nothing covers the digits. Uses the next
+// item width.
 bool number_slider(const char* id, double* value, double minimum, double maximum, const char* format,
                    bool logarithmic = false);
 bool drag_vec3(const char* label, double* xyz, float speed, const char* format,
@@ -76,22 +76,22 @@ bool menu_item(const char* label, const char* shortcut, bool checked, bool enabl
 bool begin_menu(const char* label);
 void end_menu();
 bool tab(const char* label, bool front);  // true: pressed
-// The next item, so wide, goes beside the last one if it fits there, else on a line of its own.
+// Positions the next item, `width` wide, beside the last one if it fits there, otherwise on a new line.
 void flow(float width, float spacing = -1.0f);
 float button_width(const char* label);
 float icon_button_side();
-bool primary_button(const char* label, bool enabled = true,
-                    ImVec2 size = {0, 0});  // the dialog's expected answer
-void request_accept();           // Enter in a dialog: its primary button counts as pressed in the next frame
+// The dialog's default answer.
+bool primary_button(const char* label, bool enabled = true, ImVec2 size = {0, 0});
+void request_accept();           // Enter in a dialog: presses its primary button in the next frame
 void tooltip(const char* text);  // for the last item, wrapped
-// What does not fit before `right` gives way to an ellipsis. Takes no room.
+// Draws text that ends in an ellipsis if it does not fit before `right`. Uses no layout space.
 void ellipsis(ImVec2 at, float right, const ImVec4& color, const std::string& text);
 void heading(const char* text);     // wrapped
-void muted_text(const char* text);  // wrapped, of less weight
+void muted_text(const char* text);  // wrapped, less prominent
 
 float scale();  // pixels per design pixel (1 at 100 %)
 void set_scale(float scale);
-// Seconds the mouse rests on a widget before its tooltip shows. While one is due, frames are needed.
+// Seconds that the mouse must rest on a widget before its tooltip shows. Meanwhile frames are needed.
 void set_tooltip_delay(double seconds);
 bool tooltip_due();
 

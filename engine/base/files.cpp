@@ -21,7 +21,8 @@ std::string reason(int error) {
     return std::generic_category().message(error);
 }
 
-// An open file that closes itself. close() reports the error that a network file system may keep until then.
+// An open file that closes itself. close() returns the errno of a delayed write error, which network file
+// systems report only then.
 class Descriptor {
   public:
     explicit Descriptor(int handle) : handle_(handle) {}
@@ -47,9 +48,9 @@ const char* kind_of(mode_t mode) {
     return "a device";
 }
 
-// Where a chain of symbolic links ends, whether or not a file is there.
+// The end of a chain of symbolic links, whether or not a file is there.
 Result<fs::path> link_target(const fs::path& path) {
-    constexpr int longest_chain = 40;  // what Linux follows
+    constexpr int longest_chain = 40;  // the limit in Linux
     fs::path target = path;
     for (int hop = 0; hop < longest_chain; ++hop) {
         std::error_code error;
@@ -61,7 +62,7 @@ Result<fs::path> link_target(const fs::path& path) {
     return Error{path.string(), "too many symbolic links, one after the other"};
 }
 
-// A name beside `target` that no other writer uses, within the file system's limit on the length of names.
+// A name beside `target` that no other writer uses and that is short enough for the file system.
 fs::path temporary_name(const fs::path& target) {
     static std::atomic<unsigned> counter{0};
     constexpr std::size_t longest_stem = 200;
@@ -80,7 +81,7 @@ int write_all(int handle, std::string_view bytes) {
     return 0;
 }
 
-// Writes and flushes a new file; 0 or the errno that stopped it.
+// Writes and flushes a new file. Returns 0, or the errno that stopped it.
 int write_new(const fs::path& path, std::string_view bytes, const mode_t* mode) {
     Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (!file.open()) return errno;
@@ -90,7 +91,8 @@ int write_new(const fs::path& path, std::string_view bytes, const mode_t* mode) 
     return file.close();
 }
 
-// Makes the rename itself survive a power failure. File systems that cannot flush a directory say EINVAL.
+// Flushes the folder, so that the rename survives a power failure. File systems that cannot flush a directory
+// return EINVAL.
 int flush_directory(const fs::path& file) {
     const fs::path folder = file.parent_path().empty() ? fs::path(".") : file.parent_path();
     const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -106,7 +108,7 @@ Result<std::string> read_all(int handle, const struct stat& status, const std::s
     const auto size = static_cast<std::uint64_t>(std::max<off_t>(status.st_size, 0));
     if (size > max_bytes) return too_big(size);
 
-    // One byte more than the size that was seen: the read that finds the end, and a file that grows
+    // One byte more than the size reported: needed for the read that finds the end, and for a file that grows
     // meanwhile.
     std::string bytes(static_cast<std::size_t>(size) + 1, '\0');
     std::size_t used = 0;
@@ -162,7 +164,7 @@ Status write_file_atomic(const fs::path& path, std::string_view bytes) {
     if (exists && !S_ISREG(status.st_mode)) {
         return Error{location, fmt::format("is {}; expected a file", kind_of(status.st_mode))};
     }
-    // A rename would replace a write-protected file; whoever protected it meant it.
+    // A rename would replace a write-protected file, against the wish of its owner.
     if (exists && ::access(target.c_str(), W_OK) != 0) {
         return Error{location, "cannot be written: " + reason(errno)};
     }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr unsigned bucket_bits = 12;
 constexpr std::size_t buckets = std::size_t{1} << bucket_bits;
-constexpr std::size_t few = 4 * buckets;  // not worth the buckets
+constexpr std::size_t few = 4 * buckets;  // below this, buckets do not pay
 
 bool before(const KeyedIndex& a, const KeyedIndex& b) {
     return a.key != b.key ? a.key < b.key : a.index < b.index;
@@ -22,7 +22,8 @@ std::size_t bucket_of(const KeyedIndex& entry) {
 
 }  // namespace
 
-// Hashes are spread evenly: dealt out by their first bits they make small heaps, each sorted in the cache.
+// Hashes are spread evenly: distributed by their first bits they make small buckets, which are sorted in the
+// cache.
 void sort_by_key(std::vector<KeyedIndex>& entries) {
     if (entries.size() < few) return std::sort(entries.begin(), entries.end(), before);
     std::vector<std::size_t> begin(buckets + 1, 0);

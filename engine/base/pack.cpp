@@ -13,7 +13,7 @@ namespace {
 using Compressor = std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)>;
 using Decompressor = std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)>;
 
-constexpr std::size_t max_from_one_byte = 1032;  // deflate's best ratio
+constexpr std::size_t max_from_one_byte = 1032;  // deflate's largest ratio
 
 }  // namespace
 

@@ -13,7 +13,7 @@ namespace {
 
 #if defined(__SANITIZE_THREAD__)
 
-// ThreadSanitizer does not see how TBB's own library hands work over, so it is given threads that it knows:
+// ThreadSanitizer cannot see how the TBB library passes work between threads, so it is given plain threads:
 // half of the range beside the caller, halved again.
 void split_range(std::size_t begin, std::size_t end, std::size_t grain, int halvings,
                  const std::function<void(std::size_t, std::size_t)>& body) {

@@ -5,7 +5,7 @@
 namespace slipface {
 
 SinCos sin_cos(double angle) {
-    // To within an eighth of a turn of a multiple of a quarter turn; remquo is exact in every C library.
+    // Reduces the angle to within an eighth of a turn; remquo is exact in every C library.
     constexpr double quarter = 1.5707963267948966;
     int quarters = 0;
     const double x = std::remquo(angle, quarter, &quarters);

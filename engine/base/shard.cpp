@@ -10,7 +10,7 @@
 namespace slipface {
 namespace {
 
-// "2/4, 3/4 and 7 more".
+// Lists numbers as "2/4, 3/4 and 7 more".
 std::string list_of(const std::vector<std::uint32_t>& numbers, std::uint32_t count) {
     constexpr std::size_t max_shown = 20;
     std::string text;

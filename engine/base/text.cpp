@@ -11,7 +11,7 @@ bool is_space(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f';
 }
 
-// from_chars knows no leading '+'; a second sign behind it is no number.
+// from_chars accepts no leading '+'. A second sign after it is not a number.
 std::string_view without_plus(std::string_view text) {
     if (text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+') text.remove_prefix(1);
     return text;
@@ -82,7 +82,8 @@ std::string to_lower(std::string_view text) {
 }
 
 bool glob_match(std::string_view pattern, std::string_view text) {
-    // Only the last star seen is ever widened: what an earlier one could gain, the later one gains too.
+    // Only the last star needs to be widened: the later star can take over whatever an earlier one would
+    // gain.
     constexpr std::size_t none = std::string_view::npos;
     std::size_t p = 0;
     std::size_t t = 0;

@@ -1,5 +1,5 @@
-// An eight-wide tree of boxes over the triangles, in world space. One tree serves every shape: a query widens
-// the boxes by its own radii.
+// An eight-wide tree of boxes over the triangles, in world space. One tree serves every ellipsoid: a query
+// widens the boxes by its own radii.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ inline LeafTriangle leaf_triangle(const Leaf& leaf, std::size_t lane) {
     const float* coordinates = leaf_coordinates(leaf);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const float* table = coordinates + axis * leaf.vertices;
-        // Stored at once, as it will be read: processors wait for one load out of several stores.
+        // One store, as wide as the later load: a load that spans several stores makes the processor wait.
         Four::of(table[leaf.corner[0][lane]], table[leaf.corner[1][lane]], table[leaf.corner[2][lane]])
             .store(triangle.at[axis]);
     }
@@ -37,10 +37,10 @@ inline LeafTriangle leaf_triangle(const Leaf& leaf, std::size_t lane) {
 }
 
 struct Bvh {
-    std::vector<BvhNode> nodes;          // the root first, parents before children; empty for no triangles
-    std::vector<std::uint32_t> parents;  // [node], the root its own
+    std::vector<BvhNode> nodes;          // the root first, parents before children; empty without triangles
+    std::vector<std::uint32_t> parents;  // [node]; the root is its own parent
     std::vector<std::byte> leaves;
-    // [triangle] place of its leaf times leaf_capacity, plus its lane.
+    // [triangle] index of its leaf times leaf_capacity, plus its lane.
     std::vector<std::uint32_t> slots;
     int depth = 0;  // levels of nodes
     std::array<float, 3> low{};
@@ -56,12 +56,13 @@ struct Bvh {
     TreeView view() const { return {nodes.data(), leaves.data()}; }
 };
 
-// At most max_triangles, with finite coordinates. `bodies`: TriangleSoup::bodies. The result depends on
-// nothing else, and on no number of threads.
+// Builds the tree over at most max_triangles triangles with finite coordinates. `bodies`:
+// TriangleSoup::bodies. The result does not depend on the number of threads.
 Bvh build_bvh(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> triangles,
               std::span<const std::uint32_t> bodies);
 
-// Puts triangles[i], all below slots.size(), at corners[i], finite, and fits the boxes above them.
+// Moves triangles[i], all below slots.size(), to corners[i], which must be finite, and refits the boxes above
+// them.
 void move_bvh_triangles(Bvh& bvh, std::span<const TriangleId> triangles,
                         std::span<const std::array<Vec3f, 3>> corners);
 

@@ -1,6 +1,6 @@
-// Top-down construction: a range of triangles is split in two until there are eight children, opening the
-// largest first, and each child goes on as a task of its own. Then places in memory are given out in one
-// order, and nodes and leaves are written in parallel. No step depends on which task came first.
+// Top-down construction: a range of triangles is split, always the largest part first, until there are eight
+// children. Each child is then a task of its own. Afterwards memory is assigned in a fixed order, and nodes
+// and leaves are written in parallel. No step depends on the order of the tasks.
 
 #include <algorithm>
 #include <memory>
@@ -21,7 +21,7 @@ struct Range {
     std::uint32_t count = 0;
     int depth = 0;       // of the binary tree
     bool mixed = false;  // more than one body
-    // Where its items still lie sorted by cell, and not in their place: the cells, at least cells_worth_it.
+    // At least cells_worth_it cells, as long as the items are still sorted by cell in another list.
     std::span<Cell> cells;
     Box box;      // of the items
     Box centres;  // of the items' centres, or the cells'
@@ -30,8 +30,8 @@ struct Range {
 struct Node;
 struct Child {
     Range range;
-    std::unique_ptr<Node> node;  // none: leaf
-    std::uint32_t vertices = 0;  // leaf
+    std::unique_ptr<Node> node;  // null for a leaf
+    std::uint32_t vertices = 0;  // of a leaf
     std::uint32_t link = 0;      // as BvhNode::child
 };
 struct Node {
@@ -48,7 +48,7 @@ class Builder {
         if (items.size() >= cells_from) by_cell_ = std::make_unique_for_overwrite<Item[]>(items.size());
     }
 
-    // The tree over a range of more than leaf_capacity triangles, or the root over any.
+    // The tree over a range of more than leaf_capacity triangles, or the root over any range.
     std::unique_ptr<Node> build(Range root) {
         std::vector<Cell> cells;
         if (root.count >= cells_from && !root.mixed && root.cells.empty()) {
@@ -98,7 +98,7 @@ class Builder {
         return node;
     }
 
-    // The items' own boxes and bodies, for a range whose triangles are given.
+    // Computes the boxes of the items and whether they belong to several bodies.
     void measure(Range& range) const {
         range.box = Box();
         range.centres = Box();
@@ -113,12 +113,12 @@ class Builder {
   private:
     std::span<Item> items_of(const Range& range) const { return items_.subspan(range.first, range.count); }
 
-    // A leaf is tested eight at a time, so one that is not full saves nothing.
+    // A leaf is tested eight triangles at a time, so splitting it further saves nothing.
     static bool is_leaf(const Range& range) {
         return range.count <= leaf_capacity && !range.mixed && range.cells.empty();
     }
 
-    // Two leaves side by side become one if that makes it less likely that a query looks at one of them.
+    // Two neighbouring leaves become one if that makes a visit less likely.
     static void join_leaves(Node& node) {
         const auto end = node.children.begin() + node.count;
         std::sort(node.children.begin(), end,
@@ -141,7 +141,7 @@ class Builder {
         }
     }
 
-    // Parts the items of a range; returns the left part.
+    // Divides the items of a range; returns the left part.
     Range divide(Range range, Range& right) {
         Range left;
         if (!range.cells.empty()) {
@@ -155,7 +155,7 @@ class Builder {
         right.count = range.count - left.count;
         measure(left);
         measure(right);
-        // Halvings of bodies do not count against the splits by cost below them.
+        // Divisions between bodies do not count towards the depth limit of the splits by cost below them.
         left.depth = right.depth = range.mixed ? range.depth : std::max(range.depth, cost_split_depth);
         return left;
     }
@@ -190,7 +190,7 @@ class Builder {
         if (cells.size() < cells_worth_it) put_in_place(range);
     }
 
-    // Brings the items of a range together out of its cells.
+    // Collects the items of a range from its cells.
     void put_in_place(Range& range) {
         Item* to = &items_[range.first];
         for (const Cell& cell : range.cells)
@@ -216,7 +216,7 @@ class Builder {
         return half;
     }
 
-    // Sorts by body, and cuts between bodies near the middle of their number.
+    // Sorts by body, and cuts between two bodies near the middle of their number.
     std::uint32_t part_bodies(const Range& range) {
         Item* begin = &items_[range.first];
         Item* end = begin + range.count;
@@ -231,7 +231,7 @@ class Builder {
         return starts[starts.size() / 2];
     }
 
-    // Brings a leaf's triangles into order and counts their vertices.
+    // Sorts the triangles of a leaf and counts their vertices.
     std::uint32_t sort_leaf(const Range& range) {
         Item* begin = &items_[range.first];
         std::sort(begin, begin + range.count,
@@ -249,10 +249,10 @@ class Builder {
 
     std::span<Item> items_;
     std::span<const std::array<std::uint32_t, 3>> triangles_;
-    std::unique_ptr<Item[]> by_cell_;  // a range's place here is that of its items
+    std::unique_ptr<Item[]> by_cell_;  // a range has the same indices here as in items_
 };
 
-// Gives out places: nodes before the nodes below them, leaves in the order in which a walk meets them.
+// Assigns memory: nodes before the nodes below them, leaves in the order in which a walk reaches them.
 class Places {
   public:
     void give(Node& node, std::uint32_t parent, int level) {

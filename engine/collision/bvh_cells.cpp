@@ -8,8 +8,8 @@
 namespace slipface::detail {
 namespace {
 
-// Cells as long as wide, as far as halving goes: a few items lie in each, as surfaces leave most cells empty.
-// All ones where the centres differ too little, or too much, for a float.
+// Roughly cubic cells by repeated halving. A few items lie in each, because surfaces leave most cells empty.
+// All ones if the centres differ too little, or too much, for a float.
 std::array<std::uint32_t, 3> grid_size(const Box& centres, std::size_t items) {
     std::array<std::uint32_t, 3> parts{1, 1, 1};
     alignas(16) float size[4];
@@ -35,7 +35,7 @@ std::vector<Cell> sort_into_cells(std::span<const Item> items, const Box& centre
             cell_of_item[i] = (z * parts[1] + y) * parts[0] + x;
         }
     });
-    // A counting sort; items of one cell stay in their order.
+    // A counting sort; items of one cell preserve their order.
     std::vector<std::uint32_t> starts(std::size_t{parts[0]} * parts[1] * parts[2] + 1);
     for (std::size_t i = 0; i < items.size(); ++i)
         ++starts[cell_of_item[i] + 1];

@@ -1,5 +1,5 @@
-// What the tree's construction moves about: boxes of triangles, and of the cells of a grid that it takes many
-// triangles by.
+// The boxes that the construction of the tree sorts: of single triangles, and of grid cells with several
+// triangles.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace slipface::detail {
 
-// x, y, z; the fourth number means nothing.
+// x, y, z; the fourth component is unused.
 struct Box {
     Four min = Four::all(std::numeric_limits<float>::infinity());
     Four max = Four::all(-std::numeric_limits<float>::infinity());
@@ -19,7 +19,7 @@ struct Box {
         max = four_max(max, other.max);
     }
     void add(Four point) { add({point, point}); }
-    // Half the surface; not finite where floats overflow, 0 for an empty box.
+    // Half the surface area; not finite if floats overflow, 0 for an empty box.
     float area() const {
         alignas(16) float d[4];
         (max - min).store(d);
@@ -38,19 +38,20 @@ struct alignas(16) Item {
 
 struct alignas(16) Cell {
     float min[3];
-    std::uint32_t first;  // its items are neighbours in a list
+    std::uint32_t first;  // its items are consecutive in a list
     float max[3];
     std::uint32_t count;
 
     std::uint32_t weight() const { return count; }
 };
 
-// The fourth number is an integer's bits, which must not meet arithmetic: it could be a denormal, and slow.
+// The fourth component holds the bits of an integer, which arithmetic must not see: as a float it could be a
+// denormal, which is slow.
 template <class Boxed>
 Box box_of(const Boxed& boxed) {
     return {Four::load(boxed.min).first_three(), Four::load(boxed.max).first_three()};
 }
-// Half of the sum would overflow for the largest floats if it were summed first.
+// Halved before adding, because the sum of the largest floats would overflow.
 template <class Boxed>
 Four centre_of(const Boxed& boxed) {
     const Box box = box_of(boxed);

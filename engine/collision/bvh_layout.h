@@ -1,5 +1,5 @@
-// How the tree lies in memory. Plain data, read by kernels that are compiled for several instruction sets, so
-// nothing here has a function that the linker could take from one of them for another.
+// The tree in memory. Plain data, read by kernels that are compiled for several instruction sets. Nothing
+// here has a function, because the linker could take one that was compiled for another instruction set.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace slipface::detail {
 
-// Eight children side by side. A child is a leaf (top bit set, then its place), a node, or missing (its box
-// is empty and no query meets it).
+// Eight children side by side. A child is a leaf (top bit set, then the index of the leaf), a node, or
+// missing (its box is empty, so no query reaches it).
 struct alignas(32) BvhNode {
     float bound[6][8];  // min x, y, z, then max x, y, z
     std::uint32_t child[8];
@@ -16,11 +16,11 @@ struct alignas(32) BvhNode {
 
 inline constexpr std::uint32_t leaf_bit = 0x80000000U;
 inline constexpr std::uint32_t leaf_index_mask = 0x7fffffffU;
-inline constexpr std::size_t leaf_alignment = 8;  // places count in these
+inline constexpr std::size_t leaf_alignment = 8;  // unit of leaf indices, bytes
 inline constexpr std::uint32_t leaf_capacity = 8;
 
-// The head of a leaf. Behind it lie the x of all its vertices, then the y, the z, and the numbers of its
-// triangles. Triangles of a leaf share vertices, which is what makes it small.
+// The head of a leaf. The x of all its vertices follow, then the y, the z, and the numbers of its triangles.
+// The triangles of a leaf share vertices, which makes the leaf small.
 struct Leaf {
     std::uint8_t corner[3][leaf_capacity];  // [corner][lane] a vertex; lanes beyond count repeat the last
     std::uint8_t count;                     // triangles, 1 to leaf_capacity
@@ -30,18 +30,18 @@ struct Leaf {
 };
 static_assert(sizeof(Leaf) == 32);
 
-// Kernels read whole registers: so much may be read behind the last leaf.
+// Kernels read whole registers: they may read this many bytes after the last leaf.
 inline constexpr std::size_t leaf_overread = 128;
 
-// Splits by cost stop at this depth of the binary tree; from there on ranges are halved, so no input makes it
-// deeper than this plus the halvings of the largest number of triangles, and of bodies above it.
+// Splits by cost stop at this depth of the binary tree; below it ranges are halved. So no input makes the
+// tree deeper than this plus the halvings of the largest number of triangles, and those of bodies above it.
 inline constexpr std::size_t max_triangles = std::size_t{1} << 25;
 inline constexpr int cost_split_depth = 36;
 inline constexpr int max_depth = cost_split_depth + 25 + 25;
 // A traversal pops one entry and pushes at most eight on each level.
 inline constexpr std::size_t traversal_stack = std::size_t{max_depth} * 7 + 8;
 
-// What a kernel sees of a tree.
+// The part of a tree that a kernel needs.
 struct TreeView {
     const BvhNode* nodes;  // the root first
     const std::byte* leaves;

@@ -1,4 +1,4 @@
-// Triangles that move: new corners in their leaves, and new boxes above those.
+// Moves triangles: writes new corners to their leaves, and refits the boxes above.
 #include <algorithm>
 #include <cstring>
 
@@ -13,8 +13,8 @@ float* coordinates_of(Leaf& leaf) {
     return const_cast<float*>(leaf_coordinates(leaf));
 }
 
-// Writes the corners; false if a vertex would have to be in two places, as triangles share it and only one of
-// them moved, or they moved apart. `known` tells which vertices have been written in this round.
+// Writes the corners. Returns false if triangles share a vertex but need it at different positions. `known`:
+// the vertices whose positions are already final in this round.
 bool write_corners(Leaf& leaf, std::size_t lane, const Corners& corners, std::uint32_t& known) {
     float* coordinates = coordinates_of(leaf);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -37,7 +37,7 @@ struct Moved {
     std::uint32_t index;  // into the caller's list
 };
 
-// The vertices that a leaf's triangles use which are not among the moved lanes.
+// The vertices used by triangles that are not among the moved lanes.
 std::uint32_t vertices_at_rest(const Leaf& leaf, std::uint32_t moved_lanes) {
     std::uint32_t mask = 0;
     for (std::size_t lane = 0; lane < leaf.count; ++lane) {
@@ -55,7 +55,7 @@ LeafTriangle placed(TriangleId id, std::span<const Corners> corners) {
     return triangle;
 }
 
-// The leaf again at the end of all leaves, with corners of its own for each triangle. Returns its place.
+// Copies the leaf to the end of all leaves, with separate corners for each triangle. Returns its index.
 std::uint32_t unshare(Bvh& bvh, std::uint32_t index,
                       const std::array<LeafTriangle, leaf_capacity>& triangles) {
     const std::size_t count = bvh.leaf_at(index).count;
@@ -85,7 +85,7 @@ std::uint32_t unshare(Bvh& bvh, std::uint32_t index,
     return to;
 }
 
-// Moves the triangles of one leaf. Returns the leaf's place afterwards.
+// Moves triangles of one leaf. Returns the index of the leaf afterwards.
 std::uint32_t move_in_leaf(Bvh& bvh, std::span<const Moved> moved, std::span<const Corners> corners) {
     const std::uint32_t index = moved[0].slot / leaf_capacity;
     Leaf& leaf = bvh.leaf_at(index);
@@ -135,7 +135,7 @@ Bounds node_bounds(const BvhNode& node) {
     return bounds;
 }
 
-// Every triangle, in the order of their numbers: nothing has to be looked for.
+// Moves every triangle, given in ascending order, so that no search is needed.
 void move_all(Bvh& bvh, std::span<const Corners> corners) {
     const auto move_leaf = [&](std::uint32_t index) {
         Leaf& leaf = bvh.leaf_at(index);
@@ -163,7 +163,7 @@ void move_all(Bvh& bvh, std::span<const Corners> corners) {
     }
 }
 
-// Fits the box of a node's child; false if it fitted already.
+// Fits the box of a node's child; returns false if it fitted already.
 bool fit(BvhNode& node, std::uint32_t link, const Bounds& bounds) {
     const auto k = static_cast<std::size_t>(std::find(node.child, node.child + 8, link) - node.child);
     bool same = true;
@@ -183,7 +183,7 @@ void move_some(Bvh& bvh, std::span<const TriangleId> triangles, std::span<const 
     std::vector<Moved> moved(triangles.size());
     for (std::uint32_t i = 0; i < moved.size(); ++i)
         moved[i] = {bvh.slots[triangles[i]], i};
-    // A triangle given twice: the later one holds.
+    // If a triangle is given twice, the later one applies.
     std::sort(moved.begin(), moved.end(), [](const Moved& a, const Moved& b) {
         return a.slot < b.slot || (a.slot == b.slot && a.index < b.index);
     });
@@ -197,7 +197,7 @@ void move_some(Bvh& bvh, std::span<const TriangleId> triangles, std::span<const 
         if (fit(bvh.nodes[leaf.parent], leaf_bit | index, leaf_bounds(leaf))) nodes.push_back(leaf.parent);
         first = end;
     }
-    // A node is looked at again for each child that came late; the last look is the right one.
+    // A node is refitted again after each round in which a child changed; the last refit is correct.
     while (!nodes.empty()) {
         keep_once(nodes);
         std::vector<std::uint32_t> above;

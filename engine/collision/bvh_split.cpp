@@ -5,7 +5,7 @@ namespace {
 
 constexpr float inf = std::numeric_limits<float>::infinity();
 
-// Of three boxes side by side.
+// Half the surface areas of three boxes side by side.
 Four half_surfaces(const std::array<Box, 3>& boxes) {
     const Four empty = Four::all(0.0F);
     const auto [x, y, z] =
@@ -16,7 +16,7 @@ Four half_surfaces(const std::array<Box, 3>& boxes) {
 
 }  // namespace
 
-// The three axes side by side, first from above and then from below.
+// All three axes side by side, first from above and then from below.
 Split cheapest_split(const Grid& grid, const Bins& table, std::size_t bins) {
     alignas(16) float right_cost[max_bins][4];
     alignas(16) float left_blocks[max_bins][4] = {};
@@ -34,7 +34,7 @@ Split cheapest_split(const Grid& grid, const Bins& table, std::size_t bins) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             boxes[axis].add(table.box[axis][bin]);
             above[axis] += table.weight[bin][axis];
-            // All on one side is no split.
+            // A split with everything on one side is not a split.
             const bool none = above[axis] == 0 || above[axis] == all[axis];
             right_blocks[axis] = none ? inf : static_cast<float>(blocks(above[axis]));
         }

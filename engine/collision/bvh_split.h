@@ -1,6 +1,6 @@
-// One split of the construction: which plane parts a list of boxes at the least cost, and the parting.
-// Binned surface area heuristic after I. Wald, "On fast construction of SAH-based bounding volume
-// hierarchies", 2007. What is in the lists (triangles, or cells full of them) counts by its weight().
+// One split of the construction: finds the plane that divides a list of boxes at the lowest cost, and divides
+// the list. Binned surface area heuristic after I. Wald, "On fast construction of SAH-based bounding volume
+// hierarchies", 2007. Each element (a triangle, or a cell of several) counts by its weight().
 #pragma once
 
 #include <algorithm>
@@ -14,15 +14,15 @@
 
 namespace slipface::detail {
 
-// Leaves that so many triangles fill.
+// The number of leaves that `count` triangles fill.
 inline std::uint32_t blocks(std::uint32_t count) {
     return (count + leaf_capacity - 1) / leaf_capacity;
 }
 
-// Which part of an extent a centre lies in, along each axis.
+// Divides a box into equal parts along each axis and finds the part in which a centre lies.
 class Grid {
   public:
-    // `parts`: 1 to 2^23 along each axis. An axis along which centres do not differ has one.
+    // `parts`: 1 to 2^23 along each axis. An axis along which all centres are equal has one part.
     Grid(const Box& centres, std::array<std::uint32_t, 3> parts) : origin_(centres.min) {
         alignas(16) float size[4];
         (centres.max - centres.min).store(size);
@@ -93,7 +93,7 @@ struct Bins {
 
 struct Split {
     std::size_t axis = 0;
-    std::uint32_t bin = 0;  // what lies in this bin and above goes right
+    std::uint32_t bin = 0;  // boxes in this bin and above go right
     float cost = std::numeric_limits<float>::infinity();
     Box left;
     Box right;
@@ -106,8 +106,8 @@ template <class Boxed>
 Split best_split(std::span<const Boxed> list, const Grid& grid) {
     const std::size_t bins = bin_count(list.size());
     Bins table(bins);
-    // Two tables in turns: neighbours mostly fall into the same bin, and would wait for each other there. For
-    // a short list a second table costs more than that.
+    // Two tables in alternation: neighbours mostly fall into the same bin, and one addition would wait for
+    // the other. For a short list a second table costs more than it saves.
     if (list.size() < 64) {
         for (const Boxed& boxed : list)
             table.add(grid, boxed);
@@ -129,7 +129,7 @@ struct Side {
     Box centres;
 };
 
-// Brings what goes left before what goes right.
+// Reorders the list so that the left part comes first.
 template <class Boxed>
 std::pair<Side, Side> part(std::span<Boxed> list, const Grid& grid, const Split& split) {
     Side left;

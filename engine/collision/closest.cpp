@@ -11,7 +11,8 @@ struct Search {
     const CollisionWorld::Impl& world;
     const EllipsoidQuery& query;  // a unit sphere at rest
     double distance2;
-    double rounding;  // of distances, metres: a triangle this much further off may be given the smaller one
+    double rounding;  // error of distances, metres: a triangle this much further away may get the smaller
+                      // distance
     Nearest nearest{};
     LeafTriangle triangle{{}, no_id};
 
@@ -25,7 +26,7 @@ struct Search {
     }
 };
 
-// The squared distance of a box that may still hold something nearer.
+// The largest squared distance of a box that may still hold something nearer.
 float distance_limit(const Search& search) {
     constexpr double most = std::numeric_limits<float>::max() / 2;
     const double distance = std::sqrt(search.distance2) + search.rounding;

@@ -41,10 +41,10 @@ Status check(const TriangleSoup& soup) {
     return {};
 }
 
-// Faces numbered densely, so that hostile face ids cost no memory.
+// Numbers the faces densely, so that very large face ids cost no memory.
 void index_faces(const TriangleSoup& soup, CollisionWorld::Impl& impl) {
     impl.faces.assign(soup.faces.begin(), soup.faces.end());
-    // As meshes have them, already.
+    // Faces of a mesh are already ascending.
     const bool ascending = std::is_sorted(impl.faces.begin(), impl.faces.end());
     if (!ascending) std::sort(impl.faces.begin(), impl.faces.end());
     impl.faces.erase(std::unique(impl.faces.begin(), impl.faces.end()), impl.faces.end());
@@ -67,7 +67,7 @@ void index_faces(const TriangleSoup& soup, CollisionWorld::Impl& impl) {
     }
 }
 
-// Takes in the box of the tree.
+// Extends the bounds by the box of the tree.
 void grow_bounds(CollisionWorld::Impl& impl) {
     if (impl.triangle_count() == 0) return;
     std::ranges::copy(impl.bvh.low, impl.extent.low);

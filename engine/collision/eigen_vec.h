@@ -1,4 +1,4 @@
-// Between the vectors of the public headers and those that the collision code computes with.
+// Converts between the vectors of the public headers and those of the collision code.
 #pragma once
 
 #include "slipface/base/types.h"

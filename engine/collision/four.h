@@ -1,5 +1,5 @@
-// Four floats side by side, for the tree's construction and for preparing queries: the same bits with and
-// without SIMD.
+// Four floats side by side, for building the tree and preparing queries. Gives the same bits with and without
+// SIMD.
 #pragma once
 
 #include <array>
@@ -26,14 +26,14 @@ struct Four {
     void store_truncated(std::int32_t* to) const {
         _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm_cvttps_epi32(v));
     }
-    // Of the first three, which are at least 0 and fit.
+    // The first three, which must be at least 0 and fit.
     std::array<std::uint32_t, 3> truncated() const {
         const __m128i whole = _mm_cvttps_epi32(v);
         return {static_cast<std::uint32_t>(_mm_cvtsi128_si32(whole)),
                 static_cast<std::uint32_t>(_mm_cvtsi128_si32(_mm_shuffle_epi32(whole, 1))),
                 static_cast<std::uint32_t>(_mm_cvtsi128_si32(_mm_shuffle_epi32(whole, 2)))};
     }
-    // The fourth becomes 0.
+    // Sets the fourth to 0.
     Four first_three() const { return {_mm_and_ps(v, _mm_castsi128_ps(_mm_setr_epi32(-1, -1, -1, 0)))}; }
 };
 inline Four operator+(Four a, Four b) {
@@ -51,7 +51,7 @@ inline Four operator/(Four a, Four b) {
 inline Four four_abs(Four a) {
     return {_mm_andnot_ps(_mm_set1_ps(-0.0F), a.v)};
 }
-// All bits where a < b, or a == b.
+// All bits set where a < b (or a == b), else 0.
 inline Four four_less(Four a, Four b) {
     return {_mm_cmplt_ps(a.v, b.v)};
 }
@@ -61,14 +61,14 @@ inline Four four_equal(Four a, Four b) {
 inline Four four_pick(Four where, Four yes, Four no) {
     return {_mm_or_ps(_mm_and_ps(where.v, yes.v), _mm_andnot_ps(where.v, no.v))};
 }
-// Where one of the two is not a number: the second.
+// If one of the two is NaN, the result is the second.
 inline Four four_min(Four a, Four b) {
     return {_mm_min_ps(a.v, b.v)};
 }
 inline Four four_max(Four a, Four b) {
     return {_mm_max_ps(a.v, b.v)};
 }
-// The first numbers of the three, then their second, then their third.
+// Returns the first components of the three, then their second, then their third.
 inline std::array<Four, 3> transposed(Four a, Four b, Four c) {
     const __m128 low = _mm_unpacklo_ps(a.v, b.v);
     const __m128 high = _mm_unpackhi_ps(a.v, b.v);
@@ -82,7 +82,7 @@ struct Four {
     float v[4];
 
     static Four all(float value) { return {{value, value, value, value}}; }
-    // Three numbers and four bytes of anything.
+    // The fourth component may be any four bytes.
     static Four load(const float* from) { return {{from[0], from[1], from[2], from[3]}}; }
     static Four of(float a, float b, float c) { return {{a, b, c, 0.0F}}; }
     void store(float* to) const {
@@ -114,7 +114,7 @@ inline Four operator/(Four a, Four b) {
 inline Four four_abs(Four a) {
     return {{__builtin_fabsf(a.v[0]), __builtin_fabsf(a.v[1]), __builtin_fabsf(a.v[2]), 0.0F}};
 }
-// 1 where a < b, or a == b.
+// 1 where a < b (or a == b), else 0.
 inline Four four_less(Four a, Four b) {
     Four out;
     for (int k = 0; k < 4; ++k)

@@ -1,4 +1,4 @@
-// What a CollisionWorld keeps.
+// The data of a CollisionWorld.
 #pragma once
 
 #include <array>
@@ -13,12 +13,12 @@ namespace slipface {
 
 struct CollisionWorld::Impl {
     detail::Bvh bvh;
-    std::vector<FaceId> faces;              // the soup's, ascending, each once; empty if they are 0, 1, 2...
+    std::vector<FaceId> faces;              // of the soup, ascending, each once; empty if they are 0, 1, 2...
     std::vector<std::uint32_t> face_index;  // [triangle] index into faces
     std::vector<SurfaceId> surfaces;        // [index into faces]
     std::array<SurfaceRule, 256> rules;     // [SurfaceId]
-    bool plain = true;                      // no rule says anything but solid from both sides
-    Aabb bounds;                            // of all places the triangles have been
+    bool plain = true;                      // every rule is solid and two-sided
+    Aabb bounds;                            // of all positions that the triangles have had
     detail::WorldExtent extent{};
 
     std::size_t triangle_count() const { return face_index.size(); }

@@ -1,6 +1,5 @@
-// The namespace of code that is compiled once for each instruction set. Inline functions and types in it have
-// another name in each, so the linker never takes one that was compiled for AVX-512 into code for every
-// processor.
+// The namespace of code that is compiled once for each instruction set. Its inline functions and types have a
+// different name in each, so the linker cannot use one that was compiled for AVX-512 on every processor.
 #pragma once
 
 #if defined(__AVX512VL__)

@@ -1,4 +1,4 @@
-// All kernels of one instruction set, included by the file that is compiled for it.
+// All kernels of one instruction set; included by the file that is compiled for it.
 #pragma once
 
 #include "kernels_impl.h"

@@ -1,5 +1,5 @@
-// The kernels' code, included by one file for each instruction set. It has internal linkage and calls no
-// function that another file could share: see lanes.h.
+// The code of the kernels; included by one file for each instruction set. It has internal linkage and calls
+// no function that another file could share: see lanes.h.
 #pragma once
 
 #include "leaf_filter.h"
@@ -13,8 +13,8 @@ struct StackEntry {
     std::uint32_t child;
 };
 
-// Visits leaves in the order of their boxes' keys. `test(node, limit, keys)` gives the mask of children to
-// visit; `visit(leaf, limit)` returns the limit from then on, below 0 to stop.
+// Visits leaves in the order of the keys of their boxes. `test(node, limit, keys)` returns the mask of
+// children to visit; `visit(leaf, limit)` returns the new limit, negative to stop.
 template <class Test, class Visit>
 inline void walk(const TreeView& tree, float limit, Test&& test, Visit&& visit) {
     StackEntry stack[traversal_stack];
@@ -112,8 +112,8 @@ void sweep_kernel(const TreeView& tree, const SweepPath& path, float limit, Cons
         });
 }
 
-// Whether the ray's line passes each triangle, in the ray's sheared coordinates (ray.cpp). An edge function
-// is off by less than its slack.
+// Bit k is set where the ray's line certainly misses triangle k, in the sheared coordinates of the ray
+// (ray.cpp). An edge function has an error below its slack.
 inline std::uint32_t ray_misses(const RayPath& path, const Lanes (&v)[9]) {
     Lanes x[3];
     Lanes y[3];
@@ -184,7 +184,8 @@ struct LanePoint {
             down[axis] = Lanes::all(point.down[axis]);
         }
     }
-    // Which of eight boxes are within `limit`, a squared distance, and a lower bound of theirs.
+    // Bit k is set where box k is within `limit`, a squared distance. `square`: lower bounds of the squared
+    // distances.
     template <class Rows>
     std::uint32_t within(const Rows& rows, float limit, Lanes& square) const {
         square = Lanes::all(0.0F);
@@ -193,7 +194,7 @@ struct LanePoint {
                 lanes_max(lanes_max(rows(axis) - up[axis], down[axis] - rows(axis + 3)), Lanes::all(0.0F));
             square = square + distance * distance;
         }
-        // Four roundings on the way; the slack is larger than their sum.
+        // There are four roundings before; the slack is larger than their sum.
         square = square * Lanes::all(1.0F - 2.0F * time_slack);
         return lanes_not_above(square, Lanes::all(limit));
     }

@@ -1,4 +1,4 @@
-// The paths of a query, spread over all lanes, against eight boxes. Part of the kernels: see lanes.h.
+// The paths of a query, copied to all lanes, against eight boxes. Part of the kernels: see lanes.h.
 #pragma once
 
 #include "kernels.h"
@@ -15,7 +15,7 @@ inline const Leaf& leaf_at(const TreeView& tree, std::uint32_t index) {
     return *reinterpret_cast<const Leaf*>(tree.leaves + std::size_t{index} * leaf_alignment);
 }
 
-// Asks for the memory of a child that will be looked at soon.
+// Prefetches a child that will be read soon.
 inline void fetch(const TreeView& tree, std::uint32_t child) {
     const auto* at = (child & leaf_bit) != 0
                          ? reinterpret_cast<const std::byte*>(&leaf_at(tree, child & leaf_index_mask))
@@ -30,8 +30,8 @@ struct NodeRows {
     const BvhNode& node;
     Lanes operator()(int row) const { return Lanes::load(node.bound[row]); }
 };
-// The own boxes of a leaf's triangles. All rows are made, and read like a node's: which of them a path asks
-// for first depends on its direction, which no processor guesses.
+// The boxes of a leaf's triangles, stored and read like a node's. All rows are computed: the row that a path
+// reads first depends on its direction, which no processor predicts.
 struct LeafRows {
     alignas(32) float bound[6][8];
 
@@ -59,7 +59,7 @@ struct LaneBoxPath {
             far_inverse[axis] = Lanes::all(path.far_inverse[axis]);
         }
     }
-    // Which of eight boxes are met between two times, and when they are entered.
+    // Bit k is set where box k is touched between two times. `enter`: when each is entered.
     template <class Rows>
     std::uint32_t intersect(const Rows& rows, float from, float limit, Lanes& enter) const {
         const auto near = [&](int axis) {
@@ -68,7 +68,7 @@ struct LaneBoxPath {
         const auto far = [&](int axis) {
             return (rows(path.far_row[axis]) - far_offset[axis]) * far_inverse[axis];
         };
-        // In pairs: every node on the way down waits for this. A time that is no number says nothing.
+        // Evaluated in pairs, because every node waits for this chain. A time that is NaN is ignored.
         enter = lanes_max(lanes_max(near(0), near(1)), lanes_max(near(2), Lanes::all(from)));
         const Lanes leave = lanes_min(lanes_min(far(0), far(1)), lanes_min(far(2), Lanes::all(limit * late)));
         return lanes_not_above(enter, leave + Lanes::all(least_time));
@@ -96,7 +96,7 @@ inline Lanes dot(const LaneVec& a, const LaneVec& b) {
 inline LaneVec cross(const LaneVec& a, const LaneVec& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-// At least the length, at most sqrt(3) of it.
+// At least the length, at most sqrt(3) times the length.
 inline Lanes size_of(const LaneVec& a) {
     return lanes_abs(a.x) + lanes_abs(a.y) + lanes_abs(a.z);
 }

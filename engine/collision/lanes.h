@@ -1,8 +1,8 @@
-// Eight floats side by side, for tests whose outcome only ever decides what is looked at more closely:
-// nothing that a query answers is computed here.
+// Eight floats side by side, for tests that only decide which triangles are examined more closely. No result
+// of a query is computed here.
 //
-// Each file that includes this may be compiled for another instruction set, so all of it has internal linkage
-// and uses no function that another file could share.
+// Each file that includes this may be compiled for another instruction set. So all of it has internal linkage
+// and calls no function that another file could share.
 #pragma once
 
 #include "bvh_layout.h"
@@ -38,7 +38,7 @@ inline Lanes operator*(Lanes a, Lanes b) {
 inline Lanes operator/(Lanes a, Lanes b) {
     return {_mm256_div_ps(a.v, b.v)};
 }
-// Where one of the two is not a number: the second.
+// If one of the two is NaN, the result is the second.
 inline Lanes lanes_min(Lanes a, Lanes b) {
     return {_mm256_min_ps(a.v, b.v)};
 }
@@ -61,7 +61,7 @@ inline Lanes lanes_pick(LaneMask where, Lanes yes, Lanes no) {
 inline std::uint32_t lanes_not_above(Lanes a, Lanes b) {
     return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
 }
-// Bit k is set where a[k] > b[k]; not where one of them is no number.
+// Bit k is set where a[k] > b[k]; not where one of them is NaN.
 inline std::uint32_t lanes_above(Lanes a, Lanes b) {
     return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)));
 }
@@ -77,7 +77,7 @@ inline __m256i lane_vertices(const std::uint8_t* corner) {
     return _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(corner)));
 }
 
-// table[index] for a table of 8, 16 or 24 numbers, told apart by bits 3 and 4 of the index.
+// table[index] for a table of 8, 16 or 24 floats; bits 3 and 4 of the index select the part.
 template <int Parts>
 inline Lanes look_up(const float* table, __m256i index) {
     const __m256 first = _mm256_loadu_ps(table);
@@ -109,7 +109,7 @@ inline void look_up_leaf(const Leaf& leaf, Lanes (&to)[9]) {
 
 // x, y, z of the three corners of a leaf's triangles.
 inline void lanes_of_leaf(const Leaf& leaf, Lanes (&to)[9]) {
-#if !defined(__AVX512VL__)  // where two parts cost no more than one
+#if !defined(__AVX512VL__)  // there, two parts cost no more than one
     if (leaf.vertices <= 8) return look_up_leaf<1>(leaf, to);
 #endif
     if (leaf.vertices <= 16) return look_up_leaf<2>(leaf, to);
@@ -150,7 +150,7 @@ inline Lanes operator*(Lanes a, Lanes b) {
 inline Lanes operator/(Lanes a, Lanes b) {
     return {_mm_div_ps(a.low, b.low), _mm_div_ps(a.high, b.high)};
 }
-// Where one of the two is not a number: the second.
+// If one of the two is NaN, the result is the second.
 inline Lanes lanes_min(Lanes a, Lanes b) {
     return {_mm_min_ps(a.low, b.low), _mm_min_ps(a.high, b.high)};
 }
@@ -178,7 +178,7 @@ inline std::uint32_t lanes_not_above(Lanes a, Lanes b) {
     return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a.low, b.low)) |
                                       (_mm_movemask_ps(_mm_cmple_ps(a.high, b.high)) << 4));
 }
-// Bit k is set where a[k] > b[k]; not where one of them is no number.
+// Bit k is set where a[k] > b[k]; not where one of them is NaN.
 inline std::uint32_t lanes_above(Lanes a, Lanes b) {
     return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmpgt_ps(a.low, b.low)) |
                                       (_mm_movemask_ps(_mm_cmpgt_ps(a.high, b.high)) << 4));
@@ -269,7 +269,7 @@ inline void lanes_of_leaf(const Leaf& leaf, Lanes (&to)[9]) {
 
 #endif
 
-// Puts the children of `mask` behind the first `size` of a list that has room for eight more; returns its new
+// Appends the children of `mask` to a list of `size` entries that has room for eight more; returns the new
 // size.
 inline std::uint32_t append_children(const BvhNode& node, std::uint32_t mask, std::uint32_t* list,
                                      std::uint32_t size) {
@@ -287,7 +287,7 @@ inline std::uint32_t append_children(const BvhNode& node, std::uint32_t mask, st
 #endif
 }
 
-// Puts the lanes of `mask` at `to`, which has room for eight.
+// Writes the lanes of `mask` to `to`, which has room for eight.
 inline void append(Lanes lanes, std::uint32_t mask, float* to) {
 #if defined(__AVX512VL__)
     _mm256_storeu_ps(to, _mm256_maskz_compress_ps(static_cast<__mmask8>(mask), lanes.v));

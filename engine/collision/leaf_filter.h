@@ -1,5 +1,5 @@
-// The triangles of a leaf against a sphere that moves or rests, and which of them it certainly does not
-// touch. Part of the kernels: see lanes.h.
+// Finds which triangles of a leaf a moving or resting sphere certainly does not touch. Part of the kernels:
+// see lanes.h.
 #pragma once
 
 #include "lane_paths.h"
@@ -7,14 +7,14 @@
 namespace slipface::detail {
 namespace {
 
-// The planes of eight triangles, kept for many paths of one sphere that start near each other.
+// The planes of eight triangles, stored for many paths of one sphere that start near each other.
 struct LanePlane {
     LaneVec normal;  // unit, or shorter
     Lanes offset;
     Lanes slack;
     Lanes slack_per_length;
 
-    // As LeafFilter::apart_by_plane for the path from `at` by `along`; `ways`: their sizes.
+    // As LeafFilter::apart_by_plane for the path from `at` by `along`; `motions`: the sum of their sizes.
     Lanes apart_until(const LaneVec& at, const LaneVec& along, Lanes motions) const {
         const Lanes zero = Lanes::all(0.0F);
         const Lanes h = offset - dot(normal, at);
@@ -27,9 +27,9 @@ struct LanePlane {
     }
 };
 
-// Eight triangles against a moving sphere. Every test keeps a triangle away for one reason only: a plane has
-// all of it on one side and the sphere on the other. The plane's direction u may come from anywhere; what is
-// rounded is the distances along it.
+// Eight triangles against a moving sphere. Each test rejects a triangle by a separating plane: all of the
+// triangle is on one side and the sphere on the other. The direction u of the plane may be any; only the
+// distances along it are rounded.
 class LeafFilter {
   public:
     LeafFilter(const LaneSpherePath& path, const Lanes (&v)[9])
@@ -40,7 +40,7 @@ class LeafFilter {
              edge_between({v[6], v[7], v[8]}, {v[0], v[1], v[2]})},
           n_(cross(e_[0], e_[1])),
           edges_(size_of(e_[0]) + size_of(e_[1])) {}
-    // Of corners and edges that were seen from elsewhere: from where the path starts at `at`.
+    // From corners that are relative to another point; the path starts at `at`, seen from there.
     LeafFilter(const LaneSpherePath& path, const LaneVec& at, const LaneVec (&seen)[3],
                const LaneVec (&edges)[3])
         : path_(path),
@@ -52,7 +52,8 @@ class LeafFilter {
     const LaneVec& corner(int k) const { return a_[k]; }
     const LaneVec& edge(int k) const { return e_[k]; }
 
-    // The planes that contain an edge's direction and the move's: the sphere's whole way stays beside them.
+    // Planes that contain the direction of an edge and of the move: the sphere's distance from them is
+    // constant.
     std::uint32_t apart_beside(Lanes limit) const {
         const Lanes zero = Lanes::all(0.0F);
         const Lanes slack = rounding(limit) * path_.d_size;
@@ -68,8 +69,8 @@ class LeafFilter {
         return mask;
     }
 
-    // A time before which each triangle is not touched, by its own plane: more than `limit` where nothing is
-    // touched up to it.
+    // By the triangle's own plane: a time before which each triangle is not touched. It is above `limit` if
+    // the triangle is not touched up to `limit`.
     Lanes apart_by_plane(Lanes limit) const {
         const Lanes zero = Lanes::all(0.0F);
         const Lanes h = dot(n_, a_[0]);
@@ -77,17 +78,17 @@ class LeafFilter {
         return apart_until(lanes_abs(h), lanes_pick(lanes_less(h, zero), zero - speed, speed), dot(n_, n_),
                            rounding(limit) * size_of(e_[0]) * size_of(e_[1]));
     }
-    // By the plane across the way from where the sphere is at `t`, when it touches nothing yet, to the
-    // nearest point of the border, a step of Newton's method for the touch; at least `t`. A second step would
-    // spare few a look in double.
+    // By the plane at right angles to the line from the sphere's centre at `t`, before it touches anything,
+    // to the nearest point of the border: one step of Newton's method towards the touch. The result is at
+    // least `t`. A second step would reject few more triangles.
     Lanes apart_by_border(Lanes t, Lanes limit) const {
         const LaneVec u = border_distance(lanes_min(t, limit) * path_.d);
         return lanes_max(
             apart_until(least_along(u), dot(u, path_.d), dot(u, u), rounding(limit) * size_of(u)), t);
     }
 
-    // Its roundings are fewer than those of a determinant, and so are those of the normal's length, which is
-    // at most 1 but for them.
+    // The plane has fewer roundings than a determinant. So has the length of its normal, which is at most 1
+    // apart from them.
     LanePlane plane() const {
         const Lanes inverse = Lanes::all(1.0F) / lanes_sqrt(dot(n_, n_) + Lanes::all(least_square));
         const LaneVec normal = inverse * n_;
@@ -97,7 +98,7 @@ class LeafFilter {
                 slack_per_length};
     }
 
-    // Those that a sphere of that radius does not touch at rest.
+    // Bit k is set where a sphere of this radius at rest does not touch triangle k.
     std::uint32_t apart_at_rest(std::uint32_t mask, float radius) const {
         const Lanes reach = Lanes::all(radius);
         const Lanes slack = Lanes::all(determinant_rounding) * (size_of(a_[0]) + edges_ + reach);
@@ -110,7 +111,7 @@ class LeafFilter {
         return apart | beyond(least_along(u), square * dot(u, u), slack * size_of(u));
     }
 
-    // Squared distance of the border from the path's start; only an order.
+    // Squared distance of the border from the start of the path; accurate enough only for an order.
     Lanes border_distance() const {
         const LaneVec motion = border_distance({Lanes::all(0.0F), Lanes::all(0.0F), Lanes::all(0.0F)});
         return dot(motion, motion);
@@ -121,14 +122,15 @@ class LeafFilter {
         return (world - path_.centre) * path_.inverse - path_.rest;
     }
 
-    // Of the corners.
+    // The least of the three corners along u.
     Lanes least_along(const LaneVec& u) const {
         return lanes_min(lanes_min(dot(u, a_[0]), dot(u, a_[1])), dot(u, a_[2]));
     }
 
     LaneVec edge_between(const LaneVec& from, const LaneVec& to) const { return (to - from) * path_.inverse; }
 
-    // Times |u|: how much the distances along u between the triangle and the path's ends may be off.
+    // An error bound, relative to |u|, of the distances along u between the triangle and the ends of the
+    // path.
     Lanes rounding(Lanes limit) const {
         const Lanes reach = size_of(a_[0]) + edges_ + limit * path_.d_size + Lanes::all(1.0F);
         return Lanes::all(determinant_rounding) * reach;
@@ -141,8 +143,8 @@ class LeafFilter {
                            square * Lanes::all(1.0F + determinant_rounding) + Lanes::all(least_square));
     }
 
-    // When a sphere that comes nearer by `speed` has covered `distance` - sqrt(square), at least 0; very late
-    // if it does not come nearer. What is no number becomes 0.
+    // The time at which a sphere that approaches by `speed` has covered `distance` - sqrt(square), at least
+    // 0; very late if it does not approach. NaN becomes 0.
     static Lanes apart_until(Lanes distance, Lanes speed, Lanes square, Lanes slack) {
         const Lanes radius =
             lanes_sqrt(square * Lanes::all(1.0F + determinant_rounding) + Lanes::all(least_square));
@@ -151,7 +153,7 @@ class LeafFilter {
         return lanes_max(t * Lanes::all(1.0F - time_slack), Lanes::all(0.0F));
     }
 
-    // From `at` to about the nearest point of the triangle's border.
+    // From `at` to approximately the nearest point of the triangle's border.
     LaneVec border_distance(const LaneVec& at) const {
         const Lanes zero = Lanes::all(0.0F);
         const Lanes one = Lanes::all(1.0F);
@@ -160,7 +162,7 @@ class LeafFilter {
         for (int k = 0; k < 3; ++k) {
             const LaneVec p = a_[k] - at;
             const Lanes ee = lanes_max(dot(e_[k], e_[k]), Lanes::all(least_square));
-            // A quotient that is no number becomes 0.
+            // A quotient that is NaN becomes 0.
             const Lanes s = lanes_min(lanes_max((zero - dot(p, e_[k])) / ee, zero), one);
             const LaneVec motion = p + s * e_[k];
             const Lanes square = dot(motion, motion);
@@ -180,7 +182,7 @@ class LeafFilter {
     LaneVec a_[3];
     LaneVec e_[3];
     LaneVec n_;
-    Lanes edges_;  // their sizes, and that of the way from where the corners were seen from
+    Lanes edges_;  // sum of their sizes, and that of the start relative to the origin of the corners
 };
 
 inline std::uint32_t present(const Leaf& leaf) {

@@ -1,4 +1,4 @@
-// One triangle taken out of a leaf, in world space.
+// One triangle copied from a leaf, in world space.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 namespace slipface::detail {
 
 struct LeafTriangle {
-    float at[3][4];    // [axis][corner]; the fourth means nothing
+    float at[3][4];    // [axis][corner]; the fourth is unused
     std::uint32_t id;  // TriangleId
 };
 
@@ -18,7 +18,7 @@ inline V3 corner(const LeafTriangle& triangle, int k) {
     return {double{triangle.at[0][k]}, double{triangle.at[1][k]}, double{triangle.at[2][k]}};
 }
 
-// a b - c d with one rounding in effect (W. Kahan): the products' own rounding errors are put back.
+// a b - c d with in effect one rounding (W. Kahan): the rounding errors of the products are added back.
 inline double difference_of_products(double a, double b, double c, double d) {
     const double cd = c * d;
     return std::fma(a, b, -cd) + std::fma(-c, d, cd);
@@ -28,13 +28,12 @@ inline V3 exact_cross(const V3& a, const V3& b) {
             difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
-// Squared sines between two edges, free of scale: below the first the plain cross product loses too much,
-// below the second the corners' own precision does not say where the plane is.
+// Squared sines between two edges, independent of scale. Below the first the plain cross product loses too
+// much precision; below the second the precision of the corners does not determine the plane.
 inline constexpr double plane_sine2 = 1e-8;
 inline constexpr double flat_sine2 = 1e-18;
 
-// e1 x e2 of a triangle's edges, zero if they are parallel to within what the corners' own precision
-// resolves.
+// e1 x e2 of a triangle's edges; zero if they are parallel to within the precision of the corners.
 inline V3 face_vector(const V3& e1, const V3& e2) {
     const V3 plain = cross(e1, e2);
     const double product = dot(e1, e1) * dot(e2, e2);

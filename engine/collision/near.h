@@ -19,18 +19,18 @@ inline LeafTriangle near_triangle(const NearTriangles& near, std::uint32_t index
     return triangle;
 }
 
-// The triangles that a query may touch, the most promising one first.
+// The triangles that a query may touch, earliest possible touch first.
 class NearCandidates {
   public:
     NearCandidates(const Neighbourhood& near, const Vec3& radii, const Vec3& from, const Vec3& move)
         : count_(
               kernels().near_sweep(near.triangles(), v3(radii), v3(from), v3(move), query_, list_.data())) {}
 
-    // Whether the query is none for the neighbourhood; then there is nothing else here.
+    // True if the query does not fit the neighbourhood; then the other members are not valid.
     bool lead_out() const { return count_ == leads_out; }
     const EllipsoidQuery& query() const { return query_; }
 
-    // The next one that may be touched no later than `limit`, or null.
+    // The next triangle that may be touched no later than `limit`, or null.
     const NearCandidate* take(float limit = std::numeric_limits<float>::infinity()) {
         if (count_ == 0) return nullptr;
         NearCandidate* best = list_.data();

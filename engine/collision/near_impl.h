@@ -1,4 +1,4 @@
-// The triangles around a body, and sweeps that stay among them. Part of the kernels: see lanes.h.
+// Collecting the triangles around a body, and sweeps that stay among them. Part of the kernels: see lanes.h.
 #pragma once
 
 #include "leaf_filter.h"
@@ -7,12 +7,12 @@
 namespace slipface::detail {
 namespace {
 
-// In radii. Further away floats say too little.
+// In radii. At larger distances floats are too coarse.
 inline constexpr double max_reach = 1e3;
-// Boxes of the tree that are looked at for one neighbourhood.
+// How many nodes of the tree one neighbourhood may visit.
 inline constexpr std::uint32_t near_nodes = 256;
 
-// Boxes against a box.
+// A box against eight boxes.
 struct LaneBox {
     Lanes low[3];
     Lanes high[3];
@@ -52,7 +52,7 @@ inline LanePlane load_plane(const NearTriangles& near, std::uint32_t first) {
             Lanes::load(near.slack_per_length + first)};
 }
 
-// What sphere space has to know of eight of them.
+// Computes the sphere-space data of eight triangles.
 inline void look_at(NearTriangles& near, std::uint32_t first, const LaneSpherePath& body) {
     Lanes v[9];
     for (int row = 0; row < 9; ++row)
@@ -73,7 +73,7 @@ inline Three three_at(const double (&v)[4]) {
     return Three(V3{v[0], v[1], v[2]});
 }
 
-// Takes the triangles that meet the box out of the tree; false if they are too many.
+// Copies the triangles whose boxes touch `box` from the tree; false if they are too many.
 bool gather(const TreeView& tree, const LaneBox& box, NearTriangles& out) {
     std::uint32_t nodes[near_nodes + 8];
     std::uint32_t leaves[near_capacity + 8];
@@ -81,7 +81,7 @@ bool gather(const TreeView& tree, const LaneBox& box, NearTriangles& out) {
     std::uint32_t leaf_count = 0;
     nodes[0] = 0;
     out.count = 0;
-    // First come, first served: the next box does not wait for this one's children.
+    // Breadth first: the test of the next box does not wait for the children of this one.
     for (std::uint32_t i = 0; i < node_count; ++i) {
         const BvhNode& node = tree.nodes[nodes[i]];
         const std::uint32_t hit = box.intersect(NodeRows{node});
@@ -118,7 +118,7 @@ void near_kernel(const TreeView& tree, const WorldExtent& world, const V3& radii
     const EllipsoidQuery body = ellipsoid_query(centre, radii, V3{0.0, 0.0, 0.0});
     const SpherePath sphere = sphere_path(body, coordinate);
     if (!sphere.usable) return;
-    // No move within the neighbourhood is longer than two reaches.
+    // No move within the neighbourhood is longer than twice the reach.
     const Three half = box_half_extents(axes, around + around, coordinate) + around;
     if (!gather(tree, LaneBox(at, half), out)) {
         out.count = 0;
@@ -157,7 +157,7 @@ std::uint32_t near_sweep_kernel(const NearTriangles& near, const V3& radii, cons
     const Lanes motions = size_of(at) + until * path.d_size;
     std::uint32_t found = 0;
     for (std::uint32_t first = 0; first < near.count; first += 8) {
-        // Along the ground nothing gets past the planes.
+        // For a move along the ground the planes alone reject nearly all.
         const Lanes plane = load_plane(near, first).apart_until(at, path.d, motions);
         const std::uint32_t left = near.count - first;
         std::uint32_t mask = (left < 8 ? (1U << left) - 1 : 0xFFU) & ~lanes_above(plane, until);

@@ -6,7 +6,7 @@ namespace {
 
 using namespace detail;
 
-// Calls visit(query, triangle) for the triangles that the ellipsoid at rest may overlap, until it returns
+// Calls decide(query, triangle) for the triangles that the ellipsoid at rest may overlap, until it returns
 // false.
 template <class Visit>
 void visit_near(const CollisionWorld::Impl& world, const Vec3& radii, const Vec3& centre, Visit decide) {
@@ -31,13 +31,13 @@ void visit_near(const CollisionWorld::Impl& world, const Vec3& radii, const Vec3
     }
 }
 
-// The rule that sweeps follow: what is not solid, or one-sided and seen from behind, is not there.
+// The rule of sweeps: a triangle that is not solid, or one-sided and seen from behind, is ignored.
 bool stands(const CollisionWorld::Impl& world, const EllipsoidQuery& query, const LeafTriangle& leaf) {
     const SurfaceRule& rule = world.rule_of(leaf.id);
     return rule.solid && !(rule.one_sided && kernels().is_behind(leaf, query));
 }
 
-// Takes every triangle that the ellipsoid overlaps, in any order.
+// Collects the triangles that the ellipsoid overlaps, offered in any order.
 class Overlaps {
   public:
     Overlaps(const CollisionWorld::Impl& world, std::span<Overlap> out) : world_(world), out_(out) {}
@@ -46,7 +46,7 @@ class Overlaps {
         const Nearest nearest = kernels().nearest_part(leaf, query);
         if (!(nearest.distance2 < 1.0) || !stands(world_, query, leaf)) return;
         ++found_;
-        // `out` is a heap with the highest triangle on top, so that the lowest ones stay whatever the
+        // `out` is a heap with the highest triangle on top, so that the lowest ones stay, whatever the
         // visiting order.
         if (kept_ == out_.size()) {
             if (kept_ == 0 || leaf.id > out_[0].triangle) return;

@@ -1,4 +1,4 @@
-// The float paths that the kernels walk with, made from a query in double.
+// The float paths for the kernels, made from a query in double.
 #pragma once
 
 #include <cfloat>
@@ -9,14 +9,14 @@
 namespace slipface::detail {
 inline namespace SLIPFACE_ISA {
 
-// Coordinates, radii and moves within this range leave the float box tests free of overflow and underflow.
-// Queries outside it look at every triangle instead.
+// Within this range of coordinates, radii and moves the float box tests neither overflow nor underflow.
+// Queries outside it examine every triangle instead.
 inline constexpr double float_range = 1e15;
-// Products of three factors up to this, and of a rounding each, stay far from float's ends.
+// Products of three factors up to this, with a rounding each, stay far from the ends of float.
 inline constexpr double filter_range = 1e9;
 
-// A float above (below) any that rounds to `value`, which is within float_range: a step of one unit in the
-// last place or two, without asking which way the conversion went.
+// A float above (below) any that `value` may round to, for values within float_range: a step of one or two
+// units in the last place, whichever way the conversion rounded.
 inline float round_up(double value) {
     const auto nearest = static_cast<float>(value);
     return nearest + __builtin_fabsf(nearest) * 0x1.8p-23F + FLT_MIN;
@@ -25,7 +25,7 @@ inline float round_down(double value) {
     const auto nearest = static_cast<float>(value);
     return nearest - __builtin_fabsf(nearest) * 0x1.8p-23F - FLT_MIN;
 }
-// The same for values that were made floats already.
+// The same for values that are already floats.
 inline Four round_up(Four nearest) {
     return nearest + four_abs(nearest) * Four::all(0x1.8p-23F) + Four::all(FLT_MIN);
 }
@@ -33,16 +33,16 @@ inline Four round_down(Four nearest) {
     return nearest - four_abs(nearest) * Four::all(0x1.8p-23F) - Four::all(FLT_MIN);
 }
 
-// The latest float time at which something may still improve on `best`.
+// The latest float time at which a touch may still be better than `best`.
 inline float time_limit(double best) {
     constexpr double most = 1e38;
     if (!(best < most)) return HUGE_VALF;
     return round_up(best) * (1.0F + 2.0F * time_slack) + least_time;
 }
 
-// How much wider than the ellipsoid its box is, to cover what the float tests and the narrow phase round off:
-// fractions of the radius, of the move along the axis (five roundings of 2^-24 of a float difference), and of
-// the largest coordinate (ninety of 2^-53).
+// How much wider than the ellipsoid its box is, to cover the rounding of the float tests and the narrow
+// phase: fractions of the radius, of the move along the axis (five roundings of 2^-24 of a float difference),
+// and of the largest coordinate (ninety of 2^-53).
 inline constexpr double radius_margin = 1e-6;
 inline constexpr double move_margin = 3e-7;
 inline constexpr double coordinate_margin = 1e-14;
@@ -53,8 +53,9 @@ inline Three box_half_extents(const Three& radii, const Three& move, double reac
            Three::all(coordinate_margin * reach);
 }
 
-// Whether an ellipsoid's whole way lies beside the box of all triangles: small worlds, like moving platforms,
-// are asked by everybody and met by few. `reach`: the largest coordinate of the query and the world.
+// True if the whole path of an ellipsoid lies outside the box of all triangles. This matters for small worlds
+// such as moving platforms: every body queries them and few touch them. `reach`: the largest coordinate of
+// the query and the world.
 inline bool passes_beside(const WorldExtent& world, const V3& centre, const V3& path, const V3& radii,
                           double reach) {
     const Three from(centre), move(path), to = from + move;
@@ -83,7 +84,7 @@ inline BoxPath box_path(const Three& from, const Three& move, const Three& half)
     return path;
 }
 
-// The nearest floats, and what they leave.
+// The nearest floats, and the remainder.
 inline void split(const Three& point, const Three& scale, float (&centre)[4], float (&rest)[4]) {
     const Four nearest = point.rounded();
     nearest.store(centre);
@@ -111,7 +112,7 @@ inline PointBoxes point_boxes(const EllipsoidQuery& query, double reach) {
     return boxes;
 }
 
-// Whether floats can hold a query: so it is finite, and its radii are above 0.
+// True if floats can hold the query; it is then finite and its radii are above 0.
 inline bool in_float_range(const V3& radii, const V3& from, const V3& move, const WorldExtent& world) {
     const Three most = Three::all(float_range), axes(radii);
     const ThreeMask held = three_not_above(Three(from).abs(), most) &
@@ -123,7 +124,7 @@ inline bool is_zero(const V3& v) {
     return v.x == 0.0 && v.y == 0.0 && v.z == 0.0;
 }
 
-// For a query in float range.
+// The query must be in float range.
 inline SweepPath sweep_path(const EllipsoidQuery& query, double reach) {
     const Three move(query.move);
     return {box_path(Three(query.centre), move, box_half_extents(Three(query.radii), move, reach)),

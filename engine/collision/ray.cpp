@@ -8,9 +8,9 @@ namespace {
 using namespace detail;
 
 // A ray whose direction is sheared onto one axis (S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle
-// Intersection", 2013). A corner's sheared coordinates depend on the corner alone and an edge function
-// changes exactly its sign with the edge's direction, so neighbours agree about a ray through their border;
-// zero counts as inside for both.
+// Intersection", 2013). The sheared coordinates of a corner depend on the corner alone, and an edge function
+// changes exactly its sign with the direction of the edge. So neighbours agree about a ray through their
+// border; zero counts as inside for both.
 struct ShearedRay {
     int kx, ky, kz;
     double sx, sy, sz;
@@ -29,7 +29,7 @@ struct ShearedRay {
         sz = 1.0 / d[kz];
     }
 
-    // The corners from the origin, along an axis of the world.
+    // The corners relative to the origin, along an axis of the world.
     Three along(int axis, const LeafTriangle& triangle) const {
         return Three(Four::load(triangle.at[axis])) - Three::all(origin[axis]);
     }
@@ -45,15 +45,16 @@ struct RayTouch {
     V3 weights;  // barycentric
 };
 
-// Seen along the ray, a triangle whose sides are less than this fraction of its size apart is as good as in
-// line with it: rounding decides on which side of them the ray passes.
+// A triangle whose sides, seen along the ray, are less than this fraction of its size apart counts as in line
+// with the ray: rounding would decide on which side the ray passes.
 constexpr double in_line = 0x1p-40;
 
-// Whether the ray passes between the ends of the longest edge. A needle's two long sides part too little to
-// say where it ends. The slack is for rays through a corner, which all triangles around it must see alike.
+// True if the ray passes between the ends of the longest edge. The two long sides of a needle are too close
+// to parallel to show where it ends. The slack is for rays through a corner, on which all triangles around it
+// must agree.
 bool between_ends(const ShearedRay& ray, const LeafTriangle& triangle, const Threes& sheared) {
     const Threes edge = sheared.next() - sheared;
-    double square[4], index[4];  // of each edge: the length's square; how far along it the ray is, times that
+    double square[4], index[4];  // per edge: squared length; position along it, times the squared length
     (edge.x * edge.x + edge.y * edge.y).store(square);
     (-(sheared.x * edge.x + sheared.y * edge.y)).store(index);
     int longest = square[1] > square[0] ? 1 : 0;
@@ -75,7 +76,7 @@ bool intersect(const ShearedRay& ray, const LeafTriangle& triangle, RayTouch& to
     const Three zero = Three::all(0.0);
     if (any_less(side, zero) && any_less(zero, side)) return false;
     const double determinant = side.sum();
-    // The ray lies in the triangle's plane: its neighbours or nothing stop it.
+    // The ray lies in the triangle's plane: only the triangle's neighbours can stop it.
     const double size = (left.abs() + right.abs()).sum();
     if (!(std::fabs(determinant) > in_line * size) || !between_ends(ray, triangle, corners)) return false;
     const Three weights = side / Three::all(determinant);
@@ -134,8 +135,8 @@ std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, 
         !(max_t >= 0.0)) {
         return std::nullopt;
     }
-    // A power of two brings the direction near unit size without a rounding, whatever its length; where that
-    // is far from float's ends it changes no bit and is left out.
+    // Scaling by a power of two brings the direction near unit size without rounding. For usual lengths it
+    // would change no bit and is skipped.
     V3 d = v3(direction);
     int exponent = 0;
     if (const double size = largest(d); !(size > 1e-6 && size < 1e6)) {

@@ -1,4 +1,4 @@
-// What a sweep has found so far.
+// The state of a sweep.
 #pragma once
 
 #include "impl.h"
@@ -6,17 +6,17 @@
 
 namespace slipface::detail {
 
-// Sphere space can overflow for radii and coordinates at the ends of double's range. A triangle without an
-// answer there must not hide one that has.
+// At the ends of double's range, sphere space can overflow. A triangle without a valid touch must not hide
+// one that has.
 inline bool well_formed(const Touch& touch) {
     return finite(touch.point) && dot(touch.normal, touch.normal) > 0.0;
 }
 
-// A sweep under way: the first touch so far.
+// A sweep in progress: the first touch so far.
 struct Search {
     const CollisionWorld::Impl& world;
     const EllipsoidQuery& query;
-    bool in_floats;  // where every answer is finite
+    bool in_floats;  // the query is in float range, where every touch is finite
     TriangleHit hit{1.0, Feature::vertex, 0, false};
     LeafTriangle triangle{{}, no_id};
     const Kernels& kernels = detail::kernels();
@@ -47,7 +47,7 @@ struct Search {
     }
 };
 
-// A query beyond the floats that has no answer, or is none.
+// True if a query out of float range is invalid and has no result.
 inline bool refused(const V3& radii, const V3& from, const V3& move) {
     return !(radii.x > 0.0 && radii.y > 0.0 && radii.z > 0.0) || !finite(radii) || !finite(from) ||
            !finite(move);

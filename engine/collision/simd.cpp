@@ -12,7 +12,7 @@ namespace {
 
 using detail::Kernels;
 
-// Fixed in size, because the first query of a program asks for it, and queries allocate nothing.
+// Of fixed size, because the first query of a program uses it, and queries allocate nothing.
 struct Supported {
     std::array<const Kernels*, 3> kernels{&detail::baseline_kernels};
     std::size_t count = 1;

@@ -1,9 +1,9 @@
 // The narrow phase: one triangle against a point, a resting and a moving ellipsoid, in double. docs/sweep.md
-// derives every formula, sphere_triangle_impl.h computes them, and kernels.h has them for each instruction
-// set.
+// derives every formula, sphere_triangle_impl.h computes them, and kernels.h provides them for each
+// instruction set.
 //
-// Each function is pure: its answer depends on the triangle and the query and never on what was found before,
-// which is what makes the answer of a world independent of the order in which its tree is walked.
+// Each function is pure: its result depends on the triangle and the query only, never on earlier results. So
+// the result of a world does not depend on the order in which its tree is walked.
 #pragma once
 
 #include "leaf_triangle.h"
@@ -12,7 +12,7 @@
 
 namespace slipface::detail {
 
-// An ellipsoid at `centre` that moves by `move`, with what every triangle needs of it.
+// An ellipsoid at `centre` that moves by `move`, with the values that every triangle needs.
 struct EllipsoidQuery {
     V3 centre;   // world
     V3 radii;    // world
@@ -28,23 +28,23 @@ inline EllipsoidQuery ellipsoid_query(const V3& centre, const V3& radii, const V
 }
 }  // namespace SLIPFACE_ISA
 
-// The point of a triangle nearest to the centre.
+// The point of a triangle nearest to the query's centre.
 struct Nearest {
     double distance2;  // sphere space
     Feature feature;
     int part;  // number of the edge or corner
-    double s;  // place on the edge, [0, 1]
+    double s;  // position on the edge, [0, 1]
 };
 
-// First touch of a moving ellipsoid and a triangle.
+// The first touch of a moving ellipsoid and a triangle.
 struct TriangleHit {
     double t;  // [0, 1]
     Feature feature;
     int part;      // number of the edge or corner
-    bool started;  // in touch from the start, and moving further in
+    bool started;  // in contact at the start, and moving further in
 };
 
-// Where and how a hit or a nearest part touches, in world space.
+// The point and normal of a hit or a nearest part, in world space.
 struct Touch {
     V3 point;
     V3 normal;  // unit, towards the centre

@@ -1,5 +1,5 @@
-// The narrow phase's code (sphere_triangle.h), included by one file for each instruction set. It calls no
-// function that another file could share: see isa.h and lanes.h.
+// The code of the narrow phase (sphere_triangle.h); included by one file for each instruction set. It calls
+// no function that another file could share: see isa.h and lanes.h.
 #pragma once
 
 #include <climits>
@@ -11,11 +11,11 @@ namespace {
 
 // A triangle relative to a query's centre, in sphere space.
 struct SphereTriangle {
-    Threes a;  // corners
-    Threes e;  // edge k runs from corner k to corner (k + 1) % 3; taken from the world's corners, so exact up
-               // to one rounding
-    V3 n;      // winding normal, any length
-    double nn;  // n . n; 0 exactly if the triangle counts as its edges only
+    Threes a;   // corners
+    Threes e;   // edge k runs from corner k to corner (k + 1) % 3; from the world's corners, so exact up to
+                // one rounding to one rounding
+    V3 n;       // winding normal, any length
+    double nn;  // n . n; exactly 0 if the triangle counts as its edges only
     double h;   // n . a for corner 0: the plane is n . x = h
 
     SphereTriangle(const LeafTriangle& triangle, const EllipsoidQuery& query)
@@ -26,8 +26,8 @@ struct SphereTriangle {
   private:
     SphereTriangle(const Threes& world, const EllipsoidQuery& query)
         : a(mul(world - Threes::all(query.centre), Threes::all(query.inverse))), e(world.next() - world) {
-        // (S e1) x (S e2) is proportional to S^-1 (e1 x e2) for the scaling S: the cross product is taken
-        // before the radii blur the edges, so a triangle without area has exactly none in every sphere space.
+        // (S e1) x (S e2) is proportional to S^-1 (e1 x e2) for the scaling S. The cross product is taken
+        // before scaling rounds the edges, so a triangle without area has exactly none in every sphere space.
         n = mul(face_vector(e.vec(0), -e.vec(2)), query.radii);
         nn = dot(n, n);
         h = dot(n, a.vec(0));
@@ -35,12 +35,13 @@ struct SphereTriangle {
     }
 };
 
-// Whether x, a point of the plane, lies in the triangle. `corner_from_x` are the corners relative to x.
+// True if x, a point of the plane, lies in the triangle. `corner_from_x`: the corners relative to x.
 bool inside(const SphereTriangle& triangle, const Threes& corner_from_x) {
     const Three zero = Three::all(0.0);
     const Three side = dot(Threes::all(triangle.n), cross(corner_from_x, triangle.e));
     if (three_not_above(zero, side).bits() != 7) return false;
-    // The two long sides of a needle part too little to say where it ends; its longest edge does.
+    // The two long sides of a needle are too close to parallel to show where it ends; its longest edge shows
+    // it.
     const Three square = dot(triangle.e, triangle.e);
     const Three index = -dot(corner_from_x, triangle.e);  // along each edge, times its length
     const Three longest = three_max(three_max(square, square.next()), square.next().next());
@@ -52,8 +53,8 @@ bool lexicographic(const V3& l, const V3& r) {
     return l.x != r.x ? l.x < r.x : l.y != r.y ? l.y < r.y : l.z <= r.z;
 }
 
-// The edges seen from the centre: from their nearer ends p along e. Neighbours name a shared edge in either
-// direction; the choice of the end makes their arithmetic, and so their bits, the same.
+// The edges relative to the centre, from their nearer ends p along e. Two neighbours may store a shared edge
+// in opposite directions; starting at the nearer end makes their arithmetic, and so their bits, the same.
 struct Edges {
     Threes p;
     Threes e;
@@ -83,11 +84,11 @@ struct Edges {
     }
 };
 
-// The move against the lines of the edges.
+// The move relative to the lines of the edges.
 struct EdgePaths {
-    Threes w;   // the centre as seen from the line's foot at t = 0
-    Threes dw;  // its change with t; both perpendicular to the edge
-    Three s;    // the foot's place on the edge at t = 0
+    Threes w;   // the centre relative to its foot on the line at t = 0
+    Threes dw;  // change of w with t; both are perpendicular to the edge
+    Three s;    // position of the foot on the edge at t = 0
     Three ds;
 
     EdgePaths(const Edges& edges, const V3& move) : EdgePaths(edges, Threes::all(move)) {}
@@ -100,8 +101,9 @@ struct EdgePaths {
     }
 };
 
-// Smallest t >= lower at which |w + t dw| falls to 1, in the form that starts from the foot point of the
-// perpendicular: nothing large is subtracted. Not where it never does, or is not approaching at t = 0.
+// Smallest t >= lower at which |w + t dw| falls to 1, computed from the foot of the perpendicular, so that no
+// large numbers are subtracted. The mask is false where this never happens, or where w does not approach at t
+// = 0.
 ThreeMask first_root(const Threes& w, const Threes& dw, double lower, Three& t) {
     const Three zero = Three::all(0.0);
     const Three aa = dot(dw, dw);
@@ -109,12 +111,12 @@ ThreeMask first_root(const Threes& w, const Threes& dw, double lower, Three& t) 
     const Threes closest = w + foot * dw;
     const Three disc = Three::all(1.0) - dot(closest, closest);
     t = foot - (disc / aa).sqrt();
-    // Below `lower` only by rounding: the caller knows that nothing is touched before it.
+    // It is below `lower` only by rounding: the caller has shown that nothing is touched earlier.
     t = three_max(t, Three::all(lower));
     return three_less(zero, aa) & three_less(zero, foot) & three_less(zero, disc);
 }
 
-// The first touch of an edge or a corner at or after `lower`; t = 2 if there is none.
+// The first touch of an edge or corner at or after `lower`; t = 2 if there is none.
 TriangleHit first_border_touch(const SphereTriangle& triangle, const EllipsoidQuery& query, double lower) {
     const Three zero = Three::all(0.0);
     const Edges edges(triangle);
@@ -165,14 +167,14 @@ Nearest nearest_border(const SphereTriangle& triangle) {
     return best;
 }
 
-// The nearest point itself; not for the interior.
+// The nearest point itself; not valid for the interior.
 V3 border_point(const SphereTriangle& triangle, const Nearest& nearest) {
     if (nearest.feature == Feature::vertex) return triangle.a.vec(nearest.part);
     const Edges edges(triangle);
     return edges.p.vec(nearest.part) + nearest.s * edges.e.vec(nearest.part);
 }
 
-// a / b for each component, times the power of two that brings the largest to about 1.
+// a / b for each component, scaled by the power of two that brings the largest to about 1.
 V3 scaled_quotient(const V3& a, const V3& b) {
     const double top[3] = {a.x, a.y, a.z};
     const double bottom[3] = {b.x, b.y, b.z};
@@ -192,7 +194,7 @@ V3 scaled_quotient(const V3& a, const V3& b) {
     return {quotient[0], quotient[1], quotient[2]};
 }
 
-// A normal in sphere space as the unit normal of the ellipsoid in world space (inverse transpose).
+// Converts a normal from sphere space to the unit normal of the ellipsoid in world space (inverse transpose).
 V3 world_normal(const V3& sphere, const EllipsoidQuery& query) {
     const V3 world = mul(sphere, query.inverse);
     const double size = largest(world);
@@ -205,7 +207,7 @@ V3 edge_point_world(const LeafTriangle& leaf, const Edges& edges, int k, double 
     return from + s * (corner(leaf, edges.to(k)) - from);
 }
 
-// Some direction away from a triangle whose border passes exactly through the centre.
+// A direction away from a triangle whose border passes exactly through the centre.
 V3 direction_without_distance(const SphereTriangle& triangle) {
     if (triangle.nn > 0.0) return unit(triangle.n);
     V3 longest = triangle.e.vec(0);
@@ -217,13 +219,13 @@ V3 direction_without_distance(const SphereTriangle& triangle) {
     return dot(across, across) > 0.0 ? across : V3{0.0, 1.0, 0.0};
 }
 
-// Of a radius no larger than the rounding of the way, nothing is left of the distance at the touch.
+// With a radius no larger than the rounding of the path, the computed distance at the touch can be zero.
 V3 direction_or(const V3& away, const V3& otherwise) {
     const V3 direction = unit(away);
     return dot(direction, direction) > 0.0 ? direction : unit(otherwise);
 }
 
-// Sphere-space normal at the nearest part, unit, towards the centre.
+// Sphere-space normal at the nearest part; unit, towards the centre.
 V3 nearest_normal(const SphereTriangle& triangle, const Nearest& nearest) {
     if (nearest.feature == Feature::interior) return unit(triangle.h > 0.0 ? -triangle.n : triangle.n);
     const V3 away = unit(-border_point(triangle, nearest));
@@ -237,15 +239,15 @@ Nearest nearest_part(const SphereTriangle& triangle) {
     return nearest_border(triangle);
 }
 
-// False if there is no touch with t <= t_max.
+// Finds the first touch; false if there is none with t <= t_max.
 bool sweep_triangle(const SphereTriangle& triangle, const EllipsoidQuery& query, double t_max,
                     TriangleHit& hit) {
     double plane_t = 0.0;
-    bool apart = false;  // the plane is not cut at the start, so nothing is touched before plane_t
+    bool apart = false;  // the sphere starts clear of the plane, so nothing is touched before plane_t
     if (triangle.nn > 0.0) {
         // The side of the centre counts as the front.
         const double side = triangle.h > 0.0 ? -1.0 : 1.0;
-        const double speed = side * dot(triangle.n, query.d);  // away from the plane, times |n|
+        const double speed = side * dot(triangle.n, query.d);  // speed away from the plane, times |n|
         const double length = std::sqrt(triangle.nn);
         const double gap = -side * triangle.h - length;  // between sphere and plane, times |n|
         apart = gap >= 0.0;
@@ -272,12 +274,12 @@ bool sweep_triangle(const SphereTriangle& triangle, const EllipsoidQuery& query,
     return hit.t <= t_max;
 }
 
-// The centre is behind the plane of the winding, or there is none.
+// True if the centre is behind the plane of the winding, or there is no plane.
 bool is_behind(const SphereTriangle& triangle) {
     return !(triangle.nn > 0.0) || triangle.h > 0.0;
 }
 
-// Whether a one-sided triangle lets the query pass: its centre is behind the plane, the move does not go
+// True if a one-sided triangle ignores the query: the centre is behind the plane, the move does not go
 // against the winding normal, or there is no winding normal.
 bool passes_one_sided(const SphereTriangle& triangle, const EllipsoidQuery& query) {
     return is_behind(triangle) || !(dot(triangle.n, query.d) < 0.0);

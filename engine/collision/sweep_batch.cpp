@@ -23,14 +23,14 @@ struct Flight {
     Flight& operator=(const Flight&) = delete;
 };
 
-// Up to wave_sweeps sweeps that are under way. Each looks at a part of its way at a time, so that what lies
-// behind the first touch costs little.
+// Up to wave_sweeps sweeps in progress. Each searches one part of its path at a time, so that triangles
+// behind its first touch cost little.
 class Wave {
   public:
     Wave(const CollisionWorld& world, std::span<const Sweep> sweeps, std::span<std::optional<Contact>> out)
         : world_(world), sweeps_(sweeps), out_(out) {}
 
-    // Goes with the others, if that is possible.
+    // Adds a sweep to the wave, or computes it at once if it cannot join.
     void add(std::size_t number) {
         const Sweep& sweep = sweeps_[number];
         const V3 radii = v3(sweep.radii), from = v3(sweep.from), move = v3(sweep.move);
@@ -46,7 +46,7 @@ class Wave {
             return;
         }
         flights_[count_].emplace(world, query, number);
-        // At first what stands around the body, and not so little that many parts follow.
+        // The first part covers the surroundings of the body, but is long enough that few parts follow.
         part.from = 0.0F;
         part.to = std::clamp(static_cast<float>(largest(radii) / largest(move)), 1e-3F, time_limit(1.0));
         of_[count_] = count_;
@@ -90,7 +90,7 @@ class Wave {
         return sweep_ellipsoid(world_, sweeps_[number].radii, sweeps_[number].from, sweeps_[number].move);
     }
 
-    // The most promising triangle of each sweep first: it makes most others too late.
+    // The most promising triangle of each sweep first: its touch makes most others too late.
     void consider(std::span<const Candidate> candidates, std::uint32_t active) {
         std::array<const Candidate*, wave_sweeps> first{};
         for (const Candidate& candidate : candidates) {
@@ -115,7 +115,7 @@ class Wave {
     std::span<std::optional<Contact>> out_;
     std::uint32_t count_ = 0;
     std::array<std::optional<Flight>, wave_sweeps> flights_;
-    std::array<WaveSweep, wave_sweeps> parts_;     // of the sweeps under way
+    std::array<WaveSweep, wave_sweeps> parts_;     // of the sweeps in progress
     std::array<std::uint32_t, wave_sweeps> of_{};  // their flights
     std::array<Candidate, wave_candidates> candidates_;
 };

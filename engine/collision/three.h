@@ -1,5 +1,5 @@
-// What is computed for each axis, each corner or each edge, for all three at once. The fourth number means
-// nothing. Every operation rounds as the scalar one does, so SIMD changes no bit.
+// One operation on the values of all three axes, corners or edges. The fourth component is unused. Every
+// operation rounds as the scalar one does, so SIMD changes no bit.
 #pragma once
 
 #include "four.h"
@@ -123,7 +123,7 @@ inline Three operator*(const Three& a, const Three& b) {
 inline Three operator/(const Three& a, const Three& b) {
     return {_mm_div_pd(a.xy, b.xy), _mm_div_pd(a.zw, b.zw)};
 }
-// Where one of the two is not a number: the second.
+// If one of the two is NaN, the result is the second.
 inline Three three_min(const Three& a, const Three& b) {
     return {_mm_min_pd(a.xy, b.xy), _mm_min_pd(a.zw, b.zw)};
 }
@@ -131,7 +131,7 @@ inline Three three_max(const Three& a, const Three& b) {
     return {_mm_max_pd(a.xy, b.xy), _mm_max_pd(a.zw, b.zw)};
 }
 
-// True or false for each of the three.
+// A truth value for each of the three.
 struct ThreeMask {
     __m128d xy, zw;
 
@@ -231,12 +231,12 @@ inline Three three_pick(const ThreeMask& where, const Three& yes, const Three& n
 
 #endif
 
-// On some axis.
+// True if a < b on at least one axis.
 inline bool any_less(const Three& a, const Three& b) {
     return three_less(a, b).bits() != 0;
 }
 
-// Three vectors side by side. The sums run as V3's do.
+// Three vectors side by side. Sums are evaluated in the order of V3.
 struct Threes {
     Three x, y, z;
 

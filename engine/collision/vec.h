@@ -1,5 +1,5 @@
-// Three doubles with their operations spelled out, so that the order of every rounding is fixed by the source
-// and the same for each compiler.
+// Three doubles with explicit operations, so that the source fixes the order of every rounding for all
+// compilers.
 #pragma once
 
 #include <cmath>
@@ -35,7 +35,7 @@ inline double dot(const V3& a, const V3& b) {
 inline V3 cross(const V3& a, const V3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-// Unlike std::fmax this needs no call. Where one of the two is not a number: the second.
+// Unlike std::fmax this needs no call. If one of the two is NaN, the result is the second.
 inline double larger(double a, double b) {
     return a > b ? a : b;
 }
@@ -47,11 +47,11 @@ inline double largest(const V3& a) {
     return larger(larger(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z));
 }
 inline bool finite(const V3& a) {
-    // inf - inf is no number.
+    // inf - inf is NaN.
     return (a.x - a.x) + (a.y - a.y) + (a.z - a.z) == 0.0;
 }
 
-// Unit length without overflow or underflow on the way; zero for zero and for what is not finite.
+// Unit length, without overflow or underflow on the way; zero for zero and for vectors that are not finite.
 inline V3 unit(const V3& a) {
     const double scale = largest(a);
     if (!(scale > 0.0) || !(scale < HUGE_VAL)) return {0.0, 0.0, 0.0};

@@ -1,6 +1,6 @@
-// Many sweeps through the tree side by side. A single sweep mostly waits: for memory, for the test before,
-// for a branch that nobody could guess. Here each stage runs over all that is there before the next one
-// begins, and no step waits for the one before it. Part of the kernels: see lanes.h.
+// Many sweeps through the tree side by side. A single sweep spends most of its time waiting: for memory, for
+// the previous test, for branches that cannot be predicted. Here each stage processes all sweeps before the
+// next stage begins, and no step waits for the one before it. Part of the kernels: see lanes.h.
 #pragma once
 
 #include "leaf_filter.h"
@@ -8,7 +8,7 @@
 namespace slipface::detail {
 namespace {
 
-// Which sweep meets what.
+// Pairs of a sweep and a child that it touches.
 struct WaveList {
     static constexpr std::uint32_t capacity = 4096;
     std::uint32_t size = 0;
@@ -16,7 +16,7 @@ struct WaveList {
     std::uint32_t child[capacity + 8];
 
     bool full() const { return size > capacity; }
-    // Not when full. Keeps the sweep's number in all eight places that could be its own.
+    // Must not be full. Writes the sweep's number to all eight entries that may be needed.
     void append(const BvhNode& node, std::uint32_t mask, std::uint32_t number) {
         for (std::uint32_t k = 0; k < 8; ++k)
             sweep[size + k] = number;
@@ -24,10 +24,10 @@ struct WaveList {
     }
 };
 
-// So far ahead that memory has answered when a list comes to it.
+// Prefetch distance: far enough that memory has answered when the loop arrives.
 constexpr std::uint32_t wave_look_ahead = 12;
 
-// The leaves that the sweeps meet; false if there are too many.
+// The leaves that the sweeps touch; false if there are too many.
 inline bool wave_leaves(const TreeView& tree, const WaveSweep* sweeps, std::uint32_t count,
                         WaveList& leaves) {
     WaveList nodes;
@@ -51,8 +51,9 @@ inline bool wave_leaves(const TreeView& tree, const WaveSweep* sweeps, std::uint
     return true;
 }
 
-// Triangles whose own boxes are met, and the paths that meet them. Of a leaf's eight it is three or four:
-// side by side with those of other leaves and other sweeps they leave no lane idle in the tests that follow.
+// Triangles whose own boxes are touched, each with the path that touches it. In a leaf of eight there are
+// three or four. Packed together with those of other leaves and sweeps they leave no lane of the next tests
+// idle.
 struct WavePairs {
     static constexpr std::uint32_t capacity = 128;
     std::uint32_t size = 0;
@@ -64,7 +65,7 @@ struct WavePairs {
     std::uint32_t lane[capacity + 8];
 
     bool full() const { return size > capacity - 8; }
-    // Not when full. Keeps what belongs to the sweep in all eight places that could be its own.
+    // Must not be full. Writes the sweep's values to all eight entries that may be needed.
     void append(const Lanes (&v)[9], std::uint32_t mask, const WaveSweep& its, std::uint32_t number,
                 std::uint32_t index) {
         constexpr std::uint32_t lanes[8] = {0, 1, 2, 3, 4, 5, 6, 7};
@@ -90,8 +91,8 @@ struct WavePairs {
     }
 };
 
-// Adds those pairs that may touch to the first `found` of `out`; returns how many there are then, or more
-// than there is room for.
+// Appends the pairs that may touch to the first `found` entries of `out`. Returns the new number, or more
+// than wave_candidates if they do not fit.
 inline std::uint32_t wave_filter(const WavePairs& pairs, Candidate* out, std::uint32_t found) {
     for (std::uint32_t first = 0; first < pairs.size; first += 8) {
         const std::uint32_t left = pairs.size - first;

@@ -1,4 +1,4 @@
-// The checks, one function each. Each appends what it found in ascending order of face.
+// The checks, one function each. Each appends its problems in ascending order of face.
 #pragma once
 
 #include "slipface/collision/collision_world.h"
@@ -22,8 +22,8 @@ using Problems = std::vector<Problem>;
 void find_open_edges(const Patient& patient, Problems& out);     // T-junctions and cracks
 void find_slivers(const Patient& patient, Problems& out);        // faces with triangles too thin
 void find_duplicates(const Patient& patient, Problems& out);     // the same corners twice
-void find_overlaps(const Patient& patient, Problems& out);       // coplanar faces over each other
-void find_flipped(const Patient& patient, Problems& out);        // wound against their neighbours
+void find_overlaps(const Patient& patient, Problems& out);       // coplanar faces that overlap
+void find_flipped(const Patient& patient, Problems& out);        // wound the other way than their neighbours
 void find_acute_corners(const Patient& patient, Problems& out);  // wedges that the player can enter
 void find_limit_slopes(const Patient& patient, Problems& out);
 void find_limit_steps(const Patient& patient, Problems& out);

@@ -1,4 +1,4 @@
-// Whether a player gets past a place: the level's own movement walks there and says so.
+// Whether a player can walk past a position, tested with the level's own movement.
 #pragma once
 
 #include "checks.h"
@@ -6,25 +6,25 @@
 namespace slipface::doctor {
 
 enum class Passage : std::uint8_t {
-    unknown,  // no walker can begin, end or be expected there: nothing to stand on, or something in the way
+    unknown,  // no walker can start, end or be expected there: no floor, or an obstacle
     passes,
-    catches,  // comes to a stop, or loses more time than the way takes twice
+    catches,  // the walker stops, or needs more than about twice the usual time
     falls,    // through the floor
 };
 
-// Walks from `place` - `before` * `heading` to `place` + `after` * `heading` (horizontal, unit; metres), with
-// the level's settings at its walking speed, where the same way a little higher than both ends is free: what
-// stops the walker then is what lies at his feet. Platforms rest and sectors are off.
+// Walks from `position` - `before` * `heading` to `position` + `after` * `heading` (`heading`: x and z, unit;
+// metres) with the level's settings at its walking speed. Unknown unless the same path, a little higher than
+// both ends, is free: then only geometry at the feet can stop the walker. Platforms rest and sectors are off.
 Passage cross(const Patient& patient, const Vec3& position, const Vec2& heading, double before, double after);
 
-// The same between two places on the ground; the way is the straight one, seen from above.
+// The same between two positions on the ground, straight as seen from above.
 Passage cross_between(const Patient& patient, const Vec3& from, const Vec3& to);
 
 // The worst of the passages in 72 headings.
 Passage cross_all_directions(const Patient& patient, const Vec3& position);
 
-// A body at `centre` that is pushed in some heading for a second stays there for the next two, whichever way
-// the stick points, and a jump does not help.
+// True if there is a heading in which a player at `centre`, pushed for a second, gets stuck: in the next two
+// seconds neither the stick in any direction nor a jump frees the player.
 bool wedges(const Patient& patient, const Vec3& centre);
 
 }  // namespace slipface::doctor

@@ -1,4 +1,4 @@
-// Slivers, duplicates, faces over each other, faces wound the wrong way.
+// Slivers, duplicate faces, overlapping faces, faces wound the wrong way.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,4 @@
-// T-junctions and gaps: corners that lie on, or near, an edge that only one face has, and faces on both sides
-// that look like one surface.
+// T-junctions and gaps: corners on or near an edge of only one face, where two faces look like one surface.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What depends on the player: sharp corners, slopes and steps at the limit. And what is missing.
+// Checks that depend on the player: sharp corners, slopes and steps at the limit. Also orphans and textures.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The mesh as movement meets it: vertices at one position are one, and each edge knows its faces.
+// The connections of a mesh: vertices at one position are welded, and each edge has its faces.
 #pragma once
 
 #include <vector>
@@ -36,7 +36,7 @@ struct Topology {
     }
 };
 
-// How far the corners of an edge may lie off where they were meant.
+// The rounding error, in metres, that the corners of an edge may have.
 double rounding_of(const Vec3& a, const Vec3& b);
 
 }  // namespace slipface::doctor

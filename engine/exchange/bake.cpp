@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a face without a material is called once one before it in the file has a name.
+// The name for faces without a material that follow a face with one.
 constexpr const char* unnamed_material = "none";
 
 Level without_paint(const Level& level) {
@@ -25,7 +25,7 @@ Level without_paint(const Level& level) {
     return plain;
 }
 
-// Goes through the statements and keeps what `usemtl` says in step with what each face is to have.
+// Copies the statements and changes or inserts `usemtl` lines, so that each face has its wanted material.
 class Patcher {
   public:
     Patcher(const Level& level, const TypedMaterials& materials, std::string_view text)
@@ -41,7 +41,7 @@ class Patcher {
                     authored_ = text_.substr(statement.name_begin, statement.name_end - statement.name_begin);
                     break;
                 case ObjStatement::Kind::object:
-                    // Blender forgets the material's name at a new object.
+                    // At a new object Blender resets the material.
                     if (!pending_ && written_ != authored_) written_.reset();
                     break;
                 case ObjStatement::Kind::face:
@@ -87,7 +87,7 @@ class Patcher {
         pending_.reset();
     }
 
-    // Its first face wants another name, so the line itself changes.
+    // Changes the file's `usemtl` line itself, because its first face needs another name.
     void replace_pending(std::string_view name) {
         copy_until(pending_->name_begin);
         if (pending_->name_begin == pending_->name_end && !out_.obj.ends_with(' ')) out_.obj += ' ';
@@ -122,7 +122,7 @@ Status write_with_backup(const fs::path& path, std::string_view before, std::str
     return {};
 }
 
-// What the materials say from now on need not be painted any more.
+// Reads the baked geometry and clears the paint of faces whose material now gives their type.
 Result<LoadedLevel> read_baked(const Level& level) {
     Result<LoadedLevel> loaded = reload_mesh(level);
     if (!loaded) return loaded;
@@ -196,7 +196,7 @@ Result<Baked> bake_level(const Level& level) {
     Baked baked;
     baked.faces = text->faces;
     if (text->faces > 0) {
-        // Materials first: one that no face uses yet does no harm.
+        // Materials first: if the OBJ cannot be written, unused materials do no harm.
         for (const MaterialPatch& patch : patch_libraries(level, *bytes, text->materials)) {
             if (Status status = write_with_backup(patch.path, patch.before, patch.after, baked); !status)
                 return status.error();

@@ -18,7 +18,7 @@ void put_f32(std::string& bytes, double value) {
     put_u32(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(value)));
 }
 
-// Cut at a whole character, and always with a zero at its end.
+// Appends the name, cut at a whole UTF-8 character and always zero-terminated.
 void put_name(std::string& bytes, std::string name) {
     std::size_t size = std::min(name.size(), name_size - 1);
     while (size < name.size() && size > 0 && (static_cast<unsigned char>(name[size]) & 0xC0) == 0x80)
@@ -28,7 +28,7 @@ void put_name(std::string& bytes, std::string name) {
     bytes += name;
 }
 
-// Calls number(name, value) for all that a type says: three for a vector.
+// Calls number(name, value) for each number of a type, three times for a vector.
 template <class Number>
 void for_each_number(const SurfaceType& type, const Number& number) {
     for (const SurfaceField& field : surface_fields()) {

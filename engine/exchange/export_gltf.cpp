@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 constexpr int component_float = 5126, component_u32 = 5125;
 constexpr int target_vertices = 34962, target_indices = 34963;
 
-// The scene's JSON and the bytes that it points into.
+// Builds the scene's JSON and its binary buffer.
 class GltfWriter {
   public:
     GltfWriter(const Level& level, const TypedMaterials& materials, fs::path folder)
@@ -70,7 +70,7 @@ class GltfWriter {
         }
     }
 
-    // Textures in the order of first use; each picture once.
+    // The index of a texture, in the order of first use; each image once.
     std::size_t texture(const std::string& uri) {
         const auto known = std::find(uris_.begin(), uris_.end(), uri);
         const auto index = static_cast<std::size_t>(known - uris_.begin());
@@ -89,7 +89,7 @@ class GltfWriter {
         std::vector<std::uint32_t> number(mesh_.corner_vertex.size(), no_id);
         GltfJson primitives = GltfJson::array();
         for (std::size_t i = 0; i < faces.size(); ++i) {
-            // Faces of one material share a type, unless its suffix already said it.
+            // Faces with the same entry of `materials_` have the same type.
             const std::string& type = level_.surfaces[resolved.surface[faces[i].front()]].name;
             GltfJson primitive = primitive_of(faces[i], number);
             primitive["material"] = i;
@@ -139,7 +139,7 @@ class GltfWriter {
         return index;
     }
 
-    // glTF counts V downwards.
+    // In glTF V points downwards.
     std::size_t uvs(const std::vector<std::uint32_t>& corners) {
         const std::size_t begin = bytes_.size();
         for (const std::uint32_t corner : corners) {
@@ -150,7 +150,7 @@ class GltfWriter {
     }
 
     std::size_t accessor(std::size_t begin, int target, int component, const char* type, std::size_t count) {
-        // One array after the other: a new key moves the others.
+        // One array after the other: adding a key invalidates references to others.
         root_["bufferViews"].push_back({{"buffer", 0},
                                         {"byteOffset", begin},
                                         {"byteLength", bytes_.size() - begin},

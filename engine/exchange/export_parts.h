@@ -1,4 +1,4 @@
-// What the exporters share.
+// Functions that all exporters use.
 #pragma once
 
 #include "slipface/exchange/bake.h"
@@ -6,10 +6,10 @@
 
 namespace slipface {
 
-// The material's texture as seen from `folder`; empty where it has none.
+// The path of the material's texture, relative to `folder` if possible; empty without a texture.
 std::string texture_from(const Level& level, const Material& material, const std::filesystem::path& folder);
 
-// Refuses a level without geometry, and to write over the level's own files.
+// Errors: a level without geometry; `path` is one of the level's own files.
 Status check_target(const Level& level, const std::filesystem::path& path);
 
 }  // namespace slipface

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t max_library_bytes = std::uint64_t{64} << 20;
 
-// Lines of an MTL with their ends.
+// The lines of an MTL with their line endings.
 std::vector<std::string_view> lines_of(std::string_view text) {
     std::vector<std::string_view> lines;
     while (!text.empty()) {
@@ -28,7 +28,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
-// What follows `keyword` on the line, or nothing where another word stands there.
+// The text after `keyword` on the line, or nothing if the line starts with another word.
 std::optional<std::string_view> after_keyword(std::string_view line, std::string_view keyword) {
     line = trim(line);
     if (!line.starts_with(keyword)) return std::nullopt;
@@ -41,7 +41,8 @@ std::string color_line(const Vec3f& color, std::string_view ending) {
     return fmt::format("Kd {:.4f} {:.4f} {:.4f}{}", color[0], color[1], color[2], ending);
 }
 
-// The lines of material `base` under another name, its diffuse colour replaced; or just the colour.
+// The lines of material `base` under another name, with another diffuse colour. Without such a material: only
+// the name and the colour.
 std::string block(const std::vector<std::string_view>& lines, std::string_view base, const std::string& name,
                   const Vec3f& color, std::string_view ending) {
     std::string text = "newmtl " + name + std::string(ending);
@@ -63,7 +64,7 @@ std::string block(const std::vector<std::string_view>& lines, std::string_view b
     return text;
 }
 
-// The first of the libraries that the OBJ names, among those that may be written.
+// The libraries that the OBJ names and that may be written.
 std::vector<fs::path> libraries_of(const Level& level, std::string_view obj) {
     const fs::path folder = level.mesh_path.parent_path();
     std::vector<fs::path> paths;

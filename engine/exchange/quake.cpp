@@ -27,7 +27,7 @@ void add_rule(const std::string& pattern, const char* type, ImportedRules& out) 
         out.rules.push_back(std::move(rule));
 }
 
-// Words and braces of a shader text with the line on which they stand; `//` and `/* */` are comments.
+// The words and braces of a shader text with their lines; `//` and `/* */` are comments.
 class ShaderWords {
   public:
     explicit ShaderWords(std::string_view text) : text_(text) {}

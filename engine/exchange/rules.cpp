@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t max_bytes = std::uint64_t{256} << 20;
 constexpr std::size_t max_lines = 100'000;
 
-// A level file is read on a mesh of one triangle: only its rules are wanted.
+// The level file is applied to a mesh of one triangle, because only its rules are needed.
 Result<ImportedRules> read_level_rules(std::string_view json, const std::string& location) {
     PolygonSoup soup;
     soup.corner_position = {Vec3f(0, 0, 0), Vec3f(0, 0, 1), Vec3f(1, 0, 0)};

@@ -15,8 +15,7 @@ namespace {
 
 constexpr std::size_t largest_file = std::size_t{512} << 20;
 
-// stb would also try formats that nobody promised here and that are seldom tested: GIF, PSD, PIC, PNM,
-// Radiance.
+// stb would also try formats that are not supported here and seldom tested: GIF, PSD, PIC, PNM, Radiance.
 bool promised_format(std::string_view bytes) {
     using namespace std::string_view_literals;
     for (const std::string_view other : {"GIF8"sv, "8BPS"sv, "\x53\x80\xF6\x34"sv, "P5"sv, "P6"sv, "#?"sv}) {
@@ -42,7 +41,7 @@ Result<Image> decode(std::string_view bytes, const std::string& location, int ma
                                            max_side, max_side)};
     };
     const auto limit = static_cast<std::uint32_t>(std::max(max_side, 0));
-    // stb refuses the largest headers without saying how large they are.
+    // stb refuses the largest headers without reporting their size.
     if (const auto header = png_size(bytes); header && (header->width > limit || header->height > limit)) {
         return too_large(header->width, header->height);
     }

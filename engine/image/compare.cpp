@@ -19,8 +19,8 @@ int channel_delta(const std::uint8_t* a, const std::uint8_t* b) {
     return delta;
 }
 
-// Counts the marked pixels of every window in one pass: the sums of the `side` newest rows a column, and of
-// the `side` newest columns of those. The window shrinks to pictures smaller than itself.
+// Counts the marked pixels of every window in one pass. columns_ holds the sum of the last `height_` rows for
+// each column. The window shrinks to images smaller than itself.
 class DensestWindow {
   public:
     DensestWindow(int width, int height, int side)
@@ -28,7 +28,7 @@ class DensestWindow {
           height_(std::clamp(side, 1, std::max(height, 1))),
           columns_(static_cast<std::size_t>(width), 0) {}
 
-    // `marked(x, y)` is asked for row `y` and for the row that leaves the window.
+    // `marked(x, y)` is called for row `y` and for the row that leaves the window.
     template <class Marked>
     void add_row(int y, const Marked& marked) {
         int sum = 0;
@@ -149,7 +149,7 @@ Image difference_image(const Image& expected, const Image& actual) {
     Image result =
         make_image(std::max(left.width, right.width), std::max(left.height, right.height), 0, 0, 0);
 
-    constexpr int strongest = 32;  // from here on a difference is plain red; rasteriser noise stays yellow
+    constexpr int strongest = 32;  // this and larger differences are plain red; rasteriser noise stays yellow
     for (int y = 0; y < result.height; ++y) {
         for (int x = 0; x < result.width; ++x) {
             const bool in_left = x < left.width && y < left.height;

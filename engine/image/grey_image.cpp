@@ -12,7 +12,7 @@
 #include "png_limit.h"
 #include "slipface/base/files.h"
 
-// Part of Debian's libstb, but declared in no header.
+// In Debian's libstb, but not declared in its headers.
 extern "C" unsigned char* stbi_zlib_compress(unsigned char* data, int size, int* out_size, int quality);
 
 namespace slipface {
@@ -29,8 +29,8 @@ Result<GreyImage> decode(std::string_view bytes, const std::string& location, in
         return Error{location, fmt::format("is {} x {} pixels; at most {} x {} are read", header->width,
                                            header->height, max_side, max_side)};
     }
-    // Behind signature, chunk header and size: depth and colour type. Eight bits would make terraces, and
-    // colours no heights.
+    // After signature, chunk header and size follow depth and colour type. Eight bits would make terraces,
+    // and colours are not heights.
     constexpr std::size_t depth_at = 24;
     const int depth = static_cast<unsigned char>(bytes[depth_at]);
     const int colour = static_cast<unsigned char>(bytes[depth_at + 1]);

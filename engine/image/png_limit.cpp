@@ -20,7 +20,7 @@ std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
     return value;
 }
 
-// All IDAT chunks, one after the other; stops where the file does.
+// Joins all IDAT chunks; stops where the file ends.
 std::string pixel_data(std::string_view bytes) {
     std::string data;
     std::size_t at = signature_size;
@@ -33,16 +33,16 @@ std::string pixel_data(std::string_view bytes) {
     return data;
 }
 
-// Bytes of all rows with their filter bytes; interlacing adds at most a filter byte and a partial byte a row
-// and pass.
+// An upper bound of the bytes of all rows with their filter bytes. Interlacing adds at most a filter byte and
+// a partial byte per row and pass.
 std::size_t unpacked_size(const PngSize& size) {
     constexpr std::size_t largest_pixel = 8;
     constexpr std::size_t interlace_rows = 4;
     return size.height * (size.width * largest_pixel + interlace_rows) + 1024;
 }
 
-// Whether every chunk up to the last lies within the file: a decoder makes room for what a chunk says that it
-// holds before it looks for it.
+// True if every chunk up to the last lies within the file. A decoder allocates the length that a chunk
+// declares before it reads the chunk.
 bool chunks_fit(std::string_view bytes) {
     std::size_t at = signature_size;
     while (bytes.size() - at >= chunk_overhead) {
@@ -64,7 +64,7 @@ std::optional<PngSize> png_size(std::string_view bytes) {
 }
 
 bool png_data_fits_header(std::string_view bytes) {
-    // Deflate packs at most 1032 bytes into one, so what is smaller than this cannot grow beyond 256 MiB.
+    // Deflate reaches at most 1032 to 1, so data smaller than this cannot grow beyond about 256 MiB.
     constexpr std::size_t harmless = std::size_t{256} * 1024;
     const auto size = png_size(bytes);
     if (!size) return true;

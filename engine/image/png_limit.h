@@ -11,12 +11,12 @@ struct PngSize {
     std::uint32_t height = 0;
 };
 
-// What the header of a PNG file says, or nothing where `bytes` do not begin with one.
+// The size in the header of a PNG file, or nothing if `bytes` do not begin with one.
 std::optional<PngSize> png_size(std::string_view bytes);
 
-// Whether the chunks of a PNG file lie within it and its pixel data unpack to no more than its header
-// promises. A decoder that trusts the data would fill memory with what a small file unpacks to. True for what
-// is no PNG file: others judge that.
+// True if the chunks of a PNG file lie within it and its pixel data unpack to no more than its header
+// declares. A decoder that trusts the data could be made to fill memory by a small file. True for any other
+// file, which other code checks.
 bool png_data_fits_header(std::string_view bytes);
 
 }  // namespace slipface

@@ -19,8 +19,8 @@ std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
     return value;
 }
 
-// The packed pixels, in `joined` if they come in several pieces. Nothing if the file is cut off or has chunks
-// that change what a pixel means.
+// The compressed pixels; stored in `joined` if they come in several chunks. Nothing if the file is cut off or
+// has chunks that change the meaning of a pixel.
 std::optional<std::string_view> pixel_chunks(std::string_view bytes, std::string& joined) {
     std::optional<std::string_view> first;
     for (std::size_t at = header_chunk_end; bytes.size() - at >= 12;) {

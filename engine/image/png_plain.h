@@ -7,9 +7,10 @@
 
 namespace slipface {
 
-// The picture of a PNG file with 8 bits a channel, in colour, neither interlaced nor with a transparent
-// colour: what this library and most others write, several times faster than stb. Nothing for every other
-// file, and for a damaged one: stb judges those. The caller has checked that the header's size is acceptable.
+// Decodes a PNG file with 8 bits per channel, in colour, not interlaced and without a transparent colour.
+// This library and most others write such files, and this decoder is several times faster than stb. Returns
+// nothing for any other or damaged file; stb then decides. The caller must have checked the size in the
+// header.
 std::optional<Image> decode_plain_png(std::string_view bytes);
 
 }  // namespace slipface

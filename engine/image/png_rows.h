@@ -1,4 +1,4 @@
-// The rows of a PNG file: filtered for packing, and back (PNG specification, section 9).
+// Row filters of PNG files: applied before compression, and undone (PNG specification, section 9).
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,12 @@ namespace slipface {
 
 inline constexpr int png_filters = 5;  // none, left, up, average, Paeth
 
-// One row, `bytes_per_pixel` apart from its left neighbour; `above` is the row before, or zeros.
+// Filters one row into `out` (row.size() bytes). A byte is predicted from the one `bytes_per_pixel` to its
+// left and from `above`, the row before or zeros. An unknown filter copies the row.
 void png_filter_row(int filter, std::span<const std::uint8_t> row, std::span<const std::uint8_t> above,
                     std::size_t bytes_per_pixel, std::uint8_t* out);
 
-// Undoes it in place. False for a filter that does not exist.
+// Undoes a filter in place. Returns false for a filter that does not exist.
 bool png_unfilter_row(int filter, std::span<std::uint8_t> row, std::span<const std::uint8_t> above,
                       std::size_t bytes_per_pixel);
 

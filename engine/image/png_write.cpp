@@ -1,4 +1,4 @@
-// PNG files. Pictures without transparency are written with three bytes a pixel.
+// Writing PNG files. Images without transparency are written with three bytes per pixel.
 #include <fmt/format.h>
 
 #include <array>
@@ -54,7 +54,7 @@ bool opaque(const Image& image) {
     return true;
 }
 
-// The picture's bytes as the file holds them, rows from the top.
+// The bytes of the image as stored in the file, rows from the top.
 struct Raw {
     std::size_t bytes_per_pixel = 4, row_bytes = 0, rows = 0;
     std::vector<std::uint8_t> bytes;
@@ -86,10 +86,10 @@ Raw raw_bytes(const Image& image) {
     return raw;
 }
 
-// How well a filtered row will pack, less is better.
+// Estimates how well a filtered row will compress; less is better.
 using Cost = std::size_t (*)(std::span<const std::uint8_t> row);
 
-// Bytes near zero pack well.
+// Bytes near zero compress well.
 std::size_t sum_of_sizes(std::span<const std::uint8_t> row) {
     std::size_t sum = 0;
     for (const std::uint8_t byte : row)
@@ -97,7 +97,7 @@ std::size_t sum_of_sizes(std::span<const std::uint8_t> row) {
     return sum;
 }
 
-// Pairs that come again pack well.
+// Repeated pairs compress well.
 std::size_t different_pairs(std::span<const std::uint8_t> row) {
     static thread_local std::vector<std::uint64_t> seen(65536 / 64);
     std::fill(seen.begin(), seen.end(), 0);
@@ -122,7 +122,7 @@ std::string filtered(const Raw& raw, int filter) {
     return out;
 }
 
-// Each row with the filter that costs least.
+// Filters each row with the filter of the lowest cost.
 std::string filtered(const Raw& raw, Cost cost) {
     std::string out(raw.rows * (raw.row_bytes + 1), '\0');
     auto* to = reinterpret_cast<std::uint8_t*>(out.data());
@@ -169,7 +169,8 @@ Result<std::string> encode_png(const Image& image, PngEffort effort) try {
     append_u32(header, static_cast<std::uint32_t>(image.width));
     append_u32(header, static_cast<std::uint32_t>(image.height));
     const char color_type = raw.bytes_per_pixel == 3 ? 2 : 6;
-    header += {8, color_type, 0, 0, 0};  // bits a channel, colour type, packing, filters, not interlaced
+    header +=
+        {8, color_type, 0, 0, 0};  // bits per channel, colour type, compression, filters, not interlaced
     std::string out = "\x89PNG\r\n\x1a\n";
     append_chunk(out, "IHDR", header);
     append_chunk(out, "IDAT",

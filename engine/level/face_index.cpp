@@ -77,7 +77,7 @@ bool FaceIndex::covers(FaceId face, const Vec3& point, const Vec3& direction) co
         for (std::size_t i = 0; i < 3; ++i) {
             corner[i] = mesh_.corner_position(mesh_.triangles[t][i]).cast<double>() - point;
         }
-        // The point lies inside if it is on the same side of all edges, seen along the direction.
+        // The line hits the triangle if it passes all edges on the same side.
         const double a = direction.dot(corner[0].cross(corner[1]));
         const double b = direction.dot(corner[1].cross(corner[2]));
         const double c = direction.dot(corner[2].cross(corner[0]));

@@ -1,4 +1,4 @@
-// The faces of a mesh, to be looked up by what a stored key knows of them.
+// An index of a mesh's faces by the members of a stored FaceKey.
 #pragma once
 
 #include <vector>
@@ -15,17 +15,17 @@ class FaceIndex {
     const FaceKey& key(FaceId face) const { return keys_[face]; }
     const std::string& base(FaceId face) const { return material_base_[mesh_.face_material[face]]; }
 
-    // The faces with this loop hash, ascending.
+    // The faces with this packed_hash(loop_hash), ascending.
     std::vector<FaceId> with_hash(std::uint64_t loop_hash) const;
 
-    // The faces whose centroid lies within `tolerance` (at most the one for the mesh's bounds) of `centroid`,
-    // ascending.
+    // The faces whose centroid lies within `tolerance` (at most position_tolerance() of the mesh's bounds) of
+    // `centroid`, ascending.
     std::vector<FaceId> near(const Vec3& centroid, double tolerance) const;
 
-    // True if `point`, moved along `direction`, meets the face.
+    // True if the line through `point` along `direction` hits the face, on either side of `point`.
     bool covers(FaceId face, const Vec3& point, const Vec3& direction) const;
 
-    // True if the face is so narrow that rounding its corners may turn it any way.
+    // True if the face is so narrow that rounding its corners can change its normal completely.
     bool is_sliver(FaceId face, double tolerance) const;
 
   private:

@@ -19,7 +19,8 @@ std::uint64_t corner_hash(const Vec3f& position) {
     return hasher.value();
 }
 
-// The sum over the directed edges: it has no first corner, and keeps the winding. `hash_of` gives a vertex's.
+// The sum over the directed edges: independent of the first corner, but not of the winding. `hash_of` gives a
+// vertex's hash.
 template <class HashOf>
 std::uint64_t loop_hash(const Mesh& mesh, FaceId face, const HashOf& hash_of) {
     const std::uint32_t first = mesh.face_first_corner[face];
@@ -38,7 +39,7 @@ std::uint64_t loop_hash(const Mesh& mesh, FaceId face, const HashOf& hash_of) {
     return sum;
 }
 
-// Of all faces.
+// The loop hashes of all faces.
 std::vector<std::uint64_t> loop_hashes(const Mesh& mesh) {
     std::vector<std::uint64_t> vertex_hash(mesh.positions.size());
     parallel_for(vertex_hash.size(), 4096, [&](std::size_t begin, std::size_t end) {
@@ -71,7 +72,7 @@ FaceKey key_of(const Mesh& mesh, FaceId face, std::uint64_t hash) {
     return key;
 }
 
-// For each face, how many with the same loop and material come before it.
+// [face] the number of earlier faces with the same loop and material.
 std::vector<std::uint32_t> twins_before(const Mesh& mesh, const std::vector<std::uint64_t>& hashes) {
     std::vector<KeyedIndex> order(hashes.size());
     for (std::size_t face = 0; face < hashes.size(); ++face)

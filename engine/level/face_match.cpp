@@ -15,12 +15,12 @@ namespace {
 
 enum class Stage : std::uint8_t { none, exact, plane, nearest };
 
-// Faces looked at in all, so that a file of a hundred thousand huge faces that are not there cannot hang the
-// editor.
+// Maximum number of faces examined in all, so that a file with a hundred thousand huge missing faces cannot
+// hang the editor.
 constexpr std::size_t max_visits = 30'000'000;
 constexpr std::size_t max_listed_orphans = 100;
 
-// How much smaller than the old face a part of it is, and how much larger its parts may be together.
+// A part is smaller than this fraction of the old face; all parts together are at most the second fraction.
 constexpr double part_fraction = 0.99;
 constexpr double whole_fraction = 1.01;
 
@@ -34,15 +34,14 @@ bool same_plane_direction(const Vec3& a, const Vec3& b) {
     return a.dot(b) > 0.999;
 }
 
-// What is built of a mesh once, however many sets of faces are looked for in it, and how many faces were
-// looked at in all of them.
+// Data built once for a mesh, for all sets of faces that are looked up in it.
 struct Lookup {
     Lookup(const Mesh& mesh, SurfaceTable surfaces) : index(mesh, surfaces) {}
 
     FaceIndex index;
-    std::optional<CollisionWorld> tree;  // where a face is not where it was
-    FaceNeighbours neighbours;           // where match_union() needs them
-    std::size_t visits = 0;
+    std::optional<CollisionWorld> tree;  // built if a face is not found exactly
+    FaceNeighbours neighbours;           // built if match_union() needs them
+    std::size_t visits = 0;              // faces examined so far
 };
 
 class Matcher {
@@ -146,8 +145,8 @@ class Matcher {
         return claim_best(i, faces);
     }
 
-    // Of `faces` a free one: the same material before the same base name before any, then the nearest, then
-    // the lowest.
+    // Claims the best free face of `faces`: the same material before the same base name before any other,
+    // then the nearest, then the lowest index.
     bool claim_best(std::size_t i, const std::vector<FaceId>& faces) {
         const FaceKey& key = stored_[i].key;
         FaceId best = no_id;
@@ -228,9 +227,9 @@ class Matcher {
         return !parts.empty();
     }
 
-    // A long face cut into parts, whose centres lie too far off to tell whose they are: connected faces in
-    // its plane that together have its area and the mean of its corners. Tried from the faces at its centre
-    // on, for a limited while.
+    // A long face that was cut into parts, whose centres are too far away for match_plane(): connected faces
+    // in its plane that together have its area and the mean of its corners. Starts at the faces at its
+    // centre; the number of attempts is limited.
     bool match_union(std::size_t i) {
         const FaceKey& key = stored_[i].key;
         const Vec3 normal = unit_or_zero(key.normal);
@@ -249,7 +248,7 @@ class Matcher {
         return false;
     }
 
-    // Adds `face` to the parts, and then whatever is still missing; takes it back where that fails.
+    // Adds `face` and further neighbours to the parts until they are complete; if that fails, removes it.
     bool grow_union(const FaceKey& key, const Vec3& normal, FaceId face, std::vector<FaceId>& parts) {
         constexpr std::size_t max_parts = 12;
         constexpr std::size_t max_visits = 2000;
@@ -283,7 +282,7 @@ class Matcher {
                    1e-3 * std::sqrt(key.area) + position_tolerance(key.centroid);
     }
 
-    // Cutting a face at its corners or halving its edges leaves the mean of the corners where it was.
+    // Cutting a face at its corners or halving its edges does not change the mean of its corners.
     bool has_corner_mean(const FaceKey& key, const std::vector<FaceId>& parts) const {
         std::vector<std::uint32_t> vertices;
         for (const FaceId part : parts)
@@ -311,8 +310,7 @@ class Matcher {
             const bool similar = candidate.area > 0.25 * key.area && candidate.area < 4.0 * key.area &&
                                  candidate.normal.dot(normal) > 0.9 && distance <= size;
             if (!is_free(face) || !similar || (best != no_id && distance >= best_distance)) continue;
-            // A concave face need not cover its own centre: one that went straight along its normal is known
-            // by that.
+            // A face that moved straight along its normal need not cover the centre: it may be concave.
             const Vec3 offset = candidate.centroid - key.centroid;
             const double sideways = (offset - normal.dot(offset) * normal).norm();
             if (sideways > 0.02 * size && !index_.covers(face, key.centroid, normal)) continue;
@@ -408,7 +406,7 @@ MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
 }
 
 FaceKeySets stored_face_keys(const Level& level) {
-    // Keys of all sets at once, because telling copies apart looks at the whole mesh.
+    // Keys of all sets at once, because numbering the copies examines the whole mesh.
     std::vector<FaceId> faces = level.hidden;
     for (const SavedSelection& saved : level.selections)
         faces.insert(faces.end(), saved.faces.begin(), saved.faces.end());

@@ -1,4 +1,4 @@
-// Finding painted faces again.
+// Finds painted faces again after the geometry changed.
 #pragma once
 
 #include <optional>
@@ -13,53 +13,50 @@ namespace slipface {
 struct StoredOverride {
     FaceKey key;
     std::string type;
-    std::string location;  // where it stands in the file
+    std::string location;  // in the file, for warnings
 };
 
-// How far a face's corners may lie from where they were and still be the same: what a tool that writes six
-// decimals and turns the axes twice does to floats of this size.
+// Distance up to which a corner near `position` counts as unmoved: the rounding of a tool that writes six
+// decimals and rotates the axes twice, for floats of this size.
 double position_tolerance(const Vec3& position);
 
-// For each face its key with `copy` filled in; the faces need not be all of the mesh's.
+// The key of each of `faces`, with `copy` filled in. `faces` may be a part of the mesh's faces.
 std::vector<FaceKey> face_keys(const Mesh& mesh, const std::vector<FaceId>& faces);
 
-// The painted faces of `level` and its orphans, as a level file would hold them, without places.
+// The painted faces of `level` and then its orphans, as in a level file, with empty locations.
 std::vector<StoredOverride> stored_overrides(const Level& level);
 
 struct MatchedOverrides {
     std::vector<std::optional<SurfaceId>> overrides;  // [face]
     std::vector<Orphan> orphans;
-    std::vector<FaceId> guessed;  // not found exactly, ascending
+    std::vector<FaceId> guessed;  // found by plane or nearest, ascending
     MatchSummary summary;
     Warnings warnings;
 };
 
-// Stages, each over all stored overrides before the next begins, and each only for what is still without a
-// face:
-// 1. exact: the same loop hash at the same centroid; else the same centroid, normal and area within what
-// rounding to six
-//    decimals does. The same material is preferred. Faces with the same corners are told apart by
-//    FaceKey::copy.
-// 2. by plane: faces of the same material in the same plane that are a part of the old face (smaller, centre
-// near, together not
-//    larger) or that contain its centre (the old face was merged, or its outline moved).
-//    Long faces whose parts lie far from their centre: connected faces that together have the old area and
+// Finds the faces of stored overrides. Each stage handles all overrides that are still without a face before
+// the next stage starts:
+// 1. exact: the same loop hash at the same centroid; else the same centroid and normal and nearly the same
+//    area. The same material is preferred. FaceKey::copy distinguishes faces with the same corners.
+// 2. by plane: faces of the same material in the same plane that are parts of the old face (smaller, near its
+//    centre, together not larger) or that contain its centre (the old face was merged, or its outline moved).
+//    If the parts of a long face lie far from its centre: connected faces that together have the old area and
 //    the old mean of corners.
-// 3. nearest: the face of the same material, turned by less than 25 degrees, that the old centre meets along
-// its normal first,
-//    at most the old face's size away.
-// Faces taken by one type are never given to another. What finds nothing, or has an unknown type, becomes an
-// orphan.
+// 3. nearest: the face of the same material with the nearest centroid, at most the old face's size away. Its
+//    normal differs by less than 26 degrees, its area by less than a factor of 4, and the line through the
+//    old centre along the old normal hits it (or the face only moved along that normal).
+// A face found for one type is never given to another. An override without a face, or with an unknown type,
+// becomes an orphan.
 MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
                                  const std::vector<StoredOverride>& stored);
 
-// The hidden faces of a level (first) and its selections (in their order), as a level file holds them.
+// The keys of a level's hidden faces (first) and of its selections (in their order), as in a level file.
 using FaceKeySets = std::vector<std::vector<FaceKey>>;
 FaceKeySets stored_face_keys(const Level& level);
 
-// Finds the faces of each set again, by the stages of match_overrides, and puts them into level.hidden and
-// level.selections, whose names are there already. A face may be in several sets. What finds no face is
-// dropped: unlike paint it is quickly chosen anew. Returns a warning for each set that lost faces.
+// Finds the faces of each set again, by the stages of match_overrides(), and stores them in level.hidden and
+// level.selections, which already have their names. A face may be in several sets. Keys without a face are
+// dropped: unlike paint they are quickly selected anew. Returns a warning for each set that lost faces.
 Warnings match_stored_faces(Level& level, const FaceKeySets& sets);
 
 }  // namespace slipface

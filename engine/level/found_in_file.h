@@ -6,8 +6,8 @@
 
 namespace slipface {
 
-// A rule per material, and the surface types that these need. Types beyond max_surface_types and what the
-// level has already are left out.
+// Adds a rule for each found material, and the surface types that these rules use. Rules and types that the
+// level already has are not added, nor are types beyond max_surface_types and their rules.
 void add_found_types(Level& level, std::span<const FoundType> found);
 
 }  // namespace slipface

@@ -1,4 +1,4 @@
-// Movement settings as JSON: one key a settings_table() row.
+// Movement settings as JSON: one key per settings_table() row.
 #pragma once
 
 #include <set>
@@ -11,7 +11,8 @@ namespace slipface {
 
 std::set<std::string_view> setting_names();
 Json settings_json(const MovementSettings& settings);
-// What the object does not name stays. Leaves its error in the reader; then `settings` may be half changed.
+// Settings that the object does not name keep their values. An error is stored in the reader; then `settings`
+// may be partly changed.
 void read_settings(JsonReader& reader, const Json& json, const std::string& path, MovementSettings& settings);
 
 }  // namespace slipface

@@ -1,4 +1,4 @@
-// The level file's words for what moves, for terrain and for sectors.
+// Platforms, terrain and sectors in the level file.
 //
 //   "platforms": [{"name": "lift", "group": "lift", "path": [{"offset": [0, 0, 0], "speed": 2, "pause": 1},
 //   ...],
@@ -22,13 +22,13 @@ inline const std::set<std::string_view> spin_keys{"axis", "pivot", "rate"};
 inline const std::set<std::string_view> heightfield_keys{"file", "origin", "size", "low", "high"};
 inline const std::set<std::string_view> sectors_keys{"size", "placement"};
 
-// Each leaves its error in the reader; `path` names the value there.
+// Each stores its error in the reader; `path` names the value in the error.
 Platform read_platform(JsonReader& reader, const Json& json, const std::string& path);
 HeightfieldSource read_heightfield(JsonReader& reader, const Json& json, const std::string& path);
 SectorLayout read_sectors(JsonReader& reader, const Json& json, const std::string& path);
 
 Json vector_json(const Vec3& vector);
-// The points of the path and the spin are objects inside, for what is unknown there.
+// path_point_json() and spin_json() write the objects inside, to which unknown members are added.
 Json platform_json(const Platform& platform);
 Json path_point_json(const PathPoint& point);
 Json spin_json(const Platform& platform);

@@ -1,4 +1,4 @@
-// Taking typed values out of a Json, with errors that name the JSON path.
+// Reads typed values from a Json, with errors that name the JSON path.
 #pragma once
 
 #include <initializer_list>
@@ -10,7 +10,7 @@
 
 namespace slipface {
 
-// Remembers the first error; after it every reading function returns false and changes nothing.
+// Stores the first error; after it every reading function returns false and changes nothing.
 class JsonReader {
   public:
     explicit JsonReader(std::string file) : file_(std::move(file)) {}
@@ -24,7 +24,7 @@ class JsonReader {
     bool integer(const Json& value, const std::string& path, int minimum, int maximum, int& out);
     bool vector(const Json& value, const std::string& path, double limit_low, double limit_high, Vec3& out);
 
-    // A member that must be there; null after an error.
+    // A required member; null after an error.
     const Json* member(const Json& object, const std::string& path, std::string_view key);
 
     bool fail(const std::string& path, std::string found, std::string expected);

@@ -10,7 +10,7 @@
 namespace slipface {
 namespace {
 
-// "/surfaces/2/friction": where the value that is read next will stand.
+// The path of the value that is read next: "/surfaces/2/friction".
 std::string path_of(const std::vector<Json>& open) {
     std::string path;
     for (const Json& value : open) {
@@ -30,7 +30,7 @@ std::string line_and_column(std::string_view text, std::size_t position) {
     return fmt::format("{}:{}", line, column);
 }
 
-// Builds a Json from the parser's events. The parser keeps its own stack, so depth costs no call stack.
+// Builds a Json from the parser's events. The parser has its own stack, so nesting uses no call stack.
 class Builder final : public nlohmann::json_sax<nlohmann::json> {
   public:
     Builder(std::string_view text, const std::string& location, int max_depth)

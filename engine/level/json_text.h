@@ -1,4 +1,4 @@
-// JSON as a level file needs it: strict on the way in, stable on the way out, and nothing lost in between.
+// JSON for level files: strict reading, stable writing, and nothing lost in between.
 #pragma once
 
 #include <string>
@@ -26,16 +26,16 @@ struct Json {
 inline constexpr int max_json_depth = 64;
 inline constexpr std::size_t max_json_values = 4'000'000;
 
-// Errors: place:line:column for what is no JSON (cut off, junk behind the end, bytes that are no UTF-8, a
-// number beyond double); place:/path for a key that occurs twice, nesting deeper than max_depth, more than
-// max_json_values values.
+// Errors: location:line:column for text that is no JSON (cut off, junk after the end, bytes that are no
+// UTF-8, a number beyond double); location:/path for a duplicate key, nesting deeper than max_depth, more
+// than max_json_values values.
 Result<Json> parse_json(std::string_view text, const std::string& location, int max_depth = max_json_depth);
 
-// "a string", "the number 7", "an object", as error messages name what they found.
+// "a string", "the number 7", "an object", for error messages.
 std::string json_kind_text(const Json& value);
 
-// `text` for a message: at most about 240 bytes of it, cut in the middle, where "..." then stands; bytes that
-// are no UTF-8 become U+FFFD. A key or a string of a hostile file may be as long as the file.
+// `text` for a message: at most about 240 bytes, with "..." in place of the middle; bytes that are no UTF-8
+// become U+FFFD. A key or a string of a hostile file may be as long as the file.
 std::string json_excerpt(std::string_view text);
 
 // `text` in quotes and escaped; bytes that are no UTF-8 become U+FFFD.
@@ -44,12 +44,12 @@ std::string json_quoted(std::string_view text);
 // On one line without spaces.
 std::string json_compact(const Json& value);
 
-// Objects and arrays of objects or long text over several lines, two spaces a level; arrays of numbers on one
-// line. `indent`: how many levels in the value stands; the first line is not indented.
+// Objects and arrays of objects or long text on several lines, two spaces per level; arrays of numbers on one
+// line. `indent`: the nesting level of the value; the first line is not indented.
 std::string json_pretty(const Json& value, int indent);
 
 Json json_number(double value);
-Json json_number(float value);  // with the digits that a float has
+Json json_number(float value);  // with the digits of a float
 Json json_number(std::int64_t value);
 Json json_string(std::string_view text);
 Json json_bool(bool value);

@@ -1,5 +1,3 @@
-// Levels on disk.
-
 #include "slipface/level/level_file.h"
 
 #include <fmt/format.h>
@@ -77,7 +75,7 @@ Result<LoadedLevel> load_mesh(const fs::path& mesh_path, const ImportTransform& 
     return loaded;
 }
 
-// The geometry as the level file wants it, and the file's annotations on it.
+// Loads the geometry with the level file's transform, and applies the file's annotations.
 Result<LoadedLevel> load_annotated(const fs::path& mesh_path, const fs::path& file_path, const Json& root,
                                    Progress* progress) {
     const Result<ImportTransform> transform = read_import_transform(root, file_path.string());
@@ -105,7 +103,7 @@ Result<LoadedLevel> load_annotated(const fs::path& mesh_path, const fs::path& fi
     return loaded;
 }
 
-// The geometry's own spawns as the level's. A name that comes twice gets a number.
+// The spawns of the geometry's file as a level's spawns. Duplicate names get a number.
 std::vector<Spawn> spawns_of(std::span<const FoundSpawn> found, const MovementSettings& movement) {
     std::vector<Spawn> spawns;
     std::map<std::string, int> names;  // how often each was used
@@ -123,7 +121,7 @@ std::vector<Spawn> spawns_of(std::span<const FoundSpawn> found, const MovementSe
     return spawns;
 }
 
-// The version is looked at first: what another version says of its mesh may mean something else.
+// The version is checked first: in another version the other members may have another meaning.
 Result<Json> read_json(const fs::path& file_path) {
     const Result<std::string> text = read_file(file_path, max_level_file_bytes);
     if (!text) return text.error();
@@ -147,7 +145,7 @@ Result<LoadedLevel> load_from_level_file(const fs::path& file_path, Progress* pr
     return load_annotated(*mesh_path, file_path, *root, progress);
 }
 
-// A level without a level file has what the geometry's file says.
+// A level without a level file: rules and hidden faces of the geometry's file.
 Result<LoadedLevel> load_fresh(const fs::path& mesh_path, Progress* progress) {
     Result<LoadedLevel> loaded = load_mesh(mesh_path, {}, progress);
     if (!loaded) return loaded;
@@ -159,18 +157,18 @@ Result<LoadedLevel> load_fresh(const fs::path& mesh_path, Progress* progress) {
 Result<LoadedLevel> load_from_mesh(const fs::path& mesh_path, Progress* progress) {
     const fs::path file_path = level_file_for(mesh_path);
     std::error_code error;
-    // A name that is too long for the file system cannot be there either.
+    // A name too long for the file system means that there is no such file.
     if (fs::status(file_path, error).type() == fs::file_type::not_found ||
         error == std::errc::filename_too_long)
         return load_fresh(mesh_path, progress);
-    // What is wrong with the geometry is said first.
+    // A missing geometry is reported before errors of the level file.
     if (!fs::exists(mesh_path, error)) return load_mesh(mesh_path, {}, progress);
     const Result<Json> root = read_json(file_path);
     if (!root) return root.error();
     return load_annotated(mesh_path, file_path, *root, progress);
 }
 
-// Everything of `level` but what its geometry decides.
+// A copy of `level` with the given geometry.
 LoadedLevel with_geometry(const Level& level, LoadedLevel geometry) {
     Level copy = level;
     copy.mesh = std::move(geometry.level.mesh);
@@ -181,7 +179,7 @@ LoadedLevel with_geometry(const Level& level, LoadedLevel geometry) {
     return geometry;
 }
 
-// The spawns of `level` under the scale and axis of `after`: their feet go with the geometry.
+// The spawns of `level` under the scale and axis of `after`. The feet move with the geometry.
 std::vector<Spawn> moved_spawns(const Level& level, const ImportSummary& after) {
     const ImportSummary& before = level.import_summary;
     const Vec3 above_feet(0, level.movement.radii.y(), 0);

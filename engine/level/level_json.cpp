@@ -65,7 +65,7 @@ bool parse_face_row(std::string_view text, FaceKey& key) {
 
 UnknownMembers UnknownMembers::parse(const UnknownKeys& keys) {
     UnknownMembers members;
-    // The place adds a level to what the file's own limit allowed.
+    // The locations add one level of nesting to the file's own limit.
     const Result<Json> json = parse_json(keys.json, "unknown keys", max_json_depth + 1);
     if (!json || json->kind != Json::Kind::object) return members;
     for (std::size_t i = 0; i < json->keys.size(); ++i) {

@@ -1,23 +1,25 @@
-// The words of the level file, for reader and writer alike.
+// The format of the level file, for reader and writer. Members marked (*) are left out if not needed.
 //
 // {
 //   "slipface": 1,                                  (2 if a surface type has a friction other than 1)
 //   "mesh": "easy.obj",
-//   "scale": 0.01, "up": "z",                   (metres a unit of the file, its upward axis; if not 1 and y)
-//   "spawn": {"name": "start", "position": [0, 1, 0], "yaw": 0},     (without a name: "start"; if there is
-//   one) "spawns": [{"name": "roof", "position": [...], "yaw": 0}],        (further ones, if there are any)
-//   "fall_limit": -20,                                                (if it is not the usual one)
-//   "surfaces": [{"name": "ice", "color": [...], "hatch": "diagonal", "hotkey": 2, ...one key a
-//   surface_fields() row}], "rules": [{"pattern": "*ice*", "type": "ice"}], "overrides": [{"type": "ice",
-//   "material": "stone", "faces": ["HASH CENTROID NORMAL AREA [COPY]", ...],
-//                                       "packed": [...base64, where many faces are painted...]}],
+//   "scale": 0.01, "up": "z",    (*) metres per unit of the file, upward axis
+//   "spawn": {"name": "start", "position": [0, 1, 0], "yaw": 0},    (*) without a name: "start"
+//   "spawns": [{"name": "roof", "position": [...], "yaw": 0}],      (*) further ones
+//   "fall_limit": -20,                                              (*)
+//   "surfaces": [{"name": "ice", "color": [...], "hatch": "diagonal", "hotkey": 2,
+//                 ...one key per surface_fields() row}],
+//   "rules": [{"pattern": "*ice*", "type": "ice"}],
+//   "overrides": [{"type": "ice", "material": "stone", "faces": ["HASH CENTROID NORMAL AREA [COPY]", ...],
+//                  "packed": [...base64, if many faces are painted...]}],
 //   "orphans": [...as overrides],
-//   "hidden": [...as overrides, without "type"],                                        (if there are any)
-//   "selections": [{"name": "stairs", "faces": [...as overrides, without "type"]}],     (if there are any)
+//   "hidden": [...as overrides, without "type"],                                       (*)
+//   "selections": [{"name": "stairs", "faces": [...as overrides, without "type"]}],    (*)
 //   "cameras": [{"name": "door", "eye": [...], "target": [...], "fov_y": 1.0472}],
-//   "movement": {...one key a settings_table() row},           (basic_settings() where a key is missing)
+//   "movement": {...one key per settings_table() row; a missing one has its value of basic_settings()},
 //   "light": {"image": "easy.light.png", "geometry": "HASH", "texel": 0.25, "sun_direction": [...], ...,
-//             "emitters": [{"pattern": "lava*", "color": [...]}]}
+//             "emitters": [{"pattern": "lava*", "color": [...]}]},                     (*)
+//   "platforms", "heightfield", "sectors": see json_parts.h                            (*)
 // }
 #pragma once
 
@@ -35,27 +37,29 @@ namespace slipface {
 // they understand. In version 1 "friction" was the fraction of the speed along a surface that a bounce keeps.
 inline constexpr int level_file_version = 2, plain_level_file_version = 1;
 
-// The text of the file as it is written at `file_path`, which decides how it names the mesh.
+// The text of the level's file. `file_path` decides how the text names the mesh: relative or absolute.
 std::string level_text(const Level& level, const std::filesystem::path& file_path);
 
+// The level in a file's JSON, applied to `mesh`. `location` names the file in errors and warnings.
 Result<LoadedLevel> read_level(const Json& root, const std::string& location, MeshPtr mesh);
 Result<ImportTransform> read_import_transform(const Json& root, const std::string& location);
 
-// Refuses what is no level file of the version that is understood.
+// Error: `root` is no level file of level_file_version.
 Status check_level_version(const Json& root, const std::string& location);
 
 Json light_json(const LevelLight& light);
-// Takes the known members out of `json`; errors go to `reader`.
+// Reads the known members of `json`; errors go to `reader`.
 void read_light(const Json& json, const std::string& path, JsonReader& reader, LevelLight& light);
-// The members that light_json writes.
+// The members that light_json() writes.
 std::set<std::string_view> light_keys();
 
-// A painted face as one short text: loop hash, centroid, normal, area, and the copy if it is not 0.
+// A painted face in one line: loop hash, centroid, normal, area, and the copy if it is not 0.
 std::string face_row_text(const FaceKey& key);
-bool parse_face_row(std::string_view text, FaceKey& key);  // leaves the material
+// False if `text` is no such line. Does not set the material.
+bool parse_face_row(std::string_view text, FaceKey& key);
 
-// Unknown members by place. Things of one kind are found again by name, so they keep their members when
-// others come and go; of several with one name the second is "NAME#2".
+// Unknown members by location. Objects of one kind are identified by name, so their members stay with them
+// when others are added or removed. The second object with the same name is "NAME#2".
 class UnknownMembers {
   public:
     static UnknownMembers parse(const UnknownKeys& keys);

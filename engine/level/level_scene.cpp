@@ -11,12 +11,12 @@ namespace slipface {
 
 namespace {
 
-// Triangles of some of a mesh's faces, to be put somewhere.
+// The triangles of some faces of a mesh.
 struct Part {
     std::vector<Vec3f> rest;  // [vertex of the part] as modelled
     std::vector<std::array<std::uint32_t, 3>> corners;
     std::vector<FaceId> faces;
-    std::vector<TriangleId> triangles;  // [triangle of the part] its number in the mesh
+    std::vector<TriangleId> triangles;  // [triangle of the part] its index in the mesh
 };
 
 template <class Belongs>
@@ -58,22 +58,22 @@ struct LevelScene::Impl {
         Part part;
         CollisionWorld collision;  // at `pose`
         Pose pose;
-        std::vector<TriangleId> ids;  // all of them
-        // Room for a move, so that a tick allocates nothing.
+        std::vector<TriangleId> ids;  // 0, 1, ... up to the number of triangles
+        // Buffers for a move, so that a tick allocates nothing.
         std::vector<Vec3f> placed{};
         std::vector<std::array<Vec3f, 3>> corners{};
     };
 
     const Level* level = nullptr;
-    const CollisionWorld* fixed = nullptr;  // somebody else's, or null: `own`
+    const CollisionWorld* fixed = nullptr;  // another owner's; null: `own` is used
     CollisionWorld own;
     std::vector<TriangleId> own_triangles;
-    std::span<const TriangleId> triangles;  // [triangle of what stands still] its number in the mesh
+    std::span<const TriangleId> triangles;  // [static triangle] its index in the mesh
     std::vector<Moving> moving;
     std::vector<MovingPart> parts;
     std::vector<std::uint32_t> face_platforms;
     std::vector<SurfaceId> surfaces;  // [face] resolved, for the platforms
-    Heightfield terrain;              // a moved copy, where the level is placed
+    Heightfield terrain;              // a moved copy, if `offset` is not zero
     const Heightfield* heightfield = nullptr;
     Sectors sectors;
     Vec3 offset = Vec3::Zero();
@@ -85,8 +85,8 @@ struct LevelScene::Impl {
     bool move(Moving& moved, const Pose& pose) const;
 };
 
-// With sectors the level keeps its own coordinates and only the number of its sector is large; without them
-// it is put where it lies, in whatever is left of its coordinates there.
+// With sectors the offset stays below a sector's size, and only the index of the home sector is large.
+// Without them the level moves to its placement, and coordinates lose precision there.
 void LevelScene::Impl::choose_origin(const MovementSettings& settings) {
     const SectorLayout& layout = level->sectors;
     if (layout.size > 0.0 && settings.sectors) {
@@ -160,7 +160,7 @@ void LevelScene::Impl::paint(CollisionWorld& world, const Part& part) const {
         world.set_face_surface(face, surfaces[face]);
 }
 
-// The faces keep their places in the tree; only its boxes follow.
+// The tree keeps its structure; only its boxes are refitted.
 bool LevelScene::Impl::move(Moving& moved, const Pose& pose) const {
     if (moved.pose == pose) return true;
     const Part& part = moved.part;
@@ -209,7 +209,7 @@ LevelScene LevelScene::for_another_thread() const {
     impl->sectors = from.sectors;
     impl->offset = from.offset;
     for (const Impl::Moving& moved : from.moving)
-        (void)impl->add_moving(moved.index, moved.part);  // what was built once is built again
+        (void)impl->add_moving(moved.index, moved.part);  // cannot fail: the same part was built before
     impl->parts.resize(impl->moving.size());
     return LevelScene(std::move(impl));
 }
@@ -265,7 +265,7 @@ std::span<const std::uint32_t> LevelScene::face_platforms() const {
     return impl_->face_platforms;
 }
 
-// The level's own motion, seen from where the level is placed.
+// The level's own motion, moved by the offset.
 Pose LevelScene::pose(std::size_t platform, double time_s) const {
     Pose pose = platform_pose(impl_->level->platforms[platform], time_s);
     pose.offset += impl_->offset;

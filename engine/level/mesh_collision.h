@@ -1,4 +1,4 @@
-// A mesh's triangles as collision takes them.
+// A mesh's triangles as a collision world.
 #pragma once
 
 #include "slipface/collision/collision_world.h"

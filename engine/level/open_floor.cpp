@@ -52,7 +52,7 @@ class OpenFloor {
 
   private:
     const Heightfield* terrain() const { return settings_.heightfield ? scene_.heightfield : nullptr; }
-    // A sample a radius, as far as they may be counted.
+    // One sample per radius, within the limits.
     static int count_along(double size, double radius) {
         return static_cast<int>(
             std::clamp(std::ceil(size / radius), double{least_columns}, double{max_columns}));
@@ -72,7 +72,7 @@ class OpenFloor {
             const auto hit = cast_ray(scene_.collision, {x, y, z}, {0.0, -1.0, 0.0});
             if (!hit) break;
             if (!hit->back_face && !is_hazard(hit->face)) add_sample(column, row, hit->point, hit->normal);
-            // Of faces in one place each is met only once, from a little below it.
+            // The next ray starts a little below the hit, so that coincident faces are hit once.
             y = std::min(hit->point.y(), y) - std::max(step, 1e-4);
         }
         if (terrain() == nullptr) return;
@@ -88,7 +88,7 @@ class OpenFloor {
 
     void add_sample(int column, int row, const Vec3& point, const Vec3& normal) {
         if (normal.y() < std::cos(settings_.max_slope)) return;
-        // From above the bumps of the floor around it.
+        // Start above small bumps of the floor around the point.
         const double lift = 0.25 * settings_.radii.y();
         const double standing = centre_on(Vec3::Zero(), normal, settings_).dot(normal) / normal.y();
         const Vec3 above = point + Vec3(0.0, standing + lift, 0.0);
@@ -151,7 +151,7 @@ class OpenFloor {
             const double x = sample.centre.x() - middle.x(), z = sample.centre.z() - middle.z();
             const double up = height_weight * (sample.centre.y() - lowest);
             const double cost = x * x + z * z + up * up;
-            // Open on all four sides comes first.
+            // Samples that are open on all four sides come first.
             const bool open = sample.links >= 4, best_open = best != nullptr && best->links >= 4;
             if (best == nullptr || (open && !best_open) || (open == best_open && cost < best_cost)) {
                 best = &sample;
@@ -166,7 +166,7 @@ class OpenFloor {
     Aabb bounds_;
     int columns_ = 0, rows_ = 0;
     Vec2 cell_ = Vec2::Zero();
-    std::vector<Sample> samples_;     // by cell
+    std::vector<Sample> samples_;     // sorted by cell
     std::vector<std::size_t> first_;  // [cell] its first sample; one more at the end
     std::vector<std::size_t> parent_;
 };

@@ -38,7 +38,7 @@ double sign_of(double value) {
     return value < 0.0 ? -1.0 : 1.0;
 }
 
-// The sphere on an octahedron, its lower half folded out over the upper: two steps of 12 bits each.
+// Octahedral encoding: the sphere on an octahedron, its lower half folded outwards, as two 12-bit numbers.
 std::uint32_t normal_code(const Vec3& normal) {
     const double sum = std::abs(normal.x()) + std::abs(normal.y()) + std::abs(normal.z());
     if (!(sum > 0.0)) return no_normal;

@@ -17,7 +17,7 @@ double path_time(const PathPoint& from, const PathPoint& to, double speed) {
     return (to.offset - from.offset).norm() / std::max(speed, slowest);
 }
 
-// The legs in the order in which they are walked: [0] from point 0, and so on; ping-pong walks them back.
+// The legs of a path in the order of motion, from point 0 on. Ping-pong appends the reverse legs.
 struct Legs {
     const std::vector<PathPoint>& path;
     PathRepeat repeat;
@@ -29,7 +29,7 @@ struct Legs {
     }
     const PathPoint& from(std::size_t leg) const { return path[index(leg)]; }
     const PathPoint& to(std::size_t leg) const { return path[index(leg + 1)]; }
-    // The way back is as fast as the way there.
+    // A reverse leg is as fast as the forward one.
     double speed(std::size_t leg) const {
         return leg < path.size() - 1 || repeat != PathRepeat::ping_pong ? from(leg).speed : to(leg).speed;
     }
@@ -79,7 +79,7 @@ double path_period(const Platform& platform) {
 Aabb platform_reach(const Platform& platform, const Aabb& rest) {
     if (rest.empty()) return rest;
     Aabb still = rest;
-    if (platform.spin_rate != 0.0) {  // a ball about the pivot holds it, however it has turned
+    if (platform.spin_rate != 0.0) {  // a ball around the pivot contains every rotation
         const Vec3 far =
             (rest.min - platform.spin_pivot).cwiseAbs().cwiseMax((rest.max - platform.spin_pivot).cwiseAbs());
         const Vec3 radius = Vec3::Constant(far.norm());

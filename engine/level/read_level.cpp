@@ -1,4 +1,4 @@
-// A level from the text of its file.
+// Reads a level from its file's JSON.
 
 #include <fmt/format.h>
 
@@ -301,7 +301,7 @@ class LevelReader {
         }
     }
 
-    // Groups of faces; `kind` says where the unknown members of a group are kept.
+    // Reads groups of faces. `kind` names the location of a group's unknown members.
     void read_faces(const Json& json, const std::string& path, const std::string& kind, bool typed,
                     std::vector<StoredOverride>& to) {
         if (!reader_.array(json, path, max_json_values)) return;
@@ -463,7 +463,7 @@ class LevelReader {
     JsonReader reader_;
     int version_ = level_file_version;
     LoadedLevel loaded_;
-    std::size_t warnings_ = 0;  // of what stands in the file; the first of them are listed
+    std::size_t warnings_ = 0;  // about the file's content; only the first ones are listed
     UnknownMembers unknown_;
     std::vector<StoredOverride> stored_;
     FaceKeySets kept_ = FaceKeySets(1);  // hidden faces, then selections

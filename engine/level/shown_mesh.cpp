@@ -43,7 +43,7 @@ MeshPtr shown_mesh(const Level& level) {
     const auto group = static_cast<std::uint32_t>(soup.groups.size());
     soup.materials.push_back({.name = "terrain", .diffuse = {0.56F, 0.60F, 0.45F}, .texture = {}});
     soup.groups.emplace_back("terrain");
-    // Cut as terrain_at() cuts its cells.
+    // Cells are split into triangles as in terrain_at().
     for (int row = 0; row + 1 < field.rows; ++row) {
         for (int column = 0; column + 1 < field.columns; ++column) {
             const Vec3 near = field.corner(column, row), far = field.corner(column + 1, row + 1);
@@ -59,7 +59,7 @@ std::vector<std::uint32_t> face_platforms(const Level& level) {
     std::vector<std::uint32_t> platforms;
     if (!level.mesh || level.platforms.empty()) return platforms;
     const Mesh& mesh = *level.mesh;
-    // [group] the first platform that names it.
+    // [group] the first platform with this group.
     std::vector<std::uint32_t> by_group(mesh.groups.size(), no_id);
     for (std::size_t i = level.platforms.size(); i-- > 0;) {
         for (std::size_t group = 0; group < mesh.groups.size(); ++group) {

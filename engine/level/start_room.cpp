@@ -7,7 +7,7 @@ namespace slipface {
 
 namespace {
 
-// Below this height the feet are in the terrain.
+// The lowest height of the centre at which the feet are not in the terrain.
 std::optional<double> lowest_centre(const MovementScene& scene, const MovementSettings& settings,
                                     const Vec3& centre) {
     if (scene.heightfield == nullptr || !settings.heightfield) return std::nullopt;
@@ -57,7 +57,7 @@ std::optional<Vec3> drop(const MovementScene& scene, const MovementSettings& set
     std::optional<Vec3> landed;
     const Vec3 move(0.0, -depth, 0.0);
     if (const auto contact = first_contact(scene, settings.radii, centre, move)) {
-        // A skin away along the normal; on what is steep that is far up, and then less must do.
+        // A skin away along the normal. On steep faces that would be far up, so the rise is limited.
         const double up = std::max(contact->normal.y(), 0.1);
         landed = centre + contact->t * move + Vec3(0.0, settings.skin / up, 0.0);
         landed->y() = std::min(landed->y(), centre.y());

@@ -1,4 +1,4 @@
-// Terrain from a picture.
+// Terrain from an image.
 #include <fmt/format.h>
 
 #include "slipface/level/level_file.h"

@@ -1,4 +1,4 @@
-// The text of a level's file.
+// Writes the text of a level file.
 
 #include <fmt/format.h>
 
@@ -38,16 +38,16 @@ Json surface_json(const SurfaceType& surface) {
     return json;
 }
 
-// More painted faces than these are packed: people no longer read them one by one.
+// With more painted faces than this they are packed, because nobody reads so many rows.
 constexpr std::size_t max_readable_faces = 10'000;
 
 struct PaintedFaces {
     std::vector<FaceKey> keys;
     std::vector<const std::string*> types;  // [key]
-    std::vector<std::size_t> type_ranks;    // [key] types of the level in their order, others behind them
+    std::vector<std::size_t> type_ranks;    // [key] types of the level in their order, then other types
 };
 
-// The distinct names in the order of the text; the rank of each.
+// [i] rank of the name among the distinct names in alphabetical order.
 template <class NameOf>
 std::vector<std::uint32_t> ranks(std::size_t count, const NameOf& name_of) {
     std::map<std::string_view, std::uint32_t> names;
@@ -65,15 +65,14 @@ std::vector<std::uint32_t> ranks(std::size_t count, const NameOf& name_of) {
 struct SortedFace {
     std::size_t type_rank;
     std::uint32_t type, material;
-    bool is_row;  // in a packed group: one that cannot be packed
+    bool is_row;  // in a packed group: a face that cannot be packed
     std::uint64_t hash;
     std::uint32_t copy;
     std::size_t face;
     friend auto operator<=>(const SortedFace&, const SortedFace&) = default;
 };
 
-// By what faces are and not by where the mesh holds them, so that a mesh whose faces were reordered gives the
-// same text.
+// Sorts by key and not by index, so that reordering a mesh's faces does not change the text.
 std::vector<SortedFace> sorted(const PaintedFaces& faces, bool packed) {
     const std::size_t count = faces.keys.size();
     const auto types = ranks(count, [&](std::size_t i) { return std::string_view(*faces.types[i]); });
@@ -89,8 +88,8 @@ std::vector<SortedFace> sorted(const PaintedFaces& faces, bool packed) {
     return order;
 }
 
-// One object for each type and material. Without `typed` faces have no type; `kind` says where the unknown
-// members of a group are kept.
+// One object per type and material. Without `typed` the objects have no type. `kind` names the location of a
+// group's unknown members.
 Json groups_json(const PaintedFaces& faces, bool packed, UnknownMembers& unknown, const std::string& kind,
                  bool typed) {
     const std::vector<SortedFace> order = sorted(faces, packed);
@@ -243,7 +242,7 @@ void append_spawns(Json& root, const Level& level, UnknownMembers& unknown) {
     if (level.fall_limit) json_add(root, "fall_limit", json_number(*level.fall_limit));
 }
 
-// What few levels have is written only where it is.
+// Writes the parts that few levels have, if the level has them.
 void append_parts(Json& root, const Level& level, UnknownMembers& unknown) {
     if (!level.platforms.empty()) json_add(root, "platforms", platforms_json(level, unknown));
     if (level.heightfield) {

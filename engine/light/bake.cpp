@@ -10,12 +10,12 @@
 namespace slipface {
 namespace {
 
-constexpr double faintest = 0.003;       // light of an emitter that is not worth a ray
-constexpr double occlusion_m = 0.9;      // at this distance half of the reflected light is left
-constexpr double behind_fraction = 0.4;  // of rays that meet backs of faces: the texel lies inside a solid
-constexpr double brightest_glow = 1.2;   // of a glowing face in the picture
+constexpr double faintest = 0.003;       // emitters that contribute less light are skipped
+constexpr double occlusion_m = 0.9;      // at this distance half of the ambient light remains
+constexpr double behind_fraction = 0.4;  // of rays that hit backs of faces: above it the texel is in a solid
+constexpr double brightest_glow = 1.2;   // upper limit of an emitting face in the image
 
-// Points spread evenly over the unit disc: the R2 sequence, without those outside.
+// Points spread evenly over the unit disc: the R2 sequence without the points outside.
 // Source: Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018.
 std::vector<Vec2> disc_points(int count) {
     std::vector<Vec2> points;
@@ -41,7 +41,7 @@ struct Texels {
     std::vector<bool> valid;
 };
 
-// Gives texels without a value the mean of those beside them that have one, ring by ring.
+// Gives texels without a value the mean of their neighbours that have one, ring by ring.
 void fill_gaps(Texels& texels, int width, int height) {
     for (int round = 0; round < width + height; ++round) {
         const std::vector<bool> before = texels.valid;
@@ -85,7 +85,7 @@ struct LightBaker::Impl {
     double sun_fraction(FaceId face, int i, int j) const;
 };
 
-// The fraction of the sun that a texel sees, each ray from another point of the texel.
+// The fraction of the sun that a texel sees, times the cosine; each ray starts at another point of the texel.
 double LightBaker::Impl::sun_fraction(FaceId face, int i, int j) const {
     const LightChart& chart = scene.charts.charts[face];
     const double cosine = scene.normal[face].dot(scene.sun);
@@ -120,7 +120,7 @@ Vec3f LightBaker::Impl::direct(FaceId face, int i, int j) const {
     return light.cast<float>();
 }
 
-// What comes from the sky and from other faces. Not valid: the texel lies behind faces.
+// Light from the sky and reflected by other faces. `valid` is set to false if the texel lies behind faces.
 Vec3 LightBaker::Impl::gather(FaceId face, int i, int j, std::span<const Vec3f> known, bool& valid) const {
     const LightChart& chart = scene.charts.charts[face];
     const Vec3& normal = scene.normal[face];

@@ -15,7 +15,7 @@ Vec3 squared(const Vec3& color) {
     return color.cwiseProduct(color);
 }
 
-// The mean colour of a material's texture, else its own.
+// The mean colour of a material's texture, linear; the material's own colour if there is no texture.
 Vec3 mean_color(const Material& material, const std::filesystem::path& folder) {
     const Vec3 own = squared(material.diffuse.cast<double>());
     if (material.texture.empty()) return own;
@@ -31,7 +31,7 @@ Vec3 mean_color(const Material& material, const std::filesystem::path& folder) {
     return sum / static_cast<double>(image->pixel_count());
 }
 
-// What moves casts no shadow: it would be left behind.
+// Moving platforms cast no shadow, because the shadow would not move with them.
 Result<CollisionWorld> light_collision(const Level& level) {
     const Mesh& mesh = *level.mesh;
     std::vector<bool> moves(mesh.groups.size());
@@ -89,9 +89,9 @@ Vec3 LightScene::sky(const Vec3& direction) const {
 }
 
 Result<LightScene> make_light_scene(const Level& level) {
-    const std::string position = level.file_path.string();
-    if (!level.mesh || level.mesh->triangle_count() == 0) return Error{position, "has no geometry to light"};
-    if (!level.light) return Error{position + ":/light", "found nothing, expected what to bake from"};
+    const std::string location = level.file_path.string();
+    if (!level.mesh || level.mesh->triangle_count() == 0) return Error{location, "has no geometry to light"};
+    if (!level.light) return Error{location + ":/light", "found nothing, expected what to bake from"};
     LightScene scene;
     scene.mesh = level.mesh;
     scene.light = *level.light;
@@ -134,7 +134,7 @@ Vec3 point_on_face(const LightScene& scene, FaceId face, const Vec3& position) {
         const double round = a + b + c;
         const double twice_area = (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm();
         if (!(twice_area > 0.0)) continue;
-        // Towards the centre of the inscribed circle, so that every side moves in by `inset`.
+        // Moves towards the centre of the inscribed circle, so that every side moves in by `inset`.
         const Vec3 incentre = (a * corner[0] + b * corner[1] + c * corner[2]) / round;
         const double fraction = std::min(0.6, inset * round / twice_area);
         for (Vec3& at : corner)

@@ -1,4 +1,4 @@
-// What light meets: the faces with their colours, charts and glow.
+// The scene as the light rays need it: faces with their colours, charts and emission.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace slipface {
 
-// One glowing face, as light falls from it.
+// One emitting face as a light source.
 struct Emitter {
-    Vec3 position = Vec3::Zero();  // a little in front of it
+    Vec3 position = Vec3::Zero();  // a little in front of the face
     Vec3 normal = Vec3::Zero();
     Vec3 color = Vec3::Zero();
     double area = 0.0;  // square metres
@@ -21,24 +21,25 @@ struct Emitter {
 struct LightScene {
     MeshPtr mesh;
     LevelLight light;
-    Vec3 sun = Vec3::Zero();  // unit; zero without a sun
-    bool open = true;         // a black sky is none: the sun comes through windows alone
+    Vec3 sun = Vec3::Zero();  // unit, towards the sun; zero without a sun
+    bool open = true;         // false: the sky is black, and the sun shines only through windows
     CollisionWorld world;
     LightCharts charts;
     std::vector<Vec3> albedo;    // [material] linear
-    std::vector<Vec3> emission;  // [material] linear; zero for most
-    std::vector<bool> window;    // [material] the sun shines through
-    std::vector<Vec3> normal;    // [face] unit; zero without area
+    std::vector<Vec3> emission;  // [material] linear; zero if it does not emit
+    std::vector<bool> window;    // [material] the sun shines through it
+    std::vector<Vec3> normal;    // [face] unit; zero for a face without area
     std::vector<Emitter> emitters;
 
     bool glows(FaceId face) const { return emission[mesh->face_material[face]].maxCoeff() > 0.0; }
     Vec3 sky(const Vec3& direction) const;
 };
 
+// Errors: those of LightBaker::make().
 Result<LightScene> make_light_scene(const Level& level);
 
-// The point of a face, a little in front of it and inside its border, nearest to `place`: from there no ray
-// starts behind a neighbour.
+// The point nearest to `position` that is inside the border of the face and a little in front of it, so that
+// no ray starts behind a neighbour.
 Vec3 point_on_face(const LightScene& scene, FaceId face, const Vec3& position);
 
 }  // namespace slipface

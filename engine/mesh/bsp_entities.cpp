@@ -17,7 +17,7 @@ constexpr std::size_t max_entities = 100'000;
 constexpr double origin_above_feet = 24.0;  // units; the public Quake III source, game/bg_public.h: MINS_Z
 constexpr double pi = 3.141592653589793;
 
-// A text in quotes, from `at` on; `at` is left behind it. False: there is none.
+// Reads a quoted text from `at` on and moves `at` past it. Returns false if there is none.
 bool take_quoted(std::string_view text, std::size_t& at, std::string_view& out) {
     const std::size_t begin = text.find_first_not_of(" \t\r\n", at);
     if (begin == std::string_view::npos || text[begin] != '"') return false;
@@ -28,7 +28,7 @@ bool take_quoted(std::string_view text, std::size_t& at, std::string_view& out) 
     return true;
 }
 
-// Only what is an entity of a player: info_player_intermission is a camera.
+// Only entities of players: info_player_intermission is a camera.
 bool is_spawn(std::string_view class_name) {
     if (class_name == "info_player_intermission") return false;
     return class_name.starts_with("info_player_") || class_name == "team_CTF_redplayer" ||
@@ -80,7 +80,7 @@ std::vector<FoundSpawn> bsp_spawns(const std::vector<BspEntity>& entities) {
         FoundSpawn spawn;
         spawn.name = fmt::format("{} {}", entity.class_name(), ++number[entity.class_name()]);
         spawn.feet = entity.origin() - Vec3(0, 0, origin_above_feet);
-        // Quake's 0 degrees look along +X, which is a quarter turn to the right of -Z.
+        // Quake's 0 degrees look along +X, a quarter turn clockwise from -Z.
         const auto angle = read_number(entity.value("angle"));
         const double degrees = angle && std::abs(*angle) <= 1e6 ? std::remainder(*angle, 360.0) : 0.0;
         spawn.yaw = std::remainder(degrees - 90.0, 360.0) * pi / 180.0;

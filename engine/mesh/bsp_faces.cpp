@@ -12,10 +12,10 @@
 namespace slipface {
 namespace {
 
-constexpr int patch_steps = 4;  // quads along each side of a 3 x 3 patch of control points
+constexpr int patch_steps = 4;  // quads along each side of 3 x 3 control points
 constexpr std::size_t max_corners = std::size_t{1} << 27;
 constexpr std::uint32_t polygon_face = 1, patch_face = 2, mesh_face = 3;
-constexpr double flatness = 0.25;  // units; vertices are snapped by up to that
+constexpr double flatness = 0.25;  // units; map compilers snap vertices by up to this
 
 struct Point {
     Vec3f position = Vec3f::Zero();
@@ -75,7 +75,7 @@ class FaceReader {
     Status add_triangles(std::size_t number, const BspRange& points, const BspRange& corners, bool flat) {
         std::vector<std::uint32_t> triangles;
         for (std::size_t i = 0; i + 2 < corners.count; i += 3) {
-            for (std::size_t k = 3; k-- > 0;) {  // Quake winds the other way round
+            for (std::size_t k = 3; k-- > 0;) {  // Quake has the opposite winding
                 const std::uint32_t index = u32_at(file_.indices.at(corners.first + i + k), 0);
                 if (index >= points.count)
                     return Error{location_, fmt::format("face {} has index {} of {} vertices", number, index,
@@ -107,7 +107,7 @@ class FaceReader {
         return {};
     }
 
-    // The outline stands for the triangles only where it lies flat and does not cross itself.
+    // The outline may replace the triangles only if it is flat and does not cross itself.
     static bool same_area(const std::vector<Point>& outline, const std::vector<Point>& triangles) {
         Vec3 sum = Vec3::Zero();
         const Vec3 first = outline[0].position.cast<double>();
@@ -128,7 +128,7 @@ class FaceReader {
         });
     }
 
-    // What does not stop a player covers nothing that does.
+    // A face that does not stop a player does not cover a wall that does.
     void keep_walls(const std::vector<Point>& triangles) {
         if ((file_.contents(material_) & bsp::contents_wall) == 0) return;
         for (std::size_t i = 0; i < triangles.size(); i += 3)
@@ -137,7 +137,7 @@ class FaceReader {
                                   triangles[i + 2].position.cast<double>()});
     }
 
-    // Biquadratic Bezier patches of 3 x 3 control points that share their borders.
+    // Biquadratic Bezier patches of 3 x 3 control points; neighbours share their borders.
     Status add_patch(std::size_t number, const BspRange& points, std::size_t width, std::size_t height) {
         if (width < 3 || height < 3 || width % 2 == 0 || height % 2 == 0 || width > points.count ||
             height > points.count || width * height > points.count)
@@ -240,7 +240,7 @@ std::vector<std::uint32_t> outline_of(std::span<const std::uint32_t> triangles) 
         if (!next.emplace(from, to).second) return {};
     if (next.size() < 3) return {};
     std::vector<std::uint32_t> outline;
-    // It begins where the first triangle does, as far as that lies on the outline.
+    // It begins where the first triangle does, if that corner lies on the outline.
     const auto on_outline = std::find_if(triangles.begin(), triangles.end(),
                                          [&](std::uint32_t vertex) { return next.count(vertex) > 0; });
     for (std::uint32_t at = *on_outline; outline.size() < next.size(); at = next.at(at)) {

@@ -1,4 +1,4 @@
-// The lumps of a Quake 3 map, bounds checked once.
+// The lumps of a Quake 3 map, with bounds checked once.
 #pragma once
 
 #include <bit>
@@ -27,7 +27,7 @@ inline Vec3f vec3_at(std::string_view bytes, std::size_t at) {
     return {f32_at(bytes, at), f32_at(bytes, at + 4), f32_at(bytes, at + 8)};
 }
 
-// A run of records within a lump.
+// A range of records within a lump.
 struct BspRange {
     std::size_t first = 0, count = 0;
     bool within(std::size_t size) const { return first <= size && count <= size - first; }
@@ -36,7 +36,7 @@ inline BspRange bsp_range_at(std::string_view record, std::size_t at) {
     return {u32_at(record, at), u32_at(record, at + 4)};
 }
 
-// Records of one kind.
+// The records of one kind.
 struct BspLump {
     std::string_view bytes;
     std::size_t record = 1;
@@ -51,9 +51,9 @@ struct BspFile {
     BspLump nodes{{}, 36};      // plane, two children (below 0: leaf -1 - child), box
     BspLump leaves{{}, 48};     // cluster (below 0: solid or outside), area, box, faces, brushes
     BspLump models{{}, 40};     // box, faces, brushes; the first is the world
-    BspLump brushes{{}, 12};    // sides, texture (whose contents are the brush's)
+    BspLump brushes{{}, 12};    // sides, texture (whose contents are those of the brush)
     BspLump sides{{}, 8};       // plane, texture
-    BspLump vertices{{}, 44};   // position, texture coordinates, those of the lightmap, normal, colour
+    BspLump vertices{{}, 44};   // position, texture coordinates, lightmap coordinates, normal, colour
     BspLump indices{{}, 4};     // relative to the first vertex of the face
     BspLump faces{{}, 104};
 
@@ -64,14 +64,14 @@ struct BspFile {
 namespace bsp {
 // code/game/surfaceflags.h
 inline constexpr std::uint32_t contents_solid = 0x1, contents_playerclip = 0x10000;
-// What stops a player.
+// These contents stop a player.
 inline constexpr std::uint32_t contents_wall = contents_solid | contents_playerclip;
 inline constexpr std::uint32_t surface_nonsolid = 0x4000;
 inline constexpr float largest_coordinate = 1e7F;  // units
 }  // namespace bsp
 
-// Refuses another version and lumps that do not fit into the file. Indices inside of records are not looked
-// at. The views are of `bytes`.
+// Finds the lumps. Errors: another version, lumps that do not fit into the file. Indices inside records are
+// not checked. The result refers to `bytes`.
 Result<BspFile> open_bsp(std::string_view bytes, const std::string& location);
 
 }  // namespace slipface

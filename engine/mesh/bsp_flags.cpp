@@ -52,7 +52,7 @@ std::span<const BspParameter> bsp_parameters() {
 }
 
 const char* bsp_surface_type(std::uint32_t surface_flags, std::uint32_t contents) {
-    // `common/clip` is non-solid for shots, and stops players all the same.
+    // `common/clip` is non-solid for shots but stops players.
     if ((contents & bsp::contents_wall) != 0) surface_flags &= ~bsp::surface_nonsolid;
     const auto* const found =
         std::find_if(std::begin(parameters), std::end(parameters), [&](const BspParameter& one) {

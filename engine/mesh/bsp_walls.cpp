@@ -1,5 +1,5 @@
-// Side polygons come of cutting a large square with the planes of the brush's other sides; then everything
-// that no player can touch is cut away.
+// A side polygon is a large square, cut by the planes of the brush's other sides. Then all parts that no
+// player can touch are cut away.
 #include "bsp_walls.h"
 
 #include <fmt/format.h>
@@ -12,16 +12,16 @@
 namespace slipface {
 namespace {
 
-constexpr double tolerance = 0.02;      // units; planes of neighbours that should be one differ by less
-constexpr double narrowest = 0.25;      // units; vertices of drawn faces are snapped by up to that
+constexpr double tolerance = 0.02;      // units; planes that should be equal differ by less
+constexpr double narrowest = 0.25;      // units; map compilers snap drawn vertices by up to this
 constexpr double reach = 1 << 18;       // units; larger than any map
-constexpr std::size_t max_sides = 256;  // of a brush
+constexpr std::size_t max_sides = 256;  // per brush
 constexpr std::size_t deepest = 2048;   // of the tree
 
 struct Brush {
     std::size_t texture = 0;
-    std::size_t first_side = 0;           // of the file
-    bool world = false;                   // else of a moving part, which the tree does not know
+    std::size_t first_side = 0;           // index in the file
+    bool world = false;                   // false: a moving part, which is not in the tree
     std::vector<Plane> planes;            // [side]
     std::vector<ConvexPolygon> polygons;  // [side]; empty: a bevel, which bounds nothing
     Aabb bounds;
@@ -32,7 +32,7 @@ bool touch(const Aabb& a, const Aabb& b) {
         .all();
 }
 
-// Boxes sorted by where they begin along x, to find those that touch another one.
+// Boxes sorted by their lower x, to find those that touch another box.
 class BoxesAlongX {
   public:
     explicit BoxesAlongX(std::vector<Aabb> boxes) : boxes_(std::move(boxes)) {
@@ -45,7 +45,7 @@ class BoxesAlongX {
         });
     }
 
-    // Ascending. Counts in `work` how many boxes were looked at.
+    // The boxes that touch `box`, ascending. Adds the number of boxes examined to `work`.
     std::vector<std::size_t> touching(const Aabb& box, std::size_t& work) const {
         const auto begins = [this](std::size_t i, double x) { return boxes_[i].min.x() < x; };
         auto at =
@@ -97,7 +97,7 @@ class WallFinder {
     }
 
   private:
-    // Far more than the largest map needs, and done in seconds.
+    // Far more than the largest map needs, but reached within seconds.
     Status within_bounds() const {
         if (work_ < std::size_t{500'000'000}) return {};
         return Error{location_, "has brushes that overlap too often to tell what faces open space"};
@@ -133,7 +133,7 @@ class WallFinder {
         return {};
     }
 
-    // A normal of zero where the file's numbers are none.
+    // The normal is zero if the numbers in the file are not valid.
     Plane plane_at(std::size_t number) const {
         const std::string_view record = file_.planes.at(number);
         const Vec3 normal = vec3_at(record, 0).cast<double>();
@@ -147,7 +147,7 @@ class WallFinder {
         for (std::size_t i = 0; i < planes.size() && !polygon.empty(); ++i) {
             work_ += polygon.size();
             if (i != side) polygon = cut(polygon, planes[i], 1e-4).back;
-            // Of two sides in one plane the first has the polygon.
+            // Of two sides in one plane, only the first has a polygon.
             if (i < side && planes[i].normal.dot(planes[side].normal) > 0.99999 &&
                 std::abs(planes[i].distance - planes[side].distance) < tolerance)
                 polygon.clear();
@@ -182,7 +182,7 @@ class WallFinder {
         for (const ConvexPolygon& part : parts)
             area += area_of(part);
         if (area > 0.9999 * area_of(whole)) parts = {whole};
-        // The brush decides what is solid: a side may show a texture that is not.
+        // The contents of the brush decide whether it is solid; a side may have a texture that is not.
         std::size_t texture = u32_at(file_.sides.at(brushes_[brush].first_side + side), 4);
         if ((file_.contents(texture) & bsp::contents_wall) == 0) texture = brushes_[brush].texture;
         for (ConvexPolygon& part : parts)
@@ -190,8 +190,8 @@ class WallFinder {
         return {};
     }
 
-    // Whether a side in `plane` can lie inside of `other`. Of two brushes with a side in the same plane, the
-    // earlier one has it.
+    // True if a side in `plane` can lie inside `other`. If two brushes have a side in the same plane, the
+    // earlier brush has it.
     static bool hides(const Brush& other, const Plane& plane, bool earlier) {
         if (earlier) return true;
         return std::none_of(other.planes.begin(), other.planes.end(), [&](const Plane& one) {
@@ -210,7 +210,7 @@ class WallFinder {
         parts = std::move(left);
     }
 
-    // A drawn face in the same plane, its front where the side's is.
+    // True if a drawn face lies in the same plane and faces the same way.
     static bool lies_in(const BspTriangle& triangle, const Plane& plane) {
         for (const Vec3& corner : triangle)
             if (std::abs(plane.above(corner)) > narrowest) return false;
@@ -231,7 +231,8 @@ class WallFinder {
         Status status;
         bool all = false;
     };
-    // Appends what of `polygon` has a leaf of open space before it; in one piece where that is all of it.
+    // Appends the parts of `polygon` with a leaf of open space in front; one piece if that is the whole
+    // polygon.
     Open open_parts(std::size_t node, std::size_t depth, const ConvexPolygon& polygon, const Plane& plane,
                     std::vector<ConvexPolygon>& out) {
         work_ += polygon.size();

@@ -1,4 +1,4 @@
-// What stops a player in a Quake 3 map without being drawn: sides of clip, caulk and sky brushes.
+// The undrawn walls of a Quake 3 map, which stop a player: sides of clip, caulk and sky brushes.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@
 
 namespace slipface {
 
-// A drawn triangle that stops the player, counter-clockwise seen from its front, in the map's coordinates.
+// A drawn triangle that stops the player; counter-clockwise seen from its front, in coordinates of the map.
 using BspTriangle = std::array<Vec3, 3>;
 
 struct BspWall {
@@ -20,10 +20,10 @@ struct BspWall {
     std::size_t texture = 0;
 };
 
-// The parts of the sides of solid and playerclip brushes that face open space and lie behind no drawn
-// triangle: neither in another such brush, nor in a leaf of the tree that is solid or outside of a sealed
-// map. `models` are the entities' moving parts (BspModels). Refuses indices that are not there, and brushes
-// that overlap so often that the work would have no bound.
+// Returns the parts of the sides of solid and playerclip brushes that face open space and are not covered by
+// a drawn triangle. A part does not count if it lies in another such brush, or in a leaf of the tree that is
+// solid or outside of a sealed map. `models`: the moving parts of the entities. Errors: indices out of range,
+// and brushes that overlap so often that the work would have no bound.
 struct BspModel {
     std::size_t number = 0;  // in the lump of models
     Vec3 origin = Vec3::Zero();

@@ -85,7 +85,7 @@ void fill_defaults(PolygonSoup& soup) {
     if (soup.groups.empty()) soup.groups.emplace_back();
 }
 
-// Numbers the vertices in the order in which corners first use them and leaves out the others.
+// Numbers the vertices in the order in which corners first use them and removes unused ones.
 void number_by_first_use(const std::vector<Vec3f>& positions, Mesh& mesh) {
     std::vector<std::uint32_t> number(positions.size(), no_id);
     mesh.positions.reserve(positions.size());
@@ -116,7 +116,7 @@ void place_corners(PolygonSoup& soup, Mesh& mesh) {
 
 constexpr std::size_t faces_per_task = 4096;
 
-// A face of n corners has n - 2 triangles, so each face knows where its own go.
+// A face of n corners has n - 2 triangles, so the position of its triangles is known in advance.
 void cut_faces(Mesh& mesh) {
     mesh.face_first_triangle.resize(mesh.face_count() + 1);
     for (std::size_t face = 0; face <= mesh.face_count(); ++face)

@@ -35,7 +35,7 @@ Status check_declared_counts(const std::string& extension, std::string_view byte
             if (auto status = check_count(take_word(rest), bytes, location); !status) return status;
             continue;
         }
-        // The counts stand in the first line behind the word OFF, or beside it.
+        // The counts are in the first line after the word OFF, or on the same line.
         while (!rest.empty())
             if (auto status = check_count(take_word(rest), bytes, location); !status) return status;
         if (!lines.line().empty() && ++line == 2) break;

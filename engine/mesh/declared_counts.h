@@ -7,8 +7,8 @@
 
 namespace slipface {
 
-// Refuses PLY and OFF files that announce more elements than they have bytes: assimp takes memory for all of
-// them before it reads the first.
+// Refuses PLY and OFF files that declare more elements than they have bytes: assimp allocates memory for all
+// of them before it reads the first.
 Status check_declared_counts(const std::string& extension, std::string_view bytes,
                              const std::string& location);
 

@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A file in memory. Some of assimp's readers ask for more at the end of a truncated file again and again, for
-// ever; an exception, which assimp turns into a refusal, stops them.
+// A file in memory. Some of assimp's readers read at the end of a truncated file for ever. An exception,
+// which assimp turns into an error, stops them.
 class GuardedStream final : public Assimp::IOStream {
   public:
     explicit GuardedStream(std::string bytes) : bytes_(std::move(bytes)) {}

@@ -5,8 +5,8 @@
 
 namespace slipface {
 
-// Lets assimp read the regular files of one folder and below, and nothing else: a level that was sent by
-// somebody must not make the program read a device, a pipe or somebody's keys.
+// Lets assimp read only the regular files of one folder and below: a level from elsewhere must not make the
+// program read a device, a pipe or private keys.
 class FolderIo final : public Assimp::IOSystem {
   public:
     explicit FolderIo(const std::filesystem::path& folder);

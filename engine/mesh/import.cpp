@@ -42,7 +42,7 @@ Result<ImportedSoup> read_soup(const std::filesystem::path& path, std::string by
     return import_scene(path, extension, std::move(bytes), warnings, progress);
 }
 
-// Into metres, +Y up.
+// Converts the positions to metres and +Y up.
 ImportSummary transform(ImportedSoup& imported, const ImportTransform& how) {
     const FileFrame& frame = imported.frame;
     ImportSummary summary{frame.scale,   frame.scale_from, frame.scale_reason, frame.up,

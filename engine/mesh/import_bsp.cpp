@@ -14,7 +14,7 @@ namespace {
 
 constexpr double metres_per_unit = 1.0 / 32.0;
 
-// The world, and the moving parts that the entities place. What only reports a touch is no wall.
+// The world, and the moving parts that the entities use. A trigger reports touches but is not a wall.
 std::vector<BspModel> models_of(const BspFile& file, const std::vector<BspEntity>& entities) {
     std::vector<BspModel> models;
     if (file.models.count() > 0) models.push_back({});
@@ -26,7 +26,7 @@ std::vector<BspModel> models_of(const BspFile& file, const std::vector<BspEntity
         if (read.ec != std::errc() || number == 0 || number >= file.models.count()) continue;
         models.push_back({number, entity.origin()});
     }
-    // A model that several entities have stands where the first has it.
+    // A model used by several entities is where the first one has it.
     std::stable_sort(models.begin(), models.end(),
                      [](const BspModel& a, const BspModel& b) { return a.number < b.number; });
     models.erase(std::unique(models.begin(), models.end(),

@@ -12,7 +12,7 @@
 namespace slipface {
 namespace {
 
-// Appends the corners of `mesh` behind those in `soup`; false where a face is not as the scan found it.
+// Appends the corners of `mesh` to `soup`. Returns false if a face differs from the scan.
 bool add_corners(const aiMesh& mesh, const std::vector<std::uint32_t>& face_first_corner, std::size_t& face,
                  PolygonSoup& soup) {
     for (unsigned i = 0; i < mesh.mNumFaces; ++i, ++face) {
@@ -33,9 +33,8 @@ bool add_corners(const aiMesh& mesh, const std::vector<std::uint32_t>& face_firs
     return true;
 }
 
-// The clean text has neither objects nor groups nor the file's materials: assimp makes a mesh of each,
-// thousands of bytes long, and looks their names up one after the other. So faces come back in the order in
-// which they were written.
+// The clean text has no objects, groups or materials of the file: assimp would make a mesh of thousands of
+// bytes for each and search their names linearly. So faces come back in the order in which they were written.
 Status read_polygons(const ObjScan& scan, const std::string& location, PolygonSoup& soup) {
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFileFromMemory(scan.clean.data(), scan.clean.size(), 0, "obj");
@@ -74,7 +73,7 @@ std::vector<Material> materials_of(const std::filesystem::path& path, const std:
     return materials;
 }
 
-// Any OBJ, line by line and through assimp.
+// Reads any OBJ, line by line and through assimp.
 Result<PolygonSoup> read_carefully(const std::filesystem::path& path, std::string text,
                                    WarningList& warnings) {
     const std::string location = path.string();

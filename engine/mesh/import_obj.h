@@ -14,7 +14,7 @@ struct ImportedObj {
     bool through_assimp = false;
 };
 
-// `text` is what the file holds. Cancelled through `progress` it is an error.
+// Reads the OBJ file `path` with the content `text`. Cancelling through `progress` gives an error.
 Result<ImportedObj> import_obj(const std::filesystem::path& path, std::string text, WarningList& warnings,
                                Progress* progress);
 

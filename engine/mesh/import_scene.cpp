@@ -39,7 +39,7 @@ Material material_of(const aiMaterial& source) {
         aiString path;
         if (source.GetTexture(type, 0, &path) != aiReturn_SUCCESS) continue;
         material.texture = text_of(path);
-        // '*' stands for a picture inside the file.
+        // '*' stands for an image inside the file.
         if (material.texture.starts_with('*')) material.texture.clear();
         break;
     }
@@ -56,7 +56,8 @@ class SceneReader {
             soup_.materials.push_back(material_of(*scene_.mMaterials[i]));
         soup_.face_first_corner.push_back(0);
 
-        // Children before siblings, in the file's order, without recursion: files choose how deep they nest.
+        // Children before siblings, in the order of the file. Not recursive, because the file determines the
+        // depth.
         std::vector<std::pair<const aiNode*, aiMatrix4x4>> open{{scene_.mRootNode, aiMatrix4x4()}};
         while (!open.empty()) {
             const auto [node, parent] = open.back();
@@ -96,7 +97,8 @@ class SceneReader {
             if (soup_.face_material.size() == max_faces)
                 return Error{location_, fmt::format("has more than {} faces", max_faces)};
             for (unsigned k = 0; k < face.mNumIndices; ++k) {
-                // A mirror turns the winding round; the polygon is read backwards to keep its front.
+                // A mirroring transformation reverses the winding; reading the polygon backwards preserves
+                // its front.
                 const unsigned vertex = face.mIndices[mirrored ? face.mNumIndices - 1 - k : k];
                 if (auto status = add_corner(mesh, vertex, world); !status) return status;
             }
@@ -132,7 +134,7 @@ class SceneReader {
     }
 
     const aiScene& scene_;
-    const bool root_is_frame_;  // assimp corrects axes and unit there; we do that ourselves
+    const bool root_is_frame_;  // assimp corrects axes and unit there; this code does so itself
     const std::string& location_;
     WarningList& warnings_;
     PolygonSoup soup_;

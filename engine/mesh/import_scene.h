@@ -9,9 +9,9 @@
 
 namespace slipface {
 
-// A file of another format than OBJ, straight through assimp: the polygons of all nodes, in the file's world
-// space, and what the file says of that. Other files that it refers to are read only in its folder or below.
-// Cancelled through `progress` it is an error. `bytes` are the file's; `extension` is in lower case.
+// Reads a file of another format than OBJ through assimp: the polygons of all nodes, in the world space of
+// the file, and the frame that it declares. Files that it refers to are read only in its folder or below.
+// Cancelling through `progress` gives an error. `bytes`: the content; `extension`: lower case.
 Result<ImportedSoup> import_scene(const std::filesystem::path& path, const std::string& extension,
                                   std::string bytes, WarningList& warnings, Progress* progress);
 

@@ -1,4 +1,4 @@
-// What the readers of single formats hand to import_mesh().
+// The result of the format readers for import_mesh().
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace slipface {
 
-// What a file says of its coordinates, or what its format's usual writers mean by them.
+// The meaning of a file's coordinates: as the file declares, or as the usual writers of its format do.
 struct FileFrame {
     double scale = 1.0;  // metres per unit
     ImportSource scale_from = ImportSource::guessed;
@@ -18,20 +18,20 @@ struct FileFrame {
     UpAxis up = UpAxis::y;
     ImportSource up_from = ImportSource::guessed;
     std::string up_reason = "no axis in the file";
-    // To +Y up and right-handed. Of a declared frame it may also turn about the vertical, or mirror.
+    // To +Y up and right-handed. A declared frame may also rotate about the vertical, or mirror.
     Eigen::Matrix3f upright = Eigen::Matrix3f::Identity();
 };
 
-// A frame whose rotation follows from the axis.
+// A frame whose rotation follows from the up axis.
 FileFrame frame_of(double scale, ImportSource scale_from, std::string scale_reason, UpAxis up,
                    ImportSource up_from, std::string up_reason);
 
 struct ImportedSoup {
     PolygonSoup soup;  // in the file's own coordinates
     FileFrame frame = {};
-    std::vector<FoundSpawn> spawns = {};  // the feet in the file's coordinates
+    std::vector<FoundSpawn> spawns = {};  // feet in coordinates of the file
     std::vector<FoundType> types = {};
-    std::size_t drawn_faces = no_id;  // the faces from here on are not drawn
+    std::size_t drawn_faces = no_id;  // the faces from this index on are not drawn
     bool through_assimp = false;
 };
 

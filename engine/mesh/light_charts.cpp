@@ -10,7 +10,7 @@
 namespace slipface {
 namespace {
 
-// Floors run along x and z, everything else along the horizontal and the steepest line of its plane, so that
+// On floors u is the x axis; on other faces u is horizontal and v is the steepest line of the plane. So
 // neighbours in one plane have the same axes.
 void set_axes(LightChart& chart, const Vec3& normal) {
     if (std::abs(normal.y()) > 0.999) {
@@ -22,7 +22,7 @@ void set_axes(LightChart& chart, const Vec3& normal) {
     chart.u = chart.v.cross(normal).normalized();
 }
 
-// Texels along a side of `length` metres, and the distance between them.
+// The number of texels along a side of `length` metres. `step`: the distance between them.
 std::uint16_t divide(double length, double texel_m, double& step) {
     step = 0.0;
     if (length < 0.35 * texel_m) return 1;
@@ -66,14 +66,15 @@ std::uint64_t geometry_hash(const Mesh& mesh, double texel_m) {
     return hasher.value();
 }
 
-// The side of a map that is about square: a multiple of 64.
+// The width of an approximately square map: a multiple of 64.
 int map_width(std::uint64_t texels, int widest) {
     const double side = std::sqrt(1.04 * static_cast<double>(texels));
     const int rounded = 64 * static_cast<int>(std::ceil(side / 64.0));
     return std::max(rounded, 64 * ((widest + 63) / 64));
 }
 
-// Shelves: highest first, from left to right, a new shelf where the row is full. Returns the height used.
+// Shelf packing: highest first, from left to right; a new shelf when the row is full. Returns the height
+// used.
 int pack(std::vector<LightChart>& charts, int width) {
     std::vector<std::uint32_t> order(charts.size());
     std::iota(order.begin(), order.end(), 0U);

@@ -21,7 +21,7 @@ std::string with_slashes(std::string_view path) {
     return result;
 }
 
-// Skips the options of a texture statement; what remains is the file name, which may hold spaces.
+// Skips the options of a texture statement. The rest is the file name, which may contain spaces.
 std::string_view texture_name(std::string_view rest) {
     for (;;) {
         rest = trim(rest);
@@ -40,7 +40,7 @@ std::string_view texture_name(std::string_view rest) {
         for (int i = 0; i < arguments; ++i) {
             std::string_view next = after;
             const std::string_view word = take_word(next);
-            // -o, -s and -t may give one or two numbers only.
+            // -o, -s and -t may have only one or two numbers.
             if (arguments == 3 && i > 0 && !read_number(word)) break;
             after = next;
         }
@@ -48,7 +48,7 @@ std::string_view texture_name(std::string_view rest) {
     }
 }
 
-// Kd r [g b]; one number stands for all three.
+// Kd r [g b]; a single number applies to all three.
 bool read_color(std::string_view rest, Vec3f& color) {
     double values[3] = {0, 0, 0};
     for (int i = 0; i < 3; ++i) {
@@ -70,7 +70,7 @@ bool has_parent_step(const fs::path& path) {
     return std::find(path.begin(), path.end(), fs::path("..")) != path.end();
 }
 
-// Loads each library once, however often and however spelled it is named.
+// Loads each library once, however often and in whatever spelling it is named.
 class LibraryLoader {
   public:
     LibraryLoader(const fs::path& obj, MaterialsByName& materials, WarningList& warnings)
@@ -95,7 +95,7 @@ class LibraryLoader {
     bool any() const { return any_; }
 
   private:
-    // A path that would leave the level's folder is replaced by its last part: exporters write paths of their
+    // A path that would leave the level's folder is replaced by its file name: exporters write paths of their
     // own machine.
     static fs::path inside(const std::string& name) {
         const fs::path path(name);

@@ -14,7 +14,7 @@ struct EdgeOfFace {
     friend auto operator<=>(const EdgeOfFace&, const EdgeOfFace&) = default;
 };
 
-// All edges, sorted: counted into the buckets of their lower vertices, then each bucket by itself.
+// All edges, sorted: counted into buckets by their lower vertex, then each bucket is sorted.
 std::vector<EdgeOfFace> edges_of(const Mesh& mesh) {
     const Welded welded = weld_positions(mesh.positions);
     const auto for_each_edge = [&](const auto& visit) {
@@ -33,7 +33,7 @@ std::vector<EdgeOfFace> edges_of(const Mesh& mesh) {
     std::partial_sum(next.begin(), next.end(), next.begin());
     std::vector<EdgeOfFace> edges(next.back());
     for_each_edge([&](const EdgeOfFace& edge) { edges[next[edge.low]++] = edge; });
-    // Filling has moved each bucket's begin to its end.
+    // Filling has moved the begin of each bucket to its end.
     constexpr std::size_t buckets_per_task = 4096;
     parallel_for(welded.positions.size(), buckets_per_task, [&](std::size_t begin, std::size_t end) {
         for (std::size_t low = begin; low < end; ++low) {
@@ -46,7 +46,7 @@ std::vector<EdgeOfFace> edges_of(const Mesh& mesh) {
     return edges;
 }
 
-// Calls link(face, neighbour) for each pair of faces at a common edge.
+// Calls link(face, neighbour) for each pair of faces with a common edge.
 template <class Link>
 void for_each_link(const std::vector<EdgeOfFace>& edges, const Link& link) {
     for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
@@ -72,7 +72,7 @@ FaceNeighbours face_neighbours(const Mesh& mesh) {
     std::vector<FaceId> links(end.back());
     for_each_link(edges, [&](FaceId face, FaceId neighbour) { links[end[face]++] = neighbour; });
 
-    // Filling has moved each face's begin to its end, which is the next face's begin.
+    // Filling has moved the begin of each face to its end, which is the begin of the next face.
     FaceNeighbours result;
     result.first.reserve(mesh.face_count() + 1);
     result.first.push_back(0);

@@ -4,8 +4,8 @@
 
 namespace slipface {
 
-// Newell's sum over a closed polygon of `count` corners, relative to its first corner: the normal times twice
-// the area. `corner(i)` gives the position of corner i.
+// Newell's sum over a closed polygon of `count` corners, relative to its first corner: twice the area times
+// the unit normal. `corner(i)` returns the position of corner i.
 template <class Corner>
 Vec3 newell_sum(std::size_t count, const Corner& corner) {
     Vec3 sum = Vec3::Zero();

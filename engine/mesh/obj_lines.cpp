@@ -15,7 +15,7 @@ class StatementReader {
     explicit StatementReader(std::string_view text) : text_(text), joined_(text) {}
 
     std::vector<ObjStatement> run() {
-        // The reader joins continued lines within the copy, byte for byte in place, so that offsets into the
+        // The reader joins continued lines within the copy and preserves the length, so that offsets into the
         // copy are offsets into the text.
         LineReader lines(joined_);
         while (lines.next())

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t bytes_per_part = std::size_t{1} << 19;
 
-// What assimp's number reader throws at text that is no number; read_number() has seen that it is one.
+// Assimp's number reader throws this for text that is not a number; read_number() has already excluded that.
 struct NoNumber {
     template <class... Parts>
     explicit NoNumber(Parts&&...) {}
@@ -31,7 +31,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-// Reads the words of one line. Every function moves `at` and returns false at what is out of the ordinary.
+// Reads the words of one line. Every function moves `at` and returns false for anything unusual.
 struct LineCursor {
     const char* at;
     const char* end;
@@ -43,7 +43,7 @@ struct LineCursor {
     bool at_end() const { return at == end; }
     bool at_word_end() const { return at == end || is_blank(*at); }
 
-    // Digits, at most 15 of them, so that a double holds the value.
+    // At most 15 digits, so that a double can hold the value.
     bool digits(std::uint64_t& value, int& count) {
         const char* const begin = at;
         value = 0;
@@ -66,7 +66,8 @@ struct LineCursor {
         if (simple && at != end && *at == '.') {
             ++at;
             simple = digits(part, count);
-            // What assimp computes, in its order: it rounds the whole number, the decimals and their sum.
+            // The same operations as in assimp, in its order: the whole number, the decimals and their sum
+            // are rounded.
             if (simple) sum += static_cast<float>(static_cast<double>(part) * Assimp::fast_atof_table[count]);
         }
         if (!simple || !at_word_end()) {
@@ -90,7 +91,7 @@ struct LineCursor {
         return true;
     }
 
-    // One of 1 to `count`, or -1 to -`known`: from the last that the file had so far.
+    // Reads an index from 1 to `count`, or from -1 to -`known`, which counts back from the last one so far.
     bool index(std::int64_t known, std::int64_t count, std::uint32_t& value) {
         const bool negative = at != end && *at == '-';
         if (negative) ++at;
@@ -105,7 +106,7 @@ struct LineCursor {
     }
 };
 
-// So many statements there are in a part of the text, or in all before it.
+// Numbers of statements in a part of the text, or in all text before it.
 struct Counts {
     std::int64_t line = 0, v = 0, vt = 0, vn = 0;
     Counts& operator+=(const Counts& other) {
@@ -120,12 +121,12 @@ struct Counts {
 struct NameEvent {
     enum class Kind : std::uint8_t { material, group, library };
     Kind kind;
-    std::size_t face;  // of the part, before which it stands
+    std::size_t face;  // index of the next face in the part
     std::size_t line;
     std::string_view name;
 };
 
-// A run of whole lines.
+// A range of whole lines.
 struct Part {
     std::string_view text;
     Counts before;
@@ -146,7 +147,8 @@ std::vector<Part> split_into_parts(std::string_view text) {
     return parts;
 }
 
-// Calls visit(begin, end) for every line, without blanks and line end at its ends, until one returns false.
+// Calls visit(begin, end) for every line, without surrounding blanks and line end, until one call returns
+// false.
 template <class Visit>
 bool for_each_line(std::string_view text, const Visit& visit) {
     const char* at = text.data();
@@ -214,7 +216,7 @@ class PartReader {
         return false;
     }
 
-    // Colours that some tools put behind the coordinates are not looked at.
+    // Colours that some tools write after the coordinates are ignored.
     bool read_vertex(LineCursor line) {
         Vec3f& position = positions_[static_cast<std::size_t>(seen_.v++)];
         return line.number(position[0]) && line.number(position[1]) && line.number(position[2]);
@@ -282,7 +284,7 @@ class PartReader {
     std::vector<Vec2f>& uvs_;
 };
 
-// Goes through the names in the order in which they stand and gives each face its own.
+// Goes through the names in the order of the file and assigns them to the faces.
 class NameJoiner {
   public:
     explicit NameJoiner(ObjPolygons& out) : out_(out) {}
@@ -363,7 +365,7 @@ void join_corners(std::vector<Part>& parts, const std::vector<Vec2f>& uvs, Polyg
     });
 }
 
-// Runs body(part) for every part on all cores; false as soon as one says so or the task is cancelled.
+// Runs body(part) for every part on all cores. Returns false if one call does or the task is cancelled.
 template <class Body>
 bool all_parts(std::vector<Part>& parts, Progress* progress, const Body& body) {
     std::atomic<bool> fine = true;

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t corners_per_part = std::size_t{1} << 22;
 constexpr std::size_t longest_copied_number = 32;
 
-// How many `v`, `vt` or `vn` lines there were so far, and the largest index that points beyond them.
+// The number of `v`, `vt` or `vn` lines so far, and the largest index that points beyond them.
 struct Counter {
     const char* keyword;
     std::int64_t count = 0;
@@ -35,7 +35,7 @@ class Scanner {
         }
         scan_.clean.reserve(text_.size() + text_.size() / 8);
         scan_.face_first_corner.push_back(0);
-        // Corners without a texture coordinate get this one, so that all corners can have one.
+        // Corners without a texture coordinate get this one, so that all corners have one.
         has_uv_ = text_.find("vt") != std::string::npos;
         if (has_uv_) scan_.clean += "vt 0 0\n";
 
@@ -151,7 +151,7 @@ class Scanner {
             add_integer(corner.v);
             if (has_uv_) {
                 out += '/';
-                add_integer(corner.vt + 1);  // after the one for corners without
+                add_integer(corner.vt + 1);  // after the extra one for corners without
             }
         }
         out += '\n';

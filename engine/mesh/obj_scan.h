@@ -20,9 +20,9 @@ struct NameOnLine {
 
 inline constexpr std::size_t longest_obj_line = std::size_t{1} << 20;
 inline constexpr std::size_t max_obj_faces = std::size_t{1} << 26;
-inline constexpr double largest_obj_coordinate = 1e7;  // of the file's units
+inline constexpr double largest_obj_coordinate = 1e7;  // in units of the file
 
-// Names numbered in the order in which faces first use them. A name without a face is never numbered.
+// Numbers names in the order in which faces first use them. A name without a face gets no number.
 class NameTable {
   public:
     void set(std::string name, std::size_t line) {
@@ -49,25 +49,25 @@ class NameTable {
     std::vector<NameOnLine> list_;
 };
 
-// Whether a number goes to assimp as it is spelled: assimp overlooks numbers that begin with a point and cuts
-// off long ones, so those are written anew.
+// True if a number can be passed to assimp as it is spelled. Assimp misreads numbers that begin with a point
+// and cuts off long ones, so those are rewritten.
 bool copies_obj_number(std::string_view word);
 
-// An OBJ file checked, and its polygons written out anew for a reader that need not be careful.
+// An OBJ file after checking, with its polygons rewritten for a reader that does not check.
 struct ObjScan {
-    // Only `v x y z`, `vt u v` and `f`, with positive indices and either `v` or `v/vt` throughout. Every few
-    // million corners a `usemtl`, so that no reader's mesh becomes too large for it.
+    // Only `v x y z`, `vt u v` and `f`, with positive indices and either `v` or `v/vt` throughout. There is a
+    // `usemtl` every few million corners, so that no mesh becomes too large for the reader.
     std::string clean;
 
-    std::vector<std::uint32_t> face_first_corner;  // [face + 1], in the file's order
+    std::vector<std::uint32_t> face_first_corner;  // [face + 1], in the order of the file
     std::vector<std::uint32_t> face_material;      // [face] index into materials
     std::vector<std::uint32_t> face_group;         // [face] index into groups
     std::vector<NameOnLine> materials;             // `usemtl` names, in the order in which faces use them
-    std::vector<NameOnLine> groups;                // `o` and `g` names, whichever came last before a face
+    std::vector<NameOnLine> groups;                // `o` and `g` names, the last before a face
     std::vector<NameOnLine> libraries;             // the arguments of each `mtllib`
 };
 
-// Refuses what import_mesh() says it refuses; `place` is the file's name in messages.
-Result<ObjScan> scan_obj(std::string text, const std::string& slot, WarningList& warnings);
+// The errors are those of import_mesh(). The second argument is the name of the file in messages.
+Result<ObjScan> scan_obj(std::string text, const std::string& location, WarningList& warnings);
 
 }  // namespace slipface

@@ -21,8 +21,8 @@ bool is_text(unsigned char byte) {
     return byte >= 0x20 || (byte >= '\t' && byte <= '\r');
 }
 
-// Bytes of the UTF-8 sequence that `text` begins with; 0 for none. Overlong forms, surrogates and what lies
-// beyond U+10FFFF are none.
+// Bytes of the UTF-8 sequence at the start of `text`; 0 if it is not valid. Overlong forms, surrogates and
+// values above U+10FFFF are not valid.
 std::size_t utf8_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char lead = byte(0);
@@ -38,7 +38,7 @@ std::size_t utf8_length(std::string_view text) {
     return bad ? 0 : length;
 }
 
-// Of a number that no double holds: whether it is too small rather than too large.
+// For a number that no double holds: true if it is too small, false if it is too large.
 bool is_small(std::string_view word) {
     const std::size_t exponent = word.find_first_of("eE");
     if (exponent != std::string_view::npos) return word.substr(exponent + 1).starts_with('-');
@@ -106,7 +106,7 @@ std::size_t find_binary(std::string_view text) {
     constexpr std::size_t block = 4096;
     for (std::size_t begin = 0; begin < text.size(); begin += block) {
         const std::string_view part = text.substr(begin, block);
-        // Without a branch, so that the compiler looks at many bytes at once.
+        // Without a branch, so that the compiler can process many bytes at once.
         bool all_text = true;
         for (const char c : part)
             all_text &= is_text(static_cast<unsigned char>(c));
@@ -149,7 +149,7 @@ std::string in_quotes(std::string_view text) {
     constexpr std::size_t longest = 40;
     bool converted = false;
     if (text.size() <= longest) return fmt::format("'{}'", utf8_name(text, converted));
-    // A cut in the middle of a sequence would make the whole of it Latin-1.
+    // A cut inside a sequence would make the whole text Latin-1.
     std::size_t end = longest;
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
         --end;

@@ -8,17 +8,16 @@
 
 namespace slipface {
 
-// Reads the logical lines of a text: `\` at the end of a line joins it with the next, except in comments,
-// where it is most often the end of a Windows path. Accepts LF, CRLF and lone CR, and skips a byte order
-// mark.
+// Reads the logical lines of a text. `\` at the end of a line joins it with the next, except in comments,
+// where it usually ends a Windows path. Accepts LF, CRLF and lone CR, and skips a byte order mark.
 class LineReader {
   public:
-    // Joins lines within `text`, which must outlive the reader and the lines that it gives out.
+    // Joins lines within `text`, which must outlive the reader and the lines that it returns.
     explicit LineReader(std::string& text);
 
     bool next();                                     // false after the last line
     std::string_view line() const { return line_; }  // without its end, trimmed
-    std::size_t number() const { return number_; }   // of its first physical line, from 1
+    std::size_t number() const { return number_; }   // of its first physical line, counted from 1
 
   private:
     char* at_;
@@ -28,19 +27,19 @@ class LineReader {
     std::size_t next_number_ = 1;
 };
 
-// Takes the next word off `line`: empty at its end and where a comment begins.
+// Removes the next word from `line` and returns it; empty at the end and where a comment begins.
 std::string_view take_word(std::string_view& line);
 
-// Any number as from_chars reads it, also one that is not finite; a leading '+' is allowed. Nothing where
-// `word` is no number. What is too small for a double is zero, what is too large infinite.
+// Reads a number as from_chars does, including infinities and NaN; a leading '+' is allowed. Returns nothing
+// if `word` is not a number. A number too small for a double gives zero, one too large infinity.
 std::optional<double> read_number(std::string_view word);
 
-// Position of the first byte that no text has (a control character other than tab and line ends), or npos.
+// Position of the first byte that is not text (a control character other than white space), or npos.
 std::size_t find_binary(std::string_view text);
 std::size_t line_of(std::string_view text, std::size_t position);
 
-// The name as UTF-8: bytes that are none are taken for Latin-1, as old exporters write it. `converted` is set
-// in that case.
+// The name as UTF-8. Bytes that are not UTF-8 are read as Latin-1, which old exporters write; `converted` is
+// then set.
 std::string utf8_name(std::string_view name, bool& converted);
 
 // At most 40 bytes of `text`, in quotes, for messages.

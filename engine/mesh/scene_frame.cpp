@@ -1,6 +1,6 @@
-// Where the facts come from: FBX has GlobalSettings (UnitScaleFactor in centimetres, three axes with signs);
-// COLLADA 1.4 has <unit meter> and <up_axis> in <asset>; glTF 2.0, section 3.4: metres, +Y up. 3DS Max,
-// Blender and CAD programs write 3DS, STL and PLY with +Z up.
+// Sources: FBX has GlobalSettings (UnitScaleFactor in centimetres, three axes with signs); COLLADA 1.4 has
+// <unit meter> and <up_axis> in <asset>; glTF 2.0, section 3.4: metres, +Y up. 3DS Max, Blender and CAD
+// programs write 3DS, STL and PLY with +Z up.
 #include "scene_frame.h"
 
 #include <assimp/scene.h>
@@ -73,7 +73,7 @@ FileFrame fbx_frame(const aiScene& scene) {
     return frame;
 }
 
-// What stands between `<name` and the next `>`, and from there to the next `<`, inside of <asset>.
+// The text between `<name` and the next `>`, and from there to the next `<`, inside <asset>.
 struct Element {
     std::string_view attributes, text;
 };
@@ -96,7 +96,7 @@ std::optional<Element> asset_element(std::string_view asset, std::string_view na
     return std::nullopt;
 }
 
-// UTF-16 becomes its ASCII characters: no others matter here.
+// UTF-16 becomes its ASCII characters; the others do not matter here.
 std::string ascii_of(std::string_view bytes) {
     std::string text(bytes);
     std::erase(text, '\0');
@@ -106,7 +106,7 @@ std::string ascii_of(std::string_view bytes) {
 FileFrame collada_frame(std::string_view bytes) {
     FileFrame frame = frame_of(1.0, guessed, "COLLADA without <unit>: metres", UpAxis::y, guessed,
                                "COLLADA without <up_axis>: Y");
-    constexpr std::size_t longest = 1 << 16;  // <asset> stands at the beginning
+    constexpr std::size_t longest = 1 << 16;  // <asset> is at the beginning
     const std::string text = ascii_of(bytes.substr(0, longest));
     std::string_view asset(text);
     const std::size_t begin = asset.find("<asset");

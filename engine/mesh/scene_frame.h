@@ -11,11 +11,11 @@ namespace slipface {
 
 struct SceneFrame {
     FileFrame frame;
-    bool root_is_frame = false;  // the root's own transformation is assimp's correction, not the file's
+    bool root_is_frame = false;  // the root's transformation is a correction by assimp, not from the file
 };
 
-// The unit and axes of a file that assimp read: what it declares (FBX, COLLADA, glTF), else what the usual
-// writers of its format mean. `bytes` are the file's own, for what assimp does not pass on.
+// The unit and axes of a file that assimp read: as the file declares (FBX, COLLADA, glTF), else as the usual
+// writers of its format do. `bytes`: the content of the file, for data that assimp does not pass on.
 SceneFrame scene_frame(const aiScene& scene, const std::string& extension, std::string_view bytes);
 
 }  // namespace slipface

@@ -11,12 +11,12 @@ namespace {
 
 constexpr double smallest_level = 2.0, largest_level = 4000.0, usual_level = 60.0;  // metres
 constexpr double large_level = 100.0, large_edge = 8.0;                             // metres
-// Millimetre, centimetre, inch, Quake's unit, foot, metre, and the inverses of those that are mistaken for
-// one.
+// Millimetre, centimetre, inch, Quake unit, foot, metre, and the inverses of those that may be mistaken for
+// metres.
 constexpr double units[] = {0.001, 0.01,         0.0254,       1.0 / 32.0, 0.3048,
                             1.0,   1.0 / 0.3048, 1.0 / 0.0254, 100.0,      1000.0};
 
-// The length that a tenth of the edges fall short of.
+// The 10th percentile of the lengths of the edges, metres.
 double short_edge(const Mesh& mesh) {
     std::vector<float> lengths;
     for (FaceId face = 0; face < mesh.face_count(); ++face) {

@@ -8,13 +8,13 @@
 namespace slipface {
 namespace {
 
-// Twice the signed area of a triangle. Differences of floats are exact in double unless the floats are of
-// very different size, so collinear corners give zero.
+// Twice the signed area of a triangle. Differences of floats are exact in double unless the floats differ
+// very much in size, so collinear corners give zero.
 double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
     return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-// The corners on the plane of the two axes in which the polygon is largest, counter-clockwise.
+// The corners projected along the largest component of the normal, counter-clockwise.
 std::vector<Vec2> project(std::span<const Vec3f> corners, const Vec3& normal) {
     Eigen::Index dropped = 0;
     normal.cwiseAbs().maxCoeff(&dropped);
@@ -28,7 +28,7 @@ std::vector<Vec2> project(std::span<const Vec3f> corners, const Vec3& normal) {
     return flat;
 }
 
-// The polygon that is left while ears are cut off it, as a ring of corners.
+// The remaining polygon while ears are cut off, as a ring of corners.
 class EarClipper {
   public:
     explicit EarClipper(const std::vector<Vec2>& points)
@@ -42,7 +42,7 @@ class EarClipper {
             next_[i] = i + 1 == count ? 0 : i + 1;
             previous_[i] = i == 0 ? count - 1 : i - 1;
         }
-        // A corner that is reflex or straight may lie in an ear; the others never do.
+        // Only a corner that is reflex or straight can lie in an ear.
         for (std::uint32_t i = 0; i < count; ++i) {
             blocks_[i] = corner_turn(i) <= 0.0;
             if (blocks_[i]) blockers_.push_back(i);
@@ -93,8 +93,8 @@ class EarClipper {
         return true;
     }
 
-    // The first ear from `at` on; in a ring without one, which only polygons that cross or touch themselves
-    // and remainders without area have, a straight corner, then the one that turns the most.
+    // The first ear from `at` on. A ring has none only if it crosses or touches itself or has no area: then a
+    // straight corner, else the one with the largest turn.
     std::uint32_t choose(std::uint32_t at, std::size_t left) const {
         std::uint32_t straight = no_id;
         std::uint32_t sharpest = at;
@@ -111,7 +111,7 @@ class EarClipper {
         return straight != no_id ? straight : sharpest;
     }
 
-    // Cutting an ear changes only its two neighbours. One that has become convex blocks nobody any more.
+    // Cutting an ear changes only its two neighbours. One that has become convex no longer blocks an ear.
     void refresh(std::uint32_t i) {
         if (corner_turn(i) > 0.0) blocks_[i] = false;
         ear_[i] = is_ear(i);
@@ -122,7 +122,7 @@ class EarClipper {
     std::vector<char> ear_;
     std::vector<char> blocks_;  // [corner] still in the ring and not convex
     std::vector<std::uint32_t>
-        blockers_;  // those that were so at first, by x: an ear asks only those beside it
+        blockers_;  // corners that block at first, sorted by x; an ear tests only those in its range
 };
 
 void fan(std::size_t count, std::vector<std::array<std::uint32_t, 3>>& triangles) {

@@ -9,7 +9,7 @@
 
 namespace slipface {
 
-// Warnings up to a limit, so that a file of a million faults does not fill memory with a million sentences.
+// Warnings up to a limit, so that a file with a million faults does not fill memory.
 class WarningList {
   public:
     explicit WarningList(std::size_t limit) : limit_(limit) {}
@@ -22,11 +22,11 @@ class WarningList {
         }
     }
 
-    // Whether the next warning would be listed: what is not need not be worded.
+    // True if the next warning would not be listed; its text is then not needed.
     bool full() const { return list_.size() >= limit_; }
     void add_unworded() { ++unlisted_; }
 
-    // Ends the list with how many more there were.
+    // Returns the list, ended by the number of warnings that are not listed.
     Warnings take(const std::string& location) {
         if (unlisted_ > 0) list_.push_back({location, fmt::format("{} more warnings", unlisted_)});
         unlisted_ = 0;

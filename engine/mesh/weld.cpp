@@ -5,8 +5,8 @@
 namespace slipface {
 namespace {
 
-// Multiplication carries the low bits up and the shift brings them back down: coordinates on a grid, whose
-// low bits are all zero, spread over the table as well.
+// The multiplication carries low bits up and the shift brings them back down. So coordinates on a grid, whose
+// low bits are all zero, also spread over the table.
 std::size_t hash(const Vec3f& p) {
     std::uint64_t state = 0;
     for (int i = 0; i < 3; ++i) {

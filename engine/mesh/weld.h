@@ -12,7 +12,7 @@ struct Welded {
     std::vector<Vec3f> positions;      // each once, in the order of first use, -0 as 0
 };
 
-// One vertex for all inputs at exactly the same position. O(n) expected; fewer than 2^32 - 1 inputs.
+// Gives all inputs at exactly the same position one vertex. O(n) expected; fewer than 2^32 - 1 inputs.
 Welded weld_positions(std::span<const Vec3f> positions);
 
 }  // namespace slipface

@@ -1,5 +1,5 @@
-// What moves the player: a sticky surface holds it, a ladder is climbed, or its own velocity does, after jump,
-// acceleration and gravity.
+// What moves the player: a sticky surface holds it, a ladder is climbed, or its own velocity does, after
+// jump, acceleration and gravity.
 //
 // The displacement is the mean of the velocities before and after the step's acceleration times dt. For
 // constant acceleration that is exact, so jumps are as high at 30 Hz as at 360.

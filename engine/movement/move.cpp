@@ -26,8 +26,7 @@ double fraction_on_slope(const Mover& mover, const Vec3& flat) {
 // The horizontal part slides; the vertical part decides whether the player is grounded.
 void move_split(Mover& mover, const Vec3& move) {
     const Vec3 flat = horizontal(move) * fraction_on_slope(mover, horizontal(move));
-    const double rise =
-        mover.was_grounded ? -press_down(mover, mover.state.ground_normal, move) : move.y();
+    const double rise = mover.was_grounded ? -press_down(mover, mover.state.ground_normal, move) : move.y();
     const Motion before = mover;
     const MovementSettings& s = mover.settings;
     const bool moves = !flat.isZero(0.0);

@@ -13,8 +13,7 @@ struct Axes {
     Vec3 right, up, back;  // unit; back points from the target to the eye
 };
 
-// Looking straight up or down, +Y says nothing about which way is up on the screen; then -Z (or +Z) is, as on
-// a map.
+// If the camera looks straight down (or up), -Z (or +Z) points up on the screen, as on a map.
 Axes camera_axes(const Camera& camera) {
     Vec3 back = camera.eye - camera.target;
     const double length = back.norm();
@@ -34,7 +33,7 @@ std::array<Vec3, 8> corners(const Aabb& box) {
     return result;
 }
 
-// A box with some extent, so that an empty or point-like level still gives a camera.
+// The box, with some extent, so that an empty or point-like level still gives a camera.
 Aabb usable_bounds(const Aabb& bounds) {
     Aabb box = bounds;
     if (box.empty() || !box.min.allFinite() || !box.max.allFinite()) box = {-Vec3::Ones(), Vec3::Ones()};
@@ -110,7 +109,7 @@ Vec3 project(const Camera& camera, const Vec3& point, const Vec2& viewport_size)
 }
 
 // The eye is shifted sideways as well as back: with perspective the middle of the box is not in the middle of
-// its picture. For each axis with half-angle tangent t, both |x - shift| <= (d - z) t must hold for every
+// its image. For each axis with half-angle tangent t, both |x - shift| <= (d - z) t must hold for every
 // corner, which gives d = (A + B) / 2t and shift = (A - B) / 2 with A = max(x + z t), B = max(-x + z t).
 Camera frame_bounds(const Aabb& bounds, double yaw, double pitch, double fov_y, double aspect) {
     const Aabb box = usable_bounds(bounds);

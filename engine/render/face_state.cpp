@@ -35,7 +35,7 @@ void FaceState::resize(std::size_t faces) {
     gl_->BindTexture(GL_TEXTURE_2D, 0);
 }
 
-// For each row of the texture, the span from the first to the last face that changed is sent.
+// Uploads, for each row of the texture, the span from the first to the last changed face.
 void FaceState::change(std::span<const std::uint8_t> values, Channel channel) {
     const std::size_t offset = channel == Channel::surface ? 0 : 1;
     const std::size_t faces = std::min(values.size(), faces_);

@@ -18,9 +18,9 @@ class FaceState {
     FaceState(const FaceState&) = delete;
     FaceState& operator=(const FaceState&) = delete;
 
-    // All faces get 0 in both channels.
+    // Sets the number of faces; all get 0 in both channels.
     void resize(std::size_t faces);
-    // Sets one channel of the first values.size() faces and sends what changed.
+    // Sets one channel of the first values.size() faces, and uploads the changes.
     void change(std::span<const std::uint8_t> values, Channel channel);
 
     unsigned texture() const { return texture_; }  // red: surface, green: highlight; faces in rows
@@ -30,7 +30,7 @@ class FaceState {
     GlTable gl_;
     unsigned texture_ = 0;
     std::size_t faces_ = 0;
-    std::vector<std::uint8_t> values_;  // two a face; whole rows
+    std::vector<std::uint8_t> values_;  // two per face; whole rows
     std::size_t bytes_uploaded_ = 0;
 };
 

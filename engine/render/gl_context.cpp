@@ -4,8 +4,7 @@
 
 namespace slipface {
 
-// The version string decides: OSMesa hands out stubs for functions that it does not have, so pointers prove
-// nothing.
+// The version string decides, not the pointers: OSMesa returns stubs for functions that it does not have.
 Result<GlTable> load_gl_table(GlGetProc get_proc) {
     auto table = std::make_shared<GladGLContext>();
     const int version = get_proc == nullptr ? 0 : gladLoadGLContext(table.get(), get_proc);

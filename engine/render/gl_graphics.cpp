@@ -12,19 +12,19 @@ namespace slipface {
 
 namespace {
 
-// A level on the graphics card, and what of it is there.
+// A level on the graphics card, and its uploaded state.
 struct ShownLevel {
     const Level* level = nullptr;
     MeshPtr mesh;
     std::shared_ptr<const Heightfield> terrain;
     std::optional<LevelLight> light;
     std::vector<std::uint32_t> parts;  // [face] its platform; empty: nothing moves
-    std::optional<double> placed_s;    // for when the platforms stand where they do
+    std::optional<double> placed_s;    // the time of the platforms' uploaded poses
     std::unique_ptr<LevelRenderer> renderer;
-    bool wanted = false;             // by the frame under way
-    bool surfaces_are_there = true;  // as the level has them now
+    bool wanted = false;             // drawn in the current frame
+    bool surfaces_are_there = true;  // the uploaded types are those of the level
 
-    // Another level at the address of one that is gone has another mesh: the old one is still held here.
+    // A new level at a deleted one's address has another mesh, because the old mesh is still held here.
     bool holds(const Level& other) const {
         return level == &other && mesh == other.mesh && terrain == other.terrain && light == other.light;
     }
@@ -38,7 +38,7 @@ struct GlGraphics::Impl {
     GlTable gl;
     OverlayRenderer overlay_renderer;
     std::vector<ShownLevel> levels;                 // in the order in which they were first drawn
-    std::unique_ptr<LevelRenderer> empty_renderer;  // of frames without a level; made when there is one
+    std::unique_ptr<LevelRenderer> empty_renderer;  // for frames without a level; made at the first one
     Overlay overlay;
     Warnings warnings;
     Camera camera;

@@ -14,11 +14,11 @@ namespace slipface {
 
 using Mat4f = Eigen::Matrix4f;
 
-// Asserts in debug builds that no GL call has failed since the last look; `where` is shown.
+// Asserts in debug builds that no GL call has failed since the last call; `where` is shown.
 void assert_no_gl_error(const GladGLContext& gl, const char* where);
 
-// A linked program. The shaders are part of this module, so a failure means a driver that refuses valid
-// GLSL 3.30; the error carries its log.
+// A linked program. The shaders are part of this module and valid GLSL 3.30, so an error means that the
+// driver refused them; it contains the driver's log.
 Result<unsigned> link_program(const GladGLContext& gl, const char* name, const std::string& vertex,
                               const std::string& fragment);
 
@@ -29,12 +29,11 @@ void set_uniform(const GladGLContext& gl, unsigned program, const char* name, co
 void set_uniform(const GladGLContext& gl, unsigned program, const char* name, float value);
 void set_uniform(const GladGLContext& gl, unsigned program, const char* name, int value);
 
-// clip_from_world seen from a space whose origin is at `origin`, so that single precision does not suffer far
-// from zero.
+// clip_from_world for positions relative to `origin`, which keeps single precision exact far from zero.
 Mat4f clip_from_local(const Camera& camera, int width, int height, const Vec3& origin);
 
-// What to add to a clip-space z so that a point comes nearer to the eye by `pixels` times the size of a pixel
-// at its place. For a perspective with z_clip = A z_view + B, scaling a point by (1 - e) towards the eye
+// What to add to a clip-space z to move a point nearer to the eye by `pixels` times the size of a pixel at
+// its position. For a perspective with z_clip = A z_view + B, scaling a point by (1 - e) towards the eye
 // changes z_clip by B e / (1 - e) at an unchanged w; for an orthographic camera it is A times the distance.
 float depth_bias(const Camera& camera, int height, double pixels);
 
@@ -42,9 +41,9 @@ enum class LineKind {
     butt,
     round,
     arrow
-};  // ends cut off at a and b; half-round beyond them; a head that points at b
+};  // ends cut off at a and b; half-round beyond them; a head whose tip is b
 
-// One segment of a line as the vertex shader of line_shaders.h reads it, once an instance.
+// One segment of a line, an instance for the vertex shader of line_shaders.h.
 struct LineInstance {
     float a[3];
     float b[3];

@@ -1,4 +1,4 @@
-// Sends the level to the graphics card: programs, vertices, lines.
+// Uploads the level to the graphics card: programs, vertices, lines.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -61,8 +61,7 @@ void LevelRenderer::Impl::build_objects() {
     gl->BindTexture(GL_TEXTURE_2D, 0);
 }
 
-// Vertices are made and sent piece by piece, so that a large level does not need its geometry twice in
-// memory.
+// Vertices are made and uploaded in pieces, so that a large level is not in memory twice.
 bool LevelRenderer::Impl::upload_geometry(Warnings& warnings) {
     const DrawOrder order = draw_order(*mesh, textures.material_texture(), textures.count());
     while (gl->GetError() != GL_NO_ERROR) {

@@ -1,4 +1,4 @@
-// Draws what level_buffers.cpp sent: sky, faces, borders and outlines.
+// Draws the background, faces, borders and outlines.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint8_t border_color[4] = {14, 17, 22, 135};
 constexpr float border_width = 1.2f;
 constexpr float shortest_border = 2.5f;  // pixels; keeps dense geometry from turning black
-constexpr double line_bias = 2.0;        // pixels by which lines lie in front of the faces they border
+constexpr double line_bias = 2.0;        // pixels by which lines lie in front of their faces
 constexpr std::size_t triangles_per_draw = std::size_t{1} << 15U;
 constexpr GLuint64 longest_wait_ns = 100'000'000;
 
@@ -123,8 +123,8 @@ void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat
     gl->Disable(GL_CULL_FACE);
 }
 
-// A software rasteriser keeps what it was told to draw, some hundred bytes a triangle, until it has drawn it:
-// while it draws one piece it is told the next, and no more.
+// A software rasteriser stores its commands, some hundred bytes per triangle, until it has drawn them. So at
+// most two pieces are in flight: one that is being drawn, and the next.
 void LevelRenderer::Impl::draw_in_pieces(const DrawBatch& batch) {
     GLsync last = nullptr;
     for (std::size_t done = 0; done < batch.count; done += triangles_per_draw) {
@@ -150,7 +150,7 @@ void LevelRenderer::Impl::draw_lines(const LineBuffer& lines, float shortest) {
     gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, lines.count);
 }
 
-// What draw() needs of the context, whatever was drawn before.
+// Sets the state that draw() needs, whatever was drawn before.
 void LevelRenderer::Impl::reset_state(int width, int height) {
     gl->Viewport(0, 0, width, height);
     for (const int off : {GL_SCISSOR_TEST, GL_BLEND, GL_STENCIL_TEST, GL_CULL_FACE})

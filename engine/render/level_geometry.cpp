@@ -42,7 +42,7 @@ void append_edges(const Mesh& mesh, FaceId face, std::vector<Edge>& edges) {
     }
 }
 
-// One past the last of the edges that lie where edges[first] lies, in a sorted list.
+// In a sorted list, one past the last edge with the same ends as edges[first].
 std::size_t end_of_run(const std::vector<Edge>& edges, std::size_t first) {
     std::size_t end = first + 1;
     while (end < edges.size() && edges[end].same_position(edges[first]))
@@ -146,8 +146,7 @@ std::vector<LineInstance> face_border_lines(const Mesh& mesh, std::span<const st
     for (std::size_t i = 0; i < edges.size();) {
         const std::size_t end = end_of_run(edges, i);
         LineInstance line = line_of(mesh, edges[i], origin, color, width);
-        // With one or two faces beside it an edge may be hidden together with them; with more it is always
-        // drawn.
+        // An edge of one or two faces can be culled together with them; an edge of more is always drawn.
         if (end - i <= 2) {
             line.normals[0] = packed_normal(face_normal(mesh, edges[i].face));
             line.normals[1] = packed_normal(face_normal(mesh, edges[end - 1].face));
@@ -177,7 +176,7 @@ void for_each_side(const Mesh& mesh, FaceId face, const Visit& visit) {
 }  // namespace
 
 OutlineFinder::OutlineFinder(const Mesh& mesh) : edge_(mesh.corner_vertex.size(), no_id) {
-    // Sorted by the lower vertex by counting, and only within one vertex by comparing.
+    // Counting sort by the lower vertex, then a comparison sort for each vertex.
     std::vector<std::uint32_t> end(mesh.positions.size() + 1, 0);
     const auto for_all = [&](const auto& visit) {
         for (FaceId face = 0; face < mesh.face_count(); ++face)
@@ -188,7 +187,7 @@ OutlineFinder::OutlineFinder(const Mesh& mesh) : edge_(mesh.corner_vertex.size()
     for_all([&](std::uint32_t, std::uint32_t low, std::uint32_t) { ++end[low + 1]; });
     std::partial_sum(end.begin(), end.end(), end.begin());
     std::vector<CornerEdge> sides(end.back());
-    // Filling moves each vertex's begin to its end.
+    // Filling advances end[low] from the vertex's begin to its end.
     for_all([&](std::uint32_t corner, std::uint32_t low, std::uint32_t high) {
         sides[end[low]++] = {high, corner};
     });
@@ -214,7 +213,8 @@ std::vector<LineInstance> OutlineFinder::lines(const Mesh& mesh, std::span<const
     const auto in_set = [bit](std::uint8_t flags) { return (flags & bit) != 0; };
     const auto members =
         static_cast<std::size_t>(std::count_if(highlights.begin(), highlights.end(), in_set));
-    const bool inverse = 2 * members > highlights.size();  // then those left out are looked at
+    const bool inverse =
+        2 * members > highlights.size();  // then the faces that are not in the set are visited
     const auto for_edges = [&](const auto& visit) {
         for (FaceId face = 0; face < highlights.size(); ++face) {
             if (in_set(highlights[face]) == inverse) continue;
@@ -233,7 +233,7 @@ std::vector<LineInstance> OutlineFinder::lines(const Mesh& mesh, std::span<const
     if (inverse)
         for (const std::uint32_t edge : borders_)
             if (counted_[edge] == 0) add(edge);
-    // An edge is met once for each face that has it; the first meeting draws it and clears its count.
+    // An edge is visited once per face that has it; the first visit draws it and clears its count.
     for_edges([&](std::uint32_t edge) {
         if (counted_[edge] == 0) return;
         const int faces = inverse ? total_[edge] - counted_[edge] : counted_[edge];

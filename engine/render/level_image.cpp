@@ -16,7 +16,7 @@ struct LevelPainter::Impl {
     OffscreenContext& context;
     LevelRenderer level;
     OverlayRenderer overlay;
-    std::unique_ptr<Framebuffer> target;  // of the size asked for last
+    std::unique_ptr<Framebuffer> target;  // of the last image's size
     double drawing_s = 0.0;
 };
 

@@ -1,5 +1,4 @@
-// The program that draws the level's faces, in variants (level_shaders.h). Each is compiled when it is first
-// drawn with.
+// The program that draws the level's faces, in variants (level_shaders.h) that are compiled at first use.
 #pragma once
 
 #include <array>
@@ -19,7 +18,7 @@ class LevelPrograms {
     LevelPrograms(const LevelPrograms&) = delete;
     LevelPrograms& operator=(const LevelPrograms&) = delete;
 
-    // Fails with a driver that refuses valid GLSL 3.30.
+    // The program of a variant. Error: the driver refused valid GLSL 3.30.
     Result<unsigned> get(unsigned variant);
 
   private:

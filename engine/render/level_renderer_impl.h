@@ -1,4 +1,4 @@
-// What a LevelRenderer keeps: buffers, textures and programs of one context, and what is drawn with them.
+// The data of a LevelRenderer: buffers, textures and programs of one context, and the geometry to draw.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct LevelRenderer::Impl {
         unsigned vertex_array = 0, buffer = 0;
         GLsizei count = 0;
     };
-    // Triangles of one moving part, side by side in the vertex buffer.
+    // Triangles of one moving part, contiguous in the vertex buffer.
     struct MovingRun {
         std::uint32_t part = no_id;
         std::size_t first = 0;
@@ -38,10 +38,10 @@ struct LevelRenderer::Impl {
     Vec3 origin = Vec3::Zero();
     std::vector<DrawBatch> batches;
     std::vector<std::uint8_t> highlights;  // [face]
-    std::vector<std::uint32_t> parts;      // [face] that moves with it, or no_id; empty: none moves
+    std::vector<std::uint32_t> parts;      // [face] its moving part, or no_id; empty: none moves
     std::vector<MovingRun> moving;         // of parts, in drawing order
 
-    bool surfaces_shown = false;  // of some face, other than `default`
+    bool surfaces_shown = false;  // some face has a type other than `default`
     bool highlights_shown = false;
 
     unsigned background_program = 0, line_program = 0;

@@ -1,6 +1,6 @@
-// GLSL of the level's faces and of the background. The faces' shaders are compiled in variants, without what
-// a picture does not need (LevelPrograms): a software rasteriser runs every branch for every pixel, taken or
-// not.
+// GLSL of the level's faces and of the background. The faces' shaders are compiled in variants without the
+// branches that an image does not need (LevelPrograms): a software rasteriser runs every branch for every
+// pixel, taken or not.
 //   PAINTED   faces may have surface types or highlights, or are coloured by slope
 //   LIT       by the baked light
 //   TEXTURED  with the material's texture
@@ -20,7 +20,7 @@ void main() {
 }
 )";
 
-// A gradient over the picture, or the level's sky in the direction of each pixel.
+// A gradient over the image, or the level's sky in the direction of each pixel.
 inline constexpr const char* background_fragment_shader = R"(#version 330 core
 in float height;
 in vec2 place;
@@ -50,7 +50,7 @@ void main() {
 )";
 
 // face_state: red = surface type, green = highlight bits, faces in rows of the texture's width.
-// light_charts: see LightMap; three texels a face, in rows of the texture's width.
+// light_charts: see LightMap; three texels per face, in rows of the texture's width.
 inline constexpr const char* level_vertex_shader = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 normal;

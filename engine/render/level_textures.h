@@ -12,7 +12,7 @@ namespace slipface {
 
 class LevelTextures {
   public:
-    // Texture 0: none; the material's colour counts.
+    // Texture 0 means none: the material's colour is used.
     static constexpr std::uint32_t none = 0;
 
     explicit LevelTextures(GlTable gl) : gl_(std::move(gl)) {}
@@ -20,8 +20,8 @@ class LevelTextures {
     LevelTextures(const LevelTextures&) = delete;
     LevelTextures& operator=(const LevelTextures&) = delete;
 
-    // Loads each file once, however many materials name it. What cannot be loaded becomes a checker and a
-    // warning.
+    // Loads each file once, even if several materials name it. A file that cannot be loaded gives a checker
+    // and a warning.
     Warnings load(const Mesh& mesh, const std::filesystem::path& folder, TextureAccess access);
     void clear();
 

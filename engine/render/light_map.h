@@ -10,7 +10,7 @@
 
 namespace slipface {
 
-// Two textures: the light map, and three texels a face that turn a place into a coordinate in its chart:
+// Two textures: the light map, and three texels per face that convert a position into chart coordinates:
 //   (direction of u / step, offset), (direction of v / step, offset), (first texel centre, width - 1, height
 //   - 1).
 class LightMap {
@@ -20,9 +20,9 @@ class LightMap {
     LightMap(const LightMap&) = delete;
     LightMap& operator=(const LightMap&) = delete;
 
-    // Loads the picture that `light` names from `folder`, for a mesh drawn relative to `origin`. Of the
-    // `drawn_faces`, those behind the mesh's own have no chart. A picture
-    // that is missing, broken or baked for other geometry is not used and reported.
+    // Loads the image that `light` names from `folder`, for a mesh drawn relative to `origin`. Of the
+    // `drawn_faces`, those after the mesh's own have no chart. An image that is missing, broken or baked for
+    // other geometry is not used and returned as a warning.
     Warnings load(const Mesh& mesh, std::size_t drawn_faces, const LevelLight& light,
                   const std::filesystem::path& folder, const Vec3& origin);
     void clear();

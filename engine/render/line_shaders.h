@@ -1,5 +1,4 @@
-// Lines as screen-space quads: a core profile need not draw lines wider than one pixel, and drivers disagree
-// on those.
+// Lines as screen-space quads: drivers of a core profile need not draw lines wider than one pixel.
 #pragma once
 
 namespace slipface {

@@ -1,5 +1,5 @@
-// Contexts without a window. OSMesa and EGL are opened with dlopen: linked beside libGL, libOSMesa's exported
-// gl* names would take the place of libGL's. The libraries stay open, because Mesa registers clean-up code
+// Contexts without a window. OSMesa and EGL are opened with dlopen: if libOSMesa were linked beside libGL,
+// its exported gl* names would replace libGL's. The libraries stay open, because Mesa registers clean-up code
 // that runs at exit.
 #include <dlfcn.h>
 #include <glad/gl.h>
@@ -16,8 +16,8 @@ namespace slipface {
 
 namespace {
 
-// The software rasteriser crashes with 512-bit vectors in every Mesa release looked at (22.3 to 26.2), and
-// with 128-bit ones on some wide processors. 256 is what it takes by itself.
+// The software rasteriser crashes with 512-bit vectors in every tested Mesa release (22.3 to 26.2), and with
+// 128-bit ones on some processors with wide vectors. 256 is its own default.
 constexpr std::int64_t safe_vector_width = 256;
 
 Warnings make_environment_safe() {
@@ -72,7 +72,7 @@ class LoadedContext : public OffscreenContext {
     Warnings warnings_;
 };
 
-// OSMesa's interface, as far as it is used (Mesa's osmesa.h, stable since version 11.2).
+// The used part of OSMesa's interface (Mesa's osmesa.h, stable since version 11.2).
 struct OsmesaLibrary {
     using Context = struct osmesa_context*;
     static constexpr int format = 0x22, rgba = 0x1908, depth_bits = 0x30, stencil_bits = 0x31, profile = 0x33,
@@ -145,7 +145,7 @@ Result<std::unique_ptr<OffscreenContext>> make_osmesa(const Warnings& warnings) 
     return std::unique_ptr<OffscreenContext>(std::move(context));
 }
 
-// EGL's interface, as far as it is used (Khronos EGL 1.5 and EGL_MESA_platform_surfaceless).
+// The used part of EGL's interface (Khronos EGL 1.5 and EGL_MESA_platform_surfaceless).
 struct EglLibrary {
     using Handle = void*;
     static constexpr int platform_surfaceless = 0x31DD, opengl_api = 0x30A2, major_version = 0x3098,
@@ -231,7 +231,7 @@ Result<std::unique_ptr<OffscreenContext>> make_egl(const Warnings& warnings) {
 
 }  // namespace
 
-// What SLIPFACE_GL says, for a whole run and all its processes.
+// The backend that SLIPFACE_GL names, for a whole run and all its processes.
 static OffscreenBackend wanted_backend() {
     const char* name = std::getenv("SLIPFACE_GL");
     if (name == nullptr) return OffscreenBackend::automatic;

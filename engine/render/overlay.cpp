@@ -34,7 +34,7 @@ void Overlay::disc(const Vec3& centre, const Vec3& normal, double radius, Color 
     const double length = normal.norm();
     if (!(length > 0.0) || !std::isfinite(length)) return;
     const Vec3 n = normal / length;
-    // Any axis but the nearest to the normal gives a well-conditioned tangent.
+    // Every axis except the one nearest to the normal gives a well-conditioned tangent.
     const Vec3 size = n.cwiseAbs();
     const int least = size.x() <= size.y() && size.x() <= size.z() ? 0 : size.y() <= size.z() ? 1 : 2;
     const Vec3 u = Vec3::Unit(least).cross(n).normalized() * radius;

@@ -12,8 +12,8 @@ namespace slipface {
 
 LineInstance line_instance(const Vec3& a, const Vec3& b, const Color& color, float width, LineKind kind);
 
-// The outline of an ellipsoid as seen by the camera: its silhouette, and three great circles whose far halves
-// are fainter. Positions are relative to `origin`.
+// Appends the outline of an ellipsoid as seen by the camera: its silhouette, and three great circles whose
+// far halves are fainter. Positions are relative to `origin`.
 void append_ellipsoid_outline(const Overlay::Ellipsoid& ellipsoid, const Camera& camera, const Vec3& origin,
                               std::vector<LineInstance>& lines);
 

@@ -15,8 +15,8 @@ namespace slipface {
 
 namespace {
 
-constexpr float hidden_opacity = 0.16f;  // of what lies behind the level
-constexpr double overlay_bias = 2.5;     // pixels by which things lying on a face are in front of it
+constexpr float hidden_opacity = 0.16f;  // of parts behind the level
+constexpr double overlay_bias = 2.5;     // pixels by which shapes on a face lie in front of it
 
 struct TriangleVertex {
     float position[3];
@@ -33,7 +33,7 @@ bool drawable(const Overlay::Ellipsoid& e) {
     return e.centre.allFinite() && e.radii.allFinite() && e.radii.minCoeff() > 0.0;
 }
 
-// Indices of `items` from the farthest to the nearest; equally far ones keep their order.
+// Indices of `items` from the farthest to the nearest; a stable order.
 template <class Item, class Place>
 std::vector<std::size_t> far_to_near(const std::vector<Item>& items, const Camera& camera,
                                      const Place& position) {
@@ -115,7 +115,7 @@ void OverlayRenderer::Impl::build() {
     sphere_index_count = static_cast<GLsizei>(sphere.indices.size());
 }
 
-// Positions are relative to the eye, so that shapes keep their precision far from zero.
+// Positions are relative to the eye, which keeps their precision far from zero.
 void OverlayRenderer::Impl::begin(unsigned program, const Camera& camera, int width, int height,
                                   double bias) {
     gl->UseProgram(program);
@@ -123,7 +123,7 @@ void OverlayRenderer::Impl::begin(unsigned program, const Camera& camera, int wi
     set_uniform(*gl, program, "depth_bias", depth_bias(camera, height, bias));
 }
 
-// The two depth tests are each other's opposite, so every pixel is drawn in exactly one of the passes.
+// The two depth tests are opposites, so every pixel is drawn in exactly one of the passes.
 void OverlayRenderer::Impl::draw_hidden_then_visible(unsigned program,
                                                      const std::function<void()>& draw_all) {
     gl->DepthFunc(GL_GREATER);
@@ -261,7 +261,7 @@ void OverlayRenderer::draw(const Overlay& overlay, const Camera& camera, int wid
     }
     for (const Overlay::Line& line : overlay.lines) {
         if (!finite(line) || !(line.width > 0.0f)) continue;
-        // Round ends would overlap, and show, where translucent segments meet.
+        // Round ends of translucent segments would overlap visibly where the segments join.
         const LineKind kind = line.arrow                 ? LineKind::arrow
                               : line.color.alpha >= 1.0f ? LineKind::round
                                                          : LineKind::butt;

@@ -1,4 +1,4 @@
-// A level as LevelRenderer takes it.
+// Passes a level to a LevelRenderer.
 #pragma once
 
 #include "slipface/level/level.h"
@@ -6,11 +6,11 @@
 
 namespace slipface {
 
-// All that a level looks like at rest: faces and terrain, textures of the mesh file's folder, baked light of
-// the level file's folder, types. Returns what of it could not be used.
+// Sets all that is drawn of a level at rest: faces and terrain, textures from the mesh file's folder, baked
+// light from the level file's folder, types. Warns about textures and light that could not be used.
 Warnings show_level(LevelRenderer& renderer, const Level& level);
 
-// The types of the level and of its faces alone.
+// Sets only the types of the level and of its faces.
 void show_surfaces(LevelRenderer& renderer, const Level& level);
 
 }  // namespace slipface

@@ -38,7 +38,7 @@ class TraceDrawing {
 
     void operator()(const DecisionRecord&) {}
 
-    // The next sweep usually goes along the remainder, so these thin arrows lie on the broad paths.
+    // The next sweep usually follows the remainder, so these thin arrows lie on the broad paths.
     void draw_remainders() {
         for (const Remainder& remainder : remainders_) {
             if (!(remainder.vector.squaredNorm() > 0.0)) continue;

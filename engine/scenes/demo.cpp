@@ -4,7 +4,7 @@
 
 namespace slipface {
 
-// A new demo is one function in a file of demos and one row here.
+// To add a demo, write one function in a file of demos and add one row here.
 std::span<const DemoInfo> demo_table() {
     static const std::array<DemoInfo, 20> table{{
         {"static-friction", "static_friction", "Static friction",
@@ -78,7 +78,7 @@ Demo make_demo(const DemoInfo& info) {
     demo.level.file_path = name + ".slipface.json";
     demo.off = demo.on;
     const SettingInfo& row = *find_setting(info.hack);
-    // Switching off is always within a switch's range.
+    // Off is always in the range of a switch, so this cannot fail.
     static_cast<void>(set_setting(demo.off, row, 0.0).ok());
     demo.level.movement = demo.on;
     demo.camera.name = info.title;

@@ -25,12 +25,11 @@ Demo demo_turntable();
 Demo demo_sticky();
 Demo demo_surface_types();
 
-// What demos are put together from: a level, where the player starts, what the stick does ("60 wish 0,-1"
-// lines of a tape), and a camera.
+// Builds a demo from a level, the player's start, the inputs ("60 wish 0,-1" lines of a tape) and a camera.
 Demo demo_of(Level level, const Vec3& spawn, const MovementSettings& on, const char* inputs, const Vec3& eye,
              const Vec3& target);
 
-// Plain ground in another colour, for what should be seen: faces of a material "NAME__name" are of it.
+// Plain ground in another colour, to make parts visible: it applies to faces of a material "NAME__name".
 SurfaceType painted(const char* name, const std::array<float, 3>& color);
 
 }  // namespace slipface

@@ -1,4 +1,4 @@
-// Demos of jumping, of what moves, and of worlds that are not triangles.
+// Demos of jumping, of moving things, and of worlds that are not only triangles.
 #include <algorithm>
 #include <cmath>
 
@@ -27,7 +27,8 @@ Shapes ledges(double gap) {
 Demo demo_coyote() {
     MovementSettings on = basic_settings();
     on.coyote = true;
-    // From 6 m before the rim at 6 m/s the rim is passed in tick 65 or so; the jump comes 3 ticks later.
+    // From 6 m before the rim, at 6 m/s, the player passes the rim in about tick 65; the jump comes 3 ticks
+    // later.
     return demo_of(ledges(4).level(), {0, standing_on_flat(on, 0), 6}, on,
                    "5 wish 0,0\n69 wish 0,-1\n30 wish 0,-1 jump\n30 wish 0,0\n", {11, 3, 1}, {0, 0, -2});
 }
@@ -114,8 +115,7 @@ Demo demo_heightfield() {
     constexpr int side = 33;
     Shapes shapes;
     shapes.material("stone").box({-2, 0, 6}, {2, 2.4, 9});
-    // Posts at the far corners, so that the mesh's bounds, by which pictures are taken, reach as far as the
-    // hills.
+    // Posts at the far corners, so that the bounds of the mesh, which frame the images, include the hills.
     shapes.box({-11.9, -1, -13.9}, {-11.5, 2.6, -13.5}).box({11.5, -1, -13.9}, {11.9, 2.6, -13.5});
     Demo demo = demo_of(shapes.level(), {0, standing_on_flat(on, 2.4), 7.5}, on,
                         "20 wish 0,0\n145 wish 0,-1\n", {13, 8, 11}, {0, 0.5, -1});
@@ -139,7 +139,7 @@ Demo demo_heightfield() {
 
 Demo demo_sectors() {
     MovementSettings on = basic_settings();
-    // A tilted floor of small tiles: every corner that is moved sideways is also too high or too low.
+    // A tilted floor of small tiles: a corner that is moved sideways is also too high or too low.
     Shapes shapes;
     shapes.material("stone");
     const auto height = [](double x, double z) { return 0.25 * x - 0.15 * z; };
@@ -151,8 +151,8 @@ Demo demo_sectors() {
         for (int i = 0; i < 14; ++i)
             shapes.polygon({corner(i, k), corner(i, k + 1), corner(i + 1, k + 1), corner(i + 1, k)});
     }
-    // Gates 0.81 m wide for a player of 0.8 m. A million metres out their posts stand on multiples of 0.0625
-    // m: 0.75 m apart.
+    // Gates 0.81 m wide for a player of 0.8 m. A million metres out the positions of their posts are rounded
+    // to multiples of 0.0625 m, which leaves 0.75 m.
     constexpr double gate = 0.405;
     shapes.material("brick");
     for (const double z : {0.0, -3.0, -6.0}) {

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double pi = 3.141592653589793;
 
-// The centre of a player whose feet stand on a slope of `angle` at the height `y` below the centre.
+// The height of the centre of a player whose feet touch a slope of `angle` radians that has the height `y`
+// below the centre.
 double standing(const MovementSettings& s, double y, double angle = 0.0) {
     const double up = std::cos(angle), along = std::sin(angle);
     return y + std::sqrt(std::pow(s.radii.y() * up, 2) + std::pow(s.radii.z() * along, 2)) / up + s.skin / up;
@@ -27,9 +28,9 @@ Demo demo_of(Level level, const Vec3& spawn, const MovementSettings& on, const c
     demo.level = std::move(level);
     demo.level.spawn = spawn;
     demo.on = on;
-    // The texts of the demos are tapes, and a test reads all of them.
+    // The texts of the demos are valid tapes; a test reads all of them.
     demo.tape = parse_tape(std::string("slipface-tape 1\ndt 1/60\n") + inputs, "demo").value();
-    demo.tape.start = spawn;  // exactly, also where a spawn would be pushed out of a wall
+    demo.tape.start = spawn;  // exact, even if a spawn there would be pushed out of a wall
     demo.camera = {.name = "", .eye = eye, .target = target};
     return demo;
 }
@@ -64,13 +65,14 @@ Demo demo_ground_velocity() {
                    {17, 7, -2}, {0, 3, -3});
 }
 
-// A stripe along the heading is painted over floor and ramp, and the camera looks straight down: what leaves
-// the stripe has been turned.
+// A stripe along the heading is painted over floor and ramp, and the camera looks straight down: a path that
+// leaves the stripe has been deflected.
 Demo demo_straight_ahead() {
     MovementSettings on = basic_settings();
     constexpr double left = -12, right = 10, near = 7, far = -8;
     const double slope = std::tan(pi / 6), half = 0.35;
-    // Where the stripe's middle crosses a line of constant z: from the spawn at (-6, 5) at 45 degrees.
+    // The x at which the middle of the stripe crosses a line of constant z: from the spawn at (-6, 5) at 45
+    // degrees.
     const auto middle = [](double z) { return -1.0 - z; };
     Shapes shapes;
     const auto strip = [&](double from, double to, double x0_from, double x1_from, double x0_to,
@@ -136,11 +138,11 @@ Demo demo_snap_down() {
                    {0, 1.8, -1});
 }
 
-// The floor is drawn where its rise ends.
+// The floor is modelled at the end of its rise.
 Demo demo_seam_filter() {
     MovementSettings on = basic_settings();
     on.seam_filter = true;
-    // A floor that rises into the player, as in a game that moves its geometry by itself.
+    // A floor that rises into the player, as in a game that moves its geometry without platforms.
     on.platforms = false;
     constexpr double rise = 0.8, x = 3, front = 5, back = -11;
     Shapes shapes;
@@ -162,8 +164,8 @@ Demo demo_seam_filter() {
     return demo;
 }
 
-// Walking straight out of the wedge is free with the switch off, too; the stick pushes across it, past the
-// end of the right wall. Each part of that leads further into one wall or the other.
+// Walking straight out of the wedge also works with the switch off. So the stick pushes across the wedge,
+// past the end of the right wall; each component of that leads further into one of the walls.
 Demo demo_push_out() {
     MovementSettings on = basic_settings();
     on.push_out = PushOut::analytic;
@@ -183,8 +185,8 @@ Demo demo_push_out() {
     return demo;
 }
 
-// Four posts that leave less room between them than the player is wide: whoever stands inside touches all of
-// them, and every direction leads further into one.
+// Four posts with less room between them than the player's width: a player inside touches all of them, and
+// every direction leads further into one.
 Demo demo_nudge() {
     MovementSettings on = basic_settings();
     on.nudge = true;
@@ -214,7 +216,7 @@ Demo demo_sticky() {
     Shapes shapes;
     shapes.material("plaster").box({-5, -0.5, -6}, {5, 0, 5}).material("stone").box({-3, 0, -4}, {3, 4, -2});
     shapes.material("stone__sticky").polygon({{-3, 0, -1.98}, {3, 0, -1.98}, {3, 4, -1.98}, {-3, 4, -1.98}});
-    // The jump meets the wall near its highest point, 2.4 m on; the stick goes on pushing.
+    // The jump hits the wall near its highest point, 2.4 m away; the stick continues to push.
     return demo_of(shapes.level(), {0, standing(on, 0), 2.6}, on,
                    "10 wish 0,0\n20 wish 0,-1\n30 wish 0,-1 jump\n60 wish 0,-1\n", {8, 4, 3.5},
                    {0, 1.6, -0.8});

@@ -1,4 +1,4 @@
-// A demo as files.
+// Writes a demo as files.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -71,7 +71,8 @@ Result<std::filesystem::path> save_demo(const DemoInfo& info, const std::filesys
         if (!status) return status.error();
     }
     if (const Status status = save_level(demo.level); !status) return status.error();
-    // The tape names the geometry as it is read, whose coordinates may differ in the last digit.
+    // The tape records the fingerprint of the geometry as read, whose coordinates may differ in the last
+    // digit.
     const Result<LoadedLevel> loaded = load_level(demo.level.mesh_path);
     if (!loaded) return loaded.error();
     demo.tape.level_fingerprint = loaded->level.mesh->fingerprint;

@@ -22,7 +22,7 @@ Vec3f colour_of(const std::string& material) {
     return found == named.end() ? Vec3f(0.7F, 0.7F, 0.7F) : found->colour;
 }
 
-// Tenths of a millimetre: short numbers are read back from an OBJ file exactly.
+// Rounds to tenths of a millimetre: short numbers are read back from an OBJ file exactly.
 double tidy(double coordinate) {
     return std::round(coordinate * 1e4) / 1e4;
 }
@@ -103,7 +103,7 @@ Shapes& Shapes::stairs(const Vec3& foot, double width, int steps, double rise, d
 
 Level Shapes::level() const {
     Level level;
-    // The shapes are made here and always fit together.
+    // The shapes in this module always fit together.
     level.mesh = build_mesh(soup_).value();
     level.overrides.resize(level.mesh->face_count());
     return level;

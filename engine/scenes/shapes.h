@@ -8,7 +8,8 @@
 
 namespace slipface {
 
-// Materials are named after what they are made of; "__ice" at the end makes a surface of that type.
+// A material's name gives its colour ("stone", "brick", ...); "__ice" at its end makes a surface of that
+// type.
 class Shapes {
   public:
     Shapes() { soup_.face_first_corner = {0}; }
@@ -17,11 +18,11 @@ class Shapes {
     // Counter-clockwise seen from the front.
     Shapes& polygon(const std::vector<Vec3>& corners);
     Shapes& box(const Vec3& low, const Vec3& high);
-    // Level ground, cut into tiles of about `tile` metres.
+    // A horizontal floor at low.y, divided into tiles of about `tile` metres.
     Shapes& floor(const Vec3& low, const Vec3& high_xz, double tile);
-    // A wedge that rises along -Z from `low.y` to `high_y` over [low.z, far_z].
+    // A wedge on `low`, its lower left corner, that rises by `rise` along -Z over `length`.
     Shapes& ramp(const Vec3& low, double width, double length, double rise);
-    // Steps that rise along -Z.
+    // Steps that rise along -Z, each `rise` high and `run` long.
     Shapes& stairs(const Vec3& foot, double width, int steps, double rise, double run);
 
     Level level() const;

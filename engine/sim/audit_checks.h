@@ -1,4 +1,4 @@
-// How an audit judges one tick of a walker.
+// The checks that an audit applies to one tick of a walker.
 #pragma once
 
 #include <optional>
@@ -10,40 +10,43 @@
 namespace slipface {
 
 struct CheckFailure {
-    double amount = 0.0;
+    double amount = 0.0;  // see the check
     FaceId face = no_id;
 };
 
-// What a check looks at.
+// The geometry that a check considers.
 enum class Against : std::uint8_t { everything, what_stands_still };
 
-// Where each platform of a tick takes who rides it. The same for all walkers, so it is asked once a tick.
+// [platform] the motion of a rider of each platform in a tick. The same for all walkers, so it is computed
+// once per tick.
 std::vector<Pose> rides_of(std::span<const MovingPart> platforms);
 
-// The centre went through a solid triangle on its way from `before` to `after` (scene
-// coordinates), of what stands still or of a platform. A platform is asked in its own frame: there the centre
-// sets out from where a rider would have been carried to. A straight line that meets a triangle is not proof
-// yet, because a step bends at contacts and lifts over edges: then the step is made again with its trace, and
-// it passed through only if neither the traced way nor a way over the top is free. A one-sided triangle stops
-// nobody from behind. `rides`: rides_of the scene's platforms. Metres done.
+// Fails if the centre went through a solid triangle, static or of a platform, on its path from `before` to
+// `after` (scene coordinates). For a platform the path starts where a rider would have been carried to. A
+// straight line that hits a triangle is no proof, because a step bends at contacts and lifts over edges. Then
+// the step is simulated again with its trace; the check fails only if neither the traced path nor a path over
+// the top is free. One-sided triangles are passable from behind. `rides`: rides_of() the scene's platforms.
+// CheckFailure::amount: metres moved.
 std::optional<CheckFailure> passed_through(const MovementScene& scene, std::span<const Pose> rides,
                                            const MovementSettings& settings, const PlayerState& before,
                                            const PlayerInput& input, double dt, const Vec3& after,
                                            Against against = Against::everything);
 
-// The ellipsoid, smaller by the skin, overlaps a solid, two-sided triangle. Depth in fractions of the radii.
+// Fails if the ellipsoid, smaller by the skin, overlaps a solid, two-sided triangle. CheckFailure::amount:
+// the largest depth, as a fraction of the radii.
 std::optional<CheckFailure> overlaps_deeply(const MovementScene& scene, const MovementSettings& settings,
                                             const Vec3& position, Against against = Against::everything);
 
-// Somewhere between straight on and `max_slope` upwards the ellipsoid could move 5 cm along `heading` (x, z).
+// Whether the ellipsoid could move 5 cm along `heading` (x, z), either horizontally, or up the full or half
+// the rise of `max_slope`.
 bool path_is_free(const MovementScene& scene, const MovementSettings& settings, const Vec3& position,
                   const Vec2& heading);
 
-// The first that the ellipsoid touches on its way, standing still or a platform.
+// The first contact of the ellipsoid along `move`, with static geometry or a platform.
 std::optional<Contact> first_touch(const MovementScene& scene, const Vec3& radii, const Vec3& from,
                                    const Vec3& move);
 
-// No ray from `from` leaves the level: checked in 1026 directions.
+// Whether no ray from `from` leaves the level: checked in 866 directions.
 bool level_is_closed(const CollisionWorld& world, const Vec3& from);
 
 }  // namespace slipface

@@ -1,4 +1,4 @@
-// An audit's report as JSON, and the parts of an audit as one.
+// An audit's report as JSON, and merging the parts of an audit.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// One walker's whole run of an audit, tick by tick.
+// One walker's run of an audit, tick by tick.
 #pragma once
 
 #include <atomic>
@@ -13,19 +13,19 @@
 
 namespace slipface {
 
-// What all walkers of an audit share.
+// The data that all walkers of an audit share.
 struct AuditArena {
     const AuditOptions& options;
     RunStart start;
-    Aabb level_bounds;  // of all that the level holds, in the scene's coordinates
-    Aabb bounds;        // larger than that; leaving it is leaving the level
+    Aabb level_bounds;  // of all parts of the level at all times, in the scene's coordinates
+    Aabb bounds;        // larger; a walker outside of it has left the level
     bool closed = false;
     std::uint64_t ticks = 0;           // of each walker, over all its lives
-    std::atomic<bool> stopped{false};  // by AuditOptions::progress
+    std::atomic<bool> stopped{false};  // set by AuditOptions::progress
 };
 
-// Asked to move all the time and came nowhere, at last for a quarter of a second along a free way: a walker
-// who turns away from a wall is gone by then.
+// Detects a walker that is stuck: it moved nowhere in spite of its inputs, and at the end its path was free
+// for a quarter of a second on one heading. A walker that turns away from a wall is gone by then.
 class StuckWatch {
   public:
     explicit StuckWatch(double dt);
@@ -41,7 +41,7 @@ class StuckWatch {
     Vec3 anchor_ = Vec3::Zero();
     Vec2 heading_ = Vec2::Zero();
     std::uint64_t ticks_ = 0;
-    std::uint64_t free_ = 0;  // latest ticks in a row on one heading whose way was free
+    std::uint64_t free_ = 0;  // latest ticks in a row on one heading with a free path
 };
 
 // The faces that a walker touched lately, so that a visit of several ticks counts once.
@@ -58,11 +58,11 @@ class RecentFaces {
     std::vector<Touch> touches_;
 };
 
-// The level at a tick, for all walkers.
+// The level in a tick, for all walkers.
 struct AuditTick {
     const TickScene& level;
     const MovementScene& scene;
-    std::vector<Pose> rides;  // rides_of its platforms
+    std::vector<Pose> rides;  // rides_of() its platforms
 };
 
 class AuditRun {
@@ -70,8 +70,8 @@ class AuditRun {
     AuditRun(AuditArena& arena, const MovementSettings& settings, std::uint32_t number);
 
     bool complete() const { return steps_ == arena_->ticks; }
-    // The next tick, in the scene that the level is at that time of the life. False if the life is over: the
-    // next one begins with the level, at time 0. `heat` may be null.
+    // Simulates the next tick. `now` is the level at that time of the life. False if the life is over: the
+    // next one starts at the level's time 0. `heat` may be null.
     bool tick(const AuditTick& now, std::vector<FaceHeat>* heat);
 
     void add_to(AuditReport& report) const;
@@ -83,7 +83,7 @@ class AuditRun {
     AuditFinding finding_now(FindingKind kind, const Vec3& position,
                              const std::optional<CheckFailure>& failure = std::nullopt) const;
     void find(AuditFinding finding);
-    // Where the walker is on its way out of the level, if it is.
+    // Stores in exit_ where the walker left the level's bounds, until it comes back.
     void note_exit(const AuditTick& now, const PlayerState& before, const PlayerState& after);
     void add_heat(std::vector<FaceHeat>& heat, const MovementScene& scene, const PlayerState& before,
                   const PlayerState& after, const PlayerInput& input) const;
@@ -97,7 +97,7 @@ class AuditRun {
     std::uint64_t tick_ = 0;  // of this life
     std::uint64_t life_hash_ = 0;
     std::array<bool, finding_kind_count> found_{};
-    std::optional<AuditFinding> exit_;  // outside of the level's bounds since then
+    std::optional<AuditFinding> exit_;  // the tick since which it is outside of the level's bounds
     FaceId last_ground_ = no_id;
     RecentFaces touched_;
 
@@ -105,8 +105,9 @@ class AuditRun {
     std::vector<AuditFinding> findings_;
 };
 
-// Walks all of them to their ends, side by side, so that the platforms are moved once a tick for all. Who
-// leaves the level waits until all have, or are done: every life begins at time 0 of the level, as tapes do.
+// Simulates all runs to their ends, side by side, so that platforms move once per tick for all. A walker that
+// leaves the level waits until all others have left it or are done, because every life starts at the level's
+// time 0, like a tape.
 void walk_side_by_side(const TickScene& level, const AuditArena& arena, std::span<AuditRun> runs,
                        std::vector<FaceHeat>* heat);
 

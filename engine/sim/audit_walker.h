@@ -1,4 +1,4 @@
-// What an audit's walker wants: a pure function of the seed, the walker, its life and the tick.
+// The inputs of an audit's walker: a pure function of the seed, the walker, its life and the tick.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace slipface {
 
-// Random numbers that are the same everywhere. Source: splitmix64 (Steele, Lea, Flood 2014).
+// Random numbers that are the same on every machine. Source: splitmix64 (Steele, Lea, Flood 2014).
 class WalkerRandom {
   public:
     explicit WalkerRandom(std::uint64_t state) : state_(state) {}
@@ -19,7 +19,7 @@ class WalkerRandom {
     std::uint64_t state_;
 };
 
-// Turns about once a second, jumps about every two, and now and then walks instead of running.
+// Changes its heading about once per second, jumps about every two seconds, and sometimes walks slowly.
 class Walker {
   public:
     Walker(std::uint64_t seed, std::uint32_t number, std::uint32_t life, double dt);

@@ -1,4 +1,4 @@
-// What an audit found, in a designer's words.
+// The findings of an audit as sentences for designers.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace slipface {
 
-// "face 12 (`crate`)": with its group, else its material, where it has one. "the air" for no_id.
+// "face 12 (`crate`)": with the name of its group, else of its material. "the air" for no_id.
 std::string face_words(const Level& level, FaceId face);
 
 // "Walker 3 got stuck after 8.5 s between faces 91 and 94 (`crate`, `floor`)".

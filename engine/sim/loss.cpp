@@ -1,4 +1,4 @@
-// What took the motion of one tick.
+// Finds the cause of the motion lost in one tick.
 #include <algorithm>
 #include <cmath>
 
@@ -100,6 +100,16 @@ class Reader {
                 carrying_ = true;
                 carrier_ = decision;
                 break;
+            case Decision::friction_slid:
+                // All that the player did not make of the wish.
+                if (towards(trace_.before.ground_normal) < 0.0) {
+                    carrier_ = decision;
+                    carried_record_ = index;
+                    carried_m_ =
+                        std::max(0.0, trace_.settings.walk_speed * trace_.input.wish.norm() * trace_.dt -
+                                          towards(trace_.to - trace_.from));
+                }
+                break;
             case Decision::still_stuck:
                 if (!heading_.isZero(0.0)) special(StopCause::sticky, index, decision);
                 break;
@@ -144,15 +154,16 @@ class Reader {
     }
 
     Loss carried_loss() const {
-        return {
-            .cause = carrier_.kind == Decision::platform_carried ? StopCause::platform : StopCause::carried,
-            .lost_m = carried_m_,
-            .record = carried_record_,
-            .face = carrier_.face,
-            .surface = trace_.before.ground_surface,
-            .position = trace_.from - Vec3(0.0, trace_.settings.radii.y(), 0.0),
-            .normal = trace_.before.ground_normal,
-            .because = carrier_};
+        return {.cause = carrier_.kind == Decision::platform_carried ? StopCause::platform
+                         : carrier_.kind == Decision::friction_slid  ? StopCause::slippery
+                                                                     : StopCause::carried,
+                .lost_m = carried_m_,
+                .record = carried_record_,
+                .face = carrier_.face,
+                .surface = trace_.before.ground_surface,
+                .position = trace_.from - Vec3(0.0, trace_.settings.radii.y(), 0.0),
+                .normal = trace_.before.ground_normal,
+                .because = carrier_};
     }
 
     Loss loss_by(const Taken& maximum) const {

@@ -223,6 +223,7 @@ TickTrace TapeRun::trace(const TickScene& scene, std::size_t tick) const {
     TickTrace trace;
     if (samples_.empty()) return trace;
     trace.tick = std::min(tick, samples_.size() - 1);
+    trace.dt = tape_->dt;
     trace.before = state_before(scene, trace.tick);
     trace.input = input_at(trace.tick);
     trace.settings = settings_at(trace.tick);

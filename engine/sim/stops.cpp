@@ -40,10 +40,12 @@ class FreeWalk {
         const Vec2 heading = input.wish.normalized();
         const double own = before.velocity.x() * heading.x() + before.velocity.z() * heading.y();
         const double from = goes_on ? std::max(speed_, own) : own;
-        const bool slippery = before.surface < names_.surfaces.size() && before.ground_face != no_id &&
-                              names_.surfaces[before.surface].keeps_energy && s.surface_types;
-        const double acceleration = slippery          ? s.slippery_acceleration
-                                    : before.grounded ? s.ground_acceleration
+        const bool typed =
+            before.surface < names_.surfaces.size() && before.ground_face != no_id && s.surface_types;
+        const bool slippery = typed && names_.surfaces[before.surface].keeps_energy;
+        const double friction = typed ? names_.surfaces[before.surface].friction : 1.0;
+        const double acceleration = slippery          ? s.slippery_acceleration * friction
+                                    : before.grounded ? s.ground_acceleration * friction
                                     : s.air_control   ? s.air_acceleration
                                                       : 0.0;
         const double requested = s.walk_speed * push;
@@ -182,6 +184,10 @@ void write_headline(Stop& stop, const MovementSettings& settings, const StoryNam
         case StopCause::carried:
             words.say("The moving surface of ").say(what).say(" carried you against the stick");
             break;
+        case StopCause::slippery:
+            words.say("The slope of ").say(what).say(" is too slippery to walk up");
+            because();
+            break;
         case StopCause::platform:
             words.say("The moving platform ").say(what).say(" stopped you");
             break;
@@ -211,9 +217,9 @@ void write_headline(Stop& stop, const MovementSettings& settings, const StoryNam
 }  // namespace
 
 const char* stop_cause_name(StopCause cause) {
-    static constexpr std::array<const char*, 14> names{
-        "wall",    "back",     "step",       "slope",  "overhead", "gap",    "sticky",
-        "carried", "platform", "ladder end", "inside", "terrain",  "hazard", "fall"};
+    static constexpr std::array<const char*, 15> names{
+        "wall",     "back",     "step",       "slope",  "overhead", "gap",    "sticky", "carried",
+        "slippery", "platform", "ladder end", "inside", "terrain",  "hazard", "fall"};
     return names[static_cast<std::size_t>(cause)];
 }
 

@@ -1,11 +1,11 @@
-// How numbers and faces are written in stories and headlines.
+// Numbers and faces as text, for stories and headlines.
 #pragma once
 
 #include "slipface/sim/story.h"
 
 namespace slipface {
 
-// Writes a text and notes its numbers.
+// Appends to a text, and stores the numbers in it.
 class Words {
   public:
     Words(std::string& text, std::vector<StoryNumber>& numbers) : text_(text), numbers_(numbers) {}
@@ -14,14 +14,14 @@ class Words {
         text_ += words;
         return *this;
     }
-    Words& length(double metres);
+    Words& length(double metres);                 // of motions
     Words& length_of(double part, double whole);  // "2.0 of 16.7 mm"
     Words& size(double metres);                   // of things: "0.25 m", "3 mm"
     Words& speed(double metres_per_second);
     Words& degrees(double degrees);
     Words& percent(double fraction);
     Words& count(double whole);
-    // A decision's sentence, with its numbers in it.
+    // A decision's sentence with its numbers.
     Words& decision(const DecisionRecord& decision);
 
   private:
@@ -31,7 +31,7 @@ class Words {
     std::vector<StoryNumber>& numbers_;
 };
 
-// 0 is level ground, 90 a wall, 180 a ceiling.
+// Degrees: 0 is horizontal ground, 90 a wall, 180 a ceiling.
 double slope_degrees(const Vec3& normal);
 
 // "face 12 of `stairs`, `tiles`, ice": the group if there is more than one, the material if it has a name,
@@ -40,7 +40,7 @@ std::string face_text(const StoryNames& names, FaceId face, SurfaceId surface);
 // "`stairs`": the group if there is more than one, else the material; empty if neither has a name.
 std::string object_text(const StoryNames& names, FaceId face);
 
-// Whether ground of that slope and type is stood on.
+// Whether a player can stand on ground with that normal and type.
 bool is_walkable(const StoryNames& names, const MovementSettings& settings, const Vec3& normal,
                  SurfaceId surface);
 

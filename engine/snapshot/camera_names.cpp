@@ -38,7 +38,7 @@ std::optional<CameraName> auto_camera(std::string_view name) {
     return CameraName{CameraKind::named_view, std::string(name)};
 }
 
-// "auto:turntable:8" as 8, for prefixes that stand for several.
+// The number 8 of "auto:turntable:8", for prefixes that stand for several cameras.
 std::optional<int> several_after(std::string_view name, std::string_view prefix) {
     if (!name.starts_with(prefix)) return std::nullopt;
     return count_in(name.substr(prefix.size()), max_directions);

@@ -1,4 +1,4 @@
-// Names of cameras in suites, taken apart.
+// Parses the names of cameras in suites.
 #pragma once
 
 #include <optional>
@@ -16,14 +16,14 @@ struct CameraName {
     int index = 1, count = 1;  // 1-based: corner, direction, moment, contact
 };
 
-// What `name` means; nothing for an "auto:", "tape:" or "contact:" that is no camera. Every other word is a
-// bookmark.
+// The camera that `name` means; nothing for an "auto:", "tape:" or "contact:" that is no camera. Every other
+// word is a bookmark.
 std::optional<CameraName> read_camera_name(std::string_view name);
 
 // Why `name` is no camera, or nothing.
 std::optional<std::string> wrong_camera_name(std::string_view name);
 
-// Whether `name` stands for several cameras, and which, where that is known without the level.
+// Whether `name` stands for several cameras, and the names of these, if known without the level.
 bool several_cameras(std::string_view name);
 std::vector<std::string> cameras_of(
     std::string_view name);  // {name} for one; none for "bookmarks", "contacts"

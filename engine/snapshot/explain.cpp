@@ -11,7 +11,7 @@ namespace slipface {
 
 namespace {
 
-constexpr std::size_t max_rays = 40'000;  // changed pixels beyond that are counted by a fraction of them
+constexpr std::size_t max_rays = 40'000;  // of more changed pixels only a fraction is examined
 constexpr double same_position = 1e-6;    // metres
 
 int delta(const std::uint8_t* a, const std::uint8_t* b) {
@@ -28,7 +28,7 @@ std::vector<std::size_t> changed_pixels(const Image& a, const Image& b, int tole
     return pixels;
 }
 
-// The face that the pixel shows, through back faces where those are not drawn.
+// The face that the pixel shows, behind back faces if those are not drawn.
 FaceId face_at(const SceneSide& side, const Scene& scene, std::size_t pixel) {
     const auto width = static_cast<std::size_t>(scene.width);
     const Vec2 pixel_center(static_cast<double>(pixel % width) + 0.5,
@@ -55,7 +55,7 @@ std::vector<bool> overlay_mask(const SceneComparison& comparison, const SceneSid
     return mask;
 }
 
-// Counts changed pixels by what they show.
+// Numbers of changed pixels by the geometry that they show.
 struct Tally {
     std::map<const FaceChange*, std::size_t> faces;
     std::size_t overlay = 0, rest = 0;
@@ -71,7 +71,7 @@ std::int32_t shown_by(const SceneComparison& comparison, const LevelChanges& cha
     return change == nullptr ? unknown : static_cast<std::int32_t>(change - changes.list.data());
 }
 
-// An edge's pixel mixes what lies on both sides of it, and a ray through its middle meets only one of them.
+// A pixel on an edge mixes the faces on both sides, but a ray through its centre hits only one of them.
 std::int32_t shown_nearby(const std::vector<std::int32_t>& shown, const Scene& scene, std::size_t pixel) {
     constexpr int reach = 2;
     const int x = static_cast<int>(pixel) % scene.width, y = static_cast<int>(pixel) / scene.width;
@@ -110,7 +110,7 @@ Tally count_pixels(const SceneComparison& comparison, const LevelChanges& change
     return tally;
 }
 
-// Changes of one kind in one group become one sentence.
+// One sentence for all changes of one kind in one group.
 void describe_faces(const SceneComparison& comparison, const LevelChanges& changes, const Tally& tally,
                     std::vector<Finding>& findings) {
     struct Group {
@@ -151,7 +151,7 @@ void describe_faces(const SceneComparison& comparison, const LevelChanges& chang
     }
 }
 
-// The faces that a tick touched: what it stood on, and what turned its remainder.
+// The faces that a tick touched: its ground, and those that redirected its remainder.
 std::set<FaceId> faces_touched(const SceneSide& side, std::size_t tick) {
     const SceneMovement& story = *side.story;
     PlayerState state;
@@ -196,7 +196,7 @@ std::string why_diverged(const SceneComparison& comparison, const LevelChanges& 
     return changes.list.empty() ? "" : "though no face touched then has changed";
 }
 
-// Level, settings and tape of the golden, run today, give today's path.
+// The text if the golden's level, settings and tape, simulated today, give today's path.
 std::string same_path_text(const ExplainRequest& request, const LevelChanges& changes) {
     const auto differs = [&](std::string_view prefix) {
         return std::any_of(request.numbers.begin(), request.numbers.end(),
@@ -213,8 +213,8 @@ std::string same_path_text(const ExplainRequest& request, const LevelChanges& ch
     return "the path is the same, what happens on it is not";
 }
 
-// The old walk is done again on the old level: when it is no longer the golden's, the movement code has
-// changed.
+// The golden's tape is simulated again in the golden's level. If the result differs from the golden's
+// numbers, the movement code has changed.
 void describe_movement(const SceneComparison& comparison, const LevelChanges& changes, std::size_t pixels,
                        std::vector<Finding>& findings) {
     const auto differs = [&](const char* path) {
@@ -271,7 +271,7 @@ std::string renderer_text(const ExplainRequest& request) {
                        number->actual);
 }
 
-// What no face and no overlay explains.
+// Explains the pixels that no face and no overlay explains.
 void describe_rest(const ExplainRequest& request, std::size_t pixels, std::vector<Finding>& findings) {
     if (const NumberDifference* number = first_number(request, "/camera"))
         return findings.push_back({Cause::view, pixels,

@@ -1,4 +1,4 @@
-// Why a scene does not look as it did.
+// Explains why a scene does not look like its golden.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace slipface {
 
-// Both sides of a scene, as far as they are known.
+// One side of a comparison, the golden's or today's. Null: not known.
 struct SceneSide {
     const StagedLevel* staged = nullptr;
     const SceneMovement* story = nullptr;
@@ -20,13 +20,13 @@ struct SceneComparison {
     const Scene& scene;
     const ExplainRequest& request;
     SceneSide before, after;  // before.staged is null when there is no digest
-    // Pictures of a side, with and without what is drawn over the level; empty if it cannot be drawn.
+    // An image of a side, with or without what is drawn over the level; empty if it cannot be drawn.
     std::function<Image(const SceneSide&, bool with_overlay)> draw;
 };
 
 std::vector<Finding> explain_scene(const SceneComparison& comparison);
 
-// From the numbers alone.
+// Explains from the numbers alone.
 std::vector<Finding> explain_numbers(const ExplainRequest& request, std::size_t changed_pixels);
 
 }  // namespace slipface

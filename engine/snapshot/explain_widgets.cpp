@@ -24,7 +24,7 @@ struct Widget {
     long long area() const { return static_cast<long long>(rect[2]) * rect[3]; }
 };
 
-// Small ones first: the first that holds a pixel drew it.
+// Small ones first: the first that contains a pixel drew it.
 std::vector<Widget> widgets_of(const std::string& text) {
     std::vector<Widget> widgets;
     const Numbers numbers = Numbers::parse(text, nullptr, false);

@@ -27,7 +27,7 @@ Status write_image_file(const fs::path& path, const Image& image, PngEffort effo
     return save_png(path, image, effort);
 }
 
-// Git LFS leaves a small text in the place of a picture that was not fetched.
+// Git LFS leaves a small text file instead of an image that was not fetched.
 bool is_lfs_pointer(const fs::path& path) {
     const Result<std::string> bytes = read_file(path);
     return bytes && bytes->starts_with("version https://git-lfs");
@@ -40,7 +40,7 @@ Result<Image> load_golden(const fs::path& path) {
     return load_image(path);
 }
 
-// Appends what was written, or why it could not be.
+// Appends the path of the written file, or the error, to `message`.
 void write_and_report(const fs::path& path, const Image& image, std::string& message) {
     const Status status = write_image_file(path, image);
     message += status ? fmt::format("; wrote {}", path.string()) : fmt::format("; {}", status.error().text());
@@ -55,7 +55,7 @@ bool on_disk(const fs::path& path) {
     return fs::exists(fs::symlink_status(path, error));
 }
 
-// What an earlier check wrote would be taken for this one's.
+// Removes the files of an earlier check, which would look like this check's.
 void forget_images(const fs::path& out, const std::string& name) {
     if (!valid_snapshot_name(name)) return;
     for (const char* ending :
@@ -89,7 +89,7 @@ GoldenResult without_golden(const Pair& pair, GoldenState state, const std::stri
     return result;
 }
 
-// The golden, or of its alternates the first that the gate calls the same.
+// Compares with the golden, then with its alternates until the gate calls one the same.
 void compare_image_files(const Pair& pair, const Image& golden, GoldenResult& result) {
     const Snapshot& snapshot = pair.snapshot;
     const auto compare = [&](const Image& expected) {
@@ -285,8 +285,8 @@ GoldenResult check_snapshot(const Snapshot& snapshot, const fs::path& folder, co
 
 namespace {
 
-// Files below `folder` with this ending, without it, ascending. What lies in folders with a leading '.' is
-// somebody else's.
+// The files below `folder` with this ending, as names without it, ascending. Folders with a leading '.'
+// belong to other programs.
 std::vector<std::string> files_below(const fs::path& folder, const char* ending) {
     std::vector<std::string> names;
     std::error_code error;

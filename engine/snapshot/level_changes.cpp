@@ -13,7 +13,7 @@ namespace slipface {
 
 namespace {
 
-// Of the corners, wherever the loop starts and whatever its direction; 1e-5 m apart is the same.
+// A key of the corners, independent of the loop's start and direction, rounded to 1e-5 m.
 std::uint64_t corners_hash(const Mesh& mesh, FaceId face) {
     std::uint64_t sum = mesh.face_corner_count(face);
     for (std::uint32_t c = mesh.face_first_corner[face]; c < mesh.face_first_corner[face + 1]; ++c) {
@@ -40,7 +40,7 @@ struct Matcher {
     const Mesh& after;
     std::vector<FaceId> found_in_after, found_in_before;  // [face] partner
 
-    // Pairs faces whose key is equal; of several the first with the first.
+    // Pairs faces with equal keys, in order.
     template <class Key>
     void pair_by(const Key& key, bool equal_counts_only) {
         std::map<decltype(key(before, FaceId{})), std::pair<std::vector<FaceId>, std::vector<FaceId>>>

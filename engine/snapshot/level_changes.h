@@ -1,4 +1,4 @@
-// What became of each face between two states of a level.
+// The changes of each face between two states of a level.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace slipface {
 
 struct FaceChange {
     enum class Kind { none, surface, moved, removed, added } kind = Kind::none;
-    FaceId before = no_id, after = no_id;  // no_id: not there
+    FaceId before = no_id, after = no_id;  // no_id: does not exist
     double moved = 0.0;                    // metres, of the corner that moved most
     std::string text;                      // of the kind, without the face: "changed ice to default"
 };
@@ -28,7 +28,7 @@ struct LevelChanges {
     }
 };
 
-// Faces are found again by their corners; those that are left, by group, number of corners and order.
+// Pairs faces by their corners; the remaining ones by group, number of corners and order.
 LevelChanges compare_levels(const Level& before, const Level& after);
 
 // "face 88 of `roof`"; "face 88" where the group has no name.

@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view magic = "slipface-digest 1\n";
 constexpr std::size_t largest_digest = std::size_t{256} << 20U;  // unpacked
 
-// What the level file would say if nothing was painted: painted faces are kept as resolved types.
+// The level file's text without painted faces, because the digest stores the resolved types.
 std::string annotations_json(const Level& level) {
     Level bare = level;
     bare.overrides.assign(level.mesh ? level.mesh->face_count() : 0, std::nullopt);
@@ -45,7 +45,7 @@ class Writer {
         value(static_cast<std::uint32_t>(t.size()));
         bytes += t;
     }
-    // Differences of neighbours pack better than the numbers.
+    // Differences of neighbours compress better than the numbers.
     void ascending(std::span<const std::uint32_t> numbers) {
         value(static_cast<std::uint32_t>(numbers.size()));
         std::uint32_t before = 0;
@@ -104,7 +104,7 @@ class Reader {
     std::string_view bytes_;
 };
 
-// Refuses what would index out of range.
+// False if an index is out of range.
 bool consistent(const Mesh& mesh, std::size_t faces_with_surface) {
     const std::size_t faces = mesh.face_material.size(), corners = mesh.corner_vertex.size();
     const auto below = [](const auto& list, std::size_t limit) {
@@ -129,7 +129,7 @@ bool consistent(const Mesh& mesh, std::size_t faces_with_surface) {
                        [](const Vec3f& p) { return p.allFinite(); });
 }
 
-// Triangle corners count from their face's first corner: small numbers that come again and again.
+// Triangle corners are stored relative to their face's first corner: small, repeated numbers.
 void write_mesh(Writer& out, const Mesh& mesh) {
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<float> values;

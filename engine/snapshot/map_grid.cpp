@@ -48,7 +48,7 @@ void write_metres(const Plane& plane, int metres, double x, double z, double siz
         plane.glyph_line(stroke, x, z, size, color, width);
 }
 
-// 1, 2, 5, 10, 20, ... metres, so that at most `most` steps fit into `extent`.
+// 1, 2, 5, 10, 20, ... metres, so that at most `maximum` steps fit into `extent`.
 int round_step(double extent, double maximum) {
     int step = 1;
     for (const int factor : {2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000})
@@ -67,7 +67,7 @@ void draw_grid(Overlay& overlay, const Aabb& bounds) {
     const auto color = [&](double at) {
         return std::fmod(std::abs(at) / step, 5.0) < 0.5 ? coarse_color : fine_color;
     };
-    // Dark beside light, so that the grid is seen over bright floors and over the dark ground.
+    // Dark beside light, so that the grid is visible over bright floors and over the dark background.
     for (const bool dark : {true, false}) {
         const float width = dark ? 3.0f : 1.0f;
         for (double x = first(bounds.min.x()); x <= bounds.max.x(); x += step)

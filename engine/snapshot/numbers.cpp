@@ -13,7 +13,7 @@ namespace slipface {
 
 namespace {
 
-// The first row whose pattern fits a path says what the field means there.
+// The first row whose pattern matches a path gives the meaning of the field.
 struct FieldRule {
     const char* pattern;
     Cause cause;
@@ -99,7 +99,7 @@ void compare_values(const Numbers* expected, const Numbers* actual, const std::s
     }
     const FieldRule& rule = rule_of(path);
     if (expected != nullptr && actual != nullptr && equal_within(*expected, *actual, rule.tolerance)) return;
-    // A setting that one side does not know yet has no say; where it matters, the path shows it.
+    // A setting that one side does not know does not decide; if it matters, the path differs.
     const bool unknown_setting =
         path.starts_with("/movement/settings/") && (expected == nullptr || actual == nullptr);
     out.push_back({path, rule.cause, shown(expected), shown(actual), rule.decides && !unknown_setting});

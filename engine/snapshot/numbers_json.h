@@ -14,7 +14,7 @@ inline Numbers json_of(const Vec3& v) {
     return Numbers::array({v.x(), v.y(), v.z()});
 }
 
-// Two-space indent, lists of plain values on one line, so that a diff shows one row a change.
+// Two-space indent, lists of plain values on one line, so that a diff shows one row per change.
 std::string numbers_text(const Numbers& numbers);
 
 std::string hex_text(std::uint64_t value);  // 16 digits

@@ -21,7 +21,7 @@ constexpr std::size_t max_scenes = 10000;
 constexpr std::uint64_t max_suite_bytes = std::uint64_t{16} << 20U;
 constexpr int smallest_side = 16, largest_side = 4096;
 
-// Thrown inside this file only: the first thing that is wrong ends the reading.
+// Thrown inside this file only: the first error ends the parsing.
 struct Refusal {
     Error error;
 };
@@ -184,7 +184,7 @@ SceneProbe probe_of(const Json& value, const std::string& location) {
     return probe;
 }
 
-// What a scene, or the suite's defaults, may say about the picture.
+// The members about the image, of a scene or of the suite's defaults.
 void read_image(Scene& scene, const Json& value, const std::string& location) {
     if (value.contains("size")) {
         const Json& size = value["size"];

@@ -99,7 +99,7 @@ GoldenResult entry_of(const Numbers& json) {
     return entry;
 }
 
-// Of all that stands before it.
+// The last member of a report: a hash of all members before it.
 std::string checksum_of(const Numbers& json) {
     Hasher hasher;
     hasher.text(json.dump(-1, ' ', false, Numbers::error_handler_t::replace));

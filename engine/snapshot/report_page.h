@@ -1,4 +1,4 @@
-// The page of report.html: it stands alone, without network. Between the two halves come the data.
+// The page report.html, which needs no other file and no network. The data go between the two halves.
 #pragma once
 
 namespace slipface {

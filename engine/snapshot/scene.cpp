@@ -89,7 +89,7 @@ std::optional<Vec3> vec3_of(const Numbers& object, const char* key) {
     return v.allFinite() ? std::optional(v) : std::nullopt;
 }
 
-// The golden's camera, on top of what the scene's camera is today.
+// The golden's camera; members that its numbers lack are those of today's camera.
 Camera camera_of(const Numbers& numbers, Camera camera) {
     const auto json = numbers.find("camera");
     if (json == numbers.end() || !json->is_object()) return camera;
@@ -141,7 +141,7 @@ struct SceneStage::Impl {
         return on_stage.painter->image(camera, scene.width, scene.height, scene.style, &overlay);
     }
 
-    // The level as it was approved. Texture coordinates are not kept: where the geometry is the same, today's
+    // The level as it was approved. A digest has no texture coordinates: if the geometry is the same, today's
     // are used.
     OnStage stage_before(const StagedLevel& now, const Numbers& golden,
                          const std::filesystem::path& goldens) {
@@ -158,7 +158,7 @@ struct SceneStage::Impl {
         old->mesh_path = now.level.mesh_path;
         old->file_path = now.level.file_path;
         if (old->mesh->fingerprint == now.level.mesh->fingerprint) old->mesh = now.level.mesh;
-        (void)load_terrain(*old).ok();  // without it the terrain is not there, and the path shows it
+        (void)load_terrain(*old).ok();  // on an error there is no terrain, and the path differs
         Result<std::unique_ptr<StagedLevel>> staged = stage_level(*std::move(old));
         if (staged) before.staged = *std::move(staged);
         if (before.staged) before.staged->tape = now.tape;

@@ -16,7 +16,7 @@ namespace {
 constexpr double degrees = std::numbers::pi / 180.0;
 constexpr double nearest_plane = 0.02;  // metres
 
-// As far from `target` towards `wanted` as nothing is in between.
+// `wanted`, or if geometry is in between, a point nearer to `target` that sees it.
 Vec3 free_eye(const StagedLevel& staged, const Vec3& target, const Vec3& wanted) {
     const auto hit = cast_ray(staged.visible(), target, wanted - target, 1.0);
     return hit ? Vec3(target + (wanted - target) * std::max(0.05, hit->t * 0.92)) : wanted;
@@ -137,7 +137,7 @@ void fit_depth_range(Camera& camera, const StagedLevel& staged, const Overlay& o
     for (const Overlay::Triangle& triangle : overlay.triangles)
         for (const Vec3& corner : {triangle.a, triangle.b, triangle.c})
             include((corner - camera.eye).norm(), 0.05);
-    // A point at distance d in the picture's corner is d / sqrt(1 + tx^2 + ty^2) deep.
+    // A point at distance d in the image's corner has the depth d / sqrt(1 + tx^2 + ty^2).
     const double tangent = std::tan(0.5 * camera.fov_y);
     const double corner = std::sqrt(1.0 + tangent * tangent * (1.0 + aspect * aspect));
     camera.near_plane = std::max(nearest_plane, 0.9 * nearest / corner);

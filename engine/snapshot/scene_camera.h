@@ -5,14 +5,14 @@
 
 namespace slipface {
 
-// Errors name the scene's place and what the level has.
+// Errors name the scene's location and list the level's cameras.
 Result<Camera> scene_camera(const Scene& scene, const StagedLevel& staged, const SceneMovement& story);
 
-// Moves the near plane as far away, and the far plane as near, as what is seen allows: depth is then told
-// apart as finely as it can be, and faces far away do not flicker through each other on another processor.
+// Moves the near plane as far away, and the far plane as near, as the visible geometry allows. This gives the
+// finest depth resolution, so that far faces do not flicker through each other on another processor.
 void fit_depth_range(Camera& camera, const StagedLevel& staged, const Overlay& overlay, double aspect);
 
-// A grid in metres over a level seen from above, and its scale.
+// Adds a grid in metres over a level seen from above, and its scale.
 void draw_grid(Overlay& overlay, const Aabb& bounds);
 
 }  // namespace slipface

@@ -1,4 +1,4 @@
-// What moves in a scene: its probe and its tape, run, drawn and put into numbers.
+// The movement in a scene: runs, draws and measures its probe and its tape.
 #pragma once
 
 #include <optional>
@@ -23,13 +23,12 @@ struct SceneMovement {
     std::vector<PlayerState> states;  // [tick]
 };
 
-// Runs what the scene asks for. `settings`, if given, count instead of the level's, the scene's and the
-// tape's.
+// Runs the scene's probe and tape. `settings`, if given, replace the level's, the scene's and the tape's.
 Result<SceneMovement> run_movement(const Scene& scene, const StagedLevel& staged,
                                    const std::optional<MovementSettings>& settings = std::nullopt);
 
-// Where the story touches something: the probe's contacts, else where the tape's player lands or touches a
-// new kind of surface.
+// The contacts of the movement, at most 12: those of the probe, then those where the tape's player lands or
+// touches a new surface type.
 struct MovementContact {
     Vec3 point = Vec3::Zero();
     Vec3 normal = Vec3::UnitY();

@@ -20,7 +20,7 @@ std::uint64_t file_hash(const std::filesystem::path& path) {
     return hasher.value();
 }
 
-// Of every picture that the level is drawn with, the baked light among them.
+// Hashes of all image files that the level is drawn with, including the baked light.
 Numbers textures_json(const Level& level) {
     std::set<std::string> names;
     if (level.light && !level.light->image.empty()) names.insert(level.light->image);

@@ -1,4 +1,4 @@
-// A level that scenes are made of: loaded once, with what its pictures and its movement need.
+// A level for scenes: loaded once, with the data that images and movement need.
 #pragma once
 
 #include <map>
@@ -16,10 +16,10 @@ namespace slipface {
 struct StagedLevel {
     Level level;
     CollisionWorld collision;
-    CollisionWorld geometry;   // every face solid: what can be seen. Empty: `collision` has them all
+    CollisionWorld geometry;   // with every face solid, for visibility. Empty: `collision` has all faces
     Numbers numbers;           // the "level" section
     std::string digest;        // digest_name; empty: too large for one
-    std::optional<Tape> tape;  // of a demo: what scenes without a tape of their own run
+    std::optional<Tape> tape;  // of a demo, for scenes without a tape of their own
 
     const CollisionWorld& visible() const { return geometry.triangle_count() > 0 ? geometry : collision; }
 };

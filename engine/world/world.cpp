@@ -39,7 +39,7 @@ bool World::is_removed(const Entity& entity) const {
 
 void World::tick(double seconds) {
     ticking_ = true;
-    // By index, because what is ticked may add to the lists.
+    // By index, because entities and managers may add to the lists.
     for (std::size_t i = 0; i < entities_.size(); ++i) {
         if (!is_removed(*entities_[i])) entities_[i]->on_tick(seconds);
     }

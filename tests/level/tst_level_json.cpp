@@ -1,4 +1,5 @@
 // The level file's text: everything comes back, nothing hostile gets in.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -131,6 +132,34 @@ TEST(LevelJson, ASettingThatIsNotNamedIsTheBasicOne) {
     }
 }
 
+// Version 1 meant by friction what a bounce kept of the speed along the surface.
+TEST(LevelJson, FrictionOfVersionOneIsConverted) {
+    for (const double restitution : {0.0, 0.001, 0.5, 1.0}) {
+        for (const double kept : {0.0, 0.05, 0.1, 0.25, 0.9, 1.0}) {
+            const std::string json =
+                fmt::format(R"({{"slipface": 1, "surfaces": [{{"name": "default", "friction": {}, )"
+                            R"("restitution": {}}}]}})",
+                            kept, restitution);
+            const Result<LoadedLevel> loaded = load(json);
+            ASSERT_TRUE(loaded.ok()) << loaded.error().text();
+            const double friction = loaded->level.surfaces[0].friction;
+            if (restitution == 0.0) {
+                EXPECT_EQ(friction, 1.0);
+            } else {
+                EXPECT_NEAR(std::min(1.0, 1.0 / friction), std::max(kept, 0.1), 1e-12) << kept;
+            }
+            EXPECT_EQ(loaded->warnings.size(), kept == 1.0 ? 0u : 1u) << json;
+            // Written, it is read as it is.
+            const std::string text = level_to_json(loaded->level);
+            EXPECT_EQ(text.find("\"slipface\": 2,") != std::string::npos, friction != 1.0);
+            const Result<LoadedLevel> again = load(text);
+            ASSERT_TRUE(again.ok()) << again.error().text();
+            EXPECT_EQ(again->level.surfaces[0].friction, friction);
+            EXPECT_TRUE(again->warnings.empty());
+        }
+    }
+}
+
 TEST(LevelJson, UnknownKeysAreKeptWhereTheyStand) {
     std::string deep = "1";
     for (int i = 0; i < 60; ++i)
@@ -210,7 +239,7 @@ const std::vector<Hostile>& hostile_files() {
         {"AnArray", "[1, 2]", "easy.slipface.json:/", "expected an object"},
         {"ANumber", "7", "easy.slipface.json:/", "the number 7"},
         {"NoVersion", "{}", "easy.slipface.json:/", "\"slipface\""},
-        {"LaterVersion", "{\"slipface\": 2}", "easy.slipface.json:/slipface", "version 1"},
+        {"LaterVersion", "{\"slipface\": 3}", "easy.slipface.json:/slipface", "version 1 or 2"},
         {"TextVersion", "{\"slipface\": \"1\"}", "easy.slipface.json:/slipface", "the string \"1\""},
         {"FractionVersion", "{\"slipface\": 1.0}", "easy.slipface.json:/slipface", "1.0"},
         {"DuplicateTop", "{\"slipface\": 1, \"rules\": [], \"rules\": []}", "easy.slipface.json:/rules",
@@ -241,7 +270,9 @@ const std::vector<Hostile>& hostile_files() {
         {"SurfaceFriction",
          with(R"("surfaces": [{"name": "default"}, {"name": "a"}, {"name": "b", "friction": "low"}])"),
          "easy.slipface.json:/surfaces/2/friction",
-         "found the string \"low\", expected a number from 0 to 1"},
+         "found the string \"low\", expected a number from 0 to 10"},
+        {"SurfaceOldFriction", with(R"("surfaces": [{"name": "default", "friction": 3}])"),
+         "easy.slipface.json:/surfaces/0/friction", "found 3, expected a number from 0 to 1"},
         {"SurfaceRange", with(R"("surfaces": [{"name": "default", "restitution": 1.5}])"),
          "easy.slipface.json:/surfaces/0/restitution", "1.5"},
         {"SurfaceFlag", with(R"("surfaces": [{"name": "default", "solid": 1}])"),

@@ -65,6 +65,12 @@ inline std::string metres(double value) {
     return text;
 }
 
+inline std::string number_text(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3f", value);
+    return text;
+}
+
 inline std::string degrees_text(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.2f deg", value);
@@ -206,6 +212,20 @@ inline std::vector<Snag> SnagMaker::make() {
         belt.name = "against";
         belt.velocity = Vec3(0, 0, speed);
         snag.level.surfaces.push_back(belt);
+        snags.push_back(std::move(snag));
+    }
+    {
+        const double slope = between(15, 40), hold = between(0.0, 0.09);
+        Shapes shapes = ground();
+        shapes.group("snag").material("mud__slippery");
+        shapes.ramp({-8, 0, z}, 16, 12, 12 * std::tan(slope * M_PI / 180));
+        Snag snag = snag_of("slippery slope", degrees_text(slope) + ", friction " + number_text(hold), shapes,
+                            lecture_settings(), {StopCause::slippery});
+        SurfaceType mud;
+        mud.name = "slippery";
+        mud.friction = hold;
+        snag.passed_z = z - 6.0;  // a run-up takes the player up a little
+        snag.level.surfaces.push_back(mud);
         snags.push_back(std::move(snag));
     }
     {

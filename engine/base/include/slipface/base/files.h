@@ -10,16 +10,17 @@
 
 namespace slipface {
 
-// The bytes of `path`. Refuses, with the reason: a missing file, a directory or other non-regular file, a
-// file of more than `max_bytes`, an unreadable one.
+// Returns the bytes of `path`. Errors: no such file, a directory or another non-regular file, more than
+// `max_bytes` bytes, a file that cannot be read, too little memory.
 Result<std::string> read_file(const std::filesystem::path& path,
                               std::uint64_t max_bytes = std::uint64_t{4} << 30);
 
-// Replaces `path` by `bytes` so that a reader, and a machine that loses power, sees the old or the new file
-// and never a mixture: writes a temporary file beside it, flushes it to disk, renames it.
+// Replaces `path` by `bytes`: writes a temporary file beside it, flushes it to disk and renames it. A reader,
+// and a machine after a power failure, see the old or the new file and never a mixture. Symbolic links are
+// followed and permissions are preserved. Errors: a write-protected or non-regular target, a failed write.
 Status write_file_atomic(const std::filesystem::path& path, std::string_view bytes);
 
-// Whether `file`, symbolic links followed as far as they exist, lies in `folder` or below.
+// True if `file` is `folder` or lies below it. Symbolic links are followed as far as they exist.
 bool lies_within(const std::filesystem::path& file, const std::filesystem::path& folder);
 
 }  // namespace slipface

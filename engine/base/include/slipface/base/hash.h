@@ -17,15 +17,16 @@ class Hasher {
             state_ = (state_ ^ byte[i]) * prime;
     }
     void text(std::string_view text) { bytes(text.data(), text.size()); }
-    // Its eight bytes, the lowest first. A byte of 0 only multiplies, so the high ones of small numbers are
-    // one product: states are hashed every tick and are full of small numbers.
+    // Hashes the eight bytes of `value`, lowest byte first. A zero byte is only a multiplication, so the high
+    // zero bytes of a small number cost one product. This matters: states are hashed every tick and contain
+    // many small numbers.
     void u64(std::uint64_t value) {
         std::size_t left = 8;
         for (; value != 0; value >>= 8, --left)
             state_ = (state_ ^ (value & 0xff)) * prime;
         state_ *= powers[left];
     }
-    // The bits of the value, with -0 counted as 0 so that equal numbers hash equally.
+    // Hashes the bits of `value`. -0 counts as 0, so that equal numbers hash equally.
     void f64(double value) {
         const double canonical = value == 0.0 ? 0.0 : value;
         std::uint64_t bits = 0;
@@ -45,7 +46,8 @@ class Hasher {
     std::uint64_t state_ = 0xcbf29ce484222325ULL;
 };
 
-// Of many bytes, on all cores; the same whatever their number. Not FNV-1a: eight bytes at a time.
+// Hash of a large buffer, computed on all cores. The result does not depend on their number. It is not
+// FNV-1a: it reads eight bytes at a time.
 std::uint64_t hash_blocks(const void* data, std::size_t size);
 
 }  // namespace slipface

@@ -1,4 +1,4 @@
-// Sorting many things by a number of 64 bits.
+// Sorting by 64-bit keys.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@ struct KeyedIndex {
     std::uint32_t index = 0;
 };
 
-// Ascending by key, then by index. Several times as fast as std::sort on many entries whose keys are hashes,
-// and never much slower; needs as much memory again as `entries`.
+// Sorts ascending by key, then by index. For many entries with hashes as keys it is several times as fast as
+// std::sort; with other keys it is never much slower. Needs a second buffer of the size of `entries`.
 void sort_by_key(std::vector<KeyedIndex>& entries);
 
 }  // namespace slipface

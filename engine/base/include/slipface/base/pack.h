@@ -1,4 +1,4 @@
-// Bytes packed into fewer (deflate with the zlib wrapper, RFC 1950), in one call.
+// Compression: deflate with the zlib wrapper (RFC 1950), in one call.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,15 @@
 namespace slipface {
 
 inline constexpr int pack_fast = 1;       // about as fast as copying through memory
-inline constexpr int pack_usual = 6;      // as zlib's usual level
+inline constexpr int pack_usual = 6;      // zlib's default level
 inline constexpr int pack_smallest = 12;  // tens of times slower, a few per cent smaller
 
-// The same bytes and effort give the same result (with one version of libdeflate).
+// Compresses `bytes`. `effort` is clamped to pack_fast..pack_smallest. The same bytes and effort give the
+// same result (with one version of libdeflate).
 std::string pack(std::string_view bytes, int effort = pack_usual);
 
-// Exactly `size` bytes, or nothing: for damaged data, and for data that unpack to another size. Sizes that no
-// packing could have come from are refused before any memory is taken.
+// Returns the decompressed bytes, or nothing if the data are damaged or do not unpack to exactly `size`
+// bytes. A `size` that deflate cannot reach from `packed` is refused before memory is allocated.
 std::optional<std::string> unpack(std::string_view packed, std::size_t size);
 
 }  // namespace slipface

@@ -7,16 +7,17 @@
 
 namespace slipface {
 
-// Calls body(begin, end) for disjoint ranges that cover [0, count), on as many threads as there are. Each
-// range writes only its own results; the split is not specified, so nothing may depend on it.
+// Calls body(begin, end) for disjoint ranges that cover [0, count), on all available threads. A range of at
+// most `grain` items is not split. Each range must write only its own results. The split is not specified, so
+// no result may depend on it.
 void parallel_for(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)>& body);
 
-// How many threads parallel_for may use now. For sharing out work; no result may depend on it.
+// The number of threads that parallel_for may use now. For dividing work; no result may depend on it.
 int parallel_threads();
 
-// While it lives, parallel_for uses at most `threads` threads (at least 1). The smallest of several limits
-// counts.
+// While it lives, parallel_for uses at most `threads` threads (at least 1). If several limits are alive, the
+// smallest applies.
 class ThreadLimit {
   public:
     explicit ThreadLimit(int threads);

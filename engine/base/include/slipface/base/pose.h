@@ -1,5 +1,5 @@
-// Rigid motions, and the angles they are made of, from additions and multiplications alone: every C library
-// gives the same bits.
+// Rigid motions and the sines and cosines for them. Only operations with exactly rounded results are used, so
+// every C library gives the same bits.
 #pragma once
 
 #include <array>
@@ -13,12 +13,12 @@ struct SinCos {
     double cosine = 1.0;
 };
 
-// Of any finite angle, to about 1e-15; radians.
+// Sine and cosine of any finite `angle`, radians. Error about 1e-15, plus about 4e-17 per radian of `angle`.
 SinCos sin_cos(double angle);
 
-// First turned about the origin, then shifted: world = rotation * rest + offset.
+// A rigid motion: first rotate about the origin, then add the offset. world = rotation * rest + offset.
 struct Pose {
-    std::array<Vec3, 3> columns{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};  // of the rotation
+    std::array<Vec3, 3> columns{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};  // of the rotation matrix
     Vec3 offset = Vec3::Zero();
 
     Vec3 turn(const Vec3& direction) const {
@@ -32,8 +32,9 @@ struct Pose {
     friend bool operator==(const Pose&, const Pose&) = default;
 };
 
-// Turned by `angle` about `axis` (any length but zero; zero turns nothing) through `pivot`, counter-clockwise
-// seen from the axis's tip, then shifted by `offset`. Source: Rodrigues' rotation formula.
+// The pose that rotates by `angle` radians about `axis` through `pivot`, counter-clockwise seen from the tip
+// of the axis, and then adds `offset`. `axis` may have any length; with a zero or infinite one nothing is
+// rotated. Source: Rodrigues' rotation formula.
 Pose turned_about(const Vec3& pivot, const Vec3& axis, double angle, const Vec3& offset = Vec3::Zero());
 
 }  // namespace slipface

@@ -1,4 +1,4 @@
-// How far a long task is, and the wish to stop it. One thread works and writes, another looks and cancels.
+// Progress and cancellation of a long task. The thread that works writes; another thread reads and cancels.
 #pragma once
 
 #include <atomic>
@@ -10,21 +10,22 @@ namespace slipface {
 
 class Progress {
   public:
-    // The task has come to `stage` (a literal, as windows show it: "Reading faces"), which is the part from
-    // `begin` to `end` of the whole, 0 to 1.
+    // Starts `stage`, a string literal that windows show ("Reading faces"). It covers the part from `begin`
+    // to `end` of the whole task, both from 0 to 1.
     void begin(const char* stage, double begin, double end) {
         stage_ = stage;
         begin_ = begin;
         end_ = end;
         fraction_ = begin;
     }
-    // `done` of the stage, 0 to 1.
+    // `done`: fraction of the current stage, 0 to 1.
     void advance(double done) { fraction_ = begin_ + (end_ - begin_) * done; }
 
     const char* stage() const { return stage_; }
-    double fraction() const { return fraction_; }  // 0 to 1, of the whole
+    double fraction() const { return fraction_; }  // of the whole task, 0 to 1
 
-    // The task stops at the next opportunity and returns an error; what it had made is thrown away.
+    // Requests that the task stop. It does so at the next opportunity, discards its work and returns an
+    // error.
     void cancel() { cancelled_ = true; }
     bool cancelled() const { return cancelled_; }
 
@@ -34,7 +35,7 @@ class Progress {
     std::atomic<bool> cancelled_ = false;
 };
 
-// The same where nobody looks.
+// The same functions for a task that may have no Progress (a null pointer).
 inline void begin_stage(Progress* progress, const char* stage, double begin, double end) {
     if (progress != nullptr) progress->begin(stage, begin, end);
 }
@@ -45,7 +46,7 @@ inline bool cancelled(const Progress* progress) {
     return progress != nullptr && progress->cancelled();
 }
 
-// What a task that was cancelled returns.
+// The error that a cancelled task returns.
 inline Error cancelled_error(const std::filesystem::path& path) {
     return {path.string(), "was not opened: it was cancelled"};
 }

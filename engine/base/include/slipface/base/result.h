@@ -9,7 +9,7 @@
 
 namespace slipface {
 
-// One thing that is wrong, and where. `place` is as exact as is known: "level.obj:12",
+// One problem and where it is. `location` is as exact as is known: "level.obj:12",
 // "level.slipface.json:/rules/0/type", "level.obj". `message` says what was found and what was expected.
 struct Diagnostic {
     std::string location;
@@ -22,7 +22,7 @@ struct Diagnostic {
 using Error = Diagnostic;
 using Warnings = std::vector<Diagnostic>;
 
-// A T, or the reason why there is none. Reading the side that is not there is a programming error
+// A T, or the reason why there is none. Reading the side that is absent is a programming error
 // (std::bad_variant_access).
 template <class T>
 class [[nodiscard]] Result {

@@ -1,4 +1,5 @@
-// Parts of a long piece of work, done on several machines: 1/4 to 4/4. The same in every verb.
+// One part of a long job that is divided among several machines: 1/4 to 4/4. All command-line verbs use the
+// same notation.
 #pragma once
 
 #include <cstdint>
@@ -16,21 +17,22 @@ struct Shard {
     std::uint32_t number = 1;  // 1 to count
     std::uint32_t count = 1;
     bool whole() const { return count == 1; }
-    // Which items of the whole belong to this part, counted from 0.
+    // True if `item` belongs to this part. Items are counted from 0 over the whole job.
     bool has(std::uint64_t item) const { return item % count == number - 1; }
     friend bool operator==(const Shard&, const Shard&) = default;
 };
 
-// "2/4". An error names `place`, what was found and what was expected.
+// Reads "2/4". The error names `location`, what was found and what was expected.
 Result<Shard> parse_shard(std::string_view text, const std::string& location);
 std::string shard_text(const Shard& shard);  // "2/4"
 
-// Whether the parts, each read from a file, make a whole: an error names those that are there twice, those
-// that are missing, and those that are parts of another number of parts.
+// One part and the file that it was read from.
 struct ShardFile {
     std::string file;
     Shard shard;
 };
+// Checks that the parts make a whole. The error names parts that occur twice, parts that are missing, and
+// parts that belong to another number of parts.
 Status check_shards_complete(std::span<const ShardFile> parts, const std::string& location);
 
 }  // namespace slipface

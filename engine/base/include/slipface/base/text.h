@@ -15,16 +15,16 @@ namespace slipface {
 // The shortest text that reads back as the same double ("0.1", "1e-07").
 std::string to_text(double value);
 
-// All of `text` as a finite double, or nothing. Accepts a leading '+'.
+// Parses all of `text` as a finite double, or returns nothing. Accepts a leading '+'.
 std::optional<double> parse_double(std::string_view text);
 
-// All of `text` as an integer, or nothing.
+// Parses all of `text` as a decimal integer, or returns nothing. Accepts a leading '+'.
 std::optional<std::int64_t> parse_int(std::string_view text);
 
-// "x,y,z" as three finite numbers, or nothing.
+// Parses "x,y,z" as three finite numbers, or returns nothing. White space around each number is allowed.
 std::optional<Vec3> parse_vec3(std::string_view text);
 
-// Parts of `text`, which must live as long as they do: not a temporary.
+// These return views into `text`, so a temporary string is refused.
 std::string_view trim(std::string_view text);
 std::vector<std::string_view> split(std::string_view text, char separator);
 template <std::same_as<std::string> Temporary>
@@ -34,8 +34,8 @@ void split(Temporary&&, char) = delete;
 
 std::string to_lower(std::string_view text);
 
-// `text` against a pattern in which '*' stands for any run of characters and '?' for one. Takes time linear
-// in the text for a pattern with a bounded number of stars; never recursive.
+// Matches all of `text` against `pattern`: '*' stands for any run of characters, '?' for one. Not recursive;
+// takes at most time proportional to the product of both lengths.
 bool glob_match(std::string_view pattern, std::string_view text);
 
 }  // namespace slipface

@@ -1,7 +1,7 @@
 // Vectors, boxes and ids that every module shares.
 //
-// World space: metres, +Y up, right-handed. Directions and points are column vectors of double; what the OBJ
-// file wrote stays float (Vec3f), because that is all the precision it has.
+// World space: metres, +Y up, right-handed. Directions and points are column vectors of double. Data from OBJ
+// files stay float (Vec3f), because that is all the precision they have.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@ using Vec3 = Eigen::Vector3d;
 using Vec2f = Eigen::Vector2f;
 using Vec3f = Eigen::Vector3f;
 
-using FaceId = std::uint32_t;      // a polygon as the level file wrote it: index into Mesh
+using FaceId = std::uint32_t;      // a polygon as written in the level file: index into Mesh
 using TriangleId = std::uint32_t;  // a triangle of such a face: index into Mesh
 using SurfaceId = std::uint8_t;    // index into the level's surface types; 0 is always `default`
 

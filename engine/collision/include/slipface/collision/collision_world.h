@@ -1,7 +1,8 @@
-// The triangles of a level, ready to be asked what a moving ellipsoid, a ray or a point meets.
+// Collision queries against the triangles of a level: sweeps of an ellipsoid, rays, closest points, overlaps.
 //
 // A world is built once from a mesh; the surface type of each face may change at any time without a rebuild.
-// Queries are const, free of allocation, and may run on any number of threads while nobody changes the world.
+// Queries are const, allocate nothing unless stated, and may run on any number of threads while no thread
+// changes the world.
 #pragma once
 
 #include <array>
@@ -15,20 +16,21 @@
 
 namespace slipface {
 
-// What collision needs to know of a surface type.
+// The properties of a surface type that collision uses.
 struct SurfaceRule {
     bool solid = true;  // false: nothing collides with it
-    // true: only motion against the triangle's winding normal touches it, and only while the centre is not
-    // behind its plane. Rays and closest points see both sides.
+    // true: a sweep hits the triangle only if the move is against the winding normal and the centre does not
+    // start behind the plane; a triangle without a normal is never hit. Closest points see both sides; for
+    // rays see RayStops.
     bool one_sided = false;
 };
 
 struct TriangleSoup {
     std::span<const Vec3f> positions;                         // world space, metres
     std::span<const std::array<std::uint32_t, 3>> triangles;  // indices into positions
-    std::span<const FaceId> faces;                            // [triangle] the face it belongs to
-    // [triangle] number of the body that it moves with; empty: all belong to one. Bodies share no leaf of the
-    // tree, so that moving one costs what it is large, and leaves the others' boxes tight.
+    std::span<const FaceId> faces;                            // [triangle] the face that it belongs to
+    // [triangle] the body that it moves with; empty: all belong to one body. Bodies share no leaf of the
+    // tree, so moving one costs time proportional to its triangles and leaves the boxes of the others tight.
     std::span<const std::uint32_t> bodies = {};
 };
 
@@ -40,9 +42,9 @@ struct BvhStatistics {
 };
 
 struct RayHit {
-    double t = 0.0;  // distance in units of the direction's length
+    double t = 0.0;  // in units of the length of the direction
     Vec3 point = Vec3::Zero();
-    Vec3 normal = Vec3::Zero();  // unit, the triangle's winding normal turned towards the ray's origin
+    Vec3 normal = Vec3::Zero();  // unit, towards the ray's origin; -direction for a degenerate triangle
     TriangleId triangle = no_id;
     FaceId face = no_id;
     bool back_face = false;  // the ray came from behind the winding normal
@@ -60,10 +62,10 @@ struct Overlap {
     TriangleId triangle = no_id;
     FaceId face = no_id;
     SurfaceId surface = default_surface;
-    Feature feature = Feature::interior;  // where the closest point (in sphere space) lies
-    Vec3 point = Vec3::Zero();            // that closest point, world space
-    Vec3 normal = Vec3::Zero();       // contact normal there, unit, towards the centre; winding normal if the
-                                      // centre is on it
+    Feature feature = Feature::interior;  // part of the triangle nearest to the centre in sphere space
+    Vec3 point = Vec3::Zero();            // the nearest point, world space
+    Vec3 normal = Vec3::Zero();  // unit, towards the centre, world space; the winding normal if the centre is
+                                 // on the triangle
     double depth_sphere_space = 0.0;  // 1 - distance in sphere space, (0, 1]
 };
 
@@ -74,35 +76,35 @@ class CollisionWorld {
     CollisionWorld(CollisionWorld&&) noexcept;
     CollisionWorld& operator=(CollisionWorld&&) noexcept;
 
-    // Refuses more than 2^25 triangles, indices out of range, `faces` that are not one a triangle, `bodies`
-    // that are neither none nor one a triangle, and coordinates that are not finite; an error, too, if memory
-    // runs out. No triangles are an empty world. Degenerate triangles are kept: they collide as the edges and
-    // points that they are.
+    // Builds a world. No triangles give an empty world. Degenerate triangles are allowed: they collide as the
+    // edges and points that they are. Errors: more than 2^25 triangles, an index out of range, the wrong
+    // number of `faces` or `bodies`, a coordinate that is not finite, too little memory.
     static Result<CollisionWorld> build(const TriangleSoup& soup);
 
-    // Gives triangles[i] the corners corners[i] and fits the tree around them (moving platforms). Every
-    // answer afterwards is that of a world built anew with those corners; only the speed may suffer when
-    // triangles of one body drift apart. bounds() still covers the old places. Refuses spans of unequal
-    // length, triangles that do not exist and coordinates that are not finite, and then moves nothing. Not
-    // while others query.
+    // Moves triangles[i] to the corners corners[i], world space, and refits the tree (moving platforms).
+    // Queries then give the same answers as a new world with these corners; they only get slower if triangles
+    // of one body drift apart. bounds() still includes the old positions. Must not run during queries.
+    // Errors: spans of unequal length, triangles that do not exist, coordinates that are not finite; then
+    // nothing is moved.
     Status move_triangles(std::span<const TriangleId> triangles,
                           std::span<const std::array<Vec3f, 3>> corners);
 
     void set_face_surface(FaceId face, SurfaceId surface);       // faces outside the soup are ignored
     SurfaceId face_surface(FaceId face) const;                   // default_surface outside the soup
-    void set_surface_rule(SurfaceId surface, SurfaceRule rule);  // all solid and two-sided at first
+    void set_surface_rule(SurfaceId surface, SurfaceRule rule);  // at first all are solid and two-sided
     SurfaceRule surface_rule(SurfaceId surface) const;
 
     std::size_t triangle_count() const;
-    // Of a triangle below triangle_count(); for any other number the behaviour is undefined.
+    // The triangle must be below triangle_count(); otherwise the behaviour is undefined.
     std::array<Vec3, 3> triangle(TriangleId triangle) const;  // corners, world space
     FaceId triangle_face(TriangleId triangle) const;
-    Vec3 triangle_normal(TriangleId triangle) const;  // winding normal, unit; zero for a degenerate one
+    Vec3 triangle_normal(TriangleId triangle) const;  // winding normal, unit; zero for a degenerate triangle
 
+    // The box of all positions that the triangles have had; empty for an empty world.
     Aabb bounds() const;
     BvhStatistics statistics() const;
 
-    // Every triangle whose box meets `box`, ascending, solid or not. Allocates. For tools and tests.
+    // All triangles, solid or not, whose boxes touch `box`, ascending. Allocates. For tools and tests.
     std::vector<TriangleId> triangles_in(const Aabb& box) const;
 
     struct Impl;
@@ -112,55 +114,55 @@ class CollisionWorld {
     std::unique_ptr<Impl> impl_;
 };
 
-// First touch of the ellipsoid `radii` (all > 0, metres) whose centre moves from `from` by `move`, or
-// nothing.
+// The first hit of an ellipsoid with radii `radii` (all > 0, metres) whose centre moves from `from` by
+// `move`, or nothing.
 //
-// Starting in touch or overlap: a move that does not go further in is free of that triangle, one that does is
-// a hit at t = 0 with the normal of the closest point. Ties: smallest t, then interior before edge before
-// vertex, then the lowest triangle. A zero move touches nothing. Non-finite input, or radii that are not
-// positive, touch nothing. Source: lecture, "Computing the contact point" and "Contact plane in ellipsoid
-// space"; docs/sweep.md derives it.
+// If the sweep starts in contact with a triangle or overlaps it: a move that does not go further in ignores
+// that triangle; a move that does is a hit at t = 0 with the normal of the closest point. Of several hits the
+// smallest t wins, then interior before edge before vertex, then the lowest triangle. A zero move, input that
+// is not finite and radii that are not positive hit nothing. Source: Brown University CS1950u, lecture 7,
+// "Computing the contact point" and "Contact plane in ellipsoid space"; docs/sweep.md derives it.
 std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& radii, const Vec3& from,
                                        const Vec3& move);
 
-// One sweep of a batch.
+// The arguments of one sweep of a batch; world space, metres.
 struct Sweep {
     Vec3 radii = Vec3::Ones();
     Vec3 from = Vec3::Zero();
     Vec3 move = Vec3::Zero();
 };
 
-// out[i] = the answer to sweeps[i]; the same bits as one by one. On as many threads as there are, and on each
-// of them dozens side by side, which is up to twice as fast as asking for one after the other. As many as the
-// shorter of the two spans.
+// Sets out[i] to the result of sweeps[i], for as many as the shorter of the two spans. The results have the
+// same bits as single sweeps. Uses all available threads and processes many sweeps side by side on each,
+// which is up to twice as fast as one after the other.
 void sweep_ellipsoids(const CollisionWorld& world, std::span<const Sweep> sweeps,
                       std::span<std::optional<Contact>> out);
 
-// First solid triangle, from either side, that the ray from `origin` along `direction` (any length above 0)
-// meets with t in [0, max_t]; of several at the same t the lowest triangle. A ray in a triangle's plane does
-// not meet it, nor does any ray meet a triangle without area: what stops it are their neighbours, or nothing.
-// docs/sweep.md, "Rays", says how thin a triangle may be. Nothing for an origin or direction that is not
-// finite, a direction of 0, and a max_t that is negative or NaN. `stops`: whether one-sided triangles stop it
-// from behind, too.
+// The first solid triangle that the ray from `origin` along `direction` (any length above 0) hits with t in
+// [0, max_t], or nothing. Both sides are hit unless `stops` is as_movement: then one-sided triangles do not
+// stop the ray from behind. Of several at the same t the lowest triangle wins. A triangle that has no area or
+// lies in line with the ray is not hit; only its neighbours can stop such a ray (docs/sweep.md, "Rays", gives
+// the limit). Returns nothing for an origin or direction that is not finite, a direction of 0, and a max_t
+// that is negative or NaN.
 enum class RayStops : std::uint8_t { solid, as_movement };
 std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
                                double max_t = std::numeric_limits<double>::infinity(),
                                RayStops stops = RayStops::solid);
 
-// The solid triangle nearest to `point` within `max_distance` (metres, that distance included), or nothing;
-// of several at the same squared distance the lowest. Nothing for a point that is not finite, and a
+// The solid triangle nearest to `point` at a distance of at most `max_distance` metres, or nothing. Of
+// several at the same squared distance the lowest wins. Returns nothing for a point that is not finite, and a
 // max_distance that is negative or NaN.
 std::optional<ClosestPoint> closest_point(const CollisionWorld& world, const Vec3& point,
                                           double max_distance = std::numeric_limits<double>::infinity());
 
-// The solid triangles that the ellipsoid at `centre` overlaps (distance in sphere space < 1), ascending by
-// triangle, as many as `out` holds. Returns how many there are in all, which may be more. A one-sided
-// triangle counts only while the centre is not behind its plane, as for sweeps. Non-finite input, or radii
-// that are not positive, overlap nothing.
+// The solid triangles that the ellipsoid at `centre` overlaps (distance in sphere space < 1), ascending.
+// Writes as many of the lowest as `out` holds and returns the total, which may be larger. A one-sided
+// triangle counts only while the centre is not behind its plane, as for sweeps. Input that is not finite and
+// radii that are not positive overlap nothing.
 std::size_t find_overlaps(const CollisionWorld& world, const Vec3& radii, const Vec3& centre,
                           std::span<Overlap> out);
 
-// True if find_overlaps would find one. Stops at the first.
+// True if find_overlaps would find at least one; stops at the first.
 bool overlaps_any(const CollisionWorld& world, const Vec3& radii, const Vec3& centre);
 
 }  // namespace slipface

@@ -1,4 +1,4 @@
-// What a sweep found.
+// The result of a sweep.
 #pragma once
 
 #include "slipface/base/types.h"
@@ -6,9 +6,9 @@
 
 namespace slipface {
 
-// First touch of a moving ellipsoid. All vectors are in world space.
+// The first hit of a moving ellipsoid. All vectors are in world space.
 struct Contact {
-    double t = 1.0;  // fraction of the displacement done at the touch, [0, 1]
+    double t = 1.0;  // fraction of the displacement covered at the hit, [0, 1]
     Vec3 normal =
         Vec3::Zero();  // unit; of the contact plane, which is tangent to the ellipsoid, towards its centre
     Vec3 point = Vec3::Zero();  // on the triangle

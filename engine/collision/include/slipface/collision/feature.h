@@ -1,14 +1,15 @@
-// Which part of a triangle is touched.
+// The parts of a triangle that can be touched.
 #pragma once
 
 #include <cstdint>
 
 namespace slipface {
 
-// The part of the triangle that was touched first. The order is the order of preference when several are
-// touched at the same time.
+// The part that is touched first. Of parts touched at the same time, the one that is first in this order
+// wins.
 enum class Feature : std::uint8_t { interior, edge, vertex };
 
+// "interior", "edge" or "vertex".
 const char* feature_name(Feature feature);
 
 }  // namespace slipface

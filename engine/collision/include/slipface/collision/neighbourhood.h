@@ -1,5 +1,5 @@
-// The triangles around a body, taken out of a world once for the many queries of one step. A character asks
-// half a dozen times a step, never far from where it stands; each of those would walk the whole tree.
+// The triangles around a body, collected from a world once for the many queries of one step. A character
+// makes about six queries per step, all near its position; without this, each would walk the whole tree.
 #pragma once
 
 #include "slipface/collision/collision_world.h"
@@ -7,19 +7,19 @@
 
 namespace slipface {
 
-// Answers as its world does, bit for bit. It refers to the world, which must not change meanwhile. A query
-// that leads out of the neighbourhood, or is for other radii, is asked of the world itself: one too small is
-// slower, never wrong. Allocates nothing, but is large for a stack: 18,640 bytes, and a query of it takes
-// another kilobyte for its list of candidates.
+// The results are those of the world, bit for bit. A query that leaves the neighbourhood or has other radii
+// goes to the world itself: a neighbourhood that is too small costs time but is never wrong. It refers to the
+// world, which must not change while it lives. It allocates nothing, but it is large for a stack: 18,640
+// bytes, and each query uses another kilobyte for its list of candidates.
 class Neighbourhood {
   public:
-    // What an ellipsoid `radii` can touch while its centre is no further than `reach` from `centre` along any
-    // axis, metres (0 to 1000 radii). Where that are more than near_capacity triangles, or a number is out of
-    // range, everything leads out of the neighbourhood.
+    // Collects all triangles that an ellipsoid with radii `radii` can touch while its centre is at most
+    // `reach` from `centre` along each axis (world space, metres; `reach`: 0 to 1000 radii). If these are
+    // more than near_capacity, or an argument is out of range, every query goes to the world.
     Neighbourhood(const CollisionWorld& world, const Vec3& radii, const Vec3& centre, const Vec3& reach);
 
     const CollisionWorld& world() const { return *world_; }
-    // Whether a sweep stays in it.
+    // True if the sweep stays in the neighbourhood, so that the world is not needed.
     bool holds(const Vec3& radii, const Vec3& from, const Vec3& move) const;
     const NearTriangles& triangles() const { return triangles_; }
 
@@ -28,7 +28,7 @@ class Neighbourhood {
     NearTriangles triangles_;
 };
 
-// The queries of collision_world.h.
+// The queries of collision_world.h, with the same arguments and results.
 std::optional<Contact> sweep_ellipsoid(const Neighbourhood& near, const Vec3& radii, const Vec3& from,
                                        const Vec3& move);
 std::size_t find_overlaps(const Neighbourhood& near, const Vec3& radii, const Vec3& centre,

@@ -1,4 +1,4 @@
-// 16-bit grey pictures: heights of terrain.
+// 16-bit grey images: heights of terrain.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace slipface {
 
-// Rows from the top, one value a pixel, linear.
+// Rows from the top, one value per pixel, linear.
 struct GreyImage {
     int width = 0;
     int height = 0;
@@ -19,12 +19,12 @@ struct GreyImage {
     friend bool operator==(const GreyImage&, const GreyImage&) = default;
 };
 
-// Reads a PNG. One with 16 bits a channel keeps them all, one with 8 bits becomes value * 257; of a coloured
-// one the luminance counts, and alpha does not. Refuses what load_image refuses.
+// Reads a PNG with 16-bit grey pixels; an alpha channel is ignored. Errors: any other format or depth,
+// colour, a palette, corrupt data, a width or height above `max_side`. `location` names the source in errors.
 Result<GreyImage> load_grey_image(const std::filesystem::path& path, int max_side = 8192);
 Result<GreyImage> decode_grey_image(std::string_view bytes, const std::string& location, int max_side = 8192);
 
-// PNG, 16 bits, lossless, written atomically. The same picture gives the same bytes.
+// Writes a 16-bit PNG, lossless and atomically. The same image gives the same bytes.
 Status save_grey_png(const std::filesystem::path& path, const GreyImage& image);
 
 }  // namespace slipface

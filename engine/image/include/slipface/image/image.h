@@ -1,4 +1,4 @@
-// 8-bit RGBA pictures, and PNG files of them.
+// 8-bit RGBA images, and PNG files of them.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace slipface {
 
-// Rows from the top, four bytes a pixel (red, green, blue, alpha), sRGB.
+// Rows from the top, four bytes per pixel (red, green, blue, alpha), sRGB.
 struct Image {
     int width = 0;
     int height = 0;
@@ -29,19 +29,20 @@ struct Image {
     friend bool operator==(const Image&, const Image&) = default;
 };
 
+// An image of one colour. Negative sizes count as 0.
 Image make_image(int width, int height, std::uint8_t red, std::uint8_t green, std::uint8_t blue,
                  std::uint8_t alpha = 255);
 
-// Reads PNG, JPEG, TGA or BMP (stb_image). Refuses pictures wider or higher than `max_side` before decoding
-// them, so that a small file cannot demand gigabytes.
+// Reads PNG, JPEG, TGA or BMP. Images wider or higher than `max_side` pixels are refused before decoding, so
+// that a small file cannot demand gigabytes. `location` names the source in errors.
 Result<Image> load_image(const std::filesystem::path& path, int max_side = 8192);
 Result<Image> decode_image(std::string_view bytes, const std::string& location, int max_side = 8192);
 
-// How much time packing may take. `fast` keeps up with rasterising; `small` tries the ways of filtering one
-// after the other, for pictures that are kept: about a second for a million pixels.
+// How much time compression may take. `fast` keeps up with rasterising. `small` tries several row filters,
+// for images that are stored: about a second per million pixels.
 enum class PngEffort { fast, small };
 
-// PNG, lossless. The same picture and effort give the same bytes. save_png replaces the file atomically.
+// Writes PNG, lossless. The same image and effort give the same bytes. save_png replaces the file atomically.
 Result<std::string> encode_png(const Image& image, PngEffort effort = PngEffort::fast);
 Status save_png(const std::filesystem::path& path, const Image& image, PngEffort effort = PngEffort::fast);
 

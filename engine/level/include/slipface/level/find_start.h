@@ -1,4 +1,4 @@
-// Where a player begins in a level: at one of its spawns, made to fit, or on a floor that is looked for.
+// The position at which a player starts: a spawn, corrected if necessary, or a floor found by search.
 #pragma once
 
 #include <string_view>
@@ -7,53 +7,56 @@
 
 namespace slipface {
 
-// Whether there is a main spawn: Level::spawn_is_set, or one that was put somewhere.
+// Whether there is a main spawn: Level::spawn_is_set, or a position or yaw other than 0.
 inline bool has_spawn(const Level& level) {
     return level.spawn_is_set || !level.spawn.isZero(0.0) || level.spawn_yaw != 0.0;
 }
 // The main spawn, if it is set, then the others, as the level file lists them.
 std::vector<Spawn> all_spawns(const Level& level);
-// The first of `spawns` becomes the main one; none: the level has no spawn.
+// The first of `spawns` becomes the main one. Empty: the level has no spawn.
 void set_spawns(Level& level, std::vector<Spawn> spawns);
-// Why these cannot be a level's spawns: a name that is empty or comes twice, a position that is not finite or
-// beyond 1e9 m, more than max_spawns. Empty: they can.
+// Why `spawns` cannot be a level's spawns: a name that is empty or used twice, a position or yaw that is not
+// finite, a coordinate beyond 1e9 m, more than max_spawns. Empty: they are valid.
 std::string spawns_problem(std::span<const Spawn> spawns);
 
-// What came of looking for a place to begin.
+// The result of find_start().
 struct Start {
     Vec3 position = Vec3::Zero();  // centre of the player, in the level's coordinates
     double yaw = 0.0;              // radians, as Level::spawn_yaw
     std::string spawn;             // the spawn's name; empty: the level has none
-    bool stands = true;  // false: the player has no floor below, or no room; nothing better was found
-    // A sentence for people: what was done and why. Empty: the player begins exactly at the spawn.
+    bool stands = true;            // false: no floor below, or no room, and no open floor was found
+    // A sentence for the user: what was done and why. Empty: the player starts exactly at the spawn.
     std::string note;
 };
 
-// The start at the spawn `name`; an empty name means the main spawn. A spawn that the player fits into is
-// taken to the bit, in mid-air too. One that overlaps the level by more than the skin is lifted onto the
-// floor there, by at most the height of the player, or pushed out sideways, whichever is nearer. One that has
-// nothing below it and nothing around it, or no room near it, is replaced by open floor (find_open_floor). A
-// level without a spawn begins at its origin, if that can be made to fit and has floor below it on all sides,
-// else on open floor. `scene` is the level's at time 0, `offset` the scene's coordinates less the level's
-// (LevelScene::offset). Refuses a name that no spawn has.
+// The start at the spawn `name`; an empty name means the main spawn.
+// - A spawn with room for the player is used exactly, also in mid-air.
+// - A spawn that overlaps the level by more than the skin is lifted onto the floor there, by at most about
+//   the player's height, or pushed out sideways, whichever is the shorter displacement.
+// - A spawn with nothing below it and no ladder or sticky surface around it, or with no room near it, is
+//   replaced by open floor (find_open_floor()). In a level with platforms it may have nothing below it.
+// - A level without spawns starts at its origin, if that can be made to fit and has floor below it on all
+//   four sides, else on open floor.
+// `scene` is the level's scene at time 0; `offset` is LevelScene::offset(). Error: no spawn has this name.
 Result<Start> find_start(const Level& level, const MovementScene& scene, const Vec3& offset,
                          const MovementSettings& settings, std::string_view name = {});
 Result<Start> find_start(const Level& level, LevelScene& scene, const MovementSettings& settings,
                          std::string_view name = {});
 
-// For what runs on a level alone, as audits do: what find_start() finds becomes the main spawn's place.
+// Moves the level's main spawn to the start that find_start() finds. For callers that read only the level's
+// main spawn, such as audits.
 Result<Start> settle_start(Level& level, std::string_view name = {});
 
-// The centre of a player who stands on the best open floor near the middle of what stands still, in the
-// scene's coordinates; nothing where there is none. The floor is sampled on a grid of at most 64 x 64
-// columns: faces that look up, no steeper than max_slope, no hazards, with room for the player above. Samples
-// are connected where the player, raised by a step, can move straight from one to the next. Of the connected
-// floors at least half as large as the largest, and not smaller than the player, it is the sample nearest to
-// the middle; heights above the lowest count double, so that a room comes before its roof. The same level
-// gives the same bits.
+// The centre of a player who stands on open floor near the middle of the static geometry and the terrain, in
+// the scene's coordinates; nothing if there is no such floor. The floor is sampled on a grid of at most
+// 64 x 64 columns: front sides no steeper than max_slope, no hazards, with room for the player above.
+// Neighbours are connected where the player, raised by a step, can move straight from one to the other. Of
+// the connected floors at least half as large as the largest, the result is the sample nearest to the middle;
+// samples with four connections come first. Heights above the lowest sample count double, so that a room is
+// preferred to its roof. The same level gives the same bits.
 std::optional<Vec3> find_open_floor(const MovementScene& scene, const MovementSettings& settings);
 
-// The centre of a player who touches the plane through `point` with the unit normal `normal`, a skin away.
+// The centre of a player who rests a skin away from the plane through `point` with the unit normal `normal`.
 Vec3 centre_on(const Vec3& point, const Vec3& normal, const MovementSettings& settings);
 
 }  // namespace slipface

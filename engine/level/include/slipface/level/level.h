@@ -1,4 +1,4 @@
-// A level: immutable geometry, and everything that Slipface adds to it.
+// A level: immutable geometry, and all annotations that Slipface adds to it.
 #pragma once
 
 #include <filesystem>
@@ -18,9 +18,9 @@
 
 namespace slipface {
 
-// Faces whose material name matches `pattern` ('*' and '?', upper and lower case alike, ' ' and '_' alike,
-// ".001" endings ignored) have type `type`. Of several rules that match, the last one counts; a rule whose
-// type does not exist never does.
+// Gives the type `type` to the faces whose material name matches `pattern`. Wildcards are '*' and '?'; case
+// is ignored, ' ' equals '_', and an ending like ".001" is ignored. The last matching rule wins. A rule that
+// names an unknown type is ignored.
 struct MaterialRule {
     std::string pattern;
     std::string type;
@@ -35,7 +35,7 @@ struct CameraBookmark {
     friend bool operator==(const CameraBookmark&, const CameraBookmark&) = default;
 };
 
-// Where a player may begin.
+// A position at which a player may start.
 struct Spawn {
     Vec3 position = Vec3::Zero();  // centre of the player
     double yaw = 0.0;              // radians, 0 looks along -Z, counter-clockwise seen from above
@@ -44,9 +44,9 @@ struct Spawn {
 };
 inline constexpr std::size_t max_spawns = 10'000;  // of a level
 
-// Where a face lies, for finding it again after the file was changed by another tool. Never an index.
-// Centroid and area have the digits of a float and the normal four decimals, so that a key survives a file
-// unchanged.
+// Identifies a face by its geometry, never by its index, so that the face is found again after another tool
+// changed the file. Centroid and area are rounded to float and the normal to four decimals, so that writing
+// and reading a key does not change it.
 struct FaceKey {
     std::uint64_t loop_hash =
         0;  // of the corner positions rounded to 1e-5 m, independent of the starting corner
@@ -55,19 +55,19 @@ struct FaceKey {
     double area = 0.0;
     std::string material;
     std::uint32_t copy =
-        0;  // which one of several faces with the same corners and material (0: the first of the file)
+        0;  // number among the faces with the same corners and material, in file order; 0: the first
     friend bool operator==(const FaceKey&, const FaceKey&) = default;
 };
 FaceKey face_key(const Mesh& mesh, FaceId face);  // with copy = 0
 
-// An override that found no face. Kept in the file, listed in the editor, never dropped.
+// An override whose face was not found. It stays in the file and is listed in the editor.
 struct Orphan {
     FaceKey key;
     std::string type;
     friend bool operator==(const Orphan&, const Orphan&) = default;
 };
 
-// Faces kept under a name, to be selected again.
+// A named set of faces that can be selected again.
 struct SavedSelection {
     std::string name;
     std::vector<FaceId> faces;  // ascending
@@ -79,7 +79,7 @@ inline constexpr std::size_t max_saved_selections = 1000;  // of a level
 enum class SurfaceSource : std::uint8_t { none, rule, suffix, override_ };
 const char* surface_source_name(SurfaceSource source);
 
-// Terrain from a grey 16-bit PNG: columns of pixels lie along +X, rows along +Z.
+// Terrain from a 16-bit greyscale PNG: columns of pixels run along +X, rows along +Z.
 struct HeightfieldSource {
     std::string file;            // relative to the level file's folder
     Vec3 origin = Vec3::Zero();  // world position of the first pixel; its y is added to every height
@@ -89,15 +89,15 @@ struct HeightfieldSource {
     friend bool operator==(const HeightfieldSource&, const HeightfieldSource&) = default;
 };
 
-// Where in the world the level lies, and how the world is divided (MovementSettings::sectors).
+// The level's position in the world, and the world's division into sectors (MovementSettings::sectors).
 struct SectorLayout {
     double size = 0.0;              // edge of a sector, metres; 0: no sectors
     Vec3 placement = Vec3::Zero();  // world position of the level's origin
     friend bool operator==(const SectorLayout&, const SectorLayout&) = default;
 };
 
-// Unknown keys of the file, kept and written back: an object from the place ("/", "/surfaces/ice",
-// "/cameras/door") to the unknown members there, as compact JSON text.
+// Unknown keys of the file, preserved and written back: an object that maps a location ("/",
+// "/surfaces/ice", "/cameras/door") to the unknown members there, as compact JSON text.
 struct UnknownKeys {
     std::string json = "{}";
     friend bool operator==(const UnknownKeys&, const UnknownKeys&) = default;
@@ -107,53 +107,59 @@ struct Level {
     std::filesystem::path mesh_path;  // the OBJ
     std::filesystem::path file_path;  // NAME.slipface.json beside it, whether it exists or not
     MeshPtr mesh;
-    ImportTransform import_transform;  // what the user says of the file's coordinates
-    ImportSummary import_summary;      // how the mesh was made of them; not stored
+    ImportTransform import_transform;  // the user's choice of scale and upward axis
+    ImportSummary import_summary;      // how the mesh was made from the file's coordinates; not stored
     FileStamp mesh_stamp;              // of mesh_path when it was read
 
     std::vector<SurfaceType> surfaces = preset_surface_types();
     std::vector<MaterialRule> rules;
-    std::vector<std::optional<SurfaceId>> overrides;  // [face]; nothing: unset, which differs from `default`
+    std::vector<std::optional<SurfaceId>> overrides;  // [face]; empty: unset, which differs from `default`
     std::vector<Orphan> orphans;
-    // Where the work on the level stands: for editors alone, a face collides whether hidden or not.
+    // State of the editing. Movement ignores it: hidden faces collide too.
     std::vector<FaceId> hidden;  // ascending; neither drawn nor picked
     std::vector<SavedSelection> selections;
-    // The main spawn, where a player begins unless another is asked for, and the others. find_start() says
-    // where a player really begins, because a spawn may lie inside a wall.
+    // The main spawn, which is used unless another one is named, and the others. A spawn may lie inside a
+    // wall: find_start() computes the position at which the player really starts.
     Vec3 spawn = Vec3::Zero();  // centre of the player
     double spawn_yaw = 0.0;     // radians, as Spawn::yaw
     std::string spawn_name = "start";
-    bool spawn_is_set = true;  // false: nobody has chosen one; then there are no others either
+    bool spawn_is_set = true;  // false: no main spawn, see has_spawn(), and no others
     std::vector<Spawn> more_spawns;
-    // Height below which a player has fallen out of the level, metres. Nothing: 60 m below its lowest point.
+    // Height below which a player has fallen out of the level, metres. Empty: 60 m below the lower of the
+    // start and the lowest static point (run_start()).
     std::optional<double> fall_limit;
     std::vector<CameraBookmark> cameras;
     MovementSettings movement;
     std::vector<Platform> platforms;
     std::optional<HeightfieldSource> heightfield;
-    std::shared_ptr<const Heightfield> terrain;  // what load_terrain made of `heightfield`; may be null
+    std::shared_ptr<const Heightfield> terrain;  // made from `heightfield` by load_terrain(); may be null
     SectorLayout sectors;
-    std::optional<LevelLight> light;  // nothing: drawn with the renderer's own light
+    std::optional<LevelLight> light;  // empty: drawn with the renderer's own light
     UnknownKeys unknown;
 };
 
-// The type of each face, and where it comes from. An override that is no type of the level counts as unset.
+// The type of each face, and its source. An override out of range of Level::surfaces counts as unset. Empty
+// for a level without a mesh.
 struct ResolvedSurfaces {
-    std::vector<SurfaceId> surface;     // [face] what counts: override, else suffix, else rule, else default
+    std::vector<SurfaceId> surface;     // [face] override, else suffix, else rule, else default
     std::vector<SurfaceSource> source;  // [face]
 };
 ResolvedSurfaces resolve_surfaces(const Level& level);
 
-// Whether a face of `material` has what a rule, or an emitter of light, gives to `pattern`.
+// Whether the material name `material` matches the pattern of a rule or of a light emitter (MaterialRule).
 bool material_matches(std::string_view pattern, std::string_view material);
 
-// A type for a name that a game's file uses: the preset of that name, else one that is not solid.
+// The preset type of that name; if there is none, a new type of that name that is not solid. For type names
+// that a game's file (a Quake map) uses.
 SurfaceType found_surface_type(std::string_view name);
 
+// The level's type with exactly this name, or nothing.
 std::optional<SurfaceId> find_surface(const Level& level, std::string_view name);
 
-// A collision world of the level's mesh with the resolved surfaces and rules applied.
+// A collision world of all faces of the level's mesh, as modelled, with the resolved types. Errors: the level
+// has no mesh, or its triangles cannot be built.
 Result<CollisionWorld> build_collision_world(const Level& level);
-void apply_surfaces(CollisionWorld& world, const Level& level);  // after types or faces changed
+// Updates the types in `world`, after types, rules or overrides of the level changed.
+void apply_surfaces(CollisionWorld& world, const Level& level);
 
 }  // namespace slipface

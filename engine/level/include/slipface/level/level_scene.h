@@ -1,5 +1,5 @@
-// A level as movement sees it at any time: what stands still, what moves, terrain and sectors. Everybody who
-// steps a player through a level gets the scene here.
+// A level as movement sees it at any time: static and moving parts, terrain and sectors. All code that steps
+// a player through a level uses this class.
 #pragma once
 
 #include <memory>
@@ -12,29 +12,31 @@ namespace slipface {
 
 class LevelScene {
   public:
-    // Builds the collision of all that the level holds. `level` must outlive the scene and stay where it is;
-    // later changes of its platforms, mesh, terrain or sectors need a new scene, later changes of types and
-    // painted faces apply_surfaces(). `settings` decides whether the sectors act.
+    // Builds the collision worlds of all parts of the level. `level` must outlive the scene and must not be
+    // moved in memory. Later changes of its platforms, mesh, terrain or sectors need a new scene; changes of
+    // types and painted faces need apply_surfaces(). `settings` decides whether the sectors act. Errors: the
+    // level has no mesh, or its triangles cannot be built.
     static Result<LevelScene> build(const Level& level, const MovementSettings& settings);
     static Result<LevelScene> build(const Level& level) { return build(level, level.movement); }
-    // The same, but uses `whole`, the collision of all faces, where nothing of the level moves or is placed
-    // elsewhere, instead of building another. `whole` must outlive the scene, and be kept up to date by its
-    // owner.
+    // The same, but uses `whole` (of build_collision_world()) instead of building another world, if no face
+    // of the level moves and offset() is zero. `whole` must outlive the scene, and its owner must keep its
+    // types up to date.
     static Result<LevelScene> borrow(const Level& level, const CollisionWorld& whole,
                                      const MovementSettings& settings);
 
-    // The same scene for another thread: platforms of its own, and this one's of all that stands still. This
-    // one must outlive it and keep its surfaces.
+    // The same scene for another thread: it has its own platforms and shares the static collision world of
+    // this one. This scene must outlive it, and its types must not change meanwhile.
     LevelScene for_another_thread() const;
 
     LevelScene(LevelScene&&) noexcept;
     LevelScene& operator=(LevelScene&&) noexcept;
     ~LevelScene();
 
-    // The tick from `time_s` to `time_s + dt`. Valid until the next call of at(), which moves the platforms;
-    // so one thread at a time. The same time gives the same bits, whatever was asked before.
+    // The scene of the tick from `time_s` to `time_s + dt`, seconds. Valid until the next call of at(), which
+    // moves the platforms; therefore one thread at a time. The same arguments give the same bits, whatever
+    // calls came before.
     MovementScene at(double time_s, double dt);
-    // At rest at `time_s`, for cameras, rays and drawing.
+    // The platforms at rest at `time_s`, for cameras, rays and drawing.
     MovementScene at(double time_s) { return at(time_s, 0.0); }
 
     void apply_surfaces();  // after types or faces of the level changed
@@ -42,19 +44,20 @@ class LevelScene {
     // Level::fall_limit, in the scene's coordinates.
     std::optional<double> fall_limit() const;
 
-    // Nothing in the level depends on time: one MovementScene serves all ticks and threads.
+    // True if no part of the level moves: one MovementScene serves all ticks and threads.
     bool is_static() const;
-    std::size_t platform_count() const;
-    // [face] which of Level::platforms it belongs to, or no_id; empty if nothing moves.
+    std::size_t platform_count() const;  // Level::platforms, or 0 if no face belongs to any
+    // [face] index of its platform in Level::platforms, or no_id; empty if no face moves.
     std::span<const std::uint32_t> face_platforms() const;
-    Pose pose(std::size_t platform,
-              double time_s) const;  // one of Level::platforms, in the scene's coordinates
+    // Pose of Level::platforms[platform] at `time_s`, in the scene's coordinates.
+    Pose pose(std::size_t platform, double time_s) const;
 
-    // Where the level's own coordinates (of the mesh, the spawn, the cameras) lie in the scene's.
+    // What to add to the level's coordinates (of the mesh, the spawns, the cameras) to get the scene's.
     Vec3 offset() const;
     Vec3 to_scene(const Vec3& level_position) const { return level_position + offset(); }
+    // The position of a player who was stepped through this scene, in the level's coordinates.
     Vec3 to_level(const MovementScene& scene, const PlayerState& state) const;
-    Vec3 to_level(const PlayerState& state) const;  // of a player who was stepped through this scene
+    Vec3 to_level(const PlayerState& state) const;
     // A player at rest at `level_position`.
     PlayerState player_at(const Vec3& level_position);
 

@@ -1,4 +1,4 @@
-// What a material's name says.
+// Surface types in material names.
 #pragma once
 
 #include <optional>
@@ -9,24 +9,23 @@
 
 namespace slipface {
 
-// Modelling tools rewrite names: lower case, spaces as '_', and an ending of a dot and three digits (".001")
-// cut off.
+// `name` in lower case, with '_' for each space and without an ending of a dot and three digits (".001").
+// Modelling tools change names in these ways.
 std::string normal_name(std::string_view name);
 
-// As normal_name, except that a pattern with wildcards keeps its ending: "*.001" must not become "*".
+// As normal_name(), but a pattern with wildcards keeps its ending: "*.001" must not become "*".
 std::string normal_pattern(std::string_view pattern);
 
-// The type that "stone__ice" asks for: what follows the last "__", if it names one of `surfaces`.
+// The type in a name like "stone__ice": the text after the last "__", if it names one of `surfaces`.
 std::optional<SurfaceId> suffix_surface(std::string_view name, SurfaceTable surfaces);
 
-// The material that asks for a type: "stone__ice" from "stone", from "stone__ladder" and from
-// "stone__ladder.001". Spaces of the type's name become '_'. Nothing where the type's name could not be read
-// back, as with an ending like ".001" or a space at its end.
+// The material name that gives a type: "stone__ice" from "stone", from "stone__ladder" and from
+// "stone__ladder.001". Spaces of the type's name become '_'. Nothing if suffix_surface() would not read the
+// same type back, for example because the type's name ends in ".001".
 std::optional<std::string> typed_material(std::string_view material, SurfaceId surface,
                                           SurfaceTable surfaces);
 
-// The normal name without such a suffix, so that a face is recognised before and after its type is baked into
-// its material.
+// The normal name without such a suffix. Baking a face's type into its material does not change it.
 std::string base_material(std::string_view name, SurfaceTable surfaces);
 
 }  // namespace slipface

@@ -1,5 +1,4 @@
-// What of a level is drawn: its mesh, its terrain as faces behind those of the mesh, and where its platforms
-// are.
+// The drawn geometry of a level: its mesh, its terrain as further faces, and the poses of its platforms.
 #pragma once
 
 #include <vector>
@@ -8,13 +7,13 @@
 
 namespace slipface {
 
-// The level's mesh; where it has terrain, another mesh with the same faces first and the terrain's triangles
-// after them, in the group "terrain".
+// The level's mesh. If the level has terrain: another mesh, with the same faces first and the terrain's
+// triangles after them, in the group "terrain".
 MeshPtr shown_mesh(const Level& level);
 
-// [face] which of level.platforms moves it, or no_id; empty if nothing moves.
+// [face] index of its platform in level.platforms, or no_id; empty if no face moves.
 std::vector<std::uint32_t> face_platforms(const Level& level);
-// [platform] in the level's own coordinates.
+// [platform] pose at `time_s`, in the level's own coordinates.
 std::vector<Pose> platform_poses(const Level& level, double time_s);
 
 }  // namespace slipface

@@ -1,4 +1,4 @@
-// Light and shadow of a level, computed with the engine's own rays and baked into one picture.
+// Bakes the light and shadow of a level into one image, with the engine's own rays.
 #pragma once
 
 #include <functional>
@@ -11,19 +11,19 @@
 namespace slipface {
 
 struct LightQuality {
-    int sky_rays = 48;  // a texel, over the half of space in front of it
-    int sun_rays = 5;   // a texel, over the sun's disc and the texel's area
+    int sky_rays = 48;  // per texel, over the hemisphere in front of it; at least 1
+    int sun_rays = 5;   // per texel, over the sun's disc and the texel's area; at least 1
 };
 
-// Bakes `level.light` (which must be there) for `level.mesh`. For each texel of each face's chart:
-//   light = sun seen * cosine + emitting faces seen * their form factor
-//         + mean over rays of (sky colour, or the colour and direct light of what is hit).
-// Only exactly rounded operations and a fixed set of rays: the same level gives the same bytes with every
-// compiler and any number of threads.
+// Bakes `level.light` (which must be set) for `level.mesh`. For each texel of each face's chart:
+//   light = visible fraction of the sun * cosine + visible emitting faces * their form factor
+//         + mean over rays of (sky colour, or the colour and direct light of the surface that is hit).
+// Only exactly rounded operations and a fixed set of rays are used: the same level gives the same bytes with
+// every compiler and any number of threads.
 class LightBaker {
   public:
-    // Errors: no mesh, no light, a mesh without room in a light map. Textures are read for their mean colour;
-    // those that cannot be read count with the material's own.
+    // Errors: no mesh, no light, a mesh that does not fit into a light map, a mesh that collision refuses.
+    // Textures are read for their mean colour; if one cannot be read, the colour of the material is used.
     static Result<LightBaker> make(const Level& level, const LightQuality& quality = {});
     ~LightBaker();
     LightBaker(LightBaker&&) noexcept;
@@ -31,10 +31,11 @@ class LightBaker {
 
     const LightCharts& charts() const;
 
-    // The whole map. `progress`, if given, is told the fraction done, from any thread.
+    // The whole map. `progress`, if given, is called with the fraction done, 0 to 1, from any thread.
     Image bake(const std::function<void(double)>& progress = {}) const;
 
-    // The texels of one face, row by row from the top, red, green and blue: what bake() writes there.
+    // The texels of one face, row by row from the top, as red, green and blue: the same bytes that bake()
+    // writes.
     std::vector<std::uint8_t> bake_face(FaceId face) const;
 
   private:
@@ -43,8 +44,9 @@ class LightBaker {
     std::unique_ptr<Impl> impl_;
 };
 
-// Bakes the level's light into NAME.light.png beside its level file and notes it in `level.light` (adding a
-// sun and a sky if it has none). Does not save the level file.
+// Bakes the level's light into NAME.light.png beside its level file and records the image in `level.light` (a
+// sun and a sky are added if it has none). Does not save the level file. Errors: those of LightBaker::make()
+// and save_png().
 Status bake_level_light(Level& level, const LightQuality& quality = {},
                         const std::function<void(double)>& progress = {});
 

@@ -1,4 +1,4 @@
-// Quake 3's surface parameters, as map files and shaders have them.
+// The surface parameters of Quake 3, as used in map files and shaders.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@ namespace slipface {
 struct BspParameter {
     const char* name;
     std::uint32_t surface_flag, contents_flag;  // 0: none
-    const char* type;                           // null: known, but no surface type corresponds to it
+    const char* type;  // surface type; null: no surface type corresponds to the parameter
 };
 
-// The first that a material has decides.
+// All parameters. If a material has several, the first in this order decides.
 std::span<const BspParameter> bsp_parameters();
 
-// The name of the surface type for the flags of a map's texture; null: none in particular.
+// The surface type for the flags of a map's texture; null if no parameter gives one.
 const char* bsp_surface_type(std::uint32_t surface_flags, std::uint32_t contents);
 
 }  // namespace slipface

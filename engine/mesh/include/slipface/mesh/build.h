@@ -1,4 +1,4 @@
-// Making a Mesh from polygons: what every importer ends with, and how tests and generators make levels
+// Building a Mesh from polygons. Every importer ends with this; tests and generators use it to make levels
 // without a file.
 #pragma once
 
@@ -7,9 +7,9 @@
 
 namespace slipface {
 
-// Polygons; corners of a face are consecutive. Each corner has a position of its own, or an index to one.
+// Polygons; the corners of a face are consecutive. Corners have either their own positions or indices.
 struct PolygonSoup {
-    std::vector<Vec3f> corner_position;        // [corner], metres; empty where the next two are given
+    std::vector<Vec3f> corner_position;        // [corner], metres; empty if the next two are given
     std::vector<Vec3f> vertex_position;        // [vertex], metres
     std::vector<std::uint32_t> corner_vertex;  // [corner] index into vertex_position
     std::vector<Vec2f> corner_uv;              // [corner], V up; or empty
@@ -21,9 +21,10 @@ struct PolygonSoup {
     std::vector<std::string> groups;           // empty: one without a name
 };
 
-// Corners at exactly the same position become one vertex (-0 counts as 0); vertices are numbered as corners
-// first use them. Faces are cut into triangles by triangulate_polygon. Refuses spans that do not fit
-// together, indices out of range, faces of fewer than three corners and coordinates that are not finite.
+// Builds a mesh. Welds corners at exactly the same position into one vertex (-0 counts as 0) and numbers
+// vertices in the order in which corners first use them. triangulate_polygon cuts the faces into triangles.
+// Errors (without a location): arrays that do not fit together, indices out of range, faces of fewer than
+// three corners, coordinates that are not finite, too little memory.
 Result<MeshPtr> build_mesh(PolygonSoup soup);
 
 }  // namespace slipface

@@ -1,4 +1,5 @@
-// Which geometry files can be read: one table for the importer, the file dialog and the command line's help.
+// The geometry file formats that can be read: one table for the importer, the file dialog and the command
+// line's help.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +10,14 @@
 namespace slipface {
 
 struct MeshFormat {
-    std::string_view ending;  // of the file's name, lower case, without the dot
-    std::string_view name;    // of the format, as a list shows it; endings of one format share it
+    std::string_view ending;  // of the file name, lower case, without the dot
+    std::string_view name;    // of the format, as shown in lists; several endings may have the same
 };
 
-// What import_mesh() reads, "obj" first.
+// The formats that import_mesh() reads, "obj" first.
 std::span<const MeshFormat> mesh_formats();
 
-// The format that the file's name tells, upper or lower case; null: none that is read.
+// The format for the ending of the file name, in upper or lower case; null if it is not read.
 const MeshFormat* mesh_format_of(const std::filesystem::path& path);
 
 // "*.obj, *.bsp, ... or *.off"

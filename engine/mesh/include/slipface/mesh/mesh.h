@@ -1,4 +1,4 @@
-// The immutable geometry of a level: polygons as they were authored, and the triangles they are made of.
+// The immutable geometry of a level: polygons as authored, and their triangles.
 #pragma once
 
 #include <array>
@@ -13,17 +13,17 @@
 namespace slipface {
 
 struct Material {
-    std::string name;                       // as `newmtl` wrote it; empty for faces without a material
+    std::string name;                       // as in `newmtl`; empty for faces without a material
     Vec3f diffuse = Vec3f::Constant(0.8f);  // Kd, 0..1, sRGB as authored
-    std::string texture;                    // map_Kd as authored, relative to the MTL's folder; empty: none
+    std::string texture;                    // image file, relative to the level's folder; empty: none
 };
 
-// A *face* is one polygon of the file, in the file's winding (counter-clockwise seen from the front). Its
-// corners are consecutive in the corner arrays. A *triangle* is three corner indices of one face.
+// A *face* is one polygon of the file, in the winding of the file (counter-clockwise seen from the front).
+// Its corners are consecutive in the corner arrays. A *triangle* is three corner indices of one face.
 struct Mesh {
     std::vector<Vec3f> positions;                         // [vertex], metres; shared between faces
     std::vector<std::uint32_t> corner_vertex;             // [corner] index into positions
-    std::vector<Vec2f> corner_uv;                         // [corner], V up; zero where the file gives none
+    std::vector<Vec2f> corner_uv;                         // [corner], V up; zero if the file gives none
     std::vector<std::uint32_t> face_first_corner;         // [face + 1], ends with the number of corners
     std::vector<std::uint32_t> face_material;             // [face] index into materials
     std::vector<std::uint32_t> face_group;                // [face] index into groups
@@ -38,7 +38,7 @@ struct Mesh {
     std::size_t face_count() const { return face_material.size(); }
     std::size_t triangle_count() const { return triangles.size(); }
 
-    // The corners of `face` as [first, first + count).
+    // The number of corners of `face`; the first is face_first_corner[face].
     std::uint32_t face_corner_count(FaceId face) const {
         return face_first_corner[face + 1] - face_first_corner[face];
     }
@@ -48,16 +48,16 @@ struct Mesh {
 using MeshPtr = std::shared_ptr<const Mesh>;
 
 // Newell's normal of a face: unit length, or zero for a face without area. Source: Newell's method, the sum
-// of the cross products of consecutive corners, exact for planar polygons and an average for bent ones.
+// of the cross products of consecutive corners; exact for planar polygons, an average for bent ones.
 Vec3 face_normal(const Mesh& mesh, FaceId face);
 
 // The mean of the face's corners, world space.
 Vec3 face_centroid(const Mesh& mesh, FaceId face);
 
-// Half the length of Newell's sum, square metres.
+// The area of a face, square metres: half the length of Newell's sum.
 double face_area(const Mesh& mesh, FaceId face);
 
-// Faces that share an edge (the same two vertices, in either direction) with each face, as one flat list:
+// The faces that share an edge (the same two vertices, in either direction) with each face, as one flat list:
 // neighbours of `face` are list[first[face]] .. list[first[face + 1] - 1], ascending, without repeats.
 struct FaceNeighbours {
     std::vector<std::uint32_t> first;  // [face + 1]
@@ -67,9 +67,9 @@ struct FaceNeighbours {
     }
 };
 
-// Vertices at exactly the same position count as one, so meshes split at materials or seams still connect. An
-// edge that more faces share than any model needs links each face with the next `max_linked_faces` only: the
-// list stays linear in the mesh, and what hangs together still does.
+// Vertices at exactly the same position count as one, so meshes that are split at materials or seams still
+// connect. If many faces share one edge, each is linked with the next `max_linked_faces` only: the list stays
+// linear in the size of the mesh, and connected faces stay connected.
 inline constexpr std::size_t max_linked_faces = 8;
 FaceNeighbours face_neighbours(const Mesh& mesh);
 

@@ -1,4 +1,4 @@
-// Where a mesh ends: edges that one face alone has.
+// Open edges of a mesh: those that belong to one face only.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace slipface {
 
-// The number of edges (pairs of vertices) that belong to one face only. 0 where the mesh is closed vertex to
-// vertex; a level of overlapping parts, such as a Quake map, has many and can still be tight.
+// The number of open edges (pairs of vertices). 0 if the mesh is closed vertex to vertex. A level of
+// overlapping parts, such as a Quake map, has many and can still be tight.
 std::size_t open_edge_count(const Mesh& mesh);
 
 }  // namespace slipface

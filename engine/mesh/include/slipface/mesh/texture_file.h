@@ -1,4 +1,4 @@
-// Where the pictures that a mesh's materials name are.
+// Finds the image files that a mesh's materials name.
 #pragma once
 
 #include <filesystem>
@@ -10,22 +10,22 @@
 
 namespace slipface {
 
-// Whether pictures outside the level's folder may be opened: a level from elsewhere must not make the program
-// open any file it names, so the user is asked.
+// Whether images outside the level's folder may be opened. A level from elsewhere must not make the program
+// open any file that it names, so the user must allow it.
 enum class TextureAccess : std::uint8_t { folder, anywhere };
 
 struct FoundTexture {
     std::optional<std::filesystem::path> path;
-    bool refused = false;  // the picture that was meant lies outside the folder
+    bool refused = false;  // a matching image exists, but outside the folder
 };
 
-// Windows tools write backslashes, and many write the path of the machine they ran on: then the file's name
-// alone is tried beside the level.
+// Finds the image `authored` relative to `folder`. Windows tools write backslashes, and many write paths of
+// their own machine: so the file name alone is tried in `folder` next. `path` is empty if neither exists.
 FoundTexture find_texture(const std::string& authored, const std::filesystem::path& folder,
                           TextureAccess access);
 
-// The pictures that the mesh's materials name outside `folder` and that are there, each once, in the order of
-// the materials.
+// The existing images outside `folder` that the mesh's materials name, each once, in the order of the
+// materials.
 std::vector<std::string> outside_textures(const Mesh& mesh, const std::filesystem::path& folder);
 
 }  // namespace slipface

@@ -10,15 +10,15 @@
 
 namespace slipface {
 
-// Polygons with more corners than this are cut as a fan from their first corner, which is right for convex
-// ones only.
+// Polygons with more corners than this are cut as a fan from their first corner, which is correct only for
+// convex ones.
 inline constexpr std::size_t max_clipped_corners = 2000;
 
-// Appends corners.size() - 2 triangles, as indices into `corners`, in the polygon's winding; nothing for
-// fewer than three corners. Convex polygons become a fan from corner 0. Ear clipping in the projection along
-// the largest component of Newell's normal: exact for planar simple polygons, concave ones and repeated
-// corners (bridges to holes) included. What is not simple or has no area is cut all the same, somehow. At
-// most O(n^2). Only differences of coordinates matter.
+// Appends corners.size() - 2 triangles, as indices into `corners`, in the winding of the polygon; nothing for
+// fewer than three corners. Convex polygons become a fan from corner 0. Method: ear clipping in the
+// projection along the largest component of Newell's normal. It is exact for planar simple polygons,
+// including concave ones and repeated corners (bridges to holes). Polygons that are not simple or have no
+// area still get triangles, of no specified shape. At most O(n^2). Only differences of coordinates matter.
 void triangulate_polygon(std::span<const Vec3f> corners,
                          std::vector<std::array<std::uint32_t, 3>>& triangles);
 

@@ -1,4 +1,4 @@
-// A viewpoint, and the way between pixels and rays.
+// A camera, and the conversion between pixels and rays.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct Camera {
     Vec3 target = Vec3::Zero();
     double fov_y = 1.0471975511965976;  // radians
     double near_plane = 0.05;           // metres
-    double far_plane = 2000.0;
+    double far_plane = 2000.0;          // metres
     bool orthographic = false;
     double ortho_height = 10.0;  // metres from the lower to the upper edge
 };
@@ -25,14 +25,16 @@ struct Ray {
     Vec3 direction = Vec3::UnitZ();  // unit
 };
 
+// View space: the origin is the eye, +X right, +Y up, -Z the direction of view.
 Mat4 view_from_world(const Camera& camera);
+// `aspect`: width by height of the viewport.
 Mat4 clip_from_view(const Camera& camera, double aspect);
 
-// Pixels count from the upper left corner of a viewport of width x height; the ray goes through the given
-// point.
+// The ray through a point of the viewport, in world space. Pixels count from the upper left corner.
 Ray pixel_ray(const Camera& camera, const Vec2& pixel, const Vec2& viewport_size);
 
-// Where `point` appears, pixels; z is the depth in metres along the view direction (behind the camera: <= 0).
+// The pixel at which `point` (world space) appears; z is the depth in metres along the view direction, <= 0
+// behind the camera.
 Vec3 project(const Camera& camera, const Vec3& point, const Vec2& viewport_size);
 
 // A camera that sees all of `bounds` from the direction (yaw about +Y, pitch above the horizon; radians).

@@ -1,4 +1,4 @@
-// Draws a World with OpenGL: the Graphics of a game.
+// Draws a World with OpenGL: the implementation of Graphics for games.
 //
 //   GlGraphics graphics(context->gl());
 //   target.bind();                                  // a Framebuffer, or the window's
@@ -18,7 +18,7 @@
 
 namespace slipface {
 
-// Use it, and destroy it, while its context is current.
+// Use and destroy it only while its context is current.
 class GlGraphics final : public Graphics {
   public:
     explicit GlGraphics(GlTable gl);
@@ -30,26 +30,27 @@ class GlGraphics final : public Graphics {
     Color ellipsoid_fill{0.36f, 0.60f, 0.86f, 0.75f};    // alpha 0: none
     Color ellipsoid_outline{0.80f, 0.90f, 1.00f, 0.9f};  // its silhouette; alpha 0: none
 
-    // Forgets a frame that was begun and not ended. `width` and `height` are the bound framebuffer's, pixels.
+    // Begins a frame; a frame that was not ended is discarded. `width` and `height` are those of the bound
+    // framebuffer, pixels.
     void begin_frame(const Camera& camera, int width, int height);
 
-    // Only between begin_frame() and end_frame(); anywhere else they do nothing. A level is sent to the
-    // graphics card in the first frame that draws it, with its textures from the mesh file's folder, and
-    // again when it has another mesh, terrain or light; a frame that does not draw it drops it there.
+    // Between end_frame() and begin_frame() these do nothing. A level is uploaded in the first frame that
+    // draws it, with the textures of the mesh file's folder, and again when it has another mesh, terrain or
+    // light. A frame that does not draw it frees it.
     void draw_level(const Level& level, double time_s) override;
     void draw_ellipsoid(const Vec3& centre, const Vec3& radii) override;
 
-    // Marks of the game's own over the frame: lines, arrows, discs. begin_frame() empties it.
+    // The game's own lines, arrows and discs over the frame. begin_frame() clears it.
     Overlay& overlay();
 
-    // Clears the bound framebuffer and draws the frame into it. Errors: the driver refused a shader, or
-    // there was no begin_frame().
+    // Clears the bound framebuffer and draws the frame into it. Errors: the driver refused a shader; there
+    // was no begin_frame().
     Status end_frame();
 
-    // After types or painted faces of a level that is drawn have changed: sends those of all levels again.
+    // Call it after types or painted faces of a drawn level changed: uploads those of all levels again.
     void surfaces_changed();
 
-    // Since the last call: textures and baked light that could not be used.
+    // Textures and baked light that could not be used, since the last call.
     Warnings take_warnings();
 
   private:

@@ -1,4 +1,4 @@
-// A level as a picture, in one call; or as many pictures, sent to the graphics card once.
+// Renders a level to an image in one call, or to many images after one upload.
 #pragma once
 
 #include <memory>
@@ -11,20 +11,19 @@
 
 namespace slipface {
 
-// A level that stays on the graphics card while pictures of it are made. Use it, and destroy it, while
-// `context` lives.
+// A level that stays on the graphics card for several images. Use and destroy it only while `context` lives.
 class LevelPainter {
   public:
-    // Textures are taken from the mesh file's folder; `warnings`, if given, receives those that could not be
-    // used.
+    // Uploads the level with the textures of the mesh file's folder; `warnings`, if given, receives those
+    // that could not be used.
     static Result<std::unique_ptr<LevelPainter>> make(OffscreenContext& context, const Level& level,
                                                       Warnings* warnings = nullptr);
     ~LevelPainter();
 
-    // As render_level_picture.
+    // The same as render_level_image().
     Result<Image> image(const Camera& camera, int width, int height, const LevelStyle& style,
                         const Overlay* overlay = nullptr);
-    // Seconds spent drawing, until the pixels were there: what pictures cost at least.
+    // Seconds spent drawing so far, without reading the pixels.
     double drawing_s() const;
 
   private:
@@ -33,10 +32,10 @@ class LevelPainter {
     std::unique_ptr<Impl> impl_;
 };
 
-// `level` with its resolved surface types as `camera` sees it, width x height pixels
-// (1..max_framebuffer_side). Textures are taken from the mesh file's folder; `warnings`, if given, receives
-// those that could not be used. `overlay` may be null. Errors: a size out of range, a driver that refuses a
-// shader or reports an error.
+// An image of `level` with its resolved surface types as seen by `camera`, width x height pixels
+// (1..max_framebuffer_side each). Textures come from the mesh file's folder; `warnings`, if given, receives
+// those that could not be used. `overlay` may be null. Errors: a size out of range; the driver refused a
+// shader or reported an error.
 Result<Image> render_level_image(OffscreenContext& context, const Level& level, const Camera& camera,
                                  int width, int height, const LevelStyle& style,
                                  const Overlay* overlay = nullptr, Warnings* warnings = nullptr);

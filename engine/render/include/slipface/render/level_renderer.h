@@ -1,4 +1,4 @@
-// Draws a level's faces: textured or plain, with the surface types laid over them.
+// Draws a level's faces: textured or plain, with an overlay of the surface types.
 #pragma once
 
 #include <filesystem>
@@ -17,22 +17,22 @@
 
 namespace slipface {
 
-// What the overlay's colours tell: the surface types, or how steep a face is for the player.
+// What the overlay's colours show: the surface types, or how steep a face is for the player.
 enum class FaceColors {
     types,
-    slope,    // from flat over the limit to vertical; overhangs apart
+    slope,    // from flat through the limit to vertical; overhangs have their own colour
     walkable  // walkable, too steep, overhanging
 };
 
 struct LevelStyle {
-    bool textured = true;     // else plain shaded grey
-    bool baked_light = true;  // textures in the level's baked light and sky, if it has them
+    bool textured = true;     // false: plain shaded grey
+    bool baked_light = true;  // with `textured`: the level's baked light and sky, if it has them
     float overlay =
-        0.55f;  // strength of the surface types' colours and hatches, 0..1; `default` faces stay untouched
+        0.55f;  // strength of the surface types' colours and hatches, 0..1; `default` faces have none
     FaceColors colors = FaceColors::types;
     double max_slope = 0.8726646259971648;      // radians; the limit of types without one of their own
     bool wireframe = false;                     // face borders (polygon edges, not triangle edges)
-    bool back_faces = true;                     // back faces drawn darker and reddish; else culled
+    bool back_faces = true;                     // drawn darker and reddish; false: culled
     Vec3f background_top{0.16f, 0.18f, 0.21f};  // sRGB
     Vec3f background_bottom{0.09f, 0.10f, 0.12f};
 };
@@ -44,17 +44,17 @@ class LevelRenderer {
     LevelRenderer(const LevelRenderer&) = delete;
     LevelRenderer& operator=(const LevelRenderer&) = delete;
 
-    // Uploads geometry and loads the textures relative to `folder`; missing or broken ones are drawn as a
-    // checker and reported. All faces are `default` and not highlighted afterwards. Null: nothing but the
-    // background is drawn.
-    // Pictures outside `folder` are read only where `textures` says so: a level from elsewhere must not make
-    // the program open any file it names. The user is asked (outside_textures).
+    // Uploads the geometry and loads the textures relative to `folder`; missing or broken ones are drawn as a
+    // checker and returned as warnings. All faces are `default` and not highlighted afterwards. Null: only
+    // the background is drawn. Textures outside `folder` are read only if `textures` allows it: a level from
+    // elsewhere must not make the program open any file it names. The user is asked for permission
+    // (outside_textures()).
     Warnings set_mesh(MeshPtr mesh, const std::filesystem::path& folder,
                       TextureAccess textures = TextureAccess::folder);
 
-    // The light that the level's textures are shown in, its picture in `folder`; after set_mesh, which drops
-    // it. `lit` is the mesh that it was baked for: the first faces of the one that is drawn. A picture that
-    // does not fit it is not used and reported.
+    // The level's baked light; its image is in `folder`. Call it after set_mesh(), which drops the light.
+    // `lit` is the mesh it was baked for: the first faces of the drawn one. An image that does not fit this
+    // mesh is not used and returned as a warning.
     Warnings set_light(const std::optional<LevelLight>& light, const MeshPtr& lit,
                        const std::filesystem::path& folder);
 
@@ -62,22 +62,22 @@ class LevelRenderer {
     // drawn). Uploads only what changed.
     void set_face_surfaces(std::span<const SurfaceId> surfaces);
     void set_face_highlights(std::span<const std::uint8_t> highlights);
-    // Does now what the first highlight would wait for: the mesh's edges are sorted to find outlines.
+    // Sorts the mesh's edges, which outlines need. Without this call the first highlight does it.
     void prepare_outlines();
     void set_surface_types(SurfaceTable surfaces);
 
-    // Draws each face whose part is not no_id at poses[part] of where the mesh has it. [face] `parts`; empty:
-    // all faces stand still. Sends the moved faces only. Borders and outlines stay where the mesh has them.
+    // Moves faces: a face with parts[face] other than no_id is drawn at poses[parts[face]] of its position in
+    // the mesh. Empty `parts`: no face moves. Uploads only the moved faces. Borders and outlines do not move.
     void move_faces(std::span<const std::uint32_t> parts, std::span<const Pose> poses);
 
-    // Why nothing but a clear is drawn: the driver refused a shader. Otherwise success.
+    // Error: the driver refused a shader, and draw() only clears.
     Status status() const;
-    // Bytes sent by set_face_surfaces and set_face_highlights since the beginning: what a change costs.
+    // Bytes uploaded so far by set_face_surfaces() and set_face_highlights(): the cost of changes.
     std::size_t face_state_bytes_uploaded() const;
 
     // Clears the bound framebuffer and draws background and level into it.
     void draw(const Camera& camera, int width, int height, const LevelStyle& style);
-    // Draws the level alone over what is there already, by its depth: another level of the same world.
+    // Draws the level alone, with depth test, over what is already drawn: another level of the same world.
     void draw_over(const Camera& camera, int width, int height, const LevelStyle& style);
 
   private:

@@ -14,20 +14,20 @@ struct Color {
     float red = 1, green = 1, blue = 1, alpha = 1;  // sRGB, 0..1
 };
 
-// A list of things to draw, in world space; cheap to rebuild every frame.
+// A list of shapes to draw, in world space; cheap to rebuild every frame.
 class Overlay {
   public:
     struct Line {
         Vec3 a, b;
         Color color;
         float width;         // pixels
-        bool on_top;         // drawn over the level; else hidden parts are drawn faintly
+        bool on_top;         // true: drawn over the level; false: parts behind the level are faint
         bool arrow = false;  // a head at b, sized by the width
     };
     struct Ellipsoid {
         Vec3 centre, radii;
         Color fill;     // alpha 0: no fill
-        Color outline;  // silhouette, and fainter three great circles; alpha 0: none
+        Color outline;  // silhouette and, fainter, three great circles; alpha 0: none
     };
     struct Triangle {
         Vec3 a, b, c;
@@ -55,10 +55,11 @@ class OverlayRenderer {
     OverlayRenderer(const OverlayRenderer&) = delete;
     OverlayRenderer& operator=(const OverlayRenderer&) = delete;
 
-    // Why nothing is drawn: the driver refused a shader. Otherwise success.
+    // Error: the driver refused a shader, and nothing is drawn.
     Status status() const;
 
-    // Over the bound framebuffer, whose depth buffer holds the level. What is not finite is left out.
+    // Draws into the bound framebuffer, whose depth buffer holds the level. `width` and `height` are its size
+    // in pixels. Shapes that are not finite are left out.
     void draw(const Overlay& overlay, const Camera& camera, int width, int height);
 
   private:

@@ -1,8 +1,8 @@
-// The story of a sweep or a step, drawn: one picture language for the editor's probe, the snapshots and
-// anything else that shows a trace.
+// Draws a trace of a sweep or a step. The editor's probe, the snapshots and all other views of a trace use
+// the same colours:
 //
 //   white outline      where the ellipsoid started
-//   blue to violet     where each sweep left it, in order, with the path of its centre
+//   blue to violet     the ellipsoid after each sweep, in order, with the path of its centre
 //   yellow             contact points
 //   green              contact normals and contact planes
 //   red, cyan          the remainder before and after a contact, from the centre at the contact
@@ -21,7 +21,7 @@ struct TraceStyle {
     bool contacts = true;  // points and normals
     bool planes = true;    // contact planes as discs
     bool remainders = true;
-    float opacity = 1.0f;  // of all of it, 0..1
+    float opacity = 1.0f;  // of the whole drawing, 0..1
 };
 
 namespace trace_colors {
@@ -33,11 +33,10 @@ inline constexpr Color remainder_after{0.25f, 0.86f, 0.93f, 1.0f};
 inline constexpr Color push_out{1.0f, 0.60f, 0.18f, 1.0f};
 }  // namespace trace_colors
 
-// The hue of the sweep that is `index`-th in its trace: blue at 0, violet from 5 on. Tables use it for their
-// rows.
+// The colour of sweep number `index` of a trace: blue at 0, violet from 5 on. Tables of sweeps use it too.
 Color sweep_color(int index);
 
-// Adds the drawing of `records` to `overlay`. `radii` are the moving ellipsoid's.
+// Adds the drawing of `records`, in their coordinates, to `overlay`. `radii`: of the ellipsoid, metres.
 void draw_trace(Overlay& overlay, std::span<const TraceRecord> records, const Vec3& radii,
                 const TraceStyle& style = {});
 

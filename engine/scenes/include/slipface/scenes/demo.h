@@ -1,5 +1,5 @@
-// One small scene for each hack: its level, the run that shows it, and where to look. Editor demos, picture
-// pairs, tests and benchmarks share them.
+// One small scene per hack: its level, a run that shows the hack, and a camera. Editor demos, image pairs,
+// tests and benchmarks share them.
 #pragma once
 
 #include <filesystem>
@@ -11,29 +11,31 @@
 namespace slipface {
 
 struct Demo {
-    Level level;          // in memory, without files; level.movement is `on`
-    MovementSettings on;  // differs from `off` in the shown switch only
+    Level level;          // in memory, without files; level.movement equals `on`
+    MovementSettings on;  // differs from `off` only in the switch that is shown
     MovementSettings off;
-    Tape tape;              // says where it starts: at level.spawn
-    CameraBookmark camera;  // also the level's only one
+    Tape tape;              // starts at level.spawn
+    CameraBookmark camera;  // also the only camera of the level
 };
 
-// One row a demo.
+// One row per demo.
 struct DemoInfo {
-    const char* name;     // "step-up": of its files, pictures and commands
-    const char* hack;     // the switch in settings_table() that it shows
+    const char* name;     // of its files, images and commands: "step-up"
+    const char* hack;     // the switch in settings_table() that the demo shows
     const char* title;    // "Step up"
-    const char* look_at;  // what happens with the switch off, and on: one sentence
-    Demo (*build)();      // everything but what make_demo adds
+    const char* look_at;  // what happens with the switch off and on
+    Demo (*build)();      // everything except what make_demo adds
 };
 std::span<const DemoInfo> demo_table();
+// Null if there is none.
 const DemoInfo* find_demo(std::string_view name);
 
-// The same demo every time.
+// Builds a demo; the result is the same every time.
 Demo make_demo(const DemoInfo& info);
 
-// Writes NAME.obj, NAME.mtl, NAME.slipface.json, NAME.tape and, where there is terrain, NAME-terrain.png into
-// `folder`, which must exist. Returns the path of the OBJ.
+// Writes NAME.obj, NAME.mtl, NAME.slipface.json, NAME.tape and, if there is terrain, NAME-terrain.png into
+// `folder`, which is created if it does not exist. Returns the path of the OBJ. Errors: a folder or file that
+// cannot be written.
 Result<std::filesystem::path> save_demo(const DemoInfo& info, const std::filesystem::path& folder);
 
 }  // namespace slipface

@@ -1,6 +1,6 @@
-// What would have let the player pass a stop: switches, the smallest change of a number, another surface type
-// on the face. Each is found by running the same tape again with the change, and says what it costs
-// elsewhere.
+// Changes that would have let the player pass a stop: a switch, the smallest change of a number, another
+// surface type on the face. Each one is found by running the same tape again with the change, and states its
+// cost elsewhere on the tape.
 #pragma once
 
 #include <memory>
@@ -12,36 +12,35 @@ namespace slipface {
 struct Cure {
     std::string text;                   // "Maximum slope 50° to 50.6°"
     std::string button;                 // "Turn on", "Set", "Paint"
-    std::vector<std::string> settings;  // "max_slope=50.6deg"; empty: the cure paints
-    FaceId face = no_id;                // painted, else no_id
-    SurfaceType type;                   // that the face gets; added to the level if it has none like it
+    std::vector<std::string> settings;  // "max_slope=50.6deg"; empty: the cure paints a face
+    FaceId face = no_id;                // the face to paint, or no_id
+    SurfaceType type;                   // for that face; added to the level unless it has an equal one
 
-    double gained_m = 0.0;  // towards the stick until `until`, more than without the change
-    bool passes = false;    // makes up for at least half of what the stop took, without being sent back
-    std::string cost;       // "then falls out of the level"; empty: nothing found
-    int bluntness = 0;      // 0: changes little else .. 5: takes the face out of the game
-    double change = 0.0;    // of a number, as a fraction of what it was
+    double gained_m = 0.0;  // additional motion towards the stick or up a ladder, until the trial ends
+    bool passes = false;    // regains at least half of the lost motion, and the player is not sent back
+    std::string cost;       // "costs 0.52 m before it"; empty: no cost found
+    int bluntness = 0;      // 0: changes little else .. 5: removes the face from the game
+    double change = 0.0;    // of a number, as a fraction of its old value
 };
 
-// Searches in slices, so that an editor stays quick. The same arguments give the same cures, however it is
-// sliced.
+// Searches in slices, so that an editor stays responsive. The cures do not depend on the size of the slices.
 class CureSearch {
   public:
-    static constexpr double lead_s = 1.0;   // begins this long before the stop: a jump onto it starts there
-    static constexpr double after_s = 1.5;  // and watches this long from its beginning on
-    static constexpr std::size_t maximum = 6;  // cures that are checked on the whole tape and kept
+    static constexpr double lead_s = 1.0;   // trials start this long before the stop: a jump may start there
+    static constexpr double after_s = 1.5;  // and end this long after the start of the stop
+    static constexpr std::size_t maximum = 6;  // maximum number of cures, all checked on the whole tape
 
-    // `level` is copied (its mesh is shared); `run` is a complete run in it, and `stop` one of its stops.
+    // `level` is copied (its mesh is shared); `run` is a complete run in it, `stop` one of the run's stops.
     CureSearch(const Level& level, const TapeRun& run, const Stop& stop);
     ~CureSearch();
     CureSearch(CureSearch&&) noexcept;
     CureSearch& operator=(CureSearch&&) noexcept;
 
-    // Works on for about as many ticks; true when done.
+    // Simulates about `ticks` further ticks; true when done.
     bool advance(std::size_t ticks);
     bool done() const;
-    // Those that pass come first, the ones that change least before all, then those that gain most. Final
-    // when done, empty before.
+    // Empty until done. Cures that pass come first, of these the least blunt ones, then those without a cost
+    // and with the smallest change. Cures that do not pass follow, the largest gain first.
     const std::vector<Cure>& cures() const;
 
   private:
@@ -49,12 +48,14 @@ class CureSearch {
     std::unique_ptr<Impl> impl_;
 };
 
+// The same in one call.
 std::vector<Cure> find_cures(const Level& level, const TapeRun& run, const Stop& stop);
 
-// Takes the cure into a level: its settings, or its type and the painted face.
+// Applies the cure to a level: its settings, or its type to its face. Errors: an unknown setting, no such
+// face, too many surface types.
 Status apply_cure(Level& level, const Cure& cure);
 
-// "Step up on: 1.20 m further" and what it costs.
+// "Step up on: 1.20 m further" and the cost.
 std::string cure_text(const Cure& cure);
 
 }  // namespace slipface

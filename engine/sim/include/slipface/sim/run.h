@@ -1,8 +1,7 @@
-// A run: what a tape does under one set of settings, kept so that any tick can be looked at at once.
+// A run: the result of a tape under one set of settings, stored so that any tick can be shown at once.
 //
-// Every tick leaves a sample; every `keyframe_ticks` ticks the whole state is kept, so the trace of any tick
-// is worked out again from at most that many steps. Timeline, plots, ribbons and stories read runs and
-// nothing else.
+// Every tick stores a sample and every `keyframe_ticks`-th tick the whole state. The trace of any tick is
+// computed again from at most that many steps. Timeline, plots, ribbons and stories read only runs.
 #pragma once
 
 #include <memory>
@@ -11,11 +10,13 @@
 
 namespace slipface {
 
-// The hacks whose work is counted: the switches and choices of settings_table(), in its order, at most 64.
+// The hacks whose actions are counted: the switches of settings_table(), and the choices that belong to no
+// switch, in its order, at most 64.
 std::span<const SettingInfo* const> hack_rows();
-// The place of a hack in hack_rows(), by the name that trace records use, or nothing.
+// The index of a hack in hack_rows(), by the name that trace records use, or nothing.
 std::optional<std::size_t> hack_row(std::string_view name);
-// One bit a hack: those that acted in these records, by a decision, by the rule of a response, or by a push.
+// One bit per row of hack_rows(): the hack that acted in this record, by a decision, by the rule of a
+// response, or by a push.
 std::uint64_t hacks_acted(const TraceRecord& record);
 
 struct TickSample {
@@ -25,40 +26,42 @@ struct TickSample {
     FaceId ground_face = no_id;  // stood on, climbed, stuck to or slid along
     SurfaceId surface = default_surface;
     bool grounded = false, climbing = false, stuck = false;
-    bool respawned = false;      // back at the start: no way leads here from the tick before
-    std::uint8_t contacts = 0;   // met in the tick, walls and ground
-    std::uint8_t walls = 0;      // of them those that turned a horizontal or whole move
+    bool respawned = false;      // teleported to the start: do not connect to the previous sample
+    std::uint8_t contacts = 0;   // hit in the tick, walls and ground
+    std::uint8_t walls = 0;      // sweeps of a horizontal or whole move that hit something
     std::uint8_t push_outs = 0;  // times the player was moved out of geometry
-    std::uint64_t acted = 0;     // hacks, as in hacks_acted()
+    std::uint64_t acted = 0;     // hacks_acted() of all records of the tick
 };
 
-// A tick as it happened, for telling its story.
+// All that happened in a tick, for stories.
 struct TickTrace {
     std::size_t tick = 0;
+    double dt = 0.0;  // s
     PlayerState before;
     TickResult after;
     Vec3 from = Vec3::Zero(), to = Vec3::Zero();  // before and after step(), in the level's coordinates
     PlayerInput input;
     MovementSettings settings;
-    std::vector<TraceRecord> records;  // places in the level's coordinates
+    std::vector<TraceRecord> records;  // positions in the level's coordinates
 };
 
 class TapeRun {
   public:
     static constexpr std::size_t keyframe_ticks = 64;
-    static constexpr std::size_t max_ticks = 1'000'000;  // 100 bytes each; longer tapes are not kept
+    static constexpr std::size_t max_ticks = 1'000'000;  // about 100 bytes each; later ticks are not run
 
-    // Follows the tape's changes on the way. `settings` contain the tape's own (apply_tape_settings).
+    // Applies the tape's changes of settings at their ticks. `settings` already include the tape's own
+    // (apply_tape_settings()). `start` is in the level's coordinates.
     TapeRun(std::shared_ptr<const Tape> tape, const MovementSettings& settings, const Vec3& start);
-    // One set of settings for the whole tape, whatever the tape changes on the way.
+    // One set of settings for the whole tape: the tape's changes are ignored.
     static TapeRun under(std::shared_ptr<const Tape> tape, const MovementSettings& settings,
                          const Vec3& start);
 
-    // The same settings, start and way of following changes for another tape; nothing worked out yet.
+    // A run of another tape with the same settings, start and treatment of changes; no tick is simulated yet.
     TapeRun with_tape(std::shared_ptr<const Tape> tape) const;
 
-    // Works out at most `ticks` further ticks; true when all are there. The scene must be the same at every
-    // call.
+    // Simulates at most `ticks` further ticks; true when the run is complete. The scene must be the same at
+    // every call.
     bool advance(const TickScene& scene, std::size_t ticks);
     bool complete() const { return samples_.size() == length_; }
     std::size_t length() const { return length_; }  // of the tape, at most max_ticks
@@ -68,18 +71,20 @@ class TapeRun {
     const Vec3& start() const { return start_; }
     double dt() const { return tape_->dt; }
 
-    std::span<const TickSample> samples() const { return samples_; }  // [tick], those worked out so far
+    std::span<const TickSample> samples() const { return samples_; }  // [tick], those simulated so far
     std::span<const SimulationEvent> events() const { return events_; }
-    std::uint64_t hash() const { return hash_; }  // state_hash() after the last tick worked out
-    // In how many of the ticks worked out so far the hack of that row acted.
+    std::uint64_t hash() const { return hash_; }  // state_hash() after the last simulated tick
+    // The number of ticks so far in which the hack of that row of hack_rows() acted.
     std::uint32_t acted_count(std::size_t row) const { return acted_counts_[row]; }
 
-    // The state in which tick `tick` begins; tick = samples().size() is the end. The settings then.
+    // The state, the hash, the settings and the input at the start of tick `tick`. From samples().size() on,
+    // state and hash are those at the end of the run.
     PlayerState state_before(const TickScene& scene, std::size_t tick) const;
     std::uint64_t hash_before(const TickScene& scene, std::size_t tick) const;
     MovementSettings settings_at(std::size_t tick) const;
     PlayerInput input_at(std::size_t tick) const;
-    // Works tick `tick` out again, with all records. The same bits as when it was run.
+    // Simulates tick `tick` (at most the last one) again, with all records. The same bits as in the run.
+    // Empty if no tick is simulated yet.
     TickTrace trace(const TickScene& scene, std::size_t tick) const;
 
   private:

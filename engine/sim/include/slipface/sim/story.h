@@ -1,6 +1,5 @@
-// The story of a tick in plain words, line by line, from its trace and nothing else. Whatever explains
-// movement to a person writes its sentences here: the Why panel, `slipface simulate --tell`, `slipface why`,
-// the probe.
+// The story of a tick in plain words, line by line, from its trace alone. All explanations of movement use
+// these sentences: the Why panel, `slipface simulate --tell`, `slipface why`, the probe.
 #pragma once
 
 #include "slipface/level/level.h"
@@ -8,7 +7,7 @@
 
 namespace slipface {
 
-// Where the names in a story come from.
+// The source of the names in a story.
 struct StoryNames {
     SurfaceTable surfaces;
     const Mesh* mesh = nullptr;  // of groups and materials; null: faces have numbers only
@@ -19,43 +18,44 @@ struct StoryNames {
     StoryNames(const Level& level) : surfaces(level.surfaces), mesh(level.mesh.get()) {}
 };
 
-// A number as a line says it, for tables and for holding it against the trace.
+// A number in a line, for tables and for comparison with the trace.
 struct StoryNumber {
     double value = 0.0;  // in `unit`
     std::string unit;    // " mm", " m", " m/s", "°", " %", " s" or empty, as in the text
-    std::string text;    // as it stands in the line, without its unit
+    std::string text;    // as written in the line, without its unit
 };
 
 enum class StoryTone : std::uint8_t {
     plain,    // what happened
     acted,    // a hack or rule did something
     refused,  // a hack or rule was queried and did not act
-    trouble,  // most of the motion that was wished was lost, the player is inside geometry, or was put back
+    trouble,  // most of the requested motion was lost, or the player is inside geometry or was sent back
 };
 
 struct StoryLine {
     StoryTone tone = StoryTone::plain;
-    int depth = 0;        // 0: a sweep, a push, the beginning, the end; 1: what belongs to the sweep above
-    bool folded = false;  // happens in every tick of standing or walking: shown on request
+    int depth = 0;        // 0: a sweep, a push, the beginning, the end; 1: belongs to the sweep above
+    bool folded = false;  // happens in every tick of standing or walking; shown only on request
     std::string title;    // of beginning, end and sweeps: "Begins", "Sweep 2, across"; else empty
     std::string text;     // "Touched an edge (face 7, ice), 0.2 m above the feet, after 31.2 of 100.0 mm"
     std::vector<StoryNumber> numbers;   // of the text, in order
-    std::optional<std::size_t> record;  // in the trace; nothing for the beginning and the end
-    std::optional<Vec3> position;       // where to look
+    std::optional<std::size_t> record;  // index in the trace; nothing for the beginning and the end
+    std::optional<Vec3> position;       // the point to look at, in the trace's coordinates
     Vec3 normal = Vec3::Zero();         // of the contact, zero if there is none
     FaceId face = no_id;
     TriangleId triangle = no_id;
     const SettingInfo* hack = nullptr;  // the switch that decided
 };
 
+// The lines of a tick, from its beginning to its end.
 std::vector<StoryLine> describe(const TickTrace& trace, const StoryNames& names);
-// Only the records, as of a probe.
+// The lines of the records alone, for a probe.
 std::vector<StoryLine> describe(std::span<const TraceRecord> records, const StoryNames& names,
                                 const MovementSettings& settings = {});
 
 // "Sweep 2, across: Touched ...": title and text.
 std::string line_text(const StoryLine& line);
-// The lines as text, one each, indented, as for a bug report. Folded lines too.
+// The lines as indented text, for a bug report. Includes folded lines.
 std::string story_text(std::span<const StoryLine> lines);
 
 }  // namespace slipface

@@ -1,4 +1,4 @@
-// One run in a few numbers, for comparing many.
+// A run in a few numbers, to compare many runs.
 #pragma once
 
 #include "slipface/sim/stops.h"
@@ -6,20 +6,20 @@
 namespace slipface {
 
 struct RunSummary {
-    double distance_m = 0.0;  // along the path of the centre, ways back to the start left out
-    double advanced_m = 0.0;  // of it towards the stick
-    double air_s = 0.0;       // neither grounded nor climbing nor stuck
-    std::size_t stops = 0;
-    double lost_s = 0.0;         // in all stops
+    double distance_m = 0.0;     // along the path of the centre, without returns to the start
+    double advanced_m = 0.0;     // the part of it towards the stick
+    double air_s = 0.0;          // neither grounded nor climbing nor stuck
+    std::size_t stops = 0;       // without falls and hazards
+    double lost_s = 0.0;         // in these stops
     std::size_t falls = 0;       // out of the level
-    std::size_t hazards = 0;     // touched
+    std::size_t hazards = 0;     // returns to the start after touching one
     double top_speed_m_s = 0.0;  // horizontal
 };
 
-// Of a complete run.
+// Of a complete run. `scene` is the one it ran in.
 RunSummary summarize(const TickScene& scene, const TapeRun& run, const StoryNames& names);
 
-// The same tape under whole sets of settings.
+// A name and complete settings.
 struct NamedSettings {
     std::string name;
     MovementSettings settings;
@@ -28,8 +28,9 @@ struct SummaryRow {
     std::string name;
     RunSummary summary;
 };
-// One row per set, in their order; `start` is where the tape begins. The level's sectors act as each set
-// says.
+// Runs the same tape under each set of settings: one row per set, in their order, except for sets for which
+// the level's scene cannot be built. `start` is in the level's coordinates. Each set decides whether the
+// level's sectors act.
 std::vector<SummaryRow> compare_settings(const Level& level, const std::shared_ptr<const Tape>& tape,
                                          const Vec3& start, std::span<const NamedSettings> sets);
 

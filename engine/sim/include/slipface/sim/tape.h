@@ -1,21 +1,21 @@
-// A tape: the inputs of a run as text, enough to repeat it bit by bit.
+// A tape: the inputs of a run as text, sufficient to repeat it bit by bit.
 //
 //   slipface-tape 1
 //   level easy.obj 1f2e3d4c5b6a7988      (name, mesh fingerprint; optional)
-//   surfaces 8a7b6c5d4e3f2a1b            (of all else that is met, scene_fingerprint(); optional)
+//   surfaces 8a7b6c5d4e3f2a1b            (scene_fingerprint(); optional)
 //   dt 1/60
-//   settings basic                       (optional: begin with basic_settings(), not with the level's;
+//   settings basic                       (optional: start from basic_settings(), not from the level's;
 //                                         "settings defaults" is the same)
-//   set max_slope=0.7                    (any number of settings)
+//   set max_slope=0.7                    (any number of these)
 //   start 0,1,0                          (optional; else the level's spawn)
 //   60 wish 0,-1                         (for 60 ticks: walk along -Z)
 //   set step_up=off                      (from the next tick on)
 //   1 wish 0,-1 jump
 //   end 0123456789abcdef                 (state_hash() after the last tick; optional)
 //
-// With `settings basic`, `start` and `end` a tape is a whole bug report: where, under which settings, what
-// was pressed, and what came of it.
 //   # comments and empty lines are ignored
+//
+// With `settings basic`, `start` and `end` a tape is a complete bug report.
 #pragma once
 
 #include <filesystem>
@@ -32,7 +32,7 @@ struct TapeSegment {
     PlayerInput input;
 };
 
-// A setting changed on the way: counts from tick `tick` on.
+// A setting that changes during the tape, from tick `tick` on.
 struct TapeChange {
     std::size_t tick = 0;
     std::string setting;  // "name=value"
@@ -45,7 +45,7 @@ struct Tape {
     std::optional<std::uint64_t> surfaces_fingerprint;
     double dt = 1.0 / 60.0;
     std::string dt_text = "1/60";       // as written
-    bool from_basic = false;            // `settings` begin with basic_settings(), else with the level's
+    bool from_basic = false;            // true: `settings` change basic_settings(), else the level's
     std::vector<std::string> settings;  // "name=value", in order
     std::optional<Vec3> start;
     std::vector<TapeSegment> segments;
@@ -57,17 +57,18 @@ struct Tape {
 
 inline constexpr std::size_t max_tape_ticks = 10'000'000;
 
-// Errors name the line. `place` names the file in them.
+// Errors name the line; `location` names the file in them.
 Result<Tape> parse_tape(std::string_view text, const std::string& location);
 Result<Tape> load_tape(const std::filesystem::path& path);
-std::string tape_to_text(const Tape& tape);  // parse_tape(tape_to_text(t)) == t
+// The text of a tape. parse_tape() reads the same run back; a change inside a segment splits the segment.
+std::string tape_to_text(const Tape& tape);
 
-// Inputs tick by tick, gathered into segments.
+// Appends one tick. Equal inputs are joined into one segment.
 void append_tick(Tape& tape, const PlayerInput& input);
-// The first `ticks` ticks; what holds for the end of the whole tape is left out.
+// The first `ticks` ticks, without the end hash.
 Tape cut_tape(const Tape& tape, std::size_t ticks);
 
-// The assignments that turn `from` into `to`, in the order of settings_table().
+// The assignments "name=value" that change `from` into `to`, in the order of settings_table().
 std::vector<std::string> setting_changes(const MovementSettings& from, const MovementSettings& to);
 
 }  // namespace slipface

@@ -1,5 +1,5 @@
-// A level as it was when a golden was approved: geometry and surface types, small enough to lie beside the
-// goldens. With it a check can say which faces changed, and walk the old level again.
+// A level at the time when a golden was approved: geometry and surface types, small enough to be stored
+// beside the goldens. With it a check can name the changed faces and simulate in the old level.
 #pragma once
 
 #include <string>
@@ -11,14 +11,15 @@ namespace slipface {
 
 inline constexpr std::size_t max_digest_triangles = 300'000;  // larger levels have none
 
-// "easy-1f2e3d4c5b6a7988": equal names, equal digests. Of geometry, surface types, platforms and all else
-// that the level file says but for painted faces, whose resolved types are counted instead.
+// "easy-1f2e3d4c5b6a7988": the name of the level and a hash of its geometry and of its level file, in which
+// the painted faces are replaced by the resolved types of all faces. Equal names mean equal digests.
 std::string digest_name(const Level& level);
 
-// Without texture coordinates. Errors: too many triangles.
+// The digest's bytes, without texture coordinates. Errors: no geometry; more than max_digest_triangles.
 Result<std::string> encode_digest(const Level& level);
 
-// The level; its overrides are the resolved types, and `mesh_path` is empty. Every index is checked.
+// The level in a digest. Its overrides are the resolved types, and `mesh_path` is empty. Error: bytes that
+// are no valid digest; every index is checked.
 Result<Level> decode_digest(std::string_view bytes, const std::string& location);
 
 }  // namespace slipface

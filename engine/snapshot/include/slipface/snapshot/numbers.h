@@ -1,5 +1,5 @@
-// The numbers beside a golden picture: NAME.json next to NAME.png. They fail before pixels do and say why:
-// which setting, which contact, where the path goes. Compared field by field, each with its own tolerance.
+// The numbers beside a golden image: NAME.json next to NAME.png. They detect changes that pixels do not show,
+// and name the cause: a setting, a contact, the path. Compared field by field, each with its own tolerance.
 #pragma once
 
 #include <string>
@@ -10,27 +10,27 @@
 
 namespace slipface {
 
-// What kind of change a difference comes from. Each section of the numbers belongs to one.
+// The kind of change that causes a difference. Each field of the numbers belongs to one.
 enum class Cause { renderer, view, level, movement, ui };
 const char* cause_name(Cause cause);  // "renderer", "view", "level", "movement", "UI"
 
 struct NumberDifference {
     std::string path;  // "/movement/tape/samples/3"
     Cause cause = Cause::level;
-    std::string expected, actual;  // as JSON; "nothing" where a side lacks it
-    bool decides = true;  // false: it explains and never fails a check (the renderer, hashes, widgets)
+    std::string expected, actual;  // as JSON; "nothing" on a side without the field
+    bool decides = true;  // false: only explains, never fails a check (the renderer, hashes, widgets)
 };
 
-// Two texts of numbers. The error is the golden's: no JSON, no object, another version. Empty texts have no
-// numbers, and two of them do not differ.
+// The differences of two texts of numbers. An empty text has no numbers. Errors, at `location`: a text that
+// is no JSON object; another version in `expected`.
 Result<std::vector<NumberDifference>> compare_numbers(std::string_view expected, std::string_view actual,
                                                       const std::string& location);
 
-// JSON in the layout of the files: two-space indent, lists of plain values on one line, so that a diff shows
-// one row a change.
+// Formats valid JSON like the files: two-space indent, lists of plain values on one line, so that a diff
+// shows one row per change.
 std::string numbers_to_text(std::string_view json);
 
-// Whether one of them fails a check.
+// Whether at least one difference fails a check.
 bool any_decides(const std::vector<NumberDifference>& differences);
 
 }  // namespace slipface

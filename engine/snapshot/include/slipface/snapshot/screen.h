@@ -1,4 +1,4 @@
-// Pictures of a program's windows: what their numbers hold, and what changed pixels belong to.
+// Images of a program's windows: their numbers hold the widgets' rectangles, which explain changed pixels.
 //
 //   "widgets": { "Toolbar/Paint": [x, y, width, height], ... }     pixels from the upper left corner
 #pragma once
@@ -7,7 +7,8 @@
 
 namespace slipface {
 
-// Names the widgets that look different, moved, came or went; most pixels first. For Snapshot::explain.
+// Names the widgets that look different, moved, appeared or disappeared; most pixels first. For
+// Snapshot::explain.
 std::vector<Finding> explain_widgets(const ExplainRequest& request);
 
 }  // namespace slipface

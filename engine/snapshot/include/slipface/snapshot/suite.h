@@ -1,4 +1,4 @@
-// A suite of scenes: which level from where, with what drawn over it. Kept as text, screenshots/scenes.json:
+// A suite of scenes: levels, cameras, and what is drawn over the levels. The file screenshots/scenes.json:
 //
 //   { "version": 1,
 //     "defaults": { "size": [960, 540], "style": "textured overlay" },
@@ -13,8 +13,8 @@
 //
 // name: the golden is NAME.png; letters, digits, '-', '_', '@' and '/'.
 //
-// level, tape: relative to the suite file. "demo:NAME:on" and "demo:NAME:off" are the scenes that show a hack
-// (engine/scenes), with their tape, their camera and the hack's switch on or off.
+// level, tape: paths relative to the suite file. The levels "demo:NAME:on" and "demo:NAME:off" are the scenes
+// of a hack (engine/scenes), with their tape, their camera and the hack's switch on or off.
 //
 // camera: one of the names below, or { "eye": [x, y, z], "target": [x, y, z], "fov_deg": 60 }, where fov_deg
 // may be left out. Without a camera: "auto:iso".
@@ -25,26 +25,26 @@
 //   auto:turntable:K/N     K of N directions around the level
 //   tape:K/N               behind the player, at K of N moments of the tape
 //   contact:K              at the K-th contact of the probe, or of the tape
-//   any other word         the bookmark of the level with that name
+//   any other word         the level's bookmark with that name
 //
-// cameras: a list of names that makes one snapshot each, NAME@CAMERA: those above and, for several at once,
-// auto:iso4, auto:turntable:N, tape:N, contacts (each contact, at most 12) and bookmarks (every one of the
+// cameras: a list of names. Each gives a snapshot NAME@CAMERA. Beside the names above, these stand for
+// several: auto:iso4, auto:turntable:N, tape:N, contacts (each contact, at most 12) and bookmarks (all of the
 // level).
 //
-// size: pixels, 16 to 4096 a side. Without: 960 x 540.
+// size: pixels, 16 to 4096 per side. Without: 960 x 540.
 //
 // style: any of textured, unlit (without the level's baked light), overlay, wireframe, cutaway (back faces
-// left out, so that rooms are seen from outside) and grid (metres, with a scale); "plain" stands for none of
+// not drawn, so that rooms are seen from outside) and grid (metres, with a scale); "plain" means none of
 // them. Without: "textured overlay".
 //
-// probe: one slide_move, drawn with draw_trace. "from" may be "spawn". "radii" ([x, y, z]) and "settings"
-// (["max_slides=5"]) may be given; else the level's count.
+// probe: one slide_move(), drawn by draw_trace(). "from" may be "spawn". Without "radii" ([x, y, z]) and
+// "settings" (["max_slides=5"]), the level's are used.
 //
-// tape: simulated from its start or the level's spawn; the path of the centre, the start and the end are
+// tape: simulated from its start or the level's spawn. The path of the centre, the start and the end are
 // drawn. "settings" beside it are applied after the tape's own.
 //
-// profile: "scene" (default) or "ui": the gate's tolerance. masks: [[x, y, width, height], ...] are not
-// compared.
+// profile: the gate's tolerance, "scene" (default) or "ui". masks: [[x, y, width, height], ...], areas that
+// are not compared.
 #pragma once
 
 #include <filesystem>
@@ -79,31 +79,32 @@ struct Scene {
     std::vector<std::string> settings;  // "name=value", for the tape
     CompareTolerance tolerance = scene_tolerance;
     std::vector<MaskRect> masks;
-    std::vector<std::string> cameras;  // not expanded yet; then `camera` does not count
+    std::vector<std::string> cameras;  // not expanded yet; if there are any, `camera` is ignored
     std::string location;              // "scenes.json:/scenes/2", for errors
 };
 
-// Errors name the file and the JSON path ("scenes.json:/scenes/2/size"), or the line for text that is no
-// JSON. Keys that are not known and names that come twice are errors.
+// Errors name the file and the JSON path ("scenes.json:/scenes/2/size"), or the line of text that is no JSON.
+// Unknown keys and duplicate names are errors.
 Result<std::vector<Scene>> parse_scene_suite(std::string_view text, const std::filesystem::path& file);
 Result<std::vector<Scene>> load_scene_suite(const std::filesystem::path& file);
 
-// Scenes with `cameras` become one scene for each of them. Reads levels and runs tapes only for "bookmarks"
-// and "contacts".
+// Replaces each scene with `cameras` by one scene per camera. Reads levels and runs tapes only for
+// "bookmarks" and "contacts". Error: two scenes of one name.
 Result<std::vector<Scene>> expand_cameras(const std::vector<Scene>& scenes);
 
-// Levels that stay loaded, and on the graphics card, from one scene to the next. `context` must outlive it.
+// Renders scenes. Levels stay loaded and uploaded from one scene to the next. `context` must outlive it.
 class SceneStage {
   public:
     explicit SceneStage(OffscreenContext& context);
     ~SceneStage();
 
-    // Errors of the level, the tape or the camera's name are the scene's.
+    // The scene's image and numbers. Errors name the scene: in its level, its tape or its camera.
     Result<Rendering> render(const Scene& scene);
-    // Why `scene` does not look as it did: which faces, which setting, which tick.
+    // Why `scene` does not look like its golden: the faces, the setting, the tick.
     std::vector<Finding> explain(const Scene& scene, const ExplainRequest& request);
+    // The digest of the scene's level, to attach to its golden; empty for a level that is too large.
     Result<Attachment> digest(const Scene& scene);
-    double drawing_s() const;  // spent rasterising so far
+    double drawing_s() const;  // seconds spent drawing so far
 
   private:
     struct Impl;
@@ -114,7 +115,7 @@ class SceneStage {
 std::vector<Snapshot> scene_snapshots(const std::vector<Scene>& scenes,
                                       const std::shared_ptr<SceneStage>& stage);
 
-// Mesa, processor and program, for the "renderer" section of numbers; JSON.
+// Backend, renderer, OpenGL version and processor features: the "renderer" section of the numbers, JSON.
 std::string renderer_fingerprint(const OffscreenContext& context);
 
 }  // namespace slipface

@@ -1,5 +1,5 @@
-// The common engine: a World keeps Managers and Entities, and ticks and draws them. It knows no geometry; a
-// game adds the managers it needs (lecture: "Review of Managers").
+// The common engine: a World owns Managers and Entities, and ticks and draws them. It knows no geometry; a
+// game adds the managers that it needs (lecture: Brown University CS1950u, "Review of Managers").
 #pragma once
 
 #include <memory>
@@ -11,20 +11,20 @@ namespace slipface {
 
 struct Level;
 
-// What a world is drawn with (lecture: "Graphics *g"): slipface/render/gl_graphics.h draws with OpenGL, a
-// test counts calls. All places are in the coordinates of the level, metres. An implementation may gather the
-// calls of a frame and draw at its end, so the order of the calls does not decide what covers what.
+// The interface that a world is drawn through (lecture: "Graphics *g"): slipface/render/gl_graphics.h draws
+// with OpenGL, a test counts calls. All positions are in coordinates of the level, metres. An implementation
+// may collect the calls of a frame and draw at its end, so their order does not decide what covers what.
 class Graphics {
   public:
     virtual ~Graphics() = default;
-    // All faces of `level`, its platforms where they are `time_s` seconds after it began. `level` stays
-    // alive and where it is until the frame is drawn.
+    // Draws all faces of `level`, with its platforms at their positions `time_s` seconds after the start. The
+    // caller must not move or destroy `level` until the frame is drawn.
     virtual void draw_level(const Level& level, double time_s) = 0;
-    // An ellipsoid whose axes are the world's, as characters are; `radii` > 0.
+    // Draws an ellipsoid with axes parallel to the world's, such as a character; `radii` > 0.
     virtual void draw_ellipsoid(const Vec3& centre, const Vec3& radii) = 0;
 };
 
-// Anything that lives in the world. Entities are owned by the World; managers refer to them.
+// Anything that lives in the world. The World owns entities; managers refer to them.
 class Entity {
   public:
     virtual ~Entity() = default;
@@ -41,18 +41,18 @@ class Manager {
     virtual void on_entity_removed(Entity& /*entity*/) {}
 };
 
-// Ticks and draws in the order in which things were added: entities first, then managers.
+// Ticks and draws entities first, then managers, each in the order in which they were added.
 //
-// Entities may add and remove entities while they are ticked: an added one is ticked from then on, in the
-// same tick; a removed one is told to the managers at once, ticked and drawn no more, and destroyed when the
-// tick is over.
+// Entities may add and remove entities during a tick. An added entity is ticked in the same tick. A removed
+// one is reported to the managers at once, is not ticked or drawn again, and is destroyed after the tick.
 class World {
   public:
-    // Tells every manager of it.
+    // Adds an entity and notifies every manager.
     Entity& add_entity(std::unique_ptr<Entity> entity);
-    // Tells every manager, then destroys it. An entity of another world is left alone.
+    // Notifies every manager, then destroys the entity (during a tick: after it). An entity of another world
+    // is ignored.
     void remove_entity(const Entity& entity);
-    // Tells it of the entities that are there already.
+    // Adds a manager and notifies it of the existing entities.
     Manager& add_manager(std::unique_ptr<Manager> manager);
 
     template <class T, class... Args>
@@ -72,7 +72,7 @@ class World {
     bool is_removed(const Entity& entity) const;
 
     bool ticking_ = false;
-    std::vector<const Entity*> removed_;  // in the running tick, still in entities_
+    std::vector<const Entity*> removed_;  // removed in the current tick, still in entities_
     std::vector<std::unique_ptr<Entity>> entities_;
     std::vector<std::unique_ptr<Manager>> managers_;
 };
