@@ -304,8 +304,8 @@ class Writer {
 
   private:
     void write_leaf(const Child& child, std::uint32_t parent) {
-        const std::uint32_t index = child.link & leaf_index_mask;
-        Leaf& leaf = bvh_.leaf_at(index);
+        const std::uint32_t leaf_index = child.link & leaf_index_mask;
+        Leaf& leaf = bvh_.leaf_at(leaf_index);
         leaf.count = static_cast<std::uint8_t>(child.range.count);
         leaf.vertices = static_cast<std::uint8_t>(child.vertices);
         leaf.unused = 0;
@@ -317,7 +317,7 @@ class Writer {
         for (std::size_t lane = 0; lane < leaf.count; ++lane) {
             const std::uint32_t id = items_[child.range.first + lane].triangle;
             ids[lane] = id;
-            bvh_.slots[id] = static_cast<std::uint32_t>(index * leaf_capacity + lane);
+            bvh_.slots[id] = static_cast<std::uint32_t>(leaf_index * leaf_capacity + lane);
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint32_t vertex = triangles_[id][k];
                 const auto end = seen.begin() + static_cast<std::ptrdiff_t>(count);

@@ -1,4 +1,4 @@
-// What the stick makes of the horizontal velocity, and what is lost when it is let go.
+// How the stick changes the horizontal velocity, and what a player loses when the stick is released.
 #include <algorithm>
 #include <cmath>
 
@@ -26,10 +26,10 @@ double accelerate(Mover& mover, double friction, bool slippery) {
     return 0.0;
 }
 
-// On the ground the horizontal speed is what the stick asks for, uphill and over crests. With the stick let
-// go nobody asks, and a coasting player pays for the height gained and for the turn into a descent; low
-// braking would otherwise lift it for nothing. Ground of little friction takes from a player who goes up what
-// gravity along it takes, which is less: there the rise counts as motion.
+// With the stick held the horizontal speed on the ground is the wished one, uphill and over crests too. With
+// the stick released the player pays with speed for the height it gains and for the change into a descent;
+// otherwise weak braking would lift it for nothing. On ground of little friction gravity along the slope
+// slows a player that goes up; there the rise counts as motion, so that height is not paid for twice.
 void coast(Mover& mover, const Vec3& from, const Drive& drive) {
     const Vec3 flat = horizontal(mover.velocity);
     const double down = mover.settings.ground_velocity ? descent(mover.support.normal, flat) : 0.0;

@@ -1,12 +1,12 @@
-// Bounce (lecture, "Bouncing"): the part along the surface is kept, the part into it is given back times the
-// restitution e: V - (1+e) N (V.N). Friction f above 1 takes of the part along what a rebound of the speed r
-// can, as Coulomb's law does: at most (f-1) r, and at most the fraction 1 - 1/f. So a weak rebound goes over
-// into a landing, of which the ground's braking takes care.
+// Bounce (lecture, "Bouncing"): the velocity along the surface stays, the velocity into it is returned times
+// the restitution e: V - (1+e) N (V.N). Friction f above 1 reduces the velocity along the surface as
+// Coulomb's law does, by at most (f-1) times the rebound speed and by at most the fraction 1 - 1/f. So a weak
+// rebound becomes a landing, which the ground's braking handles.
 //
-// The touch lies within the step, so neither the velocity before nor after the step's gravity is the one that
-// hits. With u the speed along N and constant acceleration, u*u changes linearly with the distance: at the
-// fraction s of it, u*u = u0*u0 + s (u1*u1 - u0*u0). The rebound loses what gravity takes on the rest of the
-// way. Without this a ball's heights depend on where in a tick it lands.
+// The contact lies within the step, so the impact speed is neither the one before the step's gravity nor the
+// one after it. With u the speed along N and constant acceleration, u*u changes linearly with the distance:
+// at the fraction s of it, u*u = u0*u0 + s (u1*u1 - u0*u0). Gravity slows the rebound during the rest of the
+// step. Without this the height of a bounce depends on where in a tick it lands.
 #include <algorithm>
 #include <cmath>
 

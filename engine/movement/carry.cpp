@@ -1,6 +1,6 @@
-// Surfaces that move under the player: conveyors by their velocity, turntables by turning about the vertical
-// through their centre. The player is moved first and walks from there; a jump or a step off takes the
-// surface's velocity along.
+// Surfaces that move under the player: conveyors by their velocity, turntables by rotating about the vertical
+// axis through their centre. The player is moved first and walks from there. A jump, or a step off the
+// surface, adds the surface's velocity to the player's.
 #include <cmath>
 
 #include "mover.h"
@@ -23,14 +23,14 @@ void move_with_surface(Mover& mover) {
     if (!mover.state.grounded && !(mover.state.stuck && sticks(mover, support))) return;
     if (support.angular_velocity == 0.0 && support.velocity.isZero(0.0)) return;
     const double angle = support.angular_velocity * mover.dt;
-    constexpr double max_angle = 1e3;  // radians per step; no table turns that fast, and it bounds the work
+    constexpr double max_angle = 1e3;  // radians per step, a bound for the work
     if (!(std::abs(angle) <= max_angle) || !support.velocity.allFinite()) return;
     const Vec3 r = horizontal(mover.position - support.spin_centre);
     const Pose turn = turned_about(Vec3::Zero(), Vec3::UnitY(), angle);
     const Vec3 move = turn.apply(r) - r + support.velocity * mover.dt;
     if (move.isZero(0.0)) return;
     decide(mover, Decision::surface_carried, {.value = move.norm()}, mover.state.ground_face);
-    mover.on_ladder = true;  // being carried past a ladder is no wish to climb it
+    mover.on_ladder = true;  // a player that is carried past a ladder does not grab it
     collide_and_slide(mover, move.y() == 0.0 ? Pass::horizontal : Pass::slide, move);
     mover.on_ladder = false;
     mover.grounded = false;

@@ -1,16 +1,15 @@
-// Corners: where one surface turns the player into another.
+// Corners: one surface deflects the player into another.
 //
-// Turning at each contact alone sends the player to and fro between two walls, and each return costs an
-// iteration and shows as jitter. So a turn that leads back into an earlier plane of the same pass follows the
-// crease of the two instead, and a crease that leads into a third plane ends the move: three planes are a
-// corner.
+// Deflecting at each contact alone sends the player to and fro between two walls; each return costs an
+// iteration and shows as jitter. So a deflection that leads back into an earlier plane of the same pass
+// follows the crease of both planes instead, and a crease that leads into a third plane ends the move.
 #include "mover.h"
 
 namespace slipface {
 
 namespace {
 
-// Going into a plane by less than this fraction is rounding; the skin absorbs it.
+// Leading into a plane by less than this fraction is rounding; the skin absorbs it.
 constexpr double grazing = 1e-6;
 // Square of the sine below which two planes have no crease.
 constexpr double parallel = 1e-12;
@@ -24,16 +23,16 @@ bool leads_into(const Corner& corner, const Vec3& v, const Counts& counts) {
     return false;
 }
 
-// `turned` made free of all planes: itself, `v` along a crease of the latest plane, or zero.
+// `deflected` made free of all planes: itself, `v` along a crease of the latest plane, or zero.
 template <class Counts>
-Vec3 freed(const Corner& corner, const Vec3& v, const Vec3& turned, const Vec3& plane, const Counts& counts,
-           Rule& rule) {
-    if (!leads_into(corner, turned, counts)) return turned;
+Vec3 freed(const Corner& corner, const Vec3& v, const Vec3& deflected, const Vec3& plane,
+           const Counts& counts, Rule& rule) {
+    if (!leads_into(corner, deflected, counts)) return deflected;
     rule = Rule::crease;
-    const double limit = -grazing * turned.norm();
+    const double limit = -grazing * deflected.norm();
     for (int i = 0; i < corner.count; ++i) {
         const Vec3& earlier = corner.planes[static_cast<std::size_t>(i)];
-        if (!counts(i) || turned.dot(earlier) >= limit) continue;
+        if (!counts(i) || deflected.dot(earlier) >= limit) continue;
         const Vec3 crease = plane.cross(earlier);
         const double square = crease.squaredNorm();
         if (square < parallel) continue;

@@ -1,13 +1,13 @@
-// What of a stair can be stood on.
+// Which contacts of a stair can be stood on.
 //
-// The round foot meets the rim of a step long before its centre is above it, and there it is as steep as a
-// wall. On short treads it rests on a rim while its centre is still above a tread several steps below, so
-// neither the slope of the contact nor the height above the ground below says whether it is a step. What does
-// is the way there: the ground from below the centre to the rim, and on to where it goes on behind the rim,
-// rises by no more than a step at once. A cliff's edge, a wall and a steep ramp have no such way.
+// The round foot touches the rim of a step long before its centre is above it, and there the contact is as
+// steep as a wall. On short treads the foot rests on a rim while its centre is still above a tread several
+// steps below. So neither the slope of the contact nor its height above the ground below says whether it is a
+// step. The ground between them does: from below the centre to the rim, and on behind the rim, it rises by no
+// more than a step at once. In front of a cliff, a wall or a steep ramp it does not.
 //
-// The ground is sampled by rays that begin inside the ellipsoid, which is free of geometry, so nothing
-// overhead is taken for ground. Faces too steep to stand on are risers and are passed over.
+// Rays sample the ground. They begin inside the ellipsoid, which is free of geometry, so nothing overhead is
+// taken for ground. Faces too steep to stand on are risers and are skipped.
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +20,7 @@ namespace {
 // Samples of the ground between the centre and the touched point: treads from a sixteenth of a radius on.
 constexpr int samples = 16;
 
-// A step of exactly the step height is one; corners of meshes are floats.
+// A rise of exactly the step height counts as a step although the corners of meshes are rounded to floats.
 double with_rounding(double height, const Vec3& at) {
     return height * 1.001 + 2.4e-7 * at.cwiseAbs().maxCoeff();
 }
@@ -40,8 +40,8 @@ std::optional<double> ground_below(const Mover& mover, const Vec3& from, double 
     return terrain->normal.y() >= mover.walkable_cosine ? std::optional(terrain->height) : std::nullopt;
 }
 
-// The ground from below `from` to below `to`, both at the height of `from`: false if it rises by more than
-// `step` at once. `height` is the ground where it begins, and then where it ends.
+// Follows the ground from below `from` to below `to`, both at the height of `from`. False if it rises by more
+// than `step` at once. `height` is the ground's height at the beginning, and is set to that at the end.
 bool climbs_by_steps(const Mover& mover, const Vec3& from, const Vec3& to, double step, double& height) {
     for (int i = 1; i < samples; ++i) {
         const Vec3 at = from + horizontal(to - from) * (static_cast<double>(i) / samples);
@@ -53,15 +53,15 @@ bool climbs_by_steps(const Mover& mover, const Vec3& from, const Vec3& to, doubl
     return true;
 }
 
-// Where the ground goes on behind the touched point, seen from the centre: at most a step above the ground
-// before it, and at most a step below the point itself.
+// Whether there is ground behind the touched point, seen from the centre: at most a step above the ground in
+// front of it, and at most a step below the point.
 bool goes_on_behind(const Mover& mover, const Contact& contact, double before, double step) {
     const Vec3& centre = mover.position;
     const Vec3 out = horizontal(contact.point - centre);
     const Vec3 ahead = direction_of(out);
     const double radius = std::max(mover.settings.radii.x(), mover.settings.radii.z());
     const std::array<double, 4> distances{mover.settings.skin, radius / 16.0, radius / 8.0, radius / 4.0};
-    // What stands higher than the centre ends the look ahead; rays that began inside it would be wrong.
+    // A wall higher than the centre ends the search: rays that begin inside it would be wrong.
     const double length = out.norm() + distances.back();
     const std::optional<RayHit> wall = ray_in_scene(mover, centre, ahead * length);
     const double clear = wall ? wall->t * length : length;
@@ -119,7 +119,7 @@ bool no_higher_than_steps(const Mover& mover, const Motion& begin, const Contact
 
 bool no_deeper_than_steps(const Mover& mover, const Vec3& begin, const Contact& contact, double deepest) {
     const double step = with_rounding(deepest, contact.point);
-    // Walked backwards: up from the contact to the ground that was left.
+    // Backwards: up from the contact to the ground that the player left.
     double height = contact.point.y();
     Vec3 from = contact.point;
     from.y() = begin.y();

@@ -1,9 +1,9 @@
 // How well the ground holds: a surface's friction f, 1 on plain ground.
 //
-// Walking accelerates and brakes by f times ground_acceleration. Static friction holds a player on a slope as
-// if f were large; below 1 the fraction 1 - f of gravity along the slope pulls, and what the feet hold and
-// the stick did not need works against it. So f = 0 slides like a sledge, and the player stands still where
-// (1 - f) g sin a < f ground_acceleration.
+// Walking accelerates and brakes by f times ground_acceleration. At f >= 1 a player never slides down a slope
+// it can stand on. Below 1 the fraction 1 - f of gravity along the slope pulls, and the acceleration that the
+// stick did not use works against it. So f = 0 slides like a sledge, and the player stands still where (1 -
+// f) g sin a < f ground_acceleration.
 #include <algorithm>
 
 #include "mover.h"

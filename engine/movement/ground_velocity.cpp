@@ -3,8 +3,7 @@
 // instead.
 //
 // How small: running at v down a slope of angle a needs v tan a, or the ground falls away faster than the
-// player. So it is ground_speed, raised to that where the ground stood on asks for more. Gravity's fraction
-// of the step comes on top.
+// player. So it is the larger of ground_speed and that. Gravity during the step is added.
 #include <algorithm>
 
 #include "mover.h"

@@ -1,7 +1,7 @@
-// Problem: a half-pipe is made of flat faces, and sliding projects the velocity at each of them, so speed is
-// lost where a round pipe would take none. Hack (lecture, "Frictionless surfaces"): the direction of V - N
-// (V.N), the length of V; only for glancing hits, N.V / |V| above keep_energy_limit, because a head-on hit is
-// no approximation of a curve.
+// Problem: a half-pipe is made of flat faces. Sliding projects the velocity at each of them and loses speed
+// that a round pipe would preserve. Hack (lecture, "Frictionless surfaces"): the direction of V - N (V.N)
+// with the length of V. Only for glancing hits, N.V / |V| above keep_energy_limit: a head-on hit does not
+// approximate a curve.
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +21,7 @@ std::optional<Deflection> keep_energy(Mover& mover, const Hit& hit) {
     if (!hit.surface.keeps_energy) return std::nullopt;
     const Vec3& normal = hit.contact.normal;
     const double limit = mover.settings.keep_energy_limit;
-    // One part of a split move says nothing about the direction of the whole; the velocity does.
+    // One part of a split move does not have the direction of the whole; the velocity does.
     const Vec3& judged = hit.pass == Pass::slide ? hit.remainder : mover.velocity;
     const double cosine = normal.dot(direction_of(judged));
     const auto say = [&](Decision kind) {
@@ -31,7 +31,7 @@ std::optional<Deflection> keep_energy(Mover& mover, const Hit& hit) {
         say(Decision::energy_off);
         return std::nullopt;
     }
-    // A pipe of six faces turns by the default limit exactly; normals of float corners are off by 1e-7.
+    // A pipe of six faces deflects by exactly the default limit; normals of float corners are off by 1e-7.
     constexpr double rounding = 1e-6;
     if (!(cosine > limit - rounding)) {
         say(Decision::energy_head_on);
@@ -45,10 +45,10 @@ std::optional<Deflection> keep_energy(Mover& mover, const Hit& hit) {
                       .plane = normal};
 }
 
-// The hack keeps the length of a velocity to which this step's gravity was already added, though the contact
-// may have come before gravity did that work, and a push that restores the skin lifts the player a little.
-// Kept, both would be energy from nothing, so the speed is held to what the height gained or lost in this
-// step allows.
+// The hack preserves the length of a velocity that already includes this step's gravity, although the contact
+// may have come before gravity did that work; and a push that restores the skin lifts the player a little.
+// Both would be energy from nothing. So the speed is limited to what the height gained or lost in this step
+// allows.
 void cap_energy(Mover& mover, const Vec3& from, const Vec3& driven_velocity) {
     const double climbed = mover.position.y() - from.y();
     const double allowed =

@@ -1,6 +1,6 @@
-// Ladders: no gravity, the player moves along the plane of the surface. The stick into the wall climbs, away
-// from it descends, sideways goes along. Left at the bottom by reaching ground, at the top by rounding the
-// rim until what is touched can be walked on, anywhere by a jump.
+// Ladders: no gravity, the player moves in the plane of the surface. The stick into the wall climbs up, away
+// from it climbs down, sideways moves along. The player leaves at the bottom by touching ground, at the top
+// where the surface becomes flat enough to walk on, and anywhere by a jump.
 #include <cmath>
 
 #include "mover.h"
@@ -25,7 +25,7 @@ void leave(Mover& mover, const Vec3& velocity, Decision why) {
     if (!mover.grounded) mover.support.face = no_id;
 }
 
-// After the move the ladder is looked for where it was; its face may have bent or ended.
+// After the move: searches the ladder where it was. Its surface may have bent or ended.
 void follow(Mover& mover, const Vec3& from, double rising, double sideways) {
     const Vec3 moved = mover.position - from;
     const Vec3 towards = -mover.state.ground_normal * (moved.norm() + mover.settings.skin);
@@ -47,11 +47,11 @@ void follow(Mover& mover, const Vec3& from, double rising, double sideways) {
     } else if (surface.climbable) {
         mover.support = found;
     } else if (contact.feature != Feature::interior && rising > 0.0) {
-        // The rim belongs to the faces of the top as well; whichever of them was touched, the way up goes on.
+        // The rim belongs also to the faces of the top. Whichever of them was touched, the climb goes on.
         mover.support = support_before(mover);
         mover.support.normal = contact.normal;
     } else if (rising >= std::abs(sideways)) {
-        // A plain wall goes on above the ladder: stepping onto it would drop the player back at every tick.
+        // A plain wall continues above the ladder. On it the player would fall back in every tick.
         mover.position = from;
         mover.velocity = Vec3::Zero();
         mover.support = support_before(mover);

@@ -218,10 +218,10 @@ void respect_corner(const Corner& corner, const Vec3& remainder, const Vec3& vel
 void leave_geometry(Mover& mover);
 void push_out(Mover& mover);
 bool nudge(Mover& mover);  // true if the player is free afterwards
-// 2. Platforms carry who stands on them and push who is in their way.
+// 2. Platforms carry players that stand on them and push players out of their path.
 void move_with_platforms(Mover& mover);
 Vec3 velocity_of(const MovingPart& part, const Vec3& point);  // m/s, of the platform at that point
-// 3. Conveyors and turntables carry who stands on them.
+// 3. Conveyors and turntables carry players that stand on them.
 void move_with_surface(Mover& mover);
 Vec3 carry_velocity(const Mover& mover);  // m/s, of surface and platform at the player's position
 // 4. What moves the player: nothing, a ladder, or its own velocity.
@@ -264,8 +264,8 @@ void hold_where_wedged(Mover& mover, double rise, double height, int contacts);
 void rest(Mover& mover, const Vec3& from);
 
 // Steps. `before` is where the horizontal move `flat` began.
-// What the plain move made of `flat` is in the mover. True if a step was climbed instead, which includes the
-// way down onto it.
+// The mover holds the result of the plain move. True if a step was climbed instead, including the drop onto
+// it.
 bool step_up(Mover& mover, const Motion& before, const Vec3& flat);
 // The lecture's form: the whole move, lifted before and dropped after. False if it leads to no ground.
 bool step_every_move(Mover& mover, const Motion& before, const Vec3& flat);

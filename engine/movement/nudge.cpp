@@ -1,7 +1,6 @@
-// Problem: a player who spawned inside geometry, or was put there, never moves again.
-// Hack (lecture, "Case study: Quake 2"): small offsets along all three axes are tried, and the nearest one
-// that is free wins. Of equally near ones up comes first, then the sides, then down, then two and three axes
-// at once.
+// Problem: a player that spawned inside geometry never moves again.
+// Hack (lecture, "Case study: Quake 2"): tries small offsets along all three axes and takes the nearest free
+// one. Among equally near ones the order is up, the sides, down, then two and three axes at once.
 #include <algorithm>
 
 #include "mover.h"

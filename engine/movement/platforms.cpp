@@ -1,10 +1,9 @@
-// Geometry that moves: platforms carry who stands on them and push who is in their way.
+// Moving geometry: platforms carry players that stand on them and push players out of their path.
 //
-// A tick's platforms have moved already; where they came from is in their poses. A rider goes through the
-// same rigid motion as the platform, so that nobody drifts off a turning one. Everybody else is swept
-// relative to the platform: in its frame the player comes from where a rider would have been carried from,
-// and slides along it like along any surface; what that changes is the push, and the push collides with the
-// rest of the world.
+// The platforms of a tick have moved already; their poses say from where. A rider makes the same rigid motion
+// as the platform, so it does not drift off one that rotates. Any other player is swept relative to the
+// platform: in the platform's frame it starts where a rider would have been carried to, and slides along the
+// platform as along any surface. The result is the push, and the push collides with the rest of the world.
 #include <algorithm>
 
 #include "mover.h"
@@ -21,7 +20,8 @@ bool moves(const MovingPart& part) {
     return !(part.begin == part.end);
 }
 
-// Where the platform alone would leave a player who is at `position` and was at `before` when it set out.
+// Where the platform alone would leave a player that is at `position` and was at `before` when the tick
+// began.
 Vec3 pushed_by(Mover& mover, const MovingPart& part, const Vec3& before, const Vec3& position) {
     const double skin = mover.settings.skin;
     Vec3 at = carried(part, before);
@@ -54,7 +54,7 @@ void ride(Mover& mover) {
     if (move.isZero(0.0)) return;
     decide(mover, Decision::platform_carried, {.value = move.norm()}, state.ground_face);
     mover.ignored_platform = state.ground_platform;
-    mover.on_ladder = true;  // being carried past a ladder is no wish to climb it
+    mover.on_ladder = true;  // a player that is carried past a ladder does not grab it
     collide_and_slide(mover, move.y() == 0.0 ? Pass::horizontal : Pass::slide, move);
     mover.on_ladder = false;
     mover.ignored_platform = no_id;

@@ -1,13 +1,13 @@
-// A player who is inside geometry, by a bad spawn point or a moved wall, is put outside before the step.
+// A player inside geometry, because of a bad spawn or a moved wall, is put outside before the step.
 //
-// Analytic (lecture, "Analytic solution for acute angles"): the planes of the triangles whose interior is
-// overlapped, each moved out by the ellipsoid's extent along its normal plus the skin; the player goes to the
-// nearest point outside all of them. Iterative: out of the deepest plane, again and again. Edges and vertices
-// are no planes; both leave them one by one at the end.
+// Analytic (lecture, "Analytic solution for acute angles"): takes the planes of the triangles whose interior
+// is overlapped, moves each outwards by the ellipsoid's extent along its normal plus the skin, and puts the
+// player at the nearest point outside all of them. Iterative: moves the player out of the deepest plane,
+// again and again. Edges and corners are not planes; both leave them one by one at the end.
 //
 // With the centre as origin the line of two planes, C + t D, has C = (nA (dA - dB k) + nB (dB - dA k)) / (1 -
-// k k), and C is its point nearest to the centre already, because C is a combination of nA and nB and D is
-// perpendicular to both.
+// k k). C is its point nearest to the centre, because C is a combination of nA and nB, and D is perpendicular
+// to both.
 #include <algorithm>
 #include <cmath>
 
@@ -52,7 +52,7 @@ void add_planes(const Mover& mover, const Vec3& start, const Overlaps& found, st
     for (std::size_t i = 0; i < count; ++i) {
         if (found[i].feature == Feature::interior) candidates[interior++] = plane_of(mover, start, found[i]);
     }
-    // Deepest first, for where there are more than are kept; std::stable_sort would allocate.
+    // Deepest first, because only the first ones are stored. std::stable_sort would allocate memory.
     const auto deeper = [](const Plane& a, const Plane& b) { return a.distance > b.distance; };
     for (auto end = candidates.begin(); end != candidates.begin() + static_cast<std::ptrdiff_t>(interior);
          ++end)
@@ -85,8 +85,8 @@ std::optional<Vec3> corner(const Plane& a, const Plane& b, const Plane& c) {
         volume);
 }
 
-// The shortest way out of all planes: it ends on one of them, on the line of two, or in the point of three,
-// so the shortest of those that satisfy the rest is it. Where none does (the two sides of a slab), the
+// The shortest displacement out of all planes. It ends on one plane, on the line of two, or in the point of
+// three: the shortest of those that satisfy all planes. Where none does (the two sides of a slab), out of the
 // deepest plane alone.
 Vec3 shift_out_of(const Planes& planes) {
     std::optional<Vec3> best;
@@ -112,9 +112,9 @@ Vec3 shift_out_of(const Planes& planes) {
 
 // Out of the plane that is overlapped deepest, again and again, each from the side on which the player began.
 // Between two faces of an acute wedge the steps shrink by the square of the cosine between them, which takes
-// thousands of rounds at 5 degrees; so every fifth round the rest of such a row is added at once (Aitken's
-// extrapolation). Between three faces of an acute corner the steps are no such row: who is still inside
-// after half of the rounds is put into the point of the last three.
+// thousands of rounds at 5 degrees. So every fifth round adds the rest of the geometric series at once
+// (Aitken's extrapolation). Between three faces of an acute corner the steps are not such a series: a player
+// that is still inside after half of the rounds is put into the common point of the last three planes.
 Vec3 iterate_out_of(const Planes& planes) {
     constexpr int rounds = 200;
     constexpr int leap = 5;
@@ -153,7 +153,7 @@ Vec3 iterate_out_of(const Planes& planes) {
     return shift;
 }
 
-// What planes leave: edges, corners, and faces that were not overlapped at first.
+// Leaves what the planes do not cover: edges, corners, and faces that were not overlapped at first.
 Vec3 iterate_out(const Mover& mover, Vec3 centre, Overlaps& found, std::size_t& count) {
     constexpr int rounds = 32;
     for (int round = 0; round < rounds && count > 0; ++round) {
@@ -185,7 +185,7 @@ void push_out(Mover& mover) {
 
     Vec3 centre = mover.position;
     const bool analytic = mover.settings.push_out == PushOut::analytic;
-    // On the way out of some planes others may be met, which then count as well.
+    // Moving out of some planes may lead into others, which then count as well.
     constexpr int rounds = 4;
     Planes overlapped;
     for (int round = 0; round < rounds && count > 0; ++round) {

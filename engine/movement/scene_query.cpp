@@ -7,15 +7,15 @@ namespace slipface {
 
 namespace {
 
-// Rounding of boxes and sweeps, as a fraction of the lengths involved; far above both.
+// Above the rounding of boxes and of sweeps, as a fraction of the lengths involved.
 constexpr double box_slack = 1e-5;
 
 bool holds(const Aabb& box, const Vec3& point) {
     return (point.array() >= box.min.array()).all() && (point.array() <= box.max.array()).all();
 }
 
-// Calls visit(world, platform, triangles) for everything that a player can touch on its way from `from` by
-// `move`; what stands still is a Neighbourhood.
+// Calls visit(world, platform, triangles) for everything that a player can touch between `from` and `from` +
+// `move`. What stands still is a Neighbourhood.
 template <class Visit>
 void each_world(const Mover& mover, const Vec3& from, const Vec3& move, Visit&& visit) {
     visit(mover.near, no_id, mover.scene.triangles);
@@ -36,7 +36,7 @@ TriangleId number_in_mesh(TriangleId triangle, std::span<const TriangleId> trian
     return triangle < triangles.size() ? triangles[triangle] : triangle;
 }
 
-// The order of CollisionWorld: smallest t, then the nobler feature, then the lowest triangle.
+// The order of CollisionWorld: smallest t, then face before edge before corner, then the lowest triangle.
 bool earlier(const Contact& a, const Contact& b) {
     if (a.t != b.t) return a.t < b.t;
     if (a.feature != b.feature) return a.feature < b.feature;

@@ -1,10 +1,9 @@
-// Problem: a player who is a hair inside a floor is stopped by the edges of its triangles, which nobody sees.
-// Hack: where a triangle at the touched edge or corner rises above the contact plane, the edge is not what a
-// player outside could touch: it lies inside a flat or hollow surface. The face's normal then counts.
+// Problem: a player that is slightly inside a floor is stopped by the invisible edges of its triangles.
+// Hack: where a triangle at the touched edge or corner rises above the contact plane, a player outside could
+// not have touched that edge: it lies inside a flat or concave surface. Then the face's normal counts.
 //
-// A player who is outside never needs it: the plane that touches the ellipsoid and its first contact has all
-// triangles of a flat or hollow surface behind it. It is for those who began inside: moved walls, bad spawns,
-// geometry changed by an editor.
+// A player outside never needs it: all triangles of a flat or concave surface lie behind the plane of its
+// first contact. It helps a player that began inside: moved walls, bad spawns, geometry changed by an editor.
 #include <algorithm>
 
 #include "mover.h"

@@ -30,7 +30,7 @@ bool is_angle(const SettingInfo& info) {
     return std::string_view(info.unit) == "deg";
 }
 
-// What a value may be, for error messages.
+// The allowed values, for error messages.
 std::string allowed(const SettingInfo& info) {
     if (is_switch(info)) return "on or off";
     if (const auto names = choice_names(info); !names.empty()) {
@@ -130,7 +130,7 @@ std::span<const char* const> choice_names(const SettingInfo& info) {
 
 namespace {
 
-// The table's numbers alone, to be asked at every step.
+// The numbers of the table alone, for a fast check in every step.
 struct Numbers {
     std::array<double MovementSettings::*, 64> list{};
     std::size_t count = 0;
@@ -204,7 +204,7 @@ Status set_setting(MovementSettings& settings, std::string_view assignment) {
     const std::optional<double> value = parse_value(*info, text);
     if (!value)
         return Error{info->name, fmt::format("found '{}', expected {}", excerpt(text), allowed(*info))};
-    // Told as it was written, degrees and all.
+    // Reports the value as the user wrote it, in degrees for example.
     if (!set_setting(settings, *info, *value))
         return Error{info->name, fmt::format("found {}, expected {}", excerpt(text), allowed(*info))};
     return {};

@@ -1,9 +1,9 @@
-// Keeps `skin` metres between the player and what it touched.
+// Preserves a distance of `skin` metres between the player and what it touched.
 //
-// The lecture pushes the player off along the normal after every contact and warns that the push may lead
-// into another face. Stopping short on the way in gives the same distance and cannot: the centre stays on a
-// path that was swept. Only a player who already starts closer than the skin is pushed, and only as far as a
-// sweep of the push allows.
+// The lecture pushes the player away along the normal after every contact, and warns that the push may lead
+// into another face. Stopping the sweep early gives the same distance without that danger: the centre stays
+// on a path that was swept. Only a player that is already closer than the skin is pushed, and only as far as
+// a sweep of the push is free.
 #include <algorithm>
 
 #include "mover.h"
@@ -12,17 +12,17 @@ namespace slipface {
 
 namespace {
 
-// How much further than the move is looked, in skins, so that a move does not end inside the skin of what it
-// would have touched next. Covers vertical moves onto slopes up to 75 degrees.
+// How much longer than the move the sweep is, in skins, so that a move does not end inside the skin of the
+// next surface. Covers vertical moves onto slopes up to 75 degrees.
 constexpr double look_ahead = 4.0;
 
-// A skin this fraction short of the full one is not worth a push; rounding is far below it.
+// A skin that is smaller by this fraction is not worth a push. Rounding is far below it.
 constexpr double tolerated = 1e-3;
 
 Vec3 push_off(Mover& mover, const Vec3& from, const Vec3& push, FaceId face) {
     const std::optional<SceneContact> found = sweep_scene(mover, from, push);
     const std::optional<Contact> blocked = found ? std::optional(found->contact) : std::nullopt;
-    // Between two faces closer than two skins the middle is the best place there is.
+    // Between two faces that are closer than two skins the middle is the best position.
     Vec3 reached = from + push * (blocked ? 0.5 * blocked->t : 1.0);
     if (mover.trace != nullptr) {
         mover.trace->add(SweepRecord{

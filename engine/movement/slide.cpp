@@ -1,5 +1,5 @@
-// Collide and slide (lecture, "Sliding for player movement"): sweep, move to the contact, turn what is left,
-// repeat. Only the remainder is turned, never the original displacement, which would speed the player up.
+// Collide and slide (lecture, "Sliding for player movement"): sweep, move to the contact, deflect the
+// remainder, repeat. Deflecting the original displacement instead of the remainder would speed the player up.
 #include <algorithm>
 
 #include "mover.h"

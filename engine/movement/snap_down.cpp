@@ -1,6 +1,6 @@
-// Problem: at the edge of every step on the way down, and over every crest, the player flies for some ticks
-// and cannot jump. Hack: a player who was on the ground and did not jump is put onto the ground below, if it
-// is near. A long tick may cross several steps: each of them may be as deep as the snap reaches.
+// Problem: at the edge of every downward step, and over every crest, the player flies for some ticks and
+// cannot jump. Hack: a player that was on the ground and did not jump is put onto the ground below, if it is
+// near. A long tick may cross several steps; each of them may be as deep as the snap distance.
 #include "mover.h"
 
 namespace slipface {

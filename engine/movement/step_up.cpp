@@ -2,8 +2,8 @@
 // Hack (lecture, "Case study: MDK2"): lift the player, move, and drop by the same amount, unless something is
 // there.
 //
-// When blocked: tried only where a wall stopped the plain move, and kept only where it led further: along a
-// wall both lead as far, so no player gains speed there. Every move: the lecture's own form.
+// When blocked: tried only where a wall stopped the plain move, and used only where it leads further. Along a
+// wall both lead equally far, so the player gains no speed there. Every move: the lecture's own form.
 #include <algorithm>
 
 #include "mover.h"
@@ -42,8 +42,8 @@ std::optional<Refusal> lift_move_drop(Mover& mover, const Motion& before, const 
                  .on_ice = true});
 }
 
-// What a slow or slanting move lacks to get two skins into the walls that stopped it. Less ends within the
-// skin that the plain move kept, drops back beside the rim, and does so again in every tick.
+// The displacement that a slow or oblique move lacks to get two skins into the walls that stopped it. A
+// shorter one ends within the skin of the plain move and drops back beside the rim, in every tick again.
 Vec3 push_into_walls(const Motion& plain, const Vec3& flat, double depth) {
     Vec3 push = Vec3::Zero();
     for (int i = 0; i < plain.wall_count; ++i) {

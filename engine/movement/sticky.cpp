@@ -1,5 +1,5 @@
-// Sticky surfaces hold whoever touches them, on walls and ceilings too, until a jump, which leaves along the
-// normal.
+// Sticky surfaces, also walls and ceilings, hold a player that touches them until a jump, which leaves along
+// the normal.
 #include "mover.h"
 
 namespace slipface {

@@ -1,9 +1,8 @@
-// Problem: terrain given as heights has no triangles to collide with, and is fallen through.
+// Problem: terrain given as heights has no triangles to collide with; the player falls through it.
 // Hack (lecture, "Easy collision response against a heightfield"): y = max(y, terrain(x, z)) for the feet.
 //
-// Ground that is lifted onto is stood on like any other, and slides where it is steeper than max_slope. The
-// lift is swept: under a bridge that the terrain nearly touches there may be no room, and then the step is
-// refused.
+// The player stands on terrain as on any ground, and slides where it is steeper than max_slope. The lift is
+// swept: under a bridge close above the terrain there may be no room, and then the step is refused.
 #include "mover.h"
 
 namespace slipface {
@@ -33,7 +32,7 @@ bool clamp_to_terrain(Mover& mover, const Vec3& from) {
         mover.support_rise = 0.0;
         decide(mover, outcome, {.value = missing});
     };
-    // On the way down a slope the terrain falls away under the feet; what snaps to floors snaps to it.
+    // Going down a slope the terrain falls away under the feet; snap to floor applies to it, too.
     const double near =
         mover.settings.snap_down && mover.was_grounded && !mover.jumped ? mover.settings.snap_distance : 0.0;
     if (missing < -near || (missing < 0.0 && (mover.grounded || !walkable))) {
@@ -41,7 +40,7 @@ bool clamp_to_terrain(Mover& mover, const Vec3& from) {
         return true;
     }
     if (missing != 0.0) {
-        // Steep terrain is a wall to whoever walks into it.
+        // Steep terrain is a wall to a player that walks into it.
         const bool uphill =
             from.y() < least && !walkable && (mover.position - from).dot(ground->normal) < 0.0;
         if (uphill) {

@@ -133,7 +133,8 @@ enum class DecisionUnit : std::uint8_t {
     speed,  // m/s
     seconds,
     percent,  // as a fraction, 0..1
-    slope,    // N.y, the cosine of a slope; told in degrees from the level, 90 is a wall, more an overhang
+    slope,    // N.y, the cosine of a slope; shown in degrees from the horizontal, 90 is a wall, more an
+              // overhang
     angle,    // the cosine of an angle
     lift,     // the sine of an angle between a direction and a plane
 };

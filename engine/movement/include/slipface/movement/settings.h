@@ -1,4 +1,4 @@
-// Everything about a player's movement that a designer may turn.
+// Everything about a player's movement that a designer can change.
 #pragma once
 
 #include <array>
@@ -22,57 +22,58 @@ inline constexpr std::array<const char*, 2> step_form_names{"when_blocked", "eve
 
 // The defaults are what players of 3D platformers expect: the preset "platformer".
 struct MovementSettings {
-    Vec3 radii{0.4, 0.9, 0.4};
+    Vec3 radii{0.4, 0.9, 0.4};  // m, of the ellipsoid along X, Y and Z
 
-    double gravity = 20.0;
-    double walk_speed = 6.0;
-    double ground_acceleration = 60.0;
-    double slippery_acceleration = 3.0;  // on surfaces that keep energy
-    double air_acceleration = 20.0;
-    double terminal_speed = 50.0;
-    double jump_speed = 8.0;
+    double gravity = 20.0;               // m/s2, downwards
+    double walk_speed = 6.0;             // m/s
+    double ground_acceleration = 60.0;   // m/s2
+    double slippery_acceleration = 3.0;  // m/s2, on surfaces that keep energy
+    double air_acceleration = 20.0;      // m/s2
+    double terminal_speed = 50.0;        // m/s, of a fall
+    double jump_speed = 8.0;             // m/s, upwards
 
-    double skin = 0.002;
-    int max_slides = 3;
-    double max_slope = 0.8726646259971648;  // 50 degrees
+    double skin = 0.002;                    // m, the distance that is kept from what was touched
+    int max_slides = 3;                     // sweeps per move
+    double max_slope = 0.8726646259971648;  // radians (50 degrees): the steepest ground to stand on
 
     bool static_friction = true;
     bool ground_velocity = true;
-    double ground_speed = 1.0;  // the small downward speed while grounded
+    double ground_speed = 1.0;  // m/s, the small downward speed while grounded
     bool straight_ahead = true;
-    bool constant_slope_speed = false;  // walk_speed is the speed along the slope, not across the map
+    bool constant_slope_speed = false;  // walk_speed counts along the slope, not horizontally
     bool keep_energy = true;
-    double keep_energy_limit = -0.5;  // N.V / |V| must be above this
+    double keep_energy_limit = -0.5;  // a cosine: N.V / |V| must be above it
     bool surface_types = true;        // ladders, sticky, bouncy, conveyors act at all
     bool bounce = true;
     bool stick = true;
     PushOut push_out = PushOut::analytic;
     bool nudge = false;
-    double nudge_distance = 0.1;
+    double nudge_distance = 0.1;  // m
     bool step_up = true;
     StepForm step_form = StepForm::when_blocked;
-    double step_height = 0.4;
+    double step_height = 0.4;  // m
     bool snap_down = true;
-    double snap_distance = 0.4;
+    double snap_distance = 0.4;  // m
     bool seam_filter = true;
     bool heightfield = true;
     bool platforms = true;
     bool sectors = true;
     bool coyote = true;
-    double coyote_time = 0.1;
+    double coyote_time = 0.1;  // s
     bool jump_buffer = true;
-    double jump_buffer_time = 0.1;
+    double jump_buffer_time = 0.1;  // s
     bool variable_jump = false;
-    double jump_cut = 0.4;  // fraction of the upward speed kept when the button is let go
+    double jump_cut = 0.4;  // fraction of the upward speed that remains when the button is released
     bool air_control = true;
-    double sub_step = 0.0;  // longest part of a step that is moved at once, s; 0: the whole step
+    double sub_step = 0.0;  // s, the longest part of a step that is moved at once; 0: the whole step
 
     friend bool operator==(const MovementSettings&, const MovementSettings&) = default;
 };
 
-// What files, tapes and presets mean by a setting that they do not name: the hacks of the lecture without
-// push-out, whatever the defaults above become. A setting that is added later has here the value that changes
-// nothing for them. Demos and tests that show one hack alone begin with it.
+// The values of settings that a file, tape or preset does not name: the hacks of the lecture without
+// push-out. They stay as they are when the defaults above change. A setting that is added later has here the
+// value that changes nothing for old files. Demos and tests that show one hack alone begin with these
+// settings.
 MovementSettings basic_settings();
 
 // A member that is an enum whose values are 0, 1, ... in the order of `names`.
@@ -88,8 +89,8 @@ constexpr ChoiceMember choice(std::span<const char* const> names) {
             [](MovementSettings& s, int value) { s.*Member = static_cast<Enum>(value); }};
 }
 
-// One row a setting. The editor's widgets and tooltips, --set, the level and tape files and docs/settings.md
-// are made from it.
+// One row per setting. The editor's widgets and tooltips, --set, the level and tape files and
+// docs/settings.md are made from it.
 struct SettingInfo {
     const char* name;         // "max_slope", as in --set, files and scripts
     const char* label;        // "Maximum slope"
@@ -103,8 +104,9 @@ struct SettingInfo {
     std::variant<bool MovementSettings::*, int MovementSettings::*, double MovementSettings::*, ChoiceMember,
                  Vec3 MovementSettings::*>
         member;
-    int axis = -1;          // for a Vec3 member: which component this row is
-    double smallest = 0.0;  // besides 0, which switches it off, nothing below this is allowed; 0: no such gap
+    int axis = -1;  // for a Vec3 member: which component this row is
+    double smallest =
+        0.0;  // values between 0 and this are refused, while 0 itself switches it off; 0: none is
 };
 
 std::span<const SettingInfo> settings_table();
@@ -112,7 +114,7 @@ const SettingInfo* find_setting(std::string_view name);
 // The names to choose from; empty for a setting that is no choice.
 std::span<const char* const> choice_names(const SettingInfo& info);
 
-// Whether all numbers are.
+// Whether all numbers are finite.
 bool is_finite(const MovementSettings& settings);
 
 // A setting as a number: switches 0 or 1, choices their index.

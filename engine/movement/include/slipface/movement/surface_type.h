@@ -13,7 +13,7 @@
 
 namespace slipface {
 
-// How the overlay draws a type, so that it is told apart without colour.
+// How the overlay draws a type, so that types are distinguished without colour.
 enum class Hatch : std::uint8_t { none, diagonal, cross, dots, horizontal, vertical, checker, rings };
 inline constexpr std::array<const char*, 8> hatch_names{"none",       "diagonal", "cross",   "dots",
                                                         "horizontal", "vertical", "checker", "rings"};
@@ -31,7 +31,7 @@ struct SurfaceType {
     bool keeps_energy = false;  // slides without loss: ice, half-pipes
     bool climbable = false;
     double climb_speed = 3.0;         // m/s along the ladder's plane
-    bool sticky = false;              // holds whoever touches it until a jump
+    bool sticky = false;              // holds a player that touches it until a jump
     Vec3 velocity = Vec3::Zero();     // m/s, world space: what stands on it is carried (conveyor)
     double angular_velocity = 0.0;    // rad/s about +Y through `spin_centre` (turntable)
     Vec3 spin_centre = Vec3::Zero();  // metres, world space
@@ -52,7 +52,7 @@ std::vector<SurfaceType> preset_surface_types();
 // What collision needs to know of the types.
 void apply_surface_rules(CollisionWorld& world, SurfaceTable surfaces);
 
-// One row a parameter: feeds the palette editor, its tooltips, the level file and the docs.
+// One row per parameter: feeds the palette editor, its tooltips, the level file and the docs.
 struct SurfaceField {
     const char* name;  // as in the level file
     const char* label;

@@ -1,5 +1,5 @@
-// The story of a step, as plain records in the order in which things happened. Every panel, plot and picture
-// that explains movement reads these and nothing else.
+// The trace of a step: plain records in the order in which things happened. Every panel, plot and image that
+// explains movement reads these and nothing else.
 #pragma once
 
 #include <optional>
@@ -13,19 +13,18 @@ namespace slipface {
 
 // Why a sweep was made.
 enum class Pass : std::uint8_t { slide, horizontal, vertical, probe, step, snap };
-// How a contact turned the remainder.
+// How a contact deflected the remainder.
 enum class Rule : std::uint8_t { slide, bounce, straight_ahead, keep_energy, stick, crease, stop };
 
 const char* pass_name(Pass pass);
 const char* rule_name(Rule rule);
 
-// One sweep. The centre reached is `from + (contact ? contact->t : 1) * move`, then `reached` after the skin
-// is kept.
+// One sweep. It reached `from + (contact ? contact->t : 1) * move`; with the skin the centre is at `reached`.
 struct SweepRecord {
     Pass pass = Pass::slide;
     int iteration = 0;  // 0.. within its pass
     Vec3 from = Vec3::Zero();
-    Vec3 move = Vec3::Zero();     // displacement asked for
+    Vec3 move = Vec3::Zero();     // displacement, m
     Vec3 reached = Vec3::Zero();  // centre after this sweep, skin included
     std::optional<Contact> contact = std::nullopt;
     bool back = false;               // the contact is with the back of its triangle
@@ -44,8 +43,7 @@ struct ResponseRecord {
     FaceId face = no_id;
 };
 
-// A hack or rule that was considered: what it made of the numbers, as a plain record. decision_info() has the
-// sentence.
+// A hack or rule that was considered, and what it decided. decision_info() has the sentence.
 struct DecisionRecord {
     Decision kind{};
     double value = 0.0;  // in decision_info(kind).unit; 0 where the sentence has no value
@@ -69,7 +67,7 @@ class TraceSink {
     virtual void add(const TraceRecord& record) = 0;
 };
 
-// Keeps the records of one or more steps.
+// Stores the records of one or more steps.
 class TraceRecorder final : public TraceSink {
   public:
     void add(const TraceRecord& record) override;
