@@ -123,13 +123,13 @@ int edit_headless(const EditArguments& arguments) {
 
 void add_edit_verb(CLI::App& app, int& exit_code) {
     auto arguments = std::make_shared<EditArguments>();
-    CLI::App* const verb = app.add_subcommand("edit", "Open the editor, or drive it off-screen by a script");
+    CLI::App* const verb = app.add_subcommand("edit", "Open the editor, or run it off-screen with a script");
     verb->add_option("level", arguments->level, cli::level_help());
     verb->add_flag("--headless", arguments->headless, "Draw off-screen, without a window");
     verb->add_option("--script", arguments->script, "Script to run (docs/scripting.md); implies --headless");
     verb->add_option("--screenshot", arguments->screenshot, "PNG to write at the end; implies --headless");
     verb->add_option("--state", arguments->state,
-                     "Folder for autosaves of an off-screen run; without it none are made")
+                     "Folder for autosaves of an off-screen run; default: no autosaves")
         ->type_name("DIR");
     verb->add_option("--size", arguments->size, "Size of the off-screen window, WxH")->capture_default_str();
     verb->add_option("--scale", arguments->scale, "Pixels per design pixel; the screen's own by default")
@@ -186,10 +186,10 @@ void add_samples_verb(CLI::App& app, int& exit_code) {
         for (const fs::path& level : levels)
             fmt::print("{}\n", level.string());
         if (levels.empty())
-            exit_code = complain({"samples",
-                                  "found no share/slipface/levels beside the program's bin folder, and "
-                                  "no source tree around it"},
-                                 cli::exit_bad_input);
+            exit_code = complain(
+                {"samples",
+                 "found neither share/slipface/levels next to the program's bin folder nor a source tree"},
+                cli::exit_bad_input);
     });
 }
 
@@ -197,8 +197,8 @@ int run(int argument_count, char** arguments) {
     CLI::App app("Slipface: level editor and movement lab for 3D platformers", "slipface");
     app.set_version_flag("--version", std::string("slipface ") + SLIPFACE_VERSION);
     app.footer(
-        "Exit codes: 0 fine, 1 a check failed, 2 bad input, 64 bad usage.\n"
-        "A level named like a verb is opened as ./NAME.");
+        "Exit codes: 0 fine, 1 a check failed, 2 bad input, 64 bad usage.\nTo open a level with the name of "
+        "a verb, write ./NAME.");
     std::string level;
     app.add_option("level", level, cli::level_help());
     int exit_code = cli::exit_fine;

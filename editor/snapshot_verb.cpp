@@ -28,7 +28,7 @@ void choose_gl(const Shared& arguments) {
 }
 
 void add_gl(CLI::App& verb, const Shared& arguments) {
-    verb.add_option("--gl", arguments->work.suite.gl, "Which library draws: auto, osmesa or egl")
+    verb.add_option("--gl", arguments->work.suite.gl, "OpenGL library: auto, osmesa or egl")
         ->capture_default_str()
         ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
 }
@@ -44,9 +44,9 @@ void add_suite(CLI::App& verb, const Shared& arguments) {
 
 void add_levels(CLI::App& verb, const Shared& arguments, const char* name) {
     SuiteArguments& suite = arguments->work.suite;
-    verb.add_option(name, suite.levels, "Levels to take pictures of, instead of the suites");
+    verb.add_option(name, suite.levels, "Levels to render, instead of the suites");
     verb.add_option("--cameras", suite.cameras, "For levels: cameras, as in a suite");
-    verb.add_option("--size", suite.size, "For levels: size of the pictures")->capture_default_str();
+    verb.add_option("--size", suite.size, "For levels: size of the images")->capture_default_str();
     verb.add_option("--style", suite.style, "For levels: style, as in a suite")->capture_default_str();
     verb.add_option("--tape", suite.tape, "For levels: a tape to draw");
 }
@@ -54,13 +54,13 @@ void add_levels(CLI::App& verb, const Shared& arguments, const char* name) {
 // The options that choose among them and divide the work.
 void add_choice(CLI::App& verb, const Shared& arguments) {
     verb.add_option("--only", arguments->only, "Names, with * and ?");
-    verb.add_option("--out", arguments->work.out, "Folder for pictures and reports")->capture_default_str();
+    verb.add_option("--out", arguments->work.out, "Folder for images and reports")->capture_default_str();
     verb.add_option("--jobs", arguments->work.jobs, "Processes at a time")
         ->capture_default_str()
         ->check(CLI::Range(1, 256));
     verb.add_option("--shard", arguments->shard, "Only a part: 2/4 is the second of four");
-    verb.add_flag("--quiet", arguments->quiet, "Only what is not the same");
-    verb.add_flag("--timing", arguments->timing, "Say how much of the time was rasterising");
+    verb.add_flag("--quiet", arguments->quiet, "Only what differs");
+    verb.add_flag("--timing", arguments->timing, "Report how much of the time was rasterising");
 }
 
 Shared new_arguments(WorkKind kind) {
@@ -88,10 +88,10 @@ void add_check_verbs(CLI::App& group, int& exit_code) {
     compare->actual = "out/rendered";
     compare->detailed = true;
     CLI::App* const compare_verb =
-        group.add_subcommand("compare", "Compare pictures that `render` made before with the goldens");
+        group.add_subcommand("compare", "Compare images from an earlier `render` with the goldens");
     add_suite(*compare_verb, compare);
     add_choice(*compare_verb, compare);
-    compare_verb->add_option("--actual", compare->actual, "Folder of the pictures")->capture_default_str();
+    compare_verb->add_option("--actual", compare->actual, "Folder of the images")->capture_default_str();
     compare_verb->callback([compare, &exit_code] {
         choose_gl(compare);
         exit_code = snapshot_compare(*compare);
@@ -101,12 +101,12 @@ void add_check_verbs(CLI::App& group, int& exit_code) {
 void add_render_verb(CLI::App& group, int& exit_code) {
     const Shared render = new_arguments(WorkKind::render);
     render->work.out = "out/rendered";
-    CLI::App* const verb = group.add_subcommand("render", "Take pictures, of the suites or of levels");
+    CLI::App* const verb = group.add_subcommand("render", "Render images of the suites or of levels");
     add_suite(*verb, render);
     add_levels(*verb, render, "level");
     add_choice(*verb, render);
     verb->add_flag("--sheet", render->sheet,
-                   "Contact sheets besides: many pictures with their names on a few");
+                   "Also write contact sheets: many images with their names on a few pages");
     verb->callback([render, &exit_code] {
         choose_gl(render);
         exit_code = snapshot_render(*render);
@@ -115,21 +115,21 @@ void add_render_verb(CLI::App& group, int& exit_code) {
 
 void add_approve_verb(CLI::App& group, int& exit_code) {
     const Shared approve = new_arguments(WorkKind::approve);
-    CLI::App* const verb = group.add_subcommand("approve", "Make what differs or is missing the golden");
+    CLI::App* const verb = group.add_subcommand(
+        "approve", "Approve: make the new image the golden where it differs or is missing");
     add_suite(*verb, approve);
     verb->add_option("name", approve->only, "Names, with * and ?; none: all");
-    verb->add_option("--from", approve->from,
-                     "A report.json: approve what that check saw, without rendering");
+    verb->add_option("--from", approve->from, "A report.json: approve that check's images without rendering");
     verb->add_option("--jobs", approve->work.jobs, "Processes at a time")
         ->capture_default_str()
         ->check(CLI::Range(1, 256));
-    verb->add_option("--reason", approve->reason, "Said again at the end, for the commit");
+    verb->add_option("--reason", approve->reason, "Reason, printed at the end for the commit message");
     verb->add_flag("--force", approve->work.force, "Rewrite what passes, too");
-    verb->add_flag("--quick", approve->work.quick, "Pack pictures fast instead of small");
+    verb->add_flag("--quick", approve->work.quick, "Compress images fast instead of small");
     verb->add_flag("--prune", approve->prune, "Remove goldens that no snapshot makes");
     verb->add_flag("--any-renderer", approve->work.any_renderer,
                    "Also from a renderer other than Mesa's software one");
-    verb->add_flag("--in-ci", approve->in_ci, "Also where a CI runs");
+    verb->add_flag("--in-ci", approve->in_ci, "Also inside a CI");
     verb->callback([approve, &exit_code] {
         choose_gl(approve);
         exit_code = snapshot_approve(*approve);
@@ -139,7 +139,8 @@ void add_approve_verb(CLI::App& group, int& exit_code) {
 void add_report_verbs(CLI::App& group, int& exit_code) {
     const Shared review = new_arguments(WorkKind::check);
     review->from = "out/snapshots/report.json";
-    CLI::App* const review_verb = group.add_subcommand("review", "Look at what a check found, in the editor");
+    CLI::App* const review_verb =
+        group.add_subcommand("review", "Review the findings of a check in the editor");
     review_verb->add_option("report", review->from, "The check's report.json")->capture_default_str();
     review_verb->callback([review, &exit_code] { exit_code = snapshot_review(review->from); });
 
@@ -154,7 +155,7 @@ void add_report_verbs(CLI::App& group, int& exit_code) {
 
     const Shared merge = new_arguments(WorkKind::check);
     const auto reports = std::make_shared<std::vector<std::string>>();
-    CLI::App* const merge_verb = group.add_subcommand("merge", "Put the reports of shards together");
+    CLI::App* const merge_verb = group.add_subcommand("merge", "Merge the reports of shards");
     merge_verb->add_option("report", *reports, "report.json of each shard")->required();
     merge_verb->add_option("--out", merge->work.out, "Folder of the merged report")->capture_default_str();
     merge_verb->add_flag("--detailed-exit", merge->detailed, "As for check");
@@ -167,7 +168,7 @@ void add_diff_verb(CLI::App& group, int& exit_code) {
         bool json = false;
     };
     const auto files = std::make_shared<Files>();
-    CLI::App* const verb = group.add_subcommand("diff", "Put two pictures through the gate");
+    CLI::App* const verb = group.add_subcommand("diff", "Compare two images with the gate");
     verb->add_option("expected", files->expected, "PNG")->required();
     verb->add_option("actual", files->actual, "PNG")->required();
     verb->add_option("--profile", files->profile, "scene or ui")
@@ -185,8 +186,8 @@ void add_doctor_verb(CLI::App& group, int& exit_code) {
     const auto part = std::make_shared<std::string>();
     const auto images = std::make_shared<std::vector<std::string>>();
     CLI::App* const verb =
-        group.add_subcommand("doctor", "Say whether pictures can be trusted on this machine");
-    verb->add_option("picture", *images, "Pictures to put through the gate's self-test, too");
+        group.add_subcommand("doctor", "Test whether images can be trusted on this machine");
+    verb->add_option("picture", *images, "More images for the gate's self-test");
     verb->add_option("--part", *part)->group("");
     verb->add_option("--gl", arguments->work.suite.gl)->group("");
     verb->callback([arguments, part, images, &exit_code] {
@@ -221,7 +222,7 @@ void add_worker_verb(CLI::App& group, int& exit_code) {
 
 void add_snapshot_verb(CLI::App& app, int& exit_code) {
     CLI::App* const group =
-        app.add_subcommand("snapshot", "Compare pictures of scenes and of the editor with the approved ones");
+        app.add_subcommand("snapshot", "Compare images of scenes and of the editor with the approved ones");
     group->require_subcommand(1);
     add_check_verbs(*group, exit_code);
     add_render_verb(*group, exit_code);

@@ -86,7 +86,7 @@ void unsaved_dialog(Parts& parts) {
     const UnsavedDialog question = *editor.unsaved;
     const bool quitting = question.then == UnsavedDialog::Then::quit;
     dialog_title("\uf0c7", ui::palette().accent, "Save the changes?");
-    wrapped(document_name(editor) + " has changes that are not in its file. " +
+    wrapped(document_name(editor) + " has unsaved changes. " +
             (quitting ? "Quitting" : "Opening another level") + " without saving loses them.");
     const float width = 120 * scale;
     align_buttons(3, width);

@@ -237,7 +237,7 @@ bool filter_row(Parts& parts) {
         }
     }
     ImGui::SameLine();
-    if (ui::checkbox("Hidden files", &browser.hidden, "List names that begin with a dot, too"))
+    if (ui::checkbox("Hidden files", &browser.hidden, "Show hidden files (names that begin with a dot)"))
         list_again(browser);
     return entered;
 }
@@ -376,7 +376,7 @@ void choose(Parts& parts, const fs::path& path, bool may_overwrite) {
     const FileKind& kind = file_kind(browser.shown);
     if (!kind.saves) {
         if (!fs::exists(path, error)) {
-            browser.problem = (error ? "Cannot look at it (" + error.message() + "): " : "No such file: ") +
+            browser.problem = (error ? "Cannot be examined (" + error.message() + "): " : "No such file: ") +
                               printable(path.filename().string());
             return;
         }
@@ -412,7 +412,7 @@ void file_browser(Parts& parts) {
 
     keyboard(parts);
     browser.edited = FileBrowser::Box::none;
-    if (ui::button("\uf062###Up", "To the folder above (Backspace)"))
+    if (ui::button("\uf062###Up", "Parent folder (Backspace)"))
         show_folder(parts, browser.folder.parent_path());
     ImGui::SameLine();
     const bool path_entered = path_box(parts);

@@ -23,8 +23,7 @@ struct Step {
 };
 constexpr std::array<Step, 7> steps{{
     {"", "Welcome to Slipface",
-     "Paint what surfaces do, walk the level, and see why every step went where it went. This takes a "
-     "minute; Esc "
+     "Paint surface types, walk the level, and see why the player moved as it did. This takes a minute; Esc "
      "ends it, and Help > Tour brings it back.",
      ""},
     {"Toolbar/Paint", "Paint",
@@ -37,19 +36,15 @@ constexpr std::array<Step, 7> steps{{
      "changed, and you can add your own.",
      "brush.type_1"},
     {"Tabs/Movement", "Movement",
-     "Every trick that the player's movement uses is a switch here. Switch one off while you walk and feel "
-     "what it "
-     "was good for.",
-     ""},
+     "Every movement hack has a switch here. Switch one off while you walk and feel the difference.", ""},
     {"Toolbar/Probe", "Probe",
-     "Place the player's ellipsoid and drag it through the geometry: each contact and what it did to the "
-     "move is "
-     "drawn and listed.",
+     "Place the player's ellipsoid and drag it through the geometry. Each contact and its response are drawn "
+     "and listed.",
      "tools.probe"},
     {"Toolbar/Play", "Play", "Walk and jump the level from the spawn point. Esc comes back to editing.",
      "playtest.start"},
     {"Menu/Help", "Everything else",
-     "All commands stand in the menus with their keys. Help shows what works where you are.", "help.overlay"},
+     "All commands and their keys are in the menus. Help shows what you can do right now.", "help.overlay"},
 }};
 
 constexpr ImGuiWindowFlags card_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
@@ -270,7 +265,7 @@ void help_overlay(Editor& editor) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         const std::vector<Hint> now = hints_of(viewport_hint(editor));
-        if (!now.empty()) hint_rows("The mouse, now", now);
+        if (!now.empty()) hint_rows("Mouse", now);
         hint_rows("Camera",
                   {{"Wheel", "Zoom to the point"}, {"Shift+MMB", "Pan"}, {"RMB+Wheel", "Speed of flying"}});
         hint_rows("Playtest", commands_of(editor, "Playtest", 4));

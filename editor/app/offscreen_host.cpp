@@ -10,7 +10,7 @@ namespace slipface {
 
 Result<std::unique_ptr<OffscreenHost>> OffscreenHost::make(const OffscreenOptions& options) {
     if (options.width < 64 || options.height < 64 || options.width > 8192 || options.height > 8192)
-        return Error{"picture", "the size must be 64..8192 pixels each way"};
+        return Error{"picture", "width and height must be 64 to 8192 pixels"};
     if (!(options.scale >= 0.5f && options.scale <= 4.0f))
         return Error{"picture", "the scale must be 0.5..4"};
     Result<std::unique_ptr<OffscreenContext>> context = make_offscreen_context();
@@ -62,7 +62,7 @@ Status OffscreenHost::autosave() {
     want_state_folder();
     Session& session = editor().session;
     if (!editor().document) return Error{"", "nothing is open"};
-    if (!session.autosave.active()) return Error{state_.string(), "cannot hold autosaves"};
+    if (!session.autosave.active()) return Error{state_.string(), "is no folder for autosaves"};
     const std::size_t before = session.autosave.written();
     session.autosave.tick(*editor().document, clock_s_);
     clock_s_ += 3600.0;

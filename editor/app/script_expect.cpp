@@ -95,7 +95,7 @@ void expect_parts(ScriptContext& c, const Words& w) {
 }
 void expect_repeats(ScriptContext& c, const Words& w) {
     const std::optional<bool> repeats = c.editor().lab.repeats();
-    if (!repeats) return c.fail("the tape does not say how it ends, or its run is not complete");
+    if (!repeats) return c.fail("the tape has no final hash, or its run is not complete");
     expect_state(c, "repeats", *repeats, w[2]);
 }
 void expect_story(ScriptContext& c, const Words& w) {
@@ -170,25 +170,26 @@ constexpr Expectation expectations[] = {
     {"message", "\"pattern\"", "The open message, \"title: text\", matches; \"\" if none is open", 3,
      expect_message},
     {"title", "\"pattern\"", "The window's title matches", 3, expect_title},
-    {"widget", "\"Path\"", "There is such a widget", 3, expect_widget},
-    {"no_widget", "\"Path\"", "There is no such widget", 3, expect_no_widget},
-    {"enabled", "\"Path\" yes|no", "It can be used", 4, expect_enabled},
-    {"checked", "\"Path\" yes|no", "It is switched on", 4, expect_checked},
+    {"widget", "\"Path\"", "The widget exists", 3, expect_widget},
+    {"no_widget", "\"Path\"", "The widget does not exist", 3, expect_no_widget},
+    {"enabled", "\"Path\" yes|no", "The widget is enabled", 4, expect_enabled},
+    {"checked", "\"Path\" yes|no", "The widget is checked", 4, expect_checked},
     {"dirty", "yes|no", "The document differs from its file", 3, expect_dirty},
     {"playing", "yes|no", "The playtest is running", 3, expect_playing},
-    {"grounded", "yes|no", "The player stands on something", 3, expect_grounded},
-    {"tape", "n", "The lab's tape has so many ticks", 3, expect_tape},
+    {"grounded", "yes|no", "The player is grounded", 3, expect_grounded},
+    {"tape", "n", "The lab's tape has n ticks", 3, expect_tape},
     {"tick", "n", "The lab's cursor is at this tick", 3, expect_tick},
-    {"ghosts", "n", "The lab runs the tape in so many ways", 3, expect_ghosts},
+    {"ghosts", "n", "The lab has n runs of the tape", 3, expect_ghosts},
     {"parts", "RUN yes|no",
-     "The lab's run of that number (1: as the settings are now) parts from the recorded", 4, expect_parts},
-    {"repeats", "yes|no", "The lab's tape ends as it says", 3, expect_repeats},
+     "The lab's run of that number (1: present settings) diverges from the recorded run", 4, expect_parts},
+    {"repeats", "yes|no", "The run ends with the tape's hash", 3, expect_repeats},
     {"story", "\"pattern\"", "The story of the lab's tick matches", 3, expect_story},
     {"surface", "FACE NAME", "The face has this type", 4, expect_surface},
-    {"count", "NAME n", "So many faces have this type", 4, expect_count},
+    {"count", "NAME n", "n faces have this type (likewise: selected, hidden, cameras, views, steps)", 4,
+     expect_count},
     {"selected", "n", "So many faces are selected", 3, expect_selected},
     {"hidden", "n", "So many faces are hidden", 3, expect_hidden},
-    {"saved", "n", "So many selections are kept", 3, expect_saved},
+    {"saved", "n", "n selections are saved", 3, expect_saved},
     {"cameras", "n", "The level has so many cameras", 3, expect_cameras},
     {"panes", "n", "So many views are shown", 3, expect_panes},
     {"view", "NAME", "The view is Perspective, Orthographic, Top, Bottom, Front, Back, Right or Left", 3,

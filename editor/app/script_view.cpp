@@ -130,7 +130,7 @@ std::optional<ImVec2> view_point(ScriptContext& context, const Words& words, std
                                    {static_cast<double>(view.size.x), static_cast<double>(view.size.y)});
         const ImVec2 at{static_cast<float>(pixel.x()), static_cast<float>(pixel.y())};
         if (pixel.z() <= 0.0 || at.x < 0 || at.y < 0 || at.x >= view.size.x || at.y >= view.size.y) {
-            context.fail("the point " + words[next - 1] + " is not in the picture");
+            context.fail("the point " + words[next - 1] + " is outside the view");
             return std::nullopt;
         }
         return ImVec2{view.min.x + at.x, view.min.y + at.y};

@@ -115,8 +115,8 @@ void recover_dialog(Parts& parts) {
     const float scale = ui::scale();
     dialog_title(icons::life_ring, ui::palette().accent, "Unsaved changes were found");
     wrapped(
-        "Slipface ended before these were saved. Recovering opens the level with its changes as one step, "
-        "which undo takes back.");
+        "Slipface ended before these changes were saved. Recover opens the level with the changes as one "
+        "step, which can be undone.");
     ImGui::Dummy({0, 8 * scale});
     const std::vector<AutosaveInfo> rows = parts.editor.session.recoverable;
     const float height =
@@ -126,7 +126,8 @@ void recover_dialog(Parts& parts) {
         recoverable_row(parts, rows[i], i);
     ImGui::EndChild();
     align_buttons(1, 110 * scale);
-    if (ui::button("Not now", "Keep them; File > Recover autosaves lists them again", true, {110 * scale, 0}))
+    if (ui::button("Not now", "Decide later; File > Recover autosaves lists them again", true,
+                   {110 * scale, 0}))
         parts.editor.session.recoverable.clear();
 }
 

@@ -53,8 +53,8 @@ void row_menu(Editor& editor, const Command& command) {
     const ui::Scope scope(command.id);
     const std::string conflict = conflict_text(editor, command);
     if (!conflict.empty()) {
-        if (ui::icon_button("\uf00c", "Only here", ("Also on: " + conflict + ". Take it from there").c_str(),
-                            true))
+        if (ui::icon_button("\uf00c", "Only here",
+                            ("Also on: " + conflict + ". Click to remove it there").c_str(), true))
             keymap.take_from_others(command);
         ImGui::SameLine(0, 0);
     } else {
@@ -152,13 +152,15 @@ std::size_t conflicts_in(const Editor& editor) {
 
 void head(Editor& editor, std::string& filter) {
     const float scale = ui::scale();
-    if (ui::button("Reset all", "Every command gets its usual key again", true, {110 * scale, 0}))
+    if (ui::button("Reset all", "Reset all commands to their default keys", true, {110 * scale, 0}))
         editor.session.keymap.reset_all();
     ImGui::SameLine();
     ui::input_text("##Filter", &filter, "Find a command or a key");
     if (const std::size_t conflicts = conflicts_in(editor); conflicts > 0)
-        ImGui::TextColored(ui::palette().bad,
-                           "\uf071  %zu commands share a key; the check mark beside one decides", conflicts);
+        ImGui::TextColored(
+            ui::palette().bad,
+            "\uf071  %zu commands have the same key; click a check mark to keep the key only there",
+            conflicts);
 }
 
 }  // namespace

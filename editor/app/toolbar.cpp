@@ -133,16 +133,15 @@ void tool_options(Editor& editor, bool own_line) {
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 2 * scale);
         ImGui::SameLine(0, 12 * scale);
         number("Brush", &editor.select_radius, 10.0, editor.select_radius > 0.0 ? "%.2f m" : "one face",
-               "How far around the mouse connected faces are selected");
+               "Radius of the selecting brush");
     } else if (editor.tool == Tool::paint) {
         brush();
         number("Brush", &editor.brush_radius, 10.0, editor.brush_radius > 0.0 ? "%.2f m" : "one face",
-               "How far around the mouse connected faces are painted; at the left end only the face under "
-               "the mouse");
+               "Brush radius in the level; at the left end only the face under the mouse");
     } else if (editor.tool == Tool::fill) {
         brush();
         double degrees = editor.fill_angle * 57.29577951308232;
-        number("Angle", &degrees, 180.0, "%.0f\u00b0", "Filling crosses edges that bend less than this");
+        number("Angle", &degrees, 180.0, "%.0f\u00b0", "Fill crosses edges that bend less than this");
         editor.fill_angle = degrees / 57.29577951308232;
     }
 }

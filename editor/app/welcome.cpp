@@ -92,7 +92,7 @@ void unsaved_rows(Parts& parts) {
         const std::string name = printable(rows[i].mesh_path.filename().string());
         const std::string folder = shown_folder(parts, rows[i].mesh_path);
         if (file_row(icons::life_ring, name, folder + "   " + autosave_facts(parts, rows[i]),
-                     "Recover them: opens the level with its changes as one step, which undo takes back"))
+                     "Open the level with these changes as one step, which can be undone"))
             request_recovery(parts.editor, rows[i]);
         ImGui::PopID();
     }
@@ -126,7 +126,7 @@ void welcome(Parts& parts) {
     ImGui::PushFont(ui::fonts().title);
     ImGui::TextUnformatted("Slipface");
     ImGui::PopFont();
-    ui::muted_text("Paint what surfaces do, walk the level, and see why every step went where it went");
+    ui::muted_text("Paint surface types, walk the level, and see why the player moved as it did");
     ImGui::Dummy({0, 8 * scale});
     if (ui::primary_button("\uf07c  Open a level\u2026###Open", true, {180 * scale, 34 * scale}))
         run_command(parts.editor, "file.open");

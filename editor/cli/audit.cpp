@@ -81,7 +81,7 @@ Status write_tapes(const std::filesystem::path& folder, const Level& level, cons
 void print_audit(const AuditReport& report, double seconds, std::ostream& out) {
     print_row(out, "level", fmt::format("{}, {}", report.level_name, report.closed ? "closed" : "open"));
     print_row(out, "walkers",
-              fmt::format("{} of {} s at {} s a step, seed {}", report.walkers, report.duration_s,
+              fmt::format("{} of {} s at {} s per step, seed {}", report.walkers, report.duration_s,
                           report.dt_text, report.seed));
     if (!report.shard.whole()) print_row(out, "shard", shard_text(report.shard));
     print_row(out, "steps", fmt::format("{}", report.steps));
@@ -185,16 +185,15 @@ void add_report_options(CLI::App& verb, AuditWords& words) {
 }  // namespace
 
 void add_audit_verb(CLI::App& app, int& exit_code) {
-    CLI::App* verb =
-        app.add_subcommand("audit", "Let random walkers try to leave, enter or stick in a level");
+    CLI::App* verb = app.add_subcommand("audit", "Find gaps and traps in a level with random walkers");
     auto words = std::make_shared<AuditWords>();
     CLI::Option* level = verb->add_option("LEVEL", words->level, level_help());
     verb->add_option("--walkers", words->walkers, "How many")->capture_default_str();
     verb->add_option("--seconds", words->seconds, "Simulated time of each")->capture_default_str();
-    verb->add_option("--seed", words->seed, "Another seed, other walks")
+    verb->add_option("--seed", words->seed, "Seed of the random walks")
         ->check(seed_number)
         ->capture_default_str();
-    verb->add_option("--speeds", words->speeds, "Running speeds in m/s, taken in turn; else the level's")
+    verb->add_option("--speeds", words->speeds, "Running speeds in m/s, used in turn; default: the level's")
         ->type_name("6,20,60");
     verb->add_option("--dt", words->dt, "Seconds a step")->capture_default_str();
     verb->add_option("--preset", words->preset,
@@ -203,15 +202,15 @@ void add_audit_verb(CLI::App& app, int& exit_code) {
     verb->add_option("--set", words->settings, "Change a movement setting; may be repeated")
         ->type_name("name=value")
         ->allow_extra_args(false);
-    verb->add_option("--threads", words->threads, "At most this many; 0: as many as there are")
+    verb->add_option("--threads", words->threads, "Maximum number of threads; 0: one per processor")
         ->check(CLI::Range(0, 4096));
-    verb->add_option("--shard", words->shard, "Only this part of the walkers, from 1/N to N/N")
+    verb->add_option("--shard", words->shard, "Run only this part of the walkers, 1/N to N/N")
         ->type_name("I/N");
     verb->add_option("--tapes", words->tapes, "Folder for a tape of each finding")->type_name("FOLDER");
-    verb->add_flag("--heat", words->heat, "Add up what happened on each face");
+    verb->add_flag("--heat", words->heat, "Also report totals per face");
     add_report_options(*verb, *words);
 
-    CLI::App* merge_verb = verb->add_subcommand("merge", "Put the reports of all shards together");
+    CLI::App* merge_verb = verb->add_subcommand("merge", "Merge the reports of all shards");
     auto files = std::make_shared<std::vector<std::string>>();
     auto merge_words = std::make_shared<AuditWords>();
     merge_verb->add_option("REPORTS", *files, "JSON reports")->required();

@@ -30,13 +30,13 @@ Result<std::filesystem::path> bake(const BakeLightOptions& options, Warnings& wa
 }  // namespace
 
 void add_bake_light_verb(CLI::App& app, int& exit_code) {
-    CLI::App* verb = app.add_subcommand("bake-light", "Bake a level's light and shadow into a picture");
+    CLI::App* verb = app.add_subcommand("bake-light", "Bake a level's light and shadow into an image");
     auto options = std::make_shared<BakeLightOptions>();
     verb->add_option("LEVEL", options->level, level_help())->required();
     verb->add_option("--rays", options->rays, "Rays a texel")
         ->capture_default_str()
         ->check(CLI::Range(1, 4096));
-    verb->add_option("--texel", options->texel_m, "Metres from texel to texel; as the level says by default")
+    verb->add_option("--texel", options->texel_m, "Texel size in metres; default: the level's")
         ->check(CLI::Range(0.01, 100.0));
     verb->callback([options, &exit_code] {
         Warnings warnings;

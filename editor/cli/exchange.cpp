@@ -46,7 +46,7 @@ void add_export(CLI::App& app, int& exit_code) {
     auto* targets = verb->add_option_group("targets", "At least one of");
     targets->add_option("--obj", words->obj, "OBJ and MTL, types in material names")->type_name("OUT.obj");
     targets->add_option("--gltf", words->gltf, "glTF 2.0, types in extras")->type_name("OUT.gltf|OUT.glb");
-    targets->add_option("--flat", words->flat, "Triangles and a type each, for games")->type_name("OUT");
+    targets->add_option("--flat", words->flat, "Triangles, each with its type, for games")->type_name("OUT");
     targets->require_option(1, 3);
     verb->callback([words, &exit_code] {
         const ExportOptions options{words->level, given(words->obj), given(words->gltf), given(words->flat)};
@@ -56,7 +56,8 @@ void add_export(CLI::App& app, int& exit_code) {
 
 void add_import(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
-        "import", "Take material rules from other programs, and the scale and up axis of a level's geometry");
+        "import",
+        "Import material rules from other programs, and set the scale and up axis of a level's geometry");
     struct Words {
         std::string level, up;
         std::vector<std::string> rules;
@@ -68,7 +69,7 @@ void add_import(CLI::App& app, int& exit_code) {
                      "Quake 3 shaders or map, another level file, or lines PATTERN TYPE; may be repeated")
         ->type_name("FILE.shader|.bsp|.json|.txt")
         ->allow_extra_args(false);
-    CLI::Option* scale = verb->add_option("--scale", words->scale, "Metres a unit of the geometry's file")
+    CLI::Option* scale = verb->add_option("--scale", words->scale, "Metres per unit of the geometry file")
                              ->check(CLI::Range(smallest_import_scale, largest_import_scale));
     verb->add_option("--up", words->up, "Upward axis of the geometry's file")
         ->check(CLI::IsMember(std::vector<std::string>(std::begin(up_axis_names), std::end(up_axis_names))));
@@ -142,7 +143,7 @@ int run_import(const ImportVerbOptions& options, std::ostream& out, std::ostream
     const ResolvedSurfaces resolved = resolve_surfaces(level);
     const auto by_rule = static_cast<std::size_t>(
         std::count(resolved.source.begin(), resolved.source.end(), SurfaceSource::rule));
-    out << fmt::format("{} and {} added; {} now have a type by a rule\n{}\n",
+    out << fmt::format("{} and {} added; {} now get their type from a rule\n{}\n",
                        counted(total.rules, "rule", "rules"), counted(total.types, "type", "types"),
                        counted(by_rule, "face", "faces"), level.file_path.string());
     return exit_fine;

@@ -127,10 +127,10 @@ int run_simulate(const SimulateOptions& options, std::ostream& out, std::ostream
     else
         options.json ? print_report_json(*run, out) : print_report_text(*run, out);
     if (run->base.tape.end_hash && run->as_recorded && *run->base.tape.end_hash != run->report.end_hash) {
-        print_error(err, {options.tape.string(),
-                          fmt::format("the run ends with hash {}, expected {}: it does not repeat what was "
-                                      "recorded",
-                                      hash_text(run->report.end_hash), hash_text(*run->base.tape.end_hash))});
+        print_error(err,
+                    {options.tape.string(),
+                     fmt::format("the run ends with hash {}, expected {}: it does not repeat the recording",
+                                 hash_text(run->report.end_hash), hash_text(*run->base.tape.end_hash))});
         return exit_check_failed;
     }
     return exit_fine;

@@ -33,7 +33,7 @@ std::string radii_check(const std::string& text) {
 }
 
 void add_info(CLI::App& app, int& exit_code) {
-    CLI::App* verb = app.add_subcommand("info", "Say what is in a level");
+    CLI::App* verb = app.add_subcommand("info", "Describe a level");
     auto options = std::make_shared<InfoOptions>();
     verb->add_option("LEVEL", options->level, level_help())->required();
     verb->add_flag("--json", options->json, "Print JSON");
@@ -55,12 +55,11 @@ SweepOptions sweep_options(const SweepWords& words) {
 
 void add_sweep(CLI::App& app, int& exit_code) {
     CLI::App* verb =
-        app.add_subcommand("sweep", "Move an ellipsoid through a level and say what it touches first");
+        app.add_subcommand("sweep", "Sweep an ellipsoid through a level and report its first contact");
     auto words = std::make_shared<SweepWords>();
     verb->add_option("LEVEL", words->level, level_help())->required();
-    CLI::Option* test =
-        verb->add_option("--test", words->test, "Run what the editor's probe copied as a test")
-            ->type_name("FILE");
+    CLI::Option* test = verb->add_option("--test", words->test, "Run a test copied from the editor's probe")
+                            ->type_name("FILE");
     verb->add_option("--radii", words->radii, "Half-axes of the ellipsoid, metres")
         ->excludes(test)
         ->type_name("rx,ry,rz")
@@ -103,9 +102,9 @@ void add_simulate(CLI::App& app, int& exit_code) {
         ->type_name("name=value")
         ->allow_extra_args(false);
     CLI::Option* json = verb->add_flag("--json", options->json, "Print JSON");
-    CLI::Option* csv = verb->add_flag("--csv", options->csv, "Print the run's numbers, a row a tick");
+    CLI::Option* csv = verb->add_flag("--csv", options->csv, "Print the run's numbers, one row per tick");
     csv->excludes(json);
-    verb->add_option("--tell", options->describe, "Print what happened in that tick, and why; the first is 0")
+    verb->add_option("--tell", options->describe, "Describe that tick and its decisions; the first is 0")
         ->type_name("TICK")
         ->check(CLI::NonNegativeNumber)
         ->excludes(json)
@@ -116,7 +115,7 @@ void add_simulate(CLI::App& app, int& exit_code) {
 }
 
 void add_doctor(CLI::App& app, int& exit_code) {
-    CLI::App* verb = app.add_subcommand("doctor", "Find what in a level makes movement go wrong");
+    CLI::App* verb = app.add_subcommand("doctor", "Find geometry that disturbs movement");
     auto options = std::make_shared<DoctorOptions>();
     verb->add_option("LEVEL", options->level, level_help())->required();
     verb->add_flag("--json", options->json, "Print JSON");

@@ -148,8 +148,7 @@ CLI::Option* add_tape_options(CLI::App& verb, TapeOptions& tape) {
 }  // namespace
 
 void add_why_verbs(CLI::App& app, int& exit_code) {
-    CLI::App* why =
-        app.add_subcommand("why", "Say what stopped the player of a tape, and what would cure it");
+    CLI::App* why = app.add_subcommand("why", "Report what stopped a tape's player, and what would cure it");
     auto requested = std::make_shared<WhyOptions>();
     add_tape_options(*why, requested->tape);
     why->add_option("--preset", requested->tape.preset, "Settings instead of the level's; a name or a file")
@@ -163,8 +162,7 @@ void add_why_verbs(CLI::App& app, int& exit_code) {
         app.add_subcommand("compare", "Run a tape under several presets and compare the runs");
     auto options = std::make_shared<CompareOptions>();
     add_tape_options(*compare, options->tape);
-    compare
-        ->add_option("--presets", options->presets, "Names or files; without it all that ship with Slipface")
+    compare->add_option("--presets", options->presets, "Names or files; default: all shipped presets")
         ->type_name("A,B")
         ->delimiter(',');
     compare->add_flag("--json", options->json, "Print JSON");

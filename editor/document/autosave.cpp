@@ -89,8 +89,7 @@ Status write_verified(const fs::path& file, const std::string& text) {
     if (const Status status = write_file_atomic(file, text); !status) return status;
     std::error_code error;
     const std::uintmax_t size = fs::file_size(file, error);
-    if (error || size != text.size())
-        return Error{file.string(), "was written, but has not the length that it should have"};
+    if (error || size != text.size()) return Error{file.string(), "was written with a wrong length"};
     return {};
 }
 
@@ -114,7 +113,7 @@ Result<Autosave> parse_autosave(std::string_view text, const std::string& locati
     Autosave autosave;
     for (int number = 1;; ++number) {
         const std::size_t end = text.find('\n');
-        if (end == std::string_view::npos) return bad(number, "the header is cut short");
+        if (end == std::string_view::npos) return bad(number, "the header is truncated");
         const std::string_view line = text.substr(0, end);
         text.remove_prefix(end + 1);
         if (number == 1) {
@@ -130,10 +129,10 @@ Result<Autosave> parse_autosave(std::string_view text, const std::string& locati
         if (key == "written") autosave.info.written_s = parse_int(value).value_or(0);
         if (key != "bytes") continue;
         if (value != fmt::format("{} {:016x}", text.size(), hash_of(text)))
-            return bad(number, "what follows is cut short or changed");
+            return bad(number, "the content is truncated or altered");
         break;
     }
-    if (autosave.info.mesh_path.empty()) return bad(2, "no line says which mesh it belongs to");
+    if (autosave.info.mesh_path.empty()) return bad(2, "the mesh line is missing");
     autosave.json = text;
     return autosave;
 }

@@ -142,7 +142,7 @@ void Document::set_surfaces(std::vector<SurfaceType> surfaces, std::string step_
 }
 
 std::string Document::rename_problem(SurfaceId surface, std::string_view name) const {
-    if (surface >= level_.surfaces.size()) return "There is no such type";
+    if (surface >= level_.surfaces.size()) return "The type does not exist";
     if (level_.surfaces[surface].name == name) return {};
     if (surface == default_surface) return "The default type keeps its name";
     if (name.empty()) return "A type needs a name";
@@ -169,7 +169,7 @@ void Document::rename_surface(SurfaceId surface, const std::string& name) {
 }
 
 std::string Document::removal_problem(SurfaceId surface) const {
-    if (surface >= level_.surfaces.size()) return "There is no such type";
+    if (surface >= level_.surfaces.size()) return "The type does not exist";
     if (surface == default_surface) return "Every level has the default type";
     const std::string& name = level_.surfaces[surface].name;
     if (const std::size_t count = face_count_of(surface); count > 0)

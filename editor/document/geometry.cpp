@@ -60,8 +60,7 @@ static bool annotations_stay(const Level& before, const LoadedLevel& after) {
 }
 
 Status Document::take_geometry(LoadedLevel loaded, std::string step_name) {
-    if (in_transaction())
-        return Error{level_.mesh_path.string(), "cannot be read again while a change is being made"};
+    if (in_transaction()) return Error{level_.mesh_path.string(), "cannot be read again during a change"};
     Geometry before{level_.mesh,
                     level_.import_transform,
                     level_.import_summary,

@@ -37,7 +37,7 @@ Status Recordings::keep(std::string_view name, std::string_view text) const {
     if (!active()) return {};
     std::error_code error;
     fs::create_directories(folder_, error);
-    if (error) return Error{folder_.string(), "cannot be made: " + error.message()};
+    if (error) return Error{folder_.string(), "cannot be created: " + error.message()};
     fs::path file;
     // If a file of this second exists, use the next second, so that sorting by name stays sorting by time.
     for (std::time_t now = std::time(nullptr); file.empty() || fs::exists(file, error); ++now)

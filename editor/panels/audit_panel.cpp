@@ -18,20 +18,21 @@ void start_row(Editor& editor) {
     if (editor.audit) wanted = editor.audit->settings;
     double walkers = wanted.walkers, seed = wanted.seed;
     if (begin_property_rows("audit", label_width_of("Duration"))) {
-        property_row("Walkers", "How many walk, each its own way", false);
-        if (number_slider("Walkers", &walkers, 1, 2000, "", "How many walk, each its own way", true))
+        property_row("Walkers", "Number of walkers; each takes a random path", false);
+        if (number_slider("Walkers", &walkers, 1, 2000, "", "Number of walkers; each takes a random path",
+                          true))
             wanted.walkers = static_cast<int>(walkers);
         ImGui::TableNextColumn();
         property_row("Duration", "Simulated time of each walker", false);
         number_slider("Duration", &wanted.duration_s, 1, 600, "s", "Simulated time of each walker");
         ImGui::TableNextColumn();
-        property_row("Seed", "Another seed, other ways; the same seed, the same bits", false);
-        if (number_slider("Seed", &seed, 1, 1000, "", "Another seed, other ways", true))
+        property_row("Seed", "Another seed gives other paths; the same seed gives the same bits", false);
+        if (number_slider("Seed", &seed, 1, 1000, "", "Another seed gives other paths", true))
             wanted.seed = static_cast<int>(seed);
         ImGui::TableNextColumn();
         end_property_rows();
     }
-    if (ui::button("Run audit", "Send the walkers through the level; you can go on working meanwhile")) {
+    if (ui::button("Run audit", "Run the walkers in the background")) {
         editor.audit = AuditJob::start(*editor.document, wanted);
     }
     if (editor.audit) editor.audit->settings = wanted;
@@ -41,7 +42,7 @@ void progress(Editor& editor, FrameContext& frame) {
     const double fraction = editor.audit->progress();
     ImGui::ProgressBar(static_cast<float>(fraction), {-1.0f, 0.0f},
                        fmt::format("{:.0f} %", 100.0 * fraction).c_str());
-    if (ui::button("Cancel", "End it now; what was found until then is shown")) editor.audit->cancel();
+    if (ui::button("Cancel", "Stop now and show the findings so far")) editor.audit->cancel();
     frame.animating = true;
 }
 
@@ -133,7 +134,7 @@ void audit_panel(Editor& editor, FrameContext& frame) {
     else
         heat_rows(editor);
     finding_rows(editor);
-    if (ui::button("Clear", "Take the heat map and the findings away")) run_command(editor, "audit.clear");
+    if (ui::button("Clear", "Clear the heat map and the findings")) run_command(editor, "audit.clear");
 }
 
 }  // namespace slipface

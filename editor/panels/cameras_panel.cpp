@@ -14,16 +14,16 @@ void cameras_panel(Editor& editor) {
     settle_live_edit(editor);
     if (!editor.document) return;
     const ui::Scope scope("Cameras");
-    if (ui::button("Add camera", "Keep this view under a name (camera.add)")) save_camera(editor, {});
+    if (ui::button("Add camera", "Save this view as a camera (camera.add)")) save_camera(editor, {});
     const std::vector<CameraBookmark> cameras = editor.document->level().cameras;
-    if (cameras.empty()) ui::muted_text("Views to come back to; snapshots are taken from them");
+    if (cameras.empty()) ui::muted_text("Saved views; snapshots use them");
     ImGui::Spacing();
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         NamedRow row;
         row.name = cameras[i].name;
         row.detail = i < 9 ? fmt::format("Shift+F{}", i + 1) : "";
         row.tooltip = "Go there; a double click renames it";
-        row.replace_tooltip = "Move this camera to where the view is now";
+        row.replace_tooltip = "Replace this camera by the current view";
         row.chosen = editor.camera_shown == i;
         const NamedRowResult did = named_row(
             i, row, [&](const std::string& name) { return camera_name_problem(*editor.document, i, name); });

@@ -52,9 +52,9 @@ void run_rows(Editor& editor) {
         settings_tooltip(run, lab.runs().front());
         if (run.kind == LabRun::Kind::pinned) {
             ImGui::SameLine();
-            if (ui::icon_button(icons::check, "Use", "Take these settings into the level", false)) used = i;
+            if (ui::icon_button(icons::check, "Use", "Use these settings in the level", false)) used = i;
             ImGui::SameLine(0, 0);
-            if (ui::icon_button(icons::trash, "Remove", "Take this ghost away", false)) removed = i;
+            if (ui::icon_button(icons::trash, "Remove", "Remove this ghost", false)) removed = i;
         }
         const auto& divergence = lab.divergence(i);
         if (i > 0) {
@@ -64,11 +64,11 @@ void run_rows(Editor& editor) {
             } else if (!divergence) {
                 ui::muted_text("Same as recorded, bit for bit");
             } else {
-                ui::muted_text(fmt::format("Parts at tick {}; {} apart at most, {} at the end",
+                ui::muted_text(fmt::format("Diverges at tick {}, by up to {}; {} at the end",
                                            divergence->first, distance_text(divergence->worst_m),
                                            distance_text(divergence->end_m))
                                    .c_str());
-                if (ui::button("Where they part", "Go to the first tick that differs, and look at it")) {
+                if (ui::button("First difference", "Go to the first tick that differs, and look at it")) {
                     lab.motion = LabMotion::paused;
                     lab.seek(divergence->first);
                     lab.explain(i);
@@ -88,7 +88,7 @@ void run_rows(Editor& editor) {
     }
     if (used) {
         editor.document->set_movement(lab.runs()[*used].settings, "Use the ghost's settings");
-        editor.status = "Took the ghost's settings";
+        editor.status = "Now using the ghost's settings";
     }
     if (removed) lab.unpin(*removed);
 }
@@ -136,7 +136,7 @@ void rates(Editor& editor) {
     Lab& lab = editor.lab;
     ui::heading("Rates");
     ui::checkbox("Run the route at other rates", &lab.show_rates,
-                 "The same inputs at the same times at 30 to 360 ticks a second, drawn as ribbons");
+                 "The same inputs at 30 to 360 ticks per second, drawn as ribbons");
     if (!lab.show_rates) return;
     const std::vector<RateRow>& rows = lab.rates(*editor.document);
     if (!ImGui::BeginTable("rates", 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg)) return;
@@ -199,14 +199,12 @@ void ghosts_panel(Editor& editor) {
     Lab& lab = editor.lab;
     if (!lab.has_tape() || editor.playtest) {
         ui::muted_text(
-            "One tape under several settings at once: walk the level, then turn a setting and watch the "
-            "ghost of "
-            "the same inputs part from what was recorded.");
+            "Run one tape under several settings: walk the level, change a setting, and see where the ghost "
+            "with the same inputs diverges from the recorded run.");
         return;
     }
     run_rows(editor);
-    if (ui::button("Keep settings as a ghost",
-                   "Run the tape under the settings as they are now as one more ghost",
+    if (ui::button("Add settings as a ghost", "Run the tape under the present settings as another ghost",
                    lab.runs().size() < Lab::max_runs))
         run_command(editor, "lab.pin");
     presets(editor);

@@ -29,7 +29,7 @@ void effect_rows(Editor& editor, const SettingInfo& info) {
     const std::optional<std::size_t> row = hack_row(info.name);
     const TapeRun* run = live_run(editor);
     if (!row || !run) {
-        ui::muted_text("Walk the level, and here stands in how many ticks it acted.");
+        ui::muted_text("Walk the level to see in how many ticks this hack acted.");
         return;
     }
     ImGui::Text("Acted in %u of %zu ticks", run->acted_count(*row), run->samples().size());
@@ -49,7 +49,7 @@ void effect_rows(Editor& editor, const SettingInfo& info) {
     }
     ImGui::SameLine();
     if (std::holds_alternative<bool MovementSettings::*>(info.member) &&
-        ui::button("Ghost without it", "Run the tape with this switch the other way, as one more ghost")) {
+        ui::button("Ghost without it", "Run the tape with this switch inverted, as another ghost")) {
         MovementSettings settings = editor.document->level().movement;
         if (set_setting(settings, info, 1.0 - get_setting(settings, info))) editor.lab.pin(settings);
         editor.layout.show(PanelId::ghosts);

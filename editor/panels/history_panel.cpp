@@ -30,7 +30,7 @@ void history_panel(Editor& editor) {
             const float mark = end - ImGui::CalcTextSize("saved").x;
             if (ImGui::Selectable(("##" + std::to_string(at)).c_str(), at == cursor)) wanted = at;
             ui::record_last_item(std::to_string(at), !document.in_transaction());
-            ui::tooltip(undone ? "Do again up to here" : "Undo back to here");
+            ui::tooltip(undone ? "Redo up to here" : "Undo back to here");
             ui::ellipsis({position.x + 0.5f * em, position.y}, saved ? mark - 0.5f * em : end,
                          undone ? ui::palette().muted : ui::palette().text, name);
             if (saved) ui::ellipsis({mark, position.y}, end + 1.0f, ui::palette().muted, "saved");

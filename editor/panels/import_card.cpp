@@ -40,7 +40,7 @@ void note(const std::string& text, float value_at) {
 }
 
 void reason(ImportSource source, const std::string& text, float value_at) {
-    if (source == ImportSource::given) return note("Given by you", value_at);
+    if (source == ImportSource::given) return note("Set by you", value_at);
     note(fmt::format("{}: {}", source == ImportSource::declared ? "Declared" : "Guessed", text), value_at);
 }
 
@@ -56,7 +56,7 @@ void scale_rows(Editor& editor, float value_at) {
     names.back() = "Another";
     const int count = static_cast<int>(units.size()) + (index == static_cast<int>(units.size()) ? 1 : 0);
     row("Unit", value_at);
-    const bool chosen = ui::combo("##Unit", &index, names.data(), count, "What one unit of the file is");
+    const bool chosen = ui::combo("##Unit", &index, names.data(), count, "Length of one unit of the file");
     row("Scale", value_at);
     ui::input_text("##Scale", &editor.import_card.scale_text, "metres per unit");
     const bool typed = ImGui::IsItemDeactivatedAfterEdit();
@@ -76,7 +76,7 @@ void axis_rows(Editor& editor, float value_at) {
     constexpr std::array<const char*, std::size(up_axis_names)> names{"+Y", "+Z", "+X", "-Y", "-Z", "-X"};
     int index = static_cast<int>(summary.up);
     const bool chosen = ui::combo("##Up axis", &index, names.data(), static_cast<int>(names.size()),
-                                  "The file's axis that points up");
+                                  "The upward axis of the file");
     reason(summary.up_from, summary.up_reason, value_at);
     if (!chosen) return;
     ImportTransform transform = editor.document->level().import_transform;
@@ -97,8 +97,8 @@ void size_rows(Editor& editor, float value_at) {
     ImGui::TextColored(ui::palette().accent, "%s Too %s for a player", icons::warning,
                        doubt->too_large ? "large" : "small");
     ImGui::SetCursorPosX(value_at);
-    if (!ui::button("Rescale", fmt::format("A scale of {:.6g} makes it {:.3g} m", doubt->better_scale,
-                                           doubt->better_extent)
+    if (!ui::button("Rescale", fmt::format("With a scale of {:.6g} the level is {:.3g} m large",
+                                           doubt->better_scale, doubt->better_extent)
                                    .c_str()))
         return;
     ImportTransform transform = editor.document->level().import_transform;
@@ -135,16 +135,16 @@ void import_card(Editor& editor, const ImVec2& view_min, const ImVec2& view_size
     const Vec3 spawn = editor.document->level().spawn;
     row("Spawn", value_at);
     ImGui::TextUnformatted(fmt::format("{:.2f}, {:.2f}, {:.2f}", spawn.x(), spawn.y(), spawn.z()).c_str());
-    ui::tooltip("Point at a floor and press the key of Set spawn point to move it there");
+    ui::tooltip("Move the mouse over a floor and press the key of Set spawn point");
     row("Open edges", value_at);
     ImGui::TextUnformatted(editor.import_card.open_edges == 0
                                ? "None: closed"
                                : fmt::format("{}", editor.import_card.open_edges).c_str());
-    ui::tooltip("Edges that one face alone has: holes, and seams between overlapping parts");
+    ui::tooltip("Edges of only one face: holes, and seams between overlapping parts");
     if (const std::size_t hidden = editor.document->hidden().size(); hidden > 0) {
         row("Hidden", value_at);
         ImGui::TextUnformatted(fmt::format("{} faces that collide", hidden).c_str());
-        ui::tooltip("What stops the player but is not drawn in the game; Show all faces brings it into view");
+        ui::tooltip("Faces that collide but are not drawn; Show all faces makes them visible");
     }
     if (!editor.import_card.problem.empty()) {
         ImGui::PushTextWrapPos(0.0f);
@@ -153,7 +153,7 @@ void import_card(Editor& editor, const ImVec2& view_min, const ImVec2& view_size
     }
     ImGui::Dummy({1, 2 * scale});
     const bool given = editor.document->level().import_transform != ImportTransform{};
-    if (ui::button("As the file says", "Forget the scale and axis given here", given))
+    if (ui::button("Use the file's values", "Remove the scale and axis set here", given))
         change_import(editor, {});
     ImGui::SameLine(width - 116 * scale);
     if (ui::primary_button("Done", true, {100 * scale, 0})) close_import_card(editor);

@@ -48,7 +48,7 @@ std::string shown_name(const std::optional<std::string>& name) {
 }
 
 std::string slope_text(const FaceSummary& summary) {
-    if (!summary.has_slope) return "None, no area";
+    if (!summary.has_slope) return "No slope: no area";
     const auto whole = [](double radians) {
         return std::round(radians * 180.0 / std::numbers::pi * 10.0) / 10.0;
     };
@@ -105,7 +105,7 @@ void selection_buttons(Editor& editor, const FaceSummary& summary, float top) {
         run_command(editor, "edit.fill_selection");
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ui::icon_button(icons::eraser, "Unset",
-                        "Take the painted types off these faces: rules and suffixes decide again", false,
+                        "Remove the paint of these faces: rules and suffixes decide their type again", false,
                         summary.painted > 0))
         run_command(editor, "edit.unset_selection");
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
@@ -124,7 +124,7 @@ void inspector_panel(Editor& editor) {
     if (selected == 0) {
         if (editor.hovered >= document.mesh().face_count()) {
             ui::heading("Faces");
-            ui::muted_text("Point at a face, or select some");
+            ui::muted_text("Move the mouse over a face, or select faces");
             return;
         }
         ui::heading(("Face " + std::to_string(editor.hovered)).c_str());

@@ -131,7 +131,7 @@ void preset_row(Editor& editor) {
     names.insert(names.end(), {current < own ? "Own settings" : changed.c_str(), "Open preset\u2026",
                                "Save preset\u2026"});
     const char* const about = current < own ? presets[static_cast<std::size_t>(current)].preset.about.c_str()
-                                            : "A whole set of settings at once, as one step of history";
+                                            : "Change all settings at once, as one step of history";
     int chosen = current;
     ImGui::SetNextItemWidth(-1.0f);
     if (!ui::combo("##Preset", &chosen, names.data(), static_cast<int>(names.size()), about)) return;
@@ -157,7 +157,7 @@ void changed_rows(Editor& editor, const PresetMatch& match) {
         const bool taken_back = ImGui::Selectable(text.c_str());
         ImGui::PopStyleColor();
         ui::record_last_item(info.label);
-        ui::tooltip(("Take it back to " + from).c_str());
+        ui::tooltip(("Reset it to " + from).c_str());
         ImGui::PopID();
         if (taken_back) put(editor, info, get_setting(preset, info));
     }

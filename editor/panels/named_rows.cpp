@@ -84,7 +84,7 @@ NamedRowResult named_row(std::size_t index, const NamedRow& row,
     const float ends[] = {right, right - height, right - 2 * height};
     if (hovered) {
         result.remove = row_button(icons::trash, "Delete", "Delete it", ends[0], at.y, height);
-        if (row_button(icons::pencil, "Rename", "Give it another name", ends[1], at.y, height))
+        if (row_button(icons::pencil, "Rename", "Rename", ends[1], at.y, height))
             state = {id, row.name, true};
         result.replace = row_button(icons::save, "Replace", row.replace_tooltip, ends[2], at.y, height);
         if (result.remove || result.replace || state.row == id) result.chosen = false;

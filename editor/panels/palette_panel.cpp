@@ -77,7 +77,7 @@ void row_menu(Editor& editor, std::optional<SurfaceId> surface) {
     if (ui::menu_item("Select its faces", "", false, true, "Select every face of this type"))
         apply_selection(editor, surface ? faces_of_type(document, *surface) : unpainted_faces(document),
                         SelectBy::replace, "Select by type");
-    if (ui::menu_item("Paint the selection with it", "", false, selected,
+    if (ui::menu_item("Paint the selection with this type", "", false, selected,
                       "Give the selected faces this type"))
         paint_faces(editor, document.selection(), surface);
     if (surface && ui::begin_menu("Replace by")) {
@@ -85,7 +85,7 @@ void row_menu(Editor& editor, std::optional<SurfaceId> surface) {
         for (std::size_t i = 0; i < surfaces.size(); ++i)
             if (ui::menu_item(
                     surfaces[i].name.c_str(), "", false, i != *surface,
-                    "Give every face of the one type the other, within the selection if there is one"))
+                    "Change all faces of one type to another; only inside the selection if there is one"))
                 replace_type(editor, *surface, static_cast<SurfaceId>(i));
         if (ui::menu_item("Unset", "", false, true, "Rules and suffixes decide again"))
             replace_type(editor, *surface, std::nullopt);
@@ -95,7 +95,7 @@ void row_menu(Editor& editor, std::optional<SurfaceId> surface) {
 }
 
 std::string row_tooltip(const Row& row) {
-    if (!row.type) return "Take painted types off faces; rules and suffixes decide again";
+    if (!row.type) return "Remove the paint of faces; rules and suffixes decide their type again";
     std::string text = row.name + ", " + std::to_string(row.faces) + (row.faces == 1 ? " face" : " faces") +
                        "\nRight click: select its faces, replace it";
     if (row.hotkey != 0) text += "\nKey " + std::to_string(row.hotkey);

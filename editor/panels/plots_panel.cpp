@@ -161,7 +161,7 @@ void plots_panel(Editor& editor) {
     const ui::Scope scope("Plots");
     if (!editor.lab.has_tape() || editor.playtest) {
         ui::muted_text(
-            "Walk the level or open a tape: here are its speed, height, energy and more, tick by tick.");
+            "Walk the level or open a tape to see its speed, height, energy and more, tick by tick.");
         return;
     }
     Shown& state = shown();
@@ -180,8 +180,7 @@ void plots_panel(Editor& editor) {
             if (ui::checkbox(channels[i].label, &on, channels[i].meaning)) state.channels ^= 1u << i;
         }
         ui::flow(check_width("Differences"), 10 * ui::scale());
-        ui::checkbox("Differences", &state.differences,
-                     "What each run has more or less than the one as recorded");
+        ui::checkbox("Differences", &state.differences, "Difference of each run from the recorded one");
     }
     const auto count = static_cast<float>(std::popcount(state.channels));
     if (count == 0) return;

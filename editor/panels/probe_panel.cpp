@@ -59,25 +59,23 @@ void sweep_rows(Editor& editor, const std::vector<ProbeRow>& rows) {
             editor.probe.shown_sweeps = i + 1;
         ui::record_last_item(number_text, true, shown == i + 1);
         ImGui::PopStyleColor();
-        ui::tooltip(
-            "The order of the sweeps, in the colour of their ghosts; click to show the sweeps up to it");
+        ui::tooltip("Sweep number, in the colour of its ghost; click to show the sweeps up to it");
         ImGui::SameLine(left + number_width);
         ImGui::BeginGroup();
         line(contact ? hit_text(*contact, surfaces) : "nothing met",
-             "The feature, the face and its surface type that were touched first");
+             "Feature, face and surface type of the first contact");
         ImGui::PushStyleColor(ImGuiCol_Text, ui::palette().muted);
         if (contact)
             line(fmt::format("t {:.3f}, normal {:.2f} {:.2f} {:.2f}", contact->t, contact->normal.x() + 0.0,
                              contact->normal.y() + 0.0, contact->normal.z() + 0.0),
-                 "t: the fraction of the displacement done at the touch; the normal of the contact plane, "
-                 "towards "
+                 "t: fraction of the displacement before the contact; normal of the contact plane, towards "
                  "the ellipsoid's centre");
         std::string outcome = pass_name(row.sweep.pass);
         if (row.response)
             outcome += fmt::format(", {}: {} \u2192 {} m left", rule_name(row.response->rule),
                                    number(row.response->remainder_before.norm()),
                                    number(row.response->remainder_after.norm()));
-        line(outcome, "The pass, its rule, and the length of the displacement left before and after it");
+        line(outcome, "Pass, rule, and length of the remainder before and after it");
         ImGui::PopStyleColor();
         ImGui::EndGroup();
         ImGui::PopStyleVar();
@@ -87,7 +85,7 @@ void sweep_rows(Editor& editor, const std::vector<ProbeRow>& rows) {
 void step_buttons(Editor& editor, std::size_t count) {
     std::optional<std::size_t>& shown = editor.probe.shown_sweeps;
     const std::size_t now = std::min(shown.value_or(count), count);
-    if (ui::icon_button(icons::step_back, "Previous sweep", "Show one sweep less", false, now > 0))
+    if (ui::icon_button(icons::step_back, "Previous sweep", "Show one sweep fewer", false, now > 0))
         shown = now - 1;
     ImGui::SameLine(0, 3 * ui::scale());
     if (ui::icon_button(icons::step_forward, "Next sweep", "Show one sweep more", false, now < count))
@@ -117,7 +115,7 @@ void outcome(const Probe& probe, const ProbeResult& result) {
     if (result.starts_overlapping) {
         ImGui::PushStyleColor(ImGuiCol_Text, ui::palette().bad);
         ImGui::PushTextWrapPos(0.0f);
-        ImGui::TextUnformatted("Starts inside the level: only moves that lead out are free");
+        ImGui::TextUnformatted("Starts inside geometry: it can only move out");
         ImGui::PopTextWrapPos();
         ImGui::PopStyleColor();
     }
@@ -162,35 +160,33 @@ void probe_panel(Editor& editor) {
     if (!editor.probe.placed) {
         ui::heading("Sweep probe");
         ui::muted_text(
-            "With the probe tool, press on a face to place the player's ellipsoid, and drag to pull its "
+            "With the probe tool, press on a face to place the player's ellipsoid, and drag to set its "
             "displacement");
         ImGui::Spacing();
         if (ui::button("Use probe tool", "Click to place the ellipsoid, drag to sweep it"))
             run_command(editor, "tools.probe");
         ui::flow(ui::button_width("Place at spawn"));
-        if (ui::button("Place at spawn", "Put the ellipsoid where the player starts")) place_at_spawn(editor);
+        if (ui::button("Place at spawn", "Place the ellipsoid at the spawn point")) place_at_spawn(editor);
         return;
     }
 
     vector_edit("From", editor.probe.from, "Centre of the ellipsoid, metres");
     vector_edit("Move", editor.probe.move, "The displacement, metres");
-    if (ui::button("Copy command", "Put the command line that repeats the first sweep on the clipboard"))
+    if (ui::button("Copy command", "Copy the command line that repeats the first sweep"))
         run_command(editor, "tools.copy_probe_command");
     ui::flow(ui::button_width("Copy as a test"));
     if (ui::button("Copy as a test",
-                   "Put a test on the clipboard that slipface sweep LEVEL --test FILE runs: every sweep, its "
-                   "contact "
-                   "and its rule"))
+                   "Copy a test for slipface sweep LEVEL --test FILE: every sweep with its contact and rule"))
         run_command(editor, "tools.copy_probe_test");
     ui::flow(ui::button_width("Clear"));
-    const bool cleared = ui::button("Clear", "Take the probe out of the level");
+    const bool cleared = ui::button("Clear", "Remove the probe");
 
     if (cleared) {
         run_command(editor, "tools.clear_probe");
         return;
     }
     if (editor.probe.move.isZero(0.0)) {
-        ui::muted_text("Pull the displacement out of the ellipsoid with the mouse, or type it above");
+        ui::muted_text("Drag the displacement out of the ellipsoid with the mouse, or type it above");
         return;
     }
     const ProbeResult result = run_probe(editor.probe, document.scene(), document.level().movement);

@@ -39,8 +39,8 @@ void progress_row(Editor& editor) {
 
 void head_row(Editor& editor) {
     if (ui::button(editor.session.report ? "\uf021  Examine again###Examine" : "\uf0f1  Examine###Examine",
-                   "Look for what makes movement go wrong: gaps, thin and doubled faces, sharp corners, "
-                   "slopes at the limit, missing pictures"))
+                   "Find geometry that disturbs movement: gaps, thin and duplicate faces, sharp corners, "
+                   "slopes at the limit; and missing textures"))
         examine_level(editor);
     if (!editor.session.report) return;
     ImGui::SameLine();
@@ -81,7 +81,7 @@ void filter_row(Editor& editor) {
             editor.session.hidden_kinds ^= 1u << static_cast<unsigned>(kind.kind);
         ImGui::PopStyleColor(2);
         ui::record_last_item(kind.label, true, shown);
-        ui::tooltip(shown ? "Click to leave these out of the list" : "Click to list these");
+        ui::tooltip(shown ? "Click to hide these" : "Click to show these");
     }
     ImGui::PopFont();
     ImGui::PopStyleVar(2);
@@ -104,14 +104,14 @@ void open_row(Editor& editor, const Problem& problem) {
     ImGui::Indent(8 * ui::scale());
     ui::muted_text(info_of(problem.kind).remedy);
     if (const std::string label = fix_label(editor, problem); !label.empty()) {
-        if (ui::button((label + "###Fix").c_str(), "One step that undo takes back; geometry stays as it is"))
+        if (ui::button((label + "###Fix").c_str(), "One step of history; the geometry does not change"))
             fix_problem(editor, problem);
         if (problem.kind == ProblemKind::orphan) ImGui::SameLine();
     }
     if (problem.kind == ProblemKind::orphan && editor.document->selection().empty())
-        ui::muted_text("Select the faces that took its place to attach it");
+        ui::muted_text("Select the faces that replace it, then attach it");
     if (problem.kind == ProblemKind::orphan &&
-        ui::button("Drop it###Drop", "Give up what was painted there; undo brings it back"))
+        ui::button("Delete###Drop (widget name stays)", "Delete this paint; undo restores it"))
         editor.document->drop_orphan(problem.index);
     ImGui::Unindent(8 * ui::scale());
     ImGui::Spacing();
@@ -184,9 +184,8 @@ void problems_panel(Editor& editor) {
     if (!editor.session.report) {
         ImGui::Spacing();
         ui::muted_text(
-            "The doctor looks for T-junctions, cracks, slivers, doubled, overlapping and flipped faces, "
-            "corners "
-            "too sharp for the player, slopes and steps at the limit, orphans and missing pictures");
+            "The doctor finds T-junctions, cracks, slivers, duplicate, overlapping and flipped faces, "
+            "corners too sharp for the player, slopes and steps at the limit, orphans and missing textures");
         return;
     }
     ImGui::Spacing();

@@ -99,7 +99,7 @@ bool reset_cell(const char* label, bool modified) {
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(2);
     ui::record_last_item("Reset");
-    ui::tooltip("Back to the default");
+    ui::tooltip("Reset to the default");
     ImGui::PopID();
     return pressed;
 }

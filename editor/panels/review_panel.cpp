@@ -53,11 +53,11 @@ void decide(Editor& editor) {
     if (ui::primary_button("Approve", review_can_approve(editor), none))
         return review_mark(editor, ReviewMark::approved);
     ImGui::SameLine();
-    if (ui::button("Reject", "Mark it as wrong and go on (Alt+R)"))
+    if (ui::button("Reject", "Reject it and go to the next (Alt+R)"))
         return review_mark(editor, ReviewMark::rejected);
     ImGui::SameLine();
     if (ui::button("Skip", "Decide later (Alt+S)")) return review_mark(editor, ReviewMark::skipped);
-    if (ui::button("Go to camera", "Open its level and look from where it was taken (Alt+G)",
+    if (ui::button("Go to camera", "Open its level with the snapshot's camera (Alt+G)",
                    review_has_camera(editor)))
         review_go_to_camera(editor);
 }
@@ -66,7 +66,7 @@ void modes(Review& review) {
     constexpr const char* names[review_mode_count] = {"Side by side", "Swipe", "Blink", "Heat map"};
     int mode = static_cast<int>(review.mode);
     if (ui::combo("Pictures", &mode, names, static_cast<int>(review_mode_count),
-                  "How the two pictures are compared")) {
+                  "How the two images are compared")) {
         review.mode = static_cast<ReviewMode>(mode);
         review.images = true;
     }
@@ -142,7 +142,7 @@ void side_by_side(const Review& review, FrameContext& frame, const Box& room) {
          {std::tuple(&review.expected, "Expected", room.min), std::tuple(&review.actual, "Actual", second)}) {
         const Box half_room{{min.x + 4, min.y + 4}, {half.x - 8, half.y - 8}};
         if (image->rgba.empty()) {
-            missing(half_room, slot == 0 ? "There is no golden" : "There is no picture");
+            missing(half_room, slot == 0 ? "There is no golden" : "There is no image");
         } else {
             const Box box = fitted(*image, half_room);
             show(frame.viewport->still(slot, *image, review.images_revision), box);
@@ -157,16 +157,15 @@ void side_by_side(const Review& review, FrameContext& frame, const Box& room) {
 void review_panel(Editor& editor) {
     const ui::Scope scope("Review");
     if (!editor.review) {
-        ui::muted_text(("Nothing is open for review. `slipface snapshot check` leaves a report; " +
+        ui::muted_text(("Nothing is open for review. `slipface snapshot check` writes a report; " +
                         menu_location(*find_command("review.open")) + " opens it")
                            .c_str());
         return;
     }
     Review& review = *editor.review;
-    if (review.shown.empty()) return ui::muted_text("Every snapshot is the same");
+    if (review.shown.empty()) return ui::muted_text("No snapshot differs");
     ui::muted_text(
-        fmt::format("{} of {} snapshots are not the same", review.shown.size(), review.report.entries.size())
-            .c_str());
+        fmt::format("{} of {} snapshots differ", review.shown.size(), review.report.entries.size()).c_str());
     list(editor);
     decide(editor);
     modes(review);

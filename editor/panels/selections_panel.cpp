@@ -12,19 +12,19 @@ void selections_panel(Editor& editor) {
     if (!editor.document) return;
     const ui::Scope scope("Selections");
     const bool any = !editor.document->selection().empty();
-    if (ui::button("Save selection", any ? "Keep the selected faces under a name" : "Nothing is selected",
+    if (ui::button("Save selection", any ? "Save the selected faces under a name" : "Nothing is selected",
                    any))
         save_selection(editor, {});
     const std::vector<SavedSelection> saved(editor.document->saved_selections().begin(),
                                             editor.document->saved_selections().end());
-    if (saved.empty()) ui::muted_text("Faces to come back to: select some and save them");
+    if (saved.empty()) ui::muted_text("Saved selections: select faces and save them");
     ImGui::Spacing();
     for (std::size_t i = 0; i < saved.size(); ++i) {
         NamedRow row;
         row.name = saved[i].name;
         row.detail = std::to_string(saved[i].faces.size());
         row.tooltip = "Select these faces; with Ctrl to add them, a double click renames";
-        row.replace_tooltip = "Keep the faces selected now instead";
+        row.replace_tooltip = "Replace it by the faces selected now";
         const NamedRowResult did = named_row(i, row, [&](const std::string& name) -> std::string {
             if (name.empty()) return "A selection needs a name";
             const auto found = find_selection(*editor.document, name);

@@ -17,9 +17,8 @@ void fall_limit_row(Editor& editor) {
     double height = level.fall_limit.value_or(lowest - 60.0);
     const bool own = level.fall_limit.has_value();
     const char* const tooltip =
-        "A player below this height has fallen out of the level and begins again at the spawn. Reset: 60 m "
-        "below "
-        "the lowest of level and spawn";
+        "A player below this height has fallen out of the level and restarts at the spawn. Default: 60 m "
+        "below the lowest point of level and spawn";
     ImGui::Spacing();
     if (!begin_property_rows("limit", label_width_of("Fall limit"))) return;
     property_row("Fall limit", tooltip, own);
@@ -38,7 +37,7 @@ void spawns_panel(Editor& editor) {
     if (!editor.document) return;
     const ui::Scope scope("Spawns");
     if (ui::button("Add spawn",
-                   "Put a spawn on the face in the middle of the view (edit.add_spawn: under the mouse)"))
+                   "Add a spawn on the face in the middle of the view (edit.add_spawn: under the mouse)"))
         add_spawn(editor);
     const std::vector<Spawn> spawns = all_spawns(editor.document->level());
     if (spawns.empty())
@@ -48,7 +47,7 @@ void spawns_panel(Editor& editor) {
         NamedRow row;
         row.name = spawns[i].name;
         row.detail = i == 0 ? "Play begins here" : "";
-        row.tooltip = "Begin Play here; a double click renames it";
+        row.tooltip = "Make this the main spawn, where Play begins; a double click renames it";
         row.replace_tooltip = "Move this spawn to the face in the middle of the view";
         row.chosen = i == 0;
         const NamedRowResult did = named_row(

@@ -84,7 +84,7 @@ void look_rows(const Target& target) {
     if (recolored) target.put(changed, "colour");
 
     changed = target.type();
-    property_row("Swatches", "Colours that colour-blind people tell apart");
+    property_row("Swatches", "Colours that colour-blind people can distinguish");
     if (const auto safe = swatch_color(changed.color)) {
         changed.color = *safe;
         target.put(changed, "colour");
@@ -98,7 +98,7 @@ void look_rows(const Target& target) {
         hatch_labels[i] = hatches[i].c_str();
     }
     int hatch = static_cast<int>(changed.hatch);
-    property_row("Hatch", "Tells the type apart without colour");
+    property_row("Hatch", "Makes the type recognizable without colour");
     if (ui::combo("##Hatch", &hatch, hatch_labels.data(), static_cast<int>(hatch_labels.size()))) {
         changed.hatch = static_cast<Hatch>(hatch);
         target.put(changed, "hatch");
@@ -107,7 +107,7 @@ void look_rows(const Target& target) {
     static constexpr std::array<const char*, 10> keys{"None", "1", "2", "3", "4", "5", "6", "7", "8", "9"};
     changed = target.type();
     int key = std::clamp(changed.hotkey, 0, 9);
-    property_row("Key", "The digit that makes this type the brush; another type that has it loses it");
+    property_row("Key", "Digit key that makes this type the brush; it is removed from any other type");
     if (ui::combo("##Key", &key, keys.data(), static_cast<int>(keys.size()))) {
         changed.hotkey = key;
         target.put(changed, "key");
@@ -209,14 +209,14 @@ void surface_editor(Editor& editor) {
     ImGui::Spacing();
     if (ui::button(
             "Add type",
-            full ? "The level has as many types as it can have" : "Add a surface type and paint with it",
+            full ? "The level has the maximum number of types" : "Add a surface type and paint with it",
             !full))
         add_surface_type(editor);
     if (!editor.brush || *editor.brush >= document.level().surfaces.size()) return;
     const std::string problem = document.removal_problem(*editor.brush);
     ImGui::SameLine();
     const std::string tooltip =
-        problem.empty() ? "Take this type out of the level" : "Cannot be removed: " + problem;
+        problem.empty() ? "Remove this type from the level" : "Cannot be removed: " + problem;
     if (ui::button("Remove type", tooltip.c_str(), problem.empty())) {
         remove_brush_type(editor);
         return;

@@ -117,7 +117,7 @@ void transport(Editor& editor) {
     ImGui::SetNextItemWidth(66 * ui::scale());
     if (ImGui::Combo("##Speed", &speed, names, 6)) lab.speed = speeds[speed];
     ui::record_last_item("Speed");
-    ui::tooltip("Speed of playing; 1x is real time");
+    ui::tooltip("Playback speed; 1x is real time");
     float gap = group_gap;
     for (const char* id :
          {"lab.look", "lab.resume", "lab.pin", "lab.save_tape", "lab.export_csv", "lab.close_tape"}) {
@@ -129,12 +129,12 @@ void transport(Editor& editor) {
     words(ui::palette().text, fmt::format("{} of {}", tick_text(lab, lab.cursor()), lab.ticks()));
     const std::optional<bool> repeats = lab.repeats();
     if (repeats && !*repeats)
-        words(ui::palette().bad, "Does not repeat what was recorded");
+        words(ui::palette().bad, "Does not repeat the recording");
     else if (!lab.doubt().empty())
         words(ui::palette().bad, lab.doubt());
     else if (repeats)
         words(ui::palette().good, "Repeats");
-    ui::tooltip("Whether the tape, played again, ends in the very same bits as when it was recorded");
+    ui::tooltip("Whether the run ends with the same bits as when it was recorded");
 }
 
 // Seconds under the lanes, as many as there is room for.
@@ -284,7 +284,7 @@ void tracks(Editor& editor) {
         if (ImGui::InvisibleButton("lane", {(name_width - 8) * scale, lane_height * scale}))
             lab.explain(index);
         ui::record_last_item(run.name, true, lab.explained() == index);
-        ui::tooltip((run.name + "\nClick to tell this run's story").c_str());
+        ui::tooltip((run.name + "\nClick to show this run's story").c_str());
         ImGui::PopID();
         const float middle = y + 0.5f * lane_height * scale;
         list.AddCircleFilled({origin.x + 5 * scale, middle}, 4 * scale, ui::packed(run_color(index)), 16);
@@ -305,14 +305,14 @@ void timeline_panel(Editor& editor) {
     if (editor.playtest) {
         const Tape& tape = editor.playtest->tape();
         const std::size_t ticks = tape.tick_count();
-        ui::muted_text(fmt::format("Recording: {} ticks, {:.1f} s. Esc ends it and shows it here.", ticks,
-                                   static_cast<double>(ticks) * tape.dt)
+        ui::muted_text(fmt::format("Recording: {} ticks, {:.1f} s. Press Esc to stop and show it here.",
+                                   ticks, static_cast<double>(ticks) * tape.dt)
                            .c_str());
         return;
     }
     if (!editor.lab.has_tape()) {
         ui::muted_text(
-            "Every playtest is recorded. Walk the level, or open a tape, and go through it tick by tick.");
+            "Every playtest is recorded. Walk the level or open a tape, then step through it tick by tick.");
         ImGui::Spacing();
         if (ui::button("Play", "Walk the level from the spawn point")) run_command(editor, "playtest.start");
         ImGui::SameLine();

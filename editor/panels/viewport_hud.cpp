@@ -74,7 +74,7 @@ void playtest_hud(const Editor& editor, const ViewportState& state) {
           {fmt::format("{:.2f} m/s", editor.playtest->speed()), stance,
            fmt::format("{:.2f}, {:.2f}, {:.2f}", player.position.x(), player.position.y(),
                        player.position.z())});
-    const char* const help = "Esc: back to editing";
+    const char* const help = "Esc: return to editing";
     const ImVec2 size = ImGui::CalcTextSize(help);
     const ImVec2 at{state.min.x + (state.size.x - size.x) * 0.5f,
                     state.min.y + state.size.y - size.y - 22 * scale};

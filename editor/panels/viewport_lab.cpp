@@ -181,7 +181,7 @@ void lab_labels(const Editor& editor, const ViewportState& state) {
         if (!run.shown || !divergence) continue;
         const Vec3 at = run.run.samples()[divergence->first].position;
         view_label(state, camera, at + Vec3(0.0, run.settings.radii.y() + 0.7, 0.0),
-                   fmt::format("Parts at tick {}", divergence->first), ui::palette().bad);
+                   fmt::format("Diverges at tick {}", divergence->first), ui::palette().bad);
     }
     for (std::size_t i = 0; i < lab.runs().size(); ++i) {
         const LabRun& run = lab.runs()[i];

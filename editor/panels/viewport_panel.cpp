@@ -58,15 +58,15 @@ std::string viewport_hint(const Editor& editor) {
             hint = select_hint(editor);
             break;
         case Tool::paint:
-            hint = "Click: paint " + type + " \u00b7 Drag: keep painting \u00b7 Alt+click: pick type";
+            hint = "Click: paint " + type + "\u00b7 Drag: paint more \u00b7 Alt+click: pick type";
             break;
         case Tool::fill:
             hint = "Click: fill with " + type + " \u00b7 Alt+click: pick type";
             break;
         case Tool::probe:
             hint = editor.probe.placed
-                       ? "Drag a handle: change the sweep \u00b7 Shift: up and down \u00b7 Click: place anew"
-                       : "Press: place the ellipsoid \u00b7 Drag: pull the displacement";
+                       ? "Drag a handle: change the sweep \u00b7 Shift: up and down \u00b7 Click: place again"
+                       : "Press: place the ellipsoid \u00b7 Drag: set the displacement";
             break;
     }
     return hint + " \u00b7 RMB+WASD: fly \u00b7 MMB: orbit";

@@ -39,9 +39,9 @@ void guessed_paint(Editor& editor) {
     const std::size_t count = editor.document->guessed().size();
     if (count == 0) return;
     ui::heading("Guessed paint");
-    entry("Look at them one after the other; paint over what is wrong",
+    entry("Step through them; repaint what is wrong",
           std::to_string(count) + (count == 1 ? " face was" : " faces were") +
-              " not found exactly in the geometry and took the paint of a face in the same plane or nearby");
+              " not found exactly in the geometry; the paint comes from a face in the same plane or nearby");
     constexpr std::pair<const char*, const char*> buttons[] = {{"Select all", "select.guessed"},
                                                                {"Previous", "select.previous_guessed"},
                                                                {"Next", "select.next_guessed"},
@@ -68,7 +68,7 @@ void warnings_panel(Editor& editor) {
         ui::muted_text("Nothing was repaired or dropped while opening this level");
         return;
     }
-    if (ui::button("Copy all", "Put every warning on the clipboard")) {
+    if (ui::button("Copy all", "Copy all warnings to the clipboard")) {
         std::string text;
         for (const Warnings& list : {document.warnings(), textures})
             for (const Diagnostic& warning : list)
@@ -84,7 +84,7 @@ void warnings_panel(Editor& editor) {
         const Vec3& at = orphan.key.centroid;
         entry("material " + (orphan.key.material.empty() ? "none" : orphan.key.material) + ", at " +
                   number_text(at.x(), "") + ", " + number_text(at.y(), "") + ", " + number_text(at.z(), ""),
-              "No face was found for a painted " + orphan.type + "; it is kept in the file");
+              "No face was found for a painted " + orphan.type + "; the file still contains it");
     }
     if (orphans.size() > max_orphans)
         ui::muted_text(("and " + std::to_string(orphans.size() - max_orphans) + " more").c_str());

@@ -52,16 +52,16 @@ void headline(Editor& editor, const Stop* stop) {
     ImGui::PopFont();
     const std::vector<Cure>* cures = cures_at_cursor(editor);
     if (cures == nullptr) {
-        wrapped(p.muted, "Looking for a cure\u2026");
+        wrapped(p.muted, "Searching for a cure\u2026");
     } else if (!cures->empty() && cures->front().passes) {
         const Cure& best = cures->front();
         const ui::Scope scope("Headline");
         const std::string label = best.text + "###Cure";
-        if (ui::button(label.c_str(), "Change the level so, as one step that can be undone"))
+        if (ui::button(label.c_str(), "Apply this change to the level as one step of history"))
             return use_cure(editor, Cure(best));
         ImGui::SameLine();
     }
-    if (ui::button("Look there", "Move the camera to the place")) go_to_stop(editor, *stop);
+    if (ui::button("Look there", "Move the camera there")) go_to_stop(editor, *stop);
 }
 
 // All stops of the run; a click goes there.
@@ -98,7 +98,7 @@ void stops_list(Editor& editor, const std::vector<Stop>& stops, double dt) {
 void cures_list(Editor& editor, const std::vector<Cure>& cures) {
     ui::heading("What would have helped");
     if (cures.empty()) {
-        ui::muted_text("No switch, number or surface type that was tried lets the player pass");
+        ui::muted_text("None of the tried switches, numbers and surface types lets the player pass");
         return;
     }
     const ui::Palette& p = ui::palette();
@@ -125,7 +125,8 @@ void cures_list(Editor& editor, const std::vector<Cure>& cures) {
             if (ui::button("Ghost", "Run the whole tape with this change as one more ghost")) ghost = i;
             ImGui::SameLine();
         }
-        if (ui::button(cure.button.c_str(), "Change the level so, as one step that can be undone")) used = i;
+        if (ui::button(cure.button.c_str(), "Apply this change to the level as one step of history"))
+            used = i;
         std::string effect = fmt::format("{:.2f} m further", cure.gained_m);
         if (!cure.passes) effect += ", but still stopped";
         if (!cure.cost.empty()) effect += "; " + cure.cost;
@@ -183,7 +184,7 @@ void switches(Editor& editor) {
                              std::max(0.0f, ImGui::GetContentRegionAvail().x - buttons));
         if (ui::button("Ghost", "Run the whole tape with this switch as one more ghost")) ghost = i;
         ImGui::SameLine();
-        if (ui::button("Set", "Throw the switch in this level")) set = i;
+        if (ui::button("Set", "Change the switch in this level")) set = i;
         wrapped(ui::palette().muted, effect_text(effect));
         ImGui::PopID();
     }
@@ -244,7 +245,7 @@ void why_panel(Editor& editor) {
     Lab& lab = editor.lab;
     if (!lab.has_tape() || editor.playtest) {
         ui::muted_text(
-            "Walk the level. After that, here stands what stopped you, and what would have let you pass.");
+            "Walk the level. This panel then shows what stopped you and what would have let you pass.");
         return;
     }
     const Document& document = *editor.document;
@@ -257,7 +258,7 @@ void why_panel(Editor& editor) {
     const TickTrace trace = lab.trace(document);
     const std::vector<StoryLine> story = lab.story(document);
     if (trace.records.empty() && story.size() < 2) {
-        ui::muted_text("This tick is not worked out yet");
+        ui::muted_text("This tick is not computed yet");
         return;
     }
     const std::vector<Stop> stops = lab.stops(document);
@@ -276,7 +277,7 @@ void why_panel(Editor& editor) {
         std::count_if(story.begin(), story.end(), [](const StoryLine& l) { return l.folded; });
     if (folded > 0) {
         ui::checkbox("Show what happens in every tick", &lab.show_folded,
-                     "Resting on the ground, and what found nothing to do");
+                     "Also show resting on the ground and hacks that had nothing to do");
     }
     if (ui::button("Copy story", "Put these lines on the clipboard")) run_command(editor, "lab.copy_story");
 }

@@ -90,7 +90,7 @@ int approve_from(const CheckArguments& arguments, SuiteSet set, Tally& tally) {
         count(approve_seen(studio, arguments, fs::path(arguments.from).parent_path(), entry.name), tally);
     }
     if (chosen == 0)
-        return complain({arguments.from, "nothing in this report waits for approval under these names"});
+        return complain({arguments.from, "this report has nothing to approve under these names"});
     return cli::exit_fine;
 }
 
@@ -115,10 +115,10 @@ void remove_golden(const fs::path& goldens, const std::string& name) {
 
 int snapshot_approve(const CheckArguments& arguments) {
     if (in_ci() && !arguments.in_ci)
-        return complain({"approve",
-                         "a CI approves nothing by itself: it would only bless what it should check (--in-ci "
-                         "does it all the same)"},
-                        cli::exit_bad_usage);
+        return complain(
+            {"approve",
+             "refused inside a CI: it would approve what it should check (use --in-ci to allow it)"},
+            cli::exit_bad_usage);
     Result<SuiteSet> set = load_suite_set(arguments.work.suite);
     if (!set) return complain(set.error());
     const fs::path goldens = arguments.work.suite.goldens;

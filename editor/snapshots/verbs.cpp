@@ -43,7 +43,7 @@ Result<Chosen> chosen_names(const CheckArguments& arguments, const std::vector<s
         for (const std::string& pattern : arguments.only)
             patterns += " " + pattern;
         return Error{"", arguments.only.empty() ? "there are no snapshots: no scenes.json, no editor/*.script"
-                                                : "no snapshot is named like" + patterns};
+                                                : "no snapshot matches" + patterns};
     }
     Chosen mine{.names = {}, .shard = {}, .suite = suite_fingerprint(chosen)};
     if (!arguments.shard.empty()) {
@@ -91,9 +91,8 @@ void print_timing(const Report& report, int jobs) {
         all += entry.seconds;
     }
     fmt::print(
-        "{} pictures in {:.2f} s with {} process{}; of their {:.2f} s, {:.2f} s were rasterising: {:.2f} "
-        "times "
-        "its cost\n",
+        "{} images in {:.2f} s with {} process{}; {:.2f} s in total, of which {:.2f} s rasterising (factor "
+        "{:.2f})\n",
         report.entries.size(), report.seconds, jobs, jobs == 1 ? "" : "es", all, drawing,
         drawing > 0.0 ? all / drawing : 0.0);
 }
@@ -109,7 +108,7 @@ int finish(const CheckArguments& arguments, Report& report) {
     if (report.failed() > 0) {
         fmt::print("Look at {}\n", (out / "report.html").generic_string());
         if (const std::string command = approve_command(report, out); !command.empty())
-            fmt::print("To make what is right the golden: {}\n", command);
+            fmt::print("To approve the new images: {}\n", command);
     }
     return exit_code_of(report.entries, arguments.detailed);
 }

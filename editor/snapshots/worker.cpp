@@ -67,8 +67,8 @@ GoldenResult approve(const Snapshot& snapshot, const WorkArguments& arguments) {
         rendering->numbers.empty() || rendering->numbers.find("llvmpipe") != std::string::npos;
     if (!software && !arguments.any_renderer)
         return failed(snapshot.name,
-                      "not rendered by Mesa's llvmpipe: other machines will not give these pixels "
-                      "(--any-renderer approves all the same)");
+                      "not rendered by Mesa's llvmpipe: other machines give other pixels (use --any-renderer "
+                      "to approve it)");
     const auto written = approve_golden(arguments.suite.goldens, snapshot, *rendering,
                                         {.force = arguments.force, .packed = !arguments.quick});
     if (!written) return failed(snapshot.name, written.error().text());
@@ -97,7 +97,7 @@ struct Worker {
         if (from >= 0) ::close(from);
         to = from = -1;
         int status = 0;
-        if (pid <= 0 || ::waitpid(pid, &status, 0) != pid) return "the process is gone";
+        if (pid <= 0 || ::waitpid(pid, &status, 0) != pid) return "the process has ended";
         pid = -1;
         if (WIFSIGNALED(status)) return fmt::format("the process ended by signal {}", WTERMSIG(status));
         return fmt::format("the process ended with code {}", WEXITSTATUS(status));
@@ -118,11 +118,11 @@ std::vector<std::string> worker_command(const WorkArguments& arguments) {
 
 Result<Worker> start_worker(const WorkArguments& arguments) {
     int in[2], out[2];
-    if (::pipe2(in, O_CLOEXEC) != 0) return Error{"worker", "no pipe can be made"};
+    if (::pipe2(in, O_CLOEXEC) != 0) return Error{"worker", "cannot create a pipe"};
     if (::pipe2(out, O_CLOEXEC) != 0) {
         ::close(in[0]);
         ::close(in[1]);
-        return Error{"worker", "no pipe can be made"};
+        return Error{"worker", "cannot create a pipe"};
     }
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);

@@ -13,9 +13,9 @@ namespace slipface {
 namespace {
 
 constexpr HeatInfo heat_infos[] = {
-    {"Walking time that a face cost each time a walker came to touch it", "s per visit"},
-    {"Time on a face in which walkers hardly moved although they were asked to, of all walkers", "s"},
-    {"Time of falling close above a face without finding ground, of all walkers", "s"},
+    {"Walking time that a face costs, per visit of a walker", "s per visit"},
+    {"Time that walkers pushed the stick on a face but hardly moved, all walkers together", "s"},
+    {"Time spent falling close above a face without ground contact, all walkers together", "s"},
     {"Time that walkers spent on a face, of all walkers", "s"},
     {"Faces flat enough to stand on where no walker ever was", ""},
 };

@@ -10,18 +10,18 @@ using namespace command_actions;
 
 std::vector<Command> edit_commands() {
     return {
-        {"edit.undo", icons::undo, "Undo", "Edit", "Take back the last step", "back revert", ctrl("Z"),
-         can_undo, nullptr, undo},
-        {"edit.redo", icons::redo, "Redo", "Edit", "Do again what was undone", "again repeat",
+        {"edit.undo", icons::undo, "Undo", "Edit", "Undo the last step", "back revert", ctrl("Z"), can_undo,
+         nullptr, undo},
+        {"edit.redo", icons::redo, "Redo", "Edit", "Redo the last undone step", "again repeat",
          ctrl_shift("Z"), can_redo, nullptr, redo},
-        {"edit.redo_alternative", icons::redo, "Redo", "", "Do again what was undone", "again repeat",
+        {"edit.redo_alternative", icons::redo, "Redo", "", "Redo the last undone step", "again repeat",
          ctrl("Y"), can_redo, nullptr, redo},
         {"edit.set_spawn", icons::flag, "Set spawn point", "Edit",
-         "Put the player's start on the face under the mouse, looking where the camera looks",
-         "start player begin", key("P"), has_hovered, nullptr, set_spawn_hovered},
+         "Move the main spawn to the face under the mouse, facing the view's direction", "start player begin",
+         key("P"), has_hovered, nullptr, set_spawn_hovered},
         {"edit.add_spawn", icons::flag, "Add spawn", "Edit",
-         "Put a further spawn on the face under the mouse, looking where the camera looks",
-         "start player begin", ctrl_shift("P"), has_hovered, nullptr, add_spawn_hovered},
+         "Add a spawn on the face under the mouse, facing the view's direction", "start player begin",
+         ctrl_shift("P"), has_hovered, nullptr, add_spawn_hovered},
     };
 }
 

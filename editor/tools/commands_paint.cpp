@@ -26,7 +26,7 @@ std::vector<Command> digit_commands(std::index_sequence<I...>) {
                     "Brush of key " + digit,
                     "Paint with the surface type that has the hotkey " + digit,
                     "paint." + digit,
-                    "Make it the type of key " + digit,
+                    "Paint the selection with key " + digit,
                     "Give the selected faces the surface type that has the hotkey " + digit};
         rows.push_back({texts[i][0].c_str(), "", texts[i][1].c_str(), "Tools", texts[i][2].c_str(),
                         "surface type hotkey", key(digit.c_str()), enabled, checked, run, brush_name});
@@ -70,16 +70,15 @@ std::vector<Command> paint_commands() {
          "Give the selected faces the brush's surface type", "fill apply assign", key("L"), has_selection,
          nullptr, fill_selection},
         {"edit.replace_type", icons::replace, "Replace type by the brush's", "Edit",
-         "Give every face with the type under the mouse, or of the selected faces, the brush's type; only "
-         "within the "
-         "selection if there is one",
+         "Change all faces of the type under the mouse, or of the selected faces' types, to the brush's "
+         "type; only inside the selection if there is one",
          "swap convert everywhere all", shift("L"),
          [](const Editor& e) { return has_selection(e) || has_hovered(e); }, nullptr, replace_seed_types},
         {"edit.unset_selection", icons::eraser, "Unset selection", "Edit",
-         "Take the painted types off the selected faces; rules and suffixes count again",
+         "Remove the paint of the selected faces; rules and suffixes decide their type again",
          "clear erase remove override", key("Backspace"), has_selection, nullptr, unset_selection},
         {"tools.pick_surface", icons::eyedropper, "Pick surface type", "Tools",
-         "Take the surface type of the face under the mouse as the brush", "eyedropper pipette", key("I"),
+         "Use the surface type of the face under the mouse as the brush", "eyedropper pipette", key("I"),
          has_hovered, nullptr, pick_surface},
         {"tools.larger_brush", icons::plus, "Larger brush", "Tools",
          "Paint a wider patch of faces around the mouse", "size radius bigger grow", key("]"), always,
@@ -88,8 +87,8 @@ std::vector<Command> paint_commands() {
          "Paint a narrower patch of faces; the smallest brush paints single faces", "size radius shrink",
          key("["), brush_can_shrink, nullptr, smaller_brush},
         {"brush.unset", icons::eraser, "Brush: unset", "Tools",
-         "Paint with nothing: rules and suffixes decide the face's type again", "eraser remove override",
-         key("0"), has_document, brush_is_unset, brush_unset},
+         "Remove paint: rules and suffixes decide the face's type again", "eraser remove override", key("0"),
+         has_document, brush_is_unset, brush_unset},
     };
     for (Command& row : digit_commands(std::make_index_sequence<9>()))
         rows.push_back(std::move(row));

@@ -72,14 +72,14 @@ std::vector<Command> play_commands() {
     std::vector<Command> rows{
         {"playtest.start", icons::play, "Play", "Playtest", "Walk the level from the spawn point",
          "run walk test game", key("F5"), has_document, nullptr, start_playtest},
-        {"playtest.stop", icons::stop, "Stop", "Playtest", "Go back to editing", "end leave exit",
+        {"playtest.stop", icons::stop, "Stop", "Playtest", "Return to editing", "end leave exit",
          key("Escape"), is_playing, nullptr, stop_playtest},
-        {"playtest.restart", icons::restart, "Restart", "Playtest", "Go back to where this walk began",
+        {"playtest.restart", icons::restart, "Restart", "Playtest", "Restart this walk",
          "again respawn reset", key("R"), is_playing, nullptr, restart_playtest},
         {"playtest.from_here", icons::play, "Play from here", "Playtest",
-         "Walk from the face under the mouse, looking where the view looks", "run walk test cursor hovered",
+         "Walk from the face under the mouse, facing the view's direction", "run walk test cursor hovered",
          alt("F5"), has_hovered, nullptr, play_from_hovered},
-        {"playtest.toggle_person", icons::person, "First person", "Playtest", "See through the player's eyes",
+        {"playtest.toggle_person", icons::person, "First person", "Playtest", "First-person view",
          "third camera view", key("V"), is_playing, is_first_person, toggle_person},
     };
     for (Command& row : hack_commands(std::make_index_sequence<max_settings>()))
@@ -90,7 +90,7 @@ std::vector<Command> play_commands() {
                     icons::folder_open,
                     "Open preset…",
                     "Playtest",
-                    "Take all movement settings from a file, as one step of history",
+                    "Read all movement settings from a file, as one step of history",
                     "load settings movement hacks file",
                     {},
                     has_document,

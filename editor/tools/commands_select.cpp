@@ -90,12 +90,12 @@ std::vector<Command> whole_rows() {
              apply_selection(e, inverted(*e.document, e.document->selection()), SelectBy::replace,
                              "Invert selection");
          }},
-        {"select.grow", icons::plus, "Grow selection", "Select", "Add every face beside a selected one",
+        {"select.grow", icons::plus, "Grow selection", "Select", "Add all neighbours of selected faces",
          "more larger expand", ctrl("]"), has_selection, nullptr,
          [](Editor& e) { from_seeds<grown>(e, "Grow selection"); }},
         {"select.shrink", icons::minus, "Shrink selection", "Select",
-         "Take away the selected faces beside one that is not selected", "less smaller contract", ctrl("["),
-         has_selection, nullptr, [](Editor& e) { from_seeds<shrunk>(e, "Shrink selection"); }},
+         "Deselect faces next to an unselected face", "less smaller contract", ctrl("["), has_selection,
+         nullptr, [](Editor& e) { from_seeds<shrunk>(e, "Shrink selection"); }},
         {"select.middle", icons::crosshairs, "Select in the middle", "Select",
          "Select the face in the middle of the view", "centre keyboard aim", key("Space"), has_document,
          nullptr, select_middle},
@@ -108,23 +108,22 @@ std::vector<Command> whole_rows() {
 std::vector<Command> connected_rows() {
     return {
         {"select.flat", icons::connected, "Connected flat", "Select/Connected",
-         "Select the faces connected in one plane with the selected ones, or with the one under the mouse",
+         "Select the faces connected in the same plane as the selected ones, or the one under the mouse",
          "flood coplanar plane region", shift("F"), has_seed, nullptr,
          [](Editor& e) { from_seeds<connected_flat>(e, "Select flat"); }},
         {"select.smooth", icons::connected, "Connected by angle", "Select/Connected",
-         "Select what is connected over edges that bend less than the fill angle", "flood smooth bend region",
+         "Select faces connected across edges that bend less than the fill angle", "flood smooth bend region",
          shift("G"), has_seed, nullptr,
          [](Editor& e) {
              apply_selection(e, connected_by_angle(*e.document, seed_faces(e), e.fill_angle),
                              SelectBy::replace, "Select by angle");
          }},
         {"select.within_material", icons::connected, "Connected within material", "Select/Connected",
-         "Select what is connected without leaving the material", "flood texture region", shift("M"),
-         has_seed, nullptr,
+         "Select connected faces of the same material", "flood texture region", shift("M"), has_seed, nullptr,
          [](Editor& e) { from_seeds<connected_within_material>(e, "Select within material"); }},
         {"select.within_type", icons::connected, "Connected within type", "Select/Connected",
-         "Select what is connected without leaving the surface type", "flood surface region", shift("T"),
-         has_seed, nullptr, [](Editor& e) { from_seeds<connected_within_type>(e, "Select within type"); }},
+         "Select connected faces of the same surface type", "flood surface region", shift("T"), has_seed,
+         nullptr, [](Editor& e) { from_seeds<connected_within_type>(e, "Select within type"); }},
     };
 }
 
@@ -140,7 +139,7 @@ std::vector<Command> similar_rows() {
          "Select every face of the groups and objects of the selected ones", "similar object part", ctrl("G"),
          has_seed, nullptr, [](Editor& e) { from_seeds<similar<Likeness::group>>(e, "Select same group"); }},
         {"select.same_direction", icons::copy, "Same direction", "Select/Similar",
-         "Select every face that looks within 2 degrees the same way", "similar normal parallel",
+         "Select every face whose normal differs by less than 2 degrees", "similar normal parallel",
          ctrl_shift("N"), has_seed, nullptr,
          [](Editor& e) { from_seeds<similar<Likeness::normal>>(e, "Select same direction"); }},
         {"select.same_area", icons::copy, "Same area", "Select/Similar",
@@ -162,13 +161,13 @@ std::vector<Command> similar_rows() {
 std::vector<Command> type_rows() {
     return {
         {"select.brush_type", icons::all, "The brush's type", "Select/By type",
-         "Select every face whose surface type is the brush's; those not painted when it is unset",
+         "Select every face of the brush's surface type, or all unpainted faces if the brush is `unset`",
          "similar same all with type", ctrl("T"), has_document, nullptr, select_brush_type},
         {"select.painted",
          icons::brush,
          "Painted faces",
          "Select/By type",
-         "Select every face whose type was painted on it",
+         "Select every painted face",
          "override overridden",
          {},
          has_document,
@@ -189,8 +188,7 @@ std::vector<Command> guessed_rows() {
          icons::all,
          "All of them",
          "Select/Guessed paint",
-         "Select the faces whose paint was guessed when the geometry was read: found by their plane or "
-         "nearby, "
+         "Select the faces whose paint was guessed when the geometry was read: matched by plane or distance, "
          "not exactly",
          "reload match plane nearest hot",
          {},
@@ -214,7 +212,7 @@ std::vector<Command> guessed_rows() {
          icons::step_back,
          "Previous",
          "Select/Guessed paint",
-         "Select and frame the face before it whose paint was guessed",
+         "Select and frame the previous face whose paint was guessed",
          "reload match step",
          {},
          has_guessed,
@@ -224,7 +222,7 @@ std::vector<Command> guessed_rows() {
          icons::check,
          "Accept all",
          "Select/Guessed paint",
-         "The guesses are right: list them no more",
+         "Accept all guessed paint",
          "reload match confirm",
          {},
          has_guessed,
@@ -257,15 +255,14 @@ std::vector<Command> shape_rows() {
          "Dragging with the select tool draws an outline around faces", "freehand outline polygon",
          shift("Q"), always, shape_is<SelectShape::lasso>, use_shape<SelectShape::lasso>},
         {"select.brush", icons::disc, "Drag a brush", "Select/Mouse",
-         "Dragging with the select tool selects what the mouse passes over", "paint stroke circle",
-         shift("P"), always, shape_is<SelectShape::brush>, use_shape<SelectShape::brush>},
+         "Dragging with the select tool selects the faces under the mouse", "paint stroke circle", shift("P"),
+         always, shape_is<SelectShape::brush>, use_shape<SelectShape::brush>},
         {"select.through", icons::cubes, "Select through", "Select/Mouse",
          "Box and lasso also take faces that cannot be seen, by their centres", "x-ray behind occluded",
          shift("X"), always, shown<&Editor::select_through>, toggle_shown<&Editor::select_through>},
         {"select.whole", icons::whole, "Only whole faces", "Select/Mouse",
-         "Box and lasso take only faces that lie wholly inside the outline",
-         "fully inside contained crossing", shift_alt("X"), always, shown<&Editor::select_whole>,
-         toggle_shown<&Editor::select_whole>},
+         "Box and lasso select only faces completely inside the outline", "fully inside contained crossing",
+         shift_alt("X"), always, shown<&Editor::select_whole>, toggle_shown<&Editor::select_whole>},
     };
 }
 
@@ -309,8 +306,8 @@ std::vector<Command> digit_rows(std::index_sequence<I...>) {
          [](const Editor& e) { return "Recall " + e.document->saved_selections()[I].name; }),
      ...);
     types.push_back({"select.save", icons::save, "Save selection", "Select/Saved",
-                     "Keep the selected faces under a name, to be recalled later", "named set remember store",
-                     ctrl_alt("S"), has_selection, nullptr, [](Editor& e) { save_selection(e, {}); }});
+                     "Save the selected faces under a name", "named set remember store", ctrl_alt("S"),
+                     has_selection, nullptr, [](Editor& e) { save_selection(e, {}); }});
     types.insert(types.end(), saved.begin(), saved.end());
     return types;
 }

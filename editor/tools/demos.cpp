@@ -31,12 +31,12 @@ bool holds(const fs::path& folder, const fs::path& fresh) {
 Result<fs::path> demo_files(const DemoInfo& info) {
     std::error_code error;
     const fs::path temporary = fs::temp_directory_path(error);
-    if (temporary.empty()) return Error{"TMPDIR", "names no folder; the demo's files would lie in it"};
+    if (temporary.empty())
+        return Error{"TMPDIR", "names no folder; expected the folder for the demo's files"};
     const fs::path base = temporary / "slipface-demos";
     fs::create_directories(base, error);
     std::string pattern = (base / "new-XXXXXX").string();
-    if (!mkdtemp(pattern.data()))
-        return Error{base.string(), "no folder can be made here for the demo's files"};
+    if (!mkdtemp(pattern.data())) return Error{base.string(), "cannot create a folder for the demo's files"};
     const fs::path fresh = pattern;
     const auto discard = [&] { fs::remove_all(fresh, error); };
     const Result<fs::path> saved = save_demo(info, fresh);

@@ -183,7 +183,7 @@ void set_back_faces(Editor& editor, BackFaces wanted) {
     editor.back_faces = wanted;
     switch (wanted) {
         case BackFaces::automatic:
-            editor.status = "Back faces: automatic, looked through from outside a level of rooms";
+            editor.status = "Back faces: automatic (hidden from outside a level of rooms)";
             break;
         case BackFaces::always:
             editor.status = "Back faces: always drawn";

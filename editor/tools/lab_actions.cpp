@@ -58,7 +58,7 @@ void take_playtest_tape(Editor& editor) {
     editor.status = "Recorded " + seconds_text(duration);
     const Status kept = editor.session.recordings.keep(editor.document->level().mesh_path.stem().string(),
                                                        tape_to_text(editor.lab.sealed_tape()));
-    if (!kept) editor.status += "; not kept beyond this session: " + kept.error().text();
+    if (!kept) editor.status += "; it will be lost at the end of this session: " + kept.error().text();
 }
 
 void open_tape(Editor& editor, const std::filesystem::path& path) {
@@ -100,7 +100,7 @@ void resume_from_cursor(Editor& editor) {
     start_playtest(editor);
     if (!editor.playtest) return;
     if (tick > 0) editor.playtest->resume(tape, settings, state, run.samples()[tick - 1].position, hash, yaw);
-    editor.status = "Recording anew from tick " + std::to_string(tick);
+    editor.status = "Recording again from tick " + std::to_string(tick);
 }
 
 Vec3 viewpoint(const CollisionWorld& world, const Vec3& position, const Vec3& normal, const Vec3& from_now,
@@ -261,7 +261,7 @@ void toggle_loop(Editor& editor) {
 }
 void pin_now(Editor& editor) {
     editor.lab.pin(editor.document->level().movement);
-    editor.status = "Kept these settings as a ghost";
+    editor.status = "Added these settings as a ghost";
 }
 void copy_tape(Editor& editor) {
     complete_runs(editor);

@@ -29,7 +29,7 @@ void recover(Editor& editor, const AutosaveInfo& info) {
     Session& session = editor.session;
     const std::string title = "Cannot recover " + info.mesh_path.filename().string();
     if (!session.autosave.hold(info)) {
-        editor.message = MessageDialog{title, "Another Slipface has taken these changes meanwhile.", {}};
+        editor.message = MessageDialog{title, "Another Slipface has recovered these changes meanwhile.", {}};
         look_for_autosaves(editor);
         return;
     }

@@ -29,7 +29,7 @@ void read_failed(Editor& editor, const fs::path& file, const Error& error, bool 
     const bool reported = broken && broken->reported;
     broken = BrokenFile{file, error.text(), editor.session.now_s, reported};
     if (reported && editor.message && editor.message->of_broken_file) editor.message->text = error.text();
-    editor.status = name + " cannot be read as it is now; waiting for the rest of it";
+    editor.status = name + " cannot be read; it may still be incomplete, trying again";
 }
 
 // Reports it after the delay. The level stays as it was, and is read again as soon as the file is complete.
@@ -74,7 +74,7 @@ bool reload_annotations(Editor& editor) {
     keep_brush_valid(editor);
     editor.status = "Reloaded " + name + ": " + loaded->match.text() + guessed_text(document);
     if (!loaded->warnings.empty()) editor.status += "; " + loaded->warnings.front().message;
-    editor.status += unsaved ? "; undo brings your unsaved changes back" : "; undo takes it back";
+    editor.status += unsaved ? "; undo restores your unsaved changes" : "; can be undone";
     return true;
 }
 
@@ -125,7 +125,7 @@ void finish_reload(Editor& editor, Loading loading) {
     watch_files(editor);
     geometry_changed(editor);
     editor.status =
-        "Reloaded " + name + ": " + document.match().text() + guessed_text(document) + "; undo takes it back";
+        "Reloaded " + name + ": " + document.match().text() + guessed_text(document) + "; can be undone";
 }
 
 bool look_at_files(Editor& editor) {
@@ -144,7 +144,7 @@ bool look_at_files(Editor& editor) {
     if (level_file && session.watch.level_gone()) {
         level_file = false;
         editor.status = editor.document->level().file_path.filename().string() +
-                        " is gone from disk; saving writes it again";
+                        " no longer exists on disk; saving writes it again";
     } else if (level_file && !session.watch.level_has_other_content()) {
         level_file = false;
     }

@@ -137,7 +137,7 @@ void open_review(Editor& editor, const fs::path& report_file) {
     load_images(*review);
     editor.review = std::move(review);
     editor.layout.show(PanelId::review);
-    editor.status = fmt::format("{} of {} snapshots are not the same", editor.review->shown.size(),
+    editor.status = fmt::format("{} of {} snapshots differ", editor.review->shown.size(),
                                 editor.review->report.entries.size());
 }
 

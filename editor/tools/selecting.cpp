@@ -257,7 +257,8 @@ void save_selection(Editor& editor, std::string name) {
     if (const auto found = find_selection(document, name)) return replace_selection(editor, *found);
     std::vector<SavedSelection> saved = saved_list(document);
     if (saved.size() == max_saved_selections) {
-        editor.status = "Not saved: a level keeps " + std::to_string(max_saved_selections) + " selections";
+        editor.status =
+            "Not saved: a level can have at most " + std::to_string(max_saved_selections) + " selections";
         return;
     }
     saved.push_back({name, {document.selection().begin(), document.selection().end()}});
@@ -284,7 +285,7 @@ void replace_selection(Editor& editor, std::size_t index) {
     std::vector<SavedSelection> saved = saved_list(*editor.document);
     saved[index].faces.assign(editor.document->selection().begin(), editor.document->selection().end());
     editor.status = "Saved " + saved[index].name + " anew";
-    editor.document->set_saved_selections(std::move(saved), "Save selection anew");
+    editor.document->set_saved_selections(std::move(saved), "Replace selection");
 }
 
 void remove_selection(Editor& editor, std::size_t index) {

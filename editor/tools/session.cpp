@@ -131,7 +131,7 @@ void finish_loading(Editor& editor) {
     if (loading.kind != Loading::Kind::recover) return offer_recovery(editor);
     editor.session.recovered = loading.autosave;
     editor.session.recoverable.clear();
-    editor.status = "Recovered " + name + "; undo goes back to the state on disk";
+    editor.status = "Recovered " + name + "; undo returns to the saved state";
 }
 
 }  // namespace

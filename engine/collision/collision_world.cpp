@@ -11,7 +11,7 @@ Status check(const TriangleSoup& soup) {
     if (soup.faces.size() != soup.triangles.size()) {
         return Error{"collision soup", std::to_string(soup.faces.size()) + " face ids for " +
                                            std::to_string(soup.triangles.size()) +
-                                           " triangles; expected one a triangle"};
+                                           " triangles; expected one per triangle (twice)"};
     }
     if (soup.triangles.size() > detail::max_triangles) {
         return Error{"collision soup", std::to_string(soup.triangles.size()) +
@@ -21,7 +21,7 @@ Status check(const TriangleSoup& soup) {
     if (!soup.bodies.empty() && soup.bodies.size() != soup.triangles.size()) {
         return Error{"collision soup", std::to_string(soup.bodies.size()) + " body numbers for " +
                                            std::to_string(soup.triangles.size()) +
-                                           " triangles; expected none or one a triangle"};
+                                           " triangles; expected none or one per triangle"};
     }
     for (std::size_t i = 0; i < soup.positions.size(); ++i) {
         if (!soup.positions[i].allFinite()) {
@@ -114,7 +114,7 @@ Status CollisionWorld::move_triangles(std::span<const TriangleId> triangles,
     if (triangles.size() != corners.size()) {
         return Error{"moved triangles", std::to_string(corners.size()) + " triples of corners for " +
                                             std::to_string(triangles.size()) +
-                                            " triangles; expected one a triangle"};
+                                            " triangles; expected one per triangle (twice)"};
     }
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         if (triangles[i] >= triangle_count()) {

@@ -114,7 +114,7 @@ void find_slivers(const Patient& patient, Problems& out) {
         }
         if (worst > vague)
             out.push_back({ProblemKind::sliver, face, no_id, face_centroid(mesh, face), 0,
-                           fmt::format("{} thin, {} long: rounding alone turns its normal by {}",
+                           fmt::format("{} wide, {} long: rounding rotates its normal by {}",
                                        metres(height_there), metres(longest_there),
                                        worst < 1.0 ? degrees(worst) : std::string("any angle"))});
     }
@@ -162,7 +162,7 @@ void find_overlaps(const Patient& patient, Problems& out) {
         last = face;
         const auto corners = corners_of(patient, t);
         out.push_back({ProblemKind::overlap, face, over[t], (corners[0] + corners[1] + corners[2]) / 3.0, 0,
-                       fmt::format("Over face {}, in one plane", over[t])});
+                       fmt::format("Overlaps face {} in one plane", over[t])});
     }
 }
 

@@ -214,7 +214,7 @@ void find_limit_steps(const Patient& patient, Problems& out) {
         flights[flight_of(step)].push_back(&step);
     const MovementSettings& settings = patient.level.movement;
     const std::string climbs = settings.step_up ? "Step height is " + metres(settings.step_height)
-                                                : "Step up is off, and without it the player climbs " +
+                                                : "Step up is off; without it the player climbs only " +
                                                       metres(rolled_over(settings));
     Problems found;
     for (const auto& [flight, members] : flights) {

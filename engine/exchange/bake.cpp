@@ -47,7 +47,7 @@ class Patcher {
                 case ObjStatement::Kind::face:
                     if (face == mesh_.face_count() ||
                         statement.corners != mesh_.face_corner_count(static_cast<FaceId>(face)))
-                        return Error{location, "holds other faces than were read; open it again"};
+                        return Error{location, "contains other faces than before; open it again"};
                     add_face(static_cast<FaceId>(face++), statement);
                     break;
                 case ObjStatement::Kind::library:
@@ -55,7 +55,7 @@ class Patcher {
             }
         }
         if (face != mesh_.face_count())
-            return Error{location, "holds other faces than were read; open it again"};
+            return Error{location, "contains other faces than before; open it again"};
         keep_pending();
         out_.obj += text_.substr(copied_);
         return std::move(out_);
@@ -213,8 +213,8 @@ Result<Baked> bake_level(const Level& level) {
 std::string Baked::text() const {
     const std::string name = after.level.mesh_path.filename().string();
     if (faces == 0) return "no face is painted: " + name + " stays as it is";
-    return fmt::format("{} face{} baked into {}; the file before is {}.bak", faces, faces == 1 ? "" : "s",
-                       name, name);
+    return fmt::format("{} face{} baked into {}; the old file is {}.bak", faces, faces == 1 ? "" : "s", name,
+                       name);
 }
 
 }  // namespace slipface

@@ -149,7 +149,7 @@ Result<ImportedRules> read_bsp_flags(std::string_view bytes, const std::string& 
     const std::size_t begin = u32_at(bytes, lump_entry);
     const std::size_t size = u32_at(bytes, lump_entry + 4);
     if (begin > bytes.size() || size > bytes.size() - begin || size % texture_size != 0)
-        return Error{location, fmt::format("says that its textures are {} bytes at {}, but it has {}", size,
+        return Error{location, fmt::format("declares {} bytes of textures at {}, but has {} bytes", size,
                                            begin, bytes.size())};
     if (size / texture_size > max_rules) return Error{location, "gives more than 100000 rules"};
     ImportedRules out;

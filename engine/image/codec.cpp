@@ -30,9 +30,9 @@ std::string stb_reason() {
 }
 
 Result<Image> decode(std::string_view bytes, const std::string& location, int max_side) {
-    if (bytes.empty()) return Error{location, "is empty; expected a PNG, JPEG, TGA or BMP picture"};
+    if (bytes.empty()) return Error{location, "is empty; expected a PNG, JPEG, TGA or BMP image"};
     if (bytes.size() > largest_file)
-        return Error{location, fmt::format("has {} bytes; too many for a picture", bytes.size())};
+        return Error{location, fmt::format("has {} bytes; too many for an image", bytes.size())};
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(bytes.size());
 
@@ -50,7 +50,7 @@ Result<Image> decode(std::string_view bytes, const std::string& location, int ma
     int height = 0;
     int channels = 0;
     if (!promised_format(bytes) || stbi_info_from_memory(data, size, &width, &height, &channels) == 0) {
-        return Error{location, "is no PNG, JPEG, TGA or BMP picture"};
+        return Error{location, "is no PNG, JPEG, TGA or BMP image"};
     }
     if (width < 1 || height < 1 || width > max_side || height > max_side) return too_large(width, height);
     if (!png_data_fits_header(bytes)) return Error{location, "is corrupt: its data do not fit its size"};

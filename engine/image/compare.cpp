@@ -58,7 +58,7 @@ std::string verdict_of(const Comparison& result, const CompareTolerance& toleran
                        bool too_dense) {
     if (result.max_delta == 0) return "identical";
     std::string text = fmt::format(
-        "{} pixels differ by more than {} ({} may), densest {}x{} window has {} by more than {} "
+        "{} pixels differ by more than {} (limit {}), densest {}x{} window has {} by more than {} "
         "({} fail) at {},{}, largest difference {}",
         result.differing, tolerance.pixel_delta, result.allowed, tolerance.window, tolerance.window,
         result.densest_window, tolerance.strong_delta, tolerance.window_pixels, result.densest_x,

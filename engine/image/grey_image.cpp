@@ -23,7 +23,7 @@ constexpr std::size_t largest_file = std::size_t{512} << 20;
 Result<GreyImage> decode(std::string_view bytes, const std::string& location, int max_side) {
     const auto header = png_size(bytes);
     if (!header || bytes.size() > largest_file)
-        return Error{location, "is no PNG picture; expected one with 16-bit grey"};
+        return Error{location, "is no PNG image; expected one with 16-bit grey"};
     const auto limit = static_cast<std::uint32_t>(std::max(max_side, 0));
     if (header->width < 1 || header->height < 1 || header->width > limit || header->height > limit) {
         return Error{location, fmt::format("is {} x {} pixels; at most {} x {} are read", header->width,
@@ -101,7 +101,7 @@ Status save_grey_png(const std::filesystem::path& path, const GreyImage& image) 
                               static_cast<std::size_t>(std::max(image.height, 0));
     if (image.width < 1 || image.height < 1 || image.values.size() != count ||
         count > (std::size_t{1} << 28)) {
-        return Error{path.string(), fmt::format("cannot hold a picture of {} x {} pixels and {} values",
+        return Error{path.string(), fmt::format("cannot hold an image of {} x {} pixels and {} values",
                                                 image.width, image.height, image.values.size())};
     }
     std::string rows;
@@ -115,7 +115,7 @@ Status save_grey_png(const std::filesystem::path& path, const GreyImage& image) 
         stbi_zlib_compress(reinterpret_cast<unsigned char*>(rows.data()), static_cast<int>(rows.size()),
                            &packed_size, 8),
         std::free);
-    if (!packed) return Error{path.string(), "the picture needs more memory than there is"};
+    if (!packed) return Error{path.string(), "the image does not fit into memory"};
 
     std::string png("\x89PNG\r\n\x1a\n", 8);
     std::string header;

@@ -161,7 +161,7 @@ std::string smallest_packing(const Raw& raw) {
 Result<std::string> encode_png(const Image& image, PngEffort effort) try {
     if (image.width < 1 || image.height < 1 || image.rgba.size() != 4 * image.pixel_count() ||
         image.rgba.size() > largest_written) {
-        return Error{"picture", fmt::format("cannot hold a picture of {} x {} pixels and {} bytes",
+        return Error{"picture", fmt::format("cannot hold an image of {} x {} pixels and {} bytes",
                                             image.width, image.height, image.rgba.size())};
     }
     const Raw raw = raw_bytes(image);

@@ -342,12 +342,11 @@ class Matcher {
         for (FaceId face = 0; face < claims_.size(); ++face)
             if (claims_[face] > Stage::exact) result_.guessed.push_back(face);
         if (result_.summary.orphaned > max_listed_orphans) {
-            result_.warnings.push_back({"", fmt::format("{} more painted faces found no face",
+            result_.warnings.push_back({"", fmt::format("{} more painted faces were not found",
                                                         result_.summary.orphaned - max_listed_orphans)});
         }
         if (lookup_.visits >= max_visits) {
-            result_.warnings.push_back(
-                {"", "the search for moved faces was cut short: too many faces are not where they were"});
+            result_.warnings.push_back({"", "stopped the search for moved faces: too many faces have moved"});
         }
     }
 
@@ -356,10 +355,11 @@ class Matcher {
         result_.orphans.push_back({stored.key, stored.type});
         if (++result_.summary.orphaned > max_listed_orphans) return;
         const Vec3& at = stored.key.centroid;
-        const std::string reason = types_[i] ? "found no face there" : "found no surface type of that name";
+        const std::string reason =
+            types_[i] ? "its face was not found" : "found no surface type of that name";
         result_.warnings.push_back(
             {stored.location, fmt::format("{}: a face painted \"{}\" at ({:.3f}, {:.3f}, {:.3f}), material "
-                                          "\"{}\"; kept as an orphan",
+                                          "\"{}\"; stored as an orphan",
                                           reason, stored.type, at.x(), at.y(), at.z(), stored.key.material)});
     }
 
@@ -451,9 +451,8 @@ Warnings match_stored_faces(Level& level, const FaceKeySets& sets) {
         if (matched.orphans.empty()) continue;
         const std::string set = i == 0 ? std::string("hidden")
                                        : fmt::format("of the selection \"{}\"", level.selections[i - 1].name);
-        warnings.push_back(
-            {"", fmt::format("found no face any more for {} of the {} faces {}; they are dropped",
-                             matched.orphans.size(), sets[i].size(), set)});
+        warnings.push_back({"", fmt::format("{} of the {} faces {} no longer exist; they are dropped",
+                                            matched.orphans.size(), sets[i].size(), set)});
     }
     return warnings;
 }

@@ -157,7 +157,7 @@ class StartFinder {
         }
         if (!room || !is_firm(scene_, settings_, centre)) return elsewhere(start, "The level has no spawn");
         start.position = centre - offset_;
-        start.note = "The level has no spawn; the player begins at its origin";
+        start.note = "The level has no spawn; the player starts at the origin";
         if (!note.empty()) start.note += "," + note;
         return start;
     }
@@ -182,7 +182,7 @@ class StartFinder {
             start.note = why + "; the player begins on open floor near the middle of the level";
         } else {
             start.stands = false;
-            start.note = why + ", and no floor has room for the player; nothing holds the player";
+            start.note = why + ", and there is no floor with room for the player: the player falls";
         }
         return start;
     }
@@ -220,7 +220,7 @@ std::string spawns_problem(std::span<const Spawn> spawns) {
         if (!names.insert(spawn.name).second)
             return fmt::format("Another spawn is called \"{}\"", spawn.name);
         if (!(spawn.position.cwiseAbs().maxCoeff() <= max_spawn_position) || !std::isfinite(spawn.yaw))
-            return fmt::format("The spawn \"{}\" is nowhere: its position is not finite, or beyond 1e9 m",
+            return fmt::format("The spawn \"{}\" has an invalid position: not finite, or beyond 1e9 m",
                                spawn.name);
     }
     return {};

@@ -42,7 +42,7 @@ void read_spin(JsonReader& reader, const Json& json, const std::string& path, Pl
     maybe_vector(reader, json, path, "pivot", platform.spin_pivot);
     maybe_number(reader, json, path, "rate", -100.0, 100.0, platform.spin_rate);
     if (reader.ok() && !(platform.spin_axis.norm() > 1e-6)) {
-        reader.fail(path + "/axis", "a vector without length", "an axis to turn about");
+        reader.fail(path + "/axis", "a vector of length 0", "an axis of rotation");
     }
 }
 

@@ -58,7 +58,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
         const auto twin = std::adjacent_find(names.begin(), names.end());
         if (twin != names.end()) {
             open_.back().keys.push_back(std::string(*twin));
-            return fail("a key that occurs twice in its object", "each key once");
+            return fail("a duplicate key", "each key once");
         }
         return close();
     }
@@ -71,7 +71,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
             if (at != std::string::npos) message.erase(0, at + mark.size());
         }
         error_ = Error{location_ + ":" + line_and_column(text_, position),
-                       "this is no JSON: " + json_excerpt(message)};
+                       "not valid JSON: " + json_excerpt(message)};
         return false;
     }
 

@@ -95,8 +95,8 @@ Result<LoadedLevel> load_annotated(const fs::path& mesh_path, const fs::path& fi
     if (!named.empty() && named.lexically_normal() != mesh_path.lexically_normal()) {
         loaded->warnings.insert(
             loaded->warnings.begin(),
-            {file_path.string() + ":/mesh", fmt::format("names {}, but lies beside {}, which was opened",
-                                                        quoted(named), quoted(mesh_path))});
+            {file_path.string() + ":/mesh",
+             fmt::format("names {}, but is next to {}, which was opened", quoted(named), quoted(mesh_path))});
     }
     loaded->warnings.insert(loaded->warnings.begin(), geometry->warnings.begin(), geometry->warnings.end());
     if (cancelled(progress)) return cancelled_error(file_path);

@@ -67,7 +67,7 @@ MovementSettings simulation() {
 const std::vector<ShippedPreset>& shipped_presets() {
     static const std::vector<ShippedPreset> presets{
         {"platformer",
-         {"Platformer", "What players of 3D platformers expect; a level without a level file has it.",
+         {"Platformer", "What players of 3D platformers expect; the default of a level without a level file.",
           MovementSettings{}}},
         {"lecture", {"Lecture", "The hacks of the lecture, as its demo has them.", lecture()}},
         {"precise-platformer",
@@ -77,7 +77,7 @@ const std::vector<ShippedPreset>& shipped_presets() {
          {"Momentum", "Speed is earned on slopes and kept on ice; the stick steers little.", momentum()}},
         {"simulation",
          {"Simulation",
-          "Every switch off: nothing but sweeping and sliding. Terrain without triangles is fallen through.",
+          "Every switch off: only sweeps and slides. The player falls through terrain without triangles.",
           simulation()}}};
     return presets;
 }

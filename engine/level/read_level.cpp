@@ -47,8 +47,8 @@ int read_version(JsonReader& reader, const Json& root) {
     for (const int known : {plain_level_file_version, level_file_version})
         if (version->kind == Json::Kind::number && version->text == std::to_string(known)) return known;
     reader.fail("/slipface", json_kind_text(*version),
-                fmt::format("the version {} or {}, the only ones that are understood",
-                            plain_level_file_version, level_file_version));
+                fmt::format("version {} or {}, the only supported ones", plain_level_file_version,
+                            level_file_version));
     return level_file_version;
 }
 
@@ -128,7 +128,7 @@ class LevelReader {
             if (known.contains(object.keys[i])) continue;
             unknown_.add(location, object.keys[i], object.items[i]);
             const std::string at = (path == "/" ? "" : path) + "/" + object.keys[i];
-            warn(at, "this key is unknown here; it is kept and written back");
+            warn(at, "unknown key; it is preserved");
         }
     }
 
@@ -427,7 +427,7 @@ class LevelReader {
             }
             if (std::find(groups.begin(), groups.end(), platform.group) == groups.end()) {
                 warn(here + "/group",
-                     fmt::format("found no group or object \"{}\" in the mesh; nothing moves",
+                     fmt::format("found no group or object \"{}\" in the mesh; the platform does not move",
                                  json_excerpt(platform.group)));
             }
             loaded_.level.platforms.push_back(std::move(platform));
@@ -472,7 +472,7 @@ class LevelReader {
 }  // namespace
 
 Result<LoadedLevel> read_level(const Json& root, const std::string& location, MeshPtr mesh) {
-    if (!mesh) return Error{location, "there is no geometry to put the level file on"};
+    if (!mesh) return Error{location, "the level file has no geometry"};
     return LevelReader(location, std::move(mesh)).read(root);
 }
 

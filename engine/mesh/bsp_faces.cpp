@@ -38,8 +38,7 @@ class FaceReader {
         for (std::size_t i = 0; i < file_.faces.count(); ++i)
             if (auto status = add_face(i, file_.faces.at(i)); !status) return status.error();
         if (dropped_ > 0)
-            warnings.add(location_,
-                         fmt::format("{} flares and faces without area are no surface: dropped", dropped_));
+            warnings.add(location_, fmt::format("dropped {} flares and faces without area", dropped_));
         return std::move(out_);
     }
 

@@ -72,7 +72,10 @@ class WallFinder {
 
     Status add_brushes(const BspRange& range, const Vec3& origin, bool world) {
         if (!range.within(file_.brushes.count()))
-            return Error{location_, "a model has brushes that are not there"};
+            return Error{location_,
+                         "a model refers to missing brushes (likewise in bsp_faces.cpp, bsp_walls.cpp, "
+                         "import_bsp.cpp, import_scene.cpp: \"has ... that are not there\" -> \"refers to "
+                         "missing ...\")"};
         for (std::size_t i = range.first; i < range.first + range.count; ++i)
             if (auto status = add_brush(i, origin, world); !status) return status;
         return {};
@@ -100,7 +103,7 @@ class WallFinder {
     // Far more than the largest map needs, but reached within seconds.
     Status within_bounds() const {
         if (work_ < std::size_t{500'000'000}) return {};
-        return Error{location_, "has brushes that overlap too often to tell what faces open space"};
+        return Error{location_, "has too many overlapping brushes to find the faces towards open space"};
     }
 
     Status add_brush(std::size_t number, const Vec3& origin, bool world) {

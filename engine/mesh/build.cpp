@@ -26,7 +26,7 @@ Status check_faces(const PolygonSoup& soup) {
     const auto& first = soup.face_first_corner;
     if (first.size() < 2) return unfit("has no faces");
     if (first.front() != 0 || first.back() != corner_count(soup)) {
-        return unfit("faces and corners do not fit together");
+        return unfit("the numbers of faces and corners do not match");
     }
     for (std::size_t face = 0; face + 1 < first.size(); ++face) {
         if (first[face + 1] < first[face] || first[face + 1] - first[face] < 3) {

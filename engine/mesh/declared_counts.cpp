@@ -16,7 +16,7 @@ Status check_count(std::string_view word, std::string_view bytes, const std::str
     const std::optional<double> count = read_number(word);
     if (!count || *count <= static_cast<double>(bytes.size())) return {};
     return Error{location,
-                 fmt::format("announces {} elements, but has {} bytes", in_quotes(word), bytes.size())};
+                 fmt::format("declares {} elements, but has {} bytes", in_quotes(word), bytes.size())};
 }
 
 }  // namespace

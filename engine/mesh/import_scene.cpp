@@ -108,8 +108,8 @@ class SceneReader {
             soup_.face_group.push_back(static_cast<std::uint32_t>(soup_.groups.size() - 1));
         }
         if (dropped > 0) {
-            warnings_.add(location_, fmt::format("{} points and lines of mesh {} are no surface: dropped",
-                                                 dropped, in_quotes(text_of(mesh.mName))));
+            warnings_.add(location_, fmt::format("dropped {} points and lines of mesh {}", dropped,
+                                                 in_quotes(text_of(mesh.mName))));
         }
         return {};
     }

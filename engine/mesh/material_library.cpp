@@ -123,8 +123,9 @@ class LibraryLoader {
         }
         auto text = read_file(file, bytes_left_);
         if (!text) {
-            return warnings_.add(location, fmt::format("material library {}: {}; material names are kept",
-                                                       in_quotes(relative.string()), text.error().message));
+            return warnings_.add(location,
+                                 fmt::format("material library {}: {}; only the material names are used",
+                                             in_quotes(relative.string()), text.error().message));
         }
         any_ = true;
         bytes_left_ -= text->size();
@@ -161,7 +162,7 @@ void read_mtl(std::string text, const std::string& location, const fs::path& fol
             std::string name = utf8_name(trim(rest), converted);
             const auto [entry, added] = materials.try_emplace(name, named_material(name));
             material = added ? &entry->second : nullptr;
-            if (!added) warn(fmt::format("material {} is defined twice: the first counts", in_quotes(name)));
+            if (!added) warn(fmt::format("material {} is defined twice: the first is used", in_quotes(name)));
         } else if (material == nullptr) {
             continue;
         } else if (keyword == "Kd") {

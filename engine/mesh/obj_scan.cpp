@@ -30,7 +30,7 @@ class Scanner {
         if (text_.empty()) return Error{location_, "is empty; expected an OBJ file"};
         if (const std::size_t binary = find_binary(text_); binary != std::string::npos) {
             return Error{fmt::format("{}:{}", location_, line_of(text_, binary)),
-                         fmt::format("byte 0x{:02X} is no text; expected an OBJ file",
+                         fmt::format("byte 0x{:02X} is not text; expected an OBJ file",
                                      static_cast<unsigned char>(text_[binary]))};
         }
         scan_.clean.reserve(text_.size() + text_.size() / 8);
@@ -100,7 +100,7 @@ class Scanner {
             const auto value = read_number(word);
             if (!value) return refuse(fmt::format("{} is no number", in_quotes(word)));
             if (!(std::abs(*value) <= largest_obj_coordinate)) {
-                return refuse(fmt::format("coordinate {} is out of range; expected at most {} m either way",
+                return refuse(fmt::format("coordinate {} is out of range; expected -{1} to {1} m",
                                           in_quotes(word), to_text(largest_obj_coordinate)));
             }
             out += ' ';
@@ -248,8 +248,9 @@ class Scanner {
     }
 
     static std::string index_message(std::string_view found, const char* keyword, std::int64_t count) {
-        return fmt::format("index {} is out of range; expected 1 to {}, or -1 to -{}: so many '{}' there are",
-                           found, count, count, keyword);
+        return fmt::format(
+            "index {} is out of range; expected 1 to {}, or -1 to -{}, the number of '{}' lines so far",
+            found, count, count, keyword);
     }
     bool refuse_index(std::string_view found, const char* keyword, std::int64_t count) {
         return refuse(index_message(found, keyword, count));

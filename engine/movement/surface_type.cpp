@@ -58,9 +58,8 @@ std::span<const SurfaceField> surface_fields() {
          "acceleration and braking; below 1 slopes pull; above 1 a bounce loses speed along the surface.",
          &T::friction},
         {"restitution", "Restitution", "", 0.0, 1.0,
-         "Share of the velocity into the surface that it gives back: 0 slides, 1 bounces for ever. A fall "
-         "from h bounces "
-         "to restitution*restitution*h.",
+         "Fraction of the velocity into the surface that a bounce returns: 0 slides, 1 bounces for ever. A "
+         "fall from h bounces to restitution*restitution*h.",
          &T::restitution},
         {"keeps_energy", "Keeps energy", "", 0.0, 1.0,
          "Slides without loss and without static friction: ice, half-pipes.", &T::keeps_energy},
@@ -68,24 +67,23 @@ std::span<const SurfaceField> surface_fields() {
          &T::climbable},
         {"climb_speed", "Climb speed", "m/s", 0.0, 50.0, "Speed along the plane of a climbable surface.",
          &T::climb_speed},
-        {"sticky", "Sticky", "", 0.0, 1.0, "Holds whoever touches it, walls and ceilings too, until a jump.",
-         &T::sticky},
+        {"sticky", "Sticky", "", 0.0, 1.0,
+         "Holds a player who touches it until a jump; also on walls and ceilings.", &T::sticky},
         {"velocity", "Velocity", "m/s", -50.0, 50.0,
          "Carries what stands on it: a conveyor belt. World space.", &T::velocity},
         {"angular_velocity", "Angular velocity", "rad/s", -50.0, 50.0,
-         "Turns what stands on it about the vertical through the spin centre, counter-clockwise seen from "
-         "above.",
+         "Rotates the player that stands on it about the vertical axis through the spin centre, "
+         "counter-clockwise seen from above.",
          &T::angular_velocity},
         {"spin_centre", "Spin centre", "m", -1e6, 1e6,
-         "A point of the axis that a turntable turns about. World space.", &T::spin_centre},
-        {"one_sided", "One-sided", "", 0.0, 1.0, "Solid from the front only; from behind the player passes.",
-         &T::one_sided},
+         "A point of the turntable's axis of rotation. World space.", &T::spin_centre},
+        {"one_sided", "One-sided", "", 0.0, 1.0,
+         "Solid from the front only; the player passes through from behind.", &T::one_sided},
         {"solid", "Solid", "", 0.0, 1.0, "Off: nothing collides with it.", &T::solid},
-        {"hazardous", "Hazardous", "", 0.0, 1.0, "Touching it puts the player back to the spawn point.",
+        {"hazardous", "Hazardous", "", 0.0, 1.0, "A player who touches it returns to the spawn point.",
          &T::hazardous},
         {"max_slope", "Maximum slope", "deg", 0.0, 1.5533430342749532,
-         "The steepest slope of this surface that can be walked on, instead of the player's own.",
-         &T::max_slope},
+         "Maximum walkable slope of this surface, instead of the player's setting.", &T::max_slope},
     }};
     return fields;
 }

@@ -100,7 +100,7 @@ Overlay& GlGraphics::overlay() {
 Status GlGraphics::end_frame() {
     Impl& impl = *impl_;
     if (!std::exchange(impl.in_frame, false))
-        return Error{"GlGraphics::end_frame", "found no frame under way, expected begin_frame() before it"};
+        return Error{"GlGraphics::end_frame", "found no frame in progress, expected begin_frame() before it"};
     std::erase_if(impl.levels, [](const ShownLevel& shown) { return !shown.wanted; });
     if (impl.levels.empty() && !impl.empty_renderer)
         impl.empty_renderer = std::make_unique<LevelRenderer>(impl.gl);

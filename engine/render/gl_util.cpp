@@ -34,7 +34,7 @@ Result<unsigned> compile_shader(const GladGLContext& gl, GLenum kind, const char
     gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(static_cast<std::size_t>(length));
     gl.DeleteShader(shader);
-    return Error{std::string("shader ") + name, "the graphics driver refuses it: " + log};
+    return Error{std::string("shader ") + name, "the graphics driver rejects the shader: " + log};
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ Result<Image> LevelPainter::image(const Camera& camera, int width, int height, c
         return Error{context.renderer(), "OpenGL reports error " + std::to_string(error)};
     }
     if (image.width != width || image.height != height) {
-        return Error{context.renderer(), "cannot draw a picture of " + std::to_string(width) + "x" +
+        return Error{context.renderer(), "cannot draw an image of " + std::to_string(width) + "x" +
                                              std::to_string(height) + " pixels"};
     }
     return image;

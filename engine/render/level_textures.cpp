@@ -79,9 +79,10 @@ Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& fold
         const std::string position = "material \"" + material.name + "\"";
         const auto [path, refused] = find_texture(material.texture, folder, access);
         if (refused)
-            warn(position,
-                 "the texture \"" + material.texture + "\" lies outside the level's folder: not read" +
-                     (path ? "; the picture of that name in the folder is used" : "; drawn as a checker"));
+            warn(position, "the texture \"" + material.texture +
+                               "\" lies outside the level's folder: not read" +
+                               (path ? "; the image with that name in the level's folder is used"
+                                     : "; drawn as a checker"));
         if (!path && refused) return use_checker();
         if (!path) {
             warn(position, "found no texture \"" + material.texture + "\" in " +

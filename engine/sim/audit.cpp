@@ -42,7 +42,7 @@ Status check_options(const Level& level, const AuditOptions& options) {
     if (!(options.duration_s >= options.dt &&
           options.duration_s / options.dt * options.walkers <= double(max_steps)))
         return Error{location,
-                     fmt::format("found {} s a walker, expected at least one step and at most {} in all",
+                     fmt::format("found {} s per walker, expected at least one step and at most {} in total",
                                  options.duration_s, max_steps)};
     if (options.shard.number < 1 || options.shard.number > options.shard.count)
         return Error{location,
@@ -146,13 +146,13 @@ Result<AuditReport> run_audit(const Level& level, const AuditOptions& options) {
     if (const auto inside = overlaps_deeply(at_first, level.movement, spawn_in_scene))
         return Error{
             "audit",
-            fmt::format("the spawn point lies inside face {}; every walker would begin stuck", inside->face)};
+            fmt::format("the spawn point lies inside face {}; every walker would start stuck", inside->face)};
 
     // A door may be open at another time: only what stands still closes a level.
     const bool closed = level_is_closed(at_first.collision, spawn_in_scene);
     const std::uint64_t fingerprint = scene_fingerprint_of(level, at_first);
     if (const auto death = death_at_spawn(first, level.movement, start, options.dt))
-        return Error{"audit", fmt::format("the spawn point kills: a player who stands still there dies after "
+        return Error{"audit", fmt::format("a player who stands still at the spawn point is killed after "
                                           "{:.2f} s on {}",
                                           death->first, face_words(level, death->second.ground_face))};
 

@@ -232,8 +232,7 @@ std::string audit_to_json(const AuditReport& report) {
 
 Result<AuditReport> audit_from_json(std::string_view text, const std::string& location) {
     Json json = Json::parse(text, nullptr, false);
-    if (!json.is_object())
-        return Error{location, "is no audit report, or only the beginning of one: expected a JSON object"};
+    if (!json.is_object()) return Error{location, "is no complete audit report: expected a JSON object"};
     Reader reader(json, location + ":");
     if (const auto found = reader.number<std::uint32_t>("slipface_audit"); found != version)
         return Error{location, fmt::format("found audit version {}, expected {}", found, version)};
@@ -241,7 +240,7 @@ Result<AuditReport> audit_from_json(std::string_view text, const std::string& lo
     Json unsigned_json = json;
     unsigned_json.erase("checksum");
     if (!reader.error() && checksum != checksum_of(unsigned_json))
-        return Error{location, "is damaged: its checksum does not fit what it says"};
+        return Error{location, "is damaged: its checksum does not match"};
     AuditReport report;
     report.level_name = reader.text("level");
     report.level_fingerprint = reader.hexadecimal("fingerprint");

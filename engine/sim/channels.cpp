@@ -35,7 +35,7 @@ constexpr RunChannel channels[] = {
      [](const TapeRun& run, std::size_t tick) { return at(run, tick).velocity.z(); }},
     {"speed", "Speed", "m/s", "Length of the velocity", false,
      [](const TapeRun& run, std::size_t tick) { return at(run, tick).velocity.norm(); }},
-    {"level_speed", "Level speed", "m/s", "Length of the horizontal part of the velocity", false,
+    {"level_speed", "Horizontal speed", "m/s", "Length of the horizontal part of the velocity", false,
      [](const TapeRun& run, std::size_t tick) {
          const Vec3& v = at(run, tick).velocity;
          return std::sqrt(v.x() * v.x() + v.z() * v.z());
@@ -46,13 +46,13 @@ constexpr RunChannel channels[] = {
      }},
     {"vertical_speed", "Vertical speed", "m/s", "Upwards", false,
      [](const TapeRun& run, std::size_t tick) { return at(run, tick).velocity.y(); }},
-    {"energy", "Energy", "J/kg", "Of motion and of height above the start, for each kilogram", false,
+    {"energy", "Energy", "J/kg", "Kinetic energy plus potential energy above the start, per kilogram", false,
      [](const TapeRun& run, std::size_t tick) {
          const TickSample& sample = at(run, tick);
          return 0.5 * sample.velocity.squaredNorm() +
                 gravity(run, tick) * (sample.position.y() - run.start().y());
      }},
-    {"slope", "Slope", "deg", "Of what is stood on or slid along", false,
+    {"slope", "Slope", "deg", "Slope of the ground contact", false,
      [](const TapeRun& run, std::size_t tick) {
          const TickSample& sample = at(run, tick);
          if (sample.ground_face == no_id) return nan;
@@ -60,13 +60,13 @@ constexpr RunChannel channels[] = {
      }},
     {"grounded", "Grounded", "", "1 while the player stands on something", true,
      [](const TapeRun& run, std::size_t tick) { return at(run, tick).grounded ? 1.0 : 0.0; }},
-    {"contacts", "Contacts", "", "Touches met in the tick", true,
+    {"contacts", "Contacts", "", "Contacts in the tick", true,
      [](const TapeRun& run, std::size_t tick) { return static_cast<double>(at(run, tick).contacts); }},
     {"climbing", "", "", "1 while on a ladder", true,
      [](const TapeRun& run, std::size_t tick) { return at(run, tick).climbing ? 1.0 : 0.0; }},
-    {"stuck", "", "", "1 while a sticky surface holds", true,
+    {"stuck", "", "", "1 while a sticky surface holds the player", true,
      [](const TapeRun& run, std::size_t tick) { return at(run, tick).stuck ? 1.0 : 0.0; }},
-    {"push_outs", "", "", "Times the player was moved out of geometry", true,
+    {"push_outs", "", "", "How often the player was pushed out of geometry", true,
      [](const TapeRun& run, std::size_t tick) { return static_cast<double>(at(run, tick).push_outs); }},
 };
 

@@ -231,10 +231,10 @@ struct CureSearch::Impl {
         const double gained = t.at_mark_end_m - whole_as_is.at_mark_end_m;
         const double before = t.advanced_before_m - whole_as_is.advanced_before_m;
         if (!survives || gained - before < made_up * lost_m) cure.passes = false;
-        if (before < -cost_m) cure.cost = fmt::format("costs {:.2f} m before it", -before);
+        if (before < -cost_m) cure.cost = fmt::format("loses {:.2f} m earlier on the tape", -before);
         if (t.sent_back && !whole_as_is.sent_back) {
             if (!cure.cost.empty()) cure.cost += ", ";
-            cure.cost += fmt::format("then is sent back to the start at {:.2f} s",
+            cure.cost += fmt::format("the player is then sent back to the start at {:.2f} s",
                                      static_cast<double>(*t.sent_back) * run.dt());
         }
     }

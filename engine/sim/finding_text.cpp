@@ -7,16 +7,17 @@ namespace {
 
 constexpr FindingKindInfo kinds[] = {
     {"passed_through", "Passed through a face",
-     "The centre of a walker went through a solid face, or a platform went through it",
-     "Check whether Platforms is off; otherwise this is a defect of the movement: report it with its tape"},
+     "The centre of a walker passed through a solid face, or a platform passed through the centre",
+     "Check that Moving platforms is on. If it is, this is a defect of the movement: report it with its "
+     "tape"},
     {"left_level", "Left the level",
      "No ray from the spawn point leaves the level, yet a walker did, through a gap or a one-sided face",
      "Close the gap where the walker left, or give the face there a type that stops from both sides"},
     {"overlap", "Ended inside a face", "A walker ended a tick deeper inside a solid face than its skin",
      "Check whether a platform or a setting puts it there; otherwise report it with its tape"},
     {"stuck", "Got stuck",
-     "A walker was asked to move for 2 s and more and stayed within 1 cm, the last quarter of a second with "
-     "nothing in its way",
+     "A walker pushed the stick for at least 2 s but stayed within 1 cm, although nothing blocked it in the "
+     "last quarter of a second",
      "Open the run and read Why. Widen or fill the corner, or turn on Step up or the analytic push-out"},
 };
 static_assert(std::size(kinds) == finding_kind_count);

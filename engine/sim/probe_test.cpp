@@ -194,7 +194,7 @@ Result<ProbeTest> parse_probe_test(std::string_view text, const std::string& loc
         };
         if (!header) {
             header = words.size() == 2 && words[0] == "slipface-probe" && words[1] == "1";
-            if (!header) return bad("\"slipface-probe 1\" first; no other version is understood");
+            if (!header) return bad("\"slipface-probe 1\" as the first line, the only supported version");
             continue;
         }
         if (!read_line(test, words, line))

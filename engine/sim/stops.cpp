@@ -172,7 +172,7 @@ void write_headline(Stop& stop, const MovementSettings& settings, const StoryNam
             break;
         case StopCause::overhead:
             words.say(what).say(" is too low: you touched it ").size(height);
-            words.say(" above your feet, and are ").size(2.0 * settings.radii.y()).say(" tall");
+            words.say(" above your feet, and you are ").size(2.0 * settings.radii.y()).say(" tall");
             break;
         case StopCause::gap:
             words.say("You are held between ").say(what).say(" and face " + std::to_string(loss.other));

@@ -83,7 +83,7 @@ std::string touched(const SweepRecord& sweep, bool walkable) {
     const double up = contact.normal.y();
     const char* noun = walkable                ? "the floor"
                        : up > wall_normal_y    ? "a steep slope"
-                       : up > -wall_normal_y   ? "the middle of a wall"
+                       : up > -wall_normal_y   ? "a wall"
                        : up > ceiling_normal_y ? "an overhang"
                                                : "the ceiling";
     return sweep.back
@@ -177,7 +177,7 @@ class Teller {
         } else if (tilt > 179.95) {
             words.say(", overhead");
         } else if (tilt > 90.0) {
-            words.say(", leaning over by ").degrees(tilt - 90.0);
+            words.say(", overhanging by ").degrees(tilt - 90.0);
         } else {
             words.say(", sloping ").degrees(tilt);
         }
@@ -202,7 +202,7 @@ class Teller {
         words.say(rule_sentence(response.rule));
         const double before_m = response.remainder_before.norm(), after_m = response.remainder_after.norm();
         if (after_m > 0.0) {
-            words.say(": ").length_of(after_m, before_m).say(" go on");
+            words.say(": ").length_of(after_m, before_m).say(" remain");
         } else {
             words.say(": the last ").length(before_m).say(" are lost");
         }
@@ -219,9 +219,9 @@ class Teller {
             case Rule::bounce:
                 return "Bounced off it";
             case Rule::straight_ahead:
-                return "Led straight ahead on it";
+                return "Continued straight ahead on it";
             case Rule::keep_energy:
-                return "Turned along it without loss";
+                return "Deflected along it without loss of speed";
             case Rule::stick:
                 return "Stuck to it";
             case Rule::crease:
@@ -267,7 +267,7 @@ class Teller {
         if (push.free) {
             words.say(" by ").length(motion.norm());
         } else {
-            words.say(": ").length(motion.norm()).say(" further it would be inside another");
+            words.say(": moving by ").length(motion.norm()).say(" would end inside another");
         }
     }
 

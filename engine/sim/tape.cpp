@@ -95,7 +95,8 @@ class TapeParser {
         if (tape_.end_hash) return fail(quoted(line), "nothing after \"end\"");
         if (!has_header_) {
             has_header_ = words.size() == 2 && words[0] == magic && words[1] == version;
-            if (!has_header_) fail(quoted(line), "\"slipface-tape 1\" first; no other version is understood");
+            if (!has_header_)
+                fail(quoted(line), "\"slipface-tape 1\" as the first line, the only supported version");
         } else if (words[0] == "level") {
             read_level(words);
         } else if (words[0] == "surfaces") {

@@ -193,7 +193,7 @@ std::string why_diverged(const SceneComparison& comparison, const LevelChanges& 
     if (!settings.empty()) return settings;
     for (const NumberDifference& number : comparison.request.numbers)
         if (number.path == "/movement/tape/inputs") return "because the tape's inputs changed";
-    return changes.list.empty() ? "" : "though no face touched then has changed";
+    return changes.list.empty() ? "" : "although no face touched at that tick has changed";
 }
 
 // The text if the golden's level, settings and tape, simulated today, give today's path.
@@ -210,7 +210,7 @@ std::string same_path_text(const ExplainRequest& request, const LevelChanges& ch
                      "movement code has changed"
                    : "trajectory differs, and not because of the level: the movement code has "
                      "changed";
-    return "the path is the same, what happens on it is not";
+    return "the path is the same, but the events on it differ";
 }
 
 // The golden's tape is simulated again in the golden's level. If the result differs from the golden's
@@ -235,9 +235,10 @@ void describe_movement(const SceneComparison& comparison, const LevelChanges& ch
             ++tick;
         if (tick < std::min(a.size(), b.size())) {
             const double apart = (a.back().position - b.back().position).norm();
-            text = fmt::format("trajectory diverges at tick {} ({:.2f} s) {}, and ends {:.3g} m away", tick,
-                               static_cast<double>(tick) * after.story->tape.dt,
-                               why_diverged(comparison, changes, tick), apart);
+            const std::string why = why_diverged(comparison, changes, tick);
+            text = fmt::format("trajectory diverges at tick {} ({:.2f} s){}, and ends {:.3g} m away", tick,
+                               static_cast<double>(tick) * after.story->tape.dt, why.empty() ? "" : " " + why,
+                               apart);
         } else if (a.size() != b.size()) {
             text = fmt::format("the tape has {} ticks instead of {}", b.size(), a.size());
         } else {
@@ -279,7 +280,7 @@ void describe_rest(const ExplainRequest& request, std::size_t pixels, std::vecto
                                                number->expected, number->actual)});
     if (const NumberDifference* number = first_number(request, "/picture"))
         return findings.push_back({Cause::view, pixels,
-                                   fmt::format("another way of drawing: {} was {}, is {}",
+                                   fmt::format("drawing style changed: {} was {}, is {}",
                                                number->path.substr(9), number->expected, number->actual)});
     if (const NumberDifference* number = first_number(request, "/level/textures"))
         return findings.push_back(

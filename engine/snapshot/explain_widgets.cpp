@@ -85,7 +85,7 @@ std::vector<Finding> explain_widgets(const ExplainRequest& request) {
     std::vector<Finding> findings;
     for (const auto& [path, count] : pixels)
         findings.push_back({Cause::ui, count,
-                            path.empty() ? std::string("outside of every named widget")
+                            path.empty() ? std::string("outside all named widgets")
                                          : fmt::format("`{}` {}", path, what_happened(path, before, after))});
     std::stable_sort(findings.begin(), findings.end(),
                      [](const Finding& x, const Finding& y) { return x.pixels > y.pixels; });

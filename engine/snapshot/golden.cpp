@@ -23,7 +23,7 @@ fs::path png_path(const fs::path& folder, const std::string& name, const char* e
 Status write_image_file(const fs::path& path, const Image& image, PngEffort effort = PngEffort::fast) {
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
-    if (error) return Error{path.parent_path().string(), "cannot make the folder: " + error.message()};
+    if (error) return Error{path.parent_path().string(), "cannot create the folder: " + error.message()};
     return save_png(path, image, effort);
 }
 
@@ -200,7 +200,7 @@ GoldenResult check_golden(const fs::path& folder, const Snapshot& snapshot, cons
     result.state = same ? GoldenState::same : GoldenState::different;
     result.message = difference_message(result, golden_path);
     if (same && !result.matched.empty())
-        result.message = fmt::format("{} fits; the golden itself does not", result.matched);
+        result.message = fmt::format("{} matches; the golden itself does not", result.matched);
     if (same) return result;
     explain_difference(pair, *golden, golden_numbers, result);
     if (!result.findings.empty()) result.message += "; " + result.findings.front().text;
@@ -270,9 +270,9 @@ GoldenResult check_snapshot(const Snapshot& snapshot, const fs::path& folder, co
         if (first->image != second->image || first->numbers != second->numbers) {
             result.state = GoldenState::nondeterministic;
             result.comparison = compare_images(first->image, second->image, snapshot.tolerance);
-            result.message = fmt::format("{}: two renderings in a row differ: {}", snapshot.name,
-                                         first->image != second->image ? result.comparison.verdict
-                                                                       : "the same picture, other numbers");
+            result.message = fmt::format(
+                "{}: two renderings in a row differ: {}", snapshot.name,
+                first->image != second->image ? result.comparison.verdict : "the same image, other numbers");
             if (valid_snapshot_name(snapshot.name)) {
                 write_and_report(png_path(out, snapshot.name, ".first.png"), first->image, result.message);
                 write_and_report(png_path(out, snapshot.name, ".second.png"), second->image, result.message);

@@ -226,7 +226,7 @@ std::string digest_name(const Level& level) {
 Result<std::string> encode_digest(const Level& level) {
     if (!level.mesh) return Error{"digest", "the level has no geometry"};
     if (level.mesh->triangle_count() > max_digest_triangles)
-        return Error{"digest", fmt::format("the level has {} triangles, at most {} are kept",
+        return Error{"digest", fmt::format("the level has {} triangles; a digest stores at most {}",
                                            level.mesh->triangle_count(), max_digest_triangles)};
     Writer out;
     out.text(annotations_json(level));
@@ -240,7 +240,7 @@ Result<std::string> encode_digest(const Level& level) {
 
 Result<Level> decode_digest(std::string_view bytes, const std::string& location) try {
     const Error damaged{location,
-                        "is damaged, expected a level's digest; `slipface snapshot approve` writes it anew"};
+                        "is damaged, expected a level's digest; `slipface snapshot approve` writes it again"};
     std::uint64_t size = 0;
     if (!bytes.starts_with(magic) || bytes.size() < magic.size() + sizeof size) return damaged;
     std::memcpy(&size, bytes.data() + magic.size(), sizeof size);

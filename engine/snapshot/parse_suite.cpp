@@ -80,7 +80,7 @@ void only_keys(const Json& object, const std::string& location, std::initializer
         std::string names;
         for (const char* name : allowed)
             names += (names.empty() ? "" : ", ") + std::string(name);
-        refuse(fmt::format("{}/{}", location, key), "is not known here, expected one of: " + names);
+        refuse(fmt::format("{}/{}", location, key), "is unknown, expected one of: " + names);
     }
 }
 
@@ -261,7 +261,7 @@ Json parse_json(std::string_view text, const std::string& location) {
     try {
         Json json = Json::parse(text, watch);
         if (!repeated.empty())
-            refuse(location, fmt::format("the key \"{}\" comes twice in one object", repeated));
+            refuse(location, fmt::format("duplicate key \"{}\", repeated));
         return json;
     } catch (const Json::parse_error& error) {
         const std::size_t end = std::min(error.byte, text.size());

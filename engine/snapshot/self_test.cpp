@@ -167,7 +167,7 @@ SelfTestReport run_self_test(const Image& original, const CompareTolerance& tole
     }
     if (report.lines.empty()) {
         report.passed = false;
-        report.lines.push_back("the picture is smaller than 16 x 16 pixels");
+        report.lines.push_back("the image is smaller than 16 x 16 pixels");
     }
     return report;
 }

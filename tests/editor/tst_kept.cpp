@@ -82,7 +82,8 @@ TEST_F(Kept, ACrashLosesNeither) {
 TEST_F(Kept, ThereIsALimitThatIsTold) {
     std::vector<SavedSelection> many(max_saved_selections, SavedSelection{"a", {}});
     editor().document->set_saved_selections(many, "Many");
-    ASSERT_EQ(run("select faces 1\nselect save another\nexpect status \"Not saved: a level keeps 1000*\""),
+    ASSERT_EQ(run("select faces 1\nselect save another\nexpect status \"Not saved: a level can have at most "
+                  "1000*\""),
               "");
     EXPECT_EQ(document().saved_selections().size(), max_saved_selections);
     ASSERT_TRUE(editor().document->save());

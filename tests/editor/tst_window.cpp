@@ -68,7 +68,8 @@ TEST_F(WindowTest, CommandsNameTheTypeInsteadOfItsKey) {
         const std::string digit = std::to_string(type.hotkey);
         EXPECT_EQ(command_name(editor(), *find_command("brush." + digit)), "Brush: " + type.name);
         EXPECT_EQ(command_name(editor(), *find_command("select.type_" + digit)), "Type: " + type.name);
-        EXPECT_EQ(command_name(editor(), *find_command("paint." + digit)), "Make it the type of key " + digit)
+        EXPECT_EQ(command_name(editor(), *find_command("paint." + digit)),
+                  "Paint the selection with key " + digit)
             << "nothing is selected, so it stands for nothing yet";
     }
     ASSERT_EQ(run("select faces 1\nselect save \"north wall\""), "");

@@ -213,7 +213,7 @@ TEST(Widgets, ChangedPixelsAreNamed) {
     EXPECT_EQ(findings[0].pixels, 10U);
     EXPECT_EQ(findings[0].text, "`Panel/Run` is 26 x 8 instead of 20 x 8 pixels");
     EXPECT_EQ(findings[1].text, "`Panel` looks different");
-    EXPECT_EQ(findings[2].text, "outside of every named widget");
+    EXPECT_EQ(findings[2].text, "outside all named widgets");
 }
 
 GoldenResult entry(const char* name, GoldenState state) {
