@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "easy.h"
 #include "shapes.h"
 
@@ -64,10 +66,13 @@ void add_pier_details(Model& model, double z) {
 }
 
 void add_end_pilaster(Model& model, double z0, double z1) {
-    const unsigned sides = side_west | side_east | (z1 >= south_z ? side_north : side_south);
+    const bool south = z1 >= south_z;
+    const unsigned sides = side_west | side_east | (south ? side_north : side_south);
     box(model, "stone_trim", {nave_x, floor_y, z0}, {arcade_back_x, 2.0, z1}, sides);
-    box(model, "stone_trim", {6.38, 1.75, z0}, {7.62, 2.0, z1}, sides | side_bottom | side_top);
-    box(model, "stone_trim", {6.38, floor_y, z0}, {7.62, -0.75, z1}, sides | side_top);
+    // Capital and base stand out on all free sides.
+    const double north = south ? z0 - 0.02 : z0, end = south ? z1 : z1 + 0.02;
+    box(model, "stone_trim", {6.38, 1.75, north}, {7.62, 2.0, end}, sides | side_bottom | side_top);
+    box(model, "stone_trim", {6.38, floor_y, north}, {7.62, -0.75, end}, sides | side_top);
 }
 
 }  // namespace
@@ -87,7 +92,10 @@ void add_arcades(Model& model) {
         add_end_pilaster(model, north_z, north_z + 0.62);
         // String course below the gallery and cornice below the vault.
         const unsigned strip = side_west | side_top | side_bottom;
-        box(model, "stone_trim", {6.38, 3.78, north_z}, {nave_x, gallery_y, 8.5}, strip);
+        for (int k = 0; k < bays; ++k) {
+            const double z0 = north_z + bay * k;
+            box(model, "stone_trim", {6.38, 3.78, z0}, {nave_x, gallery_y, std::min(z0 + bay, 8.5)}, strip);
+        }
         box(model, "tile_teal", {6.46, 7.3, north_z}, {nave_x, 7.7, south_z}, strip);
         box(model, "stone_trim", {6.2, 7.8, north_z}, {nave_x, springing_y, south_z}, strip);
         model.mirror_x(false);

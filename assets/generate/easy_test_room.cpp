@@ -69,8 +69,11 @@ void add_seam_field(Model& model) {
         const auto jitter = [&](std::uint32_t salt) {
             return step * 0.46 * (static_cast<double>(noise(i, j, salt) % 1000U) / 999.0 - 0.5);
         };
-        if (i > 0 && i < cells) x += jitter(0x1234567U);
-        if (j > 0 && j < cells) z += jitter(0x89abcdeU);
+        // The border's corners are those of the floor around it, and others between them.
+        if (i > 0 && i < cells && j > 0 && j < cells) {
+            x += jitter(0x1234567U);
+            z += jitter(0x89abcdeU);
+        }
         return Vec3(x, floor_y, z);
     };
     for (int j = 0; j < cells; ++j) {

@@ -15,11 +15,13 @@ std::string degrees_text(double degrees) {
     return std::to_string(static_cast<int>(degrees)) + "*";
 }
 
-// Fifteen ramps side by side along the west wall, rising towards it.
+// Fifteen ramps side by side along the west wall, rising towards it. None is exactly as steep as can be
+// walked up, for then rounding would decide.
 void add_ramps(Model& model) {
     const double width = 1.6, pitch = 2.6, landing = 1.2;
     for (int i = 0; i < 15; ++i) {
-        const double degrees = 5.0 * (i + 1);
+        const double even = 5.0 * (i + 1);
+        const double degrees = even == steepest_walkable_deg ? even - 1.0 : even;
         const double run = std::min(8.0, 3.0 / tan_deg(degrees));
         const double z = room.south - 0.7 - pitch * i;
         ramp(model, degrees > steepest_walkable_deg ? "ramp_steep" : "ramp_stone", "stone_trim",

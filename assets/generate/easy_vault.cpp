@@ -133,7 +133,9 @@ void add_apse(Model& model) {
             .back = false});
     for (const double side : {-1.0, 1.0}) {
         const double x0 = side < 0 ? -nave_x : apse_radius, x1 = side < 0 ? -apse_radius : nave_x;
-        wall(model, "stone_trim", {x0, floor_y, north_z}, {x1, floor_y, north_z}, springing_y);
+        // In two pieces: one as high as the hall is too slender for its many corners.
+        wall(model, "stone_trim", {x0, floor_y, north_z}, {x1, floor_y, north_z}, gallery_y);
+        wall(model, "stone_trim", {x0, gallery_y, north_z}, {x1, gallery_y, north_z}, springing_y);
     }
     const auto rim = [](int i) {
         const double angle = 180.0 - 30.0 * i;

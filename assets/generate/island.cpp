@@ -10,7 +10,8 @@
 namespace slipface::generate {
 namespace {
 
-// What is shown of the beach lies this far above its heightfield, so that the two do not flicker.
+// What is shown of the beach lies this far above its heightfield, so that the two do not flicker; at its rim
+// it meets the ground around it.
 constexpr double beach_lift = 0.03;
 
 std::vector<ModelMaterial> island_materials() {
@@ -73,7 +74,9 @@ bool temple_cell(double x, double z) {
 
 }  // namespace
 
-double island_height(double x, double z) {
+namespace {
+
+double exact_height(double x, double z) {
     const double n = cloud(x / 160.0 + 4.0, z / 160.0 + 4.0, 8, 4, 801) - 0.5;
     const double coast = 56.0 + 14.0 * (noise(x / 200.0 + 4.0, z / 200.0 + 4.0, 10, 10, 803) - 0.5);
     const double d = coast - std::sqrt(x * x + 1.15 * z * z);  // metres inland
@@ -95,6 +98,14 @@ double island_height(double x, double z) {
     blend(y, -1.6, within(x, z, -44, -24, -14, 12, 5.0));
     blend(y, 1.0, within(x, z, -22.6, -17.4, -17.6, -9.9, 3.0));  // where the tower's lift waits
     return y;
+}
+
+}  // namespace
+
+// In steps of which the mean of two is a number that an OBJ holds exactly: the beach's corners lie on the
+// edges of the ground around it.
+double island_height(double x, double z) {
+    return std::round(0.5 * grid_per_unit * exact_height(x, z)) / (0.5 * grid_per_unit);
 }
 
 double beach_height(int column, int row) {
@@ -128,7 +139,9 @@ void add_island_ground(Model& model) {
     for (int j = 0; j + 1 < beach.rows; ++j) {
         for (int i = 0; i + 1 < beach.columns; ++i) {
             const auto at = [&](int a, int b) {
-                return Vec3(beach.x0 + step * a, beach_height(a, b) + beach_lift, beach.z0 + step * b);
+                const bool rim = a == 0 || b == 0 || a + 1 == beach.columns || b + 1 == beach.rows;
+                return Vec3(beach.x0 + step * a, beach_height(a, b) + (rim ? 0.0 : beach_lift),
+                            beach.z0 + step * b);
             };
             model.face("beach_sand", {at(i, j), at(i, j + 1), at(i + 1, j + 1)});
             model.face("beach_sand", {at(i, j), at(i + 1, j + 1), at(i + 1, j)});
@@ -150,6 +163,7 @@ Model make_island() {
     add_island_half_pipe(model);
     add_island_plants(model);
     add_island_platforms(model);
+    model.join_edges();
     return model;
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "island.h"
@@ -90,7 +91,7 @@ void add_island_plaza(Model& model) {
     // Steps down to the beach.
     for (int i = 0; i < 4; ++i) {
         const double y = plaza_y - 0.2 - 0.22 * i, z = 8.5 + 0.7 * i;
-        box(model, "stone_trim", {-3.2, -3.4, z}, {3.2, y, z + 0.9 + (i == 3 ? 0.6 : 0.0)},
+        box(model, "stone_trim", {-3.2, -3.4, z}, {3.2, y, z + (i == 3 ? 1.5 : 0.7)},
             side_standing & ~unsigned{side_north});
     }
 
@@ -110,7 +111,7 @@ void add_island_plaza(Model& model) {
     for (const double x : {14.0, 19.0, 24.0, 29.0, 34.0}) {
         for (const double z : {-5.1, -1.1})
             box(model, "wood_planks", {x - 0.18, -8, z - 0.18}, {x + 0.18, y - 0.25, z + 0.18}, side_walls);
-        box(model, "wood_planks", {x - 0.08, y, -5.2}, {x + 0.08, y + 0.95, -5.04}, side_standing);
+        box(model, "wood_planks", {x - 0.08, y, -5.18}, {x + 0.08, y + 0.95, -5.06}, side_standing);
     }
     box(model, "wood_planks", {x0, y + 0.95, -5.2}, {x1, y + 1.05, -5.04});
     // On the cape the bridge ends at a flight of stairs.
@@ -130,7 +131,10 @@ void add_island_lighthouse(Model& model) {
     const double base = light_foot.y(), r = 3.6;
     const int sides = 12;
     tower(model, "stone_wall", axis, -3.5, 5.6, base, 5.2, sides, 15);
-    ring(model, "flagstone", {axis.x(), base, axis.z()}, 0, 5.2, sides, true, 15);
+    // The floor inside, the threshold and the terrace, so that the walls stand on edges.
+    const std::array<double, 4> floors{0.0, r - 0.4, r, 5.2};
+    for (std::size_t i = 0; i + 1 < floors.size(); ++i)
+        ring(model, "flagstone", {axis.x(), base, axis.z()}, floors[i], floors[i + 1], sides, true, 15);
     // The ground floor: eleven walls and a door to the sea; the room inside is the hidden one.
     const auto corner = [&](int i, double radius, double y) {
         const double angle = 15.0 + 30.0 * (i % sides);
@@ -175,7 +179,10 @@ void add_island_lighthouse(Model& model) {
     }
     tower(model, "stone_trim", axis, top - 0.5, r_top, top - 0.2, 3.7, sides, 15);
     tower(model, "stone_trim", axis, top - 0.2, 3.7, top, 3.7, sides, 15);
-    ring(model, "stone_floor", {axis.x(), top, axis.z()}, 1.7, 3.7, sides, true, 15);
+    const std::array<double, 5> balcony{1.7, r_top, 3.45, 3.6,
+                                        3.7};  // on the tower; below, between, beyond the rail
+    for (std::size_t i = 0; i + 1 < balcony.size(); ++i)
+        ring(model, "stone_floor", {axis.x(), top, axis.z()}, balcony[i], balcony[i + 1], sides, true, 15);
     tower(model, "bronze", axis, top, 1.7, top + 0.9, 1.7, sides, 15);
     tower(model, "lamp", axis, top + 0.9, 1.6, top + 2.7, 1.6, sides, 15);
     ring(model, "bronze", {axis.x(), top + 0.9, axis.z()}, 1.6, 1.7, sides, true, 15);
@@ -313,7 +320,7 @@ void add_island_half_pipe(Model& model) {
         model.face("stone_wall", end);
     }
     stairs(model, "stone_floor", "stone_trim",
-           {.left = {-23.6, -1.9, 1.5},
+           {.left = {-23.58, -1.9, 1.5},
             .ahead = -Vec3::UnitX(),
             .width = 3,
             .count = 14,

@@ -14,6 +14,7 @@
 #include "slipface/base/files.h"
 #include "slipface/image/image.h"
 #include "slipface/level/level_file.h"
+#include "slipface/level/preset.h"
 #include "slipface/light/bake.h"
 #include "slipface/mesh/import.h"
 #include "textures.h"
@@ -59,8 +60,10 @@ Status write_level(const Recipe& recipe, const Arguments& arguments) {
     Result<ImportedMesh> imported = import_mesh(obj);
     if (!imported.ok()) return imported.error();
     if (!imported->warnings.empty()) return imported->warnings.front();
+    const Result<Preset> preset = find_preset(recipe.preset);
+    if (!preset.ok()) return preset.error();
     Level level;
-    level.movement = basic_settings();
+    level.movement = preset->settings;
     level.mesh_path = obj;
     level.file_path = level_file_for(obj);
     level.mesh = imported->mesh;

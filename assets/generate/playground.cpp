@@ -266,11 +266,13 @@ void add_playground_pipe(Model& model) {
                                    {point(i, za), {za / 3, v0}}});
     }
     for (const bool south : {true, false}) {
-        std::vector<Vec3> end;
-        for (int i = 0; i <= segments; i += 4)
-            end.push_back(point(i, south ? zb : za));
-        if (south) std::reverse(end.begin(), end.end());
-        model.face("stone_wall", end);
+        // A fan: as one face with so many corners its triangles would be needles.
+        const double z = south ? zb : za;
+        for (int i = 0; i < segments; ++i) {
+            std::vector<Vec3> piece{{middle, y0, z}, point(i, z), point(i + 1, z)};
+            if (south) std::reverse(piece.begin(), piece.end());
+            model.face("stone_wall", piece);
+        }
     }
 }
 
@@ -363,6 +365,7 @@ Model make_playground() {
     add_playground_surfaces(model);
     add_playground_movers(model);
     add_playground_hills(model);
+    model.join_edges();
     return model;
 }
 

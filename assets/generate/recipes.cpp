@@ -27,10 +27,11 @@ FaceId face_at(const Mesh& mesh, const Vec3& point, const std::string& material)
 }  // namespace
 
 std::span<const Recipe> recipes() {
-    static const std::array<Recipe, 4> all{{{"easy", make_easy, annotate_easy, nullptr},
-                                            {"hard", make_hard, annotate_hard, nullptr},
-                                            {"island", make_island, annotate_island, write_island_heights},
-                                            {"playground", make_playground, annotate_playground, nullptr}}};
+    static const std::array<Recipe, 4> all{
+        {{"easy", "platformer", make_easy, annotate_easy, nullptr},
+         {"hard", "platformer", make_hard, annotate_hard, nullptr},
+         {"island", "platformer", make_island, annotate_island, write_island_heights},
+         {"playground", "platformer", make_playground, annotate_playground, nullptr}}};
     return all;
 }
 

@@ -12,6 +12,7 @@ namespace slipface::generate {
 
 struct Recipe {
     std::string name;
+    const char* preset;  // a shipped one: how the level wants to be walked
     Model (*make)();
     // Puts surface types, paint, cameras, light and all else on the imported geometry.
     void (*annotate)(Level& level);

@@ -67,6 +67,53 @@ std::optional<PlayerState> standing_at(const Patient& patient, const Vec3& feet)
     return state;
 }
 
+// There is floor at about the height of `at` in every quarter of a circle around it, three bodies wide.
+bool floor_all_round(const Patient& patient, const Vec3& at) {
+    const double reach = 0.5 * patient.level.movement.radii.y();
+    const double radius = 3.0 * std::max(patient.level.movement.radii.x(), patient.level.movement.radii.z());
+    std::size_t missing = 0, longest = 0;
+    for (std::size_t i = 0; i < 2 * every_30_degrees.size(); ++i) {
+        const Vec2& heading = every_30_degrees[i % every_30_degrees.size()];
+        const Vec3 from = at + Vec3(radius * heading.x(), reach, radius * heading.y());
+        missing = cast_ray(patient.world, from, Vec3(0.0, -1.0, 0.0), 2.0 * reach) ? 0 : missing + 1;
+        longest = std::max(longest, missing);
+    }
+    return 4 * longest <= every_30_degrees.size();
+}
+
+Passage walk_between(const Patient& patient, const PlayerState& begin, const PlayerState& end) {
+    const MovementSettings settings = still_settings(patient);
+    const Vec3 motion(end.position.x() - begin.position.x(), 0.0, end.position.z() - begin.position.z());
+    const double length = motion.norm();
+    if (!(length > 0.0)) return Passage::unknown;
+    const Vec3 along = motion / length;
+    const Vec2 heading(along.x(), along.z());
+    // Up, across and down again, a little above what lies at the feet.
+    const double clearance = 0.05 * settings.radii.y();
+    const double high = std::max(begin.position.y(), end.position.y()) + clearance;
+    const Vec3 up_begin(begin.position.x(), high, begin.position.z());
+    const Vec3 up_end(end.position.x(), high, end.position.z());
+    if (!is_free(patient, begin.position + Vec3(0.0, settings.skin, 0.0), up_begin - begin.position) ||
+        !is_free(patient, up_begin, up_end - up_begin))
+        return Passage::unknown;
+    const MovementScene scene = scene_of(patient);
+    const double start_up = settings.walk_speed / std::max(settings.ground_acceleration, 1e-3);
+    const auto ticks =
+        static_cast<int>(std::min(2000.0, (2.0 * length / settings.walk_speed + start_up + 0.2) / dt));
+    const double lost = std::min(begin.position.y(), end.position.y()) - settings.radii.y();
+    PlayerState state = begin;
+    for (int tick = 0; tick < ticks; ++tick) {
+        state = step(scene, settings, state, {.wish = heading}, dt).state;
+        const Vec3 made = state.position - begin.position;
+        if (made.x() * along.x() + made.z() * along.z() >= 0.98 * length) return Passage::passes;
+        if (state.position.y() < lost)
+            return floor_all_round(patient, Vec3(state.position.x(), lost, state.position.z()))
+                       ? Passage::falls
+                       : Passage::unknown;
+    }
+    return Passage::catches;
+}
+
 }  // namespace
 
 Passage cross(const Patient& patient, const Vec3& position, const Vec2& heading, double before,
@@ -76,36 +123,16 @@ Passage cross(const Patient& patient, const Vec3& position, const Vec2& heading,
 }
 
 Passage cross_between(const Patient& patient, const Vec3& from, const Vec3& to) {
-    const MovementSettings settings = still_settings(patient);
-    const Vec3 motion(to.x() - from.x(), 0.0, to.z() - from.z());
-    const double length = motion.norm();
-    if (!(length > 0.0)) return Passage::unknown;
-    const Vec3 along = motion / length;
-    const Vec2 heading(along.x(), along.z());
     const auto begin = standing_at(patient, from);
     const auto end = standing_at(patient, to);
-    if (!begin || !end) return Passage::unknown;
-    // Up, across and down again, a little above what lies at the feet.
-    const double clearance = 0.05 * settings.radii.y();
-    const double high = std::max(begin->position.y(), end->position.y()) + clearance;
-    const Vec3 up_begin(begin->position.x(), high, begin->position.z());
-    const Vec3 up_end(end->position.x(), high, end->position.z());
-    if (!is_free(patient, begin->position + Vec3(0.0, settings.skin, 0.0), up_begin - begin->position) ||
-        !is_free(patient, up_begin, up_end - up_begin))
-        return Passage::unknown;
-    const MovementScene scene = scene_of(patient);
-    const double start_up = settings.walk_speed / std::max(settings.ground_acceleration, 1e-3);
-    const auto ticks =
-        static_cast<int>(std::min(2000.0, (2.0 * length / settings.walk_speed + start_up + 0.2) / dt));
-    const double lost = std::min(begin->position.y(), end->position.y()) - settings.radii.y();
-    PlayerState state = *begin;
-    for (int tick = 0; tick < ticks; ++tick) {
-        state = step(scene, settings, state, {.wish = heading}, dt).state;
-        const Vec3 made = state.position - begin->position;
-        if (made.x() * along.x() + made.z() * along.z() >= 0.98 * length) return Passage::passes;
-        if (state.position.y() < lost) return Passage::falls;
-    }
-    return Passage::catches;
+    return begin && end ? walk_between(patient, *begin, *end) : Passage::unknown;
+}
+
+Passage climb_between(const Patient& patient, const Vec3& low, const Vec3& high) {
+    const auto begin = standing_at(patient, low);
+    const auto end = standing_at(patient, high);
+    if (!begin || !end || !(begin->position.y() < end->position.y())) return Passage::unknown;
+    return walk_between(patient, *begin, *end);
 }
 
 Passage cross_all_directions(const Patient& patient, const Vec3& position) {
@@ -116,6 +143,12 @@ Passage cross_all_directions(const Patient& patient, const Vec3& position) {
         if (worst == Passage::falls) break;
     }
     return worst;
+}
+
+bool drops_through(const Patient& patient, const Vec3& position) {
+    const Vec3& radii = patient.level.movement.radii;
+    const Vec3 above = position + Vec3(0.0, 1.5 * radii.y(), 0.0);
+    return is_free(patient, above, Vec3(0.0, -3.0 * radii.y(), 0.0)) && floor_all_round(patient, position);
 }
 
 bool wedges(const Patient& patient, const Vec3& centre) {

@@ -20,8 +20,14 @@ Passage cross(const Patient& patient, const Vec3& position, const Vec2& heading,
 // The same between two positions on the ground, straight as seen from above.
 Passage cross_between(const Patient& patient, const Vec3& from, const Vec3& to);
 
+// The same upwards: unknown, too, where the walker would not begin lower than it is to end.
+Passage climb_between(const Patient& patient, const Vec3& low, const Vec3& high);
+
 // The worst of the passages in 72 headings.
 Passage cross_all_directions(const Patient& patient, const Vec3& position);
+
+// The body fits through a hole at `position`, which has floor all round.
+bool drops_through(const Patient& patient, const Vec3& position);
 
 // True if there is a heading in which a player at `centre`, pushed for a second, gets stuck: in the next two
 // seconds neither the stick in any direction nor a jump frees the player.

@@ -104,7 +104,7 @@ void find_slivers(const Patient& patient, Problems& out) {
             const double longest =
                 std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
             const double height = longest > 0.0 ? (c[1] - c[0]).cross(c[2] - c[0]).norm() / longest : 0.0;
-            const double rounding = rounding_of(c[0], c[1]);
+            const double rounding = std::max(rounding_of(c[0], c[1]), rounding_of(c[1], c[2]));
             const double off = height > rounding ? rounding / height : 1.0;
             if (off > worst) {
                 worst = off;

@@ -102,6 +102,11 @@ bool goes_on(const OpenEdge& edge, const OpenEdge& other) {
            edge.normal.dot(other.normal) > 0.5;
 }
 
+// The nearest point of the edge.
+Vec3 on_edge(const OpenEdge& edge, const Vec3& point) {
+    return edge.a + std::clamp((point - edge.a).dot(edge.along), 0.0, edge.length) * edge.along;
+}
+
 // Along the edge, away from its corner.
 Vec3 inward(const OpenEdge& edge, std::uint32_t corner) {
     return corner == edge.use.from ? edge.along : Vec3(-edge.along);
@@ -186,8 +191,8 @@ void find_open_edges(const Patient& patient, Problems& out) {
             edge.a.cwiseMin(edge.b) - reach, edge.a.cwiseMax(edge.b) + reach, [&](std::uint32_t vertex) {
                 if (vertex == edge.use.from || vertex == edge.use.to) return;
                 const Vec3 p = topology.position[vertex];
-                const double along = std::clamp((p - edge.a).dot(edge.along), 0.0, edge.length);
-                const Vec3 q = edge.a + along * edge.along;
+                const Vec3 q = on_edge(edge, p);
+                const double along = (q - edge.a).norm();
                 const double width = (p - q).norm();
                 if (width > widest) return;
                 const bool at_end = along <= rounding || edge.length - along <= rounding;
@@ -218,11 +223,18 @@ void find_open_edges(const Patient& patient, Problems& out) {
         for (std::size_t i = begin; i < end; ++i) {
             const Gap& gap = gaps[i];
             const Vec3 normal = (gap.edge->normal + gap.other->normal).normalized();
-            // Corners at the ends of a gap lie beside others: its middle is looked at a little inside.
-            const Vec3 inside =
-                inward(*gap.other, gap.corner) * std::min(0.25 * gap.other->length, gap.width);
-            if (is_open_and_reachable(patient, gap.p + inside, gap.q + inside, normal))
-                passages[i] = cross_all_directions(patient, 0.5 * (gap.p + gap.q) + inside);
+            // Beside its corner, where gaps may cross, and further inside.
+            const double away = std::min(0.5 * gap.other->length, 2.5 * std::max(radii.x(), radii.z()));
+            for (const double along : {std::min(0.25 * gap.other->length, gap.width), away}) {
+                const Vec3 inside = inward(*gap.other, gap.corner) * along;
+                const Vec3 p = gap.p + inside, q = on_edge(*gap.edge, gap.q + inside);
+                if (!is_open_and_reachable(patient, p, q, normal)) continue;
+                const Passage passage = cross_all_directions(patient, 0.5 * (p + q));
+                passages[i] = std::max(passages[i].value_or(Passage::unknown), passage);
+            }
+            // Where gaps cross there is more room than in either.
+            const Vec3 crossing = 0.5 * (gap.p + gap.q) - inward(*gap.other, gap.corner) * (0.5 * gap.width);
+            if (passages[i] && drops_through(patient, crossing)) passages[i] = Passage::falls;
         }
     });
     // A gap between two faces is one problem: where it does most, and is narrowest.

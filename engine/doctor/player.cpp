@@ -60,6 +60,10 @@ double slope_of(const Vec3& normal) {
     return std::acos(std::clamp(normal.y(), -1.0, 1.0));
 }
 
+Vec3 uphill_of(const Vec3& normal) {
+    return Vec3(-normal.x(), 0.0, -normal.z()).normalized();
+}
+
 // The lowest and the highest point of a face along a horizontal direction, and their heights.
 struct Extent {
     double near = std::numeric_limits<double>::infinity(), far = -near;
@@ -84,12 +88,71 @@ double run_up(const Patient& patient) {
     return 1.2 * std::max(patient.level.movement.radii.x(), patient.level.movement.radii.z());
 }
 
-// A face that may lead from one floor to a higher one and is not clearly flatter or steeper than the limit.
+// Ground that a ray straight down meets.
+struct Ground {
+    double height = 0.0;
+    Vec3 normal = Vec3::UnitY();
+    FaceId face = no_id;
+    bool floor = false;  // flat enough to stand on
+};
+std::optional<Ground> ground_below(const Patient& patient, const Vec3& from, double depth) {
+    const auto hit = cast_ray(patient.world, from, Vec3(0.0, -1.0, 0.0), depth);
+    if (!hit) return std::nullopt;
+    const double steepest = patient.surface(hit->face).max_slope.value_or(patient.level.movement.max_slope);
+    return Ground{hit->point.y(), hit->normal, hit->face, hit->normal.y() >= std::cos(steepest)};
+}
+
+// Ground of one slope between a lower and a higher floor, neither clearly flatter nor clearly steeper than
+// the limit. A facet of a rock, or a hillside that goes on steeper, leads from no floor to another.
 struct Ramp {
     FaceId face = no_id;
     double slope = 0.0, limit = 0.0;
-    Vec3 below = Vec3::Zero(), above = Vec3::Zero();
+    Passage passage = Passage::unknown;
 };
+
+// From a point of a slope straight up or down it (`sign`) to the first ground that is none of it: there, if
+// that is a floor. `only`: nothing where another face of the slope comes before, either.
+std::optional<Vec3> floor_at_end(const Patient& patient, Vec3 at, Vec3 normal, double sign, FaceId only) {
+    constexpr double same_heading = 0.87;  // cosine of 30 degrees
+    const double radius = patient.level.movement.radii.minCoeff();
+    const double stride = radius / 8.0, above = 0.75 * radius;
+    const int maximum = 2000;
+    for (int i = 0; i < maximum; ++i) {
+        const auto ground = ground_below(patient, at + Vec3(0.0, above, 0.0), 2.0 * above);
+        if (!ground) return std::nullopt;
+        at.y() = ground->height;
+        const Vec3 uphill = uphill_of(normal);
+        const bool same = std::abs(slope_of(ground->normal) - slope_of(normal)) < degree &&
+                          uphill_of(ground->normal).dot(uphill) > same_heading;
+        if (!same) return ground->floor && i > 0 ? std::optional(at) : std::nullopt;
+        if (only != no_id && ground->face != only) return std::nullopt;
+        normal = ground->normal;
+        at += sign * stride * (uphill + Vec3(0.0, std::tan(slope_of(normal)), 0.0));
+    }
+    return std::nullopt;
+}
+
+// Whether a player gets up the ramp that a face belongs to. Unknown where it is part of no ramp, which has a
+// floor at both ends, as high half a radius to the left and to the right; and where it is not the ramp's
+// lowest face.
+Passage climb_ramp(const Patient& patient, FaceId face) {
+    const Vec3& normal = patient.topology.normal[face];
+    const Vec3 middle = face_centroid(patient.mesh, face), uphill = uphill_of(normal);
+    const double radius = patient.level.movement.radii.minCoeff();
+    std::array<Vec3, 2> ends;
+    for (const double sign : {-1.0, 1.0}) {
+        const auto end = floor_at_end(patient, middle, normal, sign, sign < 0.0 ? face : no_id);
+        if (!end) return Passage::unknown;
+        for (const double side : {-0.5, 0.5}) {
+            const Vec3 beside = middle + side * radius * uphill.cross(Vec3::UnitY());
+            const auto other = floor_at_end(patient, beside, normal, sign, no_id);
+            if (!other || std::abs(other->y() - end->y()) > 0.1 * radius) return Passage::unknown;
+        }
+        ends[sign < 0.0 ? 0 : 1] = *end + sign * run_up(patient) * uphill;
+    }
+    return climb_between(patient, ends[0], ends[1]);
+}
+
 std::vector<Ramp> ramps_of(const Patient& patient) {
     std::vector<Ramp> ramps;
     for (FaceId face = 0; face < patient.mesh.face_count(); ++face) {
@@ -99,14 +162,7 @@ std::vector<Ramp> ramps_of(const Patient& patient) {
         const double limit = surface.max_slope.value_or(patient.level.movement.max_slope);
         const double slope = slope_of(normal);
         if (slope < limit - rounding_band || slope > limit + steep_band) continue;
-        const Vec3 uphill = Vec3(-normal.x(), 0.0, -normal.z()).normalized();
-        const Vec3 centre = face_centroid(patient.mesh, face);
-        const Extent extent = extent_of(patient, face, centre, uphill);
-        Ramp ramp{face, slope, limit, centre + (extent.near - run_up(patient)) * uphill,
-                  centre + (extent.far + run_up(patient)) * uphill};
-        ramp.below.y() = extent.low;
-        ramp.above.y() = extent.high;
-        ramps.push_back(ramp);
+        ramps.push_back({.face = face, .slope = slope, .limit = limit});
     }
     return ramps;
 }
@@ -118,7 +174,10 @@ double rolled_over(const MovementSettings& settings) {
     return settings.radii.y() * (1.0 - 1.0 / std::sqrt(1.0 + across * across));
 }
 
-// An upright face as high as a step of a stair or a kerb, that is at most a quarter of the body.
+// An upright face that leads from one floor to a higher one: a stair's, a kerb's, at most a quarter of the
+// body high. Its height is that between the floors, the same half a radius to the left and to the right; one
+// face of several, a face that is sunk into the floor, the rim of something higher and a rock's facet have
+// others.
 struct Step {
     FaceId face = no_id;
     double height = 0.0;
@@ -128,6 +187,9 @@ struct Step {
 std::vector<Step> steps_of(const Patient& patient) {
     const double highest = 0.5 * patient.level.movement.radii.y();
     const double rolls = rolled_over(patient.level.movement);
+    const double beside = 0.02 * patient.level.movement.radii.minCoeff();
+    const double half_radius =
+        0.5 * std::min(patient.level.movement.radii.x(), patient.level.movement.radii.z());
     std::vector<Step> steps;
     for (FaceId face = 0; face < patient.mesh.face_count(); ++face) {
         const Vec3& normal = patient.topology.normal[face];
@@ -135,15 +197,35 @@ std::vector<Step> steps_of(const Patient& patient) {
         const Vec3 out = Vec3(normal.x(), 0.0, normal.z()).normalized();
         const Vec3 centre = face_centroid(patient.mesh, face);
         const Extent extent = extent_of(patient, face, centre, out);
-        const double height = extent.high - extent.low;
-        // What the body rolls over by itself, with or without step up, is stopped by something else.
-        if (height > highest || height < 0.95 * rolls || extent.far - extent.near > 0.5 * height) continue;
+        if (extent.high - extent.low > 2.0 * highest) continue;
         // A step up is one from the side to which its face looks; where nothing is wound well, from either.
         for (const double side : {1.0, -1.0}) {
-            Step step{face, height, centre + side * (extent.far + run_up(patient)) * out,
-                      centre - side * (extent.far + run_up(patient)) * out};
-            step.below.y() = extent.low;
-            step.above.y() = extent.high;
+            const double rim = side > 0.0 ? extent.far : -extent.near;
+            const double brow = side > 0.0 ? -extent.near : extent.far;
+            Step step{face, 0.0, centre + side * (rim + beside) * out, centre - side * (brow + beside) * out};
+            const auto floors = [&](double along) -> std::optional<std::pair<double, double>> {
+                const Vec3 shift = along * out.cross(Vec3::UnitY());
+                const Vec3 before = step.below + shift, behind = step.above + shift;
+                const auto foot =
+                    ground_below(patient, {before.x(), extent.high, before.z()}, highest + beside);
+                const auto top =
+                    ground_below(patient, {behind.x(), extent.high + highest, behind.z()}, 2.0 * highest);
+                if (!foot || !top || !foot->floor || !top->floor) return std::nullopt;
+                return std::pair(foot->height, top->height);
+            };
+            const auto middle = floors(0.0), left = floors(-half_radius), right = floors(half_radius);
+            if (!middle || !left || !right) continue;
+            step.height = middle->second - middle->first;
+            // What the body rolls over by itself, with or without step up, is stopped by something else.
+            if (step.height > highest || step.height < 0.95 * rolls) continue;
+            const auto differs = [&](const std::pair<double, double>& there) {
+                return std::abs(there.second - there.first - step.height) > 0.2 * half_radius;
+            };
+            if (differs(*left) || differs(*right)) continue;
+            step.below += side * run_up(patient) * out;
+            step.above -= side * run_up(patient) * out;
+            step.below.y() = middle->first;
+            step.above.y() = middle->second;
             steps.push_back(step);
         }
     }
@@ -179,17 +261,15 @@ void find_acute_corners(const Patient& patient, Problems& out) {
 }
 
 void find_limit_slopes(const Patient& patient, Problems& out) {
-    const std::vector<Ramp> ramps = ramps_of(patient);
-    std::vector<Passage> passages(ramps.size(), Passage::unknown);
+    std::vector<Ramp> ramps = ramps_of(patient);
     parallel_for(ramps.size(), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            passages[i] = cross_between(patient, ramps[i].below, ramps[i].above);
+            ramps[i].passage = climb_ramp(patient, ramps[i].face);
     });
-    for (std::size_t i = 0; i < ramps.size(); ++i) {
-        const Ramp& ramp = ramps[i];
+    for (const Ramp& ramp : ramps) {
         const bool at_limit = std::abs(ramp.slope - ramp.limit) <= rounding_band;
-        const bool too_steep = passages[i] == Passage::catches && ramp.slope > ramp.limit;
-        if (passages[i] == Passage::unknown || (!at_limit && !too_steep)) continue;
+        const bool too_steep = ramp.passage == Passage::catches && ramp.slope > ramp.limit;
+        if (ramp.passage == Passage::unknown || (!at_limit && !too_steep)) continue;
         const char* const words = at_limit ? "rounding decides whether the player can walk up"
                                            : "the player cannot walk up to the floor above";
         out.push_back({ProblemKind::slope_limit, ramp.face, no_id, face_centroid(patient.mesh, ramp.face), 0,
@@ -202,7 +282,7 @@ void find_limit_steps(const Patient& patient, Problems& out) {
     std::vector<Step> steps = steps_of(patient);
     parallel_for(steps.size(), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            steps[i].passage = cross_between(patient, steps[i].below, steps[i].above);
+            steps[i].passage = climb_between(patient, steps[i].below, steps[i].above);
     });
     std::erase_if(steps, [](const Step& step) { return step.passage != Passage::catches; });
     // The steps of a flight are one problem: of one group and height.

@@ -72,9 +72,16 @@ TEST(Doctor, FacesThatAlmostMeetLeaveAGap) {
 }
 
 TEST(Doctor, TrianglesWhoseNormalRoundingTurnsAreSlivers) {
-    EXPECT_EQ(count({Face{{{0, 0, 0}, {5, 0, 0.0001f}, {10, 0, 0}}}}, ProblemKind::sliver), 1u);
-    // A thin strip with a normal that is known well is none.
-    EXPECT_EQ(count({Face{{{0, 0, 0}, {5, 0, 0.002f}, {10, 0, 0}}}}, ProblemKind::sliver), 0u);
+    // Corners 10 m from the origin are known to 2.4e-6 m: 0.2 degrees of a triangle 0.68 mm high.
+    EXPECT_EQ(count({Face{{{0, 0, 0}, {5, 0, 0.00065f}, {10, 0, 0}}}}, ProblemKind::sliver), 1u);
+    // One with a normal that is known a little better is none, whichever corner comes first.
+    for (int first = 0; first < 3; ++first) {
+        Face thin{{{0, 0, 0}, {5, 0, 0.00071f}, {10, 0, 0}}};
+        std::rotate(thin.corners.begin(), thin.corners.begin() + first, thin.corners.end());
+        EXPECT_EQ(count({thin}, ProblemKind::sliver), 0u);
+        thin.corners[static_cast<std::size_t>((4 - first) % 3)].z() = 0.00065f;
+        EXPECT_EQ(count({thin}, ProblemKind::sliver), 1u) << first;
+    }
 }
 
 TEST(Doctor, TheSameCornersTwiceAreADuplicate) {

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <map>
 
+#include "slipface/doctor/doctor.h"
 #include "slipface/image/image.h"
 #include "slipface/level/level_file.h"
+#include "slipface/level/preset.h"
 #include "slipface/light/bake.h"
 
 namespace slipface {
@@ -53,6 +55,21 @@ TEST_P(ShippedLevel, LightMapFits) {
     EXPECT_EQ(image->width, charts->width);
     EXPECT_EQ(image->height, charts->height);
     EXPECT_LE(std::filesystem::file_size(folder / level.light->image), 1'500'000U);
+}
+
+TEST_P(ShippedLevel, IsWalkedWithTheSettingsOfAPreset) {
+    const Level level = load(GetParam());
+    const PresetMatch match = nearest_preset(level.movement);
+    EXPECT_STREQ(match.preset->id, "platformer");
+    EXPECT_TRUE(match.changed.empty());
+}
+
+TEST_P(ShippedLevel, TheDoctorFindsNothing) {
+    const DoctorReport report = examine(load(GetParam()));
+    EXPECT_EQ(report.total(), 0U);
+    for (const Problem& problem : report.problems)
+        ADD_FAILURE() << info_of(problem.kind).name << ", face " << problem.face << " at "
+                      << problem.location.transpose() << ": " << problem.text;
 }
 
 // Two triangles of different faces that lie in one plane, look the same way and cover a common point.

@@ -221,12 +221,12 @@ inline constexpr std::array<const char*, 6> barrier_names{
     "fences of planks 1 to 30 % too high",   "fences of boards, one above the other",
     "walls above a jump's reach, jumped at", "cliffs, stopped at with the centre past the edge"};
 
-// How high the round foot is where it is as steep as the slope limit: what is lower is walked over as ground
-// is, without step up.
+// How high above the floor the round foot is where it is as steep as the slope limit; the skin keeps it off
+// the floor. What is lower is walked over as ground is, without step up.
 inline double foot_height(const Stair& s) {
     const double flat = s.radius * std::sin(s.max_slope);
     const double high = s.half_height * std::cos(s.max_slope);
-    return s.half_height * (1.0 - high / std::sqrt(flat * flat + high * high));
+    return settings_of(s).skin + s.half_height * (1.0 - high / std::sqrt(flat * flat + high * high));
 }
 
 // A stair whose fields say how to walk; the barrier is `rise` high and stands at x = 0.
@@ -293,11 +293,10 @@ struct BarrierWalk {
     int overlaps = 0;
 };
 
-inline BarrierWalk walk_barrier(const Stair& s, Barrier kind) {
+inline BarrierWalk walk_barrier(const Stair& s, Barrier kind, const MovementSettings& m) {
     Lab lab;
     build_barrier(lab, s, kind);
     const StairFrame frame(s);
-    const MovementSettings m = settings_of(s);
     const double dt = 1.0 / s.rate;
     const bool falls = kind == Barrier::cliff;
     const double sign = falls ? -1.0 : 1.0;
@@ -333,6 +332,10 @@ inline BarrierWalk walk_barrier(const Stair& s, Barrier kind) {
         walk.beaten = state.grounded && p.x() < -reach - 0.02 && p.y() - s.half_height > 0.05;
     }
     return walk;
+}
+
+inline BarrierWalk walk_barrier(const Stair& s, Barrier kind) {
+    return walk_barrier(s, kind, settings_of(s));
 }
 
 }  // namespace slipface::test

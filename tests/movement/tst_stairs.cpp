@@ -76,6 +76,32 @@ TEST(Barriers, are_neither_climbed_nor_hung_on_to) {
     }
 }
 
+// Found by search: rims higher than a step that were climbed all the same. They are no steps: the skin holds
+// the foot up, so that it meets them where it is flat enough to stand on, and it walks over them without step
+// up as well. Nearer to the floor than they are high it meets them where it is too steep, and stops.
+TEST(Barriers, that_the_foot_walks_over_because_the_skin_holds_it_up_are_no_steps) {
+    struct Found {
+        Barrier kind;
+        std::uint64_t seed;
+        double above_foot;  // of a foot on the floor itself, m
+    };
+    for (const Found& found : {Found{Barrier::kerbs, 3833, 0.00172}, Found{Barrier::kerbs, 11526, 0.00158},
+                               Found{Barrier::planks, 769, 0.00182}, Found{Barrier::planks, 3640, 0.0018},
+                               Found{Barrier::planks, 4211, 0.00181}}) {
+        Stair barrier = random_barrier(found.seed, found.kind);
+        MovementSettings settings = settings_of(barrier);
+        barrier.rise = foot_height(barrier) - settings.skin + found.above_foot;
+        ASSERT_GT(barrier.rise, 1.01 * barrier.step_height);
+        ASSERT_GT(settings.skin, found.above_foot);
+        EXPECT_TRUE(walk_barrier(barrier, found.kind, settings).beaten) << text_of(barrier);
+        settings.step_up = settings.snap_down = false;
+        EXPECT_TRUE(walk_barrier(barrier, found.kind, settings).beaten) << text_of(barrier);
+        settings.step_up = settings.snap_down = true;
+        settings.skin = 0.5 * found.above_foot;
+        EXPECT_FALSE(walk_barrier(barrier, found.kind, settings).beaten) << text_of(barrier);
+    }
+}
+
 TEST(Kerb, of_exactly_the_step_height_is_climbed_at_any_rate) {
     for (const double rate : {30.0, 60.0, 144.0, 360.0}) {
         Stair kerb;
