@@ -75,6 +75,9 @@ void print_report_json(const Run& run, std::ostream& out) {
                            {"climbing", state.climbing},
                            {"stuck", state.stuck},
                            {"surface", ground_name(run)}};
+    const bool held = state.grounded || state.climbing || state.stuck;
+    json["final_state"]["ground_face"] =
+        held && state.ground_face != no_id ? OutputJson(state.ground_face) : OutputJson(nullptr);
     json["hashes"] = OutputJson::array();
     for (const std::uint64_t hash : report.second_hashes)
         json["hashes"].push_back(hash_text(hash));

@@ -141,6 +141,7 @@ void add_data_verbs(CLI::App& app, int& exit_code) {
     add_simulate(app, exit_code);
     add_why_verbs(app, exit_code);
     add_audit_verb(app, exit_code);
+    add_reach_verb(app, exit_code);
     add_demo_verbs(app, exit_code);
     add_doctor(app, exit_code);
     add_exchange_verbs(app, exit_code);

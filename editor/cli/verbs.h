@@ -96,6 +96,9 @@ void add_demo_verbs(CLI::App& app, int& exit_code);
 // slipface audit LEVEL, slipface audit merge REPORTS.
 void add_audit_verb(CLI::App& app, int& exit_code);
 
+// slipface reach LEVEL, slipface reach diff A B.
+void add_reach_verb(CLI::App& app, int& exit_code);
+
 struct DoctorOptions {
     std::filesystem::path level;
     bool json = false;

@@ -225,6 +225,10 @@ void Document::set_cameras(std::vector<CameraBookmark> cameras, std::string step
     change(CamerasEdit{level_.cameras, std::move(cameras)}, std::move(step_name));
 }
 
+void Document::set_goals(std::vector<Goal> goals, std::string step_name) {
+    change(GoalsEdit{level_.goals, std::move(goals)}, std::move(step_name));
+}
+
 void Document::restore(Level level, std::string step_name, std::vector<FaceId> guessed) {
     if (in_transaction() || level.mesh != level_.mesh) return;
     level.overrides.resize(mesh().face_count());
@@ -294,6 +298,7 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
             self.level_.fall_limit = side(one, forward).height;
         }
         void operator()(const CamerasEdit& one) const { self.level_.cameras = side(one, forward); }
+        void operator()(const GoalsEdit& one) const { self.level_.goals = side(one, forward); }
         void operator()(const OrphansEdit& one) const { self.level_.orphans = side(one, forward); }
         void operator()(const GeometryEdit& one) const {
             const Geometry& geometry = side(one, forward);

@@ -46,6 +46,7 @@ struct FallLimit {
 };
 using FallLimitEdit = ValueEdit<FallLimit>;
 using CamerasEdit = ValueEdit<std::vector<CameraBookmark>>;
+using GoalsEdit = ValueEdit<std::vector<Goal>>;
 using OrphansEdit = ValueEdit<std::vector<Orphan>>;
 // What reading the geometry file again replaces.
 struct Geometry {
@@ -65,9 +66,9 @@ struct Geometry {
 using GeometryEdit = ValueEdit<Geometry>;
 using SavedSelectionsEdit = ValueEdit<std::vector<SavedSelection>>;
 using LevelEdit = ValueEdit<std::shared_ptr<const Level>>;  // everything except the mesh: a recovery
-using Edit =
-    std::variant<FaceEdit, SelectionEdit, HiddenEdit, SavedSelectionsEdit, MovementEdit, SurfacesEdit,
-                 RulesEdit, SpawnsEdit, FallLimitEdit, CamerasEdit, OrphansEdit, GeometryEdit, LevelEdit>;
+using Edit = std::variant<FaceEdit, SelectionEdit, HiddenEdit, SavedSelectionsEdit, MovementEdit,
+                          SurfacesEdit, RulesEdit, SpawnsEdit, FallLimitEdit, CamerasEdit, GoalsEdit,
+                          OrphansEdit, GeometryEdit, LevelEdit>;
 
 // Properties of faces that are used often, computed once per mesh.
 struct FaceFacts {
@@ -190,6 +191,7 @@ class Document {
     void set_spawns(std::vector<Spawn> spawns, std::string step_name);
     void set_fall_limit(std::optional<double> height);  // nothing: the default; ignored if not within 1e9 m
     void set_cameras(std::vector<CameraBookmark> cameras, std::string step_name = "Change cameras");
+    void set_goals(std::vector<Goal> goals, std::string step_name);
     // Replaces everything that the level adds to the mesh with that of `level`, which must have this
     // document's mesh. The file names stay. Ignored during a transaction. `guessed`: the painted faces whose
     // paint was guessed.

@@ -86,6 +86,8 @@ class LevelReader {
                         [this](const Json& json, const std::string& path) { read_selections(json, path); });
             read_member(root, "cameras",
                         [this](const Json& json, const std::string& path) { read_cameras(json, path); });
+            read_member(root, "goals",
+                        [this](const Json& json, const std::string& path) { read_goals(json, path); });
             read_member(root, "movement",
                         [this](const Json& json, const std::string& path) { read_movement(json, path); });
             read_member(root, "platforms",
@@ -100,10 +102,10 @@ class LevelReader {
             });
             read_member(root, "light",
                         [this](const Json& json, const std::string& path) { read_light_of(json, path); });
-            keep_unknown(root, "/", "/",
-                         {"slipface", "mesh", "scale", "up", "spawn", "spawns", "fall_limit", "surfaces",
-                          "rules", "overrides", "orphans", "hidden", "selections", "cameras", "movement",
-                          "platforms", "heightfield", "sectors", "light"});
+            keep_unknown(root, "/", "/", {"slipface", "mesh",       "scale",       "up",      "spawn",
+                                          "spawns",   "fall_limit", "surfaces",    "rules",   "overrides",
+                                          "orphans",  "hidden",     "selections",  "cameras", "goals",
+                                          "movement", "platforms",  "heightfield", "sectors", "light"});
         }
         if (!reader_.ok()) return reader_.error();
         if (warnings_ > max_warnings)
@@ -407,6 +409,50 @@ class LevelReader {
                          {"name", "eye", "target", "fov_y"});
             loaded_.level.cameras.push_back(std::move(camera));
         }
+    }
+
+    void read_goals(const Json& json, const std::string& path) {
+        if (!reader_.array(json, path, max_goals)) return;
+        std::set<std::string> names;
+        for (std::size_t i = 0; i < json.items.size() && reader_.ok(); ++i) {
+            const std::string here = fmt::format("{}/{}", path, i);
+            Goal goal = read_goal(json.items[i], here);
+            if (!reader_.ok()) return;
+            if (!names.insert(goal.name).second)
+                reader_.fail(here + "/name", fmt::format("\"{}\" a second time", json_excerpt(goal.name)),
+                             "each name once");
+            keep_unknown(json.items[i], here, unknown_.location("goals", goal.name),
+                         {"name", "kind", "position", "radius", "within_s", "from"});
+            loaded_.level.goals.push_back(std::move(goal));
+        }
+    }
+
+    Goal read_goal(const Json& json, const std::string& path) {
+        Goal goal;
+        if (!reader_.object(json, path)) return goal;
+        const Json* name = reader_.member(json, path, "name");
+        const Json* position = reader_.member(json, path, "position");
+        if (name == nullptr || position == nullptr) return goal;
+        reader_.text(*name, path + "/name", goal.name);
+        if (goal.name.empty()) reader_.fail(path + "/name", "an empty name", "a name");
+        reader_.vector(*position, path + "/position", -max_position, max_position, goal.position);
+        std::string kind = goal_kind_names[0];
+        if (const Json* value = json.find("kind")) reader_.text(*value, path + "/kind", kind);
+        const auto found = std::find(goal_kind_names.begin(), goal_kind_names.end(), kind);
+        if (found == goal_kind_names.end())
+            reader_.fail(path + "/kind", fmt::format("\"{}\"", json_excerpt(kind)),
+                         fmt::format("one of {}", fmt::join(goal_kind_names, ", ")));
+        else
+            goal.kind = static_cast<GoalKind>(found - goal_kind_names.begin());
+        if (const Json* value = json.find("radius"))
+            reader_.number(*value, path + "/radius", smallest_goal_radius, largest_goal_radius, goal.radius);
+        if (const Json* value = json.find("within_s")) {
+            if (goal.kind == GoalKind::never)
+                reader_.fail(path + "/within_s", "a time", "none for a goal of the kind \"never\"");
+            reader_.number(*value, path + "/within_s", 0.0, 1e6, goal.within_s.emplace());
+        }
+        if (const Json* value = json.find("from")) reader_.text(*value, path + "/from", goal.from);
+        return goal;
     }
 
     void read_platforms(const Json& json, const std::string& path) {

@@ -242,8 +242,26 @@ void append_spawns(Json& root, const Level& level, UnknownMembers& unknown) {
     if (level.fall_limit) json_add(root, "fall_limit", json_number(*level.fall_limit));
 }
 
+void append_goals(Json& root, const Level& level, UnknownMembers& unknown) {
+    if (level.goals.empty()) return;
+    Json goals = json_array();
+    for (const Goal& goal : level.goals) {
+        Json json = json_object();
+        json_add(json, "name", json_string(goal.name));
+        json_add(json, "kind", json_string(goal_kind_names[static_cast<std::size_t>(goal.kind)]));
+        json_add(json, "position", vector_json(goal.position));
+        json_add(json, "radius", json_number(goal.radius));
+        if (goal.within_s) json_add(json, "within_s", json_number(*goal.within_s));
+        if (!goal.from.empty()) json_add(json, "from", json_string(goal.from));
+        unknown.append_to(json, unknown.location("goals", goal.name));
+        goals.items.push_back(std::move(json));
+    }
+    json_add(root, "goals", std::move(goals));
+}
+
 // Writes the parts that few levels have, if the level has them.
 void append_parts(Json& root, const Level& level, UnknownMembers& unknown) {
+    append_goals(root, level, unknown);
     if (!level.platforms.empty()) json_add(root, "platforms", platforms_json(level, unknown));
     if (level.heightfield) {
         Json json = heightfield_json(*level.heightfield);

@@ -9,6 +9,7 @@
 
 #include "slipface/base/result.h"
 #include "slipface/collision/collision_world.h"
+#include "slipface/level/goal.h"
 #include "slipface/level/level_light.h"
 #include "slipface/level/platform.h"
 #include "slipface/mesh/import.h"
@@ -129,6 +130,7 @@ struct Level {
     // start and the lowest static point (run_start()).
     std::optional<double> fall_limit;
     std::vector<CameraBookmark> cameras;
+    std::vector<Goal> goals;
     MovementSettings movement;
     std::vector<Platform> platforms;
     std::optional<HeightfieldSource> heightfield;

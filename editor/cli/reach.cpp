@@ -1,0 +1,351 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <iostream>
+#include <memory>
+
+#include "cli/format.h"
+#include "cli/guarded.h"
+#include "cli/verbs.h"
+#include "slipface/base/files.h"
+#include "slipface/base/parallel.h"
+#include "slipface/base/text.h"
+#include "slipface/level/find_start.h"
+#include "slipface/level/level_file.h"
+#include "slipface/level/preset.h"
+#include "slipface/reach/report.h"
+
+namespace slipface::cli {
+namespace {
+
+struct ReachWords {
+    std::string level, preset, spawn, out, resume, how, tape, tapes;
+    double seconds = 0.0, cell = 0.0;
+    std::uint64_t rounds = 0, seed = 1;
+    int threads = 0;
+    std::vector<std::string> settings;
+    bool json = false, check = false;
+};
+
+constexpr double usual_seconds = 20.0;
+constexpr double check_seconds = 60.0;
+
+int bad_input(const Error& error) {
+    print_error(std::cerr, error);
+    return exit_bad_input;
+}
+
+std::string faces_text(const std::vector<FaceId>& faces) {
+    constexpr std::size_t maximum = 12;
+    std::string text = fmt::format("{}", faces.size());
+    for (std::size_t i = 0; i < std::min(maximum, faces.size()); ++i)
+        text += fmt::format("{}{}", i == 0 ? ": " : ", ", faces[i]);
+    if (faces.size() > maximum) text += ", ...";
+    return text;
+}
+
+void print_report(const ReachReport& report, double seconds, std::uint64_t steps_before) {
+    std::ostream& out = std::cout;
+    print_row(out, "level", report.level_name);
+    print_row(out, "steps",
+              fmt::format("{} in {} rounds, seed {}{}", report.steps, report.rounds.size(), report.seed,
+                          report.exhausted ? "; nothing is left to try" : ""));
+    if (seconds > 0.0 && report.steps > steps_before)
+        print_row(out, "rate",
+                  fmt::format("{:.0f} steps a second", double(report.steps - steps_before) / seconds));
+    print_row(out, "cells",
+              fmt::format("{} of {:.2f} m, {}", report.cells, report.cell_m, bytes_text(report.bytes)));
+    print_row(out, "reached",
+              fmt::format("{} faces, {} of {} walkable ones", report.reached.size(),
+                          report.walkable.size() - report.unreached.size(), report.walkable.size()));
+    print_row(out, "unreached", faces_text(report.unreached));
+    print_row(out, "traps", faces_text(report.traps));
+    print_row(out, "exits", fmt::format("{}", report.exits.size()));
+    constexpr std::size_t most_exits = 8;
+    for (std::size_t i = 0; i < std::min(most_exits, report.exits.size()); ++i) {
+        const ReachReport::Exit& exit = report.exits[i];
+        const std::string face = exit.face == no_id ? "" : fmt::format(", from face {}", exit.face);
+        out << fmt::format("    {}  m{}, {} times, first after {:.2f} s\n", vector_text(exit.hole), face,
+                           exit.times, exit.time_s);
+    }
+    for (const ReachReport::NamedGoal& goal : report.goals)
+        print_row(out, "goal",
+                  goal.name + (goal.time_s ? fmt::format(" after {:.2f} s", *goal.time_s) : " not reached"));
+    const std::size_t last = std::max<std::size_t>(1, report.rounds.size() / 10);
+    std::uint64_t cells = 0;
+    for (std::size_t i = report.rounds.size() - std::min(last, report.rounds.size());
+         i < report.rounds.size(); ++i)
+        cells += report.rounds[i].cells;
+    print_row(out, "last tenth", fmt::format("of the rounds found {} new cells", cells));
+    print_row(out, "hash", hash_text(report.hash));
+}
+
+Status write_tape(const std::string& file, const Tape& tape) {
+    if (file.empty()) return {};
+    return write_file_atomic(file, tape_to_text(tape));
+}
+
+// The way to a face or a point, or how near the search came.
+int answer_how(const ReachSearch& search, const ReachWords& words) {
+    std::optional<FaceId> face;
+    const std::optional<Vec3> point = parse_vec3(words.how);
+    NodeId node = no_id;
+    std::string what = fmt::format("({})", words.how);
+    if (words.how.starts_with("face:")) {
+        const std::optional<std::int64_t> number = parse_int(words.how.substr(5));
+        const auto count = static_cast<std::int64_t>(search.faces().size());
+        if (!number || *number < 0 || *number >= count)
+            return bad_input(
+                {"--how", fmt::format("found {}, expected face:0 to face:{}", words.how, count - 1)});
+        face = static_cast<FaceId>(*number);
+        node = search.faces()[*face].node;
+        what = fmt::format("face {}", *face);
+    } else if (point) {
+        const ReachSearch::Near near = search.nearest(*point);
+        if (near.node != no_id && near.distance_m <= search.cell_m()) node = near.node;
+    }
+    std::optional<Tape> tape;
+    if (node != no_id) tape = search.tape_to(node);
+    OutputJson json{{"how", words.how}, {"reached", tape.has_value()}};
+    std::string text;
+    if (tape) {
+        const double time = search.archive().nodes[node].tick * search.options().dt;
+        json["time_s"] = time;
+        json["position"] = vector_json(search.position_of(node));
+        json["end_hash"] = hash_text(tape->end_hash.value_or(0));
+        text = fmt::format("{}: reached after {:.2f} s, at {} m\n", what, time,
+                           vector_text(search.position_of(node)));
+    } else {
+        auto miss = face ? search.nearest_miss_of_face(*face)
+                         : search.nearest_miss_of_point(*point, search.level().movement.radii.y());
+        json["steps"] = search.steps();
+        json["rounds"] = search.rounds().size();
+        text = fmt::format("{}: not reached after {} steps in {} rounds", what, search.steps(),
+                           search.rounds().size());
+        if (miss) {
+            json["short_m"] = miss->distance_m;
+            if (miss->from != no_id) json["last_face"] = miss->from;
+            text += fmt::format("; {:.2f} m short", miss->distance_m);
+            if (miss->from != no_id) text += fmt::format(", last on face {}", miss->from);
+            tape = std::move(miss->tape);
+        }
+        text += '\n';
+    }
+    if (tape)
+        if (const Status status = write_tape(words.tape, *tape); !status) return bad_input(status.error());
+    words.json ? print_json(std::cout, json) : void(std::cout << text);
+    return json["reached"].get<bool>() ? exit_fine : exit_check_failed;
+}
+
+// Which of the settings that were changed here breaks a goal that held before: each is taken back alone.
+std::string setting_to_blame(const Level& level, const MovementSettings& before, const Vec3& start,
+                             const ReachOptions& options, const ReachLimits& limits, std::size_t goal) {
+    std::string blamed;
+    for (const std::string& change : setting_changes(level.movement, before)) {
+        Level other = level;
+        if (!set_setting(other.movement, change)) continue;
+        other.goals = {level.goals[goal]};
+        for (const Goal& named : level.goals)
+            if (named.name == level.goals[goal].from) other.goals.push_back(named);
+        const auto answers = check_goals(other, start, options, limits);
+        if (answers && !answers->empty() && answers->front().holds)
+            blamed += (blamed.empty() ? "" : ", ") + change;
+    }
+    return blamed;
+}
+
+int check(const Level& level, const MovementSettings& before, const Vec3& start, const ReachWords& words,
+          const ReachOptions& options, const ReachLimits& limits) {
+    const auto answers = check_goals(level, start, options, limits);
+    if (!answers) return bad_input(answers.error());
+    if (answers->empty())
+        return bad_input({level.file_path.string(), "found no goals, expected some to check"});
+    bool all = true;
+    OutputJson json{{"goals", OutputJson::array()}};
+    std::string text;
+    for (const GoalAnswer& answer : *answers) {
+        const Goal& goal = level.goals[answer.goal];
+        OutputJson one{{"name", goal.name}, {"holds", answer.holds}, {"text", answer.text}};
+        if (answer.time_s) one["time_s"] = *answer.time_s;
+        text += fmt::format("{:<8}{}\n", answer.holds ? "holds" : "BROKEN", answer.text);
+        if (!answer.holds) {
+            all = false;
+            const std::string blamed = setting_to_blame(level, before, start, options, limits, answer.goal);
+            if (!blamed.empty()) {
+                one["holds_with"] = blamed;
+                text += fmt::format("        holds with {}\n", blamed);
+            }
+        }
+        if (answer.tape && !words.tapes.empty()) {
+            const std::filesystem::path file =
+                std::filesystem::path(words.tapes) / fmt::format("goal-{}.tape", answer.goal + 1);
+            if (const Status status = write_tape(file.string(), *answer.tape); !status)
+                return bad_input(status.error());
+            one["tape"] = file.string();
+        }
+        json["goals"].push_back(std::move(one));
+    }
+    json["all_hold"] = all;
+    words.json ? print_json(std::cout, json) : void(std::cout << text);
+    return all ? exit_fine : exit_check_failed;
+}
+
+int run(const ReachWords& words) {
+    Result<LoadedLevel> loaded = load_level(words.level);
+    if (!loaded) return bad_input(loaded.error());
+    print_warnings(std::cerr, loaded->warnings);
+    Level& level = loaded->level;
+    const MovementSettings before = level.movement;
+    if (!words.preset.empty()) {
+        const Result<Preset> preset = find_preset(words.preset);
+        if (!preset) return bad_input({"--preset", preset.error().text()});
+        level.movement = preset->settings;
+    }
+    for (const std::string& assignment : words.settings)
+        if (const Status status = set_setting(level.movement, assignment); !status)
+            return bad_input({"--set " + assignment, status.error().message});
+    const Result<Start> start = settle_start(level, words.spawn);
+    if (!start) return bad_input({"--spawn", start.error().message});
+    if (!start->stands) return bad_input({level.mesh_path.string(), start->note});
+    if (!start->note.empty()) print_warnings(std::cerr, {{level.mesh_path.string(), start->note}});
+    std::optional<ThreadLimit> limit;
+    if (words.threads > 0) limit.emplace(words.threads);
+    ReachOptions options;
+    options.seed = words.seed;
+    options.cell_m = words.cell;
+    ReachLimits limits;
+    limits.seconds = words.seconds;
+    if (words.rounds > 0) limits.rounds = words.rounds;
+    if (words.seconds <= 0.0 && words.rounds == 0)
+        limits.seconds = words.check ? check_seconds : usual_seconds;
+    if (words.check) return check(level, before, start->position, words, options, limits);
+
+    Result<ReachSearch> search = words.resume.empty() ? ReachSearch::begin(level, start->position, options)
+                                                      : ReachSearch::resume(level, words.resume);
+    if (!search) return bad_input(search.error());
+    const std::uint64_t steps_before = search->steps();
+    const auto begin = std::chrono::steady_clock::now();
+    // Who only asks a stored search how to get somewhere wants no further one.
+    const bool only_asks =
+        !words.how.empty() && !words.resume.empty() && words.rounds == 0 && words.seconds <= 0.0;
+    if (!only_asks) search->run(limits);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (!words.out.empty())
+        if (const Status status = search->store(words.out); !status) return bad_input(status.error());
+    if (!words.how.empty()) return answer_how(*search, words);
+    const ReachReport report = make_reach_report(*search);
+    words.json ? void(std::cout << reach_to_json(report, true) << '\n')
+               : print_report(report, seconds, steps_before);
+    return exit_fine;
+}
+
+int diff(const std::string& a, const std::string& b, bool json) {
+    const Result<std::string> first = read_file(a), second = read_file(b);
+    if (!first) return bad_input(first.error());
+    if (!second) return bad_input(second.error());
+    const Result<ReachDifference> difference = compare_reach(*first, a, *second, b);
+    if (!difference) return bad_input(difference.error());
+    if (json) {
+        OutputJson out{{"gained_faces", difference->gained}, {"lost_faces", difference->lost}};
+        out["slower_faces"] = OutputJson::array();
+        for (const auto& one : difference->slower)
+            out["slower_faces"].push_back(
+                {{"face", one.face}, {"before_s", one.before_s}, {"after_s", one.after_s}});
+        out["new_trap_faces"] = difference->new_traps;
+        out["goals_gained"] = difference->goals_gained;
+        out["goals_lost"] = difference->goals_lost;
+        out["settings"] = difference->settings;
+        print_json(std::cout, out);
+    } else {
+        print_row(std::cout, "gained", faces_text(difference->gained));
+        print_row(std::cout, "lost", faces_text(difference->lost));
+        print_row(std::cout, "slower", fmt::format("{} faces", difference->slower.size()));
+        print_row(std::cout, "new traps", faces_text(difference->new_traps));
+        for (const std::string& goal : difference->goals_gained)
+            print_row(std::cout, "goal gained", goal);
+        for (const std::string& goal : difference->goals_lost)
+            print_row(std::cout, "goal lost", goal);
+        for (const std::string& setting : difference->settings)
+            print_row(std::cout, "setting", setting);
+    }
+    const bool same = difference->gained.empty() && difference->lost.empty();
+    return same ? exit_fine : exit_check_failed;
+}
+
+std::string how_check(const std::string& text) {
+    if (text.starts_with("face:") || parse_vec3(text)) return {};
+    return fmt::format("found {}, expected face:NUMBER or x,y,z", text);
+}
+
+// The parser alone would take -1 for the largest number.
+std::string whole_number(const std::string& text) {
+    std::uint64_t number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, number);
+    if (error == std::errc() && rest == end) return {};
+    return fmt::format("found {}, expected a whole number from 0 to 18446744073709551615", text);
+}
+
+}  // namespace
+
+void add_reach_verb(CLI::App& app, int& exit_code) {
+    CLI::App* verb = app.add_subcommand("reach", "Search for all that the player can reach, and how");
+    auto words = std::make_shared<ReachWords>();
+    CLI::Option* level = verb->add_option("LEVEL", words->level, level_help());
+    verb->add_option("--seconds", words->seconds, "Search for so long; else 20, and 60 with --check")
+        ->check(CLI::Range(0.0, 1e6));
+    verb->add_option("--rounds", words->rounds, "Search so many rounds: the same bytes on every machine")
+        ->check(whole_number);
+    verb->add_option("--seed", words->seed, "Another seed, other inputs")
+        ->check(whole_number)
+        ->capture_default_str();
+    verb->add_option("--cell", words->cell, "Edge of a cell in metres; else by the player and the level")
+        ->type_name("METRES")
+        ->check(CLI::Range(0.05, 100.0));
+    verb->add_option("--preset", words->preset,
+                     "A preset, or a preset file, instead of the level's settings");
+    verb->add_option("--spawn", words->spawn, "Start at this spawn of the level")->type_name("NAME");
+    verb->add_option("--set", words->settings, "Change a movement setting; may be repeated")
+        ->type_name("name=value")
+        ->allow_extra_args(false);
+    verb->add_option("--threads", words->threads, "At most this many; 0: as many as there are")
+        ->check(CLI::Range(0, 4096));
+    verb->add_option("--out", words->out, "Write the search to a file, to go on or to compare")
+        ->type_name("FILE");
+    verb->add_option("--resume", words->resume, "Go on with a search from a file")->type_name("FILE");
+    CLI::Option* how =
+        verb->add_option("--how", words->how, "Say how the player gets to a face or a point, or how near")
+            ->type_name("face:N|x,y,z")
+            ->check(how_check);
+    verb->add_option("--tape", words->tape, "Write the inputs of --how to a file")
+        ->type_name("FILE")
+        ->needs(how);
+    CLI::Option* check_flag = verb->add_flag(
+        "--check", words->check, "Check the level's goals; fails when one breaks, and says what broke it");
+    check_flag->excludes(how);
+    verb->add_option("--tapes", words->tapes, "Folder for a tape of each goal")
+        ->type_name("FOLDER")
+        ->needs(check_flag)
+        ->check(CLI::ExistingDirectory);
+    verb->add_flag("--json", words->json, "Print JSON");
+
+    CLI::App* diff_verb = verb->add_subcommand("diff", "Say what the second of two searches gained and lost");
+    auto files = std::make_shared<std::pair<std::string, std::string>>();
+    auto diff_json = std::make_shared<bool>(false);
+    diff_verb->add_option("A", files->first, "File of --out, or what --json printed")->required();
+    diff_verb->add_option("B", files->second, "The same of another search")->required();
+    diff_verb->add_flag("--json", *diff_json, "Print JSON");
+    diff_verb->callback([files, diff_json, &exit_code] {
+        exit_code = guarded([&] { return diff(files->first, files->second, *diff_json); });
+    });
+    verb->callback([verb, level, words, &exit_code] {
+        if (!verb->get_subcommands().empty()) return;
+        if (level->count() == 0) throw CLI::RequiredError("LEVEL");
+        exit_code = guarded([&] { return run(*words); });
+    });
+}
+
+}  // namespace slipface::cli

@@ -1,0 +1,117 @@
+#include "slipface/reach/archive.h"
+
+#include <algorithm>
+
+namespace slipface {
+namespace {
+
+constexpr std::uint64_t upper_half = 0xffffffff00000000ULL;
+constexpr std::size_t most_edges_per_node = 8;
+
+}  // namespace
+
+NodeId ReachArchive::find(std::uint64_t cell) const {
+    if (table_.empty()) return no_id;
+    const std::size_t mask = table_.size() - 1;
+    for (std::size_t at = cell & mask; table_[at] != 0; at = (at + 1) & mask) {
+        if ((table_[at] & upper_half) != (cell & upper_half)) continue;
+        const auto node = static_cast<NodeId>(table_[at] - 1);
+        if (nodes[node].cell == cell) return node;
+    }
+    return no_id;
+}
+
+void ReachArchive::index(NodeId node) {
+    if (3 * (cells_ + 1) > 2 * table_.size()) {
+        std::vector<std::uint64_t> old(std::max<std::size_t>(1024, 2 * table_.size()), 0);
+        old.swap(table_);
+        cells_ = 0;
+        for (const std::uint64_t entry : old)
+            if (entry != 0) index(static_cast<NodeId>(entry - 1));
+    }
+    const std::uint64_t cell = nodes[node].cell;
+    const std::size_t mask = table_.size() - 1;
+    std::size_t at = cell & mask;
+    for (; table_[at] != 0; at = (at + 1) & mask) {
+        const auto known = static_cast<NodeId>(table_[at] - 1);
+        if (nodes[known].cell != cell) continue;
+        nodes[known].superseded = 1;
+        table_[at] = (cell & upper_half) | (node + std::uint64_t{1});
+        return;
+    }
+    table_[at] = (cell & upper_half) | (node + std::uint64_t{1});
+    ++cells_;
+}
+
+void ReachArchive::rebuild_index() {
+    table_.clear();
+    cells_ = 0;
+    for (NodeId node = 0; node < nodes.size(); ++node)
+        if (nodes[node].is_cell && !nodes[node].superseded) index(node);
+}
+
+NodeId ReachArchive::add(ReachNode node, std::span<const Press> inputs) {
+    node.first_press = static_cast<std::uint32_t>(presses.size());
+    node.press_count = static_cast<std::uint16_t>(inputs.size());
+    presses.insert(presses.end(), inputs.begin(), inputs.end());
+    const auto id = static_cast<NodeId>(nodes.size());
+    const NodeId before = find(node.cell);
+    node.is_cell = before == no_id || node.tick < nodes[before].tick;
+    nodes.push_back(node);
+    first_edge.push_back(no_id);
+    if (node.is_cell) index(id);
+    if (node.returns) {
+        nodes[id].returns = 0;
+        mark_returning(id);
+    }
+    // States of one cell can do the same: that is what cells are for.
+    if (before != no_id) {
+        add_edge(id, before);
+        add_edge(before, id);
+    }
+    return id;
+}
+
+void ReachArchive::add_edge(NodeId from, NodeId to) {
+    if (nodes[from].returns || from == to) return;
+    if (nodes[to].returns) return mark_returning(from);
+    std::size_t count = 0;
+    for (std::uint32_t at = first_edge[to]; at != no_id; at = edges[at].next)
+        if (edges[at].from == from || ++count >= most_edges_per_node) return;
+    edges.push_back({from, first_edge[to]});
+    first_edge[to] = static_cast<std::uint32_t>(edges.size() - 1);
+}
+
+void ReachArchive::mark_returning(NodeId node) {
+    std::vector<NodeId> open{node};
+    while (!open.empty()) {
+        const NodeId at = open.back();
+        open.pop_back();
+        if (nodes[at].returns) continue;
+        nodes[at].returns = 1;
+        if (nodes[at].parent != no_id) open.push_back(nodes[at].parent);
+        for (std::uint32_t edge = first_edge[at]; edge != no_id; edge = edges[edge].next)
+            open.push_back(edges[edge].from);
+        first_edge[at] = no_id;
+    }
+}
+
+std::vector<Press> ReachArchive::way_to(NodeId node) const {
+    std::vector<NodeId> chain;
+    for (; node != no_id; node = nodes[node].parent)
+        chain.push_back(node);
+    std::vector<Press> motion;
+    for (std::size_t i = chain.size(); i-- > 0;) {
+        const ReachNode& one = nodes[chain[i]];
+        const auto first = presses.begin() + one.first_press;
+        motion.insert(motion.end(), first, first + one.press_count);
+    }
+    return motion;
+}
+
+std::size_t ReachArchive::bytes() const {
+    return nodes.size() * (sizeof(ReachNode) + sizeof(std::uint32_t)) + presses.size() * sizeof(Press) +
+           table_.size() * sizeof(std::uint64_t) + edges.size() * sizeof(Edge);
+}
+
+}  // namespace slipface

@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "slipface/level/find_start.h"
+#include "slipface/reach/report.h"
+
+namespace slipface {
+namespace {
+
+// A spawn's position, else another goal's; an error for a name that is neither.
+Result<Vec3> start_named(const Level& level, const Goal& goal) {
+    for (const Spawn& spawn : all_spawns(level))
+        if (spawn.name == goal.from) return spawn.position;
+    for (const Goal& other : level.goals)
+        if (other.name == goal.from) return other.position;
+    return Error{fmt::format("goal \"{}\"", goal.name),
+                 fmt::format("found from \"{}\", expected the name of a spawn or of a goal", goal.from)};
+}
+
+GoalAnswer answer(const ReachSearch& search, std::size_t index) {
+    const Level& level = search.level();
+    const Goal& goal = level.goals[index];
+    const Reached& reached = search.goals()[index];
+    GoalAnswer answer;
+    answer.goal = index;
+    const std::string effort = fmt::format("{} steps in {} rounds{}", search.steps(), search.rounds().size(),
+                                           search.exhausted() ? ", and nothing was left to try" : "");
+    if (reached.found()) answer.tape = search.tape_to(reached.node);
+    if (answer.tape) {
+        answer.time_s = reached.tick * search.options().dt;
+        const FaceId face = search.archive().nodes[reached.node].state.ground_face;
+        const bool late = goal.within_s && *answer.time_s > *goal.within_s;
+        answer.holds = goal.kind == GoalKind::reach && !late;
+        answer.text = fmt::format("{}: reached after {:.2f} s", goal.name, *answer.time_s);
+        if (late) answer.text += fmt::format(", expected within {} s; {}", *goal.within_s, effort);
+        if (goal.kind == GoalKind::never) {
+            answer.text += ", expected never";
+            if (face != no_id) answer.text += fmt::format("; over face {}", face);
+        }
+        return answer;
+    }
+    answer.holds = goal.kind == GoalKind::never;
+    answer.text = fmt::format("{}: not reached after {}", goal.name, effort);
+    if (answer.holds) return answer;
+    if (auto miss = search.nearest_miss_of_point(goal.position, goal.radius)) {
+        answer.text += fmt::format("; {:.2f} m short", miss->distance_m);
+        if (miss->from != no_id) answer.text += fmt::format(", last on face {}", miss->from);
+        answer.tape = std::move(miss->tape);
+    }
+    return answer;
+}
+
+}  // namespace
+
+Result<std::vector<GoalAnswer>> check_goals(const Level& level, const Vec3& start,
+                                            const ReachOptions& options, const ReachLimits& limits,
+                                            Progress* progress) {
+    std::map<std::string, std::vector<std::size_t>> from;
+    for (std::size_t i = 0; i < level.goals.size(); ++i)
+        from[level.goals[i].from].push_back(i);
+    std::vector<GoalAnswer> answers;
+    for (const auto& [name, goals] : from) {
+        Level own = level;
+        own.goals.clear();
+        for (const std::size_t goal : goals)
+            own.goals.push_back(level.goals[goal]);
+        Vec3 begin = start;
+        if (!name.empty()) {
+            const Result<Vec3> named = start_named(level, own.goals.front());
+            if (!named) return named.error();
+            begin = *named;
+        }
+        Result<ReachSearch> search = ReachSearch::begin(own, begin, options);
+        if (!search) return search.error();
+        ReachLimits until = limits;
+        until.until_goals = true;
+        search->run(until, progress);
+        for (std::size_t i = 0; i < goals.size(); ++i) {
+            answers.push_back(answer(*search, i));
+            answers.back().goal = goals[i];
+        }
+    }
+    std::sort(answers.begin(), answers.end(),
+              [](const GoalAnswer& a, const GoalAnswer& b) { return a.goal < b.goal; });
+    return answers;
+}
+
+}  // namespace slipface

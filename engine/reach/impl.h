@@ -1,0 +1,66 @@
+// What a search keeps beside its archive.
+#pragma once
+
+#include <mutex>
+#include <unordered_map>
+
+#include "roll_out.h"
+#include "slipface/reach/search.h"
+
+namespace slipface {
+
+struct ReachSearch::Impl {
+    explicit Impl(LevelScene built) : scene(std::move(built)) {}
+
+    Status prepare(const Level& level, const Vec3& start, const ReachOptions& options);
+    void round();
+    void merge(const Harvest& harvest, NodeId from, ReachRound& news, bool& productive);
+    void enqueue(NodeId node, std::size_t cost);
+    std::size_t first_cost(const PlayerState& state) const;
+    bool goals_reached() const;
+    // Of all that a search depends on: geometry, types, platforms, settings, start, options, program.
+    std::uint64_t identity() const;
+    std::string body() const;
+    Status read_body(std::string_view bytes, const std::string& location);
+    Tape empty_tape() const;
+    std::optional<Tape> checked_tape(std::span<const Press> motion, const PlayerState* expected) const;
+    std::optional<Miss> nearest_miss(const std::function<double(const Vec3&)>& distance) const;
+    std::vector<NodeId> nearest_nodes(const std::function<double(const Vec3&)>& distance,
+                                      std::size_t count) const;
+    ReachKnown known() const { return {archive, faces, goals, exit_at}; }
+
+    // A scene for the thread that asks; those of a level that moves are used again.
+    class Lease;
+
+    mutable LevelScene scene;
+    ReachWorld world;
+    Vec3 start = Vec3::Zero();
+    ReachArchive archive;
+    std::vector<Reached> faces, goals;
+    std::vector<ReachExit> exits;
+    std::unordered_map<std::uint64_t, std::uint32_t> exit_at;
+    std::vector<ReachRound> rounds;
+    std::uint64_t steps = 0;
+    std::vector<std::uint32_t> face_cells;   // [face, then all else] cells on it
+    std::vector<std::vector<NodeId>> queue;  // [cost] nodes to roll out from, the first ones first
+    std::vector<std::size_t> queue_begin;    // [cost] of them that were taken
+    mutable std::mutex mutex;
+    mutable std::vector<std::unique_ptr<LevelScene>> spare;
+};
+
+// Lives as long as the thread works on it.
+class ReachSearch::Impl::Lease {
+  public:
+    explicit Lease(const Impl& impl);
+    ~Lease();
+    Lease(const Lease&) = delete;
+    Lease& operator=(const Lease&) = delete;
+    const TickScene& scene() const { return *tick_scene_; }
+
+  private:
+    const Impl& impl_;
+    std::unique_ptr<LevelScene> own_;
+    std::optional<TickScene> tick_scene_;
+};
+
+}  // namespace slipface

@@ -1,0 +1,399 @@
+// Searches on disk, so that they can go on.
+//
+//   slipface-reach 1 IDENTITY BYTES HASH\n      (of the level and its settings; of the body, before packing)
+//   report as JSON, one line\n                  (for people and for `reach diff`)
+//   packed body
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstring>
+
+#include "impl.h"
+#include "slipface/base/files.h"
+#include "slipface/base/hash.h"
+#include "slipface/base/pack.h"
+#include "slipface/base/text.h"
+#include "slipface/base/version.h"
+#include "slipface/reach/report.h"
+
+namespace slipface {
+namespace {
+
+constexpr std::string_view magic = "slipface-reach 1";
+constexpr std::uint64_t max_body = std::uint64_t{16} << 30;
+
+class Writer {
+  public:
+    template <class T>
+    void put(T value) {
+        static_assert(std::is_arithmetic_v<T>);
+        const std::size_t at = bytes.size();
+        bytes.resize(at + sizeof(T));
+        std::memcpy(bytes.data() + at, &value, sizeof(T));
+    }
+    void put(const Vec3& vector) {
+        for (int axis = 0; axis < 3; ++axis)
+            put(vector[axis]);
+    }
+    std::string bytes;
+};
+
+// Reads what Writer wrote; after the first value that is missing or not allowed nothing is read any more.
+class ByteReader {
+  public:
+    explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
+    template <class T>
+    T get() {
+        T value{};
+        if (problem || bytes_.size() - at_ < sizeof(T)) {
+            fail("the end of the data", "more");
+            return value;
+        }
+        std::memcpy(&value, bytes_.data() + at_, sizeof(T));
+        at_ += sizeof(T);
+        return value;
+    }
+    // A whole number of at most `most`.
+    template <class T>
+    T up_to(std::uint64_t maximum, const char* what) {
+        const T value = get<T>();
+        if (value > maximum) fail(fmt::format("{} {}", what, value), fmt::format("at most {}", maximum));
+        return problem ? T{0} : value;
+    }
+    // An index below `count`, or no_id.
+    std::uint32_t index(std::size_t count, const char* what) {
+        const auto value = get<std::uint32_t>();
+        if (value != no_id && value >= count)
+            fail(fmt::format("{} {}", what, value), fmt::format("one below {}", count));
+        return problem ? no_id : value;
+    }
+    double number(const char* what) {
+        const auto value = get<double>();
+        if (!(std::abs(value) <= 1e12)) fail(fmt::format("{} {}", what, value), "a finite number");
+        return problem ? 0.0 : value;
+    }
+    Vec3 vector(const char* what) {
+        const double x = number(what), y = number(what), z = number(what);
+        return {x, y, z};
+    }
+    // How many items follow, each of at least `size` bytes: no more than there are bytes for.
+    std::size_t count(std::size_t size, const char* what) {
+        return up_to<std::uint64_t>((bytes_.size() - at_) / size, what);
+    }
+    bool at_end() const { return at_ == bytes_.size(); }
+    std::size_t at() const { return at_; }
+    void fail(std::string found, std::string expected) {
+        if (!problem) problem = fmt::format("byte {}: found {}, expected {}", at_, found, expected);
+    }
+    std::optional<std::string> problem;
+
+  private:
+    std::string_view bytes_;
+    std::size_t at_ = 0;
+};
+
+void put_state(Writer& to, const PlayerState& state) {
+    for (const Vec3* vector : {&state.position, &state.velocity, &state.ground_normal})
+        to.put(*vector);
+    for (const std::int32_t number : state.sector)
+        to.put(number);
+    std::uint8_t flags = 0;
+    for (const bool flag : {state.grounded, state.climbing, state.stuck, state.jump_held, state.hazard,
+                            state.jumping, state.trapped})
+        flags = static_cast<std::uint8_t>(flags * 2 + (flag ? 1 : 0));
+    to.put(flags);
+    to.put(state.ground_face);
+    to.put(state.ground_surface);
+    to.put(state.ground_platform);
+    to.put(state.ground_rise);
+    to.put(state.coyote_s);
+    to.put(state.jump_buffer_s);
+}
+
+PlayerState get_state(ByteReader& from, const Level& level) {
+    PlayerState state;
+    for (Vec3* vector : {&state.position, &state.velocity, &state.ground_normal})
+        *vector = from.vector("a coordinate of a state");
+    for (std::int32_t& number : state.sector)
+        number = from.get<std::int32_t>();
+    auto flags = from.up_to<std::uint8_t>(127, "the flags of a state");
+    for (bool* flag : {&state.trapped, &state.jumping, &state.hazard, &state.jump_held, &state.stuck,
+                       &state.climbing, &state.grounded}) {
+        *flag = flags % 2 != 0;
+        flags /= 2;
+    }
+    state.ground_face = from.index(level.mesh->face_count(), "a face");
+    state.ground_surface = from.up_to<SurfaceId>(level.surfaces.size() - 1, "a surface type");
+    state.ground_platform = from.index(level.platforms.size(), "a platform");
+    state.ground_rise = from.number("a height");
+    state.coyote_s = from.number("a time");
+    state.jump_buffer_s = from.number("a time");
+    return state;
+}
+
+void put_reached(Writer& to, const std::vector<Reached>& list) {
+    to.put(std::uint64_t{list.size()});
+    for (const Reached& one : list) {
+        to.put(one.node);
+        to.put(one.tick);
+    }
+}
+
+void get_reached(ByteReader& from, std::size_t nodes, std::vector<Reached>& list) {
+    const std::size_t count = from.count(8, "a number of faces");
+    if (count != list.size())
+        return from.fail(fmt::format("a list of {}", count), fmt::format("one of {}", list.size()));
+    for (Reached& one : list) {
+        one.node = from.index(nodes, "a node");
+        one.tick = from.get<std::uint32_t>();
+    }
+}
+
+}  // namespace
+
+std::uint64_t ReachSearch::Impl::identity() const {
+    const Level& level = *world.level;
+    Hasher hasher;
+    const auto add = [&](const Vec3& vector) {
+        for (int axis = 0; axis < 3; ++axis)
+            hasher.f64(vector[axis]);
+    };
+    hasher.text(program_version());
+    hasher.u64(level.mesh->fingerprint);
+    hasher.u64(scene_fingerprint(scene.at(0.0, world.options.dt)));
+    for (const SettingInfo& info : settings_table()) {
+        hasher.text(info.name);
+        hasher.f64(get_setting(level.movement, info));
+    }
+    for (const Platform& platform : level.platforms) {
+        hasher.text(platform.group);
+        hasher.u64(static_cast<std::uint64_t>(platform.repeat));
+        add(platform.spin_axis);
+        add(platform.spin_pivot);
+        hasher.f64(platform.spin_rate);
+        hasher.f64(platform.phase_s);
+        for (const PathPoint& point : platform.path) {
+            add(point.offset);
+            hasher.f64(point.speed);
+            hasher.f64(point.pause_s);
+        }
+    }
+    if (level.terrain)
+        for (const double height : level.terrain->heights)
+            hasher.f64(height);
+    hasher.f64(level.fall_limit.value_or(-1e300));
+    hasher.f64(level.sectors.size);
+    add(level.sectors.placement);
+    for (const Goal& goal : level.goals) {
+        add(goal.position);
+        hasher.f64(goal.radius);
+    }
+    return hasher.value();
+}
+
+std::string ReachSearch::Impl::body() const {
+    Writer to;
+    to.put(world.options.seed);
+    to.put(world.options.dt);
+    to.put(world.options.cell_m);
+    to.put(start);
+    to.put(std::uint64_t{archive.presses.size()});
+    for (const Press& press : archive.presses) {
+        to.put(press.ticks);
+        to.put(press.stick);
+        to.put(std::uint8_t{press.jump});
+    }
+    to.put(std::uint64_t{archive.nodes.size()});
+    for (const ReachNode& node : archive.nodes) {
+        put_state(to, node.state);
+        to.put(node.cell);
+        to.put(node.parent);
+        to.put(node.tick);
+        to.put(node.first_press);
+        to.put(node.press_count);
+        to.put(static_cast<std::uint16_t>(node.visits * 8u + node.superseded * 4u + node.returns * 2u +
+                                          node.is_cell));
+    }
+    put_reached(to, faces);
+    put_reached(to, goals);
+    to.put(std::uint64_t{exits.size()});
+    for (const ReachExit& exit : exits) {
+        to.put(exit.from);
+        to.put(exit.hole);
+        to.put(exit.spot);
+        for (const std::uint32_t part : {exit.face, exit.tick, exit.times, exit.node, exit.first_press})
+            to.put(part);
+        to.put(exit.press_count);
+    }
+    to.put(std::uint64_t{rounds.size()});
+    for (const ReachRound& one : rounds) {
+        to.put(one.steps);
+        to.put(one.cells);
+        to.put(one.faces);
+    }
+    to.put(steps);
+    for (const std::uint32_t cells : face_cells)
+        to.put(cells);
+    for (std::size_t cost = 0; cost < queue.size(); ++cost) {
+        to.put(std::uint64_t{queue[cost].size() - queue_begin[cost]});
+        for (std::size_t i = queue_begin[cost]; i < queue[cost].size(); ++i)
+            to.put(queue[cost][i]);
+    }
+    to.put(std::uint64_t{archive.edges.size()});
+    for (const ReachArchive::Edge& edge : archive.edges) {
+        to.put(edge.from);
+        to.put(edge.next);
+    }
+    for (const std::uint32_t edge : archive.first_edge)
+        to.put(edge);
+    return std::move(to.bytes);
+}
+
+// `prepare` has run: lists have their sizes.
+Status ReachSearch::Impl::read_body(std::string_view bytes, const std::string& location) {
+    ByteReader from(bytes);
+    const Level& level = *world.level;
+    (void)from.get<std::uint64_t>();  // options and start, which resume() has read
+    for (int i = 0; i < 5; ++i)
+        (void)from.get<double>();
+    archive.presses.resize(from.count(4, "a number of inputs"));
+    for (Press& press : archive.presses) {
+        press.ticks = from.get<std::uint16_t>();
+        press.stick = from.get<std::uint8_t>();
+        press.jump = from.up_to<std::uint8_t>(1, "a switch") != 0;
+    }
+    const auto check_presses = [&](std::uint32_t first, std::uint16_t count) {
+        if (std::uint64_t{first} + count > archive.presses.size())
+            from.fail(fmt::format("inputs {} to {}", first, std::uint64_t{first} + count),
+                      fmt::format("at most {}", archive.presses.size()));
+    };
+    archive.nodes.resize(from.count(100, "a number of nodes"));
+    const std::size_t count = archive.nodes.size();
+    for (std::size_t i = 0; i < count && !from.problem; ++i) {
+        ReachNode& node = archive.nodes[i];
+        node.state = get_state(from, level);
+        node.cell = from.get<std::uint64_t>();
+        node.parent = from.index(i, "a parent");
+        node.tick = from.up_to<std::uint32_t>(max_tape_ticks, "a tick");
+        node.first_press = from.get<std::uint32_t>();
+        node.press_count = from.get<std::uint16_t>();
+        check_presses(node.first_press, node.press_count);
+        if (i > 0 && node.parent == no_id) from.fail("a second start", "a parent");
+        const std::uint32_t bits = from.get<std::uint16_t>();
+        node.visits = (bits >> 3) & 0x1fffu;
+        node.superseded = (bits >> 2) & 1u;
+        node.returns = (bits >> 1) & 1u;
+        node.is_cell = bits & 1u;
+    }
+    get_reached(from, count, faces);
+    get_reached(from, count, goals);
+    exits.resize(from.count(70, "a number of exits"));
+    for (ReachExit& exit : exits) {
+        exit.from = from.vector("an exit");
+        exit.hole = from.vector("an exit");
+        exit.spot = from.get<std::uint64_t>();
+        exit.face = from.index(level.mesh->face_count(), "a face");
+        exit.tick = from.get<std::uint32_t>();
+        exit.times = from.get<std::uint32_t>();
+        exit.node = from.index(count, "a node");
+        if (exit.node == no_id) from.fail("an exit without a way", "a node");
+        exit.first_press = from.get<std::uint32_t>();
+        exit.press_count = from.get<std::uint16_t>();
+        check_presses(exit.first_press, exit.press_count);
+        exit_at.emplace(exit.spot, static_cast<std::uint32_t>(&exit - exits.data()));
+    }
+    rounds.resize(from.count(16, "a number of rounds"));
+    for (ReachRound& one : rounds) {
+        one.steps = from.get<std::uint64_t>();
+        one.cells = from.get<std::uint32_t>();
+        one.faces = from.get<std::uint32_t>();
+    }
+    steps = from.get<std::uint64_t>();
+    for (std::uint32_t& cells : face_cells)
+        cells = from.get<std::uint32_t>();
+    const auto node_in = [&](const char* what) {
+        const NodeId node = from.index(count, what);
+        if (node == no_id) from.fail("no node", "a node");
+        return from.problem ? 0 : node;
+    };
+    for (std::vector<NodeId>& waiting : queue) {
+        waiting.resize(from.count(4, "a queue of"));
+        for (NodeId& node : waiting)
+            node = node_in("a node");
+    }
+    archive.edges.resize(from.count(8, "a number of edges"));
+    for (std::size_t i = 0; i < archive.edges.size() && !from.problem; ++i) {
+        archive.edges[i].from = node_in("a node");
+        archive.edges[i].next = from.index(i, "an edge");  // lists lead to earlier edges, so they end
+    }
+    archive.first_edge.resize(count);
+    for (std::uint32_t& edge : archive.first_edge)
+        edge = from.index(archive.edges.size(), "an edge");
+    if (!from.problem && count == 0) from.fail("no nodes", "at least the start");
+    if (!from.problem && !from.at_end()) from.fail("more data", "the end");
+    if (from.problem) return Error{location, *from.problem};
+    archive.rebuild_index();
+    return {};
+}
+
+Status ReachSearch::store(const std::filesystem::path& path) const {
+    const std::string body = impl_->body();
+    Hasher hasher;
+    hasher.u64(hash_blocks(body.data(), body.size()));
+    std::string text =
+        fmt::format("{} {:016x} {} {:016x}\n", magic, impl_->identity(), body.size(), hasher.value());
+    text += reach_to_json(make_reach_report(*this), false) + "\n";
+    text += pack(body, pack_fast);
+    return write_file_atomic(path, text);
+}
+
+Result<ReachSearch> ReachSearch::resume(const Level& level, const std::filesystem::path& path) {
+    const std::string location = path.string();
+    Result<std::string> file = read_file(path);
+    if (!file) return file.error();
+    const std::string_view all = *file;
+    const std::size_t line = std::min(all.find('\n'), all.size());
+    const std::vector<std::string_view> words = split(all.substr(0, std::min<std::size_t>(line, 200)), ' ');
+    const auto hex = [](std::string_view text) -> std::optional<std::uint64_t> {
+        std::uint64_t value = 0;
+        const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+        if (error != std::errc() || rest != text.data() + text.size() || text.size() != 16) return {};
+        return value;
+    };
+    if (words.size() != 5 || fmt::format("{} {}", words[0], words[1]) != magic)
+        return Error{location + ":1", "found no search, expected a file that `slipface reach --out` wrote"};
+    const auto identity = hex(words[2]), hash = hex(words[4]);
+    const std::optional<std::int64_t> size = parse_int(words[3]);
+    const std::size_t summary = all.find('\n', line + 1);
+    if (!identity || !hash || !size || *size < 0 || static_cast<std::uint64_t>(*size) > max_body ||
+        summary == std::string_view::npos)
+        return Error{location + ":1", "found a damaged first line, expected hashes and a size"};
+    const std::optional<std::string> body = unpack(all.substr(summary + 1), static_cast<std::size_t>(*size));
+    Hasher hasher;
+    if (body) hasher.u64(hash_blocks(body->data(), body->size()));
+    if (!body || hasher.value() != *hash)
+        return Error{location, "found damaged data, expected what its first line promises"};
+
+    ByteReader head(*body);
+    ReachOptions options;
+    options.seed = head.get<std::uint64_t>();
+    options.dt = head.number("a step");
+    options.cell_m = head.number("a cell");
+    const Vec3 start = head.vector("the start");
+    if (head.problem) return Error{location, *head.problem};
+    if (options.dt != ReachOptions{}.dt) options.dt_text = to_text(options.dt);
+    Result<LevelScene> scene = LevelScene::build(level);
+    if (!scene) return scene.error();
+    auto impl = std::make_unique<Impl>(std::move(*scene));
+    if (Status status = impl->prepare(level, start, options); !status) return status.error();
+    if (impl->identity() != *identity)
+        return Error{location,
+                     fmt::format("found a search of another level, of other settings or by another program "
+                                 "({:016x}), expected one of {} as it is ({:016x})",
+                                 *identity, level.mesh_path.filename().string(), impl->identity())};
+    if (Status status = impl->read_body(*body, location); !status) return status.error();
+    return ReachSearch(std::move(impl));
+}
+
+}  // namespace slipface
