@@ -8,7 +8,7 @@
 #include "cli/tape_on_level.h"
 #include "cli/verbs.h"
 #include "slipface/level/preset.h"
-#include "slipface/sim/cures.h"
+#include "slipface/repair/repairs.h"
 #include "slipface/sim/summary.h"
 
 namespace slipface::cli {
@@ -24,11 +24,9 @@ Result<TapeRun> complete_run(const TapeOnLevel& base, const TickScene& scene, co
 }
 
 OutputJson cure_json(const Cure& cure) {
-    OutputJson json{{"text", cure.text},
-                    {"passes", cure.passes},
-                    {"gained_m", cure.gained_m},
-                    {"cost", cure.cost},
-                    {"settings", cure.settings}};
+    OutputJson json{{"text", cure.text},         {"passes", cure.passes},
+                    {"gained_m", cure.gained_m}, {"cost", cure.cost},
+                    {"settings", cure.settings}, {"repairs_geometry", cure.mesh != nullptr}};
     if (cure.face != no_id) {
         json["face"] = cure.face;
         json["type"] = cure.type.name;
@@ -73,7 +71,7 @@ int run_why(const WhyOptions& options, std::ostream& out, std::ostream& err) {
         if (headline) out << fmt::format("\nStops in this run ({})\n", stops.size());
     }
     for (const Stop& stop : stops) {
-        const std::vector<Cure> cures = find_cures(level, *run, stop);
+        const std::vector<Cure> cures = find_cures_and_repairs(level, *run, stop);
         if (options.json) {
             json["stops"].push_back(stop_json(stop, cures, run->dt()));
             continue;

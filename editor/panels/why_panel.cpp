@@ -40,6 +40,11 @@ const char* cure_icon(const Cure& cure) {
     return cure.passes ? icons::check : icons::why;
 }
 
+const char* use_tip(const Cure& cure) {
+    return cure.mesh ? "Move the camera to what is to be repaired in the modelling tool"
+                     : "Apply this change to the level as one step of history";
+}
+
 // The most important line: what stopped the player, and the button that cures it.
 void headline(Editor& editor, const Stop* stop) {
     const ui::Palette& p = ui::palette();
@@ -57,8 +62,7 @@ void headline(Editor& editor, const Stop* stop) {
         const Cure& best = cures->front();
         const ui::Scope scope("Headline");
         const std::string label = best.text + "###Cure";
-        if (ui::button(label.c_str(), "Apply this change to the level as one step of history"))
-            return use_cure(editor, Cure(best));
+        if (ui::button(label.c_str(), use_tip(best))) return use_cure(editor, Cure(best));
         ImGui::SameLine();
     }
     if (ui::button("Look there", "Move the camera there")) go_to_stop(editor, *stop);
@@ -98,7 +102,7 @@ void stops_list(Editor& editor, const std::vector<Stop>& stops, double dt) {
 void cures_list(Editor& editor, const std::vector<Cure>& cures) {
     ui::heading("What would have helped");
     if (cures.empty()) {
-        ui::muted_text("None of the tried switches, numbers and surface types lets the player pass");
+        ui::muted_text("No switch, number, surface type or repair that was tried lets the player pass");
         return;
     }
     const ui::Palette& p = ui::palette();
@@ -125,8 +129,7 @@ void cures_list(Editor& editor, const std::vector<Cure>& cures) {
             if (ui::button("Ghost", "Run the whole tape with this change as one more ghost")) ghost = i;
             ImGui::SameLine();
         }
-        if (ui::button(cure.button.c_str(), "Apply this change to the level as one step of history"))
-            used = i;
+        if (ui::button(cure.button.c_str(), use_tip(cure))) used = i;
         std::string effect = fmt::format("{:.2f} m further", cure.gained_m);
         if (!cure.passes) effect += ", but still stopped";
         if (!cure.cost.empty()) effect += "; " + cure.cost;

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "slipface/repair/repairs.h"
 #include "tools/editor.h"
 #include "tools/lab_actions.h"
 
@@ -27,7 +28,7 @@ const std::vector<Cure>* cures_at_cursor(Editor& editor) {
         const auto search = [level = editor.document->snapshot(), run = lab.runs()[lab.explained()].run,
                              at = *stop](Progress& progress) {
             constexpr std::size_t slice = 5000;  // ticks between two checks for cancellation
-            CureSearch cures(level, run, at);
+            CureSearch cures = search_with_repairs(level, run, at);
             while (!progress.cancelled() && !cures.advance(slice)) {
             }
             return cures.cures();
@@ -62,6 +63,11 @@ void go_to_headline(Editor& editor) {
 
 void use_cure(Editor& editor, const Cure& cure) {
     if (!editor.document) return;
+    if (cure.mesh) {
+        go_to_position(editor, cure.position);
+        editor.status = cure.text + ": in the modelling tool; the level is read again when it is saved";
+        return;
+    }
     Document& document = *editor.document;
     Level changed = document.level();
     if (const Status status = apply_cure(changed, cure); !status) {

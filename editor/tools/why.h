@@ -29,7 +29,8 @@ const std::vector<Cure>* cures_at_cursor(Editor& editor);
 void go_to_stop(Editor& editor, const Stop& stop);
 // Moves the cursor to the run's headline, or to its end if nothing stopped the player. Used after a playtest.
 void go_to_headline(Editor& editor);
-// Applies the cure as one step of history and selects the run under the present settings.
+// Applies the cure as one step of history and selects the run under the present settings. A repair of the
+// geometry is only shown, because the editor does not change meshes.
 void use_cure(Editor& editor, const Cure& cure);
 
 }  // namespace slipface

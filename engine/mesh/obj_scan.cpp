@@ -100,7 +100,7 @@ class Scanner {
             const auto value = read_number(word);
             if (!value) return refuse(fmt::format("{} is no number", in_quotes(word)));
             if (!(std::abs(*value) <= largest_obj_coordinate)) {
-                return refuse(fmt::format("coordinate {} is out of range; expected -{1} to {1} m",
+                return refuse(fmt::format("coordinate {0} is out of range; expected -{1} to {1}",
                                           in_quotes(word), to_text(largest_obj_coordinate)));
             }
             out += ' ';

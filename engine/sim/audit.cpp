@@ -13,6 +13,7 @@
 #include "slipface/base/version.h"
 #include "slipface/level/level_scene.h"
 #include "slipface/level/shown_mesh.h"
+#include "slipface/sim/story.h"
 
 namespace slipface {
 namespace {
@@ -154,7 +155,7 @@ Result<AuditReport> run_audit(const Level& level, const AuditOptions& options) {
     if (const auto death = death_at_spawn(first, level.movement, start, options.dt))
         return Error{"audit", fmt::format("a player who stands still at the spawn point is killed after "
                                           "{:.2f} s on {}",
-                                          death->first, face_words(level, death->second.ground_face))};
+                                          death->first, thing_text(level, death->second.ground_face))};
 
     AuditReport report;
     report.level_name = level.mesh_path.filename().string();

@@ -128,6 +128,13 @@ CureCandidate painted(FaceId face, SurfaceType type, std::string text, int blunt
     return c;
 }
 
+// Whether a type does something of its own to a player. As a cure it would change what the face is: nobody
+// turns a wall into a ladder or a trampoline to get past it.
+bool is_special(const SurfaceType& type) {
+    return type.climbable || type.sticky || type.restitution > 0.0 || type.keeps_energy || type.hazardous ||
+           type.angular_velocity != 0.0 || !type.velocity.isZero(0.0);
+}
+
 void add_types(std::vector<CureCandidate>& all, const Level& level, const Loss& loss) {
     if (loss.face == no_id || loss.face >= level.mesh->face_count()) return;
     const ResolvedSurfaces resolved = resolve_surfaces(level);
@@ -136,13 +143,15 @@ void add_types(std::vector<CureCandidate>& all, const Level& level, const Loss& 
     for (std::size_t i = 0; i < level.surfaces.size(); ++i) {
         if (i == now) continue;
         const SurfaceType& type = level.surfaces[i];
+        const bool goes_on = loss.cause == StopCause::ladder_end && type.climbable;
+        if (is_special(type) && !goes_on) continue;
         const bool gone = !type.solid || (type.one_sided && loss.cause == StopCause::back);
         all.push_back(
             painted(loss.face, type,
                     fmt::format("`{}` instead of `{}` on {}", type.name, level.surfaces[now].name, face),
-                    !type.solid                    ? not_solid
-                    : i == default_surface || gone ? fitting
-                                                   : other_type));
+                    !type.solid                               ? not_solid
+                    : i == default_surface || gone || goes_on ? fitting
+                                                              : other_type));
     }
     SurfaceType other = level.surfaces[now];
     other.hotkey = 0;

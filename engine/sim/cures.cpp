@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cure_candidates.h"
 
@@ -56,8 +57,8 @@ struct Trial {
 bool better(const Cure& a, const Cure& b) {
     if (a.passes != b.passes) return a.passes;
     if (a.passes) {
-        if (a.bluntness != b.bluntness) return a.bluntness < b.bluntness;
         if (a.cost.empty() != b.cost.empty()) return a.cost.empty();
+        if (a.bluntness != b.bluntness) return a.bluntness < b.bluntness;
         if (a.change != b.change && a.bluntness > 0) return a.change < b.change;
     }
     return a.gained_m > b.gained_m;
@@ -78,6 +79,7 @@ struct CureSearch::Impl {
     std::size_t first = 0, end = 0;
     bool sent_back = false;  // the stop is that the player was sent back
 
+    std::vector<Cure> repairs;
     std::vector<CureCandidate> candidates;
     std::size_t index = 0;
     std::optional<Trial> trial;
@@ -93,13 +95,10 @@ struct CureSearch::Impl {
     std::optional<SurfaceId> painted_over;
 
     void begin() {
-        Result<LevelScene> result = LevelScene::build(level, run.settings());
-        if (!result) {
+        if (!build()) {
             phase = Phase::finished;
             return;
         }
-        built.emplace(std::move(*result));
-        scene.emplace(*built);
         start = run_start(*scene, run.start());
         const auto ticks = [&](double seconds) {
             return static_cast<std::size_t>(std::ceil(seconds / run.dt()));
@@ -120,6 +119,8 @@ struct CureSearch::Impl {
         }
         began = run.state_before(*scene, first);
         candidates = cure_candidates(level, run.settings_at(stop.first), stop.loss);
+        for (Cure& repair : repairs)
+            candidates.emplace_back().cure = std::move(repair);
         start_near({});
     }
 
@@ -141,25 +142,53 @@ struct CureSearch::Impl {
         trial->mark_end = end;
     }
 
-    // The level is painted as the cure that is tried says, and as it was otherwise.
-    void paint(const Cure* cure) {
+    // The level is as the cure that is tried says, and as it was otherwise. False: it cannot be built so.
+    bool change_level(const Cure* cure) {
         if (painted != no_id) {
             level.overrides[painted] = painted_over;
             if (level.surfaces.size() > original_types) level.surfaces.resize(original_types);
             painted = no_id;
             repaint();
         }
-        if (cure == nullptr || cure->face == no_id) return;
+        if (original_mesh) {
+            level.mesh = std::exchange(original_mesh, nullptr);
+            if (!build()) return false;
+        }
+        if (cure == nullptr) return true;
+        if (cure->mesh) {
+            original_mesh = level.mesh;
+            level.mesh = cure->mesh;
+            if (build()) return true;
+            level.mesh = std::exchange(original_mesh, nullptr);
+            return false;
+        }
+        if (cure->face == no_id) return true;
         painted = cure->face;
         painted_over = level.overrides[painted];
         original_types = level.surfaces.size();
         (void)apply_cure(level, *cure);
         repaint();
+        return true;
     }
     std::size_t original_types = 0;
+    MeshPtr original_mesh;  // while a repaired one is tried
+    bool build() {
+        Result<LevelScene> result = LevelScene::build(level, run.settings());
+        if (!result) return false;
+        built.emplace(std::move(*result));
+        scene.emplace(*built);
+        return true;
+    }
     void repaint() {
         built->apply_surfaces();
         scene.emplace(*built);
+    }
+
+    // A number whose switch alone lets the player pass is one change too many.
+    bool is_redundant(const CureCandidate& c) const {
+        return !c.with.empty() && std::any_of(found.begin(), found.end(), [&](const Cure& cure) {
+            return cure.passes && cure.settings == c.with;
+        });
     }
 
     void judge(Cure& cure, const Trial& t) const {
@@ -174,7 +203,7 @@ struct CureSearch::Impl {
 
     // The next candidate, or the checks on the whole tape.
     void next_candidate() {
-        paint(nullptr);
+        change_level(nullptr);
         if (index >= candidates.size()) {
             std::stable_sort(found.begin(), found.end(), better);
             if (found.size() > CureSearch::maximum) found.resize(CureSearch::maximum);
@@ -182,10 +211,17 @@ struct CureSearch::Impl {
             return next_whole();
         }
         const CureCandidate& c = candidates[index];
+        if (is_redundant(c)) {
+            ++index;
+            return next_candidate();
+        }
         if (c.numbers.empty()) {
             trying = c.cure;
             phase = Phase::plain;
-            paint(&trying);
+            if (!change_level(&trying)) {
+                ++index;
+                return next_candidate();
+            }
         } else {
             trying = number_cure(c, c.extreme);
             bad = c.now;
@@ -197,7 +233,7 @@ struct CureSearch::Impl {
     }
 
     void next_whole() {
-        paint(nullptr);
+        change_level(nullptr);
         if (index >= found.size()) {
             std::stable_sort(found.begin(), found.end(), better);
             phase = Phase::finished;
@@ -205,7 +241,7 @@ struct CureSearch::Impl {
             return;
         }
         phase = Phase::whole;
-        paint(&found[index]);
+        change_level(&found[index]);
         start_whole(found[index].settings);
     }
 
@@ -280,8 +316,10 @@ struct CureSearch::Impl {
     }
 };
 
-CureSearch::CureSearch(const Level& level, const TapeRun& run, const Stop& stop)
-    : impl_(std::make_unique<Impl>(level, run, stop)) {}
+CureSearch::CureSearch(const Level& level, const TapeRun& run, const Stop& stop, std::vector<Cure> repairs)
+    : impl_(std::make_unique<Impl>(level, run, stop)) {
+    impl_->repairs = std::move(repairs);
+}
 CureSearch::~CureSearch() = default;
 CureSearch::CureSearch(CureSearch&&) noexcept = default;
 CureSearch& CureSearch::operator=(CureSearch&&) noexcept = default;
@@ -319,6 +357,11 @@ std::vector<Cure> find_cures(const Level& level, const TapeRun& run, const Stop&
 Status apply_cure(Level& level, const Cure& cure) {
     for (const std::string& setting : cure.settings)
         if (Status status = set_setting(level.movement, setting); !status) return status;
+    if (cure.mesh) {
+        if (!level.mesh || cure.mesh->face_count() != level.mesh->face_count())
+            return Error{"cure", "found a level with other faces than those that were repaired"};
+        level.mesh = cure.mesh;
+    }
     if (cure.face == no_id) return {};
     if (!level.mesh || cure.face >= level.mesh->face_count())
         return Error{"cure", fmt::format("found face {}, which the level does not have", cure.face)};

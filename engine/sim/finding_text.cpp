@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "slipface/sim/story.h"
+
 namespace slipface {
 namespace {
 
@@ -22,34 +24,16 @@ constexpr FindingKindInfo kinds[] = {
 };
 static_assert(std::size(kinds) == finding_kind_count);
 
-// Its group, else its material; empty if it has neither.
-std::string face_name(const Level& level, FaceId face) {
-    const Mesh& mesh = *level.mesh;
-    if (face >= mesh.face_count()) return {};
-    const std::uint32_t group = face < mesh.face_group.size() ? mesh.face_group[face] : no_id;
-    if (group < mesh.groups.size() && !mesh.groups[group].empty()) return mesh.groups[group];
-    const std::uint32_t material = face < mesh.face_material.size() ? mesh.face_material[face] : no_id;
-    return material < mesh.materials.size() ? mesh.materials[material].name : std::string();
-}
-
-std::string pair_words(const Level& level, FaceId a, FaceId b) {
-    if (b == no_id) return a == no_id ? "" : " against " + face_words(level, a);
-    const std::string one = face_name(level, a), two = face_name(level, b);
-    if (one.empty() || two.empty()) return fmt::format(" between faces {} and {}", a, b);
-    if (one == two) return fmt::format(" between faces {} and {} (`{}`)", a, b, one);
-    return fmt::format(" between faces {} and {} (`{}`, `{}`)", a, b, one, two);
+std::string pair_words(const StoryNames& names, FaceId a, FaceId b) {
+    if (a == no_id) return "";
+    if (b == no_id) return " against " + thing_text(names, a);
+    return " between " + thing_text(names, a) + " and " + thing_text(names, b);
 }
 
 }  // namespace
 
 const FindingKindInfo& info_of(FindingKind kind) {
     return kinds[static_cast<std::size_t>(kind)];
-}
-
-std::string face_words(const Level& level, FaceId face) {
-    if (face == no_id) return "the air";
-    const std::string name = face_name(level, face);
-    return name.empty() ? fmt::format("face {}", face) : fmt::format("face {} (`{}`)", face, name);
 }
 
 std::string finding_text(const Level& level, const AuditOptions& options, const AuditFinding& finding) {
@@ -62,13 +46,13 @@ std::string finding_text(const Level& level, const AuditOptions& options, const 
     switch (finding.kind) {
         case FindingKind::passed_through:
             return fmt::format("{} passed through {} after {:.1f} s, {:.3f} m in one tick", walker,
-                               face_words(level, finding.face), seconds, finding.amount);
+                               thing_text(level, finding.face), seconds, finding.amount);
         case FindingKind::left_level:
             return fmt::format("{} left the level after {:.1f} s at {}; it last stood on {}", walker, seconds,
-                               where, face_words(level, finding.face));
+                               where, thing_text(level, finding.face));
         case FindingKind::overlap:
             return fmt::format("{} ended inside {} after {:.1f} s, by {:.1f} % of its radius", walker,
-                               face_words(level, finding.face), seconds, 100.0 * finding.amount);
+                               thing_text(level, finding.face), seconds, 100.0 * finding.amount);
         case FindingKind::stuck:
             return fmt::format("{} got stuck after {:.1f} s{}", walker, seconds - finding.amount,
                                pair_words(level, finding.face, finding.other));

@@ -7,10 +7,7 @@
 
 namespace slipface {
 
-// "face 12 (`crate`)": with the name of its group, else of its material. "the air" for no_id.
-std::string face_words(const Level& level, FaceId face);
-
-// "Walker 3 got stuck after 8.5 s between faces 91 and 94 (`crate`, `floor`)".
+// "Walker 3 got stuck after 8.5 s between `crate` (face 91) and `floor` (face 94)".
 std::string finding_text(const Level& level, const AuditOptions& options, const AuditFinding& finding);
 
 }  // namespace slipface

@@ -202,6 +202,8 @@ class Reader {
         } else if (contact.feature != Feature::interior && loss.height_m < half &&
                    contact.normal.y() > 0.01) {
             loss.cause = StopCause::step;
+            // On a slope the lowest point of the body is not what the player stands on.
+            if (!loss.in_air) loss.height_m -= trace_.before.ground_rise;
             if (step_decision_) loss.because = step_decision_;
         } else if (!aside) {
             loss.cause = StopCause::slope;

@@ -219,17 +219,16 @@ std::uint64_t TapeRun::hash_before(const TickScene& scene, std::size_t tick) con
     return replay(scene, tick).hash;
 }
 
-TickTrace TapeRun::trace(const TickScene& scene, std::size_t tick) const {
+TickTrace TapeRun::trace_from(const TickScene& scene, std::size_t tick, const PlayerState& before) const {
     TickTrace trace;
-    if (samples_.empty()) return trace;
-    trace.tick = std::min(tick, samples_.size() - 1);
+    trace.tick = tick;
     trace.dt = tape_->dt;
-    trace.before = state_before(scene, trace.tick);
-    trace.input = input_at(trace.tick);
-    trace.settings = settings_at(trace.tick);
+    trace.before = before;
+    trace.input = input_at(tick);
+    trace.settings = settings_at(tick);
     TraceRecorder recorder;
-    trace.after = play_tick(scene.at(trace.tick, tape_->dt), trace.settings, trace.before, trace.input,
-                            tape_->dt, run_start(scene, start_), &recorder);
+    trace.after = play_tick(scene.at(tick, tape_->dt), trace.settings, trace.before, trace.input, tape_->dt,
+                            run_start(scene, start_), &recorder);
     trace.from = scene.to_level(trace.before);
     trace.to = scene.to_level(trace.after.stepped);
     trace.records = std::move(recorder.records);
@@ -237,6 +236,23 @@ TickTrace TapeRun::trace(const TickScene& scene, std::size_t tick) const {
         for (TraceRecord& record : trace.records)
             move_positions(record, -scene.offset());
     return trace;
+}
+
+TickTrace TapeRun::trace(const TickScene& scene, std::size_t tick) const {
+    if (samples_.empty()) return {};
+    const std::size_t at = std::min(tick, samples_.size() - 1);
+    return trace_from(scene, at, state_before(scene, at));
+}
+
+std::vector<TickTrace> TapeRun::traces(const TickScene& scene, std::size_t first, std::size_t last) const {
+    std::vector<TickTrace> traces;
+    if (samples_.empty() || first >= samples_.size()) return traces;
+    PlayerState state = state_before(scene, first);
+    for (std::size_t tick = first; tick <= std::min(last, samples_.size() - 1); ++tick) {
+        traces.push_back(trace_from(scene, tick, state));
+        state = traces.back().after.state;
+    }
+    return traces;
 }
 
 }  // namespace slipface

@@ -92,8 +92,10 @@ Blame& blame_of(std::vector<Blame>& all, FaceId face) {
 void find_loss(const TickScene& scene, const TapeRun& run, Stop& stop) {
     std::vector<Blame> blamed;
     std::vector<Blame> seconds;  // as the second face of another's loss
-    for (std::size_t tick = stop.first; tick <= std::min(stop.last, stop.first + looked_at); ++tick) {
-        const std::optional<Loss> loss = loss_of(run.trace(scene, tick));
+    for (const TickTrace& trace :
+         run.traces(scene, stop.first, std::min(stop.last, stop.first + looked_at))) {
+        const std::size_t tick = trace.tick;
+        const std::optional<Loss> loss = loss_of(trace);
         if (!loss) continue;
         // A cause that is no contact has no metres; it stands for its part of the stop.
         const double lost = loss->lost_m > 0.0 ? loss->lost_m : stop.lost_m / static_cast<double>(looked_at);
@@ -128,16 +130,26 @@ void find_loss(const TickScene& scene, const TapeRun& run, Stop& stop) {
     stop.loss.other = second->face;
 }
 
-std::string named(const StoryNames& names, FaceId face) {
-    const std::string object = object_text(names, face);
-    const std::string number = "face " + std::to_string(face);
-    return object.empty() ? number : object + " (" + number + ")";
+// Where a fall out of the level began: the ground stood on before it.
+Loss fall_after(const TapeRun& run, std::size_t tick, const Vec3& end) {
+    Loss loss{.cause = StopCause::fall, .position = end};
+    for (std::size_t i = tick; i-- > 0;) {
+        const TickSample& sample = run.samples()[i];
+        if (sample.respawned) break;
+        if (!sample.grounded || sample.ground_face == no_id) continue;
+        loss.face = sample.ground_face;
+        loss.surface = sample.surface;
+        loss.normal = sample.ground_normal;
+        loss.position = sample.position - Vec3(0.0, run.settings_at(i).radii.y(), 0.0);
+        break;
+    }
+    return loss;
 }
 
 void write_headline(Stop& stop, const MovementSettings& settings, const StoryNames& names) {
     const Loss& loss = stop.loss;
     Words words(stop.headline, stop.numbers);
-    const std::string what = named(names, loss.face);
+    const std::string what = thing_text(names, loss.face);
     // The feet stand a skin above the floor.
     const double height = loss.in_air ? loss.height_m : loss.height_m + settings.skin;
     const auto because = [&] {
@@ -175,7 +187,7 @@ void write_headline(Stop& stop, const MovementSettings& settings, const StoryNam
             words.say(" above your feet, and you are ").size(2.0 * settings.radii.y()).say(" tall");
             break;
         case StopCause::gap:
-            words.say("You are held between ").say(what).say(" and face " + std::to_string(loss.other));
+            words.say("You are held between ").say(what).say(" and ").say(thing_text(names, loss.other));
             words.say(": you are ").size(2.0 * std::max(settings.radii.x(), settings.radii.z())).say(" wide");
             break;
         case StopCause::sticky:
@@ -186,7 +198,8 @@ void write_headline(Stop& stop, const MovementSettings& settings, const StoryNam
             break;
         case StopCause::slippery:
             words.say("The slope of ").say(what).say(" is too slippery to walk up");
-            because();
+            if (loss.surface < names.surfaces.size())
+                words.say(": friction ").ratio(names.surfaces[loss.surface].friction);
             break;
         case StopCause::platform:
             words.say("The moving platform ").say(what).say(" stopped you");
@@ -209,7 +222,9 @@ void write_headline(Stop& stop, const MovementSettings& settings, const StoryNam
             words.say("The hazard ").say(what).say(" sent you back to the start");
             break;
         case StopCause::fall:
-            words.say("You fell out of the level, back to the start");
+            words.say("You fell out of the level");
+            if (loss.face != no_id) words.say(", last from ").say(what);
+            words.say(", back to the start");
             break;
     }
 }
@@ -269,9 +284,7 @@ std::vector<Stop> find_stops(const TickScene& scene, const TapeRun& run, const S
         }
         const TickTrace trace = run.trace(scene, stop.first);
         const std::optional<Loss> loss = loss_of(trace);
-        stop.loss = loss && loss->cause == StopCause::hazard
-                        ? *loss
-                        : Loss{.cause = StopCause::fall, .position = trace.to};
+        stop.loss = loss && loss->cause == StopCause::hazard ? *loss : fall_after(run, stop.first, trace.to);
         if (trace.after.respawn == Respawn::hazard) stop.loss.cause = StopCause::hazard;
         write_headline(stop, trace.settings, names);
     }

@@ -118,6 +118,10 @@ Words& Words::percent(double fraction) {
     return number(s.value, s.unit, s.text()).say(s.unit);
 }
 
+Words& Words::ratio(double value) {
+    return number(value, "", trimmed(value, 2));
+}
+
 Words& Words::count(double whole) {
     return number(whole, "", trimmed(whole, 0));
 }
@@ -154,6 +158,20 @@ std::string face_text(const StoryNames& names, FaceId face, SurfaceId surface) {
     if (!material.empty() && material != group) text += ", " + quoted(material);
     if (surface != default_surface && surface < names.surfaces.size())
         text += ", " + names.surfaces[surface].name;
+    return text;
+}
+
+std::string thing_text(const StoryNames& names, FaceId face) {
+    if (face == no_id) return "the air";
+    const std::string object = object_text(names, face);
+    const std::string number = "face " + std::to_string(face);
+    return object.empty() ? number : object + " (" + number + ")";
+}
+
+std::string size_text(double metres) {
+    std::string text;
+    std::vector<StoryNumber> numbers;
+    Words(text, numbers).size(metres);
     return text;
 }
 

@@ -20,6 +20,7 @@ class Words {
     Words& speed(double metres_per_second);
     Words& degrees(double degrees);
     Words& percent(double fraction);
+    Words& ratio(double value);  // without unit: "0.25"
     Words& count(double whole);
     // A decision's sentence with its numbers.
     Words& decision(const DecisionRecord& decision);

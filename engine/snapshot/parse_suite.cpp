@@ -260,8 +260,7 @@ Json parse_json(std::string_view text, const std::string& location) {
     };
     try {
         Json json = Json::parse(text, watch);
-        if (!repeated.empty())
-            refuse(location, fmt::format("duplicate key \"{}\", repeated));
+        if (!repeated.empty()) refuse(location, fmt::format("duplicate key \"{}\"", repeated));
         return json;
     } catch (const Json::parse_error& error) {
         const std::size_t end = std::min(error.byte, text.size());

@@ -159,7 +159,7 @@ std::vector<SelfTestCase> self_test_cases(const Image& original) {
 SelfTestReport run_self_test(const Image& original, const CompareTolerance& tolerance) {
     SelfTestReport report;
     for (const SelfTestCase& test : self_test_cases(original)) {
-        const Comparison comparison = compare_images(original, test.original, tolerance);
+        const Comparison comparison = compare_images(original, test.image, tolerance);
         const bool right = comparison.same == test.must_pass;
         report.passed = report.passed && right;
         report.lines.push_back(test.name + ": " + (right ? "as expected, " : "WRONG, ") +

@@ -20,6 +20,7 @@ struct Snag {
     std::set<StopCause> causes;  // any of these is the right rule
     double passed_z = -4.0;      // the player got on if it came further along -Z
     double passed_y = -1e9;      // and at least this high
+    double lowest_y = -1e9;      // and never lower than this
 };
 
 class SnagMaker {
@@ -220,7 +221,7 @@ inline std::vector<Snag> SnagMaker::make() {
         shapes.group("snag").material("mud__slippery");
         shapes.ramp({-8, 0, z}, 16, 12, 12 * std::tan(slope * M_PI / 180));
         Snag snag = snag_of("slippery slope", degrees_text(slope) + ", friction " + number_text(hold), shapes,
-                            lecture_settings(), {StopCause::slippery});
+                            lecture_settings(), {StopCause::slippery}, "15 wish 0,0\n240 wish 0,-1\n");
         SurfaceType mud;
         mud.name = "slippery";
         mud.friction = hold;
@@ -284,6 +285,105 @@ inline std::vector<Snag> SnagMaker::make() {
             snag_of("ledge too high to jump", metres(h), shapes, lecture_settings(),
                     {StopCause::wall, StopCause::step}, "15 wish 0,0\n15 wish 0,-1\n90 wish 0,-1 jump\n");
         snag.passed_y = h;
+        snags.push_back(std::move(snag));
+    }
+    {
+        // Two sheets of one floor, one of them too high: nothing stands between them.
+        const double h = between(0.004, 0.03);
+        MovementSettings s = lecture_settings();
+        s.max_slope = between(3.0, 8.0) * M_PI / 180;
+        Shapes shapes;
+        shapes.group("floor").material("plaster").polygon({{-8, 0, 5}, {8, 0, 5}, {8, 0, z}, {-8, 0, z}});
+        shapes.group("snag").polygon({{-8, h, z}, {8, h, z}, {8, h, -24}, {-8, h, -24}});
+        snags.push_back(
+            snag_of("raised sheet of floor", metres(h), shapes, s, {StopCause::step, StopCause::slope}));
+    }
+    {
+        // A tile that looks down, of a type that is solid from the front alone.
+        const double length = between(1.5, 4.0);
+        Shapes shapes;
+        const auto sheet = [&](double from, double to, bool up) {
+            if (up)
+                shapes.polygon({{-8, 0, from}, {8, 0, from}, {8, 0, to}, {-8, 0, to}});
+            else
+                shapes.polygon({{-8, 0, to}, {8, 0, to}, {8, 0, from}, {-8, 0, from}});
+        };
+        shapes.group("floor").material("plaster__thin");
+        sheet(5, z, true);
+        shapes.group("snag");
+        sheet(z, z - length, false);
+        shapes.group("floor");
+        sheet(z - length, -24, true);
+        Snag snag = snag_of("flipped tile of one-sided floor", metres(length), shapes, lecture_settings(),
+                            {StopCause::fall}, "15 wish 0,0\n240 wish 0,-1\n");
+        SurfaceType thin;
+        thin.name = "thin";
+        thin.one_sided = true;
+        snag.level.surfaces.push_back(thin);
+        snag.level.fall_limit = -6.0;
+        snag.group = "floor";  // the ground that was left
+        snag.passed_z = z - length;
+        snag.passed_y = -0.5;
+        snag.lowest_y = -0.5;
+        snags.push_back(std::move(snag));
+    }
+    {
+        const double speed = between(1.0, 5.0), h = between(1.2, 3.0);
+        Shapes shapes;
+        shapes.group("floor").material("plaster").box({-8, -1, z}, {8, 0, 5}).box({-8, -1, -24}, {8, 0, -7});
+        shapes.group("belt").material("belt__along").box({-8, -1, -7}, {8, 0, z});
+        shapes.group("snag").material("stone").polygon({{-8, 0, -6}, {8, 0, -6}, {8, h, -6}, {-8, h, -6}});
+        Snag snag = snag_of("conveyor into a wall", metres(speed) + "/s", shapes, lecture_settings(),
+                            {StopCause::wall});
+        SurfaceType belt;
+        belt.name = "along";
+        belt.velocity = Vec3(0, 0, -speed);
+        snag.level.surfaces.push_back(belt);
+        snag.passed_z = -6.5;
+        snags.push_back(std::move(snag));
+    }
+    {
+        // One step of a flight is higher than the others, which are climbed.
+        const double rise = between(0.15, 0.3), high = between(0.45, 0.8), run = between(0.35, 0.6);
+        MovementSettings s = lecture_settings();
+        s.step_up = s.snap_down = true;
+        s.step_height = 0.4;
+        Shapes shapes = ground();
+        shapes.group("stairs").stairs({-4, 0, z}, 8, 3, rise, run);
+        const double top = 3 * rise, end = z - 3 * run;
+        shapes.group("snag").box({-4, top - 0.1, -24}, {4, top + high, end - run});
+        shapes.group("stairs").box({-4, 0, end - run}, {4, top, end});
+        Snag snag = snag_of("one step of a flight too high", metres(high), shapes, s, {StopCause::step});
+        snag.passed_z = end - run - 0.5;
+        snags.push_back(std::move(snag));
+    }
+    {
+        // A ramp that ends below the floor that it leads to.
+        const double slope = between(10, 30), lip = between(0.15, 0.34), length = between(2.0, 4.0);
+        const double rise = length * std::tan(slope * M_PI / 180);
+        Shapes shapes = ground();
+        shapes.group("ramp").ramp({-4, 0, z}, 8, length, rise);
+        shapes.group("snag").box({-4, 0, -24}, {4, rise + lip, z - length});
+        Snag snag =
+            snag_of("lip at the end of a ramp", metres(lip), shapes, lecture_settings(), {StopCause::step});
+        snag.passed_z = z - length - 0.8;
+        snags.push_back(std::move(snag));
+    }
+    {
+        // A bar across the way at the height of the face.
+        const double low = between(1.0, 1.55), thick = between(0.05, 0.3);
+        Shapes shapes = ground();
+        shapes.box({-8, low, z - thick}, {8, low + thick, z});
+        snags.push_back(
+            snag_of("bar overhead", metres(low), shapes, lecture_settings(), {StopCause::overhead}));
+    }
+    {
+        // A post narrower than the player, met by its middle.
+        const double w = between(0.3, 1.2);
+        Shapes shapes = ground();
+        shapes.box({-0.5 * w, 0, z - w}, {0.5 * w, 3, z});
+        Snag snag = snag_of("post", metres(w), shapes, lecture_settings(), {StopCause::wall});
+        snag.passed_z = z - w - 0.5;
         snags.push_back(std::move(snag));
     }
     {

@@ -11,10 +11,12 @@ namespace slipface {
 
 struct Cure {
     std::string text;                   // "Maximum slope 50° to 50.6°"
-    std::string button;                 // "Turn on", "Set", "Paint"
-    std::vector<std::string> settings;  // "max_slope=50.6deg"; empty: the cure paints a face
+    std::string button;                 // "Turn on", "Set", "Paint", "Show"
+    std::vector<std::string> settings;  // "max_slope=50.6deg"; empty: the cure changes the level
     FaceId face = no_id;                // the face to paint, or no_id
     SurfaceType type;                   // for that face; added to the level unless it has an equal one
+    MeshPtr mesh;                       // the level's mesh repaired: the same faces, other corners; or null
+    Vec3 location = Vec3::Zero();       // of a repair
 
     double gained_m = 0.0;  // additional motion towards the stick or up a ladder, until the trial ends
     bool passes = false;    // regains at least half of the lost motion, and the player is not sent back
@@ -31,7 +33,8 @@ class CureSearch {
     static constexpr std::size_t maximum = 6;  // maximum number of cures, all checked on the whole tape
 
     // `level` is copied (its mesh is shared); `run` is a complete run in it, `stop` one of the run's stops.
-    CureSearch(const Level& level, const TapeRun& run, const Stop& stop);
+    // `repairs` are tried, too: cures with a mesh and without results.
+    CureSearch(const Level& level, const TapeRun& run, const Stop& stop, std::vector<Cure> repairs = {});
     ~CureSearch();
     CureSearch(CureSearch&&) noexcept;
     CureSearch& operator=(CureSearch&&) noexcept;
@@ -39,8 +42,8 @@ class CureSearch {
     // Simulates about `ticks` further ticks; true when done.
     bool advance(std::size_t ticks);
     bool done() const;
-    // Empty until done. Cures that pass come first, of these the least blunt ones, then those without a cost
-    // and with the smallest change. Cures that do not pass follow, the largest gain first.
+    // Empty until done. Cures that pass come first, of these the ones without a cost on the tape, then the
+    // ones that change least, then those that gain most.
     const std::vector<Cure>& cures() const;
 
   private:
@@ -51,8 +54,8 @@ class CureSearch {
 // The same in one call.
 std::vector<Cure> find_cures(const Level& level, const TapeRun& run, const Stop& stop);
 
-// Applies the cure to a level: its settings, or its type to its face. Errors: an unknown setting, no such
-// face, too many surface types.
+// Applies the cure to a level: its settings, its type to its face, or its mesh. Errors: an unknown setting,
+// no such face, too many surface types.
 Status apply_cure(Level& level, const Cure& cure);
 
 // "Step up on: 1.20 m further" and the cost.

@@ -86,8 +86,11 @@ class TapeRun {
     // Simulates tick `tick` (at most the last one) again, with all records. The same bits as in the run.
     // Empty if no tick is simulated yet.
     TickTrace trace(const TickScene& scene, std::size_t tick) const;
+    // The same of the ticks [first, last], each begun where the one before ended.
+    std::vector<TickTrace> traces(const TickScene& scene, std::size_t first, std::size_t last) const;
 
   private:
+    TickTrace trace_from(const TickScene& scene, std::size_t tick, const PlayerState& before) const;
     void apply_changes(MovementSettings& settings, std::size_t from, std::size_t to) const;
 
     std::shared_ptr<const Tape> tape_;

@@ -18,6 +18,11 @@ struct StoryNames {
     StoryNames(const Level& level) : surfaces(level.surfaces), mesh(level.mesh.get()) {}
 };
 
+// "`stairs` (face 12)": the group if there is more than one, else the material; "face 12" if neither has a
+// name, "the air" for no face.
+std::string thing_text(const StoryNames& names, FaceId face);
+std::string size_text(double metres);  // of things: "0.25 m", "3 mm"
+
 // A number in a line, for tables and for comparison with the trace.
 struct StoryNumber {
     double value = 0.0;  // in `unit`
