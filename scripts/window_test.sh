@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 out=${1:-out/window}
 slipface=$(realpath "${2:-build/release/editor/slipface}")
-for tool in Xvfb xdotool import; do
+for tool in Xvfb xdotool import convert compare display; do
     command -v "$tool" >/dev/null || { echo "$tool is missing: apt-get install xvfb xdotool imagemagick"; exit 64; }
 done
 mkdir -p "$out"
@@ -81,13 +81,40 @@ after=$(awk '{print $14 + $15}' "/proc/$editor/stat")
 echo "    $((after - before)) of 1000 ticks of CPU in 10 s"
 [ $((after - before)) -le 10 ] || fail "it used more than 1 % of a CPU while idle"
 step "walks, and stops walking when the window loses the focus"
+convert -size 60x60 xc:grey "$work/other.png"
+display -geometry +1500+0 "$work/other.png" &
+pids+=($!)
+other=$(timeout 20 xdotool search --sync --onlyvisible --class display | head -1) || fail "no other window"
+xdotool windowfocus "$window"
 key F5
+sleep 1 # for the first frame on a slow machine
 xdotool keydown w
 sleep 1
 import -window "$window" "$out/walking.png"
+xdotool windowfocus "$other"
+sleep 4
+xdotool windowfocus "$window"
 xdotool keyup w
+sleep 0.3
 key Escape
-step "types: the shortcuts' search box"
+sleep 1
+tape=$(find "$XDG_STATE_HOME/slipface/recordings" -name '*.tape' | head -1)
+[ -n "$tape" ] || fail "the walk was not recorded"
+# Lines "N" and "N wish X,Y": ticks at rest, and with the stick pushed.
+read -r pushed rest < <(awk '$1 ~ /^[0-9]+$/ {if ($2 == "wish") p += $1; else r += $1} END {print p + 0, r + 0}' "$tape")
+echo "    $pushed ticks pushed, $rest at rest"
+[ "$pushed" -ge 3 ] || fail "the player did not walk"
+[ "$rest" -ge "$pushed" ] || fail "the key counted on without the focus"
+step "types: the palette undoes and redoes"
+for what in undo redo; do
+    key ctrl+p
+    sleep 1
+    xdotool type --delay 60 "$what"
+    sleep 0.5
+    import -window "$window" "$out/palette-$what.png"
+    key Return
+    if [ "$what" = undo ]; then wait_title "easy.obj — Slipface"; else wait_title "easy.obj*•*"; fi
+done
 key F1
 sleep 0.5
 import -window "$window" "$out/shortcuts.png"
@@ -118,15 +145,18 @@ import -window "$window" "$out/reopened.png"
 step "opens by a path that Tab completes, and by a part of the name"
 cp assets/levels/hard.* "$work/"
 key ctrl+o
+sleep 1
 xdotool type --delay 60 "$work/ha"
-sleep 0.5
+sleep 1
 key Tab
+sleep 1
 import -window "$window" "$out/completed.png"
 key Return
 wait_title "hard.obj*"
 key ctrl+o
+sleep 1
 xdotool type --delay 60 eas
-sleep 0.5
+sleep 1
 import -window "$window" "$out/filtered.png"
 key Return
 wait_title "easy.obj*"
@@ -138,6 +168,18 @@ for part in $(seq 40); do head -c $((size * part / 40)) "$work/whole" >"$work/ea
 sleep 4
 wait_title "easy.obj — Slipface"
 import -window "$window" "$out/reloaded.png"
+step "shows textures and materials that another program has changed"
+for texture in "$work"/textures/*.png; do convert "$texture" -negate "$texture"; done
+sleep 4
+import -window "$window" "$out/textures.png"
+changed=$(compare -metric AE "$out/reloaded.png" "$out/textures.png" null: 2>&1 || true)
+[ "${changed%%.*}" -gt 5000 ] || fail "changed textures are not seen ($changed pixels differ)"
+sed -i 's/^map_Kd.*//; s/^Kd.*/Kd 0.1 0.8 0.1/' "$work/easy.mtl"
+sleep 5
+import -window "$window" "$out/materials.png"
+changed=$(compare -metric AE "$out/textures.png" "$out/materials.png" null: 2>&1 || true)
+[ "${changed%%.*}" -gt 5000 ] || fail "changed materials are not seen ($changed pixels differ)"
+wait_title "easy.obj — Slipface"
 step "asks before unsaved changes are lost; a kill leaves them for recovery"
 key b
 xdotool mousemove --window "$window" 480 320

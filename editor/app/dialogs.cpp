@@ -75,8 +75,18 @@ void message_dialog(Parts& parts) {
         ImGui::EndChild();
         ImGui::PopStyleColor();
     }
-    align_buttons(1, 100 * scale);
-    if (ui::primary_button("OK", true, {100 * scale, 0})) parts.editor.message.reset();
+    if (!message.offers_save_as) {
+        align_buttons(1, 100 * scale);
+        if (ui::primary_button("OK", true, {100 * scale, 0})) parts.editor.message.reset();
+        return;
+    }
+    const float width = 120 * scale;
+    align_buttons(2, width);
+    if (ui::button("Cancel", nullptr, true, {width, 0})) parts.editor.message.reset();
+    ImGui::SameLine();
+    if (!ui::primary_button("Save as\u2026", true, {width, 0})) return;
+    parts.editor.message.reset();
+    run_command(parts.editor, "file.save_as");
 }
 
 void unsaved_dialog(Parts& parts) {

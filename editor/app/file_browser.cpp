@@ -3,8 +3,10 @@
 
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <system_error>
 #include <utility>
 
@@ -43,6 +45,13 @@ fs::path nearest_folder(fs::path folder) {
     return folder;
 }
 
+// Levels that came with a package lie where their user cannot write: then files are saved at home.
+fs::path folder_to_save_in(const fs::path& folder) {
+    if (::access(folder.c_str(), W_OK) == 0) return folder;
+    const char* const home = std::getenv("HOME");
+    return home && *home == '/' && ::access(home, W_OK) == 0 ? fs::path(home) : folder;
+}
+
 void begin(Parts& parts) {
     FileBrowser& browser = parts.browser;
     const Editor& editor = parts.editor;
@@ -54,6 +63,7 @@ void begin(Parts& parts) {
         folder = editor.document->level().file_path.parent_path();
     else if (!editor.recent.paths().empty())
         folder = editor.recent.paths().front().parent_path();
+    if (file_kind(editor.file_dialog).saves) folder = folder_to_save_in(folder);
     browser.shown = editor.file_dialog;
     browser.filter.clear();
     browser.format = 0;
@@ -301,7 +311,7 @@ void columns(Parts& parts, float height) {
     entry_list(parts, height);
     if (!narrow) {
         ImGui::TableNextColumn();
-        recent_list(parts, height * 0.5f);
+        recent_list(parts, height * 0.5f - ImGui::GetStyle().ItemSpacing.y);
         level_preview(parts, height * 0.5f);
     }
     ImGui::EndTable();

@@ -19,8 +19,9 @@ SceneView::SceneView(GlTable gl, Editor& editor)
 
 void SceneView::upload() {
     const Document& document = *editor_.document;
-    const bool other_mesh = mesh_ != document.level().mesh;
+    const bool other_mesh = mesh_ != document.level().mesh || texture_revision_ != editor_.texture_revision;
     if (other_mesh) {
+        texture_revision_ = editor_.texture_revision;
         mesh_ = document.level().mesh;
         texture_warnings_ =
             level_.set_mesh(shown_mesh(document.level()), document.level().mesh_path.parent_path());

@@ -35,7 +35,7 @@ class SceneView final : public ViewportServices {
     OverlayRenderer overlay_renderer_;
     MeshPtr mesh_;  // uploaded
     std::optional<LevelLight> light_;
-    std::uint64_t face_revision_ = 0, highlights_hash_ = 0;
+    std::uint64_t face_revision_ = 0, highlights_hash_ = 0, texture_revision_ = 0;
     std::vector<std::uint8_t> highlights_;
     std::optional<double> moved_;  // the time of the platforms' positions; nothing: nothing moves
     std::uint64_t uploads_ = 0;    // grows whenever the GPU's copy changed

@@ -66,7 +66,7 @@ void recoverable_row(Parts& parts, const AutosaveInfo& info, std::size_t row) {
     const float text_width = ImGui::GetContentRegionAvail().x - 2 * width - 24 * scale;
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + std::max(80 * scale, text_width));
     ImGui::TextColored(ui::palette().muted, "%s", shown_folder(parts, info.mesh_path).c_str());
-    ImGui::TextColored(ui::palette().muted, "%s", steps_text(info.steps).c_str());
+    ImGui::TextColored(ui::palette().muted, "%s", printable(steps_text(info.steps)).c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndGroup();
     ui::tooltip(shown_text(parts, info.mesh_path.string()).c_str());

@@ -19,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view first_line = "slipface-autosave 1";
+constexpr std::string_view first_line = "slipface-autosave 2";
+constexpr std::string_view first_line_before = "slipface-autosave 1";  // nothing in it was escaped
 constexpr std::string_view extension = ".autosave";
 constexpr std::uint64_t max_bytes = std::uint64_t{1} << 30;
 constexpr std::size_t max_steps = 50;
@@ -30,10 +31,32 @@ std::uint64_t hash_of(std::string_view text) {
     return hasher.value();
 }
 
-// Names may contain any byte except line ends.
-std::string one_line(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\0'; }, ' ');
+// One line of the header, for a path of any bytes.
+std::string one_line(const std::string& text) {
+    std::string line;
+    for (const char c : text) {
+        if (c == '\n')
+            line += "\\n";
+        else if (c == '\r')
+            line += "\\r";
+        else if (c == '\\')
+            line += "\\\\";
+        else
+            line += c;
+    }
+    return line;
+}
+
+std::string from_one_line(std::string_view line) {
+    std::string text;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] != '\\' || i + 1 == line.size()) {
+            text += line[i];
+            continue;
+        }
+        const char c = line[++i];
+        text += c == 'n' ? '\n' : c == 'r' ? '\r' : c;
+    }
     return text;
 }
 
@@ -111,18 +134,22 @@ Result<Autosave> parse_autosave(std::string_view text, const std::string& locati
         return Error{fmt::format("{}:{}", location, line), what};
     };
     Autosave autosave;
+    bool escapes = true;
     for (int number = 1;; ++number) {
         const std::size_t end = text.find('\n');
         if (end == std::string_view::npos) return bad(number, "the header is truncated");
         const std::string_view line = text.substr(0, end);
         text.remove_prefix(end + 1);
         if (number == 1) {
-            if (line != first_line) return bad(1, "this is no autosave; expected " + std::string(first_line));
+            escapes = line != first_line_before;
+            if (line != first_line && escapes)
+                return bad(1, "this is no autosave; expected " + std::string(first_line));
             continue;
         }
         const std::size_t space = line.find(' ');
         const std::string_view key = line.substr(0, space);
-        const std::string value(space == std::string_view::npos ? "" : line.substr(space + 1));
+        const std::string_view rest = space == std::string_view::npos ? "" : line.substr(space + 1);
+        const std::string value = escapes ? from_one_line(rest) : std::string(rest);
         if (key == "mesh") autosave.info.mesh_path = value;
         if (key == "level") autosave.info.level_path = value;
         if (key == "step") autosave.info.steps.push_back(value);

@@ -2,6 +2,8 @@
 
 #include <sys/stat.h>
 
+#include <utility>
+
 #include "slipface/base/files.h"
 
 namespace slipface {
@@ -21,12 +23,26 @@ FileWatch::Stamp FileWatch::stamp_of(const std::filesystem::path& file) {
             static_cast<std::uint64_t>(status.st_size), true};
 }
 
-void FileWatch::start(const std::filesystem::path& mesh, const std::filesystem::path& level_file) {
+void FileWatch::look(Group& group) {
+    group.now.clear();
+    for (const std::filesystem::path& file : group.files)
+        group.now.push_back(stamp_of(file));
+}
+
+void FileWatch::start(const std::filesystem::path& mesh, const std::filesystem::path& level_file,
+                      std::vector<std::filesystem::path> libraries,
+                      std::vector<std::filesystem::path> textures) {
     mesh_ = mesh;
     level_ = level_file;
     mesh_known_ = mesh_now_ = stamp_of(mesh_);
     level_known_ = level_now_ = stamp_of(level_);
     level_content_ = content_of(level_);
+    libraries_.files = std::move(libraries);
+    textures_.files = std::move(textures);
+    for (Group* group : {&libraries_, &textures_}) {
+        look(*group);
+        group->known = group->now;
+    }
     watching_ = true;
     reported_ = false;
 }
@@ -38,12 +54,16 @@ bool FileWatch::level_has_other_content() const {
 bool FileWatch::poll() {
     if (!watching_) return false;
     const Stamp mesh = stamp_of(mesh_), level = stamp_of(level_);
-    at_rest_ = mesh == mesh_now_ && level == level_now_;
+    const std::vector<Stamp> libraries = libraries_.now, textures = textures_.now;
+    look(libraries_);
+    look(textures_);
+    at_rest_ =
+        mesh == mesh_now_ && level == level_now_ && libraries == libraries_.now && textures == textures_.now;
     if (!at_rest_) reported_ = false;
     mesh_now_ = mesh;
     level_now_ = level;
     if (!at_rest_ || reported_ || !mesh.there) return false;
-    if (mesh == mesh_known_ && level == level_known_) return false;
+    if (!mesh_changed() && !level_changed() && !libraries_changed() && !textures_changed()) return false;
     reported_ = true;
     return true;
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <vector>
 
 #include "slipface/mesh/import.h"
 
@@ -11,8 +12,11 @@ namespace slipface {
 // Compares modification time and size at each poll, which finds nearly every change.
 class FileWatch {
   public:
-    // Watches these two files from their present state on. Call it after opening, saving and reloading.
-    void start(const std::filesystem::path& mesh, const std::filesystem::path& level_file);
+    // Watches these files from their present state on. Call it after opening, saving and reloading. The
+    // libraries define the mesh's materials, which name the textures.
+    void start(const std::filesystem::path& mesh, const std::filesystem::path& level_file,
+               std::vector<std::filesystem::path> libraries = {},
+               std::vector<std::filesystem::path> textures = {});
     void stop() { watching_ = false; }
     // True once per completed change: two polls in a row found the same stamp, and the geometry file exists
     // (tools that replace a file remove it for a moment).
@@ -21,6 +25,8 @@ class FileWatch {
     bool mesh_changed() const { return mesh_now_ != mesh_known_; }
     bool level_changed() const { return level_now_ != level_known_; }
     bool level_gone() const { return !level_now_.there; }
+    bool libraries_changed() const { return libraries_.now != libraries_.known; }
+    bool textures_changed() const { return textures_.now != textures_.known; }
     // Reads the level file. False if it has the same bytes as at start(), for example after `touch`. (The
     // document knows the geometry's content.)
     bool level_has_other_content() const;
@@ -33,10 +39,16 @@ class FileWatch {
         friend bool operator==(const Stamp&, const Stamp&) = default;
     };
     static Stamp stamp_of(const std::filesystem::path& file);
+    struct Group {
+        std::vector<std::filesystem::path> files;
+        std::vector<Stamp> known, now;  // [file]
+    };
+    static void look(Group& group);
 
     std::filesystem::path mesh_, level_;
     FileStamp level_content_;
     Stamp mesh_known_, level_known_, mesh_now_, level_now_;
+    Group libraries_, textures_;
     bool watching_ = false, reported_ = false, at_rest_ = true;
 };
 

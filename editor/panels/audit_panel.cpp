@@ -1,6 +1,8 @@
 // Random walkers in the level: run them, see where they lose speed and get stuck, open the findings.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "panels/panels.h"
 #include "panels/property_rows.h"
 #include "panels/viewport_panel.h"
@@ -123,11 +125,14 @@ void audit_panel(Editor& editor, FrameContext& frame) {
     }
     const AuditReport& report = *job.report();
     ui::heading("Result");
-    fact("Steps", std::to_string(report.steps));
+    float column = fact_column("Hazards");
     for (std::size_t i = 0; i < finding_kind_count; ++i)
-        fact(info_of(static_cast<FindingKind>(i)).label, std::to_string(report.counts[i]));
-    fact("Hazards", std::to_string(report.hazards));
-    if (report.crushed > 0) fact("Crushed", std::to_string(report.crushed));
+        column = std::max(column, fact_column(info_of(static_cast<FindingKind>(i)).label));
+    fact("Steps", std::to_string(report.steps), column);
+    for (std::size_t i = 0; i < finding_kind_count; ++i)
+        fact(info_of(static_cast<FindingKind>(i)).label, std::to_string(report.counts[i]), column);
+    fact("Hazards", std::to_string(report.hazards), column);
+    if (report.crushed > 0) fact("Crushed", std::to_string(report.crushed), column);
     if (report.cancelled) ui::muted_text("Cancelled before the end");
     if (!job.fits(*editor.document))
         ui::muted_text("The level was changed since; run it again for its heat map");

@@ -45,9 +45,10 @@ void run_rows(Editor& editor) {
         const float room =
             ImGui::GetContentRegionAvail().x - (run.kind == LabRun::Kind::pinned ? 4.2f * em : 0.0f);
         const ImVec2 text = ImGui::GetCursorScreenPos();
-        if (ImGui::Selectable("##tell", lab.explained() == i, 0, {room, ImGui::GetTextLineHeight()}))
+        if (ImGui::Selectable("##tell", lab.explained() == i, 0, {room, ImGui::GetFrameHeight()}))
             lab.explain(i);
-        ui::ellipsis(text, text.x + room, ui::palette().text, run.name);
+        ui::ellipsis({text.x + 0.2f * em, text.y + ImGui::GetStyle().FramePadding.y}, text.x + room,
+                     ui::palette().text, run.name);
         ui::record_last_item("Tell", true, lab.explained() == i);
         settings_tooltip(run, lab.runs().front());
         if (run.kind == LabRun::Kind::pinned) {
@@ -140,7 +141,7 @@ void rates(Editor& editor) {
     if (!lab.show_rates) return;
     const std::vector<RateRow>& rows = lab.rates(*editor.document);
     if (!ImGui::BeginTable("rates", 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg)) return;
-    for (const char* name : {"Rate", "Worst", "at", "End"})
+    for (const char* name : {"Rate", "Worst", "At", "End"})
         ImGui::TableSetupColumn(name);
     ImGui::TableHeadersRow();
     double worst = 0.0;

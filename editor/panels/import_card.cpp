@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "panels/panels.h"
+#include "slipface/level/find_start.h"
 #include "tools/icons.h"
+#include "tools/spawns.h"
 #include "widgets/imgui_compat.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
@@ -35,7 +37,7 @@ void row(const char* label, float value_at) {
 void note(const std::string& text, float value_at) {
     ImGui::SetCursorPosX(value_at);
     ImGui::PushFont(ui::fonts().small);
-    ImGui::TextColored(ui::palette().muted, "%s", text.c_str());
+    ui::muted_text(text.c_str());
     ImGui::PopFont();
 }
 
@@ -106,6 +108,24 @@ void size_rows(Editor& editor, float value_at) {
     change_import(editor, transform);
 }
 
+void spawn_rows(Editor& editor, float value_at) {
+    const Level& level = editor.document->level();
+    row("Spawn", value_at);
+    if (has_spawn(level))
+        ImGui::TextUnformatted(
+            fmt::format("{:.2f}, {:.2f}, {:.2f}", level.spawn.x(), level.spawn.y(), level.spawn.z()).c_str());
+    else
+        ImGui::TextUnformatted("None in the file");
+    ui::tooltip(
+        "Where Play begins: without a spawn at the origin, or on open floor near the middle. P puts it on "
+        "the face under the mouse");
+    ImGui::SetCursorPosX(value_at);
+    if (ui::button("Open floor", "Put it on the best open floor near the level's middle"))
+        put_spawn_on_open_floor(editor);
+    ImGui::SameLine();
+    if (ui::button("In view", "Put it on the face in the middle of the view")) put_spawn_in_view(editor);
+}
+
 }  // namespace
 
 void import_card(Editor& editor, const ImVec2& view_min, const ImVec2& view_size) {
@@ -132,10 +152,7 @@ void import_card(Editor& editor, const ImVec2& view_min, const ImVec2& view_size
     size_rows(editor, value_at);
     scale_rows(editor, value_at);
     axis_rows(editor, value_at);
-    const Vec3 spawn = editor.document->level().spawn;
-    row("Spawn", value_at);
-    ImGui::TextUnformatted(fmt::format("{:.2f}, {:.2f}, {:.2f}", spawn.x(), spawn.y(), spawn.z()).c_str());
-    ui::tooltip("Move the mouse over a floor and press the key of Set spawn point");
+    spawn_rows(editor, value_at);
     row("Open edges", value_at);
     ImGui::TextUnformatted(editor.import_card.open_edges == 0
                                ? "None: closed"
@@ -155,7 +172,7 @@ void import_card(Editor& editor, const ImVec2& view_min, const ImVec2& view_size
     const bool given = editor.document->level().import_transform != ImportTransform{};
     if (ui::button("Use the file's values", "Remove the scale and axis set here", given))
         change_import(editor, {});
-    ImGui::SameLine(width - 116 * scale);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - 100 * scale);  // left of the scroll bar, if there is one
     if (ui::primary_button("Done", true, {100 * scale, 0})) close_import_card(editor);
     ImGui::End();
 }

@@ -62,7 +62,7 @@ void sweep_rows(Editor& editor, const std::vector<ProbeRow>& rows) {
         ui::tooltip("Sweep number, in the colour of its ghost; click to show the sweeps up to it");
         ImGui::SameLine(left + number_width);
         ImGui::BeginGroup();
-        line(contact ? hit_text(*contact, surfaces) : "nothing met",
+        line(contact ? hit_text(*contact, surfaces) : "nothing hit",
              "Feature, face and surface type of the first contact");
         ImGui::PushStyleColor(ImGuiCol_Text, ui::palette().muted);
         if (contact)
@@ -94,7 +94,9 @@ void step_buttons(Editor& editor, std::size_t count) {
     if (ui::icon_button(icons::to_end, "All sweeps", "Show every sweep", !shown, shown.has_value()))
         shown.reset();
     ImGui::SameLine();
-    ImGui::AlignTextToFramePadding();
+    // In the middle of the buttons, which are higher than a line.
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() +
+                         0.5f * (ui::icon_button_side() - ImGui::GetTextLineHeight()));
     ui::muted_text(fmt::format("{} of {} sweeps shown", now, count).c_str());
 }
 

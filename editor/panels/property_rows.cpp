@@ -137,7 +137,11 @@ std::string sentence_case(std::string text) {
     return text;
 }
 
-void fact(const char* name, const std::string& value) {
+float fact_column(const char* longest_name) {
+    return ImGui::CalcTextSize(longest_name).x + 0.8f * ImGui::GetFontSize();
+}
+
+void fact(const char* name, const std::string& value, float wanted) {
     const float em = ImGui::GetFontSize();
     const float x = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
     const float name_width = ImGui::CalcTextSize(name).x;
@@ -146,7 +150,8 @@ void fact(const char* name, const std::string& value) {
     ImGui::TextUnformatted(name);
     ImGui::PopStyleColor();
     // The values form a column. After a longer name the value follows if there is room, else it is below.
-    const float column = std::max(5.0f * em, name_width + 0.8f * em);
+    const float usual = std::max(5.0f * em, wanted);
+    const float column = std::max(usual, name_width + 0.8f * em);
     const bool beside =
         name_width + 0.4f * em <= 5.0f * em || column + ImGui::CalcTextSize(value.c_str()).x <= width;
     if (beside) ImGui::SameLine();

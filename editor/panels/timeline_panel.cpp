@@ -86,15 +86,24 @@ void next_button(float gap = 3.0f) {
 }
 constexpr float group_gap = 14.0f;
 
+// What stands in a line with icon buttons, as high as they are.
+void push_button_height() {
+    const ImVec2 usual = ImGui::GetStyle().FramePadding;
+    const float more = 0.5f * (ui::icon_button_side() - ImGui::GetFrameHeight());
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {usual.x, usual.y + more});
+}
+
 // On the line of the buttons, or wrapped on the next.
 void words(const ImVec4& color, const std::string& text) {
     ui::flow(ImGui::CalcTextSize(text.c_str()).x, group_gap * ui::scale());
+    push_button_height();
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     ImGui::PushTextWrapPos(0.0f);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
 }
 
 void transport(Editor& editor) {
@@ -115,7 +124,9 @@ void transport(Editor& editor) {
         if (speeds[i] == lab.speed) speed = i;
     ui::flow(66 * ui::scale(), group_gap * ui::scale());
     ImGui::SetNextItemWidth(66 * ui::scale());
+    push_button_height();
     if (ImGui::Combo("##Speed", &speed, names, 6)) lab.speed = speeds[speed];
+    ImGui::PopStyleVar();
     ui::record_last_item("Speed");
     ui::tooltip("Playback speed; 1x is real time");
     float gap = group_gap;
@@ -128,10 +139,11 @@ void transport(Editor& editor) {
     }
     words(ui::palette().text, fmt::format("{} of {}", tick_text(lab, lab.cursor()), lab.ticks()));
     const std::optional<bool> repeats = lab.repeats();
-    if (repeats && !*repeats)
+    // A level that was painted since explains all there is to explain.
+    if (!lab.doubt().empty())
+        words(ui::palette().accent, lab.doubt());
+    else if (repeats && !*repeats)
         words(ui::palette().bad, "Does not repeat the recording");
-    else if (!lab.doubt().empty())
-        words(ui::palette().bad, lab.doubt());
     else if (repeats)
         words(ui::palette().good, "Repeats");
     ui::tooltip("Whether the run ends with the same bits as when it was recorded");

@@ -88,20 +88,55 @@ void draw_spawn_names(const Editor& editor, const ViewportState& state) {
     constexpr std::size_t max_names = 200;
     const std::vector<Spawn> spawns = all_spawns(editor.document->level());
     if (spawns.size() < 2) return;
+    struct Label {
+        const std::string* name;
+        bool main;
+        double depth;
+        ImVec2 min, max;
+    };
     const Camera camera = shown_camera(editor);
     const Vec2 size{static_cast<double>(state.size.x), static_cast<double>(state.size.y)};
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.PushClipRect(state.min, {state.min.x + state.size.x, state.min.y + state.size.y}, true);
+    const ImVec2 pad{4 * ui::scale(), 2 * ui::scale()};
+    std::vector<Label> labels;
     for (std::size_t i = 0; i < std::min(max_names, spawns.size()); ++i) {
         const Vec3 at = project(camera, spawns[i].position, size);
         if (at.z() <= 0.0 && !camera.orthographic) continue;
-        const std::string& name = spawns[i].name;
-        const ImVec2 extent = ImGui::CalcTextSize(name.c_str());
-        const ImVec2 min{state.min.x + static_cast<float>(at.x()) - 0.5f * extent.x,
-                         state.min.y + static_cast<float>(at.y()) - 0.5f * extent.y};
-        list.AddRectFilled({min.x - 4, min.y - 2}, {min.x + extent.x + 4, min.y + extent.y + 2},
-                           ui::packed(ui::with_alpha(ui::palette().window, 0.75f)), 3 * ui::scale());
-        list.AddText(min, ui::packed(i == 0 ? ui::palette().text : ui::palette().muted), name.c_str());
+        const ImVec2 extent = ImGui::CalcTextSize(spawns[i].name.c_str());
+        // Wholly in the view; what is wider than it is left out.
+        const ImVec2 room{state.size.x - extent.x - 2 * pad.x, state.size.y - extent.y - 2 * pad.y};
+        if (room.x < 0.0f || room.y < 0.0f) continue;
+        const auto beside = [](double middle, float size, float space, float maximum) {
+            return space + std::clamp(static_cast<float>(middle) - 0.5f * size - space, 0.0f, maximum);
+        };
+        const ImVec2 min{state.min.x + beside(at.x(), extent.x, pad.x, room.x),
+                         state.min.y + beside(at.y(), extent.y, pad.y, room.y)};
+        if (at.x() < 0.0 || at.y() < 0.0 || at.x() > size.x() || at.y() > size.y()) continue;
+        labels.push_back({&spawns[i].name,
+                          i == 0,
+                          (spawns[i].position - camera.eye).norm(),
+                          {min.x - pad.x, min.y - pad.y},
+                          {min.x + extent.x + pad.x, min.y + extent.y + pad.y}});
+    }
+    // A map has dozens of spawns: the main one's name and the nearest ones' hide those behind them, or all of
+    // them would hide the level.
+    std::stable_sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) {
+        return a.main != b.main ? a.main : a.depth < b.depth;
+    });
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(state.min, {state.min.x + state.size.x, state.min.y + state.size.y}, true);
+    std::vector<const Label*> drawn;
+    for (const Label& label : labels) {
+        const bool hidden = std::any_of(drawn.begin(), drawn.end(), [&](const Label* other) {
+            return label.min.x < other->max.x && other->min.x < label.max.x && label.min.y < other->max.y &&
+                   other->min.y < label.max.y;
+        });
+        if (hidden) continue;
+        drawn.push_back(&label);
+        list.AddRectFilled(label.min, label.max, ui::packed(ui::with_alpha(ui::palette().window, 0.75f)),
+                           3 * ui::scale());
+        list.AddText({label.min.x + pad.x, label.min.y + pad.y},
+                     ui::packed(label.main ? ui::palette().text : ui::palette().muted), label.name->c_str());
+        ui::record_rect("Spawn name/" + *label.name, label.min, label.max);
     }
     list.PopClipRect();
 }

@@ -87,10 +87,15 @@ void adopt_document(Editor& editor, std::unique_ptr<Document> opened, const std:
     editor.view.orthographic = false;
     const std::size_t panes = std::exchange(editor.panes, {}).count;
     set_pane_count(editor, panes);  // the other panes show the new level
-    if (const std::vector<CameraBookmark>& cameras = document.level().cameras; !cameras.empty())
+    if (const std::vector<CameraBookmark>& cameras = document.level().cameras; !cameras.empty()) {
         editor.view.look_at(cameras.front().eye, cameras.front().target);
-    else
+    } else {
+        // Not from where the level before was looked at: that may be along this one's floor.
+        const ViewCamera usual;
+        editor.view.yaw = usual.yaw;
+        editor.view.pitch = usual.pitch;
         editor.view.frame(document.mesh().bounds, opening_aspect);
+    }
     editor.status = "Opened " + path.filename().string() + ", " +
                     count_text(document.mesh().face_count(), "face", "faces");
     if (const std::size_t hidden = document.hidden().size(); hidden > 0)
@@ -142,7 +147,10 @@ void save_level_as(Editor& editor, const std::filesystem::path& level_file) {
     std::filesystem::path file = level_file;
     if (!file.empty() && !file.has_extension()) file += ".slipface.json";
     if (const Status status = editor.document->save_as(file); !status) {
-        editor.message = MessageDialog{"Cannot save " + file.filename().string(), status.error().text(), {}};
+        editor.message = MessageDialog{.title = "Cannot save " + file.filename().string(),
+                                       .text = status.error().text(),
+                                       .details = {},
+                                       .offers_save_as = true};
         return;
     }
     document_is_safe(editor);

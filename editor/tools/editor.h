@@ -42,6 +42,7 @@ struct MessageDialog {
     std::string text;
     Warnings details;
     bool of_broken_file = false;  // closes by itself when the file can be read again
+    bool offers_save_as = false;  // the level file could not be written where it was to go
 };
 struct DemoInfo;
 
@@ -120,7 +121,8 @@ struct Editor {
     // Open windows.
     PanelLayout layout;
     ImportCard import_card;
-    Warnings texture_warnings;  // of the level that is shown; known once it was drawn
+    Warnings texture_warnings;           // of the level that is shown; known once it was drawn
+    std::uint64_t texture_revision = 0;  // grows when texture files have changed
     bool show_shortcuts = false, show_command_palette = false;
     std::vector<std::string> recent_commands;  // ids, as run from the command palette, newest first
     std::optional<MessageDialog> message;

@@ -14,6 +14,15 @@ std::uint64_t state_of(const Document& document) {
     return (document.face_revision() * 0x9e3779b97f4a7c15ULL) ^ document.mesh().fingerprint;
 }
 
+// Why a tape need not repeat in this level.
+std::string doubt_of(const Tape& tape, const Mesh& mesh, const TickScene& scene) {
+    if (tape.level_fingerprint && *tape.level_fingerprint != mesh.fingerprint)
+        return "Recorded on other geometry";
+    if (tape.surfaces_fingerprint && *tape.surfaces_fingerprint != scene_fingerprint(scene.at(0, 0.0)))
+        return "Recorded with other surface types";
+    return {};
+}
+
 // The difference of two sets of settings, short enough for a list.
 std::string difference_name(const MovementSettings& from, const MovementSettings& to) {
     std::string name;
@@ -61,11 +70,7 @@ Status Lab::open(const Document& document, Tape tape, std::string name) {
         const Result<Start> start = find_start(document.level(), ticks.at(0, 0.0), ticks.offset(), settings);
         start_ = start ? start->position : document.level().spawn;
     }
-    if (tape.level_fingerprint && *tape.level_fingerprint != document.mesh().fingerprint)
-        doubt_ = "Recorded on other geometry";
-    else if (tape.surfaces_fingerprint &&
-             *tape.surfaces_fingerprint != scene_fingerprint(scene(document).at(0, 0.0)))
-        doubt_ = "Recorded with other surface types";
+    doubt_ = doubt_of(tape, document.mesh(), scene(document));
     tape_ = std::make_shared<const Tape>(std::move(tape));
     level_state_ = state_of(document);
     runs_.push_back(
@@ -118,6 +123,7 @@ bool Lab::frame(const Document& document, double seconds) {
     if (!has_tape()) return false;
     const bool other_level = level_state_ != state_of(document);
     level_state_ = state_of(document);
+    if (other_level) doubt_ = doubt_of(*tape_, document.mesh(), scene(document));
     for (std::size_t i = 0; i < runs_.size(); ++i) {
         const bool other_settings =
             runs_[i].kind == LabRun::Kind::now && !(runs_[i].settings == document.level().movement);

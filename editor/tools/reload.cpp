@@ -1,8 +1,11 @@
 // Reading the open level's files again when another program has written them.
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "slipface/base/files.h"
+#include "slipface/base/text.h"
+#include "slipface/mesh/texture_file.h"
 #include "tools/editor.h"
 
 namespace slipface {
@@ -11,6 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t max_level_file_bytes = std::uint64_t{256} << 20;
+constexpr std::size_t most_watched = 1000;  // each is looked at once a second
 
 // The file can be read again: nothing remains to be reported.
 void forget_broken(Editor& editor) {
@@ -78,7 +82,42 @@ bool reload_annotations(Editor& editor) {
     return true;
 }
 
-void start_reload(Editor& editor, bool unasked) {
+bool same_materials(const Mesh& a, const Mesh& b) {
+    return std::equal(a.materials.begin(), a.materials.end(), b.materials.begin(), b.materials.end(),
+                      [](const Material& one, const Material& other) {
+                          return one.name == other.name && one.diffuse == other.diffuse &&
+                                 one.texture == other.texture;
+                      });
+}
+
+// The MTL files beside an OBJ: which of them it names is not asked, for a change of another is no change of
+// its materials.
+std::vector<fs::path> material_libraries(const fs::path& mesh) {
+    std::vector<fs::path> files;
+    if (to_lower(mesh.extension().string()) != ".obj") return files;
+    std::error_code error;
+    for (fs::directory_iterator it(mesh.parent_path(), error), end; !error && it != end; it.increment(error))
+        if (to_lower(it->path().extension().string()) == ".mtl" && files.size() < most_watched)
+            files.push_back(it->path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+// Where they are, or would be.
+std::vector<fs::path> texture_files(const Level& level) {
+    const fs::path folder = level.mesh_path.parent_path();
+    std::vector<fs::path> files;
+    for (const Material& material : level.mesh->materials) {
+        if (material.texture.empty() || files.size() >= most_watched) continue;
+        const FoundTexture found = find_texture(material.texture, folder, TextureAccess::folder);
+        if (!found.refused) files.push_back(found.path.value_or(folder / material.texture));
+    }
+    std::sort(files.begin(), files.end());
+    files.erase(std::unique(files.begin(), files.end()), files.end());
+    return files;
+}
+
+void start_reload(Editor& editor, bool unasked, bool materials = false) {
     if (!editor.document || editor.document->in_transaction()) return;
     cancel_loading(editor);
     stop_playtest(editor);
@@ -89,10 +128,14 @@ void start_reload(Editor& editor, bool unasked) {
     using Reread = Result<std::optional<LoadedLevel>>;
     // The document does not change meanwhile: the dialog is in front. The thread works on a copy.
     loading.rereading = std::make_unique<Background<Reread>>(
-        [level = std::make_shared<const Level>(editor.document->snapshot()), unasked](Progress& progress) {
-            if (unasked && !mesh_changed_on_disk(*level)) return Reread(std::nullopt);
+        [level = std::make_shared<const Level>(editor.document->snapshot()), unasked,
+         materials](Progress& progress) {
+            const bool other_mesh = !unasked || mesh_changed_on_disk(*level);
+            if (!other_mesh && !materials) return Reread(std::nullopt);
             Result<LoadedLevel> loaded = reload_mesh(*level, &progress);
-            return loaded ? Reread(std::move(loaded).value()) : Reread(loaded.error());
+            if (!loaded) return Reread(loaded.error());
+            if (!other_mesh && same_materials(*loaded->level.mesh, *level->mesh)) return Reread(std::nullopt);
+            return Reread(std::move(loaded).value());
         },
         editor.session.wake);
     editor.session.loading = std::move(loading);
@@ -106,7 +149,9 @@ void reload_geometry(Editor& editor) {
 }
 
 void watch_files(Editor& editor) {
-    editor.session.watch.start(editor.document->level().mesh_path, editor.document->level().file_path);
+    const Level& level = editor.document->level();
+    editor.session.watch.start(level.mesh_path, level.file_path, material_libraries(level.mesh_path),
+                               texture_files(level));
     forget_broken(editor);
 }
 
@@ -139,7 +184,11 @@ bool look_at_files(Editor& editor) {
         if (session.broken && !session.watch.at_rest()) session.broken->since_s = session.now_s;
         return report_broken(editor);
     }
-    const bool mesh = session.watch.mesh_changed();
+    const bool mesh = session.watch.mesh_changed(), libraries = session.watch.libraries_changed();
+    if (session.watch.textures_changed()) {
+        ++editor.texture_revision;
+        editor.status = "Read the changed textures again";
+    }
     bool level_file = session.watch.level_changed();
     if (level_file && session.watch.level_gone()) {
         level_file = false;
@@ -149,8 +198,8 @@ bool look_at_files(Editor& editor) {
         level_file = false;
     }
     const bool whole = !level_file || reload_annotations(editor);
-    if (mesh)
-        start_reload(editor, true);
+    if (mesh || libraries)
+        start_reload(editor, true, libraries);
     else if (whole)
         watch_files(editor);
     return true;

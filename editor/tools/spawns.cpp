@@ -1,6 +1,7 @@
 #include "tools/spawns.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "slipface/level/find_start.h"
 #include "tools/probe.h"
@@ -65,6 +66,25 @@ void move_spawn(Editor& editor, std::size_t index) {
     const std::string name = spawns[index].name;
     editor.document->set_spawns(std::move(spawns), "Move spawn " + name);
     editor.status = "Moved " + name + " here";
+}
+
+void put_spawn_in_view(Editor& editor) {
+    if (has_spawn(editor.document->level()))
+        move_spawn(editor, 0);
+    else
+        add_spawn(editor);
+}
+
+void put_spawn_on_open_floor(Editor& editor) {
+    const Level& level = editor.document->level();
+    const TickScene scene = editor.lab.scene(*editor.document);
+    const std::optional<Vec3> floor = find_open_floor(scene.at(0, 0.0), level.movement);
+    if (!floor) {
+        editor.status = "No floor of the level has room for the player";
+        return;
+    }
+    editor.document->set_spawn({*floor - scene.offset(), level.spawn_yaw, level.spawn_name});
+    editor.status = "The player begins on open floor";
 }
 
 void remove_spawn(Editor& editor, std::size_t index) {

@@ -11,6 +11,8 @@ namespace slipface {
 void add_spawn(Editor& editor);          // named with the first free "Spawn N", last in the list
 void add_spawn_hovered(Editor& editor);  // on the face under the mouse
 void move_spawn(Editor& editor, std::size_t index);
+void put_spawn_in_view(Editor& editor);        // the main one; the first, where there is none
+void put_spawn_on_open_floor(Editor& editor);  // the main one, near the level's middle (find_open_floor)
 void remove_spawn(Editor& editor, std::size_t index);
 void rename_spawn(Editor& editor, std::size_t index, const std::string& name);
 void make_main_spawn(Editor& editor, std::size_t index);  // to the front of the list

@@ -22,8 +22,8 @@ struct Sample {
 
 class OpenFloor {
   public:
-    OpenFloor(const MovementScene& scene, const MovementSettings& settings)
-        : scene_(scene), settings_(settings), bounds_(scene.collision.bounds()) {
+    OpenFloor(const MovementScene& scene, const MovementSettings& settings, bool backs)
+        : scene_(scene), settings_(settings), backs_(backs), bounds_(scene.collision.bounds()) {
         if (const Heightfield* field = terrain(); field != nullptr && !field->heights.empty()) {
             const auto [low, high] = std::minmax_element(field->heights.begin(), field->heights.end());
             bounds_.add(Vec3(field->origin.x(), *low, field->origin.z()));
@@ -71,7 +71,8 @@ class OpenFloor {
         for (int layer = 0; layer < max_layers; ++layer) {
             const auto hit = cast_ray(scene_.collision, {x, y, z}, {0.0, -1.0, 0.0});
             if (!hit) break;
-            if (!hit->back_face && !is_hazard(hit->face)) add_sample(column, row, hit->point, hit->normal);
+            if (hit->back_face == backs_ && !is_hazard(hit->face))
+                add_sample(column, row, hit->point, hit->normal);
             // The next ray starts a little below the hit, so that coincident faces are hit once.
             y = std::min(hit->point.y(), y) - std::max(step, 1e-4);
         }
@@ -163,6 +164,7 @@ class OpenFloor {
 
     const MovementScene& scene_;
     const MovementSettings& settings_;
+    const bool backs_;  // stand on faces that look down, and on no others
     Aabb bounds_;
     int columns_ = 0, rows_ = 0;
     Vec2 cell_ = Vec2::Zero();
@@ -174,7 +176,9 @@ class OpenFloor {
 }  // namespace
 
 std::optional<Vec3> find_open_floor(const MovementScene& scene, const MovementSettings& settings) {
-    return OpenFloor(scene, settings).find();
+    if (const auto floor = OpenFloor(scene, settings, false).find()) return floor;
+    // A level whose faces are wound the other way round throughout still holds the player.
+    return OpenFloor(scene, settings, true).find();
 }
 
 }  // namespace slipface

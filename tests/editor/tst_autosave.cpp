@@ -2,6 +2,8 @@
 #include <fcntl.h>
 #include <sys/file.h>
 
+#include <random>
+
 #include "document/autosave.h"
 #include "level_fixture.h"
 
@@ -202,7 +204,7 @@ TEST_F(AutosaveTest, EveryCutAndEveryFlippedByteIsRefused) {
     ASSERT_TRUE(read.ok()) << read.error().text();
     EXPECT_EQ(read->json, autosave.json);
     EXPECT_EQ(read->info.mesh_path, autosave.info.mesh_path);
-    EXPECT_EQ(read->info.steps, std::vector<std::string>{"Paint ice"});
+    EXPECT_EQ(read->info.steps, autosave.info.steps);
     for (std::size_t length = 0; length < text.size(); ++length)
         EXPECT_FALSE(parse_autosave(text.substr(0, length), "x").ok()) << length;
     for (std::size_t i = text.size() - autosave.json.size(); i < text.size(); ++i) {
@@ -210,6 +212,61 @@ TEST_F(AutosaveTest, EveryCutAndEveryFlippedByteIsRefused) {
         changed[i] = static_cast<char>(changed[i] ^ 1);
         EXPECT_FALSE(parse_autosave(changed, "x").ok()) << i;
     }
+}
+
+// A path may hold any byte but 0.
+TEST_F(AutosaveTest, EveryPathComesBack) {
+    std::mt19937 random(11);
+    constexpr std::string_view bytes = "\n\r\\ nr/a.\xc3\xa4";
+    for (int i = 0; i < 2000; ++i) {
+        std::string path = "/";
+        for (auto length = random() % 12; length > 0; --length)
+            path += bytes[random() % bytes.size()];
+        Autosave autosave;
+        autosave.info.mesh_path = path + "x";
+        autosave.info.level_path = path;
+        autosave.info.steps = {path};
+        const Result<Autosave> read = parse_autosave(autosave_text(autosave), "x");
+        ASSERT_TRUE(read.ok()) << read.error().text();
+        EXPECT_EQ(read->info.mesh_path, autosave.info.mesh_path);
+        EXPECT_EQ(read->info.level_path, autosave.info.level_path);
+        EXPECT_EQ(read->info.steps, autosave.info.steps);
+    }
+}
+
+TEST_F(AutosaveTest, AnAutosaveOfTheVersionBeforeIsReadAsItWasWritten) {
+    Autosave autosave;
+    autosave.info.mesh_path = "/a/b.obj";
+    std::string text = autosave_text(autosave);
+    text.replace(text.find("autosave 2"), 10, "autosave 1");
+    text.replace(text.find("/a/b.obj"), 8, R"(/a\n\.obj)");
+    const Result<Autosave> read = parse_autosave(text, "x");
+    ASSERT_TRUE(read.ok()) << read.error().text();
+    EXPECT_EQ(read->info.mesh_path, R"(/a\n\.obj)");
+    text.replace(text.find("autosave 1"), 10, "autosave 3");
+    EXPECT_FALSE(parse_autosave(text, "x").ok());
+}
+
+TEST_F(AutosaveTest, ALevelInAFolderWithALineEndInItsNameIsRecovered) {
+    const fs::path odd = folder / "two\nlines";
+    fs::create_directory(odd);
+    obj = odd / "grid.obj";
+    write_text(obj, floor_and_wall_obj(n));
+    auto document = open();
+    {
+        AutosaveSession session(store);
+        paint(*document, 3, ice);
+        autosave_now(session, *document, now);
+        session.abandon();
+    }
+    const auto found = AutosaveSession(store).recoverable();
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].mesh_path, obj);
+    const Result<Autosave> read = read_autosave(found[0].file);
+    ASSERT_TRUE(read.ok()) << read.error().text();
+    const auto recovered = open_recovered(*read);
+    ASSERT_TRUE(recovered) << recovered.error().text();
+    EXPECT_EQ((*recovered)->resolved().surface[3], ice);
 }
 
 TEST_F(AutosaveTest, AFolderThatCannotBeMadeMeansNoAutosaves) {

@@ -181,6 +181,50 @@ TEST_F(HotReload, ALevelFileThatChangedIsTakenOverAndUndoGoesBack) {
     EXPECT_EQ(document().resolved().surface[7], ice);
 }
 
+TEST_F(HotReload, AChangedMaterialIsSeen) {
+    const fs::path mtl = folder / "grid.mtl";
+    write_text(obj, "mtllib grid.mtl\n" + floor_and_wall_obj(n));
+    write_text(mtl, "newmtl floor\nKd 0.1 0.2 0.3\nnewmtl wall__ladder\n");
+    open_level(editor, obj);
+    paint(5, ice);
+    const auto kd = [&] { return document().mesh().materials[document().mesh().face_material[0]].diffuse; };
+    ASSERT_EQ(kd(), Vec3f(0.1f, 0.2f, 0.3f));
+    seconds(2);
+    const std::size_t steps = document().history().size();
+    write_text(mtl, "# only a word\n" + read_text(mtl));
+    write_text(folder / "another.mtl", "newmtl floor\nKd 1 1 1\n");
+    seconds(3);
+    EXPECT_EQ(document().history().size(), steps) << "the materials are as they were";
+    write_text(mtl, "newmtl floor\nKd 0.9 0.2 0.3\nnewmtl wall__ladder\n");
+    seconds(3);
+    EXPECT_EQ(kd(), Vec3f(0.9f, 0.2f, 0.3f));
+    EXPECT_EQ(document().resolved().surface[5], ice);
+    EXPECT_EQ(document().history().back().name, "Reload grid.obj");
+}
+
+TEST_F(HotReload, AChangedTextureIsReadAgain) {
+    write_text(obj, "mtllib grid.mtl\n" + floor_and_wall_obj(n));
+    write_text(folder / "grid.mtl", "newmtl floor\nmap_Kd tiles.png\nnewmtl wall__ladder\n");
+    open_level(editor, obj);
+    seconds(3);
+    const std::uint64_t before = editor.texture_revision;
+    const std::size_t steps = document().history().size();
+    // One that was missing is there now, then has other content, then is gone again.
+    write_text(folder / "tiles.png", "a");
+    seconds(3);
+    EXPECT_EQ(editor.texture_revision, before + 1);
+    write_text(folder / "tiles.png", "ab");
+    seconds(3);
+    EXPECT_EQ(editor.texture_revision, before + 2);
+    fs::remove(folder / "tiles.png");
+    seconds(3);
+    EXPECT_EQ(editor.texture_revision, before + 3);
+    seconds(10);
+    EXPECT_EQ(editor.texture_revision, before + 3);
+    EXPECT_EQ(document().history().size(), steps);
+    EXPECT_FALSE(document().dirty());
+}
+
 TEST_F(HotReload, ALevelThatIsDeletedAndMadeAgain) {
     paint(5, ice);
     ASSERT_TRUE(document().save());

@@ -97,6 +97,18 @@ TEST_F(LabTest, ATapeOfAnotherLevelRaisesADoubt) {
     EXPECT_FALSE(lab.repeats()) << "it does not say how it ends";
 }
 
+TEST_F(LabTest, PaintingTheLevelUnderATapeIsSaidAndUndoTakesItBack) {
+    record();
+    EXPECT_EQ(lab.doubt(), "");
+    const FaceId face = 3;
+    editor.document->paint(std::span(&face, 1), ice);
+    finish();
+    EXPECT_EQ(lab.doubt(), "Recorded with other surface types");
+    editor.document->undo();
+    finish();
+    EXPECT_EQ(lab.doubt(), "");
+}
+
 TEST_F(LabTest, TheCursorStepsSeeksPlaysAndLoops) {
     record();
     lab.seek(5);

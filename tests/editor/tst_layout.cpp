@@ -68,6 +68,30 @@ TEST_P(LayoutTest, PanelsWithContents) {
     expect_tidy_after("set ground_acceleration=12\nfinish\ncommand lab.pin\nclick \"Tabs/Ghosts\"");
 }
 
+// Warnings about paint that was guessed, spawns with long names, and the card of a level opened first.
+TEST_P(LayoutTest, WhatALevelFromElsewhereBringsUp) {
+    const FaceId painted = 0;
+    editor().document->paint(std::span(&painted, 1), ice);
+    std::vector<Spawn> spawns;
+    for (int i = 0; i < 12; ++i)
+        spawns.push_back({Vec3(0.6 * i, 0.95, 4.0), 0.0, "info_player_deathmatch " + std::to_string(i + 1)});
+    editor().document->set_spawns(spawns, "Many");
+    write_text(obj, obj_with_cut_face(n));
+    reload_geometry(editor());
+    expect_tidy("guessed paint");
+    ASSERT_TRUE(ui::widgets().contains("Warnings/Accept"));
+    expect_tidy_after("command panel.spawns");
+    expect_tidy_after("hover \"Spawns/info_player_deathmatch 3/Row\"");
+    editor().import_card.shown = true;
+    expect_tidy("import card");
+    editor().document->set_spawns({}, "None");
+    ImportTransform too_large;
+    too_large.scale = 1000.0;
+    ASSERT_TRUE(editor().document->set_import_transform(too_large));
+    geometry_changed(editor());
+    expect_tidy("import card of a level that is too large");
+}
+
 // All panels in one dock: their tabs can all be pressed.
 TEST_P(LayoutTest, EveryTabOfACrowdedDock) {
     for (const Dock dock : {Dock::right, Dock::left, Dock::bottom}) {

@@ -1,11 +1,14 @@
 // What a stranger tripped over in the window: each of it with the sight or the press that showed it.
 #include <imgui_internal.h>
 
+#include <filesystem>
+#include <map>
 #include <set>
 
 #include "app_fixture.h"
 #include "panels/lab_track.h"
 #include "panels/viewport_panel.h"
+#include "slipface/level/find_start.h"
 #include "tools/surface_types.h"
 #include "widgets/theme.h"
 
@@ -40,6 +43,91 @@ class WindowTest : public AppFixture {
         return count;
     }
 };
+
+// The press-down that keeps a player on the ground is no motion.
+TEST_F(WindowTest, APlayerAtRestHasNoVelocityArrow) {
+    editor().document->set_spawn({Vec3(4, 0.95, 6), 0.0});
+    editor().show_trace = false;  // contacts have arrows, too
+    const auto arrows = [&] {
+        std::vector<Vec3> found;
+        for (const Overlay::Line& line : viewport_overlay(editor(), shown_camera(editor()), 600).lines)
+            if (line.arrow) found.push_back(line.b - line.a);
+        return found;
+    };
+    ASSERT_EQ(run("command playtest.start\nwait 30\nexpect grounded yes"), "");
+    EXPECT_TRUE(arrows().empty());
+    ASSERT_EQ(run("hold W 20"), "");
+    ASSERT_EQ(arrows().size(), 1u);
+    EXPECT_NEAR(arrows()[0].y(), 0.0, 1e-9);
+    EXPECT_GT(arrows()[0].norm(), 0.3);
+}
+
+TEST_F(WindowTest, TheTabsThatAreThereAtFirstTakeOneLine) {
+    OffscreenOptions options;
+    options.width = 1440;
+    options.height = 900;
+    start(options);
+    std::map<Dock, float> line;
+    for (const PanelInfo& info : panel_table()) {
+        if (!info.shown) continue;
+        const float top = widget(std::string("Tabs/") + info.label).min.y;
+        EXPECT_EQ(line.emplace(info.dock, top).first->second, top) << info.label;
+    }
+    EXPECT_EQ(line.size(), 3u);
+}
+
+// A Quake map has dozens: what is written is readable, and the main one is.
+TEST_F(WindowTest, NamesOfSpawnsDoNotLieOnEachOther) {
+    std::vector<Spawn> spawns;
+    for (int i = 0; i < 60; ++i)
+        spawns.push_back({Vec3(0.1 * i, 0.95, 4.0), 0.0, "info_player_deathmatch " + std::to_string(i + 1)});
+    editor().document->set_spawns(spawns, "Many");
+    ASSERT_EQ(run("camera frame"), "");
+    host->settle();
+    std::vector<ui::WidgetRect> names;
+    for (const auto& [path, rect] : ui::widgets())
+        if (path.find("Spawn name/") != std::string::npos) names.push_back(rect);
+    EXPECT_TRUE(ui::widgets().contains("Viewport/Spawn name/info_player_deathmatch 1"));
+    EXPECT_GE(names.size(), 1u);
+    EXPECT_LT(names.size(), spawns.size());
+    for (std::size_t i = 0; i < names.size(); ++i)
+        for (std::size_t j = i + 1; j < names.size(); ++j)
+            EXPECT_TRUE(names[i].max.x <= names[j].min.x || names[j].max.x <= names[i].min.x ||
+                        names[i].max.y <= names[j].min.y || names[j].max.y <= names[i].min.y);
+}
+
+TEST_F(WindowTest, ALevelThatCannotBeSavedWhereItLiesIsOfferedSaveAs) {
+    std::filesystem::create_directory(level_file);  // nothing can be written under its name
+    ASSERT_EQ(run("select faces 1\ncommand edit.fill_selection\nkey Ctrl+S\n"
+                  "expect message \"Cannot save grid.slipface.json*\"\n"
+                  "click \"Message/Save as\u2026\"\nwait 2\nexpect message \"\""),
+              "");
+    EXPECT_EQ(editor().file_dialog, FileDialogKind::save_as);
+    const std::string elsewhere = (folder / "mine.slipface.json").string();
+    ASSERT_EQ(run("key Ctrl+A\ntype \"" + elsewhere + "\"\nkey Enter\nwait 2\nexpect dirty no"), "");
+    EXPECT_TRUE(std::filesystem::exists(elsewhere));
+    // Other errors have nothing to offer.
+    ASSERT_EQ(run("open missing.obj\nexpect no_widget \"Message/Save as\u2026\""), "");
+}
+
+TEST_F(WindowTest, TheImportCardPlacesTheSpawn) {
+    editor().import_card.shown = true;
+    const Level& level = document().level();
+    ASSERT_FALSE(has_spawn(level));
+    ASSERT_EQ(run("wait 1\nclick \"Viewport/Import/Open floor\""), "");
+    ASSERT_TRUE(has_spawn(level));
+    EXPECT_NEAR(level.spawn.y(), level.movement.radii.y() + level.movement.skin, 1e-3);
+    EXPECT_NEAR(level.spawn.x(), 4.0, 2.0);
+    EXPECT_NEAR(level.spawn.z(), 4.0, 2.0);
+    ASSERT_EQ(run("camera eye 1.5,9,6.6 target 1.5,0,6.5\nclick \"Viewport/Import/In view\""), "");
+    EXPECT_NEAR(level.spawn.x(), 1.5, 0.1);  // no view looks straight down
+    EXPECT_NEAR(level.spawn.z(), 6.5, 0.1);
+    EXPECT_EQ(all_spawns(level).size(), 1u);
+    ASSERT_EQ(run("key Ctrl+Z\nkey Ctrl+Z"), "");
+    EXPECT_FALSE(has_spawn(level));
+    ASSERT_EQ(run("click \"Viewport/Import/In view\""), "");
+    EXPECT_NEAR(level.spawn.x(), 1.5, 0.1);
+}
 
 TEST_F(WindowTest, TheSelectionsTintIsNotSeenWhileWalking) {
     ASSERT_EQ(run("select faces 3-9\ncommand playtest.start"), "");

@@ -8,6 +8,7 @@ namespace slipface::test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 void add_quad(Faces& faces, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     faces.push_back({{a.cast<float>(), b.cast<float>(), c.cast<float>(), d.cast<float>()}});
@@ -145,14 +146,12 @@ TEST(FindStart, OpenFloorHoldsThePlayerWhereverItIs) {
 }
 
 TEST(FindStart, WithoutFloorThereIsNone) {
-    Faces walls, upside_down, crumb, steep, ceiling;
+    Faces walls, crumb, steep;
     add_quad(walls, {-5, 0, 0}, {5, 0, 0}, {5, 8, 0}, {-5, 8, 0});
     add_quad(walls, {0, 0, -5}, {0, 8, -5}, {0, 8, 5}, {0, 0, 5});
-    add_quad(upside_down, {-5, 0, -5}, {5, 0, -5}, {5, 0, 5}, {-5, 0, 5});
     crumb.push_back({{{0, 0, 0}, {0, 0, 0.001f}, {0.001f, 0, 0}}});
     add_quad(steep, {-5, 0, 0}, {-5, 10, -2}, {5, 10, -2}, {5, 0, 0});
-    add_quad(ceiling, {-5, 3, -5}, {5, 3, -5}, {5, 3, 5}, {-5, 3, 5});
-    for (const Faces* faces : {&walls, &upside_down, &crumb, &steep, &ceiling}) {
+    for (const Faces* faces : {&walls, &crumb, &steep}) {
         Level level = without_spawn(*faces);
         Result<LevelScene> scene = LevelScene::build(level);
         EXPECT_FALSE(find_open_floor(scene->at(0.0), level.movement));
@@ -162,6 +161,32 @@ TEST(FindStart, WithoutFloorThereIsNone) {
         EXPECT_FALSE(start.stands);
         EXPECT_THAT(start.note, HasSubstr("no floor has room for the player"));
         EXPECT_EQ(start.position, level.spawn);
+    }
+}
+
+// As many exporters leave a level: two-sided ground holds the player all the same.
+TEST(FindStart, ALevelThatIsInsideOutHoldsThePlayerAndIsSaidToBe) {
+    for (unsigned seed = 0; seed < 60; ++seed) {
+        Draw draw(3000 + seed);
+        const double half = draw.between(2, 30), y = draw.between(-20, 20);
+        Faces faces;
+        add_quad(faces, {-half, y, -half}, {half, y, -half}, {half, y, half}, {-half, y, half});
+        Level level = without_spawn(faces);
+        level.spawn_is_set = true;
+        level.spawn = {500, 5, 500};
+        const Start start = start_of(level);
+        ASSERT_TRUE(start.stands) << seed;
+        EXPECT_THAT(start.note, HasSubstr("upside down or inside out"));
+        EXPECT_TRUE(after_idling(level, start.position, 30).grounded) << seed;
+        // From behind, a one-sided face is air.
+        level.surfaces[0].one_sided = true;
+        EXPECT_FALSE(start_of(level).stands) << seed;
+        // Faces that look up come first, however small they are.
+        level.surfaces[0].one_sided = false;
+        add_quad(faces, {90, 0, 0}, {90, 0, 4}, {94, 0, 4}, {94, 0, 0});
+        level.mesh = level_of(faces).mesh;
+        level.overrides.resize(2);
+        EXPECT_THAT(start_of(level).note, Not(HasSubstr("inside out"))) << seed;
     }
 }
 

@@ -49,11 +49,12 @@ Result<Start> settle_start(Level& level, std::string_view name = {});
 
 // The centre of a player who stands on open floor near the middle of the static geometry and the terrain, in
 // the scene's coordinates; nothing if there is no such floor. The floor is sampled on a grid of at most
-// 64 x 64 columns: front sides no steeper than max_slope, no hazards, with room for the player above.
+// 64 x 64 columns: faces that look up (if there are none, backs of faces that look down), no steeper than
+// max_slope, no hazards, with room for the player above.
 // Neighbours are connected where the player, raised by a step, can move straight from one to the other. Of
-// the connected floors at least half as large as the largest, the result is the sample nearest to the middle;
-// samples with four connections come first. Heights above the lowest sample count double, so that a room is
-// preferred to its roof. The same level gives the same bits.
+// the connected floors at least half as large as the largest and not smaller than the player, the result is
+// the sample nearest to the middle; samples with four connections come first. Heights above the lowest sample
+// count double, so that a room is preferred to its roof. The same level gives the same bits.
 std::optional<Vec3> find_open_floor(const MovementScene& scene, const MovementSettings& settings);
 
 // The centre of a player who rests a skin away from the plane through `point` with the unit normal `normal`.
