@@ -131,7 +131,7 @@ int run(const std::filesystem::path& folder, int side, bool quads) {
     table.row("(painting)");
     if (!save_level(level)) return 2;
     table.row("saving every face painted");
-    fmt::print("level file: {:.1f} MB, {:.1f} bytes a face\n",
+    fmt::print("level file: {:.1f} MB, {:.1f} bytes per face\n",
                static_cast<double>(std::filesystem::file_size(level.file_path)) / 1e6,
                static_cast<double>(std::filesystem::file_size(level.file_path)) /
                    static_cast<double>(level.mesh->face_count()));

@@ -176,7 +176,7 @@ Pair build_race(const Level& scene, int threads) {
 
 void builds() {
     fmt::print(
-        "\nBuild: ms, our time over Embree's (medium) on one thread and on two; bytes a triangle\n\n"
+        "\nBuild: ms, our time over Embree's (medium) on one thread and on two; bytes per triangle\n\n"
         "| triangles | 1 thread |  Embree |  ratio | 2 threads |  Embree |  ratio |  bytes |"
         " closest point, ns | overlap, ns |\n"
         "|----------:|---------:|--------:|-------:|----------:|--------:|-------:|-------:|"

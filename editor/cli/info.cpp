@@ -198,7 +198,7 @@ void print_info_text(const LevelInfo& info, std::ostream& out) {
     print_import(info, out);
     print_row(out, "loaded in", duration_text(info.load_s));
     print_row(out, "BVH built in",
-              fmt::format("{}, {}, {:.1f} bytes a triangle", duration_text(info.bvh_s),
+              fmt::format("{}, {}, {:.1f} bytes per triangle", duration_text(info.bvh_s),
                           bytes_text(info.bvh.bytes), bytes_a_triangle(info)));
     print_row(out, "painted faces", fmt::format("{} ({})", painted_count(level), info.loaded.match.text()));
     out << "\nfaces per type\n";

@@ -64,8 +64,8 @@ void print_report(const ReachReport& report, double seconds, std::uint64_t steps
     print_row(out, "unreached", faces_text(report.unreached));
     print_row(out, "traps", faces_text(report.traps));
     print_row(out, "exits", fmt::format("{}", report.exits.size()));
-    constexpr std::size_t most_exits = 8;
-    for (std::size_t i = 0; i < std::min(most_exits, report.exits.size()); ++i) {
+    constexpr std::size_t max_exits = 8;
+    for (std::size_t i = 0; i < std::min(max_exits, report.exits.size()); ++i) {
         const ReachReport::Exit& exit = report.exits[i];
         const std::string face = exit.face == no_id ? "" : fmt::format(", from face {}", exit.face);
         out << fmt::format("    {}  m{}, {} times, first after {:.2f} s\n", vector_text(exit.hole), face,

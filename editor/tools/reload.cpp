@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t max_level_file_bytes = std::uint64_t{256} << 20;
-constexpr std::size_t most_watched = 1000;  // each is looked at once a second
+constexpr std::size_t max_watched = 1000;  // each is checked once per second
 
 // The file can be read again: nothing remains to be reported.
 void forget_broken(Editor& editor) {
@@ -97,7 +97,7 @@ std::vector<fs::path> material_libraries(const fs::path& mesh) {
     if (to_lower(mesh.extension().string()) != ".obj") return files;
     std::error_code error;
     for (fs::directory_iterator it(mesh.parent_path(), error), end; !error && it != end; it.increment(error))
-        if (to_lower(it->path().extension().string()) == ".mtl" && files.size() < most_watched)
+        if (to_lower(it->path().extension().string()) == ".mtl" && files.size() < max_watched)
             files.push_back(it->path());
     std::sort(files.begin(), files.end());
     return files;
@@ -108,7 +108,7 @@ std::vector<fs::path> texture_files(const Level& level) {
     const fs::path folder = level.mesh_path.parent_path();
     std::vector<fs::path> files;
     for (const Material& material : level.mesh->materials) {
-        if (material.texture.empty() || files.size() >= most_watched) continue;
+        if (material.texture.empty() || files.size() >= max_watched) continue;
         const FoundTexture found = find_texture(material.texture, folder, TextureAccess::folder);
         if (!found.refused) files.push_back(found.path.value_or(folder / material.texture));
     }

@@ -172,7 +172,7 @@ bool overlaps_scene(const Mover& mover, const Vec3& centre);
 bool is_free(const Mover& mover, const Vec3& centre);  // of one-sided faces, too
 std::optional<RayHit> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& move);
 const CollisionWorld& world_of(const Mover& mover, std::uint32_t platform);
-// Replaces the normal of a touch of an edge that is inside a flat or hollow surface by the face's. Returns
+// Replaces the normal of a touch of an edge that is inside a flat or concave surface by the face's. Returns
 // how deep the ellipsoid at `centre` is behind that face's plane, metres; 0 where nothing was replaced.
 double filter_seam(const Mover& mover, const Vec3& centre, std::uint32_t platform, Contact& contact);
 

@@ -14,7 +14,7 @@ constexpr std::uint32_t air_note = 60;         // ticks in the air after which t
 constexpr double patience_share = 0.95;        // a faster way to a cell must save a twentieth ...
 constexpr std::uint32_t patience_ticks = 3;    // ... and so many ticks
 constexpr double exit_spot_m = 2.0;            // exits nearer to each other count as one
-constexpr std::size_t most_presses = 24;       // of one roll-out
+constexpr std::size_t max_presses = 24;       // of one roll-out
 constexpr std::uint32_t trail_length = 96;
 
 // The order in which the eight and the sixteen main directions are tried: far apart first.
@@ -28,7 +28,7 @@ struct Cursor {
     Vec3 held_at = Vec3::Zero();  // ... here, in the scene's coordinates
     std::uint32_t air = 0;        // ticks since then
     std::uint8_t count = 0;
-    std::array<Press, most_presses> presses;
+    std::array<Press, max_presses> presses;
     bool alive = true;
 };
 
@@ -239,7 +239,7 @@ class Roller {
             Press& last = cursor.presses[cursor.count - 1u];
             if (last.stick == stick && last.jump == jump && last.ticks < 60000) return ++last.ticks, true;
         }
-        if (cursor.count == most_presses) return false;
+        if (cursor.count == max_presses) return false;
         cursor.presses[cursor.count++] = {1, stick, jump};
         return true;
     }

@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t picks_per_round = 256;
 constexpr std::uint32_t visits_per_pick = 4;
 constexpr std::uint32_t max_visits = 400;  // then a cell has shown what it leads to
-constexpr std::size_t most_cost = 160;
-constexpr std::size_t most_nodes = 60'000'000;
+constexpr std::size_t max_cost = 160;
+constexpr std::size_t max_nodes = 60'000'000;
 constexpr double phase_s = 0.5;
 constexpr double jump_around_m = 5.0, jump_above_m = 3.0;
 
@@ -125,8 +125,8 @@ Status ReachSearch::Impl::prepare(const Level& level, const Vec3& from, const Re
     faces.assign(level.mesh->face_count(), {});
     goals.assign(level.goals.size(), {});
     face_cells.assign(faces.size() + 1, 0);
-    queue.resize(most_cost);
-    queue_begin.assign(most_cost, 0);
+    queue.resize(max_cost);
+    queue_begin.assign(max_cost, 0);
     return {};
 }
 
@@ -138,7 +138,7 @@ std::size_t ReachSearch::Impl::first_cost(const PlayerState& state) const {
 }
 
 void ReachSearch::Impl::enqueue(NodeId node, std::size_t cost) {
-    queue[std::min(cost, most_cost - 1)].push_back(node);
+    queue[std::min(cost, max_cost - 1)].push_back(node);
 }
 
 bool ReachSearch::Impl::goals_reached() const {
@@ -210,7 +210,7 @@ void ReachSearch::Impl::round() {
         std::size_t cost;
     };
     std::vector<Pick> picks;
-    for (std::size_t cost = 0; cost < most_cost && picks.size() < picks_per_round; ++cost) {
+    for (std::size_t cost = 0; cost < max_cost && picks.size() < picks_per_round; ++cost) {
         std::vector<NodeId>& waiting = queue[cost];
         std::size_t& at = queue_begin[cost];
         for (; at < waiting.size() && picks.size() < picks_per_round; ++at) {
@@ -270,7 +270,7 @@ Result<ReachSearch> ReachSearch::begin(const Level& level, const Vec3& start, co
 }
 
 bool ReachSearch::exhausted() const {
-    for (std::size_t cost = 0; cost < most_cost; ++cost)
+    for (std::size_t cost = 0; cost < max_cost; ++cost)
         if (impl_->queue_begin[cost] < impl_->queue[cost].size()) return false;
     return true;
 }
@@ -278,7 +278,7 @@ bool ReachSearch::exhausted() const {
 void ReachSearch::run(const ReachLimits& limits, Progress* progress) {
     const auto begin = std::chrono::steady_clock::now();
     begin_stage(progress, "Searching", 0.0, 1.0);
-    while (!exhausted() && !cancelled(progress) && impl_->archive.nodes.size() < most_nodes) {
+    while (!exhausted() && !cancelled(progress) && impl_->archive.nodes.size() < max_nodes) {
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         if (limits.rounds && impl_->rounds.size() >= *limits.rounds) break;

@@ -206,8 +206,8 @@ void AuditRun::check(const AuditTick& now, const PlayerState& before, const Tick
     const PlayerState& after = result.stepped;
     const Vec3 at = position_in_scene(scene, after);
     const Vec3 from = position_in_scene(scene, before);
-    // A platform that leaves a walker no room goes through him, and he is told that he is trapped. That is
-    // counted, as hazards are; then only what stands still must hold.
+    // A platform that leaves a walker no room passes through it, and the walker's state is "trapped". That is
+    // counted as hazards are; then only static geometry must hold.
     if (after.trapped && !before.trapped) ++crushed_;
     const Against against =
         after.trapped || before.trapped ? Against::what_stands_still : Against::everything;

@@ -285,7 +285,7 @@ std::vector<StoryLine> describe_records(std::span<const TraceRecord> records, co
                                         const MovementSettings& settings, const TickTrace* tick) {
     std::vector<StoryLine> lines;
     Teller teller(names, settings, tick, records, lines);
-    // What the seam filter says of a touch is recorded before the sweep that touched, and told after it.
+    // The seam filter records its decision before the sweep that touched; the story has it after the sweep.
     const auto of_next_sweep = [&](std::size_t i) {
         const auto* decision = std::get_if<DecisionRecord>(&records[i]);
         return decision != nullptr && std::string_view(decision_info(decision->kind).hack) == "seam_filter";
