@@ -93,6 +93,7 @@ void print_audit(const AuditReport& report, double seconds, std::ostream& out) {
     print_row(out, "hazards", fmt::format("{}", report.hazards));
     print_row(out, "crushed", fmt::format("{}", report.crushed));
     if (!report.closed) print_row(out, "left", fmt::format("{}", report.left));
+    if (report.falls > 0) print_row(out, "falls", fmt::format("{}", report.falls));
     print_row(out, "hash", hash_text(report.hash));
     if (report.findings.empty()) return;
     for (std::size_t kind = 0; kind < finding_kind_count; ++kind) {

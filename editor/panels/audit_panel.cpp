@@ -133,6 +133,7 @@ void audit_panel(Editor& editor, FrameContext& frame) {
         fact(info_of(static_cast<FindingKind>(i)).label, std::to_string(report.counts[i]), column);
     fact("Hazards", std::to_string(report.hazards), column);
     if (report.crushed > 0) fact("Crushed", std::to_string(report.crushed), column);
+    if (report.falls > 0) fact("Falls", std::to_string(report.falls), column);
     if (report.cancelled) ui::muted_text("Cancelled before the end");
     if (!job.fits(*editor.document))
         ui::muted_text("The level was changed since; run it again for its heat map");

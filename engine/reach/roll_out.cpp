@@ -14,7 +14,7 @@ constexpr std::uint32_t air_note = 60;         // ticks in the air after which t
 constexpr double patience_share = 0.95;        // a faster way to a cell must save a twentieth ...
 constexpr std::uint32_t patience_ticks = 3;    // ... and so many ticks
 constexpr double exit_spot_m = 2.0;            // exits nearer to each other count as one
-constexpr std::size_t max_presses = 24;       // of one roll-out
+constexpr std::size_t max_presses = 24;        // of one roll-out
 constexpr std::uint32_t trail_length = 96;
 
 // The order in which the eight and the sixteen main directions are tried: far apart first.

@@ -49,10 +49,10 @@ double move_onto(Mesh& mesh, FaceId face, FaceId other, double widest) {
 
 }  // namespace
 
-double close_gap(Mesh& mesh, FaceId face, FaceId other, const Vec3& location, double widest) {
+double close_gap(Mesh& mesh, FaceId face, FaceId other, const Vec3& position, double widest) {
     // As wide as the gap is at its narrowest, and half as much again where it is wedged.
-    const double at_place = 2.0 * std::max((nearest_on_outline(mesh, face, location) - location).norm(),
-                                           (nearest_on_outline(mesh, other, location) - location).norm());
+    const double at_place = 2.0 * std::max((nearest_on_outline(mesh, face, position) - position).norm(),
+                                           (nearest_on_outline(mesh, other, position) - position).norm());
     const double reach = std::min(widest, 1.5 * at_place);
     const double one = move_onto(mesh, other, face, reach);
     // Where the other's edge is the longer one, its corners lie far off, and these go to it instead.

@@ -7,7 +7,7 @@ namespace slipface {
 
 // Moves the corners of one face beside a gap onto the other's edge, those within `widest` metres of `place`
 // or as near to the gap as that is wide. Returns how far the farthest was moved, metres; 0: nothing to move.
-double close_gap(Mesh& mesh, FaceId face, FaceId other, const Vec3& location, double widest);
+double close_gap(Mesh& mesh, FaceId face, FaceId other, const Vec3& position, double widest);
 
 // Turns a face's front to its back.
 void flip_face(Mesh& mesh, FaceId face);

@@ -55,12 +55,12 @@ std::optional<Part> part_around(const Level& level, const Vec3& centre, double h
     return part;
 }
 
-Cure repair(std::string text, Mesh mesh, const Vec3& location, double change) {
+Cure repair(std::string text, Mesh mesh, const Vec3& position, double change) {
     Cure cure;
     cure.text = std::move(text);
     cure.button = "Show";
     cure.mesh = std::make_shared<const Mesh>(std::move(mesh));
-    cure.location = location;
+    cure.position = position;
     cure.bluntness = 1;
     cure.change = change;
     return cure;
@@ -73,16 +73,16 @@ std::optional<Cure> repair_of(const Level& level, const Problem& problem, const 
         case ProblemKind::crack: {
             Mesh changed = mesh;
             const double moved =
-                close_gap(changed, problem.face, problem.other, problem.location, 2.0 * radius);
+                close_gap(changed, problem.face, problem.other, problem.position, 2.0 * radius);
             if (!(moved > 0.0)) return std::nullopt;
             return repair(fmt::format("Close the {} gap between {} and {}", size_text(moved),
                                       thing_text(names, problem.face), thing_text(names, problem.other)),
-                          std::move(changed), problem.location, moved / radius);
+                          std::move(changed), problem.position, moved / radius);
         }
         case ProblemKind::flipped: {
             Mesh changed = mesh;
             flip_face(changed, problem.face);
-            return repair("Flip " + thing_text(names, problem.face), std::move(changed), problem.location,
+            return repair("Flip " + thing_text(names, problem.face), std::move(changed), problem.position,
                           0.1);
         }
         case ProblemKind::step_limit: {
@@ -91,7 +91,7 @@ std::optional<Cure> repair_of(const Level& level, const Problem& problem, const 
             if (!(height > 0.0)) return std::nullopt;
             return repair(
                 fmt::format("Flatten the {} step of {}", size_text(height), thing_text(names, problem.face)),
-                std::move(changed), problem.location, height / radius);
+                std::move(changed), problem.position, height / radius);
         }
         default:
             return std::nullopt;
@@ -105,7 +105,7 @@ std::vector<Cure> repairs_at(const Level& level, const Stop& stop) {
     const Loss& loss = stop.loss;
     if (!level.mesh || loss.face == no_id || loss.cause == StopCause::platform) return cures;
     const double body = level.movement.radii.maxCoeff();
-    std::optional<Part> part = part_around(level, loss.location, looked_at * body);
+    std::optional<Part> part = part_around(level, loss.position, looked_at * body);
     if (!part) return cures;
     const DoctorReport report = examine(part->level);
     const StoryNames names(level);
@@ -113,7 +113,7 @@ std::vector<Cure> repairs_at(const Level& level, const Stop& stop) {
         if (problem.face == no_id) continue;
         problem.face = part->face[problem.face];
         if (problem.other != no_id) problem.other = part->face[problem.other];
-        const double far = (problem.location - loss.location).norm();
+        const double far = (problem.position - loss.position).norm();
         const bool at_stop = problem.face == loss.face || problem.other == loss.face || far < 2.0 * body;
         // Who fell out of the level was stopped by nothing: what was left open lies where the fall began.
         if (!at_stop && !(loss.cause == StopCause::fall && far < looked_at * body)) continue;

@@ -216,6 +216,7 @@ std::string audit_to_json(const AuditReport& report) {
     json["hazards"] = report.hazards;
     json["crushed"] = report.crushed;
     json["left"] = report.left;
+    json["falls"] = report.falls;
     for (std::size_t kind = 0; kind < finding_kind_count; ++kind)
         json[std::string("count_") + info_of(static_cast<FindingKind>(kind)).name] = report.counts[kind];
     json["hash"] = hex(report.hash);
@@ -264,6 +265,7 @@ Result<AuditReport> audit_from_json(std::string_view text, const std::string& lo
     report.hazards = reader.number<std::uint64_t>("hazards");
     report.crushed = reader.number<std::uint64_t>("crushed");
     report.left = reader.number<std::uint64_t>("left");
+    report.falls = reader.number<std::uint64_t>("falls");
     for (std::size_t kind = 0; kind < finding_kind_count; ++kind) {
         const std::string key = std::string("count_") + info_of(static_cast<FindingKind>(kind)).name;
         report.counts[kind] = reader.number<std::uint64_t>(key.c_str());
@@ -305,6 +307,7 @@ Result<AuditReport> merge_audits(const std::vector<AuditPart>& parts) {
         whole.hazards += report.hazards;
         whole.crushed += report.crushed;
         whole.left += report.left;
+        whole.falls += report.falls;
         whole.hash += report.hash;
         for (std::size_t kind = 0; kind < whole.counts.size(); ++kind)
             whole.counts[kind] += report.counts[kind];

@@ -275,7 +275,12 @@ bool AuditRun::tick(const AuditTick& now, std::vector<FaceHeat>* heat) {
     if (left && arena_->closed && exit_ && !found_[static_cast<std::size_t>(FindingKind::passed_through)])
         find(*exit_);
     if (left) {
-        if (!arena_->closed) ++left_;
+        // A fall limit may lie inside the level; a walker below it has left nothing.
+        if (result.respawn == Respawn::fall && !exit_) {
+            ++falls_;
+        } else if (!arena_->closed) {
+            ++left_;
+        }
         hash_ = hash_with(hash_, life_hash_);
         begin_life();
     }
@@ -292,6 +297,7 @@ void AuditRun::add_to(AuditReport& report) const {
     report.hazards += hazards_;
     report.crushed += crushed_;
     report.left += left_;
+    report.falls += falls_;
     report.hash += hash_with(hash_, life_hash_);
     const auto first = static_cast<std::ptrdiff_t>(report.findings.size());
     for (const AuditFinding& finding : findings_) {

@@ -101,7 +101,7 @@ class AuditRun {
     FaceId last_ground_ = no_id;
     RecentFaces touched_;
 
-    std::uint64_t steps_ = 0, lives_ = 0, hazards_ = 0, crushed_ = 0, left_ = 0, hash_ = 0;
+    std::uint64_t steps_ = 0, lives_ = 0, hazards_ = 0, crushed_ = 0, left_ = 0, falls_ = 0, hash_ = 0;
     std::vector<AuditFinding> findings_;
 };
 

@@ -19,8 +19,8 @@ constexpr int switch_on = 0, fitting = 1, other_choice = 2, switch_off = 3, othe
 // A number changed by more than this fraction is as blunt as a switch thrown off.
 constexpr double much = 0.5;
 
-// A number that may be the cure: how far it is tried, as a factor of its value or as a value, and the steps in
-// which it is shown.
+// A number that may be the cure: how far it is tried, as a factor of its value or as a value, and the steps
+// in which it is shown.
 struct NumberRow {
     const char* name;
     const char* also;       // a second setting that gets the same value, or empty

@@ -173,6 +173,34 @@ TEST(Audit, LeavingAnOpenLevelIsCountedButNoFinding) {
     EXPECT_TRUE(report.clean());
 }
 
+// A shelf of 4 x 4 m, 2 m up in the closed box; the fall limit lies between it and the floor.
+TEST(Audit, FallingBelowALimitInsideAClosedLevelIsCountedButNoFinding) {
+    Level level = box_level();
+    PolygonSoup soup;
+    for (const std::uint32_t first : level.mesh->face_first_corner)
+        soup.face_first_corner.push_back(first);
+    for (std::uint32_t corner = 0; corner < level.mesh->corner_vertex.size(); ++corner)
+        soup.corner_position.push_back(level.mesh->corner_position(corner));
+    for (const Vec3f& corner : {Vec3f(-2, 2, 2), Vec3f(2, 2, 2), Vec3f(2, 2, -2), Vec3f(-2, 2, -2)})
+        soup.corner_position.push_back(corner);
+    soup.face_first_corner.push_back(static_cast<std::uint32_t>(soup.corner_position.size()));
+    level.mesh = build_mesh(std::move(soup)).value();
+    level.overrides.resize(level.mesh->face_count());
+    level.spawn = {0.0, 2.95, 0.0};
+    AuditOptions options = short_audit();
+    options.duration_s = 20.0;
+    EXPECT_EQ(run_audit(level, options).value().falls, 0u);
+    level.fall_limit = 1.5;
+    const AuditReport report = run_audit(level, options).value();
+    EXPECT_TRUE(report.closed);
+    EXPECT_TRUE(report.clean());
+    EXPECT_GT(report.falls, 0u);
+    EXPECT_EQ(report.left, 0u);
+    EXPECT_EQ(report.lives, options.walkers + report.falls);
+    const AuditReport read = audit_from_json(audit_to_json(report), "audit.json").value();
+    EXPECT_EQ(read.falls, report.falls);
+}
+
 TEST(Audit, AWalkerWhoIsAskedToMoveAndDoesNotIsStuck) {
     AuditOptions options = short_audit();
     options.speeds = {1e-4};  // asked for a direction with free way ahead, moves 0.2 mm in 2 s

@@ -94,6 +94,7 @@ struct AuditReport {
     std::uint64_t hazards = 0;
     std::uint64_t crushed = 0;  // times a platform trapped a walker (PlayerState::trapped)
     std::uint64_t left = 0;     // lives that ended by leaving a level that is not closed
+    std::uint64_t falls = 0;    // lives that ended below the fall limit, but inside the level
     std::array<std::uint64_t, finding_kind_count> counts{};  // [FindingKind]; a life counts once per kind
     std::uint64_t hash = 0;              // sum over walkers of a hash of the end hashes of their lives
     std::vector<AuditFinding> findings;  // by walker, life, tick; the first of each kind in each life

@@ -16,7 +16,7 @@ struct Cure {
     FaceId face = no_id;                // the face to paint, or no_id
     SurfaceType type;                   // for that face; added to the level unless it has an equal one
     MeshPtr mesh;                       // the level's mesh repaired: the same faces, other corners; or null
-    Vec3 location = Vec3::Zero();       // of a repair
+    Vec3 position = Vec3::Zero();       // of a repair
 
     double gained_m = 0.0;  // additional motion towards the stick or up a ladder, until the trial ends
     bool passes = false;    // regains at least half of the lost motion, and the player is not sent back
