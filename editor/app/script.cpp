@@ -10,6 +10,7 @@
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
 #include "tools/audit_job.h"
+#include "tools/reach_job.h"
 #include "tools/review.h"
 
 namespace slipface {
@@ -159,17 +160,17 @@ void verb_wait(ScriptContext& context, const Words& words) {
         context.host.frame();
 }
 
-// Runs and audits work frame by frame or in threads.
+// Runs, audits and searches work frame by frame or in threads.
 void verb_finish(ScriptContext& context, const Words&) {
     constexpr int max_frames = 20000;
     for (int i = 0; i < max_frames; ++i) {
         context.host.frame();
         const Editor& editor = context.editor();
-        const bool auditing = editor.audit && editor.audit->running();
+        const bool auditing = (editor.audit && editor.audit->running()) || reach_runs(editor);
         if (!auditing && (!editor.lab.has_tape() || editor.lab.complete())) return;
         if (auditing) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    context.fail("the audit did not end");
+    context.fail("the audit or the search did not end");
 }
 
 void verb_screenshot(ScriptContext& context, const Words& words) {
@@ -239,7 +240,8 @@ constexpr ScriptVerb verbs[] = {
     {"autosave", "", "Writes the next autosave now", 0, 0, verb_autosave},
     {"crash", "", "Ends as in a crash, leaving autosaves, and starts again", 0, 0, verb_crash},
     {"say", "\"text\"", "Prints a line to standard output", 1, 1, verb_say},
-    {"finish", "", "Lets frames pass until the lab's runs are complete and no audit runs", 0, 0, verb_finish},
+    {"finish", "", "Lets frames pass until the lab's runs are complete and no audit or search runs", 0, 0,
+     verb_finish},
     {"park_mouse", "", "Moves the mouse out of the window", 0, 0, verb_park},
     {"screenshot", "PATH", "Writes a PNG of the window once it no longer changes", 1, 1, verb_screenshot},
     {"expect", "WHAT ...", "Fails the script unless a condition holds; see below", 1, 4, verb_expect},

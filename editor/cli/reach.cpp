@@ -62,7 +62,9 @@ void print_report(const ReachReport& report, double seconds, std::uint64_t steps
               fmt::format("{} faces, {} of {} walkable ones", report.reached.size(),
                           report.walkable.size() - report.unreached.size(), report.walkable.size()));
     print_row(out, "unreached", faces_text(report.unreached));
-    print_row(out, "traps", faces_text(report.traps));
+    print_row(out, "traps",
+              faces_text(report.traps) +
+                  (report.undecided > 0 ? fmt::format("; {} not known yet", report.undecided) : ""));
     print_row(out, "exits", fmt::format("{}", report.exits.size()));
     constexpr std::size_t max_exits = 8;
     for (std::size_t i = 0; i < std::min(max_exits, report.exits.size()); ++i) {
@@ -246,32 +248,39 @@ int diff(const std::string& a, const std::string& b, bool json) {
     const Result<std::string> first = read_file(a), second = read_file(b);
     if (!first) return bad_input(first.error());
     if (!second) return bad_input(second.error());
-    const Result<ReachDifference> difference = compare_reach(*first, a, *second, b);
-    if (!difference) return bad_input(difference.error());
+    const Result<ReachReport> before = parse_reach_report(*first, a), after = parse_reach_report(*second, b);
+    if (!before) return bad_input(before.error());
+    if (!after) return bad_input(after.error());
+    if (before->level_fingerprint != after->level_fingerprint)
+        return bad_input(
+            {b, fmt::format("found a search of the geometry {}, expected {} as in {}: faces have "
+                            "no numbers that outlive a change of the mesh",
+                            hash_text(after->level_fingerprint), hash_text(before->level_fingerprint), a)});
+    const ReachDifference difference = compare_reach(*before, *after);
     if (json) {
-        OutputJson out{{"gained_faces", difference->gained}, {"lost_faces", difference->lost}};
+        OutputJson out{{"gained_faces", difference.gained}, {"lost_faces", difference.lost}};
         out["slower_faces"] = OutputJson::array();
-        for (const auto& one : difference->slower)
+        for (const auto& one : difference.slower)
             out["slower_faces"].push_back(
                 {{"face", one.face}, {"before_s", one.before_s}, {"after_s", one.after_s}});
-        out["new_trap_faces"] = difference->new_traps;
-        out["goals_gained"] = difference->goals_gained;
-        out["goals_lost"] = difference->goals_lost;
-        out["settings"] = difference->settings;
+        out["new_trap_faces"] = difference.new_traps;
+        out["goals_gained"] = difference.goals_gained;
+        out["goals_lost"] = difference.goals_lost;
+        out["settings"] = difference.settings;
         print_json(std::cout, out);
     } else {
-        print_row(std::cout, "gained", faces_text(difference->gained));
-        print_row(std::cout, "lost", faces_text(difference->lost));
-        print_row(std::cout, "slower", fmt::format("{} faces", difference->slower.size()));
-        print_row(std::cout, "new traps", faces_text(difference->new_traps));
-        for (const std::string& goal : difference->goals_gained)
+        print_row(std::cout, "gained", faces_text(difference.gained));
+        print_row(std::cout, "lost", faces_text(difference.lost));
+        print_row(std::cout, "slower", fmt::format("{} faces", difference.slower.size()));
+        print_row(std::cout, "new traps", faces_text(difference.new_traps));
+        for (const std::string& goal : difference.goals_gained)
             print_row(std::cout, "goal gained", goal);
-        for (const std::string& goal : difference->goals_lost)
+        for (const std::string& goal : difference.goals_lost)
             print_row(std::cout, "goal lost", goal);
-        for (const std::string& setting : difference->settings)
+        for (const std::string& setting : difference.settings)
             print_row(std::cout, "setting", setting);
     }
-    const bool same = difference->gained.empty() && difference->lost.empty();
+    const bool same = difference.gained.empty() && difference.lost.empty();
     return same ? exit_fine : exit_check_failed;
 }
 

@@ -74,6 +74,7 @@ void ghosts_panel(Editor& editor);    // the lab's runs, and the route at other 
 void timeline_panel(Editor& editor);  // the lab's tape
 void plots_panel(Editor& editor);     // the lab's runs as curves
 void audit_panel(Editor& editor, FrameContext& frame);
+void reach_panel(Editor& editor, FrameContext& frame);
 
 // Calls the function above for `panel`.
 void draw_panel(PanelId panel, Editor& editor, FrameContext& frame);

@@ -1,13 +1,15 @@
-// The audit's heat map and the reach of jumps, in the view.
+// The audit's heat map, the map of what is reached, and the reach of jumps, in the view.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "panels/viewport_panel.h"
 #include "slipface/sim/reach.h"
 #include "tools/audit_job.h"
+#include "tools/reach_job.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 
@@ -19,6 +21,7 @@ constexpr Color running_color{0.34f, 0.71f, 0.91f, 1.0f};
 constexpr Color tapped_color{0.00f, 0.76f, 0.58f, 1.0f};
 constexpr Color standing_color{0.80f, 0.47f, 0.65f, 1.0f};
 constexpr Color coyote_color{0.945f, 0.690f, 0.330f, 1.0f};
+constexpr Color wrong_color{0.937f, 0.400f, 0.361f, 1.0f};
 
 // Violet for small values, orange, yellow for the largest: dark to light, so that it is readable without
 // colour.
@@ -86,12 +89,7 @@ void ring(Overlay& overlay, const Vec3& centre, double radius, Color color) {
     }
 }
 
-}  // namespace
-
-void add_heat(Overlay& overlay, const Editor& editor) {
-    if (!editor.audit || !editor.audit->show_heat || !editor.audit->report()) return;
-    const std::vector<float>& heat = editor.audit->heat(*editor.document, editor.audit->kind);
-    const Mesh& mesh = editor.document->mesh();
+void add_face_heat(Overlay& overlay, const Mesh& mesh, const std::vector<float>& heat) {
     if (heat.size() != mesh.face_count()) return;
     std::size_t drawn = 0;
     for (FaceId face = 0; face < heat.size() && drawn < max_heat_triangles; ++face) {
@@ -105,12 +103,16 @@ void add_heat(Overlay& overlay, const Editor& editor) {
             overlay.triangle(corners[0], corners[1], corners[2], heat_color(heat[face]));
         }
     }
-    if (!editor.audit->opened) return;
-    const AuditFinding& finding = editor.audit->report()->findings[*editor.audit->opened];
-    overlay.cross(finding.position, 0.4, {0.937f, 0.400f, 0.361f, 1.0f}, 4.0f);
 }
 
-float draw_heat_bar(ImDrawList& draw, const ImVec2& corner, float width, const AuditJob& job) {
+bool shows_reach_map(const Editor& editor) {
+    return editor.reach && editor.reach->show && editor.reach->report() &&
+           editor.reach->fits(*editor.document);
+}
+
+// "0", the middle of the colours, and the most; `text_of` a fraction of the strip.
+float heat_bar(ImDrawList& draw, const ImVec2& corner, float width,
+               const std::function<std::string(float)>& text_of) {
     const float scale = ui::scale(), bar = 10 * scale, gap = 3 * scale;
     const auto at = [&](float fraction) { return corner.x + width * fraction; };
     const ImU32 ink = ImGui::GetColorU32(ui::palette().muted);
@@ -124,8 +126,7 @@ float draw_heat_bar(ImDrawList& draw, const ImVec2& corner, float width, const A
     // Labels: "0", a quarter of the maximum in the middle of the colours, and the maximum.
     float free_until = corner.x + width;
     for (const float fraction : {1.0f, 0.0f, 0.5f}) {
-        const std::string text =
-            fraction == 0.0f ? std::string("0") : heat_text(job.kind, job.value_at(job.kind, fraction));
+        const std::string text = fraction == 0.0f ? std::string("0") : text_of(fraction);
         const float size = ImGui::CalcTextSize(text.c_str()).x, left = at(fraction) - fraction * size;
         if (fraction == 0.5f && left + size + gap > free_until) continue;
         if (fraction == 1.0f) free_until = left;
@@ -134,25 +135,69 @@ float draw_heat_bar(ImDrawList& draw, const ImVec2& corner, float width, const A
     return bar + gap + ImGui::GetTextLineHeight();
 }
 
-void heat_legend(const Editor& editor, const ViewportState& state) {
-    if (!editor.audit || !editor.audit->show_heat || !editor.audit->report() || editor.playtest) return;
-    const AuditJob& job = *editor.audit;
-    if (!job.fits(*editor.document) || job.kind == HeatKind::unreached || !(job.worst(job.kind) > 0.0))
-        return;
+// In the view's lower right corner; the legend of the types has the other one.
+void legend_card(const ViewportState& state, const char* title,
+                 const std::function<void(ImDrawList&, const ImVec2&, float)>& bar) {
     const float scale = ui::scale(), pad = 8 * scale, width = 320 * scale;
     if (state.size.x < 640 * scale)
         return;  // no room next to the legend of the types; the panel shows the bar, too
     const float height = 2 * ImGui::GetTextLineHeight() + 17 * scale;
-    // The legend of the types has the other corner.
     const ImVec2 corner(state.min.x + state.size.x - width - 3 * pad,
                         state.min.y + state.size.y - height - 3 * pad);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled(corner, {corner.x + width + 2 * pad, corner.y + height + 2 * pad},
                        ImGui::GetColorU32(ui::with_alpha(ui::palette().raised, 0.92f)), 4 * scale);
-    const auto kind = static_cast<std::size_t>(job.kind);
-    draw.AddText({corner.x + pad, corner.y + pad}, ImGui::GetColorU32(ui::palette().text), heat_names[kind]);
-    draw_heat_bar(draw, {corner.x + pad, corner.y + pad + ImGui::GetTextLineHeight() + 4 * scale}, width,
-                  job);
+    draw.AddText({corner.x + pad, corner.y + pad}, ImGui::GetColorU32(ui::palette().text), title);
+    bar(draw, {corner.x + pad, corner.y + pad + ImGui::GetTextLineHeight() + 4 * scale}, width);
+}
+
+}  // namespace
+
+void add_heat(Overlay& overlay, const Editor& editor) {
+    if (shows_reach_map(editor)) {
+        add_face_heat(overlay, editor.document->mesh(), editor.reach->heat());
+        for (const ReachReport::Exit& exit : editor.reach->report()->exits)
+            overlay.cross(exit.hole, 0.4, wrong_color, 3.0f);
+    }
+    if (editor.layout.shown(PanelId::reach))
+        for (const Goal& goal : editor.document->level().goals)
+            ring(overlay, goal.position, goal.radius,
+                 goal.kind == GoalKind::never ? wrong_color : running_color);
+    if (!editor.audit || !editor.audit->show_heat || !editor.audit->report()) return;
+    add_face_heat(overlay, editor.document->mesh(), editor.audit->heat(*editor.document, editor.audit->kind));
+    if (!editor.audit->opened) return;
+    const AuditFinding& finding = editor.audit->report()->findings[*editor.audit->opened];
+    overlay.cross(finding.position, 0.4, wrong_color, 4.0f);
+}
+
+float draw_heat_bar(ImDrawList& draw, const ImVec2& corner, float width, const AuditJob& job) {
+    // A quarter of the most stands where half of the colours lie.
+    return heat_bar(draw, corner, width,
+                    [&](float fraction) { return heat_text(job.kind, job.value_at(job.kind, fraction)); });
+}
+
+float draw_heat_bar(ImDrawList& draw, const ImVec2& corner, float width, const ReachJob& job) {
+    return heat_bar(draw, corner, width, [&](float fraction) {
+        return fmt::format("{:.1f} s", static_cast<double>(fraction * fraction) * job.slowest_s());
+    });
+}
+
+void heat_legend(const Editor& editor, const ViewportState& state) {
+    if (editor.playtest) return;
+    if (shows_reach_map(editor) && editor.reach->view == ReachView::time) {
+        legend_card(state, reach_view_names[0], [&](ImDrawList& draw, const ImVec2& corner, float width) {
+            draw_heat_bar(draw, corner, width, *editor.reach);
+        });
+        return;
+    }
+    if (!editor.audit || !editor.audit->show_heat || !editor.audit->report()) return;
+    const AuditJob& job = *editor.audit;
+    if (!job.fits(*editor.document) || job.kind == HeatKind::unreached || !(job.worst(job.kind) > 0.0))
+        return;
+    legend_card(state, heat_names[static_cast<std::size_t>(job.kind)],
+                [&](ImDrawList& draw, const ImVec2& corner, float width) {
+                    draw_heat_bar(draw, corner, width, job);
+                });
 }
 
 void add_reach(Overlay& overlay, const Editor& editor) {

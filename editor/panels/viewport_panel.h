@@ -26,6 +26,9 @@ enum class Gesture {
     drag_probe_start
 };
 
+class AuditJob;
+class ReachJob;
+
 struct ViewportState {
     Gesture gesture = Gesture::none;
     const Document* document = nullptr;  // the document in which the gesture began
@@ -59,10 +62,11 @@ void viewport_gestures(Editor& editor, FrameContext& frame, ViewportState& state
 Overlay viewport_overlay(const Editor& editor, const Camera& camera, double height);  // of the view, pixels
 void playtest_frame(Editor& editor, FrameContext& frame);                             // advances it
 void add_lab(Overlay& overlay, const Editor& editor);   // ribbons, ghosts, the highlighted record
-void add_heat(Overlay& overlay, const Editor& editor);  // the audit's heat map
+void add_heat(Overlay& overlay, const Editor& editor);  // the audit's heat map, or the times to reach a face
 void heat_legend(const Editor& editor, const ViewportState& state);
 // A bar with the heat map's colours and their values, `width` pixels wide; returns its height.
 float draw_heat_bar(ImDrawList& draw, const ImVec2& corner, float width, const AuditJob& job);
+float draw_heat_bar(ImDrawList& draw, const ImVec2& corner, float width, const ReachJob& job);
 void add_reach(Overlay& overlay, const Editor& editor);  // jump arcs and stopping distance
 void reach_labels(const Editor& editor, const ViewportState& state);
 // A text plate over a position in the level.

@@ -3,6 +3,7 @@
 #include "tools/command_rows.h"
 #include "tools/icons.h"
 #include "tools/lab_actions.h"
+#include "tools/reach_job.h"
 
 namespace slipface {
 
@@ -199,6 +200,57 @@ std::vector<Command> lab_commands() {
          has_audit,
          nullptr,
          clear_audit},
+        {"reach.run",
+         icons::map,
+         "Search reach",
+         "Lab",
+         "Search for all that the player can reach from the spawn, and how",
+         "reachable navigation where jump get to",
+         {},
+         reach_can_start,
+         nullptr,
+         run_reach},
+        {"reach.cancel",
+         icons::stop,
+         "Cancel search",
+         "Lab",
+         "End the search; what it found until then is shown",
+         "stop reach",
+         {},
+         reach_runs,
+         nullptr,
+         cancel_reach},
+        {"reach.clear",
+         icons::trash,
+         "Clear reach",
+         "Lab",
+         "Take the colours and the lists of the search away",
+         "remove",
+         {},
+         has_reach,
+         nullptr,
+         clear_reach},
+        {"reach.way",
+         icons::ghost,
+         "Show the way",
+         "Lab",
+         "Open the fastest way found to the selected face, or the attempt that came nearest, as a tape",
+         "how get there ghost reach proof",
+         {},
+         can_show_way,
+         nullptr,
+         show_way},
+        {"reach.add_goal",
+         icons::flag,
+         "Add goal",
+         "Lab",
+         "Put a goal on the face in the middle of the view: a position to reach, checked by slipface reach "
+         "--check",
+         "reach never within test",
+         {},
+         has_document,
+         nullptr,
+         add_goal},
     };
 }
 

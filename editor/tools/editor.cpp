@@ -78,6 +78,7 @@ void adopt_document(Editor& editor, std::unique_ptr<Document> opened, const std:
     editor.live_edit = false;
     editor.lab.close();
     editor.audit.reset();
+    editor.reach.reset();
     editor.document = std::move(opened);
     editor.recent.add(path);
     geometry_changed(editor);

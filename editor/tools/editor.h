@@ -117,6 +117,7 @@ struct Editor {
     CureJob cures;                          // of the stop at the lab's cursor
     std::vector<KeptTape> kept_tapes;       // newest last; each returns when its level is opened
     std::shared_ptr<class AuditJob> audit;  // of random walkers: running, or with results
+    std::shared_ptr<class ReachJob> reach;  // the search for what can be reached: running, or with results
 
     // Open windows.
     PanelLayout layout;

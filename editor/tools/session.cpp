@@ -8,6 +8,7 @@
 #include "tools/commands.h"
 #include "tools/editor.h"
 #include "tools/lab_actions.h"
+#include "tools/reach_job.h"
 
 namespace slipface {
 namespace {
@@ -159,8 +160,9 @@ double tick_session(Editor& editor, double now_s, bool& shown_changed) {
         session.problem.reset();
         shown_changed = true;
     }
+    tick_reach(editor);
     double wait = watch_interval_s;
-    if (session.loading || session.doctor) {
+    if (session.loading || session.doctor || reach_runs(editor)) {
         wait = 0.1;
         shown_changed = true;  // the bar moves
     }

@@ -139,7 +139,7 @@ std::optional<ReachSearch::Miss> ReachSearch::Impl::nearest_miss(
     if (nodes.empty()) return std::nullopt;
     std::vector<Best> best(nodes.size());
     parallel_for(nodes.size(), 1, [&](std::size_t begin, std::size_t end) {
-        const Lease lease(*this);
+        Lease lease(*this);
         for (std::size_t i = begin; i < end; ++i) {
             Best& mine = best[i];
             mine.distance_m = distance(scene.to_level(archive.nodes[nodes[i]].state));
@@ -155,7 +155,7 @@ std::optional<ReachSearch::Miss> ReachSearch::Impl::nearest_miss(
                 mine = {metres, held, {presses.begin(), presses.end()}};
             };
             Harvest ignored;
-            roll_out(world, lease.scene(), known(), nodes[i], 0, miss_visits, ignored, &watch);
+            roll_out(world, lease.scenes(), known(), nodes[i], 0, miss_visits, ignored, &watch);
         }
     });
     std::size_t nearest = 0;

@@ -6,7 +6,7 @@ namespace slipface {
 namespace {
 
 constexpr std::uint64_t upper_half = 0xffffffff00000000ULL;
-constexpr std::size_t most_edges_per_node = 8;
+constexpr std::size_t most_edges_per_node = 32;
 
 }  // namespace
 
@@ -76,7 +76,8 @@ void ReachArchive::add_edge(NodeId from, NodeId to) {
     if (nodes[from].returns || from == to) return;
     if (nodes[to].returns) return mark_returning(from);
     std::size_t count = 0;
-    for (std::uint32_t at = first_edge[to]; at != no_id; at = edges[at].next)
+    const bool same_cell = nodes[from].cell == nodes[to].cell;
+    for (std::uint32_t at = first_edge[to]; at != no_id && !same_cell; at = edges[at].next)
         if (edges[at].from == from || ++count >= most_edges_per_node) return;
     edges.push_back({from, first_edge[to]});
     first_edge[to] = static_cast<std::uint32_t>(edges.size() - 1);

@@ -45,7 +45,12 @@ struct ReachSearch::Impl {
     std::vector<std::vector<NodeId>> queue;  // [cost] nodes to roll out from, the first ones first
     std::vector<std::size_t> queue_begin;    // [cost] of them that were taken
     mutable std::mutex mutex;
-    mutable std::vector<std::unique_ptr<LevelScene>> spare;
+    struct OwnScenes {  // what a thread needs of a level that moves
+        explicit OwnScenes(LevelScene own, double dt) : level(std::move(own)), scenes(level, dt) {}
+        LevelScene level;
+        TickScenes scenes;
+    };
+    mutable std::vector<std::unique_ptr<OwnScenes>> spare;
 };
 
 // Lives as long as the thread works on it.
@@ -55,12 +60,12 @@ class ReachSearch::Impl::Lease {
     ~Lease();
     Lease(const Lease&) = delete;
     Lease& operator=(const Lease&) = delete;
-    const TickScene& scene() const { return *tick_scene_; }
+    TickScenes& scenes() { return own_->scenes; }
+    const TickScene& scene() const { return own_->scenes.still(); }
 
   private:
     const Impl& impl_;
-    std::unique_ptr<LevelScene> own_;
-    std::optional<TickScene> tick_scene_;
+    std::unique_ptr<OwnScenes> own_;
 };
 
 }  // namespace slipface

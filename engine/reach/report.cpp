@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -24,45 +26,28 @@ double seconds(std::uint32_t tick, const ReachSearch& search) {
     return tick * search.options().dt;
 }
 
-// What compare_reach needs of a report.
-struct Compared {
-    std::string fingerprint;
-    std::map<FaceId, double> times;
-    std::set<std::string> settings, goals;
-    std::set<FaceId> traps;
-};
+// Walks in the main directions and jumps at edges and walls; in the air, all directions to steer in.
+constexpr std::uint32_t tried_visits = 24, tried_visits_in_air = 8;
 
-Result<Compared> read_compared(std::string_view text, const std::string& location) {
-    const Error no_report{location,
-                          "found no report of a search, expected what `slipface reach --json` prints "
-                          "or `--out` writes"};
-    if (text.starts_with("slipface-reach ")) {
-        const std::size_t first = std::min(text.find('\n'), text.size() - 1) + 1;
-        text = text.substr(first, text.find('\n', first) - first);
+// From which cells that were hardly tried can be come to: [node] whether it may still turn out to return.
+std::vector<bool> nodes_with_open_ends(const ReachArchive& archive) {
+    std::vector<bool> open(archive.nodes.size());
+    std::vector<NodeId> next;
+    for (NodeId node = 0; node < archive.nodes.size(); ++node) {
+        const ReachNode& one = archive.nodes[node];
+        const std::uint32_t tried = is_held(one.state) ? tried_visits : tried_visits_in_air;
+        if (one.is_cell && !one.superseded && !one.returns && one.visits < tried) next.push_back(node);
     }
-    const Json json = Json::parse(text, nullptr, false);
-    if (!json.is_object() || !json.contains("slipface_reach")) return no_report;
-    Compared result;
-    try {
-        result.fingerprint = json.at("geometry").get<std::string>();
-        const auto faces = json.at("reached_faces").get<std::vector<FaceId>>();
-        const auto times = json.at("times_s").get<std::vector<double>>();
-        if (faces.size() != times.size())
-            return Error{location + ":/times_s", fmt::format("found {} times, expected {}: one for each of "
-                                                             "reached_faces",
-                                                             times.size(), faces.size())};
-        for (std::size_t i = 0; i < faces.size(); ++i)
-            result.times[faces[i]] = times[i];
-        for (const Json& one : json.at("settings"))
-            result.settings.insert(one.get<std::string>());
-        for (const Json& one : json.at("goals"))
-            if (one.at("reached").get<bool>()) result.goals.insert(one.at("name").get<std::string>());
-        for (const Json& one : json.at("trap_faces"))
-            result.traps.insert(one.get<FaceId>());
-    } catch (const nlohmann::json::exception& error) {
-        return Error{location, fmt::format("found a damaged report: {}", error.what())};
+    while (!next.empty()) {
+        const NodeId node = next.back();
+        next.pop_back();
+        if (open[node] || archive.nodes[node].returns) continue;
+        open[node] = true;
+        if (archive.nodes[node].parent != no_id) next.push_back(archive.nodes[node].parent);
+        for (std::uint32_t at = archive.first_edge[node]; at != no_id; at = archive.edges[at].next)
+            next.push_back(archive.edges[at].from);
     }
-    return result;
+    return open;
 }
 
 }  // namespace
@@ -81,14 +66,21 @@ ReachReport make_reach_report(const ReachSearch& search) {
     const std::vector<Reached>& faces = search.faces();
     for (FaceId face = 0; face < faces.size(); ++face)
         if (faces[face].found()) report.reached.push_back({face, seconds(faces[face].tick, search)});
-    std::vector<bool> returns(faces.size());
-    for (const ReachNode& node : archive.nodes)
-        if (node.returns && is_held(node.state) && node.state.ground_face < faces.size())
-            returns[node.state.ground_face] = true;
+    const std::vector<bool> open = nodes_with_open_ends(archive);
+    std::vector<bool> returns(faces.size()), undecided(faces.size());
+    for (NodeId node = 0; node < archive.nodes.size(); ++node) {
+        const ReachNode& one = archive.nodes[node];
+        if (!is_held(one.state) || one.state.ground_face >= faces.size()) continue;
+        if (one.returns) returns[one.state.ground_face] = true;
+        if (open[node]) undecided[one.state.ground_face] = true;
+    }
     for (const FaceId face : report.walkable)
         if (!faces[face].found()) report.unreached.push_back(face);
     for (const ReachReport::Face& one : report.reached)
-        if (!returns[one.face]) report.traps.push_back(one.face);
+        if (!returns[one.face] && undecided[one.face])
+            ++report.undecided;
+        else if (!returns[one.face])
+            report.traps.push_back(one.face);
     for (const ReachExit& exit : search.exits())
         report.exits.push_back({exit.from, exit.hole, exit.face, seconds(exit.tick, search), exit.times});
     std::stable_sort(report.exits.begin(), report.exits.end(),
@@ -129,6 +121,7 @@ std::string reach_to_json(const ReachReport& report, bool indent) {
     json["times_s"] = std::move(times);
     json["unreached_walkable_faces"] = report.unreached;
     json["trap_faces"] = report.traps;
+    json["undecided_faces"] = report.undecided;
     json["exits"] = Json::array();
     for (const ReachReport::Exit& exit : report.exits) {
         Json one = {{"hole", vector_json(exit.hole)}, {"from", vector_json(exit.from)}};
@@ -162,39 +155,86 @@ std::string reach_to_json(const ReachReport& report, bool indent) {
     return json.dump(indent ? 2 : -1, ' ', false, Json::error_handler_t::replace);
 }
 
-Result<ReachDifference> compare_reach(std::string_view a, const std::string& place_a, std::string_view b,
-                                      const std::string& place_b) {
-    const Result<Compared> first = read_compared(a, place_a), second = read_compared(b, place_b);
-    if (!first) return first.error();
-    if (!second) return second.error();
-    if (first->fingerprint != second->fingerprint)
-        return Error{place_b, fmt::format("found a search of the geometry {}, expected {} as in {}: faces "
-                                          "have no names that outlive a change of the mesh",
-                                          second->fingerprint, first->fingerprint, place_a)};
-    ReachDifference difference;
-    for (const auto& [face, time] : second->times) {
-        const auto before = first->times.find(face);
-        if (before == first->times.end())
-            difference.gained.push_back(face);
-        else if (time > 1.1 * before->second + 0.5)
-            difference.slower.push_back({face, before->second, time});
+Result<ReachReport> parse_reach_report(std::string_view text, const std::string& position) {
+    if (text.starts_with("slipface-reach ")) {
+        const std::size_t first = std::min(text.find('\n'), text.size() - 1) + 1;
+        text = text.substr(first, text.find('\n', first) - first);
     }
-    for (const auto& [face, time] : first->times)
-        if (!second->times.contains(face)) difference.lost.push_back(face);
+    const Json json = Json::parse(text, nullptr, false);
+    if (!json.is_object() || !json.contains("slipface_reach"))
+        return Error{position,
+                     "found no report of a search, expected what `slipface reach --json` prints or `--out` "
+                     "writes"};
+    ReachReport report;
+    try {
+        const auto geometry = json.at("geometry").get<std::string>();
+        const auto [rest, error] =
+            std::from_chars(geometry.data(), geometry.data() + geometry.size(), report.level_fingerprint, 16);
+        const auto faces = json.at("reached_faces").get<std::vector<FaceId>>();
+        const auto times = json.at("times_s").get<std::vector<double>>();
+        if (error != std::errc() || rest != geometry.data() + geometry.size())
+            return Error{position + ":/geometry", "found no fingerprint, expected 16 hexadecimal digits"};
+        if (faces.size() != times.size())
+            return Error{position + ":/times_s",
+                         fmt::format("found {} times, expected {}: one for each of reached_faces",
+                                     times.size(), faces.size())};
+        for (std::size_t i = 0; i < faces.size(); ++i)
+            report.reached.push_back({faces[i], times[i]});
+        report.settings = json.at("settings").get<std::vector<std::string>>();
+        report.traps = json.at("trap_faces").get<std::vector<FaceId>>();
+        for (const Json& one : json.at("goals")) {
+            ReachReport::NamedGoal& goal = report.goals.emplace_back();
+            goal.name = one.at("name").get<std::string>();
+            if (one.at("reached").get<bool>()) goal.time_s = one.at("time_s").get<double>();
+        }
+    } catch (const nlohmann::json::exception& error) {
+        return Error{position, fmt::format("found a damaged report: {}", error.what())};
+    }
+    return report;
+}
+
+ReachDifference compare_reach(const ReachReport& a, const ReachReport& b) {
+    ReachDifference difference;
+    const auto times_of = [](const ReachReport& report) {
+        std::map<FaceId, double> times;
+        for (const ReachReport::Face& one : report.reached)
+            times[one.face] = one.time_s;
+        return times;
+    };
+    const std::map<FaceId, double> before = times_of(a), after = times_of(b);
+    for (const auto& [face, time] : after) {
+        const auto known = before.find(face);
+        if (known == before.end())
+            difference.gained.push_back(face);
+        else if (time > 1.1 * known->second + 0.5)
+            difference.slower.push_back({face, known->second, time});
+    }
+    for (const auto& [face, time] : before)
+        if (!after.contains(face)) difference.lost.push_back(face);
     std::stable_sort(difference.slower.begin(), difference.slower.end(), [](const auto& x, const auto& y) {
         return x.after_s - x.before_s > y.after_s - y.before_s;
     });
-    const auto only = [](const std::set<std::string>& in, const std::set<std::string>& out, const char* form,
-                         std::vector<std::string>& to) {
-        for (const std::string& one : in)
-            if (!out.contains(one)) to.push_back(fmt::format(fmt::runtime(form), one));
+    const auto goals_of = [](const ReachReport& report) {
+        std::set<std::string> names;
+        for (const ReachReport::NamedGoal& goal : report.goals)
+            if (goal.time_s) names.insert(goal.name);
+        return names;
     };
-    only(second->settings, first->settings, "{}", difference.settings);
-    only(first->settings, second->settings, "({})", difference.settings);
-    only(second->goals, first->goals, "{}", difference.goals_gained);
-    only(first->goals, second->goals, "{}", difference.goals_lost);
-    for (const FaceId face : second->traps)
-        if (!first->traps.contains(face)) difference.new_traps.push_back(face);
+    const auto only = [](const auto& in, const auto& out, auto& to) {
+        std::set_difference(in.begin(), in.end(), out.begin(), out.end(), std::back_inserter(to));
+    };
+    const std::set<std::string> goals_a = goals_of(a), goals_b = goals_of(b);
+    only(goals_b, goals_a, difference.goals_gained);
+    only(goals_a, goals_b, difference.goals_lost);
+    const std::set<std::string> settings_a(a.settings.begin(), a.settings.end()),
+        settings_b(b.settings.begin(), b.settings.end());
+    only(settings_b, settings_a, difference.settings);
+    std::vector<std::string> gone;
+    only(settings_a, settings_b, gone);
+    for (const std::string& one : gone)
+        difference.settings.push_back("(" + one + ")");
+    const std::set<FaceId> traps_a(a.traps.begin(), a.traps.end()), traps_b(b.traps.begin(), b.traps.end());
+    only(traps_b, traps_a, difference.new_traps);
     return difference;
 }
 

@@ -50,12 +50,12 @@ std::uint64_t exit_spot(const Vec3& position) {
 
 class Roller {
   public:
-    Roller(const ReachWorld& world, const TickScene& scene, const ReachKnown& known, NodeId from,
+    Roller(const ReachWorld& world, TickScenes& scenes, const ReachKnown& known, NodeId from,
            Harvest& harvest, const TickWatcher* watcher)
         : world_(world),
           settings_(world.level->movement),
           dt_(world.options.dt),
-          scene_(scene),
+          scenes_(scenes),
           known_(known),
           from_(from),
           returns_(known.archive.nodes[from].returns),
@@ -69,14 +69,14 @@ class Roller {
         cursor.tick = node.tick;
         cursor.cell = node.cell;
         if (is_held(node.state)) cursor.face = node.state.ground_face;
-        cursor.held_at = position_in_scene(scene_.at(node.tick, dt_), node.state);
+        cursor.held_at = position_in_scene(scenes_.at(node.tick), node.state);
         return cursor;
     }
 
     // One tick. False when the roll-out is over: out of the level, killed, or too many inputs.
     bool tick(Cursor& cursor, std::uint8_t stick, bool jump) {
         if (!cursor.alive || !press(cursor, stick, jump)) return cursor.alive = false;
-        const MovementScene now = scene_.at(cursor.tick, dt_);
+        const MovementScene& now = scenes_.at(cursor.tick);
         const bool rose = cursor.state.velocity.y() > 0.0;
         const TickResult result =
             play_tick(now, settings_, cursor.state, input_of({1, stick, jump}), dt_, world_.start);
@@ -314,26 +314,26 @@ class Roller {
         PlayerState state = node.state;
         std::uint32_t tick = node.tick;
         ReachExit exit;
-        exit.from = exit.hole = scene_.to_level(state);
+        exit.from = exit.hole = scenes_.to_level(state);
         exit.face = is_held(state) ? state.ground_face : no_id;
         exit.tick = tick;
         exit.node = from_;
         bool over_nothing = false;
         for (std::uint8_t i = 0; i < out.count; ++i) {
             for (std::uint16_t k = 0; k < out.presses[i].ticks; ++k) {
-                const MovementScene now = scene_.at(tick, dt_);
+                const MovementScene& now = scenes_.at(tick);
                 const TickResult result =
                     play_tick(now, settings_, state, input_of(out.presses[i]), dt_, world_.start);
                 state = result.stepped;
                 ++tick;
                 const bool held = is_held(state);
                 if (held) {
-                    exit.from = scene_.to_level(state);
+                    exit.from = scenes_.to_level(state);
                     exit.face = state.ground_face;
                     over_nothing = false;
                 } else if (!over_nothing && is_over_nothing(now, state)) {
                     over_nothing = true;
-                    exit.hole = scene_.to_level(state);
+                    exit.hole = scenes_.to_level(state);
                     exit.tick = tick;
                 }
             }
@@ -354,7 +354,7 @@ class Roller {
     const ReachWorld& world_;
     const MovementSettings& settings_;
     double dt_;
-    const TickScene& scene_;
+    TickScenes& scenes_;
     const ReachKnown& known_;
     NodeId from_;
     bool returns_;
@@ -363,6 +363,23 @@ class Roller {
 };
 
 }  // namespace
+
+TickScenes::TickScenes(LevelScene& level, double dt) : level_(level), dt_(dt), still_(level) {
+    if (level.is_static())
+        always_.emplace(still_.at(0, dt));
+    else
+        kept_.resize(kept);
+}
+
+const MovementScene& TickScenes::at(std::uint32_t tick) {
+    if (always_) return *always_;
+    Kept& one = kept_[tick % kept];
+    if (one.tick == tick && one.scene) return *one.scene;
+    if (!one.level) one.level = std::make_unique<LevelScene>(level_.for_another_thread());
+    one.scene.emplace(one.level->at(tick * dt_, dt_));
+    one.tick = tick;
+    return *one.scene;
+}
 
 std::uint64_t ReachRandom::bits() {
     state_ += 0x9e3779b97f4a7c15ULL;
@@ -414,9 +431,9 @@ bool ReachWorld::is_home(const MovementScene& scene, const PlayerState& state) c
            Vec2(apart.x(), apart.z()).squaredNorm() < std::max(1.0, cell_m * cell_m);
 }
 
-void roll_out(const ReachWorld& world, const TickScene& scene, const ReachKnown& known, NodeId from,
+void roll_out(const ReachWorld& world, TickScenes& scenes, const ReachKnown& known, NodeId from,
               std::uint32_t first, std::uint32_t last, Harvest& harvest, const TickWatcher* watcher) {
-    Roller roller(world, scene, known, from, harvest, watcher);
+    Roller roller(world, scenes, known, from, harvest, watcher);
     for (std::uint32_t number = first; number < last; ++number)
         roller.visit(number);
 }

@@ -71,12 +71,35 @@ struct ReachKnown {
     const std::unordered_map<std::uint64_t, std::uint32_t>& exit_at;  // [ReachExit::spot]; never iterated
 };
 
+// The level at any tick, for one thread. Moving platforms costs more than a step, and roll-outs from one node
+// pass through the same ticks again and again: those are kept.
+class TickScenes {
+  public:
+    TickScenes(LevelScene& level, double dt);
+    const MovementScene& at(std::uint32_t tick);
+    Vec3 to_level(const PlayerState& state) const { return still_.to_level(state); }
+    const TickScene& still() const { return still_; }  // steps in order, without keeping any
+
+  private:
+    static constexpr std::size_t kept = 128;  // ticks: longer than most flights
+    struct Kept {
+        std::uint32_t tick = no_id;
+        std::unique_ptr<LevelScene> level;
+        std::optional<MovementScene> scene;
+    };
+    LevelScene& level_;
+    double dt_;
+    TickScene still_;
+    std::optional<MovementScene> always_;  // where nothing moves
+    std::vector<Kept> kept_;
+};
+
 // Sees every tick; for measuring.
 using TickWatcher = std::function<void(const MovementScene& scene, const PlayerState& state,
                                        std::span<const Press> presses, std::uint32_t tick)>;
 
 // Rolls out from `from`, its visits number `first` to `last` - 1. The same arguments give the same harvest.
-void roll_out(const ReachWorld& world, const TickScene& scene, const ReachKnown& known, NodeId from,
+void roll_out(const ReachWorld& world, TickScenes& scenes, const ReachKnown& known, NodeId from,
               std::uint32_t first, std::uint32_t last, Harvest& harvest,
               const TickWatcher* watcher = nullptr);
 

@@ -77,22 +77,16 @@ double cell_of(const Level& level, double wanted) {
 }  // namespace
 
 ReachSearch::Impl::Lease::Lease(const Impl& impl) : impl_(impl) {
-    if (impl.scene.is_static()) {
-        tick_scene_.emplace(impl.scene);
-        return;
-    }
     const std::scoped_lock lock(impl.mutex);
     if (impl.spare.empty()) {
-        own_ = std::make_unique<LevelScene>(impl.scene.for_another_thread());
-    } else {
-        own_ = std::move(impl.spare.back());
-        impl.spare.pop_back();
+        own_ = std::make_unique<OwnScenes>(impl.scene.for_another_thread(), impl.world.options.dt);
+        return;
     }
-    tick_scene_.emplace(*own_);
+    own_ = std::move(impl.spare.back());
+    impl.spare.pop_back();
 }
 
 ReachSearch::Impl::Lease::~Lease() {
-    if (!own_) return;
     const std::scoped_lock lock(impl_.mutex);
     impl_.spare.push_back(std::move(own_));
 }
@@ -233,9 +227,9 @@ void ReachSearch::Impl::round() {
         pick.last = pick.first + visits_per_pick * more;
     std::vector<Harvest> harvests(picks.size());
     parallel_for(picks.size(), 4, [&](std::size_t begin, std::size_t end) {
-        const Lease lease(*this);
+        Lease lease(*this);
         for (std::size_t i = begin; i < end; ++i)
-            roll_out(world, lease.scene(), known(), picks[i].node, picks[i].first, picks[i].last,
+            roll_out(world, lease.scenes(), known(), picks[i].node, picks[i].first, picks[i].last,
                      harvests[i]);
     });
     ReachRound& news = rounds.emplace_back();

@@ -116,6 +116,80 @@ TEST(Audit, WalksWithAPreset) {
     EXPECT_EQ(run_program(arguments + " --preset nothing").exit_code, 2);
 }
 
+// Two ledges with a gap of 3 m between them, then a step nobody can jump onto.
+const std::string ledges_obj =
+    "v -2 -1 4\nv 2 -1 4\nv 2 -1 0\nv -2 -1 0\nv -2 -1 -3\nv 2 -1 -3\nv 2 -1 -6\nv -2 -1 -6\n"
+    "v -2 5 -6\nv 2 5 -6\nv 2 5 -9\nv -2 5 -9\nf 1 2 3 4\nf 5 6 7 8\nf 9 10 11 12\n"
+    "f 8 7 10 9\n";
+
+TEST(Reach, ProvesItsYesAndSaysItsNo) {
+    const ScratchFolder folder;
+    const std::string level = folder.write("ledges.obj", ledges_obj);
+    folder.write("ledges.slipface.json",
+                 R"({"slipface": 1, "mesh": "ledges.obj", "spawn": {"position": [0, -0.05, 3]}})");
+    const std::string reach = "reach " + level + " --rounds 25", tape = (folder / "way.tape").string(),
+                      out = (folder / "search").string();
+    const ProgramRun one = run_program(reach + " --json --threads 1 --out " + out),
+                     two = run_program(reach + " --json --threads 2");
+    ASSERT_EQ(one.exit_code, 0) << one.output;
+    EXPECT_EQ(one.output, two.output);
+    const auto json = nlohmann::json::parse(without_warnings(one.output));
+    EXPECT_EQ(json.at("reached_faces"), nlohmann::json({0, 1}));
+    EXPECT_EQ(json.at("unreached_walkable_faces"), nlohmann::json({2}));
+    EXPECT_FALSE(json.at("exits").empty());
+
+    // The proof stands on the face that it was asked for.
+    const ProgramRun how =
+        run_program("reach " + level + " --resume " + out + " --how face:1 --tape " + tape);
+    ASSERT_EQ(how.exit_code, 0) << how.output;
+    const ProgramRun run = run_program("simulate " + level + " --tape " + tape + " --json");
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    EXPECT_EQ(nlohmann::json::parse(without_warnings(run.output)).at("final_state").at("ground_face"), 1);
+
+    const ProgramRun miss = run_program("reach " + level + " --resume " + out + " --how face:2 --json");
+    EXPECT_EQ(miss.exit_code, 1);
+    const auto no = nlohmann::json::parse(without_warnings(miss.output));
+    EXPECT_FALSE(no.at("reached"));
+    EXPECT_GT(no.at("short_m"), 1.0);
+
+    const std::string slow = (folder / "slow").string();
+    ASSERT_EQ(run_program(reach + " --set walk_speed=1 --out " + slow).exit_code, 0);
+    const ProgramRun diff = run_program("reach diff " + out + " " + slow + " --json");
+    EXPECT_EQ(diff.exit_code, 1);
+    EXPECT_EQ(nlohmann::json::parse(diff.output).at("lost_faces"), nlohmann::json({1}));
+}
+
+TEST(Reach, ChecksTheGoalsAndNamesTheSettingThatBreaksOne) {
+    const ScratchFolder folder;
+    const std::string level = folder.write("ledges.obj", ledges_obj);
+    folder.write("ledges.slipface.json",
+                 R"({"slipface": 1, "mesh": "ledges.obj", "spawn": {"position": [0, -0.05, 3]},
+                     "goals": [{"name": "over", "position": [0, 0, -4.5]},
+                               {"name": "roof", "kind": "never", "position": [0, 6, -7]}]})");
+    const std::string check = "reach " + level + " --rounds 25 --check";
+    const ProgramRun fine = run_program(check);
+    EXPECT_EQ(fine.exit_code, 0) << fine.output;
+    const ProgramRun broken = run_program(check + " --set walk_speed=1 --set gravity=21");
+    EXPECT_EQ(broken.exit_code, 1) << broken.output;
+    EXPECT_NE(broken.output.find("over: not reached"), std::string::npos) << broken.output;
+    EXPECT_NE(broken.output.find("holds with walk_speed=6\n"), std::string::npos) << broken.output;
+}
+
+TEST(Reach, RefusesWhatItCannotDo) {
+    const ScratchFolder folder;
+    const std::string level = folder.write("ledges.obj", ledges_obj);
+    const auto code = [&](const std::string& rest) { return run_program("reach " + rest).exit_code; };
+    EXPECT_EQ(code(""), 64);
+    EXPECT_EQ(code(level + " --rounds -1"), 64);
+    EXPECT_EQ(code(level + " --cell 0"), 64);
+    EXPECT_EQ(code(level + " --how nowhere"), 64);
+    EXPECT_EQ(code(level + " --rounds 1 --how face:4"), 2);
+    EXPECT_EQ(code(level + " --check"), 2);
+    EXPECT_EQ(code(level + " --resume " + folder.write("bad", "slipface-reach 1 x")), 2);
+    EXPECT_EQ(code("diff " + level + " " + level), 2);
+    EXPECT_EQ(code(level + " --rounds 1 --set walk_sped=1"), 2);
+}
+
 TEST(Demo, MakesTheFolderThatItWritesInto) {
     const ScratchFolder folder;
     const std::string out = (folder / "new/below").string();

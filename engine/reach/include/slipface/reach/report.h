@@ -23,7 +23,9 @@ struct ReachReport {
     std::vector<Face> reached;      // ascending by face
     std::vector<FaceId> walkable;   // ascending, as the next two
     std::vector<FaceId> unreached;  // walkable, and never stood on
-    std::vector<FaceId> traps;      // stood on, and the start was not reached again from there
+    std::vector<FaceId> traps;      // stood on, and no way from there leads back to the start
+    // Faces stood on of which that is not known yet: ways from there lead to cells that were hardly tried.
+    std::size_t undecided = 0;
     struct Exit {
         Vec3 from, hole;
         FaceId face = no_id;
@@ -60,9 +62,10 @@ struct ReachDifference {
     std::vector<std::string> goals_gained, goals_lost;
     std::vector<FaceId> new_traps;
 };
-// Of two texts: reports as JSON, or files of ReachSearch::store(). Errors name the place.
-Result<ReachDifference> compare_reach(std::string_view a, const std::string& place_a, std::string_view b,
-                                      const std::string& place_b);
+ReachDifference compare_reach(const ReachReport& a, const ReachReport& b);
+// What compare_reach() needs of a report, from its JSON or from a file of ReachSearch::store(). An error
+// names `place`.
+Result<ReachReport> parse_reach_report(std::string_view text, const std::string& position);
 
 // Whether a goal of the level holds, and what to say of it.
 struct GoalAnswer {
