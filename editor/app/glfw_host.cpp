@@ -12,6 +12,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "app/app.h"
 #include "app/glfw_keys.h"
@@ -32,10 +33,47 @@ void remember_error(int, const char* description) {
     last_error_text = description ? description : "";
 }
 
+// A key that is pressed and released between two frames counts as down in the frame that follows, or a slow
+// machine would lose what is typed. Dear ImGui queues such events by itself since 1.87.
+class ShortPresses {
+  public:
+    void press([[maybe_unused]] int key) {
+#if IMGUI_VERSION_NUM < 18700
+        if (key >= 0 && key <= GLFW_KEY_LAST) pressed_.push_back(key);
+#endif
+    }
+    void begin_frame() {
+#if IMGUI_VERSION_NUM < 18700
+        // What is still down needs no help.
+        std::erase_if(pressed_, [](int key) { return ImGui::GetIO().KeysDown[key]; });
+#endif
+        set(true);
+    }
+    void end_frame() {
+        set(false);
+        pressed_.clear();
+    }
+
+  private:
+    void set([[maybe_unused]] bool down) {
+#if IMGUI_VERSION_NUM < 18700
+        ImGuiIO& io = ImGui::GetIO();
+        for (const int key : pressed_)
+            io.KeysDown[key] = down;
+        const auto either = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
+        io.KeyCtrl = either(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+        io.KeyShift = either(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+        io.KeyAlt = either(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+#endif
+    }
+    std::vector<int> pressed_;  // since the last frame
+};
+
 struct Window {
     GLFWwindow* handle = nullptr;
     App* app = nullptr;
     int frames_due = frames_after_event;
+    ShortPresses short_presses;
     bool captured = false;
     bool has_cursor = false;
     double cursor_x = 0.0, cursor_y = 0.0;
@@ -59,6 +97,7 @@ void on_key(GLFWwindow* handle, int key, int scancode, int action, int mods) {
     if (bool* const flag = held_flag(held, key))
         *flag = action != GLFW_RELEASE && !typing && (mods & GLFW_MOD_CONTROL) == 0;
     if (action == GLFW_RELEASE) return;
+    window.short_presses.press(key);
     const Shortcut shortcut = shortcut_of(key, scancode, mods);
     if (!shortcut.key.empty()) window.app->key_pressed({shortcut});
 }
@@ -180,7 +219,9 @@ void run_loop(Window& window) {
         }
         if (app.editor().playtest) read_gamepad(app.context().held, gamepad_jump);
         ImGui_ImplGlfw_NewFrame();
+        window.short_presses.begin_frame();
         app.build_frame(width, height, seconds);
+        window.short_presses.end_frame();
         --window.frames_due;
         if (app.needs_drawing()) {
             app.draw_frame();
