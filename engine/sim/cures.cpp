@@ -236,6 +236,9 @@ struct CureSearch::Impl {
         change_level(nullptr);
         if (index >= found.size()) {
             std::stable_sort(found.begin(), found.end(), better);
+            // What helps a little is of use only where nothing else does.
+            if (!found.empty() && found.front().passes)
+                std::erase_if(found, [](const Cure& cure) { return !cure.passes; });
             phase = Phase::finished;
             trial.reset();
             return;

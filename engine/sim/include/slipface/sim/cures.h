@@ -43,7 +43,8 @@ class CureSearch {
     bool advance(std::size_t ticks);
     bool done() const;
     // Empty until done. Cures that pass come first, of these the ones without a cost on the tape, then the
-    // ones that change least, then those that gain most.
+    // ones that change least, then those that gain most. Cures that do not pass are
+    // listed only where none passes.
     const std::vector<Cure>& cures() const;
 
   private:
