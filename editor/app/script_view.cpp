@@ -6,28 +6,13 @@
 
 #include "app/script_context.h"
 #include "panels/viewport_panel.h"
+#include "slipface/base/near_name.h"
 #include "slipface/base/text.h"
 
 namespace slipface {
 namespace {
 
 constexpr std::size_t max_suggestions = 6;
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j)
-        row[j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t above = row[j];
-            row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0u : 1u)});
-            diagonal = above;
-        }
-    }
-    return row[b.size()];
-}
 
 struct Mouse {
     int button = 0;

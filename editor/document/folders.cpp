@@ -24,9 +24,6 @@ std::filesystem::path config_folder() {
 std::filesystem::path state_folder() {
     return xdg_folder("XDG_STATE_HOME", ".local/state");
 }
-std::filesystem::path cache_folder() {
-    return xdg_folder("XDG_CACHE_HOME", ".cache");
-}
 
 std::filesystem::path data_folder(std::filesystem::path program) {
     std::error_code error;

@@ -13,7 +13,6 @@ namespace slipface {
 // Empty when neither the variable (an absolute path) nor HOME is known.
 std::filesystem::path config_folder();
 std::filesystem::path state_folder();
-std::filesystem::path cache_folder();
 
 // The folder that holds `levels`, `presets` and `tapes`: PREFIX/share/slipface of a program in PREFIX/bin,
 // else `assets` of the source tree that the program was built in. Empty when there is neither. `program` is

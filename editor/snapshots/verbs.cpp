@@ -179,9 +179,8 @@ int snapshot_compare(const CheckArguments& arguments) {
     report.shard = chosen->shard;
     report.suite = chosen->suite;
     for (const std::string& name : chosen->names) {
-        const fs::path image = fs::path(arguments.actual) / (name + ".png");
         const Result<Snapshot> snapshot = studio.find(name);
-        const Result<Image> image = load_image(image);
+        const Result<Image> image = load_image(fs::path(arguments.actual) / (name + ".png"));
         GoldenResult entry;
         entry.name = name;
         entry.state = GoldenState::failed;

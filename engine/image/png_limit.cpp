@@ -7,18 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "png_chunk.h"
+
 namespace slipface {
 namespace {
 
 constexpr std::size_t signature_size = 8;
 constexpr std::size_t chunk_overhead = 12;  // length, type and checksum
-
-std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-        value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
-    return value;
-}
 
 // Joins all IDAT chunks; stops where the file ends.
 std::string pixel_data(std::string_view bytes) {

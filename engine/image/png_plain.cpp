@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "png_chunk.h"
 #include "png_limit.h"
 #include "png_rows.h"
 #include "slipface/base/pack.h"
@@ -11,13 +12,6 @@ namespace slipface {
 namespace {
 
 constexpr std::size_t header_chunk_end = 33;
-
-std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-        value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
-    return value;
-}
 
 // The compressed pixels; stored in `joined` if they come in several chunks. Nothing if the file is cut off or
 // has chunks that change the meaning of a pixel.

@@ -27,16 +27,6 @@ bool overlaps_solid(const CollisionWorld& world, const Vec3& radii, const Vec3& 
 
 }  // namespace
 
-std::optional<Contact> first_contact(const MovementScene& scene, const Vec3& radii, const Vec3& from,
-                                     const Vec3& move) {
-    std::optional<Contact> first = sweep_ellipsoid(scene.collision, radii, from, move);
-    for (const MovingPart& part : scene.platforms) {
-        const std::optional<Contact> contact = sweep_ellipsoid(*part.collision, radii, from, move);
-        if (contact && (!first || contact->t < first->t)) first = contact;
-    }
-    return first;
-}
-
 bool has_room(const MovementScene& scene, const MovementSettings& settings, const Vec3& radii,
               const Vec3& centre) {
     const auto lowest = lowest_centre(scene, settings, centre);

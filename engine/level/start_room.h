@@ -2,14 +2,12 @@
 #pragma once
 
 #include "slipface/collision/collision_world.h"
+#include "slipface/movement/first_contact.h"
 #include "slipface/movement/settings.h"
 #include "slipface/movement/step.h"
 
 namespace slipface {
 
-// The first contact of the ellipsoid along `move`, with static geometry or a platform.
-std::optional<Contact> first_contact(const MovementScene& scene, const Vec3& radii, const Vec3& from,
-                                     const Vec3& move);
 // Whether the ellipsoid at `centre` overlaps no solid, two-sided triangle and is not below the terrain.
 bool has_room(const MovementScene& scene, const MovementSettings& settings, const Vec3& radii,
               const Vec3& centre);

@@ -176,6 +176,9 @@ const CollisionWorld& world_of(const Mover& mover, std::uint32_t platform);
 // how deep the ellipsoid at `centre` is behind that face's plane, metres; 0 where nothing was replaced.
 double filter_seam(const Mover& mover, const Vec3& centre, std::uint32_t platform, Contact& contact);
 
+// How much longer than the move a sweep is, in skins, so that a move does not end inside the skin of the next
+// surface. Covers vertical moves onto slopes up to 75 degrees.
+inline constexpr double look_ahead = 4.0;
 // A sweep whose end keeps the skin.
 struct Swept {
     Vec3 reached = Vec3::Zero();

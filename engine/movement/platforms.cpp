@@ -26,7 +26,6 @@ Vec3 pushed_by(Mover& mover, const MovingPart& part, const Vec3& before, const V
     const double skin = mover.settings.skin;
     Vec3 at = carried(part, before);
     Vec3 left = position - at;
-    constexpr double look_ahead = 4.0;  // skins, as in skin.cpp
     for (int i = 0; i < 3 && !left.isZero(0.0); ++i) {
         const double length = left.norm();
         const Vec3 direction = left / length;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "slipface/base/near_name.h"
 #include "slipface/base/text.h"
 
 namespace slipface {
@@ -56,23 +57,6 @@ std::string allowed(const SettingInfo& info) {
 std::string excerpt(std::string_view text) {
     constexpr std::size_t longest = 60;
     return text.size() <= longest ? std::string(text) : fmt::format("{}...", text.substr(0, longest));
-}
-
-// Levenshtein distance; the names compared are short.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j)
-        row[j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replace = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({replace, row[j] + 1, row[j - 1] + 1});
-        }
-    }
-    return row[b.size()];
 }
 
 std::string unknown_name(std::string_view name) {

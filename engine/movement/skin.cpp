@@ -12,10 +12,6 @@ namespace slipface {
 
 namespace {
 
-// How much longer than the move the sweep is, in skins, so that a move does not end inside the skin of the
-// next surface. Covers vertical moves onto slopes up to 75 degrees.
-constexpr double look_ahead = 4.0;
-
 // A skin that is smaller by this fraction is not worth a push. Rounding is far below it.
 constexpr double tolerated = 1e-3;
 

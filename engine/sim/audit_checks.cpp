@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "slipface/movement/first_contact.h"
+
 namespace slipface {
 namespace {
 
@@ -148,16 +150,6 @@ std::optional<CheckFailure> overlaps_deeply(const MovementScene& scene, const Mo
     return deepest;
 }
 
-std::optional<Contact> first_touch(const MovementScene& scene, const Vec3& radii, const Vec3& from,
-                                   const Vec3& move) {
-    std::optional<Contact> first = sweep_ellipsoid(scene.collision, radii, from, move);
-    for (const MovingPart& part : scene.platforms) {
-        const std::optional<Contact> contact = sweep_ellipsoid(*part.collision, radii, from, move);
-        if (contact && (!first || contact->t < first->t)) first = contact;
-    }
-    return first;
-}
-
 bool path_is_free(const MovementScene& scene, const MovementSettings& settings, const Vec3& position,
                   const Vec2& heading) {
     constexpr double reach = 0.05;
@@ -167,7 +159,7 @@ bool path_is_free(const MovementScene& scene, const MovementSettings& settings, 
     for (const double rise : {0.0, 0.5 * steepest, steepest}) {
         const Vec3 direction(heading.x() / length, rise, heading.y() / length);
         const Vec3 move = direction * (reach / direction.norm());
-        if (!first_touch(scene, settings.radii, position, move)) return true;
+        if (!first_contact(scene, settings.radii, position, move)) return true;
     }
     return false;
 }

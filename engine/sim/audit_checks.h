@@ -42,10 +42,6 @@ std::optional<CheckFailure> overlaps_deeply(const MovementScene& scene, const Mo
 bool path_is_free(const MovementScene& scene, const MovementSettings& settings, const Vec3& position,
                   const Vec2& heading);
 
-// The first contact of the ellipsoid along `move`, with static geometry or a platform.
-std::optional<Contact> first_touch(const MovementScene& scene, const Vec3& radii, const Vec3& from,
-                                   const Vec3& move);
-
 // Whether no ray from `from` leaves the level: checked in 866 directions.
 bool level_is_closed(const CollisionWorld& world, const Vec3& from);
 

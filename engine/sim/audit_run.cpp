@@ -6,6 +6,7 @@
 
 #include "audit_checks.h"
 #include "slipface/base/hash.h"
+#include "slipface/movement/first_contact.h"
 
 namespace slipface {
 namespace {
@@ -241,7 +242,7 @@ void AuditRun::add_heat(std::vector<FaceHeat>& heat, const MovementScene& scene,
         if ((at - position_in_scene(scene, before)).norm() < 0.1 * requested) ++face.stuck;
     }
     if (!held && before.velocity.y() <= 0.0) {
-        const auto below = first_touch(scene, settings_.radii, at, Vec3(0.0, -near_ground, 0.0));
+        const auto below = first_contact(scene, settings_.radii, at, Vec3(0.0, -near_ground, 0.0));
         if (below && below->face < heat.size() && below->normal.y() >= std::cos(settings_.max_slope))
             ++heat[below->face].missed_ground;
     }

@@ -80,15 +80,6 @@ JumpArc fly(Walker walker, double dt, const PlayerInput& pressed, const PlayerIn
 
 }  // namespace
 
-double JumpArc::distance_at(double up) const {
-    for (std::size_t i = path.size(); i-- > 1;) {
-        const Vec2 &from = path[i - 1], &to = path[i];
-        if (from.y() < up || to.y() > up || !(from.y() > to.y())) continue;
-        return from.x() + (to.x() - from.x()) * (from.y() - up) / (from.y() - to.y());
-    }
-    return -1.0;
-}
-
 Reach measure_reach(const MovementSettings& settings, double dt) {
     Reach reach;
     Walker runner(settings, dt, -0.5 * floor_length_m);

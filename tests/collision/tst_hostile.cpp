@@ -94,7 +94,7 @@ TEST(Hostile, BuildRefusesWithThePlace) {
         bad.triangles[1][2] = 6;
         const auto result = CollisionWorld::build(bad.view());
         ASSERT_FALSE(result);
-        EXPECT_EQ(result.error().position, "triangle 1");
+        EXPECT_EQ(result.error().location, "triangle 1");
         EXPECT_NE(result.error().message.find("6"), std::string::npos);
     }
     {
@@ -102,7 +102,7 @@ TEST(Hostile, BuildRefusesWithThePlace) {
         bad.positions[4].y() = std::numeric_limits<float>::quiet_NaN();
         const auto result = CollisionWorld::build(bad.view());
         ASSERT_FALSE(result);
-        EXPECT_EQ(result.error().position, "position 4");
+        EXPECT_EQ(result.error().location, "position 4");
     }
     {
         Soup bad = soup;

@@ -69,7 +69,7 @@ TEST_P(ShippedLevel, TheDoctorFindsNothing) {
     EXPECT_EQ(report.total(), 0U);
     for (const Problem& problem : report.problems)
         ADD_FAILURE() << info_of(problem.kind).name << ", face " << problem.face << " at "
-                      << problem.location.transpose() << ": " << problem.text;
+                      << problem.position.transpose() << ": " << problem.text;
 }
 
 // Two triangles of different faces that lie in one plane, look the same way and cover a common point.

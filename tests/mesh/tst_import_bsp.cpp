@@ -383,7 +383,7 @@ TEST_F(ImportBsp, AnyByteMayBeWrong) {
             for (const Vec3f& p : imported->mesh->positions)
                 ASSERT_TRUE(p.allFinite());
         } else {
-            ASSERT_EQ(imported.error().order, (folder / "map.bsp").string());
+            ASSERT_EQ(imported.error().location, (folder / "map.bsp").string());
         }
     }
     EXPECT_GT(read, 100u);

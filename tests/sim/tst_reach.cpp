@@ -25,15 +25,6 @@ TEST(Reach, AHeldJumpIsAsHighAndAsFarAsTheClosedForm) {
     EXPECT_GT(reach.stopping_m, 0.1);
 }
 
-TEST(Reach, ALedgeOfTheArcsHeightIsReachedAtItsTop) {
-    const JumpArc arc{
-        .path = {{0, 0}, {1, 2}, {2, 3}, {3, 2}, {4, 0}}, .distance_m = 4, .height_m = 3, .duration_s = 1};
-    EXPECT_DOUBLE_EQ(arc.distance_at(0.0), 4.0);
-    EXPECT_DOUBLE_EQ(arc.distance_at(1.0), 3.5);
-    EXPECT_DOUBLE_EQ(arc.distance_at(3.0), 2.0);
-    EXPECT_LT(arc.distance_at(3.1), 0.0);
-}
-
 TEST(Reach, NoJumpReachesNothing) {
     MovementSettings settings = basic_settings();
     settings.jump_speed = 0.0;

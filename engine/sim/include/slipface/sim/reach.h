@@ -13,8 +13,6 @@ struct JumpArc {
     double distance_m = 0.0;  // ahead, until the feet are back at the height of take-off
     double height_m = 0.0;    // of the highest point above take-off
     double duration_s = 0.0;
-    // Metres ahead at which the centre falls below `up` metres above take-off; negative: it is never as high.
-    double distance_at(double up) const;
 };
 
 struct Reach {

@@ -1,0 +1,15 @@
+#include "slipface/movement/first_contact.h"
+
+namespace slipface {
+
+std::optional<Contact> first_contact(const MovementScene& scene, const Vec3& radii, const Vec3& from,
+                                     const Vec3& move) {
+    std::optional<Contact> first = sweep_ellipsoid(scene.collision, radii, from, move);
+    for (const MovingPart& part : scene.platforms) {
+        const std::optional<Contact> contact = sweep_ellipsoid(*part.collision, radii, from, move);
+        if (contact && (!first || contact->t < first->t)) first = contact;
+    }
+    return first;
+}
+
+}  // namespace slipface
