@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Builds the fuzzers of tests/fuzz with clang, AddressSanitizer and UndefinedBehaviorSanitizer, and runs them from
 # their corpora: scripts/fuzz.sh [RUNS] [NAME...]
-# Without names all of them, sweep, obj, mtl, level and png, one after the other; 2000 runs each unless told, which
-# takes a few minutes. A million runs of sweep take hours. Inputs that reach something new stay in
-# build/fuzz/found/NAME and are begun with the next time; one that breaks something is build/fuzz/found/NAME-crash-HASH.
+# Without names it runs all of them: sweep, obj, mtl, level and png, one after the other. The default is 2000 runs each,
+# which takes a few minutes. A million runs of sweep take hours. Inputs that reach new code stay in
+# build/fuzz/found/NAME and start the next run; one that breaks something is build/fuzz/found/NAME-crash-HASH.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/common.sh

@@ -47,15 +47,15 @@ def main():
 
     base = render("base")
     names = sorted(str(path.relative_to(base))[:-5] for path in base.rglob("*.json"))
-    print(f"{len(names)} scenes\n\n| rendered with | identical | same | largest difference | most of the share used | densest window (6 fail) |")
+    print(f"{len(names)} scenes\n\n| rendered with | identical | same | largest difference | largest fraction of the allowed pixels | densest window (6 fail) |")
     print("|---|---|---|---|---|---|")
     for index, (what, env, options) in enumerate(NOISE):
         folder = render(f"noise-{index}", env=env, options=options)
         rows = [(name, diff(base / (name + ".png"), folder / (name + ".png"))) for name in names]
-        share = max((row["differing"] / max(row["allowed"], 1), name) for name, row in rows)
+        fraction = max((row["differing"] / max(row["allowed"], 1), name) for name, row in rows)
         dense = max((row["densest"], name) for name, row in rows)
         print(f"| {what} | {sum(row['largest'] == 0 for _, row in rows)} | {sum(row['same'] for _, row in rows)} "
-              f"| {max(row['largest'] for _, row in rows)} | {100 * share[0]:.0f} % ({share[1]}) | {dense[0]} ({dense[1]}) |")
+              f"| {max(row['largest'] for _, row in rows)} | {100 * fraction[0]:.0f} % ({fraction[1]}) | {dense[0]} ({dense[1]}) |")
         for name, row in rows:
             if not row["same"]:
                 print(f"fails: {name}: {row['verdict']}", file=sys.stderr)

@@ -54,7 +54,7 @@ void add_ceiling(Model& model) {
     }
 }
 
-// One plane of irregular triangles and quads: whoever walks over it must not feel a seam.
+// One plane of irregular triangles and quads: a player that walks over it must not feel a seam.
 void add_seam_field(Model& model) {
     const int cells = 15;
     const auto noise = [](int i, int j, std::uint32_t salt) {

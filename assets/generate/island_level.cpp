@@ -9,7 +9,7 @@
 namespace slipface::generate {
 namespace {
 
-constexpr double lowest = -12.0, highest = 4.0;  // of the beach's picture
+constexpr double lowest = -12.0, highest = 4.0;  // of the beach's image
 
 const PaintedFace island_types[] = {
     {{-9.0, -1, -6}, "flagstone", "sticky"},

@@ -56,7 +56,7 @@ Block block_at(double u, double v, int columns, int rows, double shift, std::uin
 // Stone: a colour varied by clouds and grain.
 Color grained(const Color& base, double u, double v, double strength, std::uint32_t seed);
 
-// A square picture; u to the right, v up, both 0..1 at the pixels' centres.
+// A square image; u to the right, v up, both 0..1 at the pixels' centres.
 Image paint(int size, const std::function<Color(double u, double v)>& color);
 
 }  // namespace slipface::generate

@@ -1,4 +1,4 @@
-// The levels' textures, painted by rule. Each function paints one picture that repeats at its borders unless
+// The levels' textures, painted by rule. Each function paints one image that repeats at its borders unless
 // said otherwise.
 #pragma once
 
@@ -19,7 +19,7 @@ std::vector<Texture> stone_textures();
 std::vector<Texture> ornament_textures();
 std::vector<Texture> nature_textures();
 std::vector<Texture> wild_textures();     // of the open air and of the mines
-std::vector<Texture> surface_textures();  // those whose look tells what they do to who walks on them
+std::vector<Texture> surface_textures();  // their look shows the surface type
 Image paint_labels();
 
 }  // namespace slipface::generate

@@ -9,7 +9,7 @@ namespace {
 
 using namespace palette;
 
-// (u, v) about the centre of the picture, folded into the eighth between +u and the diagonal.
+// (u, v) about the centre of the image, folded into the eighth between +u and the diagonal.
 Vec2 folded(double u, double v) {
     const double x = std::abs(u - 0.5), y = std::abs(v - 0.5);
     return {std::max(x, y), std::min(x, y)};

@@ -26,7 +26,7 @@ Image ladder_wood() {
     });
 }
 
-// Moss with drops of resin: what holds whoever touches it.
+// Moss with drops of resin, for surfaces that hold a player that touches them.
 Image sticky_moss() {
     return paint(256, [](double u, double v) {
         const CellDistance tuft = cell_distance(u, v, 20, 311), drop = cell_distance(u, v, 5, 313);
@@ -57,7 +57,7 @@ Image bouncy_pad() {
     });
 }
 
-// Chevrons that point up the picture, the way the belt runs.
+// Chevrons that point up the image, in the direction of the belt.
 Image conveyor_belt() {
     return paint(256, [](double u, double v) {
         const double x = std::abs(u - 0.5);

@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <unordered_set>
 
 #include "roll_out.h"
 
@@ -26,17 +27,19 @@ double seconds(std::uint32_t tick, const ReachSearch& search) {
     return tick * search.options().dt;
 }
 
-// Walks in the main directions and jumps at edges and walls; in the air, all directions to steer in.
-constexpr std::uint32_t tried_visits = 24, tried_visits_in_air = 8;
+constexpr std::uint32_t tried_visits = 24;  // walks in the main directions, and jumps at edges and walls
 
 // From which cells that were hardly tried can be come to: [node] whether it may still turn out to return.
+// Flights go on until they land, so cells in the air say nothing that those on the ground do not.
 std::vector<bool> nodes_with_open_ends(const ReachArchive& archive) {
+    std::unordered_set<std::uint64_t> tried;  // cells; never iterated
+    for (const ReachNode& node : archive.nodes)
+        if (node.visits >= tried_visits) tried.insert(node.cell);
     std::vector<bool> open(archive.nodes.size());
     std::vector<NodeId> next;
     for (NodeId node = 0; node < archive.nodes.size(); ++node) {
         const ReachNode& one = archive.nodes[node];
-        const std::uint32_t tried = is_held(one.state) ? tried_visits : tried_visits_in_air;
-        if (one.is_cell && !one.superseded && !one.returns && one.visits < tried) next.push_back(node);
+        if (is_held(one.state) && !one.returns && !tried.contains(one.cell)) next.push_back(node);
     }
     while (!next.empty()) {
         const NodeId node = next.back();

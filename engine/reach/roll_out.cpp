@@ -69,7 +69,8 @@ class Roller {
         cursor.tick = node.tick;
         cursor.cell = node.cell;
         if (is_held(node.state)) cursor.face = node.state.ground_face;
-        cursor.held_at = position_in_scene(scenes_.at(node.tick), node.state);
+        const ReachNode& last = known_.archive.nodes[last_held()];
+        cursor.held_at = position_in_scene(scenes_.at(last.tick), last.state);
         return cursor;
     }
 
@@ -139,7 +140,9 @@ class Roller {
         }
         if (edge && cursor.alive) go(cursor, longest_flight, stick, false, true);
         if (random != nullptr) {
-            const std::uint32_t begin_at = edge ? at - std::min(at, 4u) : 0;
+            // Mostly from the edge, where jumps reach farthest; for what stands behind it, from before, too.
+            const std::uint32_t run_up = edge && random->below(3) > 0 ? 4 : 40;
+            const std::uint32_t begin_at = at - std::min(at, run_up);
             const std::uint32_t turn = random->below(40);
             const std::uint32_t from = begin_at + random->below(count - begin_at);
             const std::uint8_t then = random->below(2) == 0 ? stick : steer(*random);
@@ -310,24 +313,28 @@ class Roller {
             harvest_.exits.emplace_back().spot = spot;
             return;
         }
-        const ReachNode& node = known_.archive.nodes[from_];
-        PlayerState state = node.state;
-        std::uint32_t tick = node.tick;
+        const NodeId anchor = last_held();
+        std::vector<Press> motion;
+        for (NodeId at = from_; at != anchor; at = known_.archive.nodes[at].parent) {
+            const ReachNode& one = known_.archive.nodes[at];
+            const auto first = known_.archive.presses.begin() + one.first_press;
+            motion.insert(motion.begin(), first, first + one.press_count);
+        }
+        motion.insert(motion.end(), out.presses.begin(), out.presses.begin() + out.count);
+        PlayerState state = known_.archive.nodes[anchor].state;
+        std::uint32_t tick = known_.archive.nodes[anchor].tick;
         ReachExit exit;
         exit.from = exit.hole = scenes_.to_level(state);
         exit.face = is_held(state) ? state.ground_face : no_id;
         exit.tick = tick;
         exit.node = from_;
         bool over_nothing = false;
-        for (std::uint8_t i = 0; i < out.count; ++i) {
-            for (std::uint16_t k = 0; k < out.presses[i].ticks; ++k) {
+        for (const Press& press : motion) {
+            for (std::uint16_t k = 0; k < press.ticks; ++k) {
                 const MovementScene& now = scenes_.at(tick);
-                const TickResult result =
-                    play_tick(now, settings_, state, input_of(out.presses[i]), dt_, world_.start);
-                state = result.stepped;
+                state = play_tick(now, settings_, state, input_of(press), dt_, world_.start).stepped;
                 ++tick;
-                const bool held = is_held(state);
-                if (held) {
+                if (is_held(state)) {
                     exit.from = scenes_.to_level(state);
                     exit.face = state.ground_face;
                     over_nothing = false;
@@ -343,6 +350,14 @@ class Roller {
         exit.press_count = out.count;
         harvest_.presses.insert(harvest_.presses.end(), out.presses.begin(), out.presses.begin() + out.count);
         harvest_.exits.push_back(exit);
+    }
+
+    // Where this way began in the air: the node from which it left what held it.
+    NodeId last_held() const {
+        NodeId at = from_;
+        while (!is_held(known_.archive.nodes[at].state) && known_.archive.nodes[at].parent != no_id)
+            at = known_.archive.nodes[at].parent;
+        return at;
     }
 
     bool is_over_nothing(const MovementScene& now, const PlayerState& state) const {

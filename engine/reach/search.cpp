@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::size_t picks_per_round = 256;
 constexpr std::uint32_t visits_per_pick = 4;
-constexpr std::uint32_t max_visits = 400;  // then a cell has shown what it leads to
+// Then a cell has shown what it leads to. In the air little can be chosen.
+constexpr std::uint32_t max_visits = 400, max_visits_in_air = 24;
 constexpr std::size_t max_cost = 160;
 constexpr std::size_t max_nodes = 60'000'000;
 constexpr double phase_s = 0.5;
@@ -68,10 +69,11 @@ double lowest_of(const Level& level, const TickScene& scene, std::span<const Mov
 double cell_of(const Level& level, double wanted) {
     if (wanted > 0.0) return wanted;
     const double width = std::max(level.movement.radii.x(), level.movement.radii.z());
-    const Vec3 size = level.mesh->bounds.size();
+    double floor = level.heightfield ? level.heightfield->size.prod() : 0.0;
+    for (const FaceId face : walkable_faces(level))
+        floor += face_area(*level.mesh, face);
     // Two hundred thousand cells of floor are enough for one look at a level.
-    const double by_level = std::sqrt(size.x() * size.z() / 200'000.0);
-    return std::clamp(by_level, 1.25 * width, 5.0 * width);
+    return std::clamp(std::sqrt(floor / 200'000.0), 1.25 * width, 5.0 * width);
 }
 
 }  // namespace
@@ -128,7 +130,7 @@ std::size_t ReachSearch::Impl::first_cost(const PlayerState& state) const {
     const std::size_t on = std::min<std::size_t>(state.ground_face, faces.size());
     const auto crowd =
         static_cast<std::size_t>(std::bit_width(face_cells[is_held(state) ? on : faces.size()]));
-    return std::min<std::size_t>(8, crowd / 2) + (is_held(state) ? 0 : 2);
+    return std::min<std::size_t>(8, crowd / 2) + (is_held(state) ? 0 : 4);
 }
 
 void ReachSearch::Impl::enqueue(NodeId node, std::size_t cost) {
@@ -172,7 +174,7 @@ void ReachSearch::Impl::merge(const Harvest& harvest, NodeId from, ReachRound& n
         }
         if (new_cell) {
             ++news.cells;
-            productive = true;
+            productive |= is_held(state);
             ++face_cells[is_held(state) ? std::min<std::size_t>(state.ground_face, faces.size())
                                         : faces.size()];
         }
@@ -238,8 +240,9 @@ void ReachSearch::Impl::round() {
         bool productive = false;
         merge(harvests[i], pick.node, news, productive);
         archive.nodes[pick.node].visits = pick.last & 0x1fffu;
-        if (pick.last < max_visits || (productive && pick.last < 8000))
-            enqueue(pick.node, pick.cost + (productive ? 0 : more));
+        const bool held = is_held(archive.nodes[pick.node].state);
+        const std::uint32_t maximum = !held ? max_visits_in_air : productive ? 8000 : max_visits;
+        if (pick.last < maximum) enqueue(pick.node, pick.cost + (productive ? 0 : more));
     }
 }
 

@@ -63,7 +63,7 @@ TEST_F(Files, ReadRefusesWhatIsNoFile) {
     ASSERT_FALSE(directory);
     EXPECT_THAT(directory.error().message, HasSubstr("directory"));
 
-    // A pipe without a writer would block whoever opens it the usual way.
+    // A pipe without a writer would block a plain open().
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
     const auto pipe = read_file(folder / "pipe");
     ASSERT_FALSE(pipe);

@@ -151,7 +151,7 @@ TEST_F(BruteForceAgreement, SweepsRaysPointsAndOverlaps) {
     }
 }
 
-// Found by a fuzzer: nearer to the corner of one triangle than a double tells from another's plane.
+// Found by a fuzzer: nearer to the corner of one triangle than a double can tell apart from another's plane.
 TEST_F(BruteForceAgreement, PointsNearerThanRounding) {
     const double hair = double{-4.40823822e-18F};
     Soup soup;
@@ -220,7 +220,7 @@ TEST_F(BruteForceAgreement, BatchesWithQueriesOfEveryKind) {
         sweeps.push_back(sweep);
     }
     EXPECT_GT(expect_same_in_a_batch(world, sweeps), 100);
-    // More than a wave has room for: every sweep meets nearly every leaf.
+    // More than a wave has room for: every sweep visits nearly every leaf.
     for (Sweep& sweep : sweeps)
         sweep.radii = Vec3(9, 2, 9);
     expect_same_in_a_batch(world, sweeps);

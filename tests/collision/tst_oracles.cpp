@@ -140,7 +140,7 @@ TEST(ClosedFormOracle, SeesWrongAnswers) {
     const ClosedForm graze = closed_form({corner, Vec3::Constant(0.5), {-0.5 + 0x1p-41, 3, 1.5}, {0, -6, 0}});
     EXPECT_FALSE(is_answer(graze, std::nullopt, 0x1p-41));
     EXPECT_TRUE(is_answer(graze, std::nullopt, 0x1p-39));
-    // The same for whoever claims to touch where nothing is touched.
+    // The same for an answer that reports a touch where nothing is touched.
     const ClosedForm beside =
         closed_form({corner, Vec3::Constant(0.5), {-0.5 - 0x1p-41, 3, 1.5}, {0, -6, 0}});
     contact.t = 0.5;

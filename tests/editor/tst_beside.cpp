@@ -68,7 +68,7 @@ TEST_F(Beside, AChangedFileIsNoticedOnceAndOnlyWhenItIsAtRest) {
     EXPECT_FALSE(watch.poll()) << "it may still be growing";
     EXPECT_TRUE(watch.poll());
     EXPECT_TRUE(watch.mesh_changed());
-    EXPECT_FALSE(watch.poll()) << "told once";
+    EXPECT_FALSE(watch.poll()) << "reported once";
     write_text(level_file, "{}");
     EXPECT_FALSE(watch.poll());
     EXPECT_TRUE(watch.poll());

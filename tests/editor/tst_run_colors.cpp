@@ -1,4 +1,4 @@
-// The colours of the lab's runs in both themes: legible on their ground, and told apart by every eye.
+// The colours of the lab's runs in both themes: legible on their background, and distinct to every eye.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -297,5 +297,42 @@ TEST(Spawns, BadOnesAreRefusedWithTheirPlace) {
     EXPECT_THAT(spawns_problem(std::vector<Spawn>(max_spawns + 1)), HasSubstr("at most 10000"));
 }
 
+TEST(Goals, SurviveTheFileWithTheirUnknownKeys) {
+    Level level = level_of(tiles(1));
+    Goal roof{.name = "roof", .position = {1, 2, 3}, .radius = 0.5, .within_s = 20.0, .from = "door"};
+    Goal outside{
+        .name = "outside", .kind = GoalKind::never, .position = {-4, 5, 6}, .within_s = {}, .from = {}};
+    level.goals = {roof, outside};
+    std::string json = level_to_json(level);
+    json.insert(json.find("\"name\": \"outside\""), "\"colour\": \"red\", ");
+    const Result<LoadedLevel> loaded = level_from_json(json, "t.slipface.json", level.mesh);
+    ASSERT_TRUE(loaded.ok()) << loaded.error().text();
+    EXPECT_EQ(loaded->level.goals, level.goals);
+    EXPECT_THAT(level_to_json(loaded->level), HasSubstr("\"colour\": \"red\""));
+    level.goals.clear();
+    EXPECT_THAT(level_to_json(level), testing::Not(HasSubstr("goals")));
+}
+
+TEST(Goals, BadOnesAreRefusedWithTheirPlace) {
+    const MeshPtr mesh = mesh_of(tiles(1));
+    const auto error = [&](const std::string& goal) {
+        const std::string json =
+            R"({"slipface": 1, "goals": [{"name": "a", "position": [0, 0, 0]}, {)" + goal;
+        const Result<LoadedLevel> loaded = level_from_json(json + "}]}", "t", mesh);
+        return loaded ? std::string() : loaded.error().text();
+    };
+    EXPECT_EQ(error(R"("name": "b", "position": [0, 0, 0])"), "");
+    EXPECT_THAT(error(R"("position": [0, 0, 0])"), HasSubstr("/goals/1"));
+    EXPECT_THAT(error(R"("name": "b")"), HasSubstr("/goals/1"));
+    EXPECT_THAT(error(R"("name": "", "position": [0, 0, 0])"), HasSubstr("an empty name"));
+    EXPECT_THAT(error(R"("name": "a", "position": [0, 0, 0])"), HasSubstr("\"a\" a second time"));
+    EXPECT_THAT(error(R"("name": "b", "position": [0, 1e10, 0])"), HasSubstr("/goals/1/position"));
+    EXPECT_THAT(error(R"("name": "b", "position": [0, 0, 0], "kind": "always")"),
+                HasSubstr("found \"always\", expected one of reach, never"));
+    EXPECT_THAT(error(R"("name": "b", "position": [0, 0, 0], "radius": 0)"), HasSubstr("/goals/1/radius"));
+    EXPECT_THAT(error(R"("name": "b", "position": [0, 0, 0], "kind": "never", "within_s": 3)"),
+                HasSubstr("/goals/1/within_s"));
+}
+
 }  // namespace
 }  // namespace slipface::test

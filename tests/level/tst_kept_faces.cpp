@@ -46,7 +46,7 @@ TEST(KeptFaces, ComeBackAndGiveTheSameText) {
     EXPECT_EQ(loaded.level.selections, level.selections);
     EXPECT_EQ(loaded.level.overrides, level.overrides);
     EXPECT_THAT(loaded.warnings, IsEmpty());
-    EXPECT_EQ(loaded.match.exact, 1u) << "the summary tells of paint alone";
+    EXPECT_EQ(loaded.match.exact, 1u) << "the summary reports paint alone";
     EXPECT_EQ(level_to_json(loaded.level), json);
 }
 

@@ -18,7 +18,7 @@ Faces many_painted_tiles() {
         for (Vec3f& corner : faces[i].corners)
             corner.y() = 0.3f * static_cast<float>(static_cast<int>(corner.x() * corner.z()) % 7);
     }
-    // Copies, which only their number tells apart.
+    // Copies, which differ by their number alone.
     faces.push_back(faces[0]);
     faces.back().painted = 5;
     return faces;

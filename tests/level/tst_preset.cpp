@@ -49,7 +49,7 @@ TEST(Presets, a_setting_that_the_file_does_not_name_is_the_basic_one) {
 TEST(Presets, the_nearest_one_is_named_with_what_differs) {
     for (const ShippedPreset& shipped : shipped_presets()) {
         EXPECT_EQ(nearest_preset(shipped.preset.settings).preset, &shipped);
-        // Few changes of any rows leave it the nearest, and are exactly what is told.
+        // A few changed rows leave it the nearest preset, and exactly these are reported.
         for (std::size_t row = 0; row + 2 < settings_table().size(); ++row) {
             MovementSettings settings = shipped.preset.settings;
             const SettingInfo &one = settings_table()[row], &other = settings_table()[row + 2];

@@ -39,7 +39,7 @@ Map small_map() {
 
 class ImportBsp : public ScratchFolder {
   protected:
-    // In the map's own coordinates unless told otherwise.
+    // In the map's own coordinates by default.
     Result<ImportedMesh> import_map(const std::string& bytes,
                                     const ImportTransform& how = {.scale = 1.0, .up = UpAxis::y}) const {
         write("map.bsp", bytes);

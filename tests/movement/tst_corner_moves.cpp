@@ -1,8 +1,8 @@
 // Moves in acute corners against the exact answer: the projection of the move on the cone of the directions
 // that lead into no plane.
 //
-// A sweep meets a plane only where the move would come nearer to it than the skin, so a move that grazes a
-// plane may use up the skin there instead of being turned. The end then lies in the cone shifted out by a
+// A sweep hits a plane only where the move would come nearer to it than the skin, so a move that grazes a
+// plane may use up the skin there instead of being deflected. The end then lies in the cone shifted out by a
 // skin, and the answers of both cones differ by no more than their points do: `reach_of_skin`. That bound
 // shrinks with the skin, so the same moves are made with a skin of 2 mm and one of 1e-6 m.
 #include <algorithm>

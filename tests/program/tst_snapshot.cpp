@@ -85,7 +85,7 @@ TEST_F(SnapshotVerb, ShardsComeTogether) {
     for (const char* part : {"1", "2"}) {
         const std::string out = (folder_ / (std::string("part") + part)).string();
         const ProgramRun run = snapshot("check --jobs 1 --shard " + std::string(part) + "/2 --out " + out);
-        EXPECT_EQ(run.exit_code, part[0] == '1' ? 1 : 0) << run.output;  // the first tells of the orphan
+        EXPECT_EQ(run.exit_code, part[0] == '1' ? 1 : 0) << run.output;  // the first reports the orphan
         reports += " " + out + "/report.json";
     }
     const ProgramRun merged =

@@ -116,7 +116,7 @@ inline bool any_straight_jump(const ReachScene& scene, int starts) {
 }
 
 // The widest gap, or the highest ledge 0.5 m away, that a straight jump masters.
-inline double most_possible(const MovementSettings& settings, bool ledge, int starts) {
+inline double max_possible(const MovementSettings& settings, bool ledge, int starts) {
     double good = 0.0, bad = ledge ? 8.0 : 20.0;
     for (int i = 0; i < 12; ++i) {
         const double middle = 0.5 * (good + bad);

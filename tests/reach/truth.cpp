@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
     using namespace slipface::test;
     const int count = argc > 1 ? std::atoi(argv[1]) : 40;
     const auto first = static_cast<std::uint64_t>(argc > 2 ? std::atoll(argv[2]) : 1);
-    constexpr std::uint64_t most_rounds = 400;
+    constexpr std::uint64_t max_rounds = 400;
     constexpr std::array<double, 7> fractions{0.5, 0.7, 0.8, 0.9, 0.95, 0.98, 1.05};
     fmt::print("| scene | of the possible | scenes | reached | steps, median | steps, most | false |\n");
     fmt::print("|---|---:|---:|---:|---:|---:|---:|\n");
@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
         for (int i = 0; i < count; ++i) {
             std::mt19937_64 random(first + static_cast<std::uint64_t>(i));
             const MovementSettings settings = random_settings(random);
-            drawn.emplace_back(settings, most_possible(settings, ledge, 20));
+            drawn.emplace_back(settings, max_possible(settings, ledge, 20));
         }
         for (const double fraction : fractions) {
             std::vector<std::uint64_t> steps;
@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
                                                : gap_scene(settings, fraction * maximum, 0.0, yaw);
                 ReachSearch search = search_of(scene, 0);
                 const FaceId face = face_at(scene.level, scene.target);
-                const bool found = rounds_until(search, face, most_rounds).has_value();
+                const bool found = rounds_until(search, face, max_rounds).has_value();
                 if (found) steps.push_back(search.steps());
                 if (const std::string problem = false_claims(search); !problem.empty()) {
                     ++false_yes;

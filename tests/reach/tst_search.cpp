@@ -50,7 +50,7 @@ TEST(ReachSearch, GapsAndLedgesThatAreEasyAreFoundAndProved) {
         SCOPED_TRACE(seed);
         const MovementSettings settings = drawn_settings(seed);
         const bool ledge = seed % 2 == 0;
-        const double maximum = most_possible(settings, ledge, 4);
+        const double maximum = max_possible(settings, ledge, 4);
         const double size = drawn(seed, 0.5, 0.85) * maximum, yaw = drawn(seed + 50, 0.0, 6.28);
         const ReachScene scene =
             ledge ? gap_scene(settings, 0.5, size, yaw) : gap_scene(settings, size, 0.0, yaw);
@@ -65,7 +65,7 @@ TEST(ReachSearch, AGapThatNoJumpMastersIsNotReachedAndSaysByHowMuch) {
         SCOPED_TRACE(seed);
         const MovementSettings settings = drawn_settings(seed);
         const double beyond = drawn(seed, 0.3, 1.5);
-        const ReachScene scene = gap_scene(settings, most_possible(settings, false, 8) + beyond, 0.0, 0.0);
+        const ReachScene scene = gap_scene(settings, max_possible(settings, false, 8) + beyond, 0.0, 0.0);
         const FaceId face = face_at(scene.level, scene.target);
         const ReachSearch search = search_of(scene, 20, seed);
         EXPECT_FALSE(search.faces()[face].found());
@@ -187,7 +187,7 @@ TEST(ReachSearch, EveryTileOfAMazeIsReachedAndTheWayBackToo) {
     for (const std::uint64_t seed : {1u, 2u}) {
         const int size = 5;
         const ReachScene scene = maze_scene(seed, size);
-        const ReachSearch search = search_of(scene, 40, seed);
+        const ReachSearch search = search_of(scene, 25, seed);
         const ReachReport report = make_reach_report(search);
         // The floor's tiles are the first faces.
         for (FaceId face = 0; face < static_cast<FaceId>(size * size); ++face)
@@ -220,7 +220,7 @@ TEST(ReachSearch, AOneWayDropIsATrapAndALockedRoomIsNeverReached) {
         }
         ReachScene scene{shapes.level(), {0, height + 0.91, 0}, {3.75, 0.01, 3.75}};
         scene.level.movement = MovementSettings{};
-        const ReachSearch search = search_of(scene, 160, seed);
+        const ReachSearch search = search_of(scene, 50, seed);
         const ReachReport report = make_reach_report(search);
         EXPECT_TRUE(search.faces()[0].found());
         EXPECT_TRUE(search.faces()[6].found());
@@ -247,7 +247,7 @@ TEST(ReachSearch, AHoleOfTheBodysSizeIsAnExitAndANarrowerOneIsNot) {
         }
         ReachScene scene{shapes.level(), {2, 0.91, 2}, {}};
         scene.level.movement = settings;
-        const ReachSearch search = search_of(scene, 60);
+        const ReachSearch search = search_of(scene, 40);
         EXPECT_EQ(search.exits().empty(), !wide);
         for (const ReachExit& exit : search.exits()) {
             // The hole, not where the fall ends.
@@ -300,7 +300,7 @@ TEST(ReachSearch, AChainOfBouncesLeadsToTheRoof) {
 
 TEST(ReachGoals, HoldOrBreakAndSayWhy) {
     const MovementSettings settings;
-    const double maximum = most_possible(settings, false, 4);
+    const double maximum = max_possible(settings, false, 4);
     ReachScene scene = gap_scene(settings, 0.7 * maximum, 0.0, 0.0);
     const Vec3 far_side = scene.target + Vec3(0, 0.9, 0);
     const auto goal = [&](const char* name, GoalKind kind, std::optional<double> within, const char* from) {
@@ -345,7 +345,7 @@ TEST(ReachGoals, HoldOrBreakAndSayWhy) {
 
 TEST(ReachReports, TellWhatASettingGainsAndLoses) {
     const MovementSettings settings;
-    ReachScene scene = gap_scene(settings, 0.8 * most_possible(settings, false, 4), 0.0, 0.0);
+    ReachScene scene = gap_scene(settings, 0.8 * max_possible(settings, false, 4), 0.0, 0.0);
     const FaceId far_side = face_at(scene.level, scene.target);
     const ReachReport before = make_reach_report(search_of(scene, 30));
     ReachScene slow = scene;

@@ -83,7 +83,7 @@ TEST(EglDeathTest, DrawsInItsOwnProcess) {
         testing::ExitedWithCode(0), "");
 }
 
-// Mesa's software renderer dies of 512-bit vectors; the variable is taken away, and the user is told.
+// Mesa's software renderer crashes with 512-bit vectors; the variable is unset, and the user is informed.
 TEST(EglDeathTest, UnsafeVectorWidthIsRefused) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     EXPECT_EXIT(

@@ -132,8 +132,7 @@ TEST_F(LevelRendererTest, DefaultFacesIgnoreTheOverlay) {
     EXPECT_NE(draw(renderer, tile_camera, side, side, with), plain);
 }
 
-// Each hatch is told from each other without colour: eight types of one colour on one face give different
-// pictures.
+// The hatches differ without colour: eight types of one colour on one face give different images.
 TEST_F(LevelRendererTest, HatchesDifferWithoutColour) {
     std::vector<SurfaceType> types(9);
     for (std::size_t i = 1; i < types.size(); ++i) {

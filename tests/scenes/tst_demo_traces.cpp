@@ -1,4 +1,4 @@
-// A trace must name the switch that would have helped: whoever asks why a player did that reads it there.
+// A trace must name the switch that would have helped.
 #include <gtest/gtest.h>
 
 #include "slipface/scenes/demo.h"

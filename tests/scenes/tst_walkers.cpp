@@ -75,7 +75,7 @@ TEST(WalkersInDemos, come_through_nothing_and_end_inside_nothing) {
         // Two demos begin inside geometry, because that is what they show, and no audit begins there.
         const bool begins_inside = name == "push-out" || name == "nudge";
         EXPECT_EQ(run_audit(level, a_few_walkers(4)).ok(), !begins_inside);
-        // In one the floor rises with platforms switched off: it comes into whoever stands on it.
+        // In one the floor rises with platforms switched off: it enters a player that stands on it.
         if (begins_inside || name == "seam-filter") continue;
         expect_nobody_inside(level, a_few_walkers(4));
     }

@@ -1,4 +1,4 @@
-// Stories: every number is one of the trace, and every record is told.
+// Stories: every number is one of the trace, and every record has its line.
 #include <gmock/gmock.h>
 
 #include <regex>

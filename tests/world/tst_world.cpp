@@ -1,4 +1,4 @@
-// The world: what is ticked and drawn, when, and who is told.
+// The world: what is ticked and drawn, when, and which managers are notified.
 #include <gmock/gmock.h>
 
 #include <functional>

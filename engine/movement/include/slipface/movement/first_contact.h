@@ -8,8 +8,8 @@
 
 namespace slipface {
 
-// The first contact of the ellipsoid `radii` moving from `from` by `move`, m, with static geometry and the platforms;
-// nothing if there is none.
+// The first contact of the ellipsoid `radii` moving from `from` by `move`, m, with static geometry and the
+// platforms; nothing if there is none.
 std::optional<Contact> first_contact(const MovementScene& scene, const Vec3& radii, const Vec3& from,
                                      const Vec3& move);
 
