@@ -89,14 +89,14 @@ Status write_level(const Recipe& recipe, const Arguments& arguments) {
 Status check_light(const fs::path& obj) {
     const Result<LoadedLevel> loaded = load_level(obj);
     if (!loaded) return loaded.error();
-    const fs::path image = obj.parent_path() / loaded->level.light->image;
-    const Result<Image> image = load_image(image);
+    const fs::path image_path = obj.parent_path() / loaded->level.light->image;
+    const Result<Image> image = load_image(image_path);
     if (!image) return image.error();
     const Result<LightBaker> baker = LightBaker::make(loaded->level);
     if (!baker) return baker.error();
     const LightCharts& charts = baker->charts();
     if (image->width != charts.width || image->height != charts.height)
-        return Error{image.string(), "has not the size of the level's charts"};
+        return Error{image_path.string(), "has not the size of the level's charts"};
     const std::size_t faces = charts.charts.size();
     std::size_t texels = 0;
     for (std::size_t n = 0; texels < texels_to_check && n < faces; ++n) {
@@ -108,10 +108,10 @@ Status check_light(const fs::path& obj) {
             const std::uint8_t* pixel = image->pixel(chart.x + static_cast<int>(at % chart.width),
                                                      chart.y + static_cast<int>(at / chart.width));
             if (!std::equal(pixel, pixel + 3, &bytes[3 * at]))
-                return Error{image.string(), fmt::format("face {} is not what the baker makes", face)};
+                return Error{image_path.string(), fmt::format("face {} is not what the baker makes", face)};
         }
     }
-    fmt::print("{}: {} texels are the same\n", image.filename().string(), texels);
+    fmt::print("{}: {} texels are the same\n", image_path.filename().string(), texels);
     return {};
 }
 

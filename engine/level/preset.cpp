@@ -74,7 +74,7 @@ const std::vector<ShippedPreset>& shipped_presets() {
          {"Precise platformer", "Starts and stops at once, forgives late jumps, climbs stairs.",
           precise_platformer()}},
         {"momentum",
-         {"Momentum", "Speed is earned on slopes and kept on ice; the stick steers little.", momentum()}},
+         {"Momentum", "Slopes give speed and ice preserves it; the stick steers little.", momentum()}},
         {"simulation",
          {"Simulation",
           "Every switch off: only sweeps and slides. The player falls through terrain without triangles.",

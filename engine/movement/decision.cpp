@@ -170,7 +170,8 @@ constexpr auto make_decisions() {
         {fell_at_terminal_speed, "terminal_speed", acted, speed,
          "Fall slowed from {value} to {limit}, the terminal speed"},
         // Terrain
-        {terrain_off, "heightfield", switched_off, metres, "{value} below the terrain: Heightfield is off"},
+        {terrain_off, "heightfield", switched_off, metres,
+         "The feet are {value} below the terrain: Heightfield is off"},
         {terrain_stood, "heightfield", acted, metres, "Lifted {value} and stood on the terrain"},
         {terrain_slid, "heightfield", acted, metres, "Lifted {value} and slid on steep terrain"},
         {terrain_above, "heightfield", refused, metres, "Above the terrain by {value}"},

@@ -47,7 +47,7 @@ const auto table = std::to_array<SettingInfo>({
      "Ice cannot be left without a slope or a push.", "Ice is steered like any floor.", "",
      &S::slippery_acceleration},
     {"air_acceleration", "Air acceleration", "Speed", "m/s2", 0.0, 500.0,
-     "How fast the horizontal velocity follows the stick in the air. (end of the sentence) A released stick "
+     "How fast the horizontal velocity follows the stick in the air. A released stick "
      "does not brake.",
      "A jump cannot be corrected after take-off.", "The player turns round in mid-air and hugs walls.", "",
      &S::air_acceleration},

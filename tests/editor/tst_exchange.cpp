@@ -129,7 +129,7 @@ TEST_F(Exchange, ExportsRefuseTheLevelsOwnFilesInTheDialog) {
 
 TEST_F(Exchange, BakingSaysWhatItDidOrWhyNot) {
     ASSERT_EQ(run("select faces 0-4\nkey 2\nkey L\ncommand file.bake"), "");
-    EXPECT_EQ(editor().status, "5 faces baked into grid.obj; the file before is grid.obj.bak");
+    EXPECT_EQ(editor().status, "5 faces baked into grid.obj; the old file is grid.obj.bak");
     EXPECT_THAT(read_text(obj), HasSubstr("usemtl floor__ice"));
     ASSERT_EQ(run("select faces 9\nkey 2\nkey L"), "");
     const std::string other = floor_and_wall_obj(n + 1);

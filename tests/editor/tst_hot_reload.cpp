@@ -176,7 +176,7 @@ TEST_F(HotReload, ALevelFileThatChangedIsTakenOverAndUndoGoesBack) {
     EXPECT_EQ(document().resolved().surface[20], ice);
     EXPECT_NE(document().resolved().surface[7], ice);
     EXPECT_TRUE(document().dirty()) << "what was never saved is not given up silently";
-    EXPECT_NE(editor.status.find("undo brings your unsaved changes back"), std::string::npos);
+    EXPECT_NE(editor.status.find("undo restores your unsaved changes"), std::string::npos);
     document().undo();
     EXPECT_EQ(document().resolved().surface[7], ice);
 }

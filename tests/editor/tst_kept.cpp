@@ -48,8 +48,8 @@ TEST_F(Kept, AreFoundOnReloadedGeometryOrListed) {
     std::string listed;
     for (const Diagnostic& warning : document().warnings())
         listed += warning.text() + "\n";
-    EXPECT_THAT(listed, HasSubstr("for 1 of the 2 faces hidden"));
-    EXPECT_THAT(listed, HasSubstr("for 1 of the 2 faces of the selection \"both\""));
+    EXPECT_THAT(listed, HasSubstr("1 of the 2 faces hidden"));
+    EXPECT_THAT(listed, HasSubstr("1 of the 2 faces of the selection \"both\""));
     EXPECT_TRUE(editor().layout.shown(PanelId::warnings));
     ASSERT_EQ(run("key Ctrl+Z\nexpect hidden 2"), "");
     EXPECT_THAT(document().hidden(), ElementsAre(5, 66));

@@ -73,7 +73,7 @@ TEST_F(RecordedRuns, WithoutAFolderNothingIsWritten) {
 TEST_F(RecordedRuns, ThatCannotBeKeptSaySo) {
     ASSERT_TRUE(write_file_atomic(folder / "recordings", "a file where the folder would be").ok());
     walk(20);
-    EXPECT_THAT(editor().status, testing::HasSubstr("not kept beyond this session"));
+    EXPECT_THAT(editor().status, testing::HasSubstr("it will be lost at the end of this session"));
     EXPECT_TRUE(editor().lab.has_tape());
 }
 

@@ -105,7 +105,7 @@ TEST_F(Bake, KeepsOneBackupAndTintsTheMaterial) {
     paint(level, 0, "ice");
     const Result<Baked> baked = bake_level(level);
     ASSERT_TRUE(baked) << baked.error().text();
-    EXPECT_EQ(baked->text(), "1 face baked into level.obj; the file before is level.obj.bak");
+    EXPECT_EQ(baked->text(), "1 face baked into level.obj; the old file is level.obj.bak");
     EXPECT_EQ(read("level.obj.bak"), untidy);
     const std::string library = read("level.mtl");
     EXPECT_TRUE(library.starts_with(read("level.mtl.bak")));

@@ -159,7 +159,7 @@ TEST(FindStart, WithoutFloorThereIsNone) {
         level.spawn = {200, 5, 200};
         const Start start = start_of(level);
         EXPECT_FALSE(start.stands);
-        EXPECT_THAT(start.note, HasSubstr("no floor has room for the player"));
+        EXPECT_THAT(start.note, HasSubstr("no floor with room for the player"));
         EXPECT_EQ(start.position, level.spawn);
     }
 }
@@ -290,7 +290,7 @@ TEST(Spawns, BadOnesAreRefusedWithTheirPlace) {
     std::vector<Spawn> spawns{{{0, 0, 0}, 0, "a"}};
     EXPECT_EQ(spawns_problem(spawns), "");
     spawns.front().position.x() = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THAT(spawns_problem(spawns), HasSubstr("\"a\" is nowhere"));
+    EXPECT_THAT(spawns_problem(spawns), HasSubstr("The spawn \"a\" has an invalid position"));
     spawns.front() = {{0, 0, 0}, 0, "a"};
     spawns.push_back(spawns.front());
     EXPECT_THAT(spawns_problem(spawns), HasSubstr("Another spawn"));

@@ -96,11 +96,9 @@ TEST(KeptFaces, WhatIsGoneIsDroppedAndListed) {
     EXPECT_THAT(loaded.level.hidden, ElementsAre(0, 6));
     EXPECT_THAT(loaded.level.selections[0].faces, ElementsAre(1, 7));
     ASSERT_EQ(loaded.warnings.size(), 2u);
-    EXPECT_EQ(loaded.warnings[0].message,
-              "found no face any more for 1 of the 3 faces hidden; they are dropped");
-    EXPECT_EQ(
-        loaded.warnings[1].message,
-        "found no face any more for 1 of the 3 faces of the selection \"stairs \"up\"\"; they are dropped");
+    EXPECT_EQ(loaded.warnings[0].message, "1 of the 3 faces hidden no longer exist; they are dropped");
+    EXPECT_EQ(loaded.warnings[1].message,
+              "1 of the 3 faces of the selection \"stairs \"up\"\" no longer exist; they are dropped");
     EXPECT_THAT(loaded.warnings[0].location, HasSubstr(location));
     EXPECT_THAT(read(level_to_json(loaded.level), fewer).warnings, IsEmpty()) << "listed once";
 }

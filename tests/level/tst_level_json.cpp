@@ -224,17 +224,17 @@ const char* const surfaces_path = "easy.slipface.json:/surfaces";
 
 const std::vector<Hostile>& hostile_files() {
     static const std::vector<Hostile> files{
-        {"Empty", "", "easy.slipface.json:1:1", "no JSON"},
-        {"OnlySpace", " \n\n ", "easy.slipface.json:3", "no JSON"},
+        {"Empty", "", "easy.slipface.json:1:1", "not valid JSON"},
+        {"OnlySpace", " \n\n ", "easy.slipface.json:3", "not valid JSON"},
         {"Junk",
          std::string("\x7f"
                      "ELF\x02\x01\x00\x00",
                      8),
-         "easy.slipface.json:1:1", "no JSON"},
-        {"JunkBehind", "{\"slipface\": 1}\n}", "easy.slipface.json:2:1", "no JSON"},
+         "easy.slipface.json:1:1", "not valid JSON"},
+        {"JunkBehind", "{\"slipface\": 1}\n}", "easy.slipface.json:2:1", "not valid JSON"},
         {"BadUtf8", with("\"a\": \"\xC3(\""), "easy.slipface.json:1:", "UTF-8"},
-        {"Comment", "{\"slipface\": 1 // hi\n}", "easy.slipface.json:1:16", "no JSON"},
-        {"NotANumber", with("\"spawn\": {\"yaw\": NaN}"), "easy.slipface.json:1:", "no JSON"},
+        {"Comment", "{\"slipface\": 1 // hi\n}", "easy.slipface.json:1:16", "not valid JSON"},
+        {"NotANumber", with("\"spawn\": {\"yaw\": NaN}"), "easy.slipface.json:1:", "not valid JSON"},
         {"NumberOverflow", with("\"spawn\": {\"yaw\": 1e999}"), "easy.slipface.json:1:", "1e999"},
         {"AnArray", "[1, 2]", "easy.slipface.json:/", "expected an object"},
         {"ANumber", "7", "easy.slipface.json:/", "the number 7"},
@@ -243,11 +243,12 @@ const std::vector<Hostile>& hostile_files() {
         {"TextVersion", "{\"slipface\": \"1\"}", "easy.slipface.json:/slipface", "the string \"1\""},
         {"FractionVersion", "{\"slipface\": 1.0}", "easy.slipface.json:/slipface", "1.0"},
         {"DuplicateTop", "{\"slipface\": 1, \"rules\": [], \"rules\": []}", "easy.slipface.json:/rules",
-         "twice"},
-        {"DuplicateVersion", "{\"slipface\": 1, \"slipface\": 1}", "easy.slipface.json:/slipface", "twice"},
+         "duplicate key"},
+        {"DuplicateVersion", "{\"slipface\": 1, \"slipface\": 1}", "easy.slipface.json:/slipface",
+         "duplicate key"},
         {"DuplicateDeep", with(R"("x": [{"a": {"k": 1, "j": 2, "k": 1}}])"), "easy.slipface.json:/x/0/a/k",
-         "twice"},
-        {"DuplicateEscaped", with(R"("a": 1, "\u0061": 2)"), "easy.slipface.json:/a", "twice"},
+         "duplicate key"},
+        {"DuplicateEscaped", with(R"("a": 1, "\u0061": 2)"), "easy.slipface.json:/a", "duplicate key"},
         {"DeepArrays", nested(64, '[', ']'), "easy.slipface.json:/x/0/0", "at most 64 levels"},
         {"DeepUnclosed", std::string(3'000'000, '['), "easy.slipface.json:/0/0", "at most 64 levels"},
         {"MeshType", with("\"mesh\": 3"), "easy.slipface.json:/mesh", "expected a string"},
@@ -464,7 +465,7 @@ TEST(LevelJson, AHundredThousandFarAndHugeMissingFacesDoNotHang) {
     const Result<LoadedLevel> loaded = level_from_json(json + "]}]}", level_place, mesh_of(faces));
     ASSERT_TRUE(loaded.ok()) << loaded.error().text();
     EXPECT_EQ(loaded->match.orphaned, 100'000u);
-    EXPECT_THAT(loaded->warnings.back().message, HasSubstr("cut short"));
+    EXPECT_THAT(loaded->warnings.back().message, HasSubstr("too many faces have moved"));
 }
 
 }  // namespace

@@ -157,7 +157,7 @@ TEST(BuildMesh, RefusesWhatDoesNotFit) {
     refused({}, "no faces");
     PolygonSoup soup = soup_of(grid(1, 1));
     soup.face_first_corner = {0, 3};
-    refused(soup, "do not fit");
+    refused(soup, "do not match");
     soup.face_first_corner = {0, 2, 4};
     refused(soup, "fewer than three");
     soup.face_first_corner = {0, 5, 4};

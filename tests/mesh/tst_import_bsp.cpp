@@ -356,7 +356,7 @@ TEST_F(ImportBsp, BrushesThatOverlapWithoutEndAreRefused) {
     for (int i = 0; i < 8000; ++i)
         map.add_box({Vec3::Constant(-100 - i * 0.01), Vec3::Constant(100 + (i % 97) * 0.5)}, caulk);
     map.add_world();
-    EXPECT_THAT(error_of(map), HasSubstr("overlap too often"));
+    EXPECT_THAT(error_of(map), HasSubstr("too many overlapping brushes"));
 }
 
 TEST_F(ImportBsp, AnyByteMayBeWrong) {

@@ -33,11 +33,11 @@ TEST_F(ImportHostile, WhatIsNoObjFile) {
     expect_refused("\n\n", 0, "no faces");
     expect_refused("# only\nv 0 0 0\n", 0, "no faces");
     expect_refused("hello\nworld\n", 0, "no faces");
-    expect_refused(std::string_view("v 0 0 0\nv 0\0 0 0\n", 17), 2, "byte 0x00 is no text");
+    expect_refused(std::string_view("v 0 0 0\nv 0\0 0 0\n", 17), 2, "byte 0x00 is not text");
     expect_refused(
         "v 0 0 0\n\x7f"
         "ELF\x02\x01\x01\n",
-        2, "byte 0x02 is no text");
+        2, "byte 0x02 is not text");
 
     const auto missing = import_mesh(folder / "no.obj");
     ASSERT_FALSE(missing);
@@ -62,7 +62,7 @@ TEST_F(ImportHostile, CoordinatesOutOfRange) {
     expect_refused("v 0 0 0\nv 0 0 -inf\nv 1 0 0\nf 1 2 3\n", 2, "'-inf' is out of range");
     expect_refused("v 0 0 0\nv 1e38 0 0\nv 1 0 0\nf 1 2 3\n", 2, "'1e38' is out of range");
     expect_refused("v 0 0 0\nv 1e999 0 0\nv 1 0 0\nf 1 2 3\n", 2, "'1e999' is out of range");
-    expect_refused("v 10000001 0 0\n", 1, "at most 1e+07 m");
+    expect_refused("v 10000001 0 0\n", 1, "expected -1e+07 to 1e+07");
     EXPECT_TRUE(import("v 1e7 0 0\nv -1e7 0 0\nv 0 0 1e7\nf 1 2 3\n"));
     expect_refused("v 1,5 0 0\n", 1, "'1,5' is no number");
     expect_refused("v 1.#QNAN 0 0\n", 1, "is no number");
@@ -76,9 +76,9 @@ TEST_F(ImportHostile, IndicesOutOfRange) {
     expect_refused(head + "f 1 2 5\n", 7, "index 5 is out of range; expected 1 to 4");
     expect_refused(head + "f 1 2 0\n", 7, "index 0 is out of range");
     expect_refused(head + "f 1 2 -5\n", 7, "index -5 is out of range");
-    expect_refused(head + "f 1/1 2/2 3/1\n", 7, "so many 'vt' there are");
-    expect_refused(head + "f 1//1 2//2 3//1\n", 7, "so many 'vn' there are");
-    expect_refused(head + "f 1//-2 2//1 3//1\n", 7, "so many 'vn' there are");
+    expect_refused(head + "f 1/1 2/2 3/1\n", 7, "the number of 'vt' lines");
+    expect_refused(head + "f 1//1 2//2 3//1\n", 7, "the number of 'vn' lines");
+    expect_refused(head + "f 1//-2 2//1 3//1\n", 7, "the number of 'vn' lines");
     expect_refused(head + "f 1 2 99999999999999999999\n", 7, "index 99999999999999999999 is out of range");
     expect_refused(head + "f 1 2 4294967297\n", 7, "out of range");
     expect_refused("f 1 2 3\n", 1, "expected 1 to 0");

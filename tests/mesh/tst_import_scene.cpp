@@ -108,7 +108,7 @@ TEST_F(ImportScene, MoreElementsThanBytesAreRefused) {
                     "element face 3000000000\nproperty list uchar int vertex_indices\nend_header\n")}) {
         const auto result = import_as(name, text);
         ASSERT_FALSE(result) << name;
-        EXPECT_THAT(result.error().message, HasSubstr("announces")) << name;
+        EXPECT_THAT(result.error().message, HasSubstr("declares")) << name;
     }
 }
 

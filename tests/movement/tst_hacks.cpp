@@ -93,7 +93,7 @@ TEST(StaticFriction, the_vertical_part_gets_exactly_one_sweep_on_ground) {
     const PlayerState state = standing_on_slope(lab, s, radians(30));
     TraceRecorder trace;
     EXPECT_EQ(step(lab.scene(), s, state, {}, tick, &trace).sweeps, 1);
-    EXPECT_TRUE(has_decision(trace, "static_friction", true, "Stood"));
+    EXPECT_TRUE(has_decision(trace, "static_friction", true, "Flat enough to stand on"));
 }
 
 // --- steep slopes are walls

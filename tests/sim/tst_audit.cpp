@@ -444,7 +444,7 @@ TEST(Audit, RefusesWhatCannotBeRun) {
     level.overrides[0] = find_surface(level, "hazard").value();
     const auto deadly = run_audit(level, short_audit());
     ASSERT_FALSE(deadly.ok()) << "it would only count deaths";
-    EXPECT_THAT(deadly.error().text(), testing::HasSubstr("dies after 0."));
+    EXPECT_THAT(deadly.error().text(), testing::HasSubstr("is killed after 0."));
     EXPECT_THAT(deadly.error().text(), testing::HasSubstr("face 0"));
     level = box_level();
     level.spawn = {0.0, 0.1, 0.0};

@@ -199,7 +199,7 @@ TEST(Story, APushThatStaysInsideIsTrouble) {
     const std::vector<StoryLine> lines = describe(records, {});
     ASSERT_EQ(lines.size(), 1u);
     EXPECT_EQ(lines[0].tone, StoryTone::trouble);
-    EXPECT_EQ(lines[0].text, "Not pushed out of 2 faces: 0.25 m further it would be inside another");
+    EXPECT_EQ(lines[0].text, "Not pushed out of 2 faces: moving by 0.25 m would end inside another");
 }
 
 }  // namespace
