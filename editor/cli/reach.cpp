@@ -121,8 +121,14 @@ int answer_how(const ReachSearch& search, const ReachWords& words) {
         text = fmt::format("{}: reached after {:.2f} s, at {} m\n", what, time,
                            vector_text(search.position_of(node)));
     } else {
-        auto miss = face ? search.nearest_miss_of_face(*face)
-                         : search.nearest_miss_of_point(*point, search.level().movement.radii.y());
+        auto miss =
+            face ? search.nearest_miss_of_face(*face) : search.nearest_miss_of_point(*point, search.cell_m());
+        if (point) {
+            // The point may be meant for the feet, too.
+            const Vec3 centre = *point + Vec3(0.0, search.level().movement.radii.y(), 0.0);
+            auto feet = search.nearest_miss_of_point(centre, search.cell_m());
+            if (feet && miss && feet->distance_m < miss->distance_m) miss = std::move(feet);
+        }
         json["steps"] = search.steps();
         json["rounds"] = search.rounds().size();
         text = fmt::format("{}: not reached after {} steps in {} rounds", what, search.steps(),
@@ -130,7 +136,9 @@ int answer_how(const ReachSearch& search, const ReachWords& words) {
         if (miss) {
             json["short_m"] = miss->distance_m;
             if (miss->from != no_id) json["last_face"] = miss->from;
-            text += fmt::format("; {:.2f} m short", miss->distance_m);
+            const bool flew_by = point && miss->distance_m == 0.0;
+            text += flew_by ? "; was there in flight, but nothing held the player"
+                            : fmt::format("; {:.2f} m short", miss->distance_m);
             if (miss->from != no_id) text += fmt::format(", last on face {}", miss->from);
             tape = std::move(miss->tape);
         }

@@ -37,13 +37,18 @@ void start_rows(Editor& editor) {
         "and lost");
     ui::checkbox("Ways by click", &wanted.ways_by_click,
                  "Selecting a face opens the fastest way to it, or the attempt that came nearest");
-    const bool searches =
-        ui::button("Search", "Search from the spawn for all that the player can reach; work on meanwhile");
-    if (searches) {
-        const std::shared_ptr<ReachJob> before = editor.reach;
-        editor.reach = ReachJob::start(*editor.document, wanted, editor.session.wake, before.get());
-    }
     if (editor.reach) editor.reach->settings = wanted;
+    const bool on = editor.reach && editor.reach->can_go_on(*editor.document);
+    const bool searches =
+        ui::button(on ? "Search on" : "Search",
+                   on ? "Go on with the search from where it stands"
+                      : "Search from the spawn for all that the player can reach; work on meanwhile");
+    if (!searches) return;
+    if (!editor.reach) {
+        editor.reach = ReachJob::start(*editor.document, wanted, editor.session.wake, nullptr);
+        return;
+    }
+    run_reach(editor);
 }
 
 void progress(Editor& editor, FrameContext& frame) {

@@ -34,6 +34,7 @@ std::shared_ptr<ReachJob> ReachJob::start(const Document& document, const ReachS
     job->settings = settings;
     job->level_ = document.level();
     job->face_revision_ = document.face_revision();
+    job->spawns_ = all_spawns(document.level());
     if (before != nullptr) {
         job->view = before->view;
         job->show = before->show;
@@ -59,6 +60,26 @@ std::shared_ptr<ReachJob> ReachJob::start(const Document& document, const ReachS
     return job;
 }
 
+bool ReachJob::can_go_on(const Document& document) const {
+    return search_ && fits(document) &&
+           search_->options().seed == static_cast<std::uint64_t>(settings.seed) && !search_->exhausted();
+}
+
+void ReachJob::go_on(std::function<void()> wake) {
+    const auto search = std::make_shared<ReachSearch>(std::move(*search_));
+    search_.reset();
+    cancelled_ = false;
+    heat_view_.reset();
+    work_ = std::make_unique<Background<Result<ReachSearch>>>(
+        [search, duration = settings.duration_s](Progress& progress) -> Result<ReachSearch> {
+            ReachLimits limits;
+            limits.seconds = std::clamp(duration, 0.1, 3600.0);
+            search->run(limits, &progress);
+            return std::move(*search);
+        },
+        std::move(wake));
+}
+
 void ReachJob::cancel() {
     cancelled_ = true;
     work_->cancel();
@@ -81,7 +102,8 @@ void ReachJob::settle() {
 bool ReachJob::fits(const Document& document) const {
     const Level& now = document.level();
     return level_.mesh == now.mesh && face_revision_ == document.face_revision() &&
-           level_.movement == now.movement && level_.platforms == now.platforms;
+           level_.movement == now.movement && level_.platforms == now.platforms &&
+           level_.fall_limit == now.fall_limit && spawns_ == all_spawns(now);
 }
 
 const std::vector<FaceId>& ReachJob::faces_of(ReachView of) const {
@@ -143,7 +165,10 @@ bool can_show_way(const Editor& editor) {
 void run_reach(Editor& editor) {
     ReachSettings settings;
     if (editor.reach) settings = editor.reach->settings;
-    editor.reach = ReachJob::start(*editor.document, settings, editor.session.wake, editor.reach.get());
+    if (editor.reach && editor.reach->can_go_on(*editor.document))
+        editor.reach->go_on(editor.session.wake);
+    else
+        editor.reach = ReachJob::start(*editor.document, settings, editor.session.wake, editor.reach.get());
     editor.layout.show(PanelId::reach);
 }
 
@@ -277,7 +302,9 @@ std::string goal_name_problem(const Document& document, std::size_t index, const
 }
 
 std::string goal_state(const Editor& editor, std::size_t index) {
-    if (!editor.reach || !editor.reach->report() || !editor.reach->fits(*editor.document)) return {};
+    if (!editor.reach || !editor.reach->report() || !editor.reach->fits(*editor.document) ||
+        !editor.reach->fits_goals(*editor.document))
+        return {};
     const Goal& goal = editor.document->level().goals[index];
     for (const ReachReport::NamedGoal& one : editor.reach->report()->goals) {
         if (one.name != goal.name) continue;

@@ -31,6 +31,10 @@ class ReachJob {
     static std::shared_ptr<ReachJob> start(const Document& document, const ReachSettings& settings,
                                            std::function<void()> wake, const ReachJob* before);
 
+    // Searches on for the settings' duration, from where the search stood.
+    bool can_go_on(const Document& document) const;
+    void go_on(std::function<void()> wake);
+
     bool running() const { return work_ && !work_->ready(); }
     double progress() const { return work_->progress().fraction(); }
     void cancel();
@@ -41,6 +45,7 @@ class ReachJob {
     const std::optional<ReachDifference>& difference() const { return difference_; }
     // The level it ran in is the one that is open, unchanged in what decides where the player gets.
     bool fits(const Document& document) const;
+    bool fits_goals(const Document& document) const { return level_.goals == document.level().goals; }
 
     const std::vector<FaceId>& faces_of(ReachView view) const;  // those that are listed; none for `time`
     // What a face is coloured by, 0..1; 0: not at all. The colours follow the root of the time. [face]
@@ -65,6 +70,7 @@ class ReachJob {
 
     Level level_;
     std::uint64_t face_revision_ = 0;
+    std::vector<Spawn> spawns_;  // as they were; `level_` begins where a player fits
     std::optional<ReachReport> before_, report_;
     bool cancelled_ = false;
     std::optional<ReachDifference> difference_;
@@ -81,7 +87,7 @@ bool reach_can_start(const Editor& editor);
 bool reach_runs(const Editor& editor);
 bool has_reach(const Editor& editor);
 bool can_show_way(const Editor& editor);
-void run_reach(Editor& editor);
+void run_reach(Editor& editor);  // goes on with the last search where nothing has changed since
 void cancel_reach(Editor& editor);
 void clear_reach(Editor& editor);
 void show_way(Editor& editor);  // to the first of the selected faces

@@ -251,8 +251,8 @@ class Matcher {
     // Adds `face` and further neighbours to the parts until they are complete; if that fails, removes it.
     bool grow_union(const FaceKey& key, const Vec3& normal, FaceId face, std::vector<FaceId>& parts) {
         constexpr std::size_t max_parts = 12;
-        constexpr std::size_t max_visits = 2000;
-        if (parts.size() == max_parts || ++union_visits_ > max_visits || !is_part(key, normal, face))
+        constexpr std::size_t max_tries = 2000;
+        if (parts.size() == max_parts || ++union_visits_ > max_tries || !is_part(key, normal, face))
             return false;
         ++lookup_.visits;
         parts.push_back(face);

@@ -1,12 +1,13 @@
 #include "slipface/reach/archive.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace slipface {
 namespace {
 
 constexpr std::uint64_t upper_half = 0xffffffff00000000ULL;
-constexpr std::size_t most_edges_per_node = 32;
+constexpr std::size_t max_edges_per_node = 32;
 
 }  // namespace
 
@@ -78,9 +79,16 @@ void ReachArchive::add_edge(NodeId from, NodeId to) {
     std::size_t count = 0;
     const bool same_cell = nodes[from].cell == nodes[to].cell;
     for (std::uint32_t at = first_edge[to]; at != no_id && !same_cell; at = edges[at].next)
-        if (edges[at].from == from || ++count >= most_edges_per_node) return;
-    edges.push_back({from, first_edge[to]});
-    first_edge[to] = static_cast<std::uint32_t>(edges.size() - 1);
+        if (edges[at].from == from || ++count >= max_edges_per_node) return;
+    std::uint32_t edge = free_edge;
+    if (edge == no_id) {
+        edge = static_cast<std::uint32_t>(edges.size());
+        edges.emplace_back();
+    } else {
+        free_edge = edges[edge].next;
+    }
+    edges[edge] = {from, first_edge[to]};
+    first_edge[to] = edge;
 }
 
 void ReachArchive::mark_returning(NodeId node) {
@@ -91,8 +99,11 @@ void ReachArchive::mark_returning(NodeId node) {
         if (nodes[at].returns) continue;
         nodes[at].returns = 1;
         if (nodes[at].parent != no_id) open.push_back(nodes[at].parent);
-        for (std::uint32_t edge = first_edge[at]; edge != no_id; edge = edges[edge].next)
+        for (std::uint32_t edge = first_edge[at]; edge != no_id;) {
             open.push_back(edges[edge].from);
+            const std::uint32_t next = std::exchange(edges[edge].next, free_edge);
+            free_edge = std::exchange(edge, next);
+        }
         first_edge[at] = no_id;
     }
 }

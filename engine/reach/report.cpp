@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_curve_points = 100;
+constexpr std::size_t max_curve_points = 100;
 
 Json vector_json(const Vec3& vector) {
     return {vector.x(), vector.y(), vector.z()};
@@ -146,7 +146,7 @@ std::string reach_to_json(const ReachReport& report, bool indent) {
     json["exhausted"] = report.exhausted;
     json["curve"] = Json::array();  // [round, steps, cells, faces], all so far
     ReachRound sum;
-    const std::size_t every = std::max<std::size_t>(1, report.rounds.size() / most_curve_points);
+    const std::size_t every = std::max<std::size_t>(1, report.rounds.size() / max_curve_points);
     for (std::size_t i = 0; i < report.rounds.size(); ++i) {
         sum.steps += report.rounds[i].steps;
         sum.cells += report.rounds[i].cells;

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t picks_per_round = 256;
 constexpr std::uint32_t visits_per_pick = 4;
 // Then a cell has shown what it leads to. In the air little can be chosen.
-constexpr std::uint32_t max_visits = 400, max_visits_in_air = 24;
+constexpr std::uint32_t max_visits = 2000, max_visits_in_air = 24;
 constexpr std::size_t max_cost = 160;
 constexpr std::size_t max_nodes = 60'000'000;
 constexpr double phase_s = 0.5;
@@ -241,7 +241,7 @@ void ReachSearch::Impl::round() {
         merge(harvests[i], pick.node, news, productive);
         archive.nodes[pick.node].visits = pick.last & 0x1fffu;
         const bool held = is_held(archive.nodes[pick.node].state);
-        const std::uint32_t maximum = !held ? max_visits_in_air : productive ? 8000 : max_visits;
+        const std::uint32_t maximum = !held ? max_visits_in_air : productive ? 8000u : max_visits;
         if (pick.last < maximum) enqueue(pick.node, pick.cost + (productive ? 0 : more));
     }
 }

@@ -247,6 +247,7 @@ std::string ReachSearch::Impl::body() const {
     }
     for (const std::uint32_t edge : archive.first_edge)
         to.put(edge);
+    to.put(archive.free_edge);
     return std::move(to.bytes);
 }
 
@@ -325,11 +326,23 @@ Status ReachSearch::Impl::read_body(std::string_view bytes, const std::string& l
     archive.edges.resize(from.count(8, "a number of edges"));
     for (std::size_t i = 0; i < archive.edges.size() && !from.problem; ++i) {
         archive.edges[i].from = node_in("a node");
-        archive.edges[i].next = from.index(i, "an edge");  // lists lead to earlier edges, so they end
+        archive.edges[i].next = from.index(archive.edges.size(), "an edge");
     }
     archive.first_edge.resize(count);
-    for (std::uint32_t& edge : archive.first_edge)
+    // No edge is in two lists, or twice in one: so every list ends.
+    std::vector<bool> listed(archive.edges.size());
+    const auto check_list = [&](std::uint32_t edge) {
+        for (; edge != no_id && !from.problem; edge = archive.edges[edge].next) {
+            if (listed[edge]) return from.fail("an edge a second time", "each once");
+            listed[edge] = true;
+        }
+    };
+    for (std::uint32_t& edge : archive.first_edge) {
         edge = from.index(archive.edges.size(), "an edge");
+        check_list(edge);
+    }
+    archive.free_edge = from.index(archive.edges.size(), "an edge");
+    check_list(archive.free_edge);
     if (!from.problem && count == 0) from.fail("no nodes", "at least the start");
     if (!from.problem && !from.at_end()) from.fail("more data", "the end");
     if (from.problem) return Error{location, *from.problem};

@@ -136,6 +136,7 @@ const std::map<std::string_view, Case>& cases() {
         {"lab.loop", {walk, "expect checked \"Timeline/Transport/Loop\" yes"}},
         {"lab.resume", {walk, "expect playing yes"}},
         {"lab.pin", {walk, "expect ghosts 3"}},
+        {"reach.cancel", {"command reach.run", ""}},
         {"reach.clear", {"command reach.run\nfinish", "expect no_widget \"Reach/Clear\""}},
         {"reach.way", {"command reach.run\nfinish\nselect faces 36", "expect status \"Face 36 *\""}},
         {"reach.add_goal", {"", "expect status \"Added Goal 1\""}},

@@ -52,6 +52,7 @@ class ReachArchive {
         std::uint32_t next = no_id;  // index into edges
     };
     std::vector<Edge> edges;
+    std::uint32_t free_edge = no_id;        // the first of those that are used no more
     std::vector<std::uint32_t> first_edge;  // [node] of those that lead to it
 
   private:
