@@ -1,4 +1,5 @@
 // Where a player begins: spawns that fit, spawns that do not, and levels without any.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "level/faces.h"
