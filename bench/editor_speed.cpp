@@ -14,7 +14,7 @@
 #include <string>
 
 #include "app/offscreen_host.h"
-#include "tools/commands.h"
+#include "tools/commands/commands.h"
 
 namespace slipface {
 namespace {

@@ -15,8 +15,8 @@
 #include "cli/verbs.h"
 #include "document/folders.h"
 #include "slipface/base/files.h"
-#include "snapshot_verb.h"
-#include "tools/docs.h"
+#include "snapshot_verb/snapshot_verb.h"
+#include "tools/commands/docs.h"
 
 namespace slipface {
 namespace {

@@ -93,7 +93,7 @@ def main():
         print(f"| {1000 * metres:g} mm | {len(rows)} | {sum(not row['same'] for row in rows)} | {min(row['differing'] for row in rows)} "
               f"| {min(row['densest'] for row in rows)} |")
 
-    answer = slipface("snapshot", "doctor", *[str(base / (name + ".png")) for name in names])
+    answer = slipface("snapshot", "opengl", *[str(base / (name + ".png")) for name in names])
     wrong = collections.Counter(line.split(":")[0].strip() for line in answer.stdout.splitlines() if "WRONG" in line)
     print(f"\nSelf-test on every picture: {'all cases as expected' if not wrong else dict(wrong)}")
     if not arguments.keep:

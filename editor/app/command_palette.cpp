@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/parts.h"
-#include "tools/fuzzy.h"
+#include "tools/commands/fuzzy.h"
 #include "widgets/imgui_compat.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"

@@ -6,8 +6,8 @@
 #include "document/folder_listing.h"
 #include "slipface/base/text.h"
 #include "slipface/mesh/formats.h"
-#include "tools/exchange.h"
-#include "tools/lab_actions.h"
+#include "tools/lab/lab_actions.h"
+#include "tools/session/exchange.h"
 
 namespace slipface {
 namespace {

@@ -17,7 +17,7 @@
 #include "app/app.h"
 #include "app/glfw_keys.h"
 #include "app/parts.h"
-#include "tools/review.h"
+#include "tools/review/review.h"
 
 namespace slipface {
 namespace {

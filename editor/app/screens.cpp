@@ -7,13 +7,13 @@
 #include <system_error>
 
 #include "app/script.h"
+#include "goldens/screen.h"
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
 #include "slipface/level/find_start.h"
 #include "slipface/render/gl_graphics.h"
-#include "slipface/snapshot/screen.h"
-#include "slipface/snapshot/suite.h"
 #include "slipface/world/geometric_manager.h"
+#include "snapshots/scene_stage.h"
 #include "widgets/ui.h"
 
 namespace slipface {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "slipface/snapshot/golden.h"
+#include "goldens/golden.h"
 
 namespace slipface {
 

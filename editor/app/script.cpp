@@ -9,9 +9,9 @@
 #include "app/script_context.h"
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
-#include "tools/audit_job.h"
-#include "tools/reach_job.h"
-#include "tools/review.h"
+#include "tools/lab/audit_job.h"
+#include "tools/lab/reach_job.h"
+#include "tools/review/review.h"
 
 namespace slipface {
 namespace {

@@ -1,6 +1,6 @@
 // The verbs that exchange files with other programs.
 #include "app/script_context.h"
-#include "tools/exchange.h"
+#include "tools/session/exchange.h"
 
 namespace slipface {
 

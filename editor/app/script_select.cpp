@@ -5,8 +5,8 @@
 
 #include "app/script_context.h"
 #include "slipface/base/text.h"
-#include "tools/cameras.h"
-#include "tools/selecting.h"
+#include "tools/selection/selecting.h"
+#include "tools/view/cameras.h"
 
 namespace slipface {
 namespace {

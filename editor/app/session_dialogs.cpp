@@ -9,7 +9,7 @@
 #include "app/dialog_parts.h"
 #include "app/parts.h"
 #include "document/path_text.h"
-#include "tools/icons.h"
+#include "tools/commands/icons.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 

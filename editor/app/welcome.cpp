@@ -6,7 +6,7 @@
 #include "app/parts.h"
 #include "document/folders.h"
 #include "document/path_text.h"
-#include "tools/icons.h"
+#include "tools/commands/icons.h"
 #include "widgets/imgui_compat.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"

@@ -6,9 +6,9 @@
 #include "panels/panels.h"
 #include "panels/property_rows.h"
 #include "panels/viewport_panel.h"
-#include "tools/audit_job.h"
-#include "tools/icons.h"
-#include "tools/lab_actions.h"
+#include "tools/commands/icons.h"
+#include "tools/lab/audit_job.h"
+#include "tools/lab/lab_actions.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 

@@ -4,8 +4,8 @@
 #include "panels/named_rows.h"
 #include "panels/panels.h"
 #include "panels/property_rows.h"
-#include "tools/cameras.h"
-#include "tools/icons.h"
+#include "tools/commands/icons.h"
+#include "tools/view/cameras.h"
 #include "widgets/ui.h"
 
 namespace slipface {

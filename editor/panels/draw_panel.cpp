@@ -22,7 +22,7 @@ void draw_panel(PanelId panel, Editor& editor, FrameContext& frame) {
     case PanelId::name:                    \
         call(name##_panel, editor, frame); \
         break;
-#include "tools/panel_rows.inc"
+#include "tools/view/panel_rows.inc"
 #undef SLIPFACE_PANEL
         case PanelId::count:
             break;

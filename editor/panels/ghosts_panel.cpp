@@ -6,8 +6,8 @@
 
 #include "panels/lab_track.h"
 #include "panels/property_rows.h"
-#include "tools/icons.h"
-#include "tools/lab_actions.h"
+#include "tools/commands/icons.h"
+#include "tools/lab/lab_actions.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 

@@ -10,8 +10,8 @@
 
 #include "panels/property_rows.h"
 #include "slipface/scenes/demo.h"
-#include "tools/icons.h"
-#include "tools/lab_actions.h"
+#include "tools/commands/icons.h"
+#include "tools/lab/lab_actions.h"
 #include "widgets/imgui_compat.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"

@@ -6,8 +6,8 @@
 
 #include "panels/panels.h"
 #include "slipface/level/find_start.h"
-#include "tools/icons.h"
-#include "tools/spawns.h"
+#include "tools/commands/icons.h"
+#include "tools/playtest/spawns.h"
 #include "widgets/imgui_compat.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"

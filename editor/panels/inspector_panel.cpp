@@ -9,8 +9,8 @@
 #include "panels/legend.h"
 #include "panels/panels.h"
 #include "panels/property_rows.h"
-#include "tools/face_summary.h"
-#include "tools/icons.h"
+#include "tools/commands/icons.h"
+#include "tools/selection/face_summary.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 

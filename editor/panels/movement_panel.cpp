@@ -9,8 +9,8 @@
 #include "panels/property_rows.h"
 #include "slipface/base/text.h"
 #include "slipface/level/preset.h"
-#include "tools/icons.h"
-#include "tools/lab_actions.h"
+#include "tools/commands/icons.h"
+#include "tools/lab/lab_actions.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 

@@ -2,7 +2,7 @@
 
 #include <imgui_internal.h>
 
-#include "tools/icons.h"
+#include "tools/commands/icons.h"
 #include "widgets/imgui_compat.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"

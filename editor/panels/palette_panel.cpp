@@ -8,8 +8,8 @@
 #include "panels/panels.h"
 #include "panels/property_rows.h"
 #include "panels/surface_editor.h"
-#include "tools/icons.h"
-#include "tools/selecting.h"
+#include "tools/commands/icons.h"
+#include "tools/selection/selecting.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 

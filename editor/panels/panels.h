@@ -5,7 +5,8 @@
 #include <functional>
 
 #include "slipface/render/overlay.h"
-#include "tools/commands.h"
+#include "tools/commands/commands.h"
+#include "tools/playtest/play_frame.h"
 
 struct ImVec2;
 
@@ -34,15 +35,6 @@ struct ImageServices {
     virtual unsigned image(const std::string& key, int width, int height,
                            const std::function<ImageRequest()>& request) = 0;
     virtual ~ImageServices() = default;
-};
-
-// Input that ImGui does not carry: movement keys by position (true while held), and the gamepad.
-struct HeldKeys {
-    bool forward = false, back = false, left = false, right = false, up = false, down = false, jump = false,
-         fast = false;
-    Vec2 stick = Vec2::Zero();        // gamepad, right and forward
-    Vec2 look_stick = Vec2::Zero();   // gamepad, radians per second
-    Vec2 look_pixels = Vec2::Zero();  // mouse movement while the cursor is captured by the playtest
 };
 
 struct FrameContext {

@@ -11,7 +11,7 @@
 #include "slipface/level/find_start.h"
 #include "slipface/render/trace_overlay.h"
 #include "slipface/sim/story.h"
-#include "tools/icons.h"
+#include "tools/commands/icons.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 

@@ -3,7 +3,7 @@
 
 #include "panels/panels.h"
 #include "panels/property_rows.h"
-#include "tools/icons.h"
+#include "tools/commands/icons.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tools/icons.h"
+#include "tools/commands/icons.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 

@@ -7,7 +7,7 @@
 #include "panels/panels.h"
 #include "panels/property_rows.h"
 #include "panels/viewport_panel.h"
-#include "tools/reach_job.h"
+#include "tools/lab/reach_job.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 

@@ -6,7 +6,7 @@
 #include "panels/panels.h"
 #include "panels/property_rows.h"
 #include "panels/review_view.h"
-#include "tools/review.h"
+#include "tools/review/review.h"
 #include "widgets/imgui_compat.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"

@@ -2,7 +2,7 @@
 #include "panels/named_rows.h"
 #include "panels/panels.h"
 #include "panels/property_rows.h"
-#include "tools/selecting.h"
+#include "tools/selection/selecting.h"
 #include "widgets/ui.h"
 
 namespace slipface {

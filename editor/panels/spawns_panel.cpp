@@ -5,7 +5,7 @@
 #include "panels/panels.h"
 #include "panels/property_rows.h"
 #include "slipface/level/find_start.h"
-#include "tools/spawns.h"
+#include "tools/playtest/spawns.h"
 #include "widgets/ui.h"
 
 namespace slipface {

@@ -6,8 +6,8 @@
 
 #include "panels/property_rows.h"
 #include "slipface/base/text.h"
-#include "tools/icons.h"
-#include "tools/surface_types.h"
+#include "tools/commands/icons.h"
+#include "tools/selection/surface_types.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "panels/lab_track.h"
-#include "tools/icons.h"
+#include "tools/commands/icons.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "panels/viewport_panel.h"
-#include "tools/selecting.h"
+#include "tools/selection/selecting.h"
 #include "widgets/ui.h"
 
 namespace slipface {

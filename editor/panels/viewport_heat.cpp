@@ -8,8 +8,8 @@
 
 #include "panels/viewport_panel.h"
 #include "slipface/sim/reach.h"
-#include "tools/audit_job.h"
-#include "tools/reach_job.h"
+#include "tools/lab/audit_job.h"
+#include "tools/lab/reach_job.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 

@@ -14,8 +14,6 @@
 namespace slipface {
 namespace {
 
-constexpr double look_radians_per_pixel = 0.0028;
-
 // A rounded plate with lines of text, its corner at `min`.
 void plate(ImDrawList& list, ImVec2 min, const std::array<std::string, 3>& lines) {
     const float scale = ui::scale(), line = ImGui::GetTextLineHeight() + 3 * scale;
@@ -30,34 +28,7 @@ void plate(ImDrawList& list, ImVec2 min, const std::array<std::string, 3>& lines
                      ui::packed(i == 0 ? ui::palette().text : ui::palette().muted), lines[i].c_str());
 }
 
-std::string falls_text(int falls) {
-    return falls == 1 ? "Fell out of the level; back at the start"
-                      : fmt::format("Fell out of the level {} times; back at the start", falls);
-}
-
 }  // namespace
-
-void playtest_frame(Editor& editor, FrameContext& frame) {
-    Playtest& playtest = *editor.playtest;
-    const HeldKeys& held = frame.held;
-    PlaytestInput input;
-    input.stick = Vec2((held.right ? 1.0 : 0.0) - (held.left ? 1.0 : 0.0),
-                       (held.forward ? 1.0 : 0.0) - (held.back ? 1.0 : 0.0)) +
-                  held.stick;
-    if (input.stick.norm() > 1.0) input.stick.normalize();
-    input.jump = held.jump;
-    input.look = Vec2(held.look_pixels.x(), -held.look_pixels.y()) * look_radians_per_pixel +
-                 held.look_stick * frame.seconds;
-    const float wheel = ImGui::GetIO().MouseWheel;
-    if (wheel != 0.0f)
-        playtest.boom = std::clamp(playtest.boom * std::pow(0.88, static_cast<double>(wheel)), 1.0, 30.0);
-    const int falls = playtest.falls();
-    playtest.advance(editor.lab.scene(*editor.document), editor.document->level().movement, input,
-                     frame.seconds);
-    if (playtest.falls() > falls) editor.status = falls_text(playtest.falls());
-    frame.wants_cursor_capture = true;
-    frame.animating = true;
-}
 
 void playtest_hud(const Editor& editor, const ViewportState& state) {
     const float scale = ui::scale();

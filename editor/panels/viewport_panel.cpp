@@ -190,7 +190,9 @@ void viewport_panel(Editor& editor, FrameContext& frame) {
     const Rect whole{min, {min.x + size.x, min.y + size.y}};
     const LegendLayout key = legend_layout(editor, whole.min, whole.max);
     if (editor.playtest) {
-        playtest_frame(editor, frame);
+        play_frame(editor, frame.held, ImGui::GetIO().MouseWheel, frame.seconds);
+        frame.wants_cursor_capture = true;
+        frame.animating = true;
     } else {
         legend_buttons(editor, key);
         view_cube(editor, state);

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "panels/panels.h"
-#include "tools/selecting.h"
+#include "tools/selection/selecting.h"
 
 namespace slipface {
 
@@ -60,7 +60,6 @@ std::string viewport_hint(const Editor& editor);
 Camera shown_camera(const Editor& editor);
 void viewport_gestures(Editor& editor, FrameContext& frame, ViewportState& state);    // after the view's item
 Overlay viewport_overlay(const Editor& editor, const Camera& camera, double height);  // of the view, pixels
-void playtest_frame(Editor& editor, FrameContext& frame);                             // advances it
 void add_lab(Overlay& overlay, const Editor& editor);   // ribbons, ghosts, the highlighted record
 void add_heat(Overlay& overlay, const Editor& editor);  // the audit's heat map, or the times to reach a face
 void heat_legend(const Editor& editor, const ViewportState& state);

@@ -6,9 +6,9 @@
 
 #include "panels/lab_track.h"
 #include "panels/property_rows.h"
-#include "tools/icons.h"
-#include "tools/lab_actions.h"
-#include "tools/why.h"
+#include "tools/commands/icons.h"
+#include "tools/lab/lab_actions.h"
+#include "tools/lab/why.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 

@@ -7,7 +7,7 @@
 #include "document/faces.h"
 #include "document/inside_out.h"
 #include "slipface/level/find_start.h"
-#include "tools/lab_actions.h"
+#include "tools/lab/lab_actions.h"
 
 namespace slipface {
 namespace {

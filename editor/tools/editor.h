@@ -10,16 +10,16 @@
 
 #include "document/document.h"
 #include "document/recent_files.h"
-#include "slipface/render/level_renderer.h"
-#include "tools/import_card.h"
-#include "tools/lab.h"
-#include "tools/panel_layout.h"
-#include "tools/panes.h"
-#include "tools/playtest.h"
-#include "tools/probe.h"
-#include "tools/session.h"
-#include "tools/view_camera.h"
-#include "tools/why.h"
+#include "slipface/view/level_style.h"
+#include "tools/lab/lab.h"
+#include "tools/lab/probe.h"
+#include "tools/lab/why.h"
+#include "tools/playtest/playtest.h"
+#include "tools/session/import_card.h"
+#include "tools/session/session.h"
+#include "tools/view/panel_layout.h"
+#include "tools/view/panes.h"
+#include "tools/view/view_camera.h"
 
 namespace slipface {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "impl.h"
-#include "sphere_triangle.h"
+#include "queries/sphere_triangle.h"
 
 namespace slipface {
 namespace {

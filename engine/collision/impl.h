@@ -4,10 +4,10 @@
 #include <array>
 #include <vector>
 
-#include "bvh.h"
-#include "eigen_vec.h"
-#include "kernels.h"
+#include "simd/eigen_vec.h"
+#include "simd/kernels.h"
 #include "slipface/collision/collision_world.h"
+#include "tree/bvh.h"
 
 namespace slipface {
 

@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "imported_soup.h"
+#include "assimp/imported_soup.h"
 
 namespace slipface {
 

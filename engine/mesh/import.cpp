@@ -5,11 +5,11 @@
 #include <exception>
 #include <utility>
 
-#include "import_bsp.h"
-#include "import_obj.h"
-#include "import_scene.h"
-#include "imported_soup.h"
-#include "obj_text.h"
+#include "assimp/import_scene.h"
+#include "assimp/imported_soup.h"
+#include "bsp/import_bsp.h"
+#include "obj/import_obj.h"
+#include "obj/obj_text.h"
 #include "slipface/base/files.h"
 #include "slipface/base/hash.h"
 #include "slipface/base/text.h"

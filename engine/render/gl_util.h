@@ -7,8 +7,8 @@
 #include <string>
 
 #include "slipface/base/result.h"
-#include "slipface/render/camera.h"
 #include "slipface/render/gl_context.h"
+#include "slipface/view/camera.h"
 
 namespace slipface {
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Fails if code that is compiled for one instruction set holds a function that the linker may take for others
-# (engine/collision/isa.h): on a processor without it the program would end there. Arguments: the objects of the
+# (engine/collision/simd/isa.h): on a processor without it the program would end there. Arguments: the objects of the
 # collision library.
 set -euo pipefail
 checked=0

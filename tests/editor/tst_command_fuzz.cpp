@@ -8,8 +8,8 @@
 #include "level_fixture.h"
 #include "slipface/base/hash.h"
 #include "slipface/base/text.h"
-#include "tools/commands.h"
-#include "tools/selecting.h"
+#include "tools/commands/commands.h"
+#include "tools/selection/selecting.h"
 
 namespace slipface {
 namespace {

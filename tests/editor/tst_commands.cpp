@@ -6,13 +6,13 @@
 #include "level_fixture.h"
 #include "slipface/level/find_start.h"
 #include "slipface/level/preset.h"
-#include "tools/commands.h"
-#include "tools/docs.h"
-#include "tools/face_summary.h"
-#include "tools/icons.h"
-#include "tools/selecting.h"
-#include "tools/spawns.h"
-#include "tools/surface_types.h"
+#include "tools/commands/commands.h"
+#include "tools/commands/docs.h"
+#include "tools/commands/icons.h"
+#include "tools/playtest/spawns.h"
+#include "tools/selection/face_summary.h"
+#include "tools/selection/selecting.h"
+#include "tools/selection/surface_types.h"
 
 namespace slipface {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "app_fixture.h"
 #include "slipface/scenes/demo.h"
-#include "tools/lab_actions.h"
+#include "tools/lab/lab_actions.h"
 
 namespace slipface {
 namespace {

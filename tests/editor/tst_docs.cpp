@@ -3,7 +3,7 @@
 
 #include "app/script.h"
 #include "slipface/base/files.h"
-#include "tools/docs.h"
+#include "tools/commands/docs.h"
 
 namespace slipface {
 namespace {

@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "app_fixture.h"
-#include "tools/audit_job.h"
-#include "tools/commands.h"
+#include "tools/commands/commands.h"
+#include "tools/lab/audit_job.h"
 
 namespace slipface {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "app_fixture.h"
 #include "slipface/level/preset.h"
-#include "tools/exchange.h"
+#include "tools/session/exchange.h"
 
 namespace slipface {
 namespace {

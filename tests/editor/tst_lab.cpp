@@ -5,9 +5,9 @@
 #include "slipface/base/files.h"
 #include "slipface/sim/channels.h"
 #include "slipface/sim/simulate.h"
-#include "tools/audit_job.h"
-#include "tools/commands.h"
-#include "tools/lab_actions.h"
+#include "tools/commands/commands.h"
+#include "tools/lab/audit_job.h"
+#include "tools/lab/lab_actions.h"
 
 namespace slipface {
 namespace {

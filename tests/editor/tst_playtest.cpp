@@ -6,7 +6,7 @@
 
 #include "level_fixture.h"
 #include "slipface/sim/simulate.h"
-#include "tools/playtest.h"
+#include "tools/playtest/playtest.h"
 
 namespace slipface {
 namespace {

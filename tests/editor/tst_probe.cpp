@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "level_fixture.h"
-#include "tools/probe.h"
+#include "tools/lab/probe.h"
 
 namespace slipface {
 namespace {

@@ -5,7 +5,7 @@
 #include "document/recordings.h"
 #include "slipface/base/files.h"
 #include "slipface/sim/tape.h"
-#include "tools/lab_actions.h"
+#include "tools/lab/lab_actions.h"
 
 namespace slipface {
 namespace {

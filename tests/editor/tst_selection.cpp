@@ -6,9 +6,9 @@
 
 #include "document/selection.h"
 #include "level_fixture.h"
-#include "tools/cameras.h"
-#include "tools/commands.h"
-#include "tools/selecting.h"
+#include "tools/commands/commands.h"
+#include "tools/selection/selecting.h"
+#include "tools/view/cameras.h"
 
 namespace slipface {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tools/view_camera.h"
+#include "tools/view/view_camera.h"
 
 namespace slipface {
 namespace {

@@ -9,7 +9,7 @@
 #include "panels/lab_track.h"
 #include "panels/viewport_panel.h"
 #include "slipface/level/find_start.h"
-#include "tools/surface_types.h"
+#include "tools/selection/surface_types.h"
 #include "widgets/theme.h"
 
 namespace slipface {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "slipface/render/camera.h"
+#include "slipface/view/camera.h"
 
 namespace slipface {
 namespace {

@@ -4,12 +4,12 @@
 
 #include <fstream>
 
+#include "goldens/level_digest.h"
+#include "goldens/report.h"
+#include "goldens/screen.h"
 #include "slipface/base/files.h"
 #include "slipface/level/level_file.h"
-#include "slipface/snapshot/level_digest.h"
-#include "slipface/snapshot/report.h"
-#include "slipface/snapshot/screen.h"
-#include "slipface/snapshot/suite.h"
+#include "snapshots/scene_stage.h"
 
 namespace slipface {
 namespace {

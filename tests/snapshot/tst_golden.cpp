@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "slipface/snapshot/golden.h"
+#include "goldens/golden.h"
 
 namespace slipface {
 namespace {

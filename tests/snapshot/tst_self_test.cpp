@@ -4,8 +4,8 @@
 #include <cstdlib>
 
 #include "../render/test_scene.h"
+#include "goldens/golden.h"
 #include "slipface/render/level_renderer.h"
-#include "slipface/snapshot/golden.h"
 
 namespace slipface {
 namespace {

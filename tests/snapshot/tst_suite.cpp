@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "slipface/snapshot/suite.h"
+#include "snapshots/scene_stage.h"
 
 namespace slipface {
 namespace {

@@ -10,10 +10,10 @@
 #include <memory>
 
 #include "slipface/base/result.h"
-#include "slipface/render/camera.h"
 #include "slipface/render/gl_context.h"
 #include "slipface/render/level_renderer.h"
 #include "slipface/render/overlay.h"
+#include "slipface/view/camera.h"
 #include "slipface/world/world.h"
 
 namespace slipface {

@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "slipface/level/level.h"
-#include "slipface/render/camera.h"
 #include "slipface/render/gl_context.h"
 #include "slipface/render/level_renderer.h"
 #include "slipface/render/overlay.h"
+#include "slipface/view/camera.h"
 
 namespace slipface {
 

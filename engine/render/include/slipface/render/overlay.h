@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "slipface/base/types.h"
-#include "slipface/render/camera.h"
 #include "slipface/render/gl_context.h"
+#include "slipface/view/camera.h"
 
 namespace slipface {
 

@@ -1,0 +1,127 @@
+// Golden images: compares approved renderings with new ones.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "goldens/numbers.h"
+#include "slipface/image/compare.h"
+
+namespace slipface {
+
+enum class GoldenState {
+    same,
+    different,         // by the gate or by the numbers
+    missing,           // no NAME.png, or no NAME.json where there are numbers
+    unreadable,        // a golden that is no image, or numbers that are no JSON
+    nondeterministic,  // two renderings in a row differ
+    failed,            // rendering failed
+    orphan,            // a golden without a snapshot
+};
+inline constexpr std::size_t golden_state_count = 7;
+const char* golden_state_name(GoldenState state);
+
+// Whether `name` is a valid snapshot name, a path below a folder: letters, digits, '-', '_' and '@', with
+// single '/' or '.' between them; at most 200 characters. Names ending in ".altN" are those of alternates.
+bool valid_snapshot_name(std::string_view name);
+
+// The output of a snapshot: an image and the numbers behind it (JSON, see docs/snapshots.md; may be empty).
+struct Rendering {
+    Image image;
+    std::string numbers;
+};
+
+// One cause of a difference, in words: "3 faces of `roof` changed ice to default".
+struct Finding {
+    Cause cause = Cause::renderer;
+    std::size_t pixels = 0;  // number of changed pixels that it explains; 0: none, or numbers only
+    std::string text;
+};
+
+// The input of Snapshot::explain. The images are masked and of equal size.
+struct ExplainRequest {
+    const Image& expected;
+    const Rendering& actual;
+    const std::string& expected_numbers;
+    const std::vector<NumberDifference>& numbers;
+    std::filesystem::path goldens;  // folder of the goldens and their attachments
+    CompareTolerance tolerance;
+};
+
+// A file that several goldens use, such as a level's digest.
+struct Attachment {
+    std::string path;  // below the goldens' folder; empty: no attachment
+    std::string bytes;
+};
+
+// An image that can be rendered by name. Suites are lists of these: scenes in this module, screens in the
+// editor.
+struct Snapshot {
+    std::string name;
+    CompareTolerance tolerance;
+    std::function<Result<Rendering>()> render;
+    std::vector<MaskRect> masks = {};
+    std::function<std::vector<Finding>(const ExplainRequest&)> explain = {};  // may be empty
+    std::function<Result<Attachment>()> attachment = {};                      // may be empty
+};
+
+struct GoldenResult {
+    std::string name;  // "scenes/easy-overview"
+    GoldenState state = GoldenState::missing;
+    Comparison comparison;
+    std::vector<NumberDifference> numbers;
+    std::vector<Finding> findings;    // most pixels first
+    std::array<SweepRow, 8> sweep{};  // differing pixels at other thresholds
+    std::string matched;  // the alternate that matches, "NAME.alt1"; empty: none was needed or none matches
+    std::string message;  // one line, with numbers and the files written
+    double seconds = 0.0, drawing_s = 0.0;  // whole check; drawing alone
+};
+
+// Compares `actual` with FOLDER/NAME.png, then with the alternates NAME.alt1.png to NAME.alt9.png, and its
+// numbers with NAME.json. If they differ, writes OUT/NAME.expected.png, .actual.png, .actual.json and
+// .difference.png; if the golden is missing or unreadable, only the actual files. Never writes into `folder`.
+GoldenResult check_golden(const std::filesystem::path& folder, const Snapshot& snapshot,
+                          const Rendering& actual, const std::filesystem::path& out);
+
+// Renders `snapshot` and checks it. With `render_twice`, two renderings that differ in any byte make it
+// nondeterministic.
+GoldenResult check_snapshot(const Snapshot& snapshot, const std::filesystem::path& folder,
+                            const std::filesystem::path& out, bool render_twice = false);
+
+struct ApproveOptions {
+    bool force = false;  // also rewrite goldens that match
+    bool packed = true;  // spend more time for a smaller PNG
+};
+// Makes `actual` the golden: image, numbers and attachment. An image that the gate calls the same is not
+// rewritten, nor are equal numbers. Returns the paths of the written files, relative to `folder`.
+Result<std::vector<std::string>> approve_golden(const std::filesystem::path& folder, const Snapshot& snapshot,
+                                                const Rendering& actual, const ApproveOptions& options = {});
+
+// Names of the PNG files below `folder` that are neither one of `names` nor an alternate of one, ascending.
+// Folders whose name begins with '.' are skipped.
+std::vector<std::string> orphan_goldens(const std::filesystem::path& folder,
+                                        const std::vector<std::string>& names);
+
+// Attachments in FOLDER/levels that the numbers of no golden name, ascending, as paths relative to `folder`.
+std::vector<std::string> unused_attachments(const std::filesystem::path& folder);
+
+// An image with a change that the gate must detect, or with noise that it must accept. These cases prove that
+// the gate works.
+struct SelfTestCase {
+    std::string name;
+    bool must_pass = false;
+    Image image;
+};
+// None for images below 16 x 16 pixels. The image needs some detail: in a flat one no motion is visible.
+std::vector<SelfTestCase> self_test_cases(const Image& image);
+
+struct SelfTestReport {
+    bool passed = true;
+    std::vector<std::string> lines;  // one per case, with the measured values
+};
+SelfTestReport run_self_test(const Image& image, const CompareTolerance& tolerance);
+
+}  // namespace slipface

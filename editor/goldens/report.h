@@ -1,0 +1,60 @@
+// The result of a check, for people and for programs: report.json, report.html (one file, no network),
+// junit.xml and annotations for a CI. All are made from the data in report.json, so parts of a suite that ran
+// on several machines can be merged.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "goldens/golden.h"
+#include "slipface/base/shard.h"
+
+namespace slipface {
+
+struct Report {
+    std::string goldens;   // folder, as given on the command line
+    std::string renderer;  // one line
+    Shard shard;           // the part of the suite that this report is
+    std::string suite;     // suite_fingerprint(); the same in all parts of a suite
+    std::vector<GoldenResult> entries;
+    double seconds = 0.0;
+
+    std::size_t count(GoldenState state) const;
+    std::size_t failed() const { return entries.size() - count(GoldenState::same); }
+};
+
+// Sorts the entries, the worst first: unreadable, failed, nondeterministic, different by fraction of pixels,
+// missing, orphans, then the same ones by name.
+void sort_by_severity(Report& report);
+
+std::string entry_to_json(const GoldenResult& entry);  // on one line
+Result<GoldenResult> entry_from_json(std::string_view json, const std::string& location);
+std::string report_to_json(const Report& report);
+Result<Report> report_from_json(std::string_view json, const std::string& location);
+
+// The text of report.html. The images of failed entries are read from `out` (NAME.expected.png,
+// NAME.actual.png) and embedded.
+std::string report_to_html(const Report& report, const std::filesystem::path& out);
+std::string report_to_junit(const Report& report);
+
+// "::error file=screenshots/NAME.png,...", one line per failed entry, for GitHub Actions.
+std::string report_to_annotations(const Report& report);
+
+// The command that approves all entries that are different, missing or unreadable; empty if there are none.
+std::string approve_command(const Report& report, const std::filesystem::path& out);
+
+// Writes report.json, report.html and junit.xml into `out`.
+Status write_report(const Report& report, const std::filesystem::path& out);
+
+// The fingerprint of a suite: of the program's version and the names of all requested snapshots of all parts.
+std::string suite_fingerprint(const std::vector<std::string>& names);
+
+// Merges the reports of all parts of one suite into `out`, with their images. Errors, which name the report:
+// parts of different suites, a part that is missing or there twice, a damaged report, an entry in several
+// reports unless it is an orphan.
+Result<Report> merge_reports(const std::vector<std::filesystem::path>& report_files,
+                             const std::filesystem::path& out);
+
+}  // namespace slipface

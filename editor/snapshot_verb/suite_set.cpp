@@ -1,0 +1,113 @@
+#include "snapshot_verb/suite_set.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/screens.h"
+#include "slipface/base/text.h"
+
+namespace slipface {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Levels from the command line as a suite.
+Result<std::vector<Scene>> scenes_of_levels(const SuiteArguments& arguments) {
+    const auto size = parse_size(arguments.size);
+    if (!size) return Error{"--size", "found \"" + arguments.size + "\", expected a size such as 960x540"};
+    nlohmann::json suite{{"version", 1}, {"scenes", nlohmann::json::array()}};
+    for (const std::string& level : arguments.levels) {
+        std::string name;
+        for (const char c : fs::path(level).stem().stem().string())
+            name += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' ? c : '-';
+        nlohmann::json scene{{"name", name.empty() ? "level" : name},
+                             {"level", fs::absolute(level).string()},
+                             {"cameras", arguments.cameras},
+                             {"size", {size->first, size->second}},
+                             {"style", arguments.style}};
+        if (!arguments.tape.empty()) scene["tape"] = fs::absolute(arguments.tape).string();
+        suite["scenes"].push_back(std::move(scene));
+    }
+    const std::string text = suite.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return parse_scene_suite(text, fs::path("command line"));
+}
+
+Result<std::vector<Scene>> scenes_of_suites(const SuiteArguments& arguments) {
+    std::vector<Scene> scenes;
+    std::vector<std::string> files = arguments.suites;
+    const fs::path usual = fs::path(arguments.goldens) / "scenes.json";
+    std::error_code error;
+    if (files.empty() && fs::exists(usual, error)) files.push_back(usual.string());
+    for (const std::string& file : files) {
+        const Result<std::vector<Scene>> suite = load_scene_suite(file);
+        if (!suite) return suite.error();
+        scenes.insert(scenes.end(), suite->begin(), suite->end());
+    }
+    return scenes;
+}
+
+}  // namespace
+
+bool is_wanted(const std::vector<std::string>& patterns, const std::string& name) {
+    return patterns.empty() || std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
+               return glob_match(pattern, name);
+           });
+}
+
+std::vector<std::string> SuiteArguments::as_command_line() const {
+    std::vector<std::string> line{"--goldens", goldens, "--gl", gl, "--size", size, "--style", style};
+    const auto add = [&](const char* option, const std::vector<std::string>& values) {
+        for (const std::string& value : values)
+            line.insert(line.end(), {option, value});
+    };
+    add("--suite", suites);
+    add("--level", levels);
+    if (!levels.empty()) add("--cameras", cameras);
+    if (!tape.empty()) add("--tape", {tape});
+    return line;
+}
+
+Result<SuiteSet> load_suite_set(const SuiteArguments& arguments) {
+    std::error_code error;
+    if (arguments.levels.empty() && arguments.suites.empty() && !fs::is_directory(arguments.goldens, error))
+        return Error{arguments.goldens,
+                     "no such folder; expected the goldens (run in the project, or give --goldens)"};
+    const Result<std::vector<Scene>> scenes =
+        arguments.levels.empty() ? scenes_of_suites(arguments) : scenes_of_levels(arguments);
+    if (!scenes) return scenes.error();
+    Result<std::vector<Scene>> expanded = expand_cameras(*scenes);
+    if (!expanded) return expanded.error();
+    SuiteSet set;
+    set.scenes = *std::move(expanded);
+    if (arguments.levels.empty() && arguments.suites.empty())
+        set.screens = screen_snapshots(fs::path(arguments.goldens) / "editor");
+    for (const Scene& scene : set.scenes)
+        set.names.push_back(scene.name);
+    for (const Snapshot& screen : set.screens)
+        set.names.push_back(screen.name);
+    return set;
+}
+
+Result<Snapshot> Studio::find(const std::string& name) {
+    for (const Snapshot& screen : set_.screens)
+        if (screen.name == name) return screen;
+    if (scenes_.empty() && !set_.scenes.empty()) {
+        Result<std::unique_ptr<OffscreenContext>> context = make_offscreen_context();
+        if (!context) return context.error();
+        context_ = *std::move(context);
+        renderer_ = renderer_line(*context_);
+        stage_ = std::make_shared<SceneStage>(*context_);
+        for (Snapshot& snapshot : scene_snapshots(set_.scenes, stage_))
+            scenes_.emplace(snapshot.name, snapshot);
+    }
+    const auto found = scenes_.find(name);
+    if (found == scenes_.end()) return Error{name, "no snapshot has this name"};
+    return found->second;
+}
+
+std::string renderer_line(const OffscreenContext& context) {
+    return context.backend_name() + ", " + context.renderer() + ", " + context.version();
+}
+
+}  // namespace slipface

@@ -1,0 +1,41 @@
+// The movement in a scene: runs, draws and measures its probe and its tape.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "goldens/numbers_json.h"
+#include "goldens/suite.h"
+#include "slipface/render/overlay.h"
+#include "slipface/sim/simulate.h"
+#include "snapshots/staged_level.h"
+
+namespace slipface {
+
+struct SceneMovement {
+    Overlay overlay;
+    Numbers numbers;            // the "movement" section; null when nothing moves
+    MovementSettings settings;  // of the tape, or of the probe
+
+    std::vector<TraceRecord> probe;
+    Tape tape;
+    Vec3 start = Vec3::Zero();
+    std::vector<PlayerState> states;  // [tick]
+};
+
+// Runs the scene's probe and tape. `settings`, if given, replace the level's, the scene's and the tape's.
+Result<SceneMovement> run_movement(const Scene& scene, const StagedLevel& staged,
+                                   const std::optional<MovementSettings>& settings = std::nullopt);
+
+// The contacts of the movement, at most 12: those of the probe, then those where the tape's player lands or
+// touches a new surface type.
+struct MovementContact {
+    Vec3 point = Vec3::Zero();
+    Vec3 normal = Vec3::UnitY();
+    FaceId face = no_id;
+};
+std::vector<MovementContact> movement_contacts(const SceneMovement& story);
+
+PlayerInput input_at(const Tape& tape, std::size_t tick);
+
+}  // namespace slipface

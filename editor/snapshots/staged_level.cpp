@@ -1,0 +1,114 @@
+#include "snapshots/staged_level.h"
+
+#include <algorithm>
+#include <set>
+
+#include "goldens/level_digest.h"
+#include "slipface/base/files.h"
+#include "slipface/base/hash.h"
+#include "slipface/base/text.h"
+#include "slipface/level/level_file.h"
+#include "slipface/scenes/demo.h"
+
+namespace slipface {
+
+namespace {
+
+std::uint64_t file_hash(const std::filesystem::path& path) {
+    Hasher hasher;
+    if (const Result<std::string> bytes = read_file(path)) hasher.text(*bytes);
+    return hasher.value();
+}
+
+// Hashes of all image files that the level is drawn with, including the baked light.
+Numbers textures_json(const Level& level) {
+    std::set<std::string> names;
+    if (level.light && !level.light->image.empty()) names.insert(level.light->image);
+    for (const Material& material : level.mesh->materials)
+        if (!material.texture.empty()) names.insert(material.texture);
+    Numbers textures = Numbers::object();
+    for (const std::string& name : names)
+        textures[name] = hex_text(file_hash(level.mesh_path.parent_path() / name));
+    return textures;
+}
+
+Numbers level_numbers(const Level& level) {
+    Numbers numbers;
+    numbers["name"] = level.mesh_path.stem().string();
+    numbers["mesh"] = hex_text(level.mesh->fingerprint);
+    numbers["digest"] = "";
+    numbers["faces"] = level.mesh->face_count();
+    numbers["triangles"] = level.mesh->triangle_count();
+    numbers["bounds"] = Numbers::array({json_of(level.mesh->bounds.min), json_of(level.mesh->bounds.max)});
+    std::vector<std::size_t> counts(level.surfaces.size(), 0);
+    for (const SurfaceId surface : resolve_surfaces(level).surface)
+        if (surface < counts.size()) ++counts[surface];
+    Numbers types = Numbers::object();
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        if (counts[i] > 0) types[level.surfaces[i].name] = counts[i];
+    numbers["surfaces"] = types;
+    numbers["textures"] = textures_json(level);
+    return numbers;
+}
+
+bool all_solid(const Level& level) {
+    return std::all_of(level.surfaces.begin(), level.surfaces.end(),
+                       [](const SurfaceType& surface) { return surface.solid; });
+}
+
+}  // namespace
+
+Result<std::unique_ptr<StagedLevel>> stage_level(Level level) {
+    if (!level.mesh) return Error{level.mesh_path.string(), "has no geometry"};
+    auto staged = std::make_unique<StagedLevel>();
+    staged->level = std::move(level);
+    Result<CollisionWorld> world = build_collision_world(staged->level);
+    if (!world) return world.error();
+    staged->collision = *std::move(world);
+    if (!all_solid(staged->level)) {
+        const Mesh& mesh = *staged->level.mesh;
+        std::vector<std::array<std::uint32_t, 3>> triangles = mesh.triangles;
+        for (auto& triangle : triangles)
+            for (std::uint32_t& corner : triangle)
+                corner = mesh.corner_vertex[corner];
+        Result<CollisionWorld> geometry =
+            CollisionWorld::build({mesh.positions, triangles, mesh.triangle_face});
+        if (!geometry) return geometry.error();
+        staged->geometry = *std::move(geometry);
+    }
+    staged->numbers = level_numbers(staged->level);
+    if (staged->level.mesh->triangle_count() <= max_digest_triangles)
+        staged->digest = digest_name(staged->level);
+    staged->numbers["digest"] = staged->digest;
+    return staged;
+}
+
+namespace {
+
+Result<std::unique_ptr<StagedLevel>> stage_demo(std::string_view text) {
+    const std::vector<std::string_view> words = split(text, ':');
+    const DemoInfo* info = words.size() == 3 ? find_demo(words[1]) : nullptr;
+    if (info == nullptr || (words[2] != "on" && words[2] != "off")) {
+        std::string names;
+        for (const DemoInfo& demo : demo_table())
+            names += (names.empty() ? "" : ", ") + std::string(demo.name);
+        return Error{std::string(text),
+                     "is no demo; expected demo:NAME:on or demo:NAME:off, with NAME one of " + names};
+    }
+    Demo demo = make_demo(*info);
+    demo.level.movement = words[2] == "on" ? demo.on : demo.off;
+    Result<std::unique_ptr<StagedLevel>> staged = stage_level(std::move(demo.level));
+    if (staged) (*staged)->tape = std::move(demo.tape);
+    return staged;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<StagedLevel>> load_staged_level(const std::filesystem::path& path) {
+    if (const std::string text = path.string(); text.starts_with(demo_prefix)) return stage_demo(text);
+    Result<LoadedLevel> loaded = load_level(path);
+    if (!loaded) return loaded.error();
+    return stage_level(std::move(loaded->level));
+}
+
+}  // namespace slipface

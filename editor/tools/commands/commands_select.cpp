@@ -1,0 +1,326 @@
+// Commands that select faces, hide them, and store named selections.
+#include <array>
+#include <utility>
+
+#include "tools/commands/command_actions.h"
+#include "tools/commands/command_rows.h"
+#include "tools/commands/icons.h"
+#include "tools/selection/selecting.h"
+
+namespace slipface {
+
+using namespace command_actions;
+
+namespace {
+
+bool has_seed(const Editor& editor) {
+    return has_selection(editor) || has_hovered(editor);
+}
+bool has_hidden(const Editor& editor) {
+    return editor.document && !editor.document->hidden().empty();
+}
+
+// From the seeds to what `choose` makes of them.
+template <auto Choose>
+void from_seeds(Editor& editor, const char* step_name) {
+    apply_selection(editor, Choose(*editor.document, seed_faces(editor)), SelectBy::replace, step_name);
+}
+template <Likeness What>
+std::vector<FaceId> similar(const Document& document, std::span<const FaceId> seeds) {
+    return similar_faces(document, seeds, What);
+}
+
+template <SelectShape Shape>
+bool shape_is(const Editor& editor) {
+    return editor.tool == Tool::select && editor.select_shape == Shape;
+}
+template <SelectShape Shape>
+void use_shape(Editor& editor) {
+    editor.tool = Tool::select;
+    editor.select_shape = Shape;
+}
+
+// The faces of the brush's type, or all unpainted ones.
+void select_brush_type(Editor& editor) {
+    const Document& document = *editor.document;
+    apply_selection(editor, editor.brush ? faces_of_type(document, *editor.brush) : unpainted_faces(document),
+                    SelectBy::replace, "Select by type");
+}
+
+void hide_selected(Editor& editor) {
+    Document& document = *editor.document;
+    const std::size_t count = document.selection().size();
+    document.hide(united(document.hidden(), document.selection()), "Hide");
+    editor.status = "Hidden: " + std::to_string(count) + (count == 1 ? " face" : " faces");
+}
+void isolate_selected(Editor& editor) {
+    Document& document = *editor.document;
+    document.hide(inverted(document, document.selection()), "Isolate");
+    editor.status = "Only the selection is shown";
+}
+void show_all(Editor& editor) {
+    editor.document->hide({}, "Show all");
+    editor.status = "Every face is shown";
+}
+
+void select_middle(Editor& editor) {
+    const Ray ray = pixel_ray(editor.view.camera(), {0.5, 0.5}, {1.0, 1.0});
+    const auto hit = editor.document->pick(ray.origin, ray.direction, !sees_back_faces(editor));
+    if (hit) apply_selection(editor, {hit->face}, SelectBy::replace, "Select face");
+}
+// Under the mouse, or else in the middle of the view.
+void select_behind(Editor& editor) {
+    const Camera camera = editor.view.camera();
+    const Vec2 size{editor.view_aspect, 1.0};
+    Vec2 pixel = 0.5 * size;
+    if (editor.hovered != no_id) pixel = project(camera, editor.hovered_point, size).head<2>();
+    drill_select(editor, pixel_ray(camera, pixel, size), 1);
+}
+
+std::vector<Command> whole_rows() {
+    return {
+        {"select.all", icons::all, "Select all", "Select", "Select every face that is not hidden",
+         "everything", ctrl("A"), has_document, nullptr,
+         [](Editor& e) { apply_selection(e, every_face(*e.document), SelectBy::replace, "Select all"); }},
+        {"select.none", icons::none, "Select none", "Select", "Select no face", "deselect clear nothing",
+         ctrl_shift("A"), has_selection, nullptr, [](Editor& e) { e.document->select({}); }},
+        {"select.invert", icons::exchange, "Invert selection", "Select",
+         "Select exactly the faces that are not selected", "inverse swap", ctrl("I"), has_document, nullptr,
+         [](Editor& e) {
+             apply_selection(e, inverted(*e.document, e.document->selection()), SelectBy::replace,
+                             "Invert selection");
+         }},
+        {"select.grow", icons::plus, "Grow selection", "Select", "Add all neighbours of selected faces",
+         "more larger expand", ctrl("]"), has_selection, nullptr,
+         [](Editor& e) { from_seeds<grown>(e, "Grow selection"); }},
+        {"select.shrink", icons::minus, "Shrink selection", "Select",
+         "Deselect faces next to an unselected face", "less smaller contract", ctrl("["), has_selection,
+         nullptr, [](Editor& e) { from_seeds<shrunk>(e, "Shrink selection"); }},
+        {"select.middle", icons::crosshairs, "Select in the middle", "Select",
+         "Select the face in the middle of the view", "centre keyboard aim", key("Space"), has_document,
+         nullptr, select_middle},
+        {"select.behind", icons::sort_down, "Select behind", "Select",
+         "Select the next face behind the selected one; the same as clicking again, or Ctrl+wheel",
+         "drill through tunnel under", key("N"), has_document, nullptr, select_behind},
+    };
+}
+
+std::vector<Command> connected_rows() {
+    return {
+        {"select.flat", icons::connected, "Connected flat", "Select/Connected",
+         "Select the faces connected in the same plane as the selected ones, or the one under the mouse",
+         "flood coplanar plane region", shift("F"), has_seed, nullptr,
+         [](Editor& e) { from_seeds<connected_flat>(e, "Select flat"); }},
+        {"select.smooth", icons::connected, "Connected by angle", "Select/Connected",
+         "Select faces connected across edges that bend less than the fill angle", "flood smooth bend region",
+         shift("G"), has_seed, nullptr,
+         [](Editor& e) {
+             apply_selection(e, connected_by_angle(*e.document, seed_faces(e), e.fill_angle),
+                             SelectBy::replace, "Select by angle");
+         }},
+        {"select.within_material", icons::connected, "Connected within material", "Select/Connected",
+         "Select connected faces of the same material", "flood texture region", shift("M"), has_seed, nullptr,
+         [](Editor& e) { from_seeds<connected_within_material>(e, "Select within material"); }},
+        {"select.within_type", icons::connected, "Connected within type", "Select/Connected",
+         "Select connected faces of the same surface type", "flood surface region", shift("T"), has_seed,
+         nullptr, [](Editor& e) { from_seeds<connected_within_type>(e, "Select within type"); }},
+    };
+}
+
+std::vector<Command> similar_rows() {
+    return {
+        {"select.same_material", icons::copy, "Same material", "Select/Similar",
+         "Select every face with a material of the selected ones", "similar texture", ctrl("M"), has_seed,
+         nullptr, [](Editor& e) { from_seeds<similar<Likeness::material>>(e, "Select same material"); }},
+        {"select.same_type", icons::copy, "Same type", "Select/Similar",
+         "Select every face with a surface type of the selected ones", "similar surface", ctrl_shift("T"),
+         has_seed, nullptr, [](Editor& e) { from_seeds<similar<Likeness::type>>(e, "Select same type"); }},
+        {"select.same_group", icons::copy, "Same group", "Select/Similar",
+         "Select every face of the groups and objects of the selected ones", "similar object part", ctrl("G"),
+         has_seed, nullptr, [](Editor& e) { from_seeds<similar<Likeness::group>>(e, "Select same group"); }},
+        {"select.same_direction", icons::copy, "Same direction", "Select/Similar",
+         "Select every face whose normal differs by less than 2 degrees", "similar normal parallel",
+         ctrl_shift("N"), has_seed, nullptr,
+         [](Editor& e) { from_seeds<similar<Likeness::normal>>(e, "Select same direction"); }},
+        {"select.same_area", icons::copy, "Same area", "Select/Similar",
+         "Select every face whose area differs by less than 5 %", "similar size", ctrl_shift("D"), has_seed,
+         nullptr, [](Editor& e) { from_seeds<similar<Likeness::area>>(e, "Select same area"); }},
+        {"select.same_slope", icons::copy, "Same slope class", "Select/Similar",
+         "Select every face that is walkable, too steep, or overhanging like the selected ones",
+         "similar incline", ctrl_shift("L"), has_seed, nullptr,
+         [](Editor& e) { from_seeds<similar<Likeness::slope>>(e, "Select same slope class"); }},
+        {"select.steep", icons::signal, "Steeper than the limit", "Select/Similar",
+         "Select every face that is too steep to walk on: walls and ceilings too",
+         "slope incline walkable limit", ctrl("L"), has_document, nullptr,
+         [](Editor& e) {
+             apply_selection(e, faces_steeper_than_limit(*e.document), SelectBy::replace, "Select steep");
+         }},
+    };
+}
+
+std::vector<Command> type_rows() {
+    return {
+        {"select.brush_type", icons::all, "The brush's type", "Select/By type",
+         "Select every face of the brush's surface type, or all unpainted faces if the brush is `unset`",
+         "similar same all with type", ctrl("T"), has_document, nullptr, select_brush_type},
+        {"select.painted",
+         icons::brush,
+         "Painted faces",
+         "Select/By type",
+         "Select every painted face",
+         "override overridden",
+         {},
+         has_document,
+         nullptr,
+         [](Editor& e) {
+             apply_selection(e, painted_faces(*e.document), SelectBy::replace, "Select painted");
+         }},
+    };
+}
+
+bool has_guessed(const Editor& editor) {
+    return editor.document && !editor.document->guessed().empty();
+}
+
+std::vector<Command> guessed_rows() {
+    return {
+        {"select.guessed",
+         icons::all,
+         "All of them",
+         "Select/Guessed paint",
+         "Select the faces whose paint was guessed when the geometry was read: matched by plane or distance, "
+         "not exactly",
+         "reload match plane nearest hot",
+         {},
+         has_guessed,
+         nullptr,
+         [](Editor& e) {
+             const std::span<const FaceId> faces = e.document->guessed();
+             apply_selection(e, {faces.begin(), faces.end()}, SelectBy::replace, "Select guessed paint");
+         }},
+        {"select.next_guessed",
+         icons::step_forward,
+         "Next",
+         "Select/Guessed paint",
+         "Select and frame the next face whose paint was guessed",
+         "reload match step",
+         {},
+         has_guessed,
+         nullptr,
+         [](Editor& e) { step_guessed(e, true); }},
+        {"select.previous_guessed",
+         icons::step_back,
+         "Previous",
+         "Select/Guessed paint",
+         "Select and frame the previous face whose paint was guessed",
+         "reload match step",
+         {},
+         has_guessed,
+         nullptr,
+         [](Editor& e) { step_guessed(e, false); }},
+        {"select.accept_guessed",
+         icons::check,
+         "Accept all",
+         "Select/Guessed paint",
+         "Accept all guessed paint",
+         "reload match confirm",
+         {},
+         has_guessed,
+         nullptr,
+         [](Editor& e) {
+             e.status = std::to_string(e.document->guessed().size()) + " guesses accepted";
+             e.document->accept_guessed();
+         }},
+    };
+}
+
+std::vector<Command> hide_rows() {
+    return {
+        {"select.hide", icons::eye_off, "Hide", "Select",
+         "Hide the selected faces; what is hidden is neither drawn nor picked", "invisible", key("H"),
+         has_selection, nullptr, hide_selected},
+        {"select.isolate", icons::eye, "Isolate", "Select", "Hide everything but the selected faces",
+         "only solo local view", shift("H"), has_selection, nullptr, isolate_selected},
+        {"select.show_all", icons::eye, "Show all", "Select", "Show every hidden face again", "unhide reveal",
+         alt("H"), has_hidden, nullptr, show_all},
+    };
+}
+
+std::vector<Command> shape_rows() {
+    return {
+        {"select.box", icons::object_group, "Drag a box", "Select/Mouse",
+         "Dragging with the select tool draws a box", "rectangle marquee", shift("B"), always,
+         shape_is<SelectShape::box>, use_shape<SelectShape::box>},
+        {"select.lasso", icons::lasso, "Drag a lasso", "Select/Mouse",
+         "Dragging with the select tool draws an outline around faces", "freehand outline polygon",
+         shift("Q"), always, shape_is<SelectShape::lasso>, use_shape<SelectShape::lasso>},
+        {"select.brush", icons::disc, "Drag a brush", "Select/Mouse",
+         "Dragging with the select tool selects the faces under the mouse", "paint stroke circle", shift("P"),
+         always, shape_is<SelectShape::brush>, use_shape<SelectShape::brush>},
+        {"select.through", icons::cubes, "Select through", "Select/Mouse",
+         "Box and lasso also take faces that cannot be seen, by their centres", "x-ray behind occluded",
+         shift("X"), always, shown<&Editor::select_through>, toggle_shown<&Editor::select_through>},
+        {"select.whole", icons::whole, "Only whole faces", "Select/Mouse",
+         "Box and lasso select only faces completely inside the outline", "fully inside contained crossing",
+         shift_alt("X"), always, shown<&Editor::select_whole>, toggle_shown<&Editor::select_whole>},
+    };
+}
+
+template <std::size_t Digit>
+std::optional<std::size_t> saved_index(const Editor& editor) {
+    if (!editor.document || Digit > editor.document->saved_selections().size()) return std::nullopt;
+    return Digit - 1;
+}
+
+// For each digit: every face of the type with that hotkey, and the saved selection with that number. The
+// texts live as long as the program.
+template <std::size_t... I>
+std::vector<Command> digit_rows(std::index_sequence<I...>) {
+    static std::array<std::array<std::string, 6>, sizeof...(I)> texts;
+    std::vector<Command> types, saved;
+    const auto add = [&](std::size_t i, auto has_type, auto select_type, auto type_name, auto has_saved,
+                         auto recall, auto saved_name) {
+        const std::string digit = std::to_string(i + 1);
+        texts[i] = {"select.type_" + digit,
+                    "Type of key " + digit,
+                    "Select every face of the surface type that has the hotkey " + digit,
+                    "select.recall_" + digit,
+                    "Recall selection " + digit,
+                    "Select the faces of saved selection number " + digit};
+        types.push_back({texts[i][0].c_str(), "", texts[i][1].c_str(), "Select/By type", texts[i][2].c_str(),
+                         "surface type hotkey", ctrl(digit.c_str()), has_type, nullptr, select_type,
+                         type_name});
+        saved.push_back({texts[i][3].c_str(), "", texts[i][4].c_str(), "Select/Saved", texts[i][5].c_str(),
+                         "saved named set restore", alt(digit.c_str()), has_saved, nullptr, recall,
+                         saved_name});
+    };
+    (add(
+         I, has_hotkey<I + 1>,
+         [](Editor& e) {
+             apply_selection(e, faces_of_type(*e.document, *surface_with_hotkey(e, I + 1)), SelectBy::replace,
+                             "Select " + type_on_key(e, I + 1));
+         },
+         [](const Editor& e) { return "Type: " + type_on_key(e, I + 1); },
+         [](const Editor& e) { return saved_index<I + 1>(e).has_value(); },
+         [](Editor& e) { recall_selection(e, I, SelectBy::replace); },
+         [](const Editor& e) { return "Recall " + e.document->saved_selections()[I].name; }),
+     ...);
+    types.push_back({"select.save", icons::save, "Save selection", "Select/Saved",
+                     "Save the selected faces under a name", "named set remember store", ctrl_alt("S"),
+                     has_selection, nullptr, [](Editor& e) { save_selection(e, {}); }});
+    types.insert(types.end(), saved.begin(), saved.end());
+    return types;
+}
+
+}  // namespace
+
+std::vector<Command> select_commands() {
+    std::vector<Command> all;
+    for (const std::vector<Command>& part :
+         {whole_rows(), hide_rows(), connected_rows(), similar_rows(), type_rows(), guessed_rows(),
+          digit_rows(std::make_index_sequence<9>()), shape_rows()})
+        all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
+}  // namespace slipface

@@ -1,0 +1,127 @@
+#include "tools/lab/audit_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "slipface/level/find_start.h"
+#include "slipface/mesh/mesh.h"
+
+namespace slipface {
+
+namespace {
+
+constexpr HeatInfo heat_infos[] = {
+    {"Walking time that a face costs, per visit of a walker", "s per visit"},
+    {"Time that walkers pushed the stick on a face but hardly moved, all walkers together", "s"},
+    {"Time spent falling close above a face without ground contact, all walkers together", "s"},
+    {"Time that walkers spent on a face, of all walkers", "s"},
+    {"Faces flat enough to stand on where no walker ever was", ""},
+};
+static_assert(std::size(heat_infos) == heat_names.size());
+
+}  // namespace
+
+const HeatInfo& info_of(HeatKind kind) {
+    return heat_infos[static_cast<std::size_t>(kind)];
+}
+
+std::string heat_text(HeatKind kind, double value) {
+    const int digits = value >= 100.0 ? 0 : value >= 10.0 ? 1 : value >= 0.1 ? 2 : 3;
+    return fmt::format("{:.{}f} {}", value, value == 0.0 ? 0 : digits, info_of(kind).unit);
+}
+
+std::shared_ptr<AuditJob> AuditJob::start(const Document& document, const AuditSettings& settings) {
+    std::shared_ptr<AuditJob> job(new AuditJob);
+    job->settings = settings;
+    job->level_ = document.level();
+    job->face_revision_ = document.face_revision();
+    job->options_.walkers = static_cast<std::uint32_t>(std::clamp(settings.walkers, 1, 100000));
+    job->options_.duration_s = std::clamp(settings.duration_s, 1.0, 3600.0);
+    job->options_.seed = static_cast<std::uint64_t>(std::max(settings.seed, 0));
+    job->options_.heat = true;
+    AuditJob* const self = job.get();  // outlived: the destructor waits for the thread
+    job->thread_ = std::thread([self] {
+        AuditOptions options = self->options_;
+        options.progress = [self](std::uint64_t steps) {
+            self->steps_ += steps;
+            return !self->cancelled_;
+        };
+        const Result<Start> start = settle_start(self->level_);
+        Result<AuditReport> report =
+            start ? run_audit(self->level_, options) : Result<AuditReport>(start.error());
+        if (report)
+            self->report_ = std::move(*report);
+        else
+            self->problem_ = report.error().text();
+        self->done_ = true;
+    });
+    return job;
+}
+
+AuditJob::~AuditJob() {
+    cancelled_ = true;
+    if (thread_.joinable()) thread_.join();
+}
+
+double AuditJob::progress() const {
+    const double all = options_.walkers * std::ceil(options_.duration_s / options_.dt);
+    return all > 0.0 ? std::min(1.0, static_cast<double>(steps_.load()) / all) : 0.0;
+}
+
+bool AuditJob::fits(const Document& document) const {
+    return level_.mesh == document.level().mesh && face_revision_ == document.face_revision();
+}
+
+double AuditJob::value(HeatKind of, FaceId face) const {
+    const FaceHeat& heat = report_->heat[face];
+    switch (of) {
+        case HeatKind::lost_time:
+            return heat.visits == 0
+                       ? 0.0
+                       : 1e-6 * static_cast<double>(heat.lost_us) / static_cast<double>(heat.visits);
+        case HeatKind::stuck:
+            return static_cast<double>(heat.stuck) * options_.dt;
+        case HeatKind::missed_ground:
+            return static_cast<double>(heat.missed_ground) * options_.dt;
+        case HeatKind::visited:
+            return static_cast<double>(heat.stood) * options_.dt;
+        case HeatKind::unreached: {
+            const bool walkable = face_normal(*level_.mesh, face).y() >= std::cos(level_.movement.max_slope);
+            return walkable && heat.stood == 0 ? 1.0 : 0.0;
+        }
+    }
+    return 0.0;
+}
+
+double AuditJob::worst(HeatKind of) const {
+    double maximum = 0.0;
+    if (!report()) return maximum;
+    for (std::size_t face = 0; face < report_->heat.size(); ++face)
+        maximum = std::max(maximum, value(of, static_cast<FaceId>(face)));
+    return maximum;
+}
+
+const std::vector<float>& AuditJob::heat(const Document& document, HeatKind of) const {
+    if (!report() || !fits(document)) {
+        heat_.clear();
+        heat_kind_.reset();
+        return heat_;
+    }
+    if (heat_kind_ == of) return heat_;
+    heat_kind_ = of;
+    heat_.assign(report_->heat.size(), 0.0f);
+    const double maximum = worst(of);
+    if (!(maximum > 0.0)) return heat_;
+    // A few faces have most of the value; the square root makes the others visible.
+    for (std::size_t face = 0; face < heat_.size(); ++face)
+        heat_[face] = static_cast<float>(std::sqrt(value(of, static_cast<FaceId>(face)) / maximum));
+    return heat_;
+}
+
+Tape AuditJob::tape_of(const AuditFinding& finding) const {
+    return audit_tape(level_, options_, finding);
+}
+
+}  // namespace slipface

@@ -1,0 +1,88 @@
+// Opening the demo scene of a hack.
+#include <cstdlib>
+
+#include "slipface/base/files.h"
+#include "slipface/scenes/demo.h"
+#include "tools/lab/lab_actions.h"
+
+namespace slipface {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t max_demo_bytes = 64u << 20;
+constexpr int max_folders = 1000;
+
+bool same_bytes(const fs::path& a, const fs::path& b) {
+    const Result<std::string> first = read_file(a, max_demo_bytes), second = read_file(b, max_demo_bytes);
+    return first && second && *first == *second;
+}
+
+// True if every file of `fresh` is also in `folder`, with the same bytes.
+bool holds(const fs::path& folder, const fs::path& fresh) {
+    std::error_code error;
+    for (fs::directory_iterator it(fresh, error), end; !error && it != end; it.increment(error))
+        if (!same_bytes(it->path(), folder / it->path().filename())) return false;
+    return !error;
+}
+
+// Writes the demo's files into their own folder below the system's temporary folder. If the user saved over
+// an earlier demo, that folder stays and the new files get another one. Returns the path of the OBJ.
+Result<fs::path> demo_files(const DemoInfo& info) {
+    std::error_code error;
+    const fs::path temporary = fs::temp_directory_path(error);
+    if (temporary.empty())
+        return Error{"TMPDIR", "names no folder; expected the folder for the demo's files"};
+    const fs::path base = temporary / "slipface-demos";
+    fs::create_directories(base, error);
+    std::string pattern = (base / "new-XXXXXX").string();
+    if (!mkdtemp(pattern.data())) return Error{base.string(), "cannot create a folder for the demo's files"};
+    const fs::path fresh = pattern;
+    const auto discard = [&] { fs::remove_all(fresh, error); };
+    const Result<fs::path> saved = save_demo(info, fresh);
+    if (!saved) {
+        discard();
+        return saved;
+    }
+    for (int i = 1; i <= max_folders; ++i) {
+        const fs::path folder = base / (info.name + (i == 1 ? std::string() : "-" + std::to_string(i)));
+        if (fs::exists(folder, error)) {
+            if (!holds(folder, fresh)) continue;
+            discard();
+            return folder / saved->filename();
+        }
+        fs::rename(fresh, folder, error);
+        if (!error) return folder / saved->filename();
+    }
+    discard();
+    return Error{base.string(), "holds too many demos; expected room for one more"};
+}
+
+}  // namespace
+
+void open_demo(Editor& editor, const DemoInfo& info) {
+    leave_document(editor, {.then = UnsavedDialog::Then::demo, .open_path = {}, .demo = &info});
+}
+
+void show_demo(Editor& editor, const DemoInfo& info) {
+    const std::string title = std::string("Cannot open the demo ") + info.title;
+    const Result<fs::path> saved = demo_files(info);
+    Result<std::unique_ptr<Document>> opened =
+        saved ? Document::open(*saved) : Result<std::unique_ptr<Document>>(saved.error());
+    if (!opened) {
+        editor.message = MessageDialog{title, opened.error().text(), {}};
+        return;
+    }
+    adopt_document(editor, std::move(opened).value(), *saved);
+    const Demo demo = make_demo(info);
+    if (const Status status = editor.lab.open(*editor.document, demo.tape, info.title); !status) {
+        editor.message = MessageDialog{title, status.error().text(), {}};
+        return;
+    }
+    editor.lab.pin(demo.off);
+    complete_runs(editor);
+    show_lab(editor);
+    editor.status = info.look_at;
+}
+
+}  // namespace slipface

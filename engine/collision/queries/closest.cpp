@@ -1,0 +1,65 @@
+#include "impl.h"
+#include "queries/paths.h"
+#include "simd/kernels.h"
+
+namespace slipface {
+namespace {
+
+using namespace detail;
+
+struct Search {
+    const CollisionWorld::Impl& world;
+    const EllipsoidQuery& query;  // a unit sphere at rest
+    double distance2;
+    double rounding;  // error of distances, metres: a triangle this much further away may get the smaller
+                      // distance
+    Nearest nearest{};
+    LeafTriangle triangle{{}, no_id};
+
+    void consider(const LeafTriangle& leaf) {
+        const Nearest other = kernels().nearest_part(leaf, query);
+        if (!(other.distance2 < distance2 || (other.distance2 == distance2 && leaf.id < triangle.id))) return;
+        if (!world.rule_of(leaf.id).solid) return;
+        nearest = other;
+        distance2 = other.distance2;
+        triangle = leaf;
+    }
+};
+
+// The largest squared distance of a box that may still hold something nearer.
+float distance_limit(const Search& search) {
+    constexpr double most = std::numeric_limits<float>::max() / 2;
+    const double distance = std::sqrt(search.distance2) + search.rounding;
+    const float limit = time_limit(distance * distance < most ? distance * distance : most);
+    return limit < std::numeric_limits<float>::max() ? limit : std::numeric_limits<float>::max();
+}
+
+float consider_lane(void* context, const Leaf& leaf, std::uint32_t lane) {
+    Search& search = *static_cast<Search*>(context);
+    search.consider(leaf_triangle(leaf, lane));
+    return distance_limit(search);
+}
+
+}  // namespace
+
+std::optional<ClosestPoint> closest_point(const CollisionWorld& world, const Vec3& point,
+                                          double max_distance) {
+    const CollisionWorld::Impl& impl = world.impl();
+    if (impl.bvh.nodes.empty() || !point.allFinite() || !(max_distance >= 0.0)) return std::nullopt;
+    const EllipsoidQuery query = ellipsoid_query(v3(point), V3{1.0, 1.0, 1.0}, V3{0.0, 0.0, 0.0});
+    const double reach = larger(largest(query.centre), impl.extent.reach);
+    Search search{impl, query, max_distance * max_distance, 1e-14 * reach};
+    if (reach <= float_range) {
+        kernels().closest(impl.bvh.view(), point_boxes(query, reach), distance_limit(search), consider_lane,
+                          &search);
+    } else {
+        for (TriangleId id = 0; id < impl.triangle_count(); ++id)
+            search.consider(impl.bvh.triangle(id));
+    }
+    const LeafTriangle& leaf = search.triangle;
+    if (leaf.id == no_id) return std::nullopt;
+    const Touch touch = kernels().touch_of_nearest(leaf, query, search.nearest);
+    return ClosestPoint{std::sqrt(search.distance2), vec(touch.point), leaf.id, impl.face_of(leaf.id)};
+}
+
+}  // namespace slipface

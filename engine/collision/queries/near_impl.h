@@ -1,0 +1,184 @@
+// Collecting the triangles around a body, and sweeps that stay among them. Part of the kernels: see lanes.h.
+#pragma once
+
+#include "queries/leaf_filter.h"
+#include "queries/paths.h"
+
+namespace slipface::detail {
+namespace {
+
+// In radii. At larger distances floats are too coarse.
+inline constexpr double max_reach = 1e3;
+// How many nodes of the tree one neighbourhood may visit.
+inline constexpr std::uint32_t near_nodes = 256;
+
+// A box against eight boxes.
+struct LaneBox {
+    Lanes low[3];
+    Lanes high[3];
+
+    LaneBox(const Three& centre, const Three& half) {
+        float lows[4];
+        float highs[4];
+        round_down((centre - half).rounded()).store(lows);
+        round_up((centre + half).rounded()).store(highs);
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = Lanes::all(lows[axis]);
+            high[axis] = Lanes::all(highs[axis]);
+        }
+    }
+    template <class Rows>
+    std::uint32_t intersect(const Rows& rows) const {
+        const auto gap = [&](int axis) {
+            return lanes_max(rows(axis) - high[axis], low[axis] - rows(axis + 3));
+        };
+        return lanes_not_above(lanes_max(lanes_max(gap(0), gap(1)), gap(2)), Lanes::all(0.0F));
+    }
+};
+
+using NearRow = float[near_capacity + 8];
+
+inline LaneVec load_vec(const NearRow* rows, std::uint32_t first) {
+    return {Lanes::load(rows[0] + first), Lanes::load(rows[1] + first), Lanes::load(rows[2] + first)};
+}
+inline void store_vec(const LaneVec& v, NearRow* rows, std::uint32_t first) {
+    v.x.store(rows[0] + first);
+    v.y.store(rows[1] + first);
+    v.z.store(rows[2] + first);
+}
+
+inline LanePlane load_plane(const NearTriangles& near, std::uint32_t first) {
+    return {load_vec(near.normal, first), Lanes::load(near.offset + first), Lanes::load(near.slack + first),
+            Lanes::load(near.slack_per_length + first)};
+}
+
+// Computes the sphere-space data of eight triangles.
+inline void look_at(NearTriangles& near, std::uint32_t first, const LaneSpherePath& body) {
+    Lanes v[9];
+    for (int row = 0; row < 9; ++row)
+        v[row] = Lanes::load(near.corner[row] + first);
+    const LeafFilter seen(body, v);
+    for (int k = 0; k < 3; ++k) {
+        store_vec(seen.corner(k), near.seen + 3 * k, first);
+        store_vec(seen.edge(k), near.edge + 3 * k, first);
+    }
+    const LanePlane plane = seen.plane();
+    store_vec(plane.normal, near.normal, first);
+    plane.offset.store(near.offset + first);
+    plane.slack.store(near.slack + first);
+    plane.slack_per_length.store(near.slack_per_length + first);
+}
+
+inline Three three_at(const double (&v)[4]) {
+    return Three(V3{v[0], v[1], v[2]});
+}
+
+// Copies the triangles whose boxes touch `box` from the tree; false if they are too many.
+bool gather(const TreeView& tree, const LaneBox& box, NearTriangles& out) {
+    std::uint32_t nodes[near_nodes + 8];
+    std::uint32_t leaves[near_capacity + 8];
+    std::uint32_t node_count = 1;
+    std::uint32_t leaf_count = 0;
+    nodes[0] = 0;
+    out.count = 0;
+    // Breadth first: the test of the next box does not wait for the children of this one.
+    for (std::uint32_t i = 0; i < node_count; ++i) {
+        const BvhNode& node = tree.nodes[nodes[i]];
+        const std::uint32_t hit = box.intersect(NodeRows{node});
+        const std::uint32_t ends = leaf_children(node);
+        leaf_count = append_children(node, hit & ends, leaves, leaf_count);
+        node_count = append_children(node, hit & ~ends, nodes, node_count);
+        if (leaf_count > near_capacity || node_count > near_nodes) return false;
+    }
+    for (std::uint32_t i = 0; i < leaf_count; ++i) {
+        const Leaf& leaf = leaf_at(tree, leaves[i] & leaf_index_mask);
+        Lanes v[9];
+        lanes_of_leaf(leaf, v);
+        const std::uint32_t mask = box.intersect(LeafRows(v)) & present(leaf);
+        const auto more = static_cast<std::uint32_t>(__builtin_popcount(mask));
+        if (out.count + more > near_capacity) return false;
+        const auto* ids = reinterpret_cast<const std::uint32_t*>(&leaf + 1) + std::size_t{3} * leaf.vertices;
+        for (int row = 0; row < 9; ++row)
+            append(v[row], mask, out.corner[row] + out.count);
+        append(ids, mask, out.id + out.count);
+        out.count += more;
+    }
+    for (auto& row : out.corner)
+        Lanes::all(0.0F).store(row + out.count);
+    return true;
+}
+
+void near_kernel(const TreeView& tree, const WorldExtent& world, const V3& radii, const V3& centre,
+                 const V3& reach, NearTriangles& out) {
+    const Three at(centre), axes(radii), around(reach);
+    const ThreeMask fair =
+        three_not_above(Three::all(0.0), around) & three_not_above(around, axes * Three::all(max_reach));
+    if (fair.bits() != 7 || !in_float_range(radii, centre, reach, world)) return;
+    const double coordinate = larger(largest(centre) + largest(reach), world.reach);
+    const EllipsoidQuery body = ellipsoid_query(centre, radii, V3{0.0, 0.0, 0.0});
+    const SpherePath sphere = sphere_path(body, coordinate);
+    if (!sphere.usable) return;
+    // No move within the neighbourhood is longer than twice the reach.
+    const Three half = box_half_extents(axes, around + around, coordinate) + around;
+    if (!gather(tree, LaneBox(at, half), out)) {
+        out.count = 0;
+        return;
+    }
+    const LaneSpherePath path(sphere);
+    for (std::uint32_t first = 0; first < out.count; first += 8)
+        look_at(out, first, path);
+    at.store(out.centre);
+    axes.store(out.radii);
+    Three(body.inverse).store(out.inverse);
+    around.store(out.reach);
+}
+
+std::uint32_t near_sweep_kernel(const NearTriangles& near, const V3& radii, const V3& from, const V3& move,
+                                EllipsoidQuery& query, NearCandidate* out) {
+    if (radii.x != near.radii[0] || radii.y != near.radii[1] || radii.z != near.radii[2]) return leads_out;
+    const Three inverse = three_at(near.inverse);
+    const Three begin = Three(from) - three_at(near.centre);
+    const Three end = begin + Three(move);
+    const Three reach = three_at(near.reach);
+    if ((three_not_above(begin.abs(), reach) & three_not_above(end.abs(), reach)).bits() != 7)
+        return leads_out;
+    const Three start = begin * inverse;
+    const Three d = Three(move) * inverse;
+    query = {from, radii, inverse.vec(), move, d.vec()};
+
+    float p[4];
+    float motion[4];
+    start.rounded().store(p);
+    d.rounded().store(motion);
+    const LaneVec at = all(p);
+    const LaneVec zero = all({0.0F, 0.0F, 0.0F, 0.0F});
+    const LaneSpherePath path(zero, zero, zero, all(motion));
+    const Lanes until = Lanes::all(time_limit(1.0));
+    const Lanes motions = size_of(at) + until * path.d_size;
+    std::uint32_t found = 0;
+    for (std::uint32_t first = 0; first < near.count; first += 8) {
+        // For a move along the ground the planes alone reject nearly all.
+        const Lanes plane = load_plane(near, first).apart_until(at, path.d, motions);
+        const std::uint32_t left = near.count - first;
+        std::uint32_t mask = (left < 8 ? (1U << left) - 1 : 0xFFU) & ~lanes_above(plane, until);
+        if (mask == 0) continue;
+        const LeafFilter filter(
+            path, at,
+            {load_vec(near.seen, first), load_vec(near.seen + 3, first), load_vec(near.seen + 6, first)},
+            {load_vec(near.edge, first), load_vec(near.edge + 3, first), load_vec(near.edge + 6, first)});
+        const Lanes after = filter.apart_by_border(plane, until);
+        mask &= ~lanes_above(after, until);
+        if (mask == 0) continue;
+        mask &= ~filter.apart_beside(until);
+        alignas(32) float times[8];
+        after.store(times);
+        for (; mask != 0; mask &= mask - 1) {
+            const unsigned lane = first_lane(mask);
+            out[found++] = {first + lane, times[lane]};
+        }
+    }
+    return found;
+}
+
+}  // namespace
+}  // namespace slipface::detail

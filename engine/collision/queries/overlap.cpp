@@ -1,0 +1,156 @@
+#include "queries/near.h"
+#include "queries/search.h"
+
+namespace slipface {
+namespace {
+
+using namespace detail;
+
+// Calls decide(query, triangle) for the triangles that the ellipsoid at rest may overlap, until it returns
+// false.
+template <class Visit>
+void visit_near(const CollisionWorld::Impl& world, const Vec3& radii, const Vec3& centre, Visit decide) {
+    if (world.bvh.nodes.empty()) return;
+    EllipsoidQuery query;
+    SweepPath path;
+    const Prepared prepared =
+        kernels().prepare_sweep(world.extent, v3(radii), v3(centre), V3{0.0, 0.0, 0.0}, query, path);
+    if (prepared == Prepared::beside) return;
+    auto visit = [&](const LeafTriangle& leaf) { return decide(query, leaf); };
+    if (prepared == Prepared::in_floats) {
+        using Bound = decltype(visit);
+        const auto consider = [](void* context, const Leaf& leaf, std::uint32_t lane) {
+            return (*static_cast<Bound*>(context))(leaf_triangle(leaf, lane)) ? 1.0F : -1.0F;
+        };
+        kernels().sweep(world.bvh.view(), path, 1.0F, consider, &visit);
+        return;
+    }
+    if (refused(v3(radii), v3(centre), V3{0.0, 0.0, 0.0})) return;
+    for (TriangleId id = 0; id < world.triangle_count(); ++id) {
+        if (!visit(world.bvh.triangle(id))) return;
+    }
+}
+
+// The rule of sweeps: a triangle that is not solid, or one-sided and seen from behind, is ignored.
+bool stands(const CollisionWorld::Impl& world, const EllipsoidQuery& query, const LeafTriangle& leaf) {
+    const SurfaceRule& rule = world.rule_of(leaf.id);
+    return rule.solid && !(rule.one_sided && kernels().is_behind(leaf, query));
+}
+
+// Collects the triangles that the ellipsoid overlaps, offered in any order.
+class Overlaps {
+  public:
+    Overlaps(const CollisionWorld::Impl& world, std::span<Overlap> out) : world_(world), out_(out) {}
+
+    void consider(const EllipsoidQuery& query, const LeafTriangle& leaf) {
+        const Nearest nearest = kernels().nearest_part(leaf, query);
+        if (!(nearest.distance2 < 1.0) || !stands(world_, query, leaf)) return;
+        ++found_;
+        // `out` is a heap with the highest triangle on top, so that the lowest ones stay, whatever the
+        // visiting order.
+        if (kept_ == out_.size()) {
+            if (kept_ == 0 || leaf.id > out_[0].triangle) return;
+            std::ranges::pop_heap(out_.first(kept_--), {}, &Overlap::triangle);
+        }
+        const Touch touch = kernels().touch_of_nearest(leaf, query, nearest);
+        out_[kept_++] = {
+            leaf.id,          world_.face_of(leaf.id), world_.surface_of(leaf.id),        nearest.feature,
+            vec(touch.point), vec(touch.normal),       1.0 - std::sqrt(nearest.distance2)};
+        std::ranges::push_heap(out_.first(kept_), {}, &Overlap::triangle);
+    }
+    std::size_t finish() {
+        std::ranges::sort_heap(out_.first(kept_), {}, &Overlap::triangle);
+        return found_;
+    }
+
+  private:
+    const CollisionWorld::Impl& world_;
+    std::span<Overlap> out_;
+    std::size_t found_ = 0;
+    std::size_t kept_ = 0;
+};
+
+bool overlaps(const CollisionWorld::Impl& world, const EllipsoidQuery& query, const LeafTriangle& leaf) {
+    return kernels().nearest_part(leaf, query).distance2 < 1.0 && stands(world, query, leaf);
+}
+
+}  // namespace
+
+std::size_t find_overlaps(const CollisionWorld& world, const Vec3& radii, const Vec3& centre,
+                          std::span<Overlap> out) {
+    Overlaps found(world.impl(), out);
+    visit_near(world.impl(), radii, centre, [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
+        found.consider(query, leaf);
+        return true;
+    });
+    return found.finish();
+}
+
+bool overlaps_any(const CollisionWorld& world, const Vec3& radii, const Vec3& centre) {
+    bool found = false;
+    visit_near(world.impl(), radii, centre, [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
+        found = overlaps(world.impl(), query, leaf);
+        return !found;
+    });
+    return found;
+}
+
+std::size_t find_overlaps(const Neighbourhood& near, const Vec3& radii, const Vec3& centre,
+                          std::span<Overlap> out) {
+    NearCandidates candidates(near, radii, centre, Vec3::Zero());
+    if (candidates.lead_out()) return find_overlaps(near.world(), radii, centre, out);
+    Overlaps found(near.world().impl(), out);
+    for (; const NearCandidate* next = candidates.take();)
+        found.consider(candidates.query(), near_triangle(near.triangles(), next->index));
+    return found.finish();
+}
+
+bool overlaps_any(const Neighbourhood& near, const Vec3& radii, const Vec3& centre) {
+    NearCandidates candidates(near, radii, centre, Vec3::Zero());
+    if (candidates.lead_out()) return overlaps_any(near.world(), radii, centre);
+    for (; const NearCandidate* next = candidates.take();) {
+        if (overlaps(near.world().impl(), candidates.query(), near_triangle(near.triangles(), next->index)))
+            return true;
+    }
+    return false;
+}
+
+std::vector<TriangleId> CollisionWorld::triangles_in(const Aabb& box) const {
+    std::vector<TriangleId> found;
+    if (impl_->bvh.nodes.empty()) return found;
+    const auto intersects = [&box](int axis, float low, float high) {
+        return double{low} <= box.max[axis] && double{high} >= box.min[axis];
+    };
+    const auto search_leaf = [&](const Leaf& leaf) {
+        for (std::size_t lane = 0; lane < leaf.count; ++lane) {
+            const LeafTriangle triangle = leaf_triangle(leaf, lane);
+            bool hit = true;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const auto& at = triangle.at[axis];
+                const auto [low, high] = std::minmax({at[0], at[1], at[2]});
+                hit = hit && intersects(static_cast<int>(axis), low, high);
+            }
+            if (hit) found.push_back(triangle.id);
+        }
+    };
+    std::vector<std::uint32_t> open{0};
+    while (!open.empty()) {
+        const BvhNode& node = impl_->bvh.nodes[open.back()];
+        open.pop_back();
+        for (int k = 0; k < 8; ++k) {
+            bool hit = node.bound[0][k] <= node.bound[3][k];
+            for (int axis = 0; axis < 3; ++axis)
+                hit = hit && intersects(axis, node.bound[axis][k], node.bound[axis + 3][k]);
+            if (!hit) continue;
+            if ((node.child[k] & leaf_bit) != 0) {
+                search_leaf(impl_->bvh.leaf_at(node.child[k] & leaf_index_mask));
+            } else {
+                open.push_back(node.child[k]);
+            }
+        }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+}  // namespace slipface

@@ -1,0 +1,172 @@
+#include "impl.h"
+#include "queries/paths.h"
+#include "queries/sphere_triangle.h"
+
+namespace slipface {
+namespace {
+
+using namespace detail;
+
+// A ray whose direction is sheared onto one axis (S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle
+// Intersection", 2013). The sheared coordinates of a corner depend on the corner alone, and an edge function
+// changes exactly its sign with the direction of the edge. So neighbours agree about a ray through their
+// border; zero counts as inside for both.
+struct ShearedRay {
+    int kx, ky, kz;
+    double sx, sy, sz;
+    double origin[3];
+
+    ShearedRay(const V3& start, const V3& direction) : origin{start.x, start.y, start.z} {
+        const double d[3] = {direction.x, direction.y, direction.z};
+        kz = 0;
+        for (int axis = 1; axis < 3; ++axis) {
+            if (std::fabs(d[axis]) > std::fabs(d[kz])) kz = axis;
+        }
+        kx = (kz + 1) % 3;
+        ky = (kz + 2) % 3;
+        sx = d[kx] / d[kz];
+        sy = d[ky] / d[kz];
+        sz = 1.0 / d[kz];
+    }
+
+    // The corners relative to the origin, along an axis of the world.
+    Three along(int axis, const LeafTriangle& triangle) const {
+        return Three(Four::load(triangle.at[axis])) - Three::all(origin[axis]);
+    }
+    Threes shear(const LeafTriangle& triangle) const {
+        const Three z = along(kz, triangle);
+        return {along(kx, triangle) - Three::all(sx) * z, along(ky, triangle) - Three::all(sy) * z,
+                Three::all(sz) * z};
+    }
+};
+
+struct RayTouch {
+    double t;
+    V3 weights;  // barycentric
+};
+
+// A triangle whose sides, seen along the ray, are less than this fraction of its size apart counts as in line
+// with the ray: rounding would decide on which side the ray passes.
+constexpr double in_line = 0x1p-40;
+
+// True if the ray passes between the ends of the longest edge. The two long sides of a needle are too close
+// to parallel to show where it ends. The slack is for rays through a corner, on which all triangles around it
+// must agree.
+bool between_ends(const ShearedRay& ray, const LeafTriangle& triangle, const Threes& sheared) {
+    const Threes edge = sheared.next() - sheared;
+    double square[4], index[4];  // per edge: squared length; position along it, times the squared length
+    (edge.x * edge.x + edge.y * edge.y).store(square);
+    (-(sheared.x * edge.x + sheared.y * edge.y)).store(index);
+    int longest = square[1] > square[0] ? 1 : 0;
+    if (square[2] > square[longest]) longest = 2;
+    if (index[longest] >= 0.0 && index[longest] <= square[longest]) return true;
+    double away = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+        away = larger(away, largest(ray.along(axis, triangle).vec()));
+    const double slack = 4e-15 * away * std::sqrt(square[longest]);
+    return index[longest] >= -slack && index[longest] <= square[longest] + slack;
+}
+
+bool intersect(const ShearedRay& ray, const LeafTriangle& triangle, RayTouch& touch) {
+    const Threes corners = ray.shear(triangle);
+    const Threes second = corners.next(), third = second.next();
+    // The edge functions of the sides opposite to each corner.
+    const Three left = third.x * second.y, right = third.y * second.x;
+    const Three side = left - right;
+    const Three zero = Three::all(0.0);
+    if (any_less(side, zero) && any_less(zero, side)) return false;
+    const double determinant = side.sum();
+    // The ray lies in the triangle's plane: only the triangle's neighbours can stop it.
+    const double size = (left.abs() + right.abs()).sum();
+    if (!(std::fabs(determinant) > in_line * size) || !between_ends(ray, triangle, corners)) return false;
+    const Three weights = side / Three::all(determinant);
+    touch.weights = weights.vec();
+    touch.t = (weights * corners.z).sum();
+    return touch.t >= 0.0;
+}
+
+struct Search {
+    const CollisionWorld::Impl& world;
+    const ShearedRay& ray;
+    V3 direction;
+    RayStops stops;
+    RayTouch touch;
+    LeafTriangle triangle{{}, no_id};
+
+    void consider(const LeafTriangle& leaf) {
+        RayTouch other{};
+        if (!intersect(ray, leaf, other)) return;
+        if (!(other.t < touch.t || (other.t == touch.t && leaf.id < triangle.id))) return;
+        const SurfaceRule rule = world.rule_of(leaf.id);
+        if (!rule.solid) return;
+        if (stops == RayStops::as_movement && rule.one_sided && dot(winding_normal(leaf), direction) > 0.0)
+            return;
+        touch = other;
+        triangle = leaf;
+    }
+};
+
+float consider_lane(void* context, const Leaf& leaf, std::uint32_t lane) {
+    Search& search = *static_cast<Search*>(context);
+    search.consider(leaf_triangle(leaf, lane));
+    return time_limit(search.touch.t);
+}
+
+RayPath ray_path(const ShearedRay& ray, const V3& origin, const V3& direction, double reach) {
+    RayPath path;
+    const double half = 1e-14 * reach;
+    path.box = box_path(Three(origin), Three(direction), Three::all(half));
+    split(Three(origin), Three::all(1.0), path.centre, path.rest);
+    path.kx = ray.kx;
+    path.ky = ray.ky;
+    path.kz = ray.kz;
+    path.sx = static_cast<float>(ray.sx);
+    path.sy = static_cast<float>(ray.sy);
+    path.usable = true;
+    return path;
+}
+
+}  // namespace
+
+std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
+                               double max_t, RayStops stops) {
+    const CollisionWorld::Impl& impl = world.impl();
+    if (impl.bvh.nodes.empty() || !origin.allFinite() || !direction.allFinite() || direction.isZero(0.0) ||
+        !(max_t >= 0.0)) {
+        return std::nullopt;
+    }
+    // Scaling by a power of two brings the direction near unit size without rounding. For usual lengths it
+    // would change no bit and is skipped.
+    V3 d = v3(direction);
+    int exponent = 0;
+    if (const double size = largest(d); !(size > 1e-6 && size < 1e6)) {
+        std::frexp(size, &exponent);
+        d = {std::ldexp(d.x, -exponent), std::ldexp(d.y, -exponent), std::ldexp(d.z, -exponent)};
+    }
+    const V3 start = v3(origin);
+    const ShearedRay ray(start, d);
+
+    Search search{
+        impl, ray, d, stops, {exponent == 0 ? max_t : std::ldexp(max_t, exponent), {0.0, 0.0, 0.0}}};
+    const double reach = larger(largest(start), impl.extent.reach);
+    if (reach <= float_range) {
+        kernels().ray(impl.bvh.view(), ray_path(ray, start, d, reach), time_limit(search.touch.t),
+                      consider_lane, &search);
+    } else {
+        for (TriangleId id = 0; id < impl.triangle_count(); ++id)
+            search.consider(impl.bvh.triangle(id));
+    }
+    const double t = exponent == 0 ? search.touch.t : std::ldexp(search.touch.t, -exponent);
+    if (search.triangle.id == no_id || !std::isfinite(t)) return std::nullopt;
+
+    const LeafTriangle& leaf = search.triangle;
+    const V3& weights = search.touch.weights;
+    const V3 winding = winding_normal(leaf);
+    const bool back_face = dot(winding, d) > 0.0;
+    V3 normal = back_face ? -winding : winding;
+    if (!(dot(normal, normal) > 0.0)) normal = unit(-d);
+    const V3 point = weights.x * corner(leaf, 0) + weights.y * corner(leaf, 1) + weights.z * corner(leaf, 2);
+    return RayHit{t, vec(point), vec(normal), leaf.id, impl.face_of(leaf.id), back_face};
+}
+
+}  // namespace slipface

@@ -1,0 +1,10 @@
+#if defined(__x86_64__)
+#include "simd/kernel_table.h"
+
+namespace slipface::detail {
+
+constinit const Kernels avx2_kernels = kernel_table("avx2");
+
+}  // namespace slipface::detail
+
+#endif

@@ -1,0 +1,313 @@
+// Eight floats side by side, for tests that only decide which triangles are examined more closely. No result
+// of a query is computed here.
+//
+// Each file that includes this may be compiled for another instruction set. So all of it has internal linkage
+// and calls no function that another file could share.
+#pragma once
+
+#include "tree/bvh_layout.h"
+
+#if defined(__AVX2__)
+#include <immintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace slipface::detail {
+namespace {
+
+#if defined(__AVX2__)
+
+struct Lanes {
+    __m256 v;
+
+    static Lanes all(float value) { return {_mm256_set1_ps(value)}; }
+    static Lanes load(const float* from) { return {_mm256_loadu_ps(from)}; }
+    void store(float* to) const { _mm256_storeu_ps(to, v); }
+};
+using LaneMask = Lanes;
+inline Lanes operator+(Lanes a, Lanes b) {
+    return {_mm256_add_ps(a.v, b.v)};
+}
+inline Lanes operator-(Lanes a, Lanes b) {
+    return {_mm256_sub_ps(a.v, b.v)};
+}
+inline Lanes operator*(Lanes a, Lanes b) {
+    return {_mm256_mul_ps(a.v, b.v)};
+}
+inline Lanes operator/(Lanes a, Lanes b) {
+    return {_mm256_div_ps(a.v, b.v)};
+}
+// If one of the two is NaN, the result is the second.
+inline Lanes lanes_min(Lanes a, Lanes b) {
+    return {_mm256_min_ps(a.v, b.v)};
+}
+inline Lanes lanes_max(Lanes a, Lanes b) {
+    return {_mm256_max_ps(a.v, b.v)};
+}
+inline Lanes lanes_abs(Lanes a) {
+    return {_mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.v)};
+}
+inline Lanes lanes_sqrt(Lanes a) {
+    return {_mm256_sqrt_ps(a.v)};
+}
+inline LaneMask lanes_less(Lanes a, Lanes b) {
+    return {_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)};
+}
+inline Lanes lanes_pick(LaneMask where, Lanes yes, Lanes no) {
+    return {_mm256_blendv_ps(no.v, yes.v, where.v)};
+}
+// Bit k is set where a[k] <= b[k].
+inline std::uint32_t lanes_not_above(Lanes a, Lanes b) {
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
+}
+// Bit k is set where a[k] > b[k]; not where one of them is NaN.
+inline std::uint32_t lanes_above(Lanes a, Lanes b) {
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)));
+}
+
+// Bit k is set where child k is a leaf.
+inline std::uint32_t leaf_children(const BvhNode& node) {
+    static_assert(leaf_bit == 0x80000000U);
+    return static_cast<std::uint32_t>(
+        _mm256_movemask_ps(_mm256_load_ps(reinterpret_cast<const float*>(node.child))));
+}
+
+inline __m256i lane_vertices(const std::uint8_t* corner) {
+    return _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(corner)));
+}
+
+// table[index] for a table of 8, 16 or 24 floats; bits 3 and 4 of the index select the part.
+template <int Parts>
+inline Lanes look_up(const float* table, __m256i index) {
+    const __m256 first = _mm256_loadu_ps(table);
+    if constexpr (Parts == 1) return {_mm256_permutevar8x32_ps(first, index)};
+#if defined(__AVX512VL__)
+    const __m256 two = _mm256_permutex2var_ps(first, index, _mm256_loadu_ps(table + 8));
+    if constexpr (Parts == 2) return {two};
+    const __mmask8 beyond = _mm256_test_epi32_mask(index, _mm256_set1_epi32(16));
+    return {_mm256_mask_permutexvar_ps(two, beyond, index, _mm256_loadu_ps(table + 16))};
+#else
+    const __m256 bit3 = _mm256_castsi256_ps(_mm256_slli_epi32(index, 28));
+    const __m256 two = _mm256_blendv_ps(_mm256_permutevar8x32_ps(first, index),
+                                        _mm256_permutevar8x32_ps(_mm256_loadu_ps(table + 8), index), bit3);
+    if constexpr (Parts == 2) return {two};
+    const __m256 bit4 = _mm256_castsi256_ps(_mm256_slli_epi32(index, 27));
+    return {_mm256_blendv_ps(two, _mm256_permutevar8x32_ps(_mm256_loadu_ps(table + 16), index), bit4)};
+#endif
+}
+
+template <int Parts>
+inline void look_up_leaf(const Leaf& leaf, Lanes (&to)[9]) {
+    const auto* coordinates = reinterpret_cast<const float*>(&leaf + 1);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const __m256i index = lane_vertices(leaf.corner[k]);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            to[3 * k + axis] = look_up<Parts>(coordinates + axis * leaf.vertices, index);
+    }
+}
+
+// x, y, z of the three corners of a leaf's triangles.
+inline void lanes_of_leaf(const Leaf& leaf, Lanes (&to)[9]) {
+#if !defined(__AVX512VL__)  // there, two parts cost no more than one
+    if (leaf.vertices <= 8) return look_up_leaf<1>(leaf, to);
+#endif
+    if (leaf.vertices <= 16) return look_up_leaf<2>(leaf, to);
+    look_up_leaf<3>(leaf, to);
+}
+
+#else
+
+inline std::uint32_t leaf_children(const BvhNode& node) {
+    std::uint32_t mask = 0;
+    for (int k = 0; k < 8; ++k)
+        mask |= (node.child[k] / leaf_bit) << k;
+    return mask;
+}
+
+#if defined(__SSE2__)
+
+struct Lanes {
+    __m128 low, high;
+
+    static Lanes all(float value) { return {_mm_set1_ps(value), _mm_set1_ps(value)}; }
+    static Lanes load(const float* from) { return {_mm_loadu_ps(from), _mm_loadu_ps(from + 4)}; }
+    void store(float* to) const {
+        _mm_storeu_ps(to, low);
+        _mm_storeu_ps(to + 4, high);
+    }
+};
+using LaneMask = Lanes;
+inline Lanes operator+(Lanes a, Lanes b) {
+    return {_mm_add_ps(a.low, b.low), _mm_add_ps(a.high, b.high)};
+}
+inline Lanes operator-(Lanes a, Lanes b) {
+    return {_mm_sub_ps(a.low, b.low), _mm_sub_ps(a.high, b.high)};
+}
+inline Lanes operator*(Lanes a, Lanes b) {
+    return {_mm_mul_ps(a.low, b.low), _mm_mul_ps(a.high, b.high)};
+}
+inline Lanes operator/(Lanes a, Lanes b) {
+    return {_mm_div_ps(a.low, b.low), _mm_div_ps(a.high, b.high)};
+}
+// If one of the two is NaN, the result is the second.
+inline Lanes lanes_min(Lanes a, Lanes b) {
+    return {_mm_min_ps(a.low, b.low), _mm_min_ps(a.high, b.high)};
+}
+inline Lanes lanes_max(Lanes a, Lanes b) {
+    return {_mm_max_ps(a.low, b.low), _mm_max_ps(a.high, b.high)};
+}
+inline Lanes lanes_abs(Lanes a) {
+    const __m128 sign = _mm_set1_ps(-0.0F);
+    return {_mm_andnot_ps(sign, a.low), _mm_andnot_ps(sign, a.high)};
+}
+inline Lanes lanes_sqrt(Lanes a) {
+    return {_mm_sqrt_ps(a.low), _mm_sqrt_ps(a.high)};
+}
+inline LaneMask lanes_less(Lanes a, Lanes b) {
+    return {_mm_cmplt_ps(a.low, b.low), _mm_cmplt_ps(a.high, b.high)};
+}
+inline Lanes lanes_pick(LaneMask where, Lanes yes, Lanes no) {
+    const auto pick = [](__m128 m, __m128 y, __m128 n) {
+        return _mm_or_ps(_mm_and_ps(m, y), _mm_andnot_ps(m, n));
+    };
+    return {pick(where.low, yes.low, no.low), pick(where.high, yes.high, no.high)};
+}
+// Bit k is set where a[k] <= b[k].
+inline std::uint32_t lanes_not_above(Lanes a, Lanes b) {
+    return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a.low, b.low)) |
+                                      (_mm_movemask_ps(_mm_cmple_ps(a.high, b.high)) << 4));
+}
+// Bit k is set where a[k] > b[k]; not where one of them is NaN.
+inline std::uint32_t lanes_above(Lanes a, Lanes b) {
+    return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmpgt_ps(a.low, b.low)) |
+                                      (_mm_movemask_ps(_mm_cmpgt_ps(a.high, b.high)) << 4));
+}
+
+#else
+
+struct Lanes {
+    float value[8];
+
+    static Lanes all(float v) { return {{v, v, v, v, v, v, v, v}}; }
+    static Lanes load(const float* from) {
+        return each([&](int k) { return from[k]; });
+    }
+    void store(float* to) const {
+        for (int k = 0; k < 8; ++k)
+            to[k] = value[k];
+    }
+    template <class Function>
+    static Lanes each(Function&& function) {
+        Lanes out;
+        for (int k = 0; k < 8; ++k)
+            out.value[k] = function(k);
+        return out;
+    }
+};
+struct LaneMask {
+    bool value[8];
+};
+inline Lanes operator+(Lanes a, Lanes b) {
+    return Lanes::each([&](int k) { return a.value[k] + b.value[k]; });
+}
+inline Lanes operator-(Lanes a, Lanes b) {
+    return Lanes::each([&](int k) { return a.value[k] - b.value[k]; });
+}
+inline Lanes operator*(Lanes a, Lanes b) {
+    return Lanes::each([&](int k) { return a.value[k] * b.value[k]; });
+}
+inline Lanes operator/(Lanes a, Lanes b) {
+    return Lanes::each([&](int k) { return a.value[k] / b.value[k]; });
+}
+inline Lanes lanes_min(Lanes a, Lanes b) {
+    return Lanes::each([&](int k) { return a.value[k] < b.value[k] ? a.value[k] : b.value[k]; });
+}
+inline Lanes lanes_max(Lanes a, Lanes b) {
+    return Lanes::each([&](int k) { return a.value[k] > b.value[k] ? a.value[k] : b.value[k]; });
+}
+inline Lanes lanes_abs(Lanes a) {
+    return Lanes::each([&](int k) { return __builtin_fabsf(a.value[k]); });
+}
+inline Lanes lanes_sqrt(Lanes a) {
+    return Lanes::each([&](int k) { return __builtin_sqrtf(a.value[k]); });
+}
+inline LaneMask lanes_less(Lanes a, Lanes b) {
+    LaneMask mask;
+    for (int k = 0; k < 8; ++k)
+        mask.value[k] = a.value[k] < b.value[k];
+    return mask;
+}
+inline Lanes lanes_pick(LaneMask where, Lanes yes, Lanes no) {
+    return Lanes::each([&](int k) { return where.value[k] ? yes.value[k] : no.value[k]; });
+}
+inline std::uint32_t lanes_not_above(Lanes a, Lanes b) {
+    std::uint32_t mask = 0;
+    for (int k = 0; k < 8; ++k)
+        mask |= static_cast<std::uint32_t>(a.value[k] <= b.value[k]) << k;
+    return mask;
+}
+inline std::uint32_t lanes_above(Lanes a, Lanes b) {
+    return lanes_not_above(a, a) & lanes_not_above(b, b) & ~lanes_not_above(a, b);
+}
+
+#endif
+
+// x, y, z of the three corners of a leaf's triangles.
+inline void lanes_of_leaf(const Leaf& leaf, Lanes (&to)[9]) {
+    const auto* coordinates = reinterpret_cast<const float*>(&leaf + 1);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float* table = coordinates + axis * leaf.vertices;
+        for (std::size_t k = 0; k < 3; ++k) {
+            float lanes[8];
+            for (std::size_t lane = 0; lane < 8; ++lane)
+                lanes[lane] = table[leaf.corner[k][lane]];
+            to[3 * k + axis] = Lanes::load(lanes);
+        }
+    }
+}
+
+#endif
+
+// Appends the children of `mask` to a list of `size` entries that has room for eight more; returns the new
+// size.
+inline std::uint32_t append_children(const BvhNode& node, std::uint32_t mask, std::uint32_t* list,
+                                     std::uint32_t size) {
+#if defined(__AVX512VL__)
+    const __m256i children = _mm256_load_si256(reinterpret_cast<const __m256i*>(node.child));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(list + size),
+                        _mm256_maskz_compress_epi32(static_cast<__mmask8>(mask), children));
+    return size + static_cast<std::uint32_t>(__builtin_popcount(mask));
+#else
+    for (int k = 0; k < 8; ++k) {
+        list[size] = node.child[k];
+        size += mask >> k & 1U;
+    }
+    return size;
+#endif
+}
+
+// Writes the lanes of `mask` to `to`, which has room for eight.
+inline void append(Lanes lanes, std::uint32_t mask, float* to) {
+#if defined(__AVX512VL__)
+    _mm256_storeu_ps(to, _mm256_maskz_compress_ps(static_cast<__mmask8>(mask), lanes.v));
+#else
+    float all[8];
+    lanes.store(all);
+    for (; mask != 0; mask &= mask - 1)
+        *to++ = all[__builtin_ctz(mask)];
+#endif
+}
+inline void append(const std::uint32_t* numbers, std::uint32_t mask, std::uint32_t* to) {
+#if defined(__AVX512VL__)
+    const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(numbers));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
+                        _mm256_maskz_compress_epi32(static_cast<__mmask8>(mask), all));
+#else
+    for (; mask != 0; mask &= mask - 1)
+        *to++ = numbers[__builtin_ctz(mask)];
+#endif
+}
+
+}  // namespace
+}  // namespace slipface::detail

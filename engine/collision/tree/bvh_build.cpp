@@ -1,0 +1,394 @@
+// Top-down construction: a range of triangles is split, always the largest part first, until there are eight
+// children. Each child is then a task of its own. Afterwards memory is assigned in a fixed order, and nodes
+// and leaves are written in parallel. No step depends on the order of the tasks.
+
+#include <algorithm>
+#include <memory>
+
+#include "slipface/base/parallel.h"
+#include "tree/bvh.h"
+#include "tree/bvh_cells.h"
+#include "tree/bvh_split.h"
+
+namespace slipface::detail {
+namespace {
+
+constexpr std::uint32_t parallel_grain = 4096;
+constexpr std::uint32_t cells_from = 8192;  // triangles
+
+struct Range {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    int depth = 0;       // of the binary tree
+    bool mixed = false;  // more than one body
+    // At least cells_worth_it cells, as long as the items are still sorted by cell in another list.
+    std::span<Cell> cells;
+    Box box;      // of the items
+    Box centres;  // of the items' centres, or the cells'
+};
+
+struct Node;
+struct Child {
+    Range range;
+    std::unique_ptr<Node> node;  // null for a leaf
+    std::uint32_t vertices = 0;  // of a leaf
+    std::uint32_t link = 0;      // as BvhNode::child
+};
+struct Node {
+    std::array<Child, 8> children;
+    std::uint32_t count = 0;
+    std::uint32_t index = 0;
+    std::uint32_t parent = 0;
+};
+
+class Builder {
+  public:
+    Builder(std::span<Item> items, std::span<const std::array<std::uint32_t, 3>> triangles)
+        : items_(items), triangles_(triangles) {
+        if (items.size() >= cells_from) by_cell_ = std::make_unique_for_overwrite<Item[]>(items.size());
+    }
+
+    // The tree over a range of more than leaf_capacity triangles, or the root over any range.
+    std::unique_ptr<Node> build(Range root) {
+        std::vector<Cell> cells;
+        if (root.count >= cells_from && !root.mixed && root.cells.empty()) {
+            cells = sort_into_cells(items_of(root), root.centres, {&by_cell_[root.first], root.count});
+            if (!cells.empty()) root.centres = Box();
+            for (Cell& cell : cells) {
+                cell.first += root.first;
+                root.centres.add(centre_of(cell));
+            }
+            root.cells = cells;
+        }
+        auto node = std::make_unique<Node>();
+        node->children[0].range = root;
+        node->count = 1;
+        while (node->count < 8) {
+            std::uint32_t largest = 8;
+            float area = -1.0F;
+            for (std::uint32_t i = 0; i < node->count; ++i) {
+                const Range& range = node->children[i].range;
+                if (!is_leaf(range) && !(range.box.area() <= area)) {
+                    largest = i;
+                    area = range.box.area();
+                }
+            }
+            if (largest == 8) break;
+            Range right;
+            node->children[largest].range = divide(node->children[largest].range, right);
+            node->children[node->count++].range = right;
+        }
+        join_leaves(*node);
+        const auto finish = [this](Child& child) {
+            if (is_leaf(child.range)) {
+                child.vertices = sort_leaf(child.range);
+            } else {
+                child.node = build(child.range);
+            }
+        };
+        if (root.count < parallel_grain) {
+            for (std::uint32_t i = 0; i < node->count; ++i)
+                finish(node->children[i]);
+        } else {
+            parallel_for(node->count, 1, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i)
+                    finish(node->children[i]);
+            });
+        }
+        return node;
+    }
+
+    // Computes the boxes of the items and whether they belong to several bodies.
+    void measure(Range& range) const {
+        range.box = Box();
+        range.centres = Box();
+        range.mixed = false;
+        for (const Item& item : items_of(range)) {
+            range.box.add(box_of(item));
+            range.centres.add(centre_of(item));
+            range.mixed = range.mixed || item.body != items_[range.first].body;
+        }
+    }
+
+  private:
+    std::span<Item> items_of(const Range& range) const { return items_.subspan(range.first, range.count); }
+
+    // A leaf is tested eight triangles at a time, so splitting it further saves nothing.
+    static bool is_leaf(const Range& range) {
+        return range.count <= leaf_capacity && !range.mixed && range.cells.empty();
+    }
+
+    // Two neighbouring leaves become one if that makes a visit less likely.
+    static void join_leaves(Node& node) {
+        const auto end = node.children.begin() + node.count;
+        std::sort(node.children.begin(), end,
+                  [](const Child& a, const Child& b) { return a.range.first < b.range.first; });
+        for (std::uint32_t i = 0; i + 1 < node.count;) {
+            Range& range = node.children[i].range;
+            const Range& next = node.children[i + 1].range;
+            Box both = range.box;
+            both.add(next.box);
+            if (!is_leaf(range) || !is_leaf(next) || range.count + next.count > leaf_capacity ||
+                both.area() > range.box.area() + next.box.area()) {
+                ++i;
+                continue;
+            }
+            range.box = both;
+            range.count += next.count;
+            std::move(node.children.begin() + i + 2, node.children.begin() + node.count,
+                      node.children.begin() + i + 1);
+            node.children[--node.count] = Child();
+        }
+    }
+
+    // Divides the items of a range; returns the left part.
+    Range divide(Range range, Range& right) {
+        Range left;
+        if (!range.cells.empty()) {
+            if (divide_by_cost(range, range.cells, left, right)) return left;
+            put_in_place(range);
+        }
+        if (!range.mixed && divide_by_cost(range, items_of(range), left, right)) return left;
+        left.first = range.first;
+        left.count = range.mixed ? part_bodies(range) : halve(range);
+        right.first = range.first + left.count;
+        right.count = range.count - left.count;
+        measure(left);
+        measure(right);
+        // Divisions between bodies do not count towards the depth limit of the splits by cost below them.
+        left.depth = right.depth = range.mixed ? range.depth : std::max(range.depth, cost_split_depth);
+        return left;
+    }
+
+    // `list`: the range's items or its cells.
+    template <class Boxed>
+    bool divide_by_cost(const Range& range, std::span<Boxed> list, Range& left, Range& right) {
+        if (range.depth >= cost_split_depth) return false;
+        const Grid grid = bin_grid(range.centres, list.size());
+        const Split split = best_split(std::span<const Boxed>(list), grid);
+        if (!(split.cost < std::numeric_limits<float>::infinity())) return false;
+        const auto sides = part(list, grid, split);
+        const auto fill = [&](Range& half, const Side& side, const Box& box, std::uint32_t first) {
+            half = Range();
+            half.first = first;
+            half.count = side.weight;
+            half.depth = range.depth + 1;
+            half.box = box;
+            half.centres = side.centres;
+        };
+        fill(left, sides.first, split.left, range.first);
+        fill(right, sides.second, split.right, range.first + left.count);
+        if constexpr (std::is_same_v<Boxed, Cell>) {
+            take_cells(left, list.first(sides.first.size));
+            take_cells(right, list.last(sides.second.size));
+        }
+        return true;
+    }
+
+    void take_cells(Range& range, std::span<Cell> cells) {
+        range.cells = cells;
+        if (cells.size() < cells_worth_it) put_in_place(range);
+    }
+
+    // Collects the items of a range from its cells.
+    void put_in_place(Range& range) {
+        Item* to = &items_[range.first];
+        for (const Cell& cell : range.cells)
+            to = std::copy_n(&by_cell_[cell.first], cell.count, to);
+        range.cells = {};
+        measure(range);
+    }
+
+    std::uint32_t halve(const Range& range) {
+        alignas(16) float size[4];
+        (range.centres.max - range.centres.min).store(size);
+        std::size_t axis = 0;
+        for (std::size_t i = 1; i < 3; ++i) {
+            if (size[i] > size[axis]) axis = i;
+        }
+        Item* begin = &items_[range.first];
+        const std::uint32_t half = range.count / 2;
+        std::nth_element(begin, begin + half, begin + range.count, [axis](const Item& a, const Item& b) {
+            const float ca = 0.5F * a.min[axis] + 0.5F * a.max[axis];
+            const float cb = 0.5F * b.min[axis] + 0.5F * b.max[axis];
+            return ca < cb || (ca == cb && a.triangle < b.triangle);
+        });
+        return half;
+    }
+
+    // Sorts by body, and cuts between two bodies near the middle of their number.
+    std::uint32_t part_bodies(const Range& range) {
+        Item* begin = &items_[range.first];
+        Item* end = begin + range.count;
+        const auto by_body = [](const Item& a, const Item& b) {
+            return a.body < b.body || (a.body == b.body && a.triangle < b.triangle);
+        };
+        if (!std::is_sorted(begin, end, by_body)) std::sort(begin, end, by_body);
+        std::vector<std::uint32_t> starts;
+        for (std::uint32_t i = 1; i < range.count; ++i) {
+            if (begin[i].body != begin[i - 1].body) starts.push_back(i);
+        }
+        return starts[starts.size() / 2];
+    }
+
+    // Sorts the triangles of a leaf and counts their vertices.
+    std::uint32_t sort_leaf(const Range& range) {
+        Item* begin = &items_[range.first];
+        std::sort(begin, begin + range.count,
+                  [](const Item& a, const Item& b) { return a.triangle < b.triangle; });
+        std::array<std::uint32_t, 3 * leaf_capacity> seen;
+        std::uint32_t count = 0;
+        for (std::uint32_t i = 0; i < range.count; ++i) {
+            for (const std::uint32_t vertex : triangles_[begin[i].triangle]) {
+                if (std::find(seen.begin(), seen.begin() + count, vertex) == seen.begin() + count)
+                    seen[count++] = vertex;
+            }
+        }
+        return count;
+    }
+
+    std::span<Item> items_;
+    std::span<const std::array<std::uint32_t, 3>> triangles_;
+    std::unique_ptr<Item[]> by_cell_;  // a range has the same indices here as in items_
+};
+
+// Assigns memory: nodes before the nodes below them, leaves in the order in which a walk reaches them.
+class Places {
+  public:
+    void give(Node& node, std::uint32_t parent, int level) {
+        node.index = static_cast<std::uint32_t>(nodes.size());
+        node.parent = parent;
+        nodes.push_back(&node);
+        depth = std::max(depth, level);
+        for (std::uint32_t i = 0; i < node.count; ++i) {
+            Child& child = node.children[i];
+            if (child.node) continue;
+            child.link = leaf_bit | static_cast<std::uint32_t>(bytes / leaf_alignment);
+            bytes += leaf_bytes(child.range.count, child.vertices);
+        }
+        for (std::uint32_t i = 0; i < node.count; ++i) {
+            Child& child = node.children[i];
+            if (!child.node) continue;
+            child.link = static_cast<std::uint32_t>(nodes.size());
+            give(*child.node, node.index, level + 1);
+        }
+    }
+
+    std::vector<const Node*> nodes;
+    std::size_t bytes = 0;
+    int depth = 0;
+};
+
+class Writer {
+  public:
+    Writer(const Item* items, std::span<const Vec3f> positions,
+           std::span<const std::array<std::uint32_t, 3>> triangles, Bvh& bvh)
+        : items_(items), positions_(positions), triangles_(triangles), bvh_(bvh) {}
+
+    void write(const Node& node) {
+        BvhNode& out = bvh_.nodes[node.index];
+        bvh_.parents[node.index] = node.parent;
+        for (std::size_t k = 0; k < 8; ++k) {
+            alignas(16) float low[4];
+            alignas(16) float high[4];
+            node.children[k].range.box.min.store(low);
+            node.children[k].range.box.max.store(high);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                out.bound[axis][k] = low[axis];
+                out.bound[axis + 3][k] = high[axis];
+            }
+            out.child[k] = node.children[k].link;
+            if (k < node.count && !node.children[k].node) write_leaf(node.children[k], node.index);
+        }
+    }
+
+  private:
+    void write_leaf(const Child& child, std::uint32_t parent) {
+        const std::uint32_t leaf_index = child.link & leaf_index_mask;
+        Leaf& leaf = bvh_.leaf_at(leaf_index);
+        leaf.count = static_cast<std::uint8_t>(child.range.count);
+        leaf.vertices = static_cast<std::uint8_t>(child.vertices);
+        leaf.unused = 0;
+        leaf.parent = parent;
+        auto* coordinates = const_cast<float*>(leaf_coordinates(leaf));
+        auto* ids = const_cast<std::uint32_t*>(leaf_ids(leaf));
+        std::array<std::uint32_t, 3 * leaf_capacity> seen;
+        std::size_t count = 0;
+        for (std::size_t lane = 0; lane < leaf.count; ++lane) {
+            const std::uint32_t id = items_[child.range.first + lane].triangle;
+            ids[lane] = id;
+            bvh_.slots[id] = static_cast<std::uint32_t>(leaf_index * leaf_capacity + lane);
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t vertex = triangles_[id][k];
+                const auto end = seen.begin() + static_cast<std::ptrdiff_t>(count);
+                const auto index =
+                    static_cast<std::size_t>(std::find(seen.begin(), end, vertex) - seen.begin());
+                leaf.corner[k][lane] = static_cast<std::uint8_t>(index);
+                if (index < count) continue;
+                seen[count++] = vertex;
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    coordinates[axis * child.vertices + index] =
+                        positions_[vertex][static_cast<Eigen::Index>(axis)];
+            }
+        }
+        for (std::size_t lane = leaf.count; lane < leaf_capacity; ++lane) {
+            for (auto& corner : leaf.corner)
+                corner[lane] = corner[leaf.count - 1U];
+        }
+    }
+
+    const Item* items_;
+    std::span<const Vec3f> positions_;
+    std::span<const std::array<std::uint32_t, 3>> triangles_;
+    Bvh& bvh_;
+};
+
+}  // namespace
+
+Bvh build_bvh(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> triangles,
+              std::span<const std::uint32_t> bodies) {
+    Bvh bvh;
+    if (triangles.empty()) return bvh;
+    const auto count = static_cast<std::uint32_t>(triangles.size());
+    const auto items = std::make_unique_for_overwrite<Item[]>(count);
+    parallel_for(count, parallel_grain, [&](std::size_t begin, std::size_t end) {
+        for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+            const Vec3f& a = positions[triangles[i][0]];
+            const Vec3f& b = positions[triangles[i][1]];
+            const Vec3f& c = positions[triangles[i][2]];
+            for (int axis = 0; axis < 3; ++axis) {
+                items[i].min[axis] = std::min(std::min(a[axis], b[axis]), c[axis]);
+                items[i].max[axis] = std::max(std::max(a[axis], b[axis]), c[axis]);
+            }
+            items[i].triangle = i;
+            items[i].body = bodies.empty() ? 0 : bodies[i];
+        }
+    });
+    Builder builder({items.get(), count}, triangles);
+    Range all;
+    all.count = count;
+    builder.measure(all);
+    const std::unique_ptr<Node> root = builder.build(all);
+    Places places;
+    places.give(*root, 0, 1);
+
+    alignas(16) float low[4];
+    alignas(16) float high[4];
+    all.box.min.store(low);
+    all.box.max.store(high);
+    std::copy_n(low, 3, bvh.low.begin());
+    std::copy_n(high, 3, bvh.high.begin());
+    bvh.depth = places.depth;
+    bvh.nodes.resize(places.nodes.size());
+    bvh.parents.resize(places.nodes.size());
+    bvh.leaves.resize(places.bytes + leaf_overread);
+    bvh.slots.resize(count);
+    Writer writer(items.get(), positions, triangles, bvh);
+    parallel_for(places.nodes.size(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            writer.write(*places.nodes[i]);
+    });
+    return bvh;
+}
+
+}  // namespace slipface::detail

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "assimp/imported_soup.h"
+#include "slipface/base/progress.h"
+#include "warning_list.h"
+
+namespace slipface {
+
+// Reads a file of another format than OBJ through assimp: the polygons of all nodes, in the world space of
+// the file, and the frame that it declares. Files that it refers to are read only in its folder or below.
+// Cancelling through `progress` gives an error. `bytes`: the content; `extension`: lower case.
+Result<ImportedSoup> import_scene(const std::filesystem::path& path, const std::string& extension,
+                                  std::string bytes, WarningList& warnings, Progress* progress);
+
+}  // namespace slipface
