@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "panels/panels.h"
+#include "slipface/render/level_renderer.h"
 
 namespace slipface {
 
