@@ -15,6 +15,7 @@
 #include "cli/verbs.h"
 #include "document/folders.h"
 #include "slipface/base/files.h"
+#include "slipface/mesh/scene_child.h"
 #include "snapshot_verb/snapshot_verb.h"
 #include "tools/commands/docs.h"
 
@@ -193,7 +194,14 @@ void add_samples_verb(CLI::App& app, int& exit_code) {
     });
 }
 
+// The argument by which the program runs itself to read a file of another program (scene_child.h).
+constexpr const char* read_scene_word = "read-scene";
+
 int run(int argument_count, char** arguments) {
+    if (argument_count > 1 && std::string(arguments[1]) == read_scene_word)
+        return read_scene_as_child({arguments + 2, arguments + argument_count});
+    std::error_code no_proc;
+    if (fs::exists("/proc/self/exe", no_proc)) read_scenes_in_child({"/proc/self/exe", read_scene_word});
     CLI::App app("Slipface: level editor and movement lab for 3D platformers", "slipface");
     app.set_version_flag("--version", std::string("slipface ") + SLIPFACE_VERSION);
     app.footer(

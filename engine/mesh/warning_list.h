@@ -22,6 +22,7 @@ class WarningList {
         }
     }
 
+    std::size_t room() const { return limit_ - list_.size(); }
     // True if the next warning would not be listed; its text is then not needed.
     bool full() const { return list_.size() >= limit_; }
     void add_unworded() { ++unlisted_; }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "assimp/scene_child.h"
 #include "assimp/scene_frame.h"
 #include "folder_io.h"
 #include "obj/declared_counts.h"
@@ -156,8 +157,15 @@ class CancelledByProgress final : public Assimp::ProgressHandler {
 
 Result<ImportedSoup> import_scene(const std::filesystem::path& path, const std::string& extension,
                                   std::string bytes, WarningList& warnings, Progress* progress) {
+    if (auto status = check_declared_counts(extension, bytes, path.string()); !status) return status.error();
+    auto answered = import_scene_in_child(path, bytes, warnings, progress);
+    return answered ? std::move(*answered)
+                    : read_scene(path, extension, std::move(bytes), warnings, progress);
+}
+
+Result<ImportedSoup> read_scene(const std::filesystem::path& path, const std::string& extension,
+                                std::string bytes, WarningList& warnings, Progress* progress) {
     const std::string location = path.string();
-    if (auto status = check_declared_counts(extension, bytes, location); !status) return status.error();
     Assimp::Importer importer;
     importer.SetIOHandler(new FolderIo(path.parent_path()));         // the importer deletes it
     importer.SetProgressHandler(new CancelledByProgress(progress));  // and this

@@ -86,7 +86,8 @@ struct ImportOptions {
 // or `g` before it. Ordinary files go through a reader of our own on all cores, whose result equals assimp's
 // bit for bit; all others through assimp.
 // Other formats (formats.h) are also read, to view and paint them; such files are never written. They go
-// through assimp, with the polygons of all nodes in world space; Quake 3 maps have a reader of our own. Files
+// through assimp, in a child process if the program offers one (scene_child.h), with the polygons of all
+// nodes in world space; Quake 3 maps have a reader of our own. Files
 // that they refer to, and material libraries, are read only in the level's folder or below.
 //
 // The mesh has +Y up and is in metres: by options.transform, else as the file declares (FBX, COLLADA, glTF),
