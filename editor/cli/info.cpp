@@ -50,6 +50,10 @@ void add_texture_warnings(LoadedLevel& loaded) {
             found.push_back({location, image.error().text()});
         }
     }
+    if (const auto& light = level.light; light && !light->image.empty() && !light_fits(*level.mesh, *light))
+        found.push_back({(folder / light->image).string(),
+                         "was baked for other geometry and is not drawn; bake it again with \"slipface "
+                         "bake-light\""});
     const std::size_t listed = std::min(found.size(), maximum);
     loaded.warnings.insert(loaded.warnings.end(), found.begin(),
                            found.begin() + static_cast<std::ptrdiff_t>(listed));

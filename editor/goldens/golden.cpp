@@ -124,8 +124,6 @@ void explain_difference(const Pair& pair, const Image& golden, const std::string
     if (!pair.snapshot.explain) return;
     result.findings = pair.snapshot.explain(
         {golden, seen, golden_numbers, result.numbers, pair.folder, pair.snapshot.tolerance});
-    std::stable_sort(result.findings.begin(), result.findings.end(),
-                     [](const Finding& a, const Finding& b) { return a.pixels > b.pixels; });
 }
 
 std::string difference_message(const GoldenResult& result, const fs::path& golden_path) {

@@ -73,7 +73,7 @@ struct GoldenResult {
     GoldenState state = GoldenState::missing;
     Comparison comparison;
     std::vector<NumberDifference> numbers;
-    std::vector<Finding> findings;    // most pixels first
+    std::vector<Finding> findings;    // causes before their effects
     std::array<SweepRow, 8> sweep{};  // differing pixels at other thresholds
     std::string matched;  // the alternate that matches, "NAME.alt1"; empty: none was needed or none matches
     std::string message;  // one line, with numbers and the files written

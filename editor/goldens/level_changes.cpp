@@ -70,13 +70,111 @@ double largest_move(const Mesh& before, FaceId a, const Mesh& after, FaceId b) {
     return largest;
 }
 
+std::string material_of(const Mesh& mesh, FaceId face) {
+    return mesh.materials[mesh.face_material[face]].name;
+}
+
+// How the corners of a face lie in those of another that has the same ones.
+struct Winding {
+    bool flipped = false;
+    std::uint32_t offset = 0;  // of the first corner in the other face
+};
+
+bool same_corner(const Mesh& a, std::uint32_t corner_a, const Mesh& b, std::uint32_t corner_b) {
+    return (a.corner_position(corner_a) - b.corner_position(corner_b)).cwiseAbs().maxCoeff() < 2e-5f;
+}
+
+Winding winding(const Mesh& before, FaceId a, const Mesh& after, FaceId b) {
+    const std::uint32_t count = before.face_corner_count(a), first = before.face_first_corner[a],
+                        other = after.face_first_corner[b];
+    for (const bool flipped : {false, true}) {
+        for (std::uint32_t offset = 0; offset < count; ++offset) {
+            std::uint32_t i = 0;
+            while (i < count && same_corner(before, first + i, after,
+                                            other + (offset + (flipped ? count - i : i)) % count))
+                ++i;
+            if (i == count) return {flipped, offset};
+        }
+    }
+    return {};
+}
+
+bool same_texture_coordinates(const Mesh& before, FaceId a, const Mesh& after, FaceId b,
+                              std::uint32_t offset) {
+    const std::uint32_t count = before.face_corner_count(a), first = before.face_first_corner[a],
+                        other = after.face_first_corner[b];
+    for (std::uint32_t i = 0; i < count; ++i)
+        if ((before.corner_uv[first + i] - after.corner_uv[other + (offset + i) % count])
+                .cwiseAbs()
+                .maxCoeff() > 1e-6f)
+            return false;
+    return true;
+}
+
+// Empty: equal.
+std::string material_change(const Material& was, const Material& is) {
+    if (was.name != is.name) return fmt::format("changed material `{}` to `{}`", was.name, is.name);
+    if (was.texture != is.texture)
+        return fmt::format("of material `{}`: its texture was \"{}\", is \"{}\"", is.name, was.texture,
+                           is.texture);
+    if (was.diffuse != is.diffuse)
+        return fmt::format("of material `{}`: its color was {:.3g} {:.3g} {:.3g}, is {:.3g} {:.3g} {:.3g}",
+                           is.name, was.diffuse.x(), was.diffuse.y(), was.diffuse.z(), is.diffuse.x(),
+                           is.diffuse.y(), is.diffuse.z());
+    return {};
+}
+
 std::string type_name(const Level& level, SurfaceId surface) {
     return surface < level.surfaces.size() ? level.surfaces[surface].name : "default";
 }
 
-// A type of the same name may have other parameters.
-bool same_type(const Level& before, SurfaceId a, const Level& after, SurfaceId b) {
-    return a < before.surfaces.size() && b < after.surfaces.size() && before.surfaces[a] == after.surfaces[b];
+// The hotkey is only for the editor.
+bool same_parameters(SurfaceType a, const SurfaceType& b) {
+    a.hotkey = b.hotkey;
+    return a == b;
+}
+
+std::string field_text(const SurfaceType& type, const SurfaceField& field) {
+    return std::visit(
+        [&](const auto member) -> std::string {
+            const auto& value = type.*member;
+            using Value = std::decay_t<decltype(value)>;
+            if constexpr (std::is_same_v<Value, bool>) {
+                return value ? "yes" : "no";
+            } else if constexpr (std::is_same_v<Value, double>) {
+                return fmt::format("{}", value);
+            } else if constexpr (std::is_same_v<Value, Vec3>) {
+                return fmt::format("{},{},{}", value.x(), value.y(), value.z());
+            } else {
+                return value ? fmt::format("{}", *value) : "not set";
+            }
+        },
+        field.member);
+}
+
+// The change of a face whose partner has the same corners.
+FaceChange change_in_position(const Level& before, FaceId a, SurfaceId was, const Level& after, FaceId b,
+                              SurfaceId is) {
+    const Mesh &old = *before.mesh, &now = *after.mesh;
+    const Winding around = winding(old, a, now, b);
+    const std::string material =
+        material_change(old.materials[old.face_material[a]], now.materials[now.face_material[b]]);
+    const std::string from = type_name(before, was), to = type_name(after, is);
+    if (around.flipped) return {FaceChange::Kind::flipped, a, b, 0.0, "flipped"};
+    if (from != to) {
+        const bool by_name = material_of(old, a) != material_of(now, b);
+        return {FaceChange::Kind::surface, a, b, 0.0,
+                by_name ? fmt::format("{}, and so {} to {}", material, from, to)
+                        : fmt::format("changed {} to {}", from, to)};
+    }
+    if (was < before.surfaces.size() && is < after.surfaces.size() &&
+        !same_parameters(before.surfaces[was], after.surfaces[is]))
+        return {FaceChange::Kind::parameters, a, b, 0.0,
+                fmt::format("of type {}, whose parameters changed", to)};
+    if (!material.empty()) return {FaceChange::Kind::material, a, b, 0.0, material};
+    if (!same_texture_coordinates(old, a, now, b, around.offset))
+        return {FaceChange::Kind::texture, a, b, 0.0, "changed texture coordinates"};
+    return {FaceChange::Kind::none, a, b, 0.0, ""};
 }
 
 }  // namespace
@@ -95,6 +193,7 @@ LevelChanges compare_levels(const Level& before, const Level& after) {
         true);
     const ResolvedSurfaces was = resolve_surfaces(before), is = resolve_surfaces(after);
     LevelChanges changes;
+    changes.partner = matcher.found_in_after;
     changes.of_before.assign(a.face_count(), no_id);
     changes.of_after.assign(b.face_count(), no_id);
     const auto add = [&](FaceChange change) {
@@ -113,17 +212,39 @@ LevelChanges compare_levels(const Level& before, const Level& after) {
             change.kind = FaceChange::Kind::moved;
             change.moved = largest_move(a, face, b, partner);
             change.text = fmt::format("moved by up to {:.3g} m", change.moved);
-        } else if (!same_type(before, was.surface[face], after, is.surface[partner])) {
-            change.kind = FaceChange::Kind::surface;
-            const std::string from = type_name(before, was.surface[face]),
-                              to = type_name(after, is.surface[partner]);
-            change.text = from == to ? fmt::format("are of type {}, whose parameters changed", to)
-                                     : fmt::format("changed {} to {}", from, to);
+        } else {
+            change = change_in_position(before, face, was.surface[face], after, partner, is.surface[partner]);
         }
         if (change.kind != FaceChange::Kind::none) add(std::move(change));
     }
     for (FaceId face = 0; face < b.face_count(); ++face)
         if (matcher.found_in_before[face] == no_id) add({FaceChange::Kind::added, no_id, face, 0.0, "added"});
+    return changes;
+}
+
+std::vector<TypeChange> type_changes(const Level& before, const Level& after) {
+    const auto find = [](const Level& level, const std::string& name) -> const SurfaceType* {
+        for (const SurfaceType& type : level.surfaces)
+            if (type.name == name) return &type;
+        return nullptr;
+    };
+    std::vector<TypeChange> changes;
+    for (const SurfaceType& was : before.surfaces) {
+        const SurfaceType* const is = find(after, was.name);
+        if (is == nullptr) {
+            changes.push_back({was.name, "removed"});
+            continue;
+        }
+        std::string text;
+        for (const SurfaceField& field : surface_fields())
+            if (const std::string a = field_text(was, field), b = field_text(*is, field); a != b)
+                text += fmt::format("{}{} was {}, is {}", text.empty() ? "" : "; ", field.name, a, b);
+        if (was.color != is->color || was.hatch != is->hatch)
+            text += fmt::format("{}another color or hatch", text.empty() ? "" : "; ");
+        if (!text.empty()) changes.push_back({was.name, text});
+    }
+    for (const SurfaceType& is : after.surfaces)
+        if (find(before, is.name) == nullptr) changes.push_back({is.name, "added"});
     return changes;
 }
 

@@ -16,17 +16,8 @@ namespace slipface {
 
 namespace {
 
-constexpr std::string_view magic = "slipface-digest 1\n";
+constexpr std::string_view magic = "slipface-digest 2\n";
 constexpr std::size_t largest_digest = std::size_t{256} << 20U;  // unpacked
-
-// The level file's text without painted faces, because the digest stores the resolved types.
-std::string annotations_json(const Level& level) {
-    Level bare = level;
-    bare.overrides.assign(level.mesh ? level.mesh->face_count() : 0, std::nullopt);
-    bare.orphans.clear();
-    bare.unknown = {};
-    return level_to_json(bare);
-}
 
 class Writer {
   public:
@@ -137,6 +128,12 @@ void write_mesh(Writer& out, const Mesh& mesh) {
             values.push_back(position[axis]);
         out.list(values);
     }
+    for (int axis = 0; axis < 2; ++axis) {
+        std::vector<float> values;
+        for (const Vec2f& uv : mesh.corner_uv)
+            values.push_back(uv[axis]);
+        out.list(values);
+    }
     out.list(mesh.corner_vertex);
     out.ascending(mesh.face_first_corner);
     out.list(mesh.face_material);
@@ -185,13 +182,16 @@ bool read_mesh(Reader& in, Mesh& mesh) {
         mesh.positions.emplace_back(axes[0][i], axes[1][i], axes[2][i]);
         mesh.bounds.add(mesh.positions.back().cast<double>());
     }
+    const std::vector<float> u = in.list<float>(), v = in.list<float>();
     mesh.corner_vertex = in.list<std::uint32_t>();
+    if (u.size() != v.size() || u.size() != mesh.corner_vertex.size()) return false;
+    for (std::size_t corner = 0; corner < u.size(); ++corner)
+        mesh.corner_uv.emplace_back(u[corner], v[corner]);
     mesh.face_first_corner = in.ascending();
     mesh.face_material = in.list<std::uint32_t>();
     mesh.face_group = in.list<std::uint32_t>();
     mesh.face_first_triangle = in.ascending();
     if (!read_triangles(in, mesh)) return false;
-    mesh.corner_uv.assign(mesh.corner_vertex.size(), Vec2f::Zero());
     for (auto count = in.value<std::uint32_t>(); in.ok && count > 0; --count) {
         Material material;
         material.name = in.text();
@@ -208,9 +208,33 @@ bool read_mesh(Reader& in, Mesh& mesh) {
 
 }  // namespace
 
+std::string annotations_json(const Level& level) {
+    Level bare = level;
+    bare.overrides.assign(level.mesh ? level.mesh->face_count() : 0, std::nullopt);
+    bare.orphans.clear();
+    bare.unknown = {};
+    return level_to_json(bare);
+}
+
+std::uint64_t appearance_hash(const Mesh& mesh) {
+    Hasher hasher;
+    hasher.bytes(mesh.corner_uv.data(), mesh.corner_uv.size() * sizeof(Vec2f));
+    for (const Material& material : mesh.materials) {
+        hasher.u64(material.name.size());
+        hasher.text(material.name);
+        hasher.u64(material.texture.size());
+        hasher.text(material.texture);
+        hasher.bytes(material.diffuse.data(), sizeof(Vec3f));
+    }
+    return hasher.value();
+}
+
 std::string digest_name(const Level& level) {
     Hasher hasher;
-    if (level.mesh) hasher.u64(level.mesh->fingerprint);
+    if (level.mesh) {
+        hasher.u64(level.mesh->fingerprint);
+        hasher.u64(appearance_hash(*level.mesh));
+    }
     const std::vector<SurfaceId> surfaces = resolve_surfaces(level).surface;
     hasher.bytes(surfaces.data(), surfaces.size());
     hasher.text(annotations_json(level));

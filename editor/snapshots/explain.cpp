@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
+
+#include "slipface/base/text.h"
 
 namespace slipface {
 
@@ -47,7 +50,7 @@ FaceId face_at(const SceneSide& side, const Scene& scene, std::size_t pixel) {
 // Pixels on which something is drawn over the level.
 std::vector<bool> overlay_mask(const SceneComparison& comparison, const SceneSide& side) {
     if (side.story == nullptr || side.story->numbers.is_null()) return {};
-    const Image with = comparison.draw(side, true), without = comparison.draw(side, false);
+    const Image with = comparison.draw(side, true, true), without = comparison.draw(side, false, true);
     std::vector<bool> mask(with.pixel_count(), false);
     if (with.rgba.size() != without.rgba.size()) return {};
     for (std::size_t i = 0; i < mask.size(); ++i)
@@ -120,11 +123,14 @@ void describe_faces(const SceneComparison& comparison, const LevelChanges& chang
     };
     std::map<std::pair<std::string, std::string>, Group> groups;
     for (const FaceChange& change : changes.list) {
+        if (change.kind == FaceChange::Kind::parameters) continue;  // the type says it
         const auto seen = tally.faces.find(&change);
         const bool gone = change.after == no_id;
         const Mesh& mesh = *(gone ? comparison.before : comparison.after).staged->level.mesh;
         const std::string kind = change.kind == FaceChange::Kind::moved ? "moved" : change.text;
-        Group& group = groups[{group_label(mesh, gone ? change.before : change.after), kind}];
+        const bool by_material = change.kind == FaceChange::Kind::material;  // of all groups in one sentence
+        Group& group = groups[{
+            by_material ? "the level" : group_label(mesh, gone ? change.before : change.after), kind}];
         ++group.faces;
         group.moved = std::max(group.moved, change.moved);
         if (seen != tally.faces.end()) group.pixels += seen->second;
@@ -146,7 +152,9 @@ void describe_faces(const SceneComparison& comparison, const LevelChanges& chang
                                    ? fmt::format("face {}", face)
                                    : fmt::format("{} faces (face {} and others)", group.faces, face),
                                key.first, what);
-        if (group.pixels == 0) text += ", out of sight";
+        const bool geometry =
+            change.kind != FaceChange::Kind::material && change.kind != FaceChange::Kind::texture;
+        if (group.pixels == 0 && geometry) text += ", out of sight";
         findings.push_back({Cause::level, group.pixels, text});
     }
 }
@@ -169,159 +177,326 @@ std::set<FaceId> faces_touched(const SceneSide& side, std::size_t tick) {
     return faces;
 }
 
-std::string why_diverged(const SceneComparison& comparison, const LevelChanges& changes, std::size_t tick) {
-    for (const FaceId face : faces_touched(comparison.before, tick)) {
-        const FaceChange* change = changes.before(face);
-        if (change == nullptr) continue;
-        const Level& level = comparison.before.staged->level;
-        const std::string label = face_label(*level.mesh, face);
-        const SurfaceId was = resolve_surfaces(level).surface[face];
-        if (change->kind == FaceChange::Kind::surface && !change->text.starts_with("are of type"))
-            return fmt::format("because {} is no longer {}", label,
-                               was < level.surfaces.size() ? level.surfaces[was].name : "default");
-        return fmt::format("because {} {}", label, change->text);
-    }
-    for (const FaceId face : faces_touched(comparison.after, tick))
-        if (const FaceChange* change = changes.after(face))
-            return fmt::format("because {} {}", face_label(*comparison.after.staged->level.mesh, face),
-                               change->text);
-    std::string settings;
-    for (const NumberDifference& number : comparison.request.numbers)
-        if (number.path.starts_with("/movement/settings/") && number.decides)
-            settings += fmt::format("{}{} is {} instead of {}", settings.empty() ? "because " : " and ",
-                                    number.path.substr(19), number.actual, number.expected);
-    if (!settings.empty()) return settings;
-    for (const NumberDifference& number : comparison.request.numbers)
-        if (number.path == "/movement/tape/inputs") return "because the tape's inputs changed";
-    return changes.list.empty() ? "" : "although no face touched at that tick has changed";
-}
-
-// The text if the golden's level, settings and tape, simulated today, give today's path.
-std::string same_path_text(const ExplainRequest& request, const LevelChanges& changes) {
-    const auto differs = [&](std::string_view prefix) {
-        return std::any_of(request.numbers.begin(), request.numbers.end(),
-                           [&](const NumberDifference& number) {
-                               return number.decides && number.path.starts_with(prefix);
-                           });
-    };
-    if (differs("/movement/tape/samples") || differs("/movement/tape/end"))
-        return changes.list.empty()
-                   ? "trajectory differs though level, settings and tape are the same: the "
-                     "movement code has changed"
-                   : "trajectory differs, and not because of the level: the movement code has "
-                     "changed";
-    return "the path is the same, but the events on it differ";
-}
-
-// The golden's tape is simulated again in the golden's level. If the result differs from the golden's
-// numbers, the movement code has changed.
-void describe_movement(const SceneComparison& comparison, const LevelChanges& changes, std::size_t pixels,
-                       std::vector<Finding>& findings) {
-    const auto differs = [&](const char* path) {
-        return std::any_of(comparison.request.numbers.begin(), comparison.request.numbers.end(),
-                           [&](const NumberDifference& n) { return n.path.starts_with(path); });
-    };
-    const bool tape_differs = differs("/movement/tape"), probe_differs = differs("/movement/probe");
-    if (!tape_differs && !probe_differs && pixels == 0) return;
-    const SceneSide &before = comparison.before, &after = comparison.after;
-    std::string text;
-    if (tape_differs && before.story != nullptr && !before.story->states.empty() &&
-        !after.story->states.empty()) {
-        const auto& a = before.story->states;
-        const auto& b = after.story->states;
-        std::size_t tick = 0;
-        while (tick < std::min(a.size(), b.size()) &&
-               (a[tick].position - b[tick].position).norm() <= same_position)
-            ++tick;
-        if (tick < std::min(a.size(), b.size())) {
-            const double apart = (a.back().position - b.back().position).norm();
-            const std::string why = why_diverged(comparison, changes, tick);
-            text = fmt::format("trajectory diverges at tick {} ({:.2f} s){}, and ends {:.3g} m away", tick,
-                               static_cast<double>(tick) * after.story->tape.dt, why.empty() ? "" : " " + why,
-                               apart);
-        } else if (a.size() != b.size()) {
-            text = fmt::format("the tape has {} ticks instead of {}", b.size(), a.size());
-        } else {
-            text = same_path_text(comparison.request, changes);
-        }
-    } else if (tape_differs) {
-        text = "trajectory differs";
-    }
-    if (probe_differs) {
-        const auto number =
-            std::find_if(comparison.request.numbers.begin(), comparison.request.numbers.end(),
-                         [](const NumberDifference& n) { return n.path.starts_with("/movement/probe"); });
-        text += fmt::format("{}probe: {} was {}, is {}", text.empty() ? "" : "; ", number->path.substr(16),
-                            number->expected, number->actual);
-    }
-    if (text.empty()) text = "what is drawn over the level";
-    findings.push_back({Cause::movement, pixels, text});
-}
-
 const NumberDifference* first_number(const ExplainRequest& request, std::string_view prefix) {
     for (const NumberDifference& number : request.numbers)
         if (number.path.starts_with(prefix)) return &number;
     return nullptr;
 }
 
+bool differs(const ExplainRequest& request, std::string_view prefix) {
+    return std::any_of(request.numbers.begin(), request.numbers.end(), [&](const NumberDifference& number) {
+        return number.decides && number.path.starts_with(prefix);
+    });
+}
+
+// "sun_color was 1, is 2; ..." of the differences below `prefix`, at most four.
+std::string list_numbers(const ExplainRequest& request, std::string_view prefix) {
+    constexpr std::size_t maximum = 4;
+    std::string text;
+    std::size_t count = 0;
+    for (const NumberDifference& number : request.numbers) {
+        if (!number.decides || !number.path.starts_with(prefix)) continue;
+        if (++count <= maximum)
+            text += fmt::format("{}{} was {}, is {}", text.empty() ? "" : "; ",
+                                number.path.substr(prefix.size()), number.expected, number.actual);
+    }
+    if (count > maximum) text += fmt::format("; {} more", count - maximum);
+    return text;
+}
+
+std::string why_diverged(const SceneComparison& comparison, const LevelChanges& changes, std::size_t tick) {
+    for (const FaceId face : faces_touched(comparison.before, tick)) {
+        const FaceChange* change = changes.before(face);
+        if (change == nullptr || !change->affects_movement()) continue;
+        const Level& level = comparison.before.staged->level;
+        const std::string label = face_label(*level.mesh, face);
+        const SurfaceId was = resolve_surfaces(level).surface[face];
+        if (change->kind == FaceChange::Kind::surface)
+            return fmt::format(" because {} is no longer {}", label,
+                               was < level.surfaces.size() ? level.surfaces[was].name : "default");
+        const bool is = change->kind == FaceChange::Kind::parameters;
+        return fmt::format(" because {} {}{}", label, is ? "is " : "", change->text);
+    }
+    for (const FaceId face : faces_touched(comparison.after, tick))
+        if (const FaceChange* change = changes.after(face); change != nullptr && change->affects_movement())
+            return fmt::format(" because {} {}", face_label(*comparison.after.staged->level.mesh, face),
+                               change->text);
+    std::string settings;
+    for (const NumberDifference& number : comparison.request.numbers)
+        if (number.path.starts_with("/movement/settings/") && number.decides)
+            settings += fmt::format("{}{} is {} instead of {}", settings.empty() ? " because " : " and ",
+                                    number.path.substr(19), number.actual, number.expected);
+    if (!settings.empty()) return settings;
+    if (comparison.before.story->start != comparison.after.story->start)
+        return " because the player starts elsewhere";
+    return "";
+}
+
+// The first tick whose input differs, or nothing.
+std::optional<std::size_t> first_other_input(const Tape& a, const Tape& b) {
+    const std::size_t ticks = std::max(a.tick_count(), b.tick_count());
+    for (std::size_t tick = 0; tick < ticks; ++tick) {
+        const PlayerInput was = input_at(a, tick), is = input_at(b, tick);
+        const bool there = (tick < a.tick_count()) == (tick < b.tick_count());
+        if (!there || was.wish != is.wish || was.jump != is.jump) return tick;
+    }
+    return std::nullopt;
+}
+
+// What is different about the tape; empty: nothing that the numbers know.
+std::string tape_text(const SceneComparison& comparison) {
+    const ExplainRequest& request = comparison.request;
+    const auto recorded = recorded_tape(Numbers::parse(request.expected_numbers, nullptr, false));
+    if (!recorded || comparison.after.story == nullptr)
+        return first_number(request, "/movement/tape/inputs") != nullptr ? "the tape has changed" : "";
+    const Tape& tape = comparison.after.story->tape;
+    const std::optional<std::size_t> tick = first_other_input(*recorded, tape);
+    std::string text;
+    if (tick) text = fmt::format(" from tick {}", *tick);
+    if (recorded->tick_count() != tape.tick_count())
+        text += fmt::format("{} it has {} ticks instead of {}", text.empty() ? ":" : ",", tape.tick_count(),
+                            recorded->tick_count());
+    if (recorded->start != tape.start) text += text.empty() ? ": another start" : ", and its start";
+    if (recorded->dt != tape.dt) text += text.empty() ? ": another time step" : ", and its time step";
+    if (recorded->settings != tape.settings || recorded->changes != tape.changes)
+        text += text.empty() ? ": other settings" : ", and its settings";
+    return text.empty() ? "" : "the tape has changed" + text;
+}
+
+// True if the golden's level, settings and tape give another path today than when it was approved.
+bool movement_code_changed(const SceneComparison& comparison) {
+    const SceneMovement* const story = comparison.before.story;
+    const Numbers golden = Numbers::parse(comparison.request.expected_numbers, nullptr, false);
+    if (story == nullptr || !golden.contains("movement")) return false;
+    const auto path_of = [](const Numbers& movement) {
+        Numbers path = {{"version", 1}};
+        for (const auto& [part, members] :
+             {std::pair{"tape", std::vector{"samples", "end", "distance"}}, {"probe", {"end", "remainder"}}})
+            for (const char* member : members)
+                if (movement.contains(part) && movement[part].contains(member))
+                    path["movement"][part][member] = movement[part][member];
+        return path.dump();
+    };
+    const bool tape_known = !golden["movement"].contains("tape") || recorded_tape(golden) ||
+                            first_number(comparison.request, "/movement/tape/inputs") == nullptr;
+    const auto differences =
+        compare_numbers(path_of(golden["movement"]), path_of(story->numbers), "the golden's path");
+    return tape_known && differences && any_decides(*differences);
+}
+
+// Where the golden's tape, simulated again in the golden's level, and today's part.
+std::string divergence_text(const SceneComparison& comparison, const LevelChanges& changes) {
+    const SceneSide &before = comparison.before, &after = comparison.after;
+    if (before.story == nullptr || before.story->states.empty() || after.story->states.empty())
+        return "trajectory differs";
+    const auto& a = before.story->states;
+    const auto& b = after.story->states;
+    std::size_t tick = 0;
+    while (tick < std::min(a.size(), b.size()) &&
+           (a[tick].position - b[tick].position).norm() <= same_position)
+        ++tick;
+    if (tick == std::min(a.size(), b.size()))
+        return a.size() == b.size()
+                   ? ""
+                   : fmt::format("trajectory has {} ticks instead of {}", b.size(), a.size());
+    const double apart = (a.back().position - b.back().position).norm();
+    return fmt::format("trajectory diverges at tick {} ({:.2f} s){}, and ends {}", tick,
+                       static_cast<double>(tick) * after.story->tape.dt,
+                       why_diverged(comparison, changes, tick),
+                       apart < 5e-4 ? "at the same position" : fmt::format("{:.3g} m away", apart));
+}
+
+// A difference in a face's number only, where that face is still the same one.
+bool renumbered(const LevelChanges& changes, const NumberDifference& number) {
+    if (!number.path.ends_with("/face")) return false;
+    const std::optional<std::int64_t> was = parse_int(number.expected), is = parse_int(number.actual);
+    return was && is && *was >= 0 && static_cast<std::size_t>(*was) < changes.partner.size() &&
+           changes.partner[static_cast<std::size_t>(*was)] == static_cast<FaceId>(*is);
+}
+
+std::string probe_text(const ExplainRequest& request, const LevelChanges& changes) {
+    for (const NumberDifference& number : request.numbers)
+        if (number.decides && number.path.starts_with("/movement/probe") && !renumbered(changes, number))
+            return fmt::format("probe: {} was {}, is {}", number.path.substr(16), number.expected,
+                               number.actual);
+    return "";
+}
+
+std::string spawn_text(const ExplainRequest& request) {
+    const NumberDifference* const number = first_number(request, "/level/file/spawn/position");
+    if (number == nullptr) return "";
+    const auto point = [](const std::string& json) -> std::optional<Vec3> {
+        const Numbers list = Numbers::parse(json, nullptr, false);
+        if (!list.is_array() || list.size() != 3) return std::nullopt;
+        return Vec3(list[0].get<double>(), list[1].get<double>(), list[2].get<double>());
+    };
+    const auto was = point(number->expected), is = point(number->actual);
+    if (!was || !is) return "the spawn has changed";
+    return fmt::format("the spawn moved {:.3g} m: it was at {}, is at {}", (*is - *was).norm(),
+                       number->expected, number->actual);
+}
+
+// What differs in the level beside its faces.
+void describe_level(const SceneComparison& comparison, const LevelChanges& changes, const Tally& tally,
+                    std::vector<Finding>& findings) {
+    const ExplainRequest& request = comparison.request;
+    for (const TypeChange& type :
+         type_changes(comparison.before.staged->level, comparison.after.staged->level)) {
+        std::size_t faces = 0, pixels = 0;
+        for (const FaceChange& change : changes.list) {
+            if (change.kind != FaceChange::Kind::parameters ||
+                change.text != fmt::format("of type {}, whose parameters changed", type.name))
+                continue;
+            ++faces;
+            if (const auto seen = tally.faces.find(&change); seen != tally.faces.end())
+                pixels += seen->second;
+        }
+        findings.push_back(
+            {Cause::level, pixels,
+             fmt::format("type `{}`, of {} face{}: {}", type.name, faces, faces == 1 ? "" : "s", type.text)});
+    }
+    if (const std::string spawn = spawn_text(request); !spawn.empty())
+        findings.push_back({Cause::level, 0, spawn});
+    std::set<std::string> keys;
+    for (const NumberDifference& number : request.numbers) {
+        constexpr std::string_view file = "/level/file/";
+        if (!number.path.starts_with(file) || number.path.starts_with("/level/file/spawn/position")) continue;
+        const std::string key =
+            number.path.substr(file.size(), number.path.find('/', file.size()) - file.size());
+        if (keys.insert(key).second)
+            findings.push_back(
+                {Cause::level, 0, "the level's " + list_numbers(request, std::string(file) + key)});
+    }
+    for (const NumberDifference& number : request.numbers)
+        if (number.path.starts_with("/level/textures/"))
+            findings.push_back(
+                {Cause::level, 0, fmt::format("the texture {} has changed", number.path.substr(16))});
+}
+
 std::string renderer_text(const ExplainRequest& request) {
     const NumberDifference* number = first_number(request, "/renderer");
     if (number == nullptr)
-        return "drawing: the same renderer, so the drawing code or a texture's use has changed";
+        return "drawing: the same level, movement, view and renderer, so the drawing code has changed";
     return fmt::format("drawing: {} was {}, is {}", number->path.substr(10), number->expected,
                        number->actual);
 }
 
-// Explains the pixels that no face and no overlay explains.
-void describe_rest(const ExplainRequest& request, std::size_t pixels, std::vector<Finding>& findings) {
+// Empty: the camera and the style are the same.
+std::string view_text(const ExplainRequest& request) {
     if (const NumberDifference* number = first_number(request, "/camera"))
-        return findings.push_back({Cause::view, pixels,
-                                   fmt::format("another view: {} was {}, is {}", number->path.substr(8),
-                                               number->expected, number->actual)});
+        return fmt::format("another view: {} was {}, is {}", number->path.substr(8), number->expected,
+                           number->actual);
     if (const NumberDifference* number = first_number(request, "/picture"))
-        return findings.push_back({Cause::view, pixels,
-                                   fmt::format("drawing style changed: {} was {}, is {}",
-                                               number->path.substr(9), number->expected, number->actual)});
-    if (const NumberDifference* number = first_number(request, "/level/textures"))
-        return findings.push_back(
-            {Cause::level, pixels, fmt::format("the texture {} has changed", number->path.substr(16))});
-    if (pixels > 0) findings.push_back({Cause::renderer, pixels, renderer_text(request)});
+        return fmt::format("drawing style changed: {} was {}, is {}", number->path.substr(9),
+                           number->expected, number->actual);
+    return "";
+}
+
+// Whether the camera's position follows from the movement.
+bool follows_movement(const Scene& scene) {
+    const auto* const name = std::get_if<std::string>(&scene.camera);
+    return name != nullptr && (name->starts_with("tape:") || name->starts_with("contact:"));
+}
+
+// Pixels that no face explains: the first cause's, or the drawing code's if there is no other.
+void describe_rest(const ExplainRequest& request, std::size_t pixels, std::vector<Finding>& findings) {
+    if (!findings.empty()) {
+        findings.front().pixels += pixels;
+    } else if (pixels > 0) {
+        findings.push_back({Cause::renderer, pixels, renderer_text(request)});
+    }
+}
+
+// Pixels that differ only in baked light, which one side does not have because its geometry is another's.
+std::size_t pixels_of_light(const SceneComparison& comparison, std::vector<std::size_t>& pixels) {
+    const Image was = comparison.draw(comparison.before, true, false),
+                is = comparison.draw(comparison.after, true, false);
+    if (was.rgba.size() != comparison.request.expected.rgba.size() || is.rgba.size() != was.rgba.size())
+        return 0;
+    const std::size_t all = pixels.size();
+    std::erase_if(pixels, [&](std::size_t i) {
+        return delta(was.rgba.data() + 4 * i, is.rgba.data() + 4 * i) <=
+               comparison.request.tolerance.pixel_delta;
+    });
+    return all - pixels.size();
 }
 
 }  // namespace
 
+std::optional<Tape> recorded_tape(const Numbers& numbers) {
+    const Numbers::json_pointer pointer("/movement/tape/tape");
+    if (!numbers.is_object() || !numbers.contains(pointer)) return std::nullopt;
+    std::string text;
+    for (const Numbers& line : numbers[pointer])
+        if (line.is_string()) text += line.get<std::string>() + "\n";
+    Result<Tape> tape = parse_tape(text, "the golden's tape");
+    return tape ? std::optional(*std::move(tape)) : std::nullopt;
+}
+
 std::vector<Finding> explain_numbers(const ExplainRequest& request, std::size_t changed) {
     std::vector<Finding> findings;
     for (const Cause cause : {Cause::level, Cause::movement}) {
-        const NumberDifference* first = nullptr;
-        std::size_t count = 0;
-        for (const NumberDifference& number : request.numbers) {
-            if (number.cause != cause || !number.decides) continue;
-            if (first == nullptr) first = &number;
-            ++count;
-        }
-        if (first == nullptr) continue;
-        std::string text =
-            fmt::format("{} was {}, is {}", first->path.substr(1), first->expected, first->actual);
-        if (count > 1) text += fmt::format(" ({} more numbers differ)", count - 1);
-        findings.push_back({cause, 0, text});
+        const std::string prefix = fmt::format("/{}/", cause_name(cause));
+        if (differs(request, prefix))
+            findings.push_back(
+                {cause, 0, fmt::format("{}: {}", cause_name(cause), list_numbers(request, prefix))});
     }
-    describe_rest(request, findings.empty() ? changed : 0, findings);
+    if (const std::string view = view_text(request); !view.empty())
+        findings.push_back({Cause::view, 0, view});
+    describe_rest(request, changed, findings);
     return findings;
 }
 
 std::vector<Finding> explain_scene(const SceneComparison& comparison) {
     const ExplainRequest& request = comparison.request;
-    const std::vector<std::size_t> pixels =
+    std::vector<std::size_t> pixels =
         changed_pixels(request.expected, request.actual.image, request.tolerance.pixel_delta);
     if (comparison.before.staged == nullptr) return explain_numbers(request, pixels.size());
+    const bool light_dropped = first_number(request, "/level/light_drawn") != nullptr;
+    const std::size_t light_pixels = light_dropped ? pixels_of_light(comparison, pixels) : 0;
     const LevelChanges changes =
         compare_levels(comparison.before.staged->level, comparison.after.staged->level);
     const Tally tally = count_pixels(comparison, changes, pixels);
+
     std::vector<Finding> findings;
     describe_faces(comparison, changes, tally, findings);
-    describe_movement(comparison, changes, tally.overlay, findings);
-    describe_rest(request, tally.rest, findings);
+    describe_level(comparison, changes, tally, findings);
+    std::stable_sort(findings.begin(), findings.end(),
+                     [](const Finding& a, const Finding& b) { return a.pixels > b.pixels; });
+    if (light_dropped)
+        findings.push_back(
+            {Cause::level, light_pixels,
+             "the baked light is not drawn on both sides, because it was baked for other geometry; "
+             "bake it again with \"slipface bake-light\""});
+    if (const std::string settings = list_numbers(request, "/movement/settings/"); !settings.empty())
+        findings.push_back({Cause::movement, 0, "settings: " + settings});
+    if (const std::string tape = tape_text(comparison); !tape.empty())
+        findings.push_back({Cause::movement, 0, tape});
+    if (movement_code_changed(comparison))
+        findings.push_back(
+            {Cause::movement, 0,
+             "the movement code has changed: the golden's level, settings and tape give another "
+             "path today"});
+
+    std::string moved;
+    if (differs(request, "/movement/tape/samples") || differs(request, "/movement/tape/end") ||
+        differs(request, "/movement/tape/ticks"))
+        moved = divergence_text(comparison, changes);
+    if (const std::string probe = probe_text(request, changes); !probe.empty())
+        moved += (moved.empty() ? "" : "; ") + probe;
+    if (moved.empty() && differs(request, "/movement/tape/events"))
+        moved = "the path is the same, but the events on it differ";
+    const std::string view = view_text(request);
+    const bool view_follows = follows_movement(comparison.scene) && !moved.empty();
+    if (!view.empty() && !view_follows) findings.push_back({Cause::view, tally.rest, view});
+    if (!moved.empty()) {
+        findings.push_back({Cause::movement, tally.overlay, moved});
+    } else if (tally.overlay > 0) {
+        describe_rest(request, tally.overlay, findings);
+    }
+    if (!view.empty() && view_follows)
+        findings.push_back({Cause::view, tally.rest, view + ": it follows the movement"});
+    if (view.empty()) describe_rest(request, tally.rest, findings);
     return findings;
 }
 

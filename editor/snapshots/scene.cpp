@@ -66,16 +66,17 @@ bool wants_grid(const Scene& scene) {
     return scene.grid || (name != nullptr && *name == "auto:map");
 }
 
-// The settings that the golden's numbers name; the others are basic_settings().
-std::optional<MovementSettings> settings_of(const Numbers& numbers) {
+// The settings that the golden's numbers name, the others as in basic_settings(), and its tape.
+std::optional<RecordedMovement> movement_of(const Numbers& numbers) {
     const auto movement = numbers.find("movement");
     if (movement == numbers.end() || !movement->is_object() || !movement->contains("settings"))
         return std::nullopt;
-    MovementSettings settings = basic_settings();
+    RecordedMovement recorded{basic_settings(), std::nullopt};
     for (const auto& [name, value] : (*movement)["settings"].items())
         if (value.is_string())
-            (void)set_setting(settings, fmt::format("{}={}", name, value.get<std::string>())).ok();
-    return settings;
+            (void)set_setting(recorded.settings, fmt::format("{}={}", name, value.get<std::string>())).ok();
+    recorded.tape = recorded_tape(numbers);
+    return recorded;
 }
 
 std::optional<Vec3> vec3_of(const Numbers& object, const char* key) {
@@ -141,8 +142,7 @@ struct SceneStage::Impl {
         return on_stage.painter->image(camera, scene.width, scene.height, scene.style, &overlay);
     }
 
-    // The level as it was approved. A digest has no texture coordinates: if the geometry is the same, today's
-    // are used.
+    // The level as it was approved.
     OnStage stage_before(const StagedLevel& now, const Numbers& golden,
                          const std::filesystem::path& goldens) {
         OnStage before;
@@ -157,7 +157,6 @@ struct SceneStage::Impl {
         if (!old) return before;
         old->mesh_path = now.level.mesh_path;
         old->file_path = now.level.file_path;
-        if (old->mesh->fingerprint == now.level.mesh->fingerprint) old->mesh = now.level.mesh;
         (void)load_terrain(*old).ok();  // on an error there is no terrain, and the path differs
         Result<std::unique_ptr<StagedLevel>> staged = stage_level(*std::move(old));
         if (staged) before.staged = *std::move(staged);
@@ -207,10 +206,10 @@ std::vector<Finding> SceneStage::explain(const Scene& scene, const ExplainReques
 
     Impl::OnStage old = impl_->stage_before(*now.staged, golden, request.goldens);
     Result<SceneMovement> old_story = SceneMovement{};
-    if (old.staged) old_story = run_movement(scene, *old.staged, settings_of(golden));
+    if (old.staged) old_story = run_movement(scene, *old.staged, movement_of(golden));
     const SceneSide before{old.staged.get(), old_story ? &*old_story : nullptr, camera_of(golden, *camera)};
     const SceneSide after{now.staged.get(), &*story, *camera};
-    const auto draw = [&](const SceneSide& side, bool with_overlay) -> Image {
+    const auto draw = [&](const SceneSide& side, bool with_overlay, bool lit) -> Image {
         const bool is_old = side.staged == old.staged.get();
         if (is_old && !old.painter) {
             Result<std::unique_ptr<LevelPainter>> painter =
@@ -222,7 +221,9 @@ std::vector<Finding> SceneStage::explain(const Scene& scene, const ExplainReques
         Camera fitted = side.camera;
         const double aspect = static_cast<double>(scene.width) / scene.height;
         fit_depth_range(fitted, *on_stage.staged, side.story->overlay, aspect);
-        const Result<Image> image = on_stage.painter->image(fitted, scene.width, scene.height, scene.style,
+        LevelStyle style = scene.style;
+        style.baked_light = style.baked_light && lit;
+        const Result<Image> image = on_stage.painter->image(fitted, scene.width, scene.height, style,
                                                             with_overlay ? &side.story->overlay : nullptr);
         return image ? *image : Image{};
     };

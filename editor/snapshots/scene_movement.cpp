@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "slipface/base/hash.h"
+#include "slipface/base/text.h"
 #include "slipface/level/find_start.h"
 #include "slipface/level/level_scene.h"
 #include "slipface/render/trace_overlay.h"
@@ -15,7 +16,7 @@ namespace {
 
 constexpr Color path_color{1.0f, 0.80f, 0.30f, 1.0f};
 constexpr Color end_color{1.0f, 0.66f, 0.22f, 0.9f};
-constexpr std::size_t max_samples = 33, max_events = 64, max_contacts = 12;
+constexpr std::size_t max_samples = 33, max_events = 64, max_contacts = 12, max_tape_lines = 2000;
 
 Error at_scene(const Scene& scene, const std::string& key, const Error& error) {
     return {scene.location + key, error.text()};
@@ -107,25 +108,32 @@ Numbers tape_json(const SceneMovement& story, const SimulationReport& report) {
     for (const std::uint64_t hash : report.second_hashes)
         hashes.push_back(hex_text(hash));
     Hasher inputs;
-    inputs.text(tape_to_text(story.tape));
-    return {{"ticks", report.ticks},
-            {"inputs", hex_text(inputs.value())},
-            {"distance", report.distance},
-            {"end", json_of(report.final_state.position)},
-            {"events", events},
-            {"samples", samples},
-            {"hashes", hashes}};
+    const std::string text = tape_to_text(story.tape);
+    inputs.text(text);
+    Numbers json = {{"ticks", report.ticks},
+                    {"inputs", hex_text(inputs.value())},
+                    {"distance", report.distance},
+                    {"end", json_of(report.final_state.position)},
+                    {"events", events},
+                    {"samples", samples},
+                    {"hashes", hashes}};
+    const std::vector<std::string_view> lines = split(text, '\n');
+    if (lines.size() <= max_tape_lines) json["tape"] = lines;
+    return json;
 }
 
-Status run_tape(const Scene& scene, const StagedLevel& staged, SceneMovement& story, bool fixed_settings) {
-    if (scene.tape) {
+Status run_tape(const Scene& scene, const StagedLevel& staged, SceneMovement& story,
+                const std::optional<RecordedMovement>& recorded) {
+    if (recorded && recorded->tape) {
+        story.tape = *recorded->tape;
+    } else if (scene.tape) {
         Result<Tape> tape = load_tape(*scene.tape);
         if (!tape) return at_scene(scene, "/tape", tape.error());
         story.tape = *std::move(tape);
     } else {
         story.tape = *staged.tape;
     }
-    if (!fixed_settings) {
+    if (!recorded) {
         if (Status status = apply_tape_settings(story.settings, story.tape,
                                                 (scene.tape ? scene.tape->string() : "the demo's tape"));
             !status)
@@ -157,19 +165,18 @@ Status run_tape(const Scene& scene, const StagedLevel& staged, SceneMovement& st
 }  // namespace
 
 Result<SceneMovement> run_movement(const Scene& scene, const StagedLevel& staged,
-                                   const std::optional<MovementSettings>& settings) {
+                                   const std::optional<RecordedMovement>& recorded) {
     SceneMovement story;
     const bool has_tape = scene.tape || staged.tape;
     if (!scene.probe && !has_tape) return story;
-    story.settings = settings.value_or(staged.level.movement);
+    story.settings = recorded ? recorded->settings : staged.level.movement;
     story.numbers["settings"] = nullptr;
     if (scene.probe) {
-        if (Status status = run_probe(scene, staged, story, settings.has_value()); !status)
+        if (Status status = run_probe(scene, staged, story, recorded.has_value()); !status)
             return status.error();
     }
     if (has_tape) {
-        if (Status status = run_tape(scene, staged, story, settings.has_value()); !status)
-            return status.error();
+        if (Status status = run_tape(scene, staged, story, recorded); !status) return status.error();
     }
     story.numbers["settings"] = settings_json(story.settings);
     return story;

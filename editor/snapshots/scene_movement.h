@@ -23,9 +23,16 @@ struct SceneMovement {
     std::vector<PlayerState> states;  // [tick]
 };
 
-// Runs the scene's probe and tape. `settings`, if given, replace the level's, the scene's and the tape's.
+// What a golden's numbers say of the run: settings that replace the level's, the scene's and the tape's, and
+// the tape itself if they hold it.
+struct RecordedMovement {
+    MovementSettings settings;
+    std::optional<Tape> tape;
+};
+
+// Runs the scene's probe and tape, or those that were recorded.
 Result<SceneMovement> run_movement(const Scene& scene, const StagedLevel& staged,
-                                   const std::optional<MovementSettings>& settings = std::nullopt);
+                                   const std::optional<RecordedMovement>& recorded = std::nullopt);
 
 // The contacts of the movement, at most 12: those of the probe, then those where the tape's player lands or
 // touches a new surface type.

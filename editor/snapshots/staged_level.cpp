@@ -1,6 +1,7 @@
 #include "snapshots/staged_level.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "goldens/level_digest.h"
@@ -32,6 +33,36 @@ Numbers textures_json(const Level& level) {
     return textures;
 }
 
+Numbers materials_json(const Mesh& mesh) {
+    Numbers materials = Numbers::object();
+    for (const Material& material : mesh.materials) {
+        Vec3 color = material.diffuse.cast<double>() * 1e6;
+        for (double& part : color)
+            part = std::round(part) / 1e6;
+        materials[material.name] = {{"color", json_of(color)}, {"texture", material.texture}};
+    }
+    return materials;
+}
+
+// The types with all their parameters, and the rest of what the level file says and a scene shows or plays:
+// not the faces' types and materials' rules, which have numbers of their own, and not what is only for the
+// editor or for other scenes.
+void add_file(Numbers& numbers, const Level& level) {
+    Numbers file = Numbers::parse(annotations_json(level), nullptr, false);
+    Numbers types = Numbers::object();
+    for (Numbers& type : file["surfaces"]) {
+        const std::string name = type["name"];
+        type.erase("name");
+        type.erase("hotkey");
+        types[name] = std::move(type);
+    }
+    numbers["types"] = std::move(types);
+    for (const char* key : {"slipface", "mesh", "overrides", "orphans", "rules", "cameras", "movement",
+                            "goals", "hidden", "selections", "surfaces"})
+        file.erase(key);
+    numbers["file"] = std::move(file);
+}
+
 Numbers level_numbers(const Level& level) {
     Numbers numbers;
     numbers["name"] = level.mesh_path.stem().string();
@@ -48,6 +79,11 @@ Numbers level_numbers(const Level& level) {
         if (counts[i] > 0) types[level.surfaces[i].name] = counts[i];
     numbers["surfaces"] = types;
     numbers["textures"] = textures_json(level);
+    numbers["appearance"] = hex_text(appearance_hash(*level.mesh));
+    numbers["materials"] = materials_json(*level.mesh);
+    add_file(numbers, level);
+    if (level.light && !level.light->image.empty())
+        numbers["light_drawn"] = light_fits(*level.mesh, *level.light);
     return numbers;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "slipface/base/types.h"
+#include "slipface/mesh/mesh.h"
 
 namespace slipface {
 
@@ -31,6 +32,9 @@ struct LevelLight {
     std::vector<LightEmitter> emitters{};  // the last one that matches a face wins
     friend bool operator==(const LevelLight&, const LevelLight&) = default;
 };
+
+// Whether the image was baked for the geometry that the mesh has now. If not, the level is drawn without it.
+bool light_fits(const Mesh& mesh, const LevelLight& light);
 
 // A byte b of a light map means light = light_map_range * (b / 255)^2.
 inline constexpr double light_map_range = 2.0;
