@@ -392,10 +392,14 @@ std::string view_text(const ExplainRequest& request) {
     return "";
 }
 
-// Whether the camera's position follows from the movement.
-bool follows_movement(const Scene& scene) {
-    const auto* const name = std::get_if<std::string>(&scene.camera);
-    return name != nullptr && (name->starts_with("tape:") || name->starts_with("contact:"));
+// What the camera's position follows from, of what differs; empty: the view is a cause of its own.
+std::string view_follows(const SceneComparison& comparison, bool movement_differs) {
+    const auto* const name = std::get_if<std::string>(&comparison.scene.camera);
+    if (name == nullptr) return "";
+    if (movement_differs && (name->starts_with("tape:") || name->starts_with("contact:")))
+        return "the movement";
+    return name->starts_with("auto:") && differs(comparison.request, "/level/bounds") ? "the level's bounds"
+                                                                                      : "";
 }
 
 // Pixels that no face explains: the first cause's, or the drawing code's if there is no other.
@@ -487,15 +491,15 @@ std::vector<Finding> explain_scene(const SceneComparison& comparison) {
     if (moved.empty() && differs(request, "/movement/tape/events"))
         moved = "the path is the same, but the events on it differ";
     const std::string view = view_text(request);
-    const bool view_follows = follows_movement(comparison.scene) && !moved.empty();
-    if (!view.empty() && !view_follows) findings.push_back({Cause::view, tally.rest, view});
+    const std::string followed = view_follows(comparison, !moved.empty());
+    if (!view.empty() && followed.empty()) findings.push_back({Cause::view, tally.rest, view});
     if (!moved.empty()) {
         findings.push_back({Cause::movement, tally.overlay, moved});
     } else if (tally.overlay > 0) {
         describe_rest(request, tally.overlay, findings);
     }
-    if (!view.empty() && view_follows)
-        findings.push_back({Cause::view, tally.rest, view + ": it follows the movement"});
+    if (!view.empty() && !followed.empty())
+        findings.push_back({Cause::view, tally.rest, fmt::format("{}: it follows {}", view, followed)});
     if (view.empty()) describe_rest(request, tally.rest, findings);
     return findings;
 }

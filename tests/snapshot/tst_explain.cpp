@@ -9,6 +9,7 @@
 #include "goldens/screen.h"
 #include "slipface/base/files.h"
 #include "slipface/level/level_file.h"
+#include "slipface/mesh/light_charts.h"
 #include "snapshots/scene_stage.h"
 
 namespace slipface {
@@ -54,8 +55,9 @@ class ExplainTest : public testing::Test {
     void write(const char* name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
 
     Snapshot snapshot(const std::string& more) const {
+        const std::string style = more.find("style") == more.npos ? R"(, "style": "plain overlay")" : "";
         const auto scenes = parse_scene_suite(
-            R"({"version": 1, "scenes": [{"name": "a", "level": "course.obj", "size": [240, 135], "style": "plain overlay")" +
+            R"({"version": 1, "scenes": [{"name": "a", "level": "course.obj", "size": [240, 135])" + style +
                 more + "}]}",
             folder_ / "scenes.json");
         EXPECT_TRUE(scenes.ok()) << scenes.error().text();
@@ -217,6 +219,28 @@ TEST_F(ExplainTest, FlippedFacesMaterialsAndTextureCoordinates) {
     EXPECT_NE(first("mtllib course.mtl\n" + course)
                   .find("of material `wall`: its color was 0.8 0.8 0.8, is 0.9 0.1 0.1"),
               std::string::npos);
+}
+
+// Baked light fits one geometry. A moved vertex drops it, and that explains most of the pixels.
+TEST_F(ExplainTest, LightThatNoLongerFitsStandsBehindTheFaceThatMoved) {
+    auto level = load_level(folder_ / "course.obj");
+    ASSERT_TRUE(level.ok());
+    const auto charts = light_charts(*level->level.mesh, 0.25);
+    ASSERT_TRUE(charts.ok());
+    level->level.light = LevelLight{.image = "course.light.png", .geometry = charts->geometry};
+    ASSERT_TRUE(save_level(level->level).ok());
+    ASSERT_TRUE(
+        save_png(folder_ / "course.light.png", make_image(charts->width, charts->height, 90, 90, 90)).ok());
+    const std::string lit = R"(, "style": "textured")";
+    approve(lit);
+    write("course.obj", course_obj(2.12, "floor__ice"));
+    const GoldenResult result = check(lit);
+    ASSERT_EQ(result.findings.size(), 3U) << text_of(result);
+    EXPECT_NE(result.findings[2].text.find("it follows the level's bounds"), std::string::npos);
+    EXPECT_NE(first_text(result).find("a vertex moved 0.12 m"), std::string::npos) << text_of(result);
+    EXPECT_NE(result.findings[1].text.find("the baked light is not drawn"), std::string::npos)
+        << text_of(result);
+    EXPECT_GT(result.findings[1].pixels, result.findings[0].pixels);
 }
 
 TEST_F(ExplainTest, ParametersOfTypesAreCompared) {
