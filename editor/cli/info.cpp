@@ -50,7 +50,8 @@ void add_texture_warnings(LoadedLevel& loaded) {
             found.push_back({location, image.error().text()});
         }
     }
-    if (const auto& light = level.light; light && !light->image.empty() && !light_fits(*level.mesh, *light))
+    const std::optional<LevelLight>& light = loaded.level.light;
+    if (light && !light->image.empty() && !light_fits(*loaded.level.mesh, *light))
         found.push_back({(folder / light->image).string(),
                          "was baked for other geometry and is not drawn; bake it again with \"slipface "
                          "bake-light\""});

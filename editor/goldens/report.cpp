@@ -287,7 +287,7 @@ Status write_report(const Report& report, const fs::path& out) {
                                      std::pair("junit.xml", report_to_junit(report))}) {
         if (Status status = write_file_atomic(out / name, text); !status) return status;
     }
-    return {};
+    return write_report_images(report, out);
 }
 
 Result<Report> merge_reports(const std::vector<fs::path>& report_files, const fs::path& out) {

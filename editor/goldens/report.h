@@ -1,4 +1,4 @@
-// The result of a check, for people and for programs: report.json, report.html (one file, no network),
+// The result of a check, for people and for programs: report.json, report.html (no network needed),
 // junit.xml and annotations for a CI. All are made from the data in report.json, so parts of a suite that ran
 // on several machines can be merged.
 #pragma once
@@ -35,8 +35,11 @@ std::string report_to_json(const Report& report);
 Result<Report> report_from_json(std::string_view json, const std::string& location);
 
 // The text of report.html. The images of failed entries are read from `out` (NAME.expected.png,
-// NAME.actual.png) and embedded.
+// NAME.actual.png) and embedded. If they are more than 3 MiB, the page stays small and reads each entry's
+// images when it is shown, from the scripts that write_report_images() writes beside it: unlike image files,
+// they may be compared by pixel in a page that was opened as a file.
 std::string report_to_html(const Report& report, const std::filesystem::path& out);
+Status write_report_images(const Report& report, const std::filesystem::path& out);
 std::string report_to_junit(const Report& report);
 
 // "::error file=screenshots/NAME.png,...", one line per failed entry, for GitHub Actions.

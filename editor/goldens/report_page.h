@@ -146,8 +146,16 @@ function table(head, rows) {
   return el("table", {}, el("tr", {}, ...head.map(h => el("th", { textContent: h }))),
     ...rows.map(r => el("tr", {}, ...r.map(c => c instanceof Node ? el("td", {}, c) : el("td", { textContent: c, className: typeof c === "number" ? "n" : "" })))));
 }
+// Called by NAME.images.js.
+function showImages(name, images) {
+  const e = DATA.entries.find(one => one.name === name);
+  delete e.script;
+  Object.assign(e, images);
+  drawMain();
+}
 function drawMain() {
   const e = entry(), main = $("main");
+  if (e?.script) document.head.append(el("script", { src: e.script.split("/").map(encodeURIComponent).join("/") }));
   if (!e) { main.replaceChildren(el("p", { className: "muted", textContent: "No snapshot here." })); return; }
   const parts = [el("h2", { textContent: e.name }), el("div", {}, el("span", { className: "tag", textContent: e.state }), " ", el("span", { className: "muted", textContent: e.pixels ? e.pixels.verdict : e.message }))];
   if (e.matched) parts.push(el("p", { textContent: e.matched + " fits; the golden itself does not." }));
