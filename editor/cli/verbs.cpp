@@ -1,10 +1,10 @@
 #include "cli/verbs.h"
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 
 #include "cli/guarded.h"
+#include "cli/options.h"
 #include "slipface/base/text.h"
 #include "slipface/mesh/formats.h"
 
@@ -98,9 +98,7 @@ void add_simulate(CLI::App& app, int& exit_code) {
     verb->add_option("--preset", options->preset,
                      "Settings instead of the level's and the tape's; a name or a file")
         ->type_name("PRESET");
-    verb->add_option("--set", options->settings, "Change a movement setting; may be repeated")
-        ->type_name("name=value")
-        ->allow_extra_args(false);
+    add_set_option(*verb, options->settings);
     CLI::Option* json = verb->add_flag("--json", options->json, "Print JSON");
     CLI::Option* csv = verb->add_flag("--csv", options->csv, "Print the run's numbers, one row per tick");
     csv->excludes(json);

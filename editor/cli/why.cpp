@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "cli/format.h"
 #include "cli/guarded.h"
+#include "cli/options.h"
 #include "cli/tape_on_level.h"
 #include "cli/verbs.h"
 #include "slipface/level/preset.h"
@@ -137,9 +137,7 @@ namespace {
 // The options of every verb that runs a tape on a level.
 CLI::Option* add_tape_options(CLI::App& verb, TapeOptions& tape) {
     verb.add_option("LEVEL", tape.level, "OBJ or level file")->required();
-    verb.add_option("--set", tape.settings, "Change a movement setting; may be repeated")
-        ->type_name("name=value")
-        ->allow_extra_args(false);
+    add_set_option(verb, tape.settings);
     return verb.add_option("--tape", tape.tape, "Inputs, tick by tick")->required()->type_name("FILE");
 }
 
