@@ -54,7 +54,7 @@ void open_level(Editor& editor, const std::filesystem::path& path) {
         return;
     }
     adopt_document(editor, std::move(opened).value(), path);
-    bring_back_tape(editor);
+    restore_tape(editor);
     offer_recovery(editor);
 }
 
@@ -65,7 +65,7 @@ void geometry_changed(Editor& editor) {
     editor.probe = {};
     editor.session.report.reset();
     editor.session.problem.reset();
-    keep_brush_valid(editor);
+    make_brush_valid(editor);
     const Document& document = *editor.document;
     if (!document.warnings().empty() || !document.level().orphans.empty() || !document.guessed().empty())
         editor.layout.show(PanelId::warnings);
@@ -73,7 +73,7 @@ void geometry_changed(Editor& editor) {
 
 void adopt_document(Editor& editor, std::unique_ptr<Document> opened, const std::filesystem::path& path) {
     stop_playtest(editor);
-    keep_tape(editor);
+    store_tape(editor);
     document_is_safe(editor);
     editor.live_edit = false;
     editor.lab.close();
@@ -307,7 +307,7 @@ void choose_brush(Editor& editor, std::optional<SurfaceId> surface) {
     editor.status = "Brush: " + brush_name(editor);
 }
 
-void keep_brush_valid(Editor& editor) {
+void make_brush_valid(Editor& editor) {
     if (editor.document && editor.brush && *editor.brush >= editor.document->level().surfaces.size())
         editor.brush = default_surface;
 }

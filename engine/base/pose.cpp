@@ -29,7 +29,7 @@ SinCos sin_cos(double angle) {
     }
 }
 
-Pose turned_about(const Vec3& pivot, const Vec3& axis, double angle, const Vec3& offset) {
+Pose rotation_about(const Vec3& pivot, const Vec3& axis, double angle, const Vec3& offset) {
     Pose pose;
     const double length = axis.norm();
     const SinCos turn = sin_cos(angle);
@@ -41,7 +41,7 @@ Pose turned_about(const Vec3& pivot, const Vec3& axis, double angle, const Vec3&
                 e * turn.cosine + unit.cross(e) * turn.sine + unit * (unit[i] * (1.0 - turn.cosine));
         }
     }
-    pose.offset = pivot - pose.turn(pivot) + offset;
+    pose.offset = pivot - pose.rotate(pivot) + offset;
     return pose;
 }
 

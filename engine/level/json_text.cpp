@@ -277,15 +277,18 @@ Json json_bool(bool value) {
     return json;
 }
 
-Json json_array() {
+Json json_array(std::vector<Json> items) {
     Json json;
     json.kind = Json::Kind::array;
+    json.items = std::move(items);
     return json;
 }
 
-Json json_object() {
+Json json_object(std::initializer_list<std::pair<const char*, Json>> members) {
     Json json;
     json.kind = Json::Kind::object;
+    for (const auto& [key, value] : members)
+        json_add(json, key, value);
     return json;
 }
 

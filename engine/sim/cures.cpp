@@ -350,13 +350,6 @@ const std::vector<Cure>& CureSearch::cures() const {
     return done() ? impl_->found : none;
 }
 
-std::vector<Cure> find_cures(const Level& level, const TapeRun& run, const Stop& stop) {
-    CureSearch search(level, run, stop);
-    while (!search.advance(TapeRun::max_ticks)) {
-    }
-    return search.cures();
-}
-
 Status apply_cure(Level& level, const Cure& cure) {
     for (const std::string& setting : cure.settings)
         if (Status status = set_setting(level.movement, setting); !status) return status;

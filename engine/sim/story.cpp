@@ -114,10 +114,10 @@ bool is_trouble(Decision kind) {
            kind == Decision::platform_crushed || kind == Decision::slides_used_up;
 }
 
-class Teller {
+class StoryWriter {
   public:
-    Teller(const StoryNames& names, const MovementSettings& settings, const TickTrace* tick,
-           std::span<const TraceRecord> records, std::vector<StoryLine>& lines)
+    StoryWriter(const StoryNames& names, const MovementSettings& settings, const TickTrace* tick,
+                std::span<const TraceRecord> records, std::vector<StoryLine>& lines)
         : names_(names), settings_(settings), tick_(tick), records_(records), lines_(lines) {}
 
     void describe(std::size_t index) {
@@ -284,7 +284,7 @@ class Teller {
 std::vector<StoryLine> describe_records(std::span<const TraceRecord> records, const StoryNames& names,
                                         const MovementSettings& settings, const TickTrace* tick) {
     std::vector<StoryLine> lines;
-    Teller teller(names, settings, tick, records, lines);
+    StoryWriter writer(names, settings, tick, records, lines);
     // The seam filter records its decision before the sweep that touched; the story has it after the sweep.
     const auto of_next_sweep = [&](std::size_t i) {
         const auto* decision = std::get_if<DecisionRecord>(&records[i]);
@@ -294,9 +294,9 @@ std::vector<StoryLine> describe_records(std::span<const TraceRecord> records, co
         std::size_t sweep = i;
         while (sweep < records.size() && of_next_sweep(sweep))
             ++sweep;
-        if (sweep < records.size()) teller.describe(sweep);
+        if (sweep < records.size()) writer.describe(sweep);
         for (; i < sweep; ++i)
-            teller.describe(i);
+            writer.describe(i);
     }
     return lines;
 }

@@ -169,7 +169,7 @@ Result<ImportedSoup> import_scene(const std::filesystem::path& path, const std::
     std::string().swap(bytes);
     auto soup = SceneReader(*scene, frame.root_is_frame, location, warnings).run();
     if (!soup) return soup.error();
-    return ImportedSoup{.soup = std::move(*soup), .frame = frame.frame, .through_assimp = true};
+    return ImportedSoup{.soup = std::move(*soup), .frame = frame.frame};
 }
 
 }  // namespace slipface

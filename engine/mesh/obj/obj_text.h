@@ -27,6 +27,11 @@ class LineReader {
     std::size_t next_number_ = 1;
 };
 
+// White space within a line.
+inline bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
 // Removes the next word from `line` and returns it; empty at the end and where a comment begins.
 std::string_view take_word(std::string_view& line);
 
