@@ -127,45 +127,49 @@ class PartReader {
     // v, v/vt, v//vn or v/vt/vn
     bool read_corner(LineCursor& line) {
         const LineCursor begin = line;
-        std::uint32_t index[] = {0, no_id, no_id};
-        bool fine = read_index(line, begin, of_v, index[of_v]);
-        for (const Counted kind : {of_vt, of_vn}) {
-            if (!fine || line.at_end() || *line.at != '/') break;
+        std::uint32_t v = 0, vt = no_id, vn = 0;
+        if (!read_index(line, begin, of_v, v)) return false;
+        if (!line.at_end() && *line.at == '/') {
             ++line.at;
-            const bool empty = line.at_word_end() || (kind == of_vt && *line.at == '/');
-            fine = empty || read_index(line, begin, kind, index[kind]);
+            if (!line.at_word_end() && *line.at != '/' && !read_index(line, begin, of_vt, vt)) return false;
+            if (!line.at_end() && *line.at == '/') {
+                ++line.at;
+                if (!line.at_word_end() && !read_index(line, begin, of_vn, vn)) return false;
+            }
         }
-        part_.corner_v.push_back(index[of_v]);
-        if (all_.total.of[of_vt] > 0) part_.corner_vt.push_back(index[of_vt]);
-        return fine && (line.at_word_end() || refuse_corner(begin));
+        part_.corner_v.push_back(v);
+        if (all_.total.of[of_vt] > 0) part_.corner_vt.push_back(vt);
+        return line.at_word_end() || refuse_corner(begin);
     }
 
     // From 1 to the number of statements, or from -1 back from the last one so far.
     bool read_index(LineCursor& line, const LineCursor& corner, Counted kind, std::uint32_t& value) {
         const char* const begin = line.at;
-        const std::int64_t known = seen_.of[kind], total = all_.total.of[kind];
-        const bool negative = line.at != line.end && *line.at == '-';
-        if (negative) ++line.at;
         std::uint64_t digits = 0;
         int length = 0;
-        std::int64_t index = 0;
-        bool whole = line.digits(digits, length);
-        if (whole) {
-            index = negative ? -static_cast<std::int64_t>(digits) : static_cast<std::int64_t>(digits);
-        } else {
-            const auto [stop, error] = std::from_chars(begin, line.end, index);
-            if (error == std::errc::invalid_argument) return refuse_corner(corner);
-            whole = error == std::errc{};
-            line.at = stop;
+        if (line.digits(digits, length) && digits - 1 < static_cast<std::uint64_t>(all_.total.of[kind])) {
+            value = static_cast<std::uint32_t>(digits - 1);
+            return true;
         }
-        if (whole && index != 0 && index >= -known && index <= total) {
+        line.at = begin;
+        return read_rare_index(line, corner, kind, value);
+    }
+
+    // One that counts back, or a wrong one.
+    bool read_rare_index(LineCursor& line, const LineCursor& corner, Counted kind, std::uint32_t& value) {
+        const std::int64_t known = seen_.of[kind], total = all_.total.of[kind];
+        std::int64_t index = 0;
+        const auto [stop, error] = std::from_chars(line.at, line.end, index);
+        if (error == std::errc::invalid_argument) return refuse_corner(corner);
+        const std::string_view word(line.at, static_cast<std::size_t>(stop - line.at));
+        line.at = stop;
+        if (error == std::errc{} && index != 0 && index >= -known && index <= total) {
             value = static_cast<std::uint32_t>(index < 0 ? known + index : index - 1);
             return true;
         }
         return refuse(fmt::format(
-            "index {} is out of range; expected 1 to {}, or -1 to -{}, the number of '{}' lines so far",
-            std::string_view(begin, static_cast<std::size_t>(line.at - begin)), total, known,
-            counted_names[kind]));
+            "index {} is out of range; expected 1 to {}, or -1 to -{}, the number of '{}' lines so far", word,
+            total, known, counted_names[kind]));
     }
 
     bool has_three_different(std::size_t first) const {
@@ -226,8 +230,9 @@ ObjCounts count_statements(const ObjPart& part, const ObjReading& reading) {
         counts.line += 1 + (reading.continued ? std::count(begin, end, obj_joint) : 0);
         if (begin == end || *begin != 'v') return true;
         const std::string_view keyword = LineCursor{begin, end}.word();
-        for (const Counted kind : {of_v, of_vt, of_vn})
-            if (keyword == counted_names[kind]) ++counts.of[kind];
+        if (keyword == "v") ++counts.of[of_v];
+        if (keyword == "vt") ++counts.of[of_vt];
+        if (keyword == "vn") ++counts.of[of_vn];
         return true;
     });
     return counts;

@@ -19,7 +19,7 @@ constexpr std::size_t max_obj_faces = std::size_t{1} << 26;
 // Lines that `\` continues become one. Returns whether there are any.
 bool join_continued_lines(std::string& text) {
     if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
-    if (text.find("\\\n") == std::string::npos && text.find("\\\r\n") == std::string::npos) return false;
+    if (text.find('\\') == std::string::npos) return false;
     std::replace(text.begin(), text.end(), obj_joint, ' ');
     const std::string before = text;
     LineReader lines(text);
@@ -150,6 +150,15 @@ void join_corners(std::vector<ObjPart>& parts, const std::vector<Vec2f>& uvs, Po
     });
 }
 
+Error binary_error(std::string_view text, const ObjReading& reading) {
+    const std::size_t at = find_binary(text);
+    const std::string_view before = text.substr(0, at);
+    const auto joints = reading.continued ? std::count(before.begin(), before.end(), obj_joint) : 0;
+    return {
+        fmt::format("{}:{}", reading.location, line_of(text, at) + static_cast<std::size_t>(joints)),
+        fmt::format("byte 0x{:02X} is not text; expected an OBJ file", static_cast<unsigned char>(text[at]))};
+}
+
 // Reads every part on all cores. After an error only the parts before it go on, so that the first error of
 // the file is found whatever the order of the threads.
 std::optional<Error> read_parts(std::vector<ObjPart>& parts, ObjReading& reading, Progress* progress) {
@@ -174,19 +183,19 @@ std::optional<Error> read_parts(std::vector<ObjPart>& parts, ObjReading& reading
 Result<ObjPolygons> read_obj(std::string text, const std::string& location, WarningList& warnings,
                              Progress* progress) {
     if (text.empty()) return Error{location, "is empty; expected an OBJ file"};
-    if (const std::size_t binary = find_binary(text); binary != std::string::npos)
-        return Error{fmt::format("{}:{}", location, line_of(text, binary)),
-                     fmt::format("byte 0x{:02X} is not text; expected an OBJ file",
-                                 static_cast<unsigned char>(text[binary]))};
     ObjReading reading{.location = location, .continued = join_continued_lines(text)};
     std::string_view rest = text;
     if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
     std::vector<ObjPart> parts = split_into_parts(rest, warnings);
     std::vector<ObjCounts> counts(parts.size());
+    std::atomic<bool> all_text = true;
     parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t i = begin; i < end; ++i) {
             counts[i] = count_statements(parts[i], reading);
+            if (find_binary(parts[i].text) != std::string_view::npos) all_text = false;
+        }
     });
+    if (!all_text) return binary_error(rest, reading);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         parts[i].before = reading.total;
         reading.total += counts[i];
