@@ -124,12 +124,8 @@ int run_sweep(const SweepOptions& options, std::ostream& out, std::ostream& err)
     sweep_ellipsoids(*world, sweeps, answers);
     const bool single = !options.queries;
     switch (options.format) {
-        case SweepFormat::json:
-            print_json_answers(answers, loaded->level, single, out);
-            break;
-        case SweepFormat::csv:
-            print_csv(answers, loaded->level, out);
-            break;
+        case SweepFormat::json: print_json_answers(answers, loaded->level, single, out); break;
+        case SweepFormat::csv: print_csv(answers, loaded->level, out); break;
         case SweepFormat::text:
             single ? print_one(answers.front(), loaded->level, out)
                    : print_table(answers, loaded->level, out);

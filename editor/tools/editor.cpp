@@ -108,19 +108,13 @@ namespace {
 
 void do_next(Editor& editor, const UnsavedDialog& next) {
     switch (next.then) {
-        case UnsavedDialog::Then::open:
-            start_loading(editor, next.open_path);
-            break;
+        case UnsavedDialog::Then::open: start_loading(editor, next.open_path); break;
         case UnsavedDialog::Then::quit:
             stop_playtest(editor);  // which keeps its recording
             editor.quit = true;
             break;
-        case UnsavedDialog::Then::demo:
-            show_demo(editor, *next.demo);
-            break;
-        case UnsavedDialog::Then::recover:
-            recover(editor, next.autosave);
-            break;
+        case UnsavedDialog::Then::demo: show_demo(editor, *next.demo); break;
+        case UnsavedDialog::Then::recover: recover(editor, next.autosave); break;
     }
 }
 
@@ -194,12 +188,8 @@ void set_back_faces(Editor& editor, BackFaces wanted) {
         case BackFaces::automatic:
             editor.status = "Back faces: automatic (hidden from outside a level of rooms)";
             break;
-        case BackFaces::always:
-            editor.status = "Back faces: always drawn";
-            break;
-        case BackFaces::never:
-            editor.status = "Back faces: never drawn";
-            break;
+        case BackFaces::always: editor.status = "Back faces: always drawn"; break;
+        case BackFaces::never: editor.status = "Back faces: never drawn"; break;
     }
 }
 
@@ -240,8 +230,7 @@ const std::vector<FaceId>& tool_faces(const Editor& editor) {
     }
     found = {document, &document->mesh(), editor.tool, editor.hovered, editor.hovered_point, size, {}};
     switch (editor.tool) {
-        case Tool::probe:
-            break;
+        case Tool::probe: break;
         case Tool::select:
             found.faces = {editor.hovered};
             if (selects_by_brush)

@@ -18,14 +18,10 @@ SinCos sin_cos(double angle) {
     }
     sine *= x;
     switch (quarters & 3) {
-        case 1:
-            return {cosine, -sine};
-        case 2:
-            return {-sine, -cosine};
-        case 3:
-            return {-cosine, sine};
-        default:
-            return {sine, cosine};
+        case 1: return {cosine, -sine};
+        case 2: return {-sine, -cosine};
+        case 3: return {-cosine, sine};
+        default: return {sine, cosine};
     }
 }
 

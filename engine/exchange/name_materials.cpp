@@ -50,8 +50,7 @@ class Patcher {
                         return Error{location, "contains other faces than before; open it again"};
                     add_face(static_cast<FaceId>(face++), statement);
                     break;
-                case ObjStatement::Kind::library:
-                    break;
+                case ObjStatement::Kind::library: break;
             }
         }
         if (face != mesh_.face_count())

@@ -17,16 +17,11 @@ int paeth(int left, int above, int above_left) {
 
 int predicted(int filter, int left, int above, int above_left) {
     switch (filter) {
-        case 1:
-            return left;
-        case 2:
-            return above;
-        case 3:
-            return (left + above) / 2;
-        case 4:
-            return paeth(left, above, above_left);
-        default:
-            return 0;
+        case 1: return left;
+        case 2: return above;
+        case 3: return (left + above) / 2;
+        case 4: return paeth(left, above, above_left);
+        default: return 0;
     }
 }
 

@@ -57,18 +57,12 @@ StoryLine end_line(const TickTrace& trace, const StoryNames& names) {
 
 const char* sweep_title(const SweepRecord& sweep) {
     switch (sweep.pass) {
-        case Pass::slide:
-            return "whole move";
-        case Pass::horizontal:
-            return "across";
-        case Pass::vertical:
-            return sweep.move.y() > 0.0 ? "up" : "down";
-        case Pass::probe:
-            return "check";
-        case Pass::step:
-            return sweep.move.y() > 0.0 ? "lift" : "drop";
-        case Pass::snap:
-            return "snap down";
+        case Pass::slide: return "whole move";
+        case Pass::horizontal: return "across";
+        case Pass::vertical: return sweep.move.y() > 0.0 ? "up" : "down";
+        case Pass::probe: return "check";
+        case Pass::step: return sweep.move.y() > 0.0 ? "lift" : "drop";
+        case Pass::snap: return "snap down";
     }
     return "";
 }
@@ -102,10 +96,8 @@ bool is_routine(Decision kind) {
         case Decision::slope_speed_kept:
         case Decision::slope_speed_off:
         case Decision::seam_stands_out:
-        case Decision::terrain_above:
-            return true;
-        default:
-            return false;
+        case Decision::terrain_above: return true;
+        default: return false;
     }
 }
 
@@ -214,20 +206,13 @@ class StoryWriter {
 
     static const char* rule_sentence(Rule rule) {
         switch (rule) {
-            case Rule::slide:
-                return "Slid along it";
-            case Rule::bounce:
-                return "Bounced off it";
-            case Rule::straight_ahead:
-                return "Continued straight ahead on it";
-            case Rule::keep_energy:
-                return "Deflected along it without loss of speed";
-            case Rule::stick:
-                return "Stuck to it";
-            case Rule::crease:
-                return "Slid along the crease of two faces";
-            case Rule::stop:
-                return "Stopped at it";
+            case Rule::slide: return "Slid along it";
+            case Rule::bounce: return "Bounced off it";
+            case Rule::straight_ahead: return "Continued straight ahead on it";
+            case Rule::keep_energy: return "Deflected along it without loss of speed";
+            case Rule::stick: return "Stuck to it";
+            case Rule::crease: return "Slid along the crease of two faces";
+            case Rule::stop: return "Stopped at it";
         }
         return "";
     }

@@ -14,16 +14,12 @@ namespace slipface {
 
 const char* meaning_of(ReachView view) {
     switch (view) {
-        case ReachView::time:
-            return "How long the fastest path found to each face takes";
-        case ReachView::unreached:
-            return "Faces flat enough to stand on where the player was never brought";
+        case ReachView::time: return "How long the fastest path found to each face takes";
+        case ReachView::unreached: return "Faces flat enough to stand on where the player was never brought";
         case ReachView::traps:
             return "Faces that were reached, but from which no way back to the start was found";
-        case ReachView::gained:
-            return "Faces reached now and not in the search before";
-        case ReachView::lost:
-            return "Faces reached in the search before and not now";
+        case ReachView::gained: return "Faces reached now and not in the search before";
+        case ReachView::lost: return "Faces reached in the search before and not now";
     }
     return "";
 }

@@ -80,15 +80,9 @@ class NameJoiner {
             face = event.face;
             NameOnLine name{std::move(event.name), event.line};
             switch (event.kind) {
-                case ObjName::Kind::material:
-                    materials_.set(std::move(name));
-                    break;
-                case ObjName::Kind::group:
-                    groups_.set(std::move(name));
-                    break;
-                case ObjName::Kind::library:
-                    out_.libraries.push_back(std::move(name));
-                    break;
+                case ObjName::Kind::material: materials_.set(std::move(name)); break;
+                case ObjName::Kind::group: groups_.set(std::move(name)); break;
+                case ObjName::Kind::library: out_.libraries.push_back(std::move(name)); break;
             }
         }
         fill(part.face_corners.size() - face);
