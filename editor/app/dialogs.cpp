@@ -124,23 +124,12 @@ bool dialog_is_open(const Editor& editor) {
 
 void close_dialog(Editor& editor) {
     switch (dialog_kind(editor)) {
-        case DialogKind::message:
-            editor.message.reset();
-            break;
-        case DialogKind::loading:
-            cancel_loading(editor);
-            break;
-        case DialogKind::unsaved:
-            editor.unsaved.reset();
-            break;
-        case DialogKind::recover:
-            editor.session.recoverable.clear();
-            break;
-        case DialogKind::file:
-            editor.file_dialog = FileDialogKind::none;
-            break;
-        case DialogKind::none:
-            break;
+        case DialogKind::message: editor.message.reset(); break;
+        case DialogKind::loading: cancel_loading(editor); break;
+        case DialogKind::unsaved: editor.unsaved.reset(); break;
+        case DialogKind::recover: editor.session.recoverable.clear(); break;
+        case DialogKind::file: editor.file_dialog = FileDialogKind::none; break;
+        case DialogKind::none: break;
     }
 }
 
@@ -165,23 +154,12 @@ void dialogs(Parts& parts) {
     ImGui::PopStyleVar(2);
     if (!open) return;
     switch (kind) {
-        case DialogKind::message:
-            message_dialog(parts);
-            break;
-        case DialogKind::loading:
-            loading_dialog(parts);
-            break;
-        case DialogKind::unsaved:
-            unsaved_dialog(parts);
-            break;
-        case DialogKind::recover:
-            recover_dialog(parts);
-            break;
-        case DialogKind::file:
-            file_browser(parts);
-            break;
-        case DialogKind::none:
-            break;
+        case DialogKind::message: message_dialog(parts); break;
+        case DialogKind::loading: loading_dialog(parts); break;
+        case DialogKind::unsaved: unsaved_dialog(parts); break;
+        case DialogKind::recover: recover_dialog(parts); break;
+        case DialogKind::file: file_browser(parts); break;
+        case DialogKind::none: break;
     }
     if (!dialog_is_open(parts.editor)) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();

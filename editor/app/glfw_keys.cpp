@@ -58,24 +58,15 @@ Shortcut shortcut_of(int key, int scancode, int mods) {
 
 bool* held_flag(HeldKeys& held, int key) {
     switch (key) {
-        case GLFW_KEY_W:
-            return &held.forward;
-        case GLFW_KEY_S:
-            return &held.back;
-        case GLFW_KEY_A:
-            return &held.left;
-        case GLFW_KEY_D:
-            return &held.right;
-        case GLFW_KEY_E:
-            return &held.up;
-        case GLFW_KEY_Q:
-            return &held.down;
-        case GLFW_KEY_SPACE:
-            return &held.jump;
-        case GLFW_KEY_LEFT_SHIFT:
-            return &held.fast;
-        default:
-            return nullptr;
+        case GLFW_KEY_W: return &held.forward;
+        case GLFW_KEY_S: return &held.back;
+        case GLFW_KEY_A: return &held.left;
+        case GLFW_KEY_D: return &held.right;
+        case GLFW_KEY_E: return &held.up;
+        case GLFW_KEY_Q: return &held.down;
+        case GLFW_KEY_SPACE: return &held.jump;
+        case GLFW_KEY_LEFT_SHIFT: return &held.fast;
+        default: return nullptr;
     }
 }
 

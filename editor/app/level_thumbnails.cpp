@@ -11,7 +11,7 @@ LevelThumbnails::LevelThumbnails(GlTable gl, const Session& session)
 
 LevelThumbnails::Shown LevelThumbnails::show(const std::filesystem::path& file, int width, int height) {
     requested_ = true;
-    Picture& image = kept_[file];
+    Picture& image = pictures_[file];
     const bool unread = image.facts.empty();
     if (unread && !job_) {
         reading_ = file;
@@ -37,7 +37,7 @@ void LevelThumbnails::take(Picture& image, Result<LoadedLevel> loaded, int width
 }
 
 void LevelThumbnails::draw() {
-    for (auto& [file, image] : kept_) {
+    for (auto& [file, image] : pictures_) {
         if (!image.level) continue;
         const Level& level = *image.level;
         LevelRenderer renderer(gl_);

@@ -40,7 +40,7 @@ class LevelThumbnails {
 
     GlTable gl_;
     const Session& session_;
-    std::map<std::filesystem::path, Picture> kept_;
+    std::map<std::filesystem::path, Picture> pictures_;
     std::filesystem::path reading_;
     std::unique_ptr<Background<Result<LoadedLevel>>> job_;
     bool requested_ = false;

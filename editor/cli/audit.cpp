@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <iostream>
@@ -12,6 +10,7 @@
 
 #include "cli/format.h"
 #include "cli/guarded.h"
+#include "cli/options.h"
 #include "cli/verbs.h"
 #include "slipface/base/files.h"
 #include "slipface/base/parallel.h"
@@ -23,13 +22,10 @@
 namespace slipface::cli {
 namespace {
 
-struct AuditWords {
-    std::string level, preset, spawn, speeds, shard, dt = "1/60", tapes, out;
+struct AuditWords : PlayWords {
+    std::string speeds, shard, dt = "1/60", tapes, out;
     std::uint32_t walkers = 100;
     double seconds = 60.0;
-    std::uint64_t seed = 1;
-    int threads = 0;
-    std::vector<std::string> settings;
     bool json = false, heat = false;
 };
 
@@ -169,15 +165,6 @@ int merge(const std::vector<std::string>& files, const AuditWords& words) {
     return deliver(*whole, words.json, words.out, 0.0);
 }
 
-// The parser alone would read -1 as the largest number.
-std::string seed_number(const std::string& text) {
-    std::uint64_t number = 0;
-    const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, number);
-    if (error == std::errc() && rest == end) return {};
-    return fmt::format("found {}, expected a whole number from 0 to 18446744073709551615", text);
-}
-
 void add_report_options(CLI::App& verb, AuditWords& words) {
     verb.add_flag("--json", words.json, "Print JSON: the same bytes for any number of threads and shards");
     verb.add_option("--out", words.out, "Write the JSON to a file, too")->type_name("FILE");
@@ -188,23 +175,12 @@ void add_report_options(CLI::App& verb, AuditWords& words) {
 void add_audit_verb(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand("audit", "Find gaps and traps in a level with random walkers");
     auto words = std::make_shared<AuditWords>();
-    CLI::Option* level = verb->add_option("LEVEL", words->level, level_help());
+    CLI::Option* level = add_play_options(*verb, *words);
     verb->add_option("--walkers", words->walkers, "How many")->capture_default_str();
     verb->add_option("--seconds", words->seconds, "Simulated time of each")->capture_default_str();
-    verb->add_option("--seed", words->seed, "Seed of the random walks")
-        ->check(seed_number)
-        ->capture_default_str();
     verb->add_option("--speeds", words->speeds, "Running speeds in m/s, used in turn; default: the level's")
         ->type_name("6,20,60");
     verb->add_option("--dt", words->dt, "Seconds a step")->capture_default_str();
-    verb->add_option("--preset", words->preset,
-                     "A preset, or a preset file, instead of the level's settings");
-    verb->add_option("--spawn", words->spawn, "Start at this spawn of the level")->type_name("NAME");
-    verb->add_option("--set", words->settings, "Change a movement setting; may be repeated")
-        ->type_name("name=value")
-        ->allow_extra_args(false);
-    verb->add_option("--threads", words->threads, "Maximum number of threads; 0: one per processor")
-        ->check(CLI::Range(0, 4096));
     verb->add_option("--shard", words->shard, "Run only this part of the walkers, 1/N to N/N")
         ->type_name("I/N");
     verb->add_option("--tapes", words->tapes, "Folder for a tape of each finding")->type_name("FOLDER");

@@ -26,18 +26,13 @@ int list_demos() {
 
 int write_demos(const DemoOptions& options) {
     const DemoInfo* const wanted = find_demo(options.name);
-    if (wanted == nullptr && options.name != "all") {
-        print_error(std::cerr,
-                    {"demo", "found no demo \"" + options.name + "\"; 'slipface demo' lists them"});
-        return exit_bad_input;
-    }
+    if (wanted == nullptr && options.name != "all")
+        return bad_input(std::cerr,
+                         {"demo", "found no demo \"" + options.name + "\"; 'slipface demo' lists them"});
     for (const DemoInfo& info : demo_table()) {
         if (wanted != nullptr && &info != wanted) continue;
         const Result<std::filesystem::path> written = save_demo(info, options.out);
-        if (!written) {
-            print_error(std::cerr, written.error());
-            return exit_bad_input;
-        }
+        if (!written) return bad_input(std::cerr, written.error());
         std::cout << written->string() << "\n";
     }
     return exit_fine;
@@ -56,18 +51,13 @@ int list_presets() {
 
 int write_preset(const PresetOptions& options) {
     const Result<Preset> preset = find_preset(options.name);
-    if (!preset) {
-        print_error(std::cerr, preset.error());
-        return exit_bad_input;
-    }
+    if (!preset) return bad_input(std::cerr, preset.error());
     if (options.out.empty()) {
         std::cout << preset_to_json(*preset);
         return exit_fine;
     }
-    if (const Status status = save_preset(options.out, *preset); !status) {
-        print_error(std::cerr, status.error());
-        return exit_bad_input;
-    }
+    if (const Status status = save_preset(options.out, *preset); !status)
+        return bad_input(std::cerr, status.error());
     return exit_fine;
 }
 

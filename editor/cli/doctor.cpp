@@ -52,10 +52,7 @@ void print_doctor_text(const DoctorReport& report, std::ostream& out) {
 
 int run_doctor(const DoctorOptions& options, std::ostream& out, std::ostream& err) {
     const Result<LoadedLevel> loaded = load_level(options.level);
-    if (!loaded) {
-        print_error(err, loaded.error());
-        return exit_bad_input;
-    }
+    if (!loaded) return bad_input(err, loaded.error());
     print_warnings(err, loaded->warnings);
     const DoctorReport report = examine(loaded->level);
     options.json ? print_doctor_json(report, out) : print_doctor_text(report, out);

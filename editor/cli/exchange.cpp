@@ -1,4 +1,4 @@
-// Verbs that exchange files with other programs: import, bake, export.
+// Verbs that exchange files with other programs: import, name-materials, export.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -8,17 +8,12 @@
 
 #include "cli/format.h"
 #include "cli/verbs.h"
-#include "slipface/exchange/bake.h"
 #include "slipface/exchange/export.h"
+#include "slipface/exchange/name_materials.h"
 #include "slipface/exchange/rules.h"
 
 namespace slipface::cli {
 namespace {
-
-int fail(std::ostream& err, const Error& error) {
-    print_error(err, error);
-    return exit_bad_input;
-}
 
 std::string counted(std::size_t count, const char* one, const char* many) {
     return fmt::format("{} {}", count, count == 1 ? one : many);
@@ -28,12 +23,18 @@ std::optional<std::filesystem::path> given(const std::string& word) {
     return word.empty() ? std::nullopt : std::optional<std::filesystem::path>(word);
 }
 
-void add_bake(CLI::App& app, int& exit_code) {
-    CLI::App* verb =
-        app.add_subcommand("bake", "Write painted types into the material names of a level's OBJ file");
+void add_name_materials(CLI::App& app, int& exit_code) {
+    CLI::App* verb = app.add_subcommand("name-materials",
+                                        "Write painted types into the material names of a level's OBJ file");
     auto level = std::make_shared<std::string>();
     verb->add_option("LEVEL", *level, level_help())->required();
-    verb->callback([level, &exit_code] { exit_code = run_bake(*level, std::cout, std::cerr); });
+    verb->callback([level, &exit_code] { exit_code = run_name_materials(*level, std::cout, std::cerr); });
+
+    CLI::App* former = app.add_subcommand("bake", "Former name of name-materials")->group("")->allow_extras();
+    former->callback([&exit_code] {
+        print_error(std::cerr, {"bake", "is called name-materials now; bake-light bakes light"});
+        exit_code = exit_bad_usage;
+    });
 }
 
 void add_export(CLI::App& app, int& exit_code) {
@@ -86,22 +87,23 @@ void add_import(CLI::App& app, int& exit_code) {
 
 }  // namespace
 
-int run_bake(const std::filesystem::path& path, std::ostream& out, std::ostream& err) {
+int run_name_materials(const std::filesystem::path& path, std::ostream& out, std::ostream& err) {
     const Result<LoadedLevel> loaded = load_level(path);
-    if (!loaded) return fail(err, loaded.error());
+    if (!loaded) return bad_input(err, loaded.error());
     print_warnings(err, loaded->warnings);
-    const Result<Baked> baked = bake_level(loaded->level);
-    if (!baked) return fail(err, baked.error());
-    if (baked->faces > 0) {
-        if (const Status status = save_level(baked->after.level); !status) return fail(err, status.error());
+    const Result<NamedMaterials> named = name_materials(loaded->level);
+    if (!named) return bad_input(err, named.error());
+    if (named->faces > 0) {
+        if (const Status status = save_level(named->after.level); !status)
+            return bad_input(err, status.error());
     }
-    out << baked->text() << '\n';
+    out << named->text() << '\n';
     return exit_fine;
 }
 
 int run_export(const ExportOptions& options, std::ostream& out, std::ostream& err) {
     const Result<LoadedLevel> loaded = load_level(options.level);
-    if (!loaded) return fail(err, loaded.error());
+    if (!loaded) return bad_input(err, loaded.error());
     print_warnings(err, loaded->warnings);
     struct Target {
         const std::optional<std::filesystem::path>& path;
@@ -111,7 +113,7 @@ int run_export(const ExportOptions& options, std::ostream& out, std::ostream& er
                                  Target{options.flat, export_flat}}) {
         if (!target.path) continue;
         if (const Status status = target.write(loaded->level, *target.path); !status)
-            return fail(err, status.error());
+            return bad_input(err, status.error());
         out << target.path->string() << '\n';
     }
     return exit_fine;
@@ -119,27 +121,27 @@ int run_export(const ExportOptions& options, std::ostream& out, std::ostream& er
 
 int run_import(const ImportVerbOptions& options, std::ostream& out, std::ostream& err) {
     Result<LoadedLevel> loaded = load_level(options.level);
-    if (!loaded) return fail(err, loaded.error());
+    if (!loaded) return bad_input(err, loaded.error());
     print_warnings(err, loaded->warnings);
     ImportTransform transform = loaded->level.import_transform;
     if (options.scale) transform.scale = options.scale;
     if (options.up) transform.up = options.up;
     if (transform != loaded->level.import_transform) {
         loaded = reload_mesh(loaded->level, transform);
-        if (!loaded) return fail(err, loaded.error());
+        if (!loaded) return bad_input(err, loaded.error());
     }
     Level& level = loaded->level;
     AddedRules total;
     for (const std::filesystem::path& file : options.rules) {
         const Result<ImportedRules> rules = read_rules(file);
-        if (!rules) return fail(err, rules.error());
+        if (!rules) return bad_input(err, rules.error());
         print_warnings(err, rules->warnings);
         const Result<AddedRules> added = add_rules(level, *rules);
-        if (!added) return fail(err, added.error());
+        if (!added) return bad_input(err, added.error());
         total.types += added->types;
         total.rules += added->rules;
     }
-    if (const Status status = save_level(level); !status) return fail(err, status.error());
+    if (const Status status = save_level(level); !status) return bad_input(err, status.error());
     const ResolvedSurfaces resolved = resolve_surfaces(level);
     const auto by_rule = static_cast<std::size_t>(
         std::count(resolved.source.begin(), resolved.source.end(), SurfaceSource::rule));
@@ -151,7 +153,7 @@ int run_import(const ImportVerbOptions& options, std::ostream& out, std::ostream
 
 void add_exchange_verbs(CLI::App& app, int& exit_code) {
     add_import(app, exit_code);
-    add_bake(app, exit_code);
+    add_name_materials(app, exit_code);
     add_export(app, exit_code);
 }
 

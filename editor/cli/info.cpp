@@ -220,10 +220,7 @@ void print_info_text(const LevelInfo& info, std::ostream& out) {
 
 int run_info(const InfoOptions& options, std::ostream& out, std::ostream& err) {
     const Result<LevelInfo> info = gather(options.level);
-    if (!info) {
-        print_error(err, info.error());
-        return exit_bad_input;
-    }
+    if (!info) return bad_input(err, info.error());
     options.json ? print_info_json(*info, out) : print_info_text(*info, out);
     return exit_fine;
 }

@@ -1,14 +1,13 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <iostream>
 #include <memory>
 
 #include "cli/format.h"
 #include "cli/guarded.h"
+#include "cli/options.h"
 #include "cli/verbs.h"
 #include "slipface/base/files.h"
 #include "slipface/base/parallel.h"
@@ -21,12 +20,10 @@
 namespace slipface::cli {
 namespace {
 
-struct ReachWords {
-    std::string level, preset, spawn, out, resume, how, tape, tapes;
+struct ReachWords : PlayWords {
+    std::string out, resume, how, tape, tapes;
     double seconds = 0.0, cell = 0.0;
-    std::uint64_t rounds = 0, seed = 1;
-    int threads = 0;
-    std::vector<std::string> settings;
+    std::uint64_t rounds = 0;
     bool json = false, check = false;
 };
 
@@ -297,39 +294,19 @@ std::string how_check(const std::string& text) {
     return fmt::format("found {}, expected face:NUMBER or x,y,z", text);
 }
 
-// The parser alone would take -1 for the largest number.
-std::string whole_number(const std::string& text) {
-    std::uint64_t number = 0;
-    const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, number);
-    if (error == std::errc() && rest == end) return {};
-    return fmt::format("found {}, expected a whole number from 0 to 18446744073709551615", text);
-}
-
 }  // namespace
 
 void add_reach_verb(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand("reach", "Search for all that the player can reach, and how");
     auto words = std::make_shared<ReachWords>();
-    CLI::Option* level = verb->add_option("LEVEL", words->level, level_help());
+    CLI::Option* level = add_play_options(*verb, *words);
     verb->add_option("--seconds", words->seconds, "Search for so long; else 20, and 60 with --check")
         ->check(CLI::Range(0.0, 1e6));
     verb->add_option("--rounds", words->rounds, "Search so many rounds: the same bytes on every machine")
         ->check(whole_number);
-    verb->add_option("--seed", words->seed, "Another seed, other inputs")
-        ->check(whole_number)
-        ->capture_default_str();
     verb->add_option("--cell", words->cell, "Edge of a cell in metres; else by the player and the level")
         ->type_name("METRES")
         ->check(CLI::Range(0.05, 100.0));
-    verb->add_option("--preset", words->preset,
-                     "A preset, or a preset file, instead of the level's settings");
-    verb->add_option("--spawn", words->spawn, "Start at this spawn of the level")->type_name("NAME");
-    verb->add_option("--set", words->settings, "Change a movement setting; may be repeated")
-        ->type_name("name=value")
-        ->allow_extra_args(false);
-    verb->add_option("--threads", words->threads, "At most this many; 0: as many as there are")
-        ->check(CLI::Range(0, 4096));
     verb->add_option("--out", words->out, "Write the search to a file, to go on or to compare")
         ->type_name("FILE");
     verb->add_option("--resume", words->resume, "Go on with a search from a file")->type_name("FILE");

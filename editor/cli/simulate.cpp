@@ -37,7 +37,7 @@ Result<Run> run_tape(const SimulateOptions& options) {
         TapeRun samples(std::make_shared<const Tape>(base.tape), base.settings, base.start);
         if (base.tape.tick_count() > TapeRun::max_ticks) {
             return Error{options.tape.string(),
-                         fmt::format("found {} ticks, expected at most {} for --csv and --tell",
+                         fmt::format("found {} ticks, expected at most {} for --csv and --describe",
                                      base.tape.tick_count(), TapeRun::max_ticks)};
         }
         samples.advance(scene, TapeRun::max_ticks);
@@ -45,8 +45,8 @@ Result<Run> run_tape(const SimulateOptions& options) {
         if (options.describe) {
             const std::size_t ticks = samples.samples().size();
             if (*options.describe >= ticks)
-                return Error{"--tell", fmt::format("found tick {}, expected one from 0 to {}",
-                                                   *options.describe, ticks == 0 ? 0 : ticks - 1)};
+                return Error{"--describe", fmt::format("found tick {}, expected one from 0 to {}",
+                                                       *options.describe, ticks == 0 ? 0 : ticks - 1)};
             run.text = story_text(describe(samples.trace(scene, *options.describe), level));
         }
     }
@@ -120,10 +120,7 @@ void print_report_text(const Run& run, std::ostream& out) {
 
 int run_simulate(const SimulateOptions& options, std::ostream& out, std::ostream& err) {
     const Result<Run> run = run_tape(options);
-    if (!run) {
-        print_error(err, run.error());
-        return exit_bad_input;
-    }
+    if (!run) return bad_input(err, run.error());
     print_warnings(err, run->base.warnings);
     if (options.csv || options.describe)
         out << run->text;

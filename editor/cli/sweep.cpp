@@ -109,21 +109,12 @@ int run_sweep(const SweepOptions& options, std::ostream& out, std::ostream& err)
         return exit_bad_usage;
     }
     const Result<std::vector<SweepQuery>> queries = queries_of(options);
-    if (!queries) {
-        print_error(err, queries.error());
-        return exit_bad_input;
-    }
+    if (!queries) return bad_input(err, queries.error());
     const Result<LoadedLevel> loaded = load_level(options.level);
-    if (!loaded) {
-        print_error(err, loaded.error());
-        return exit_bad_input;
-    }
+    if (!loaded) return bad_input(err, loaded.error());
     print_warnings(err, loaded->warnings);
     const Result<CollisionWorld> world = build_collision_world(loaded->level);
-    if (!world) {
-        print_error(err, world.error());
-        return exit_bad_input;
-    }
+    if (!world) return bad_input(err, world.error());
 
     std::vector<Sweep> sweeps;
     sweeps.reserve(queries->size());
@@ -133,12 +124,8 @@ int run_sweep(const SweepOptions& options, std::ostream& out, std::ostream& err)
     sweep_ellipsoids(*world, sweeps, answers);
     const bool single = !options.queries;
     switch (options.format) {
-        case SweepFormat::json:
-            print_json_answers(answers, loaded->level, single, out);
-            break;
-        case SweepFormat::csv:
-            print_csv(answers, loaded->level, out);
-            break;
+        case SweepFormat::json: print_json_answers(answers, loaded->level, single, out); break;
+        case SweepFormat::csv: print_csv(answers, loaded->level, out); break;
         case SweepFormat::text:
             single ? print_one(answers.front(), loaded->level, out)
                    : print_table(answers, loaded->level, out);
@@ -151,28 +138,16 @@ int run_sweep_test(const std::filesystem::path& level, const std::filesystem::pa
                    std::ostream& err) {
     constexpr std::uint64_t max_bytes = 1 << 20;
     const Result<std::string> text = read_file(file, max_bytes);
-    if (!text) {
-        print_error(err, text.error());
-        return exit_bad_input;
-    }
+    if (!text) return bad_input(err, text.error());
     const Result<ProbeTest> test = parse_probe_test(*text, file.string());
-    if (!test) {
-        print_error(err, test.error());
-        return exit_bad_input;
-    }
+    if (!test) return bad_input(err, test.error());
     const Result<LoadedLevel> loaded = load_level(level);
-    if (!loaded) {
-        print_error(err, loaded.error());
-        return exit_bad_input;
-    }
+    if (!loaded) return bad_input(err, loaded.error());
     print_warnings(err, loaded->warnings);
     if (test->level_fingerprint && *test->level_fingerprint != loaded->level.mesh->fingerprint)
         print_warnings(err, {{file.string(), "was written for other geometry"}});
     const Result<CollisionWorld> world = build_collision_world(loaded->level);
-    if (!world) {
-        print_error(err, world.error());
-        return exit_bad_input;
-    }
+    if (!world) return bad_input(err, world.error());
     const std::vector<std::string> differences = run_probe_test(*test, {*world, loaded->level.surfaces});
     for (const std::string& difference : differences)
         print_error(err, {file.string(), difference});

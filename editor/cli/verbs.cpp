@@ -1,10 +1,10 @@
 #include "cli/verbs.h"
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 
 #include "cli/guarded.h"
+#include "cli/options.h"
 #include "slipface/base/text.h"
 #include "slipface/mesh/formats.h"
 
@@ -98,13 +98,11 @@ void add_simulate(CLI::App& app, int& exit_code) {
     verb->add_option("--preset", options->preset,
                      "Settings instead of the level's and the tape's; a name or a file")
         ->type_name("PRESET");
-    verb->add_option("--set", options->settings, "Change a movement setting; may be repeated")
-        ->type_name("name=value")
-        ->allow_extra_args(false);
+    add_set_option(*verb, options->settings);
     CLI::Option* json = verb->add_flag("--json", options->json, "Print JSON");
     CLI::Option* csv = verb->add_flag("--csv", options->csv, "Print the run's numbers, one row per tick");
     csv->excludes(json);
-    verb->add_option("--tell", options->describe, "Describe that tick and its decisions; the first is 0")
+    verb->add_option("--describe", options->describe, "Describe that tick and its decisions; the first is 0")
         ->type_name("TICK")
         ->check(CLI::NonNegativeNumber)
         ->excludes(json)
@@ -128,6 +126,11 @@ void add_doctor(CLI::App& app, int& exit_code) {
 
 void print_error(std::ostream& err, const Error& error) {
     err << "slipface: " << error.text() << '\n';
+}
+
+int bad_input(std::ostream& err, const Error& error) {
+    print_error(err, error);
+    return exit_bad_input;
 }
 
 void print_warnings(std::ostream& err, const Warnings& warnings) {

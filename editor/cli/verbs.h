@@ -1,6 +1,6 @@
 // The verbs that print data (info, sweep, simulate, doctor) and those that exchange files with other programs
-// (import, bake, export). Results go to `out`; errors and warnings go to `err`, one per line, as "slipface:
-// LOCATION: message". Each returns an exit code.
+// (import, name-materials, export). Results go to `out`; errors and warnings go to `err`, one per line, as
+// "slipface: LOCATION: message". Each returns an exit code.
 #pragma once
 
 #include <filesystem>
@@ -108,7 +108,7 @@ struct DoctorOptions {
 int run_doctor(const DoctorOptions& options, std::ostream& out, std::ostream& err);
 
 // Moves painted types into the material names of the level's OBJ file and saves the level file.
-int run_bake(const std::filesystem::path& level, std::ostream& out, std::ostream& err);
+int run_name_materials(const std::filesystem::path& level, std::ostream& out, std::ostream& err);
 
 struct ExportOptions {
     std::filesystem::path level;
@@ -125,7 +125,7 @@ struct ImportVerbOptions {
 };
 int run_import(const ImportVerbOptions& options, std::ostream& out, std::ostream& err);
 
-// slipface import, bake and export.
+// slipface import, name-materials and export.
 void add_exchange_verbs(CLI::App& app, int& exit_code);
 
 // slipface bake-light LEVEL: bakes the level's light into an image next to its level file.
@@ -135,6 +135,7 @@ void add_bake_light_verb(CLI::App& app, int& exit_code);
 void add_data_verbs(CLI::App& app, int& exit_code);
 
 void print_error(std::ostream& err, const Error& error);
+int bad_input(std::ostream& err, const Error& error);  // prints it; returns exit_bad_input
 void print_warnings(std::ostream& err, const Warnings& warnings);
 
 }  // namespace slipface::cli

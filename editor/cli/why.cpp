@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "cli/format.h"
 #include "cli/guarded.h"
+#include "cli/options.h"
 #include "cli/tape_on_level.h"
 #include "cli/verbs.h"
 #include "slipface/level/preset.h"
@@ -55,12 +55,12 @@ OutputJson stop_json(const Stop& stop, const std::vector<Cure>& cures, double dt
 
 int run_why(const WhyOptions& options, std::ostream& out, std::ostream& err) {
     Result<TapeOnLevel> base = load_tape_on_level(options.tape);
-    if (!base) return print_error(err, base.error()), exit_bad_input;
+    if (!base) return bad_input(err, base.error());
     print_warnings(err, base->warnings);
     const Level& level = base->loaded->level;
     const TickScene scene(base->scene);
     const Result<TapeRun> run = complete_run(*base, scene, options.tape);
-    if (!run) return print_error(err, run.error()), exit_bad_input;
+    if (!run) return bad_input(err, run.error());
 
     const std::vector<Stop> stops = find_stops(scene, *run, level);
     const Stop* headline = headline_stop(stops);
@@ -86,7 +86,7 @@ int run_why(const WhyOptions& options, std::ostream& out, std::ostream& err) {
 
 int run_compare(const CompareOptions& options, std::ostream& out, std::ostream& err) {
     Result<TapeOnLevel> base = load_tape_on_level(options.tape);
-    if (!base) return print_error(err, base.error()), exit_bad_input;
+    if (!base) return bad_input(err, base.error());
     print_warnings(err, base->warnings);
     std::vector<NamedSettings> sets{{"this level", base->settings}};
     if (options.presets.empty()) {
@@ -95,14 +95,13 @@ int run_compare(const CompareOptions& options, std::ostream& out, std::ostream& 
     }
     for (const std::string& name : options.presets) {
         const Result<Preset> preset = find_preset(name);
-        if (!preset) return print_error(err, {"--presets", preset.error().text()}), exit_bad_input;
+        if (!preset) return bad_input(err, {"--presets", preset.error().text()});
         sets.push_back({name, preset->settings});
     }
     if (base->tape.tick_count() > TapeRun::max_ticks)
-        return print_error(err, {options.tape.tape.string(),
-                                 fmt::format("found {} ticks, expected at most {}", base->tape.tick_count(),
-                                             TapeRun::max_ticks)}),
-               exit_bad_input;
+        return bad_input(
+            err, {options.tape.tape.string(), fmt::format("found {} ticks, expected at most {}",
+                                                          base->tape.tick_count(), TapeRun::max_ticks)});
     const std::vector<SummaryRow> rows =
         compare_settings(base->loaded->level, std::make_shared<const Tape>(base->tape), base->start, sets);
     if (options.json) {
@@ -137,9 +136,7 @@ namespace {
 // The options of every verb that runs a tape on a level.
 CLI::Option* add_tape_options(CLI::App& verb, TapeOptions& tape) {
     verb.add_option("LEVEL", tape.level, "OBJ or level file")->required();
-    verb.add_option("--set", tape.settings, "Change a movement setting; may be repeated")
-        ->type_name("name=value")
-        ->allow_extra_args(false);
+    add_set_option(verb, tape.settings);
     return verb.add_option("--tape", tape.tape, "Inputs, tick by tick")->required()->type_name("FILE");
 }
 

@@ -285,7 +285,7 @@ void AutosaveSession::rotate(const fs::path& mesh_path) {
     const auto found = all.find({name_, level});
     if (found == all.end()) return;
     std::size_t surplus =
-        found->second.size() >= kept_for_each_level ? found->second.size() - kept_for_each_level + 1 : 0;
+        found->second.size() >= max_for_each_level ? found->second.size() - max_for_each_level + 1 : 0;
     for (const auto& [number, file] : found->second) {
         if (surplus-- == 0) break;
         std::error_code ignored;

@@ -43,7 +43,7 @@ Result<Autosave> read_autosave(const std::filesystem::path& file);
 
 class AutosaveSession {
   public:
-    static constexpr std::size_t kept_for_each_level = 5;
+    static constexpr std::size_t max_for_each_level = 5;
 
     // Times in seconds; autosaves are due `quiet_s` after the last change, or `longest_s` after the first.
     struct Timing {

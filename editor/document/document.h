@@ -155,10 +155,10 @@ class Document {
     // Reads the geometry with another scale or up axis; painted faces keep their types.
     Status set_import_transform(const ImportTransform& transform, Progress* progress = nullptr);
 
-    // Moves the painted types into the material names of the OBJ file (bake_level), saves the level file and
-    // reads the geometry again, as one step. Undo restores the paint but not the OBJ file; a backup file
+    // Moves the painted types into the material names of the OBJ file (name_materials), saves the level file
+    // and reads the geometry again, as one step. Undo restores the paint but not the OBJ file; a backup file
     // holds its old text. Returns a sentence about what was done.
-    Result<std::string> bake();
+    Result<std::string> name_materials();
 
     // Paints `faces` with the type of an orphan and removes the orphan, as one step. Fails if the orphan or
     // its type does not exist, or if `faces` is empty.

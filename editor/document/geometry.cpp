@@ -4,7 +4,7 @@
 
 #include "document/document.h"
 #include "document/faces.h"
-#include "slipface/exchange/bake.h"
+#include "slipface/exchange/name_materials.h"
 
 namespace slipface {
 
@@ -94,14 +94,14 @@ Status Document::take_geometry(LoadedLevel loaded, std::string step_name) {
     return {};
 }
 
-Result<std::string> Document::bake() {
+Result<std::string> Document::name_materials() {
     if (in_transaction())
         return Error{level_.mesh_path.string(), "cannot be written while a change is being made"};
-    Result<Baked> baked = bake_level(level_);
-    if (!baked) return baked.error();
-    std::string text = baked->text();
-    if (baked->faces == 0) return text;
-    if (Status status = take_geometry(std::move(baked->after), "Bake types into materials"); !status)
+    Result<NamedMaterials> named = slipface::name_materials(level_);
+    if (!named) return named.error();
+    std::string text = named->text();
+    if (named->faces == 0) return text;
+    if (Status status = take_geometry(std::move(named->after), "Write types into material names"); !status)
         return status.error();
     if (Status status = save(); !status) return status.error();
     return text;

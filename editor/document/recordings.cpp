@@ -22,18 +22,18 @@ bool is_recording(const std::string& name) {
 }
 
 void delete_oldest(const fs::path& folder, std::size_t maximum) {
-    std::vector<fs::path> kept;
+    std::vector<fs::path> found;
     std::error_code error;
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-        if (is_recording(it->path().filename().string())) kept.push_back(it->path());
-    std::sort(kept.begin(), kept.end());
-    for (std::size_t i = 0; i + maximum < kept.size(); ++i)
-        fs::remove(kept[i], error);
+        if (is_recording(it->path().filename().string())) found.push_back(it->path());
+    std::sort(found.begin(), found.end());
+    for (std::size_t i = 0; i + maximum < found.size(); ++i)
+        fs::remove(found[i], error);
 }
 
 }  // namespace
 
-Status Recordings::keep(std::string_view name, std::string_view text) const {
+Status Recordings::store(std::string_view name, std::string_view text) const {
     if (!active()) return {};
     std::error_code error;
     fs::create_directories(folder_, error);
@@ -43,7 +43,7 @@ Status Recordings::keep(std::string_view name, std::string_view text) const {
     for (std::time_t now = std::time(nullptr); file.empty() || fs::exists(file, error); ++now)
         file = folder_ / fmt::format("{:%Y-%m-%d %H.%M.%S} {}.tape", fmt::localtime(now), name);
     if (Status status = write_file_atomic(file, text); !status) return status;
-    delete_oldest(folder_, max_kept);
+    delete_oldest(folder_, max_stored);
     return {};
 }
 

@@ -12,7 +12,7 @@ namespace slipface {
 
 class Recordings {
   public:
-    static constexpr std::size_t max_kept = 32;
+    static constexpr std::size_t max_stored = 32;
 
     Recordings() = default;  // stores nothing
     explicit Recordings(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -21,8 +21,8 @@ class Recordings {
     const std::filesystem::path& folder() const { return folder_; }
 
     // Writes the text of a tape to "YEAR-MONTH-DAY HOUR.MINUTE.SECOND NAME.tape" (local time) and deletes the
-    // oldest files with such names beyond max_kept. Other files in the folder are not touched.
-    Status keep(std::string_view name, std::string_view text) const;
+    // oldest files with such names beyond max_stored. Other files in the folder are not touched.
+    Status store(std::string_view name, std::string_view text) const;
 
   private:
     std::filesystem::path folder_;

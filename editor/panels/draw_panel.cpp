@@ -24,8 +24,7 @@ void draw_panel(PanelId panel, Editor& editor, FrameContext& frame) {
         break;
 #include "tools/view/panel_rows.inc"
 #undef SLIPFACE_PANEL
-        case PanelId::count:
-            break;
+        case PanelId::count: break;
     }
 }
 

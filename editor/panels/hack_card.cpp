@@ -57,19 +57,19 @@ void effect_rows(Editor& editor, const SettingInfo& info) {
 }
 
 // A demo with both of its runs, built when its card is opened for the first time.
-struct KeptDemo {
+struct BuiltDemo {
     Demo demo;
     TapeRun runs[2];  // off, on
 };
-const KeptDemo& kept_demo(const DemoInfo& info) {
-    static std::map<std::string_view, std::unique_ptr<KeptDemo>> kept;
-    std::unique_ptr<KeptDemo>& entry = kept[info.name];
+const BuiltDemo& built_demo(const DemoInfo& info) {
+    static std::map<std::string_view, std::unique_ptr<BuiltDemo>> built;
+    std::unique_ptr<BuiltDemo>& entry = built[info.name];
     if (entry) return *entry;
     Demo demo = make_demo(info);
     const auto tape = std::make_shared<const Tape>(demo.tape);
     const Vec3 start = demo.tape.start.value_or(demo.level.spawn);
     TapeRun off = TapeRun::under(tape, demo.off, start), on = TapeRun::under(tape, demo.on, start);
-    entry.reset(new KeptDemo{std::move(demo), {std::move(off), std::move(on)}});
+    entry.reset(new BuiltDemo{std::move(demo), {std::move(off), std::move(on)}});
     for (std::size_t i = 0; i < 2; ++i) {
         Result<LevelScene> scene =
             LevelScene::build(entry->demo.level, i == 0 ? entry->demo.off : entry->demo.on);
@@ -80,13 +80,13 @@ const KeptDemo& kept_demo(const DemoInfo& info) {
 
 // The path of the run, with the player at intervals.
 ImageRequest demo_image(const DemoInfo& info, bool on) {
-    const KeptDemo& kept = kept_demo(info);
+    const BuiltDemo& built = built_demo(info);
     ImageRequest request;
-    request.level = &kept.demo.level;
-    request.camera.eye = kept.demo.camera.eye;
-    request.camera.target = kept.demo.camera.target;
-    request.camera.fov_y = kept.demo.camera.fov_y;
-    const TapeRun& run = kept.runs[on ? 1 : 0];
+    request.level = &built.demo.level;
+    request.camera.eye = built.demo.camera.eye;
+    request.camera.target = built.demo.camera.target;
+    request.camera.fov_y = built.demo.camera.fov_y;
+    const TapeRun& run = built.runs[on ? 1 : 0];
     const Vec3& radii = run.settings().radii;
     const Color trail = on ? Color{0.45f, 0.86f, 0.60f, 1.0f} : Color{0.98f, 0.47f, 0.42f, 1.0f};
     const auto samples = run.samples();

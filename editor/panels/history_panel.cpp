@@ -38,7 +38,7 @@ void history_panel(Editor& editor) {
     }
     if (!wanted) return;
     document.go_to(*wanted);
-    keep_brush_valid(editor);
+    make_brush_valid(editor);
 }
 
 }  // namespace slipface

@@ -30,14 +30,10 @@ const FaceSummary& selection_summary(const Document& document) {
 
 std::string source_text(SurfaceSource source) {
     switch (source) {
-        case SurfaceSource::none:
-            return "no rule, not painted";
-        case SurfaceSource::rule:
-            return "material rule";
-        case SurfaceSource::suffix:
-            return "material suffix";
-        case SurfaceSource::override_:
-            return "painted";
+        case SurfaceSource::none: return "no rule, not painted";
+        case SurfaceSource::rule: return "material rule";
+        case SurfaceSource::suffix: return "material suffix";
+        case SurfaceSource::override_: return "painted";
     }
     return "";
 }

@@ -25,11 +25,8 @@ void draw_hatch(ImDrawList& list, ImVec2 min, ImVec2 max, Hatch hatch, ImU32 ink
         }
     };
     switch (hatch) {
-        case Hatch::none:
-            break;
-        case Hatch::diagonal:
-            diagonal(true);
-            break;
+        case Hatch::none: break;
+        case Hatch::diagonal: diagonal(true); break;
         case Hatch::cross:
             diagonal(true);
             diagonal(false);

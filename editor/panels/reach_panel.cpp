@@ -1,4 +1,4 @@
-// Where the player can get: search, colours, what was never reached, the ways, and the level's goals.
+// Where the player can get: search, colours, what was never reached, the paths, and the level's goals.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,8 +35,8 @@ void start_rows(Editor& editor) {
         "Follow changes", &wanted.follow,
         "Search again whenever a setting, a type or a painted face changes, and show what was gained "
         "and lost");
-    ui::checkbox("Ways by click", &wanted.ways_by_click,
-                 "Selecting a face opens the fastest way to it, or the attempt that came nearest");
+    ui::checkbox("Paths by click", &wanted.paths_by_click,
+                 "Selecting a face opens the fastest path to it, or the attempt that came nearest");
     if (editor.reach) editor.reach->settings = wanted;
     const bool on = editor.reach && editor.reach->can_go_on(*editor.document);
     const bool searches =

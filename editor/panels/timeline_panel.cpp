@@ -57,9 +57,7 @@ void draw_marker(ImDrawList& list, const Marker& marker, ImVec2 c, float r) {
         case Shape::square:
             list.AddRectFilled({c.x - 0.8f * r, c.y - 0.8f * r}, {c.x + 0.8f * r, c.y + 0.8f * r}, color);
             break;
-        case Shape::circle:
-            list.AddCircleFilled(c, 0.85f * r, color, 16);
-            break;
+        case Shape::circle: list.AddCircleFilled(c, 0.85f * r, color, 16); break;
         case Shape::diamond:
             list.AddQuadFilled({c.x, c.y - r}, {c.x + r, c.y}, {c.x, c.y + r}, {c.x - r, c.y}, color);
             break;

@@ -133,9 +133,7 @@ void press_left(Editor& editor, ViewportState& state, ImVec2 mouse) {
         return;
     }
     switch (editor.tool) {
-        case Tool::select:
-            press_select(editor, state, mouse);
-            return;
+        case Tool::select: press_select(editor, state, mouse); return;
         case Tool::paint:
             begin(state, editor, Gesture::stroke, mouse);
             editor.document->begin(stroke_name(editor));
@@ -145,8 +143,7 @@ void press_left(Editor& editor, ViewportState& state, ImVec2 mouse) {
         case Tool::fill:
             if (editor.hovered != no_id) fill_hovered(editor);
             return;
-        case Tool::probe:
-            break;
+        case Tool::probe: break;
     }
     const Vec2 pixel = view_pixel(state, mouse);
     const int handle = probe_handle_at(editor, shown_camera(editor), pixel, to_vec(state.size));
@@ -171,14 +168,11 @@ void press(Editor& editor, ViewportState& state, ImVec2 mouse) {
 
 int button_of(Gesture gesture, const ImGuiIO& io) {
     switch (gesture) {
-        case Gesture::pan:
-            return ImGuiMouseButton_Middle;
+        case Gesture::pan: return ImGuiMouseButton_Middle;
         case Gesture::orbit:
             return io.MouseDown[ImGuiMouseButton_Right] ? ImGuiMouseButton_Right : ImGuiMouseButton_Middle;
-        case Gesture::fly:
-            return ImGuiMouseButton_Right;
-        default:
-            return ImGuiMouseButton_Left;
+        case Gesture::fly: return ImGuiMouseButton_Right;
+        default: return ImGuiMouseButton_Left;
     }
 }
 
@@ -207,12 +201,8 @@ void go_on(Editor& editor, FrameContext& frame, ViewportState& state, ImVec2 mou
     const Vec2 design_moved = moved / static_cast<double>(ui::scale());
     const bool still = moved.isZero();
     switch (state.gesture) {
-        case Gesture::orbit:
-            editor.view.orbit(design_moved);
-            break;
-        case Gesture::pan:
-            editor.view.pan(moved, to_vec(state.size));
-            break;
+        case Gesture::orbit: editor.view.orbit(design_moved); break;
+        case Gesture::pan: editor.view.pan(moved, to_vec(state.size)); break;
         case Gesture::fly:
             editor.view.look(design_moved);
             if (io.MouseWheel != 0.0f)
@@ -252,8 +242,7 @@ void go_on(Editor& editor, FrameContext& frame, ViewportState& state, ImVec2 mou
             }
             break;
         }
-        case Gesture::none:
-            break;
+        case Gesture::none: break;
     }
     state.last_mouse = mouse;
 }

@@ -54,15 +54,11 @@ std::string viewport_hint(const Editor& editor) {
         editor.brush && *editor.brush < surfaces.size() ? surfaces[*editor.brush].name : "unset";
     std::string hint;
     switch (editor.tool) {
-        case Tool::select:
-            hint = select_hint(editor);
-            break;
+        case Tool::select: hint = select_hint(editor); break;
         case Tool::paint:
             hint = "Click: paint " + type + "\u00b7 Drag: paint more \u00b7 Alt+click: pick type";
             break;
-        case Tool::fill:
-            hint = "Click: fill with " + type + " \u00b7 Alt+click: pick type";
-            break;
+        case Tool::fill: hint = "Click: fill with " + type + " \u00b7 Alt+click: pick type"; break;
         case Tool::probe:
             hint = editor.probe.placed
                        ? "Drag a handle: change the sweep \u00b7 Shift: up and down \u00b7 Click: place again"

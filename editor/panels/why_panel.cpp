@@ -18,14 +18,10 @@ namespace {
 ImVec4 tone_color(StoryTone tone) {
     const ui::Palette& p = ui::palette();
     switch (tone) {
-        case StoryTone::acted:
-            return p.accent;
-        case StoryTone::refused:
-            return p.muted;
-        case StoryTone::trouble:
-            return p.bad;
-        case StoryTone::plain:
-            break;
+        case StoryTone::acted: return p.accent;
+        case StoryTone::refused: return p.muted;
+        case StoryTone::trouble: return p.bad;
+        case StoryTone::plain: break;
     }
     return p.text;
 }

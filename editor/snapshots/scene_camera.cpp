@@ -64,16 +64,12 @@ std::optional<Camera> find_camera(const CameraName& name, const Scene& scene, co
     const double turn = 2.0 * std::numbers::pi * (name.index - 1) / name.count;
     switch (name.kind) {
         case CameraKind::named_view:
-        case CameraKind::map:
-            return named_view(name.view, bounds, aspect);
+        case CameraKind::map: return named_view(name.view, bounds, aspect);
         case CameraKind::iso_corner:
             return frame_bounds(bounds, 35.0 * degrees + turn, 33.0 * degrees, 45.0 * degrees, aspect);
-        case CameraKind::turntable:
-            return frame_bounds(bounds, turn, 24.0 * degrees, 45.0 * degrees, aspect);
-        case CameraKind::tape:
-            return tape_camera(name, staged, story);
-        case CameraKind::contact:
-            return contact_camera(name, staged, story);
+        case CameraKind::turntable: return frame_bounds(bounds, turn, 24.0 * degrees, 45.0 * degrees, aspect);
+        case CameraKind::tape: return tape_camera(name, staged, story);
+        case CameraKind::contact: return contact_camera(name, staged, story);
         case CameraKind::bookmark:
             for (const CameraBookmark& bookmark : staged.level.cameras) {
                 if (bookmark.name != name.view) continue;

@@ -54,7 +54,7 @@ void open_level(Editor& editor, const std::filesystem::path& path) {
         return;
     }
     adopt_document(editor, std::move(opened).value(), path);
-    bring_back_tape(editor);
+    restore_tape(editor);
     offer_recovery(editor);
 }
 
@@ -65,7 +65,7 @@ void geometry_changed(Editor& editor) {
     editor.probe = {};
     editor.session.report.reset();
     editor.session.problem.reset();
-    keep_brush_valid(editor);
+    make_brush_valid(editor);
     const Document& document = *editor.document;
     if (!document.warnings().empty() || !document.level().orphans.empty() || !document.guessed().empty())
         editor.layout.show(PanelId::warnings);
@@ -73,7 +73,7 @@ void geometry_changed(Editor& editor) {
 
 void adopt_document(Editor& editor, std::unique_ptr<Document> opened, const std::filesystem::path& path) {
     stop_playtest(editor);
-    keep_tape(editor);
+    store_tape(editor);
     document_is_safe(editor);
     editor.live_edit = false;
     editor.lab.close();
@@ -108,19 +108,13 @@ namespace {
 
 void do_next(Editor& editor, const UnsavedDialog& next) {
     switch (next.then) {
-        case UnsavedDialog::Then::open:
-            start_loading(editor, next.open_path);
-            break;
+        case UnsavedDialog::Then::open: start_loading(editor, next.open_path); break;
         case UnsavedDialog::Then::quit:
             stop_playtest(editor);  // which keeps its recording
             editor.quit = true;
             break;
-        case UnsavedDialog::Then::demo:
-            show_demo(editor, *next.demo);
-            break;
-        case UnsavedDialog::Then::recover:
-            recover(editor, next.autosave);
-            break;
+        case UnsavedDialog::Then::demo: show_demo(editor, *next.demo); break;
+        case UnsavedDialog::Then::recover: recover(editor, next.autosave); break;
     }
 }
 
@@ -194,12 +188,8 @@ void set_back_faces(Editor& editor, BackFaces wanted) {
         case BackFaces::automatic:
             editor.status = "Back faces: automatic (hidden from outside a level of rooms)";
             break;
-        case BackFaces::always:
-            editor.status = "Back faces: always drawn";
-            break;
-        case BackFaces::never:
-            editor.status = "Back faces: never drawn";
-            break;
+        case BackFaces::always: editor.status = "Back faces: always drawn"; break;
+        case BackFaces::never: editor.status = "Back faces: never drawn"; break;
     }
 }
 
@@ -240,8 +230,7 @@ const std::vector<FaceId>& tool_faces(const Editor& editor) {
     }
     found = {document, &document->mesh(), editor.tool, editor.hovered, editor.hovered_point, size, {}};
     switch (editor.tool) {
-        case Tool::probe:
-            break;
+        case Tool::probe: break;
         case Tool::select:
             found.faces = {editor.hovered};
             if (selects_by_brush)
@@ -307,7 +296,7 @@ void choose_brush(Editor& editor, std::optional<SurfaceId> surface) {
     editor.status = "Brush: " + brush_name(editor);
 }
 
-void keep_brush_valid(Editor& editor) {
+void make_brush_valid(Editor& editor) {
     if (editor.document && editor.brush && *editor.brush >= editor.document->level().surfaces.size())
         editor.brush = default_surface;
 }

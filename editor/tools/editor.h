@@ -70,7 +70,7 @@ enum class FileDialogKind {
 };
 
 // A run that was recorded in a level and not saved when another level was opened.
-struct KeptTape {
+struct StoredTape {
     std::filesystem::path level;  // its geometry
     Tape tape;
     std::string name;
@@ -115,7 +115,7 @@ struct Editor {
     std::optional<Playtest> playtest;       // walking while set
     Lab lab;                                // the tape, and its runs under other settings
     CureJob cures;                          // of the stop at the lab's cursor
-    std::vector<KeptTape> kept_tapes;       // newest last; each returns when its level is opened
+    std::vector<StoredTape> stored_tapes;   // newest last; each returns when its level is opened
     std::shared_ptr<class AuditJob> audit;  // of random walkers: running, or with results
     std::shared_ptr<class ReachJob> reach;  // the search for what can be reached: running, or with results
 
@@ -187,7 +187,7 @@ void fill_hovered(Editor& editor);
 void pick_surface(Editor& editor);                   // eyedropper: the hovered face's type becomes the brush
 void frame_selected(Editor& editor, double aspect);  // or all faces if none is selected
 void choose_brush(Editor& editor, std::optional<SurfaceId> surface);
-void keep_brush_valid(Editor& editor);  // if undo removed the brush's type, the brush becomes `default`
+void make_brush_valid(Editor& editor);  // if undo removed the brush's type, the brush becomes `default`
 Spawn spawn_on_hovered(const Editor& editor);  // for a player on the hovered face, with the camera's yaw
 // Moves the main spawn there, as spawn_on_hovered() says.
 void set_spawn_hovered(Editor& editor);

@@ -18,18 +18,14 @@ SinCos sin_cos(double angle) {
     }
     sine *= x;
     switch (quarters & 3) {
-        case 1:
-            return {cosine, -sine};
-        case 2:
-            return {-sine, -cosine};
-        case 3:
-            return {-cosine, sine};
-        default:
-            return {sine, cosine};
+        case 1: return {cosine, -sine};
+        case 2: return {-sine, -cosine};
+        case 3: return {-cosine, sine};
+        default: return {sine, cosine};
     }
 }
 
-Pose turned_about(const Vec3& pivot, const Vec3& axis, double angle, const Vec3& offset) {
+Pose rotation_about(const Vec3& pivot, const Vec3& axis, double angle, const Vec3& offset) {
     Pose pose;
     const double length = axis.norm();
     const SinCos turn = sin_cos(angle);
@@ -41,7 +37,7 @@ Pose turned_about(const Vec3& pivot, const Vec3& axis, double angle, const Vec3&
                 e * turn.cosine + unit.cross(e) * turn.sine + unit * (unit[i] * (1.0 - turn.cosine));
         }
     }
-    pose.offset = pivot - pose.turn(pivot) + offset;
+    pose.offset = pivot - pose.rotate(pivot) + offset;
     return pose;
 }
 

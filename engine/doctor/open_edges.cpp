@@ -115,14 +115,10 @@ Vec3 inward(const OpenEdge& edge, std::uint32_t corner) {
 // What a gap does to a player who crosses it, as the movement has it.
 const char* words_of(Passage passage) {
     switch (passage) {
-        case Passage::falls:
-            return "; the player falls through it";
-        case Passage::catches:
-            return "; the player catches on it";
-        case Passage::passes:
-            return "; the player passes over it, but rays and small things fall through";
-        case Passage::unknown:
-            break;
+        case Passage::falls: return "; the player falls through it";
+        case Passage::catches: return "; the player catches on it";
+        case Passage::passes: return "; the player passes over it, but rays and small things fall through";
+        case Passage::unknown: break;
     }
     return "; rays and small things fall through";
 }

@@ -1,8 +1,8 @@
 // Functions that all exporters use.
 #pragma once
 
-#include "slipface/exchange/bake.h"
 #include "slipface/exchange/export.h"
+#include "slipface/exchange/name_materials.h"
 
 namespace slipface {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "slipface/exchange/bake.h"
+#include "slipface/exchange/name_materials.h"
 
 namespace slipface {
 

@@ -9,6 +9,7 @@
 #include <exception>
 #include <memory>
 
+#include "png_chunk.h"
 #include "png_limit.h"
 #include "slipface/base/files.h"
 
@@ -57,29 +58,6 @@ Result<GreyImage> decode(std::string_view bytes, const std::string& location, in
     return GreyImage{.width = width, .height = height, .values = {pixels.get(), pixels.get() + count}};
 }
 
-void append_u32(std::string& out, std::uint32_t value) {
-    for (int shift = 24; shift >= 0; shift -= 8)
-        out.push_back(static_cast<char>((value >> shift) & 0xFFU));
-}
-
-std::uint32_t crc32_of(std::string_view bytes) {
-    std::uint32_t crc = 0xFFFFFFFFU;
-    for (const char byte : bytes) {
-        crc ^= static_cast<std::uint8_t>(byte);
-        for (int bit = 0; bit < 8; ++bit)
-            crc = (crc >> 1) ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
-    }
-    return ~crc;
-}
-
-void append_chunk(std::string& png, std::string_view type, std::string_view data) {
-    append_u32(png, static_cast<std::uint32_t>(data.size()));
-    std::string body(type);
-    body += data;
-    png += body;
-    append_u32(png, crc32_of(body));
-}
-
 }  // namespace
 
 Result<GreyImage> decode_grey_image(std::string_view bytes, const std::string& location, int max_side) {
@@ -117,16 +95,10 @@ Status save_grey_png(const std::filesystem::path& path, const GreyImage& image) 
         std::free);
     if (!packed) return Error{path.string(), "the image does not fit into memory"};
 
-    std::string png("\x89PNG\r\n\x1a\n", 8);
-    std::string header;
-    append_u32(header, static_cast<std::uint32_t>(image.width));
-    append_u32(header, static_cast<std::uint32_t>(image.height));
-    header += std::string("\x10\0\0\0\0", 5);  // 16 bits, grey, deflate, no interlace
-    append_chunk(png, "IHDR", header);
-    append_chunk(png, "IDAT",
-                 {reinterpret_cast<const char*>(packed.get()), static_cast<std::size_t>(packed_size)});
-    append_chunk(png, "IEND", "");
-    return write_file_atomic(path, png);
+    return write_file_atomic(
+        path,
+        png_file(static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height), 16, 0,
+                 {reinterpret_cast<const char*>(packed.get()), static_cast<std::size_t>(packed_size)}));
 }
 
 }  // namespace slipface

@@ -9,33 +9,8 @@
 
 namespace slipface {
 
-namespace {
-
-constexpr std::size_t header_chunk_end = 33;
-
-// The compressed pixels; stored in `joined` if they come in several chunks. Nothing if the file is cut off or
-// has chunks that change the meaning of a pixel.
-std::optional<std::string_view> pixel_chunks(std::string_view bytes, std::string& joined) {
-    std::optional<std::string_view> first;
-    for (std::size_t at = header_chunk_end; bytes.size() - at >= 12;) {
-        const std::size_t length = big_endian(bytes, at);
-        if (length > bytes.size() - at - 12) return std::nullopt;
-        const std::string_view type = bytes.substr(at + 4, 4), data = bytes.substr(at + 8, length);
-        if (type == "tRNS") return std::nullopt;
-        if (type == "IEND") return joined.empty() ? first : std::string_view(joined);
-        if (type == "IDAT") {
-            if (first && joined.empty()) joined = *first;
-            if (first) joined += data;
-            if (!first) first = data;
-        }
-        at += 12 + length;
-    }
-    return std::nullopt;
-}
-
-}  // namespace
-
 std::optional<Image> decode_plain_png(std::string_view bytes) {
+    constexpr std::size_t header_chunk_end = 33;
     const std::optional<PngSize> size = png_size(bytes);
     if (!size || size->width == 0 || size->height == 0 || bytes.size() < header_chunk_end)
         return std::nullopt;
@@ -44,13 +19,12 @@ std::optional<Image> decode_plain_png(std::string_view bytes) {
     if (bits != 8 || (color_type != 2 && color_type != 6) || packing != 0 || filtering != 0 ||
         interlaced != 0)
         return std::nullopt;
-    std::string joined;
-    const std::optional<std::string_view> packed = pixel_chunks(bytes, joined);
-    if (!packed) return std::nullopt;
+    const std::optional<PngChunks> chunks = png_chunks(bytes);
+    if (!chunks || !chunks->ended || chunks->transparent_color) return std::nullopt;
 
     const std::size_t step = color_type == 2 ? 3 : 4;
     const std::size_t row_bytes = step * size->width;
-    std::optional<std::string> rows = unpack(*packed, size->height * (row_bytes + 1));
+    std::optional<std::string> rows = unpack(chunks->pixels(), size->height * (row_bytes + 1));
     if (!rows) return std::nullopt;
     Image image{.width = static_cast<int>(size->width), .height = static_cast<int>(size->height), .rgba = {}};
     image.rgba.resize(4 * image.pixel_count());

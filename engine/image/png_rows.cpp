@@ -17,16 +17,11 @@ int paeth(int left, int above, int above_left) {
 
 int predicted(int filter, int left, int above, int above_left) {
     switch (filter) {
-        case 1:
-            return left;
-        case 2:
-            return above;
-        case 3:
-            return (left + above) / 2;
-        case 4:
-            return paeth(left, above, above_left);
-        default:
-            return 0;
+        case 1: return left;
+        case 2: return above;
+        case 3: return (left + above) / 2;
+        case 4: return paeth(left, above, above_left);
+        default: return 0;
     }
 }
 
@@ -53,40 +48,18 @@ void unfilter_bytes(std::span<std::uint8_t> row, std::span<const std::uint8_t> a
 
 void png_filter_row(int filter, std::span<const std::uint8_t> row, std::span<const std::uint8_t> above,
                     std::size_t bytes_per_pixel, std::uint8_t* out) {
-    switch (filter) {
-        case 1:
-            return filter_bytes<1>(row, above, bytes_per_pixel, out);
-        case 2:
-            return filter_bytes<2>(row, above, bytes_per_pixel, out);
-        case 3:
-            return filter_bytes<3>(row, above, bytes_per_pixel, out);
-        case 4:
-            return filter_bytes<4>(row, above, bytes_per_pixel, out);
-        default:
-            std::copy(row.begin(), row.end(), out);
-    }
+    constexpr decltype(&filter_bytes<0>) filters[png_filters] = {
+        filter_bytes<0>, filter_bytes<1>, filter_bytes<2>, filter_bytes<3>, filter_bytes<4>};
+    filters[filter](row, above, bytes_per_pixel, out);
 }
 
 bool png_unfilter_row(int filter, std::span<std::uint8_t> row, std::span<const std::uint8_t> above,
                       std::size_t bytes_per_pixel) {
-    switch (filter) {
-        case 0:
-            return true;
-        case 1:
-            unfilter_bytes<1>(row, above, bytes_per_pixel);
-            return true;
-        case 2:
-            unfilter_bytes<2>(row, above, bytes_per_pixel);
-            return true;
-        case 3:
-            unfilter_bytes<3>(row, above, bytes_per_pixel);
-            return true;
-        case 4:
-            unfilter_bytes<4>(row, above, bytes_per_pixel);
-            return true;
-        default:
-            return false;
-    }
+    constexpr decltype(&unfilter_bytes<0>) filters[png_filters] = {
+        unfilter_bytes<0>, unfilter_bytes<1>, unfilter_bytes<2>, unfilter_bytes<3>, unfilter_bytes<4>};
+    if (filter < 0 || filter >= png_filters) return false;
+    if (filter > 0) filters[filter](row, above, bytes_per_pixel);
+    return true;
 }
 
 }  // namespace slipface

@@ -1,12 +1,12 @@
 // Writing PNG files. Images without transparency are written with three bytes per pixel.
 #include <fmt/format.h>
 
-#include <array>
 #include <cstdlib>
 #include <limits>
 #include <new>
 #include <vector>
 
+#include "png_chunk.h"
 #include "png_rows.h"
 #include "slipface/base/files.h"
 #include "slipface/base/pack.h"
@@ -17,36 +17,6 @@ namespace slipface {
 namespace {
 
 constexpr std::size_t largest_written = std::size_t{1} << 30;
-
-const std::array<std::uint32_t, 256>& crc_table() {
-    static const std::array<std::uint32_t, 256> table = [] {
-        std::array<std::uint32_t, 256> made{};
-        for (std::uint32_t n = 0; n < 256; ++n) {
-            std::uint32_t value = n;
-            for (int bit = 0; bit < 8; ++bit)
-                value = (value & 1U) != 0 ? 0xedb88320U ^ (value >> 1U) : value >> 1U;
-            made[n] = value;
-        }
-        return made;
-    }();
-    return table;
-}
-
-void append_u32(std::string& out, std::uint32_t value) {
-    for (const int shift : {24, 16, 8, 0})
-        out += static_cast<char>(value >> static_cast<unsigned>(shift) & 0xffU);
-}
-
-void append_chunk(std::string& out, std::string_view type, std::string_view data) {
-    append_u32(out, static_cast<std::uint32_t>(data.size()));
-    std::uint32_t crc = 0xffffffffU;
-    for (const std::string_view part : {type, data}) {
-        out += part;
-        for (const char c : part)
-            crc = crc_table()[(crc ^ static_cast<unsigned char>(c)) & 0xffU] ^ (crc >> 8U);
-    }
-    append_u32(out, crc ^ 0xffffffffU);
-}
 
 bool opaque(const Image& image) {
     for (std::size_t i = 3; i < image.rgba.size(); i += 4)
@@ -165,18 +135,9 @@ Result<std::string> encode_png(const Image& image, PngEffort effort) try {
                                             image.width, image.height, image.rgba.size())};
     }
     const Raw raw = raw_bytes(image);
-    std::string header;
-    append_u32(header, static_cast<std::uint32_t>(image.width));
-    append_u32(header, static_cast<std::uint32_t>(image.height));
-    const char color_type = raw.bytes_per_pixel == 3 ? 2 : 6;
-    header +=
-        {8, color_type, 0, 0, 0};  // bits per channel, colour type, compression, filters, not interlaced
-    std::string out = "\x89PNG\r\n\x1a\n";
-    append_chunk(out, "IHDR", header);
-    append_chunk(out, "IDAT",
-                 effort == PngEffort::small ? smallest_packing(raw) : pack(filtered(raw, 2), pack_fast));
-    append_chunk(out, "IEND", "");
-    return out;
+    return png_file(static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height), 8,
+                    raw.bytes_per_pixel == 3 ? 2 : 6,
+                    effort == PngEffort::small ? smallest_packing(raw) : pack(filtered(raw, 2), pack_fast));
 } catch (const std::bad_alloc&) {
     return Error{"picture", "needs more memory than there is"};
 }

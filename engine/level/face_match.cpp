@@ -325,18 +325,10 @@ class Matcher {
     void collect() {
         for (std::size_t i = 0; i < stored_.size(); ++i) {
             switch (found_[i]) {
-                case Stage::exact:
-                    ++result_.summary.exact;
-                    break;
-                case Stage::plane:
-                    ++result_.summary.by_plane;
-                    break;
-                case Stage::nearest:
-                    ++result_.summary.by_nearest;
-                    break;
-                case Stage::none:
-                    add_orphan(i);
-                    break;
+                case Stage::exact: ++result_.summary.exact; break;
+                case Stage::plane: ++result_.summary.by_plane; break;
+                case Stage::nearest: ++result_.summary.by_nearest; break;
+                case Stage::none: add_orphan(i); break;
             }
         }
         for (FaceId face = 0; face < claims_.size(); ++face)

@@ -4,41 +4,28 @@ namespace slipface {
 
 namespace {
 
-void read_setting(JsonReader& reader, const Json& json, const std::string& path, const SettingInfo& info,
-                  MovementSettings& settings) {
+void read_setting(const JsonNode& node, const SettingInfo& info, MovementSettings& settings) {
     double value = 0.0;
     Status status;
     if (std::holds_alternative<bool MovementSettings::*>(info.member)) {
         bool flag = false;
-        if (!reader.boolean(json, path, flag)) return;
-        value = flag ? 1.0 : 0.0;
+        if (!node.boolean(flag)) return;
+        status = set_setting(settings, info, flag ? 1.0 : 0.0);
     } else if (std::holds_alternative<int MovementSettings::*>(info.member)) {
         int whole = 0;
-        if (!reader.integer(json, path, static_cast<int>(info.minimum), static_cast<int>(info.maximum),
-                            whole))
-            return;
-        value = whole;
+        if (!node.integer(static_cast<int>(info.minimum), static_cast<int>(info.maximum), whole)) return;
+        status = set_setting(settings, info, whole);
     } else if (!choice_names(info).empty()) {
         std::string choice;
-        if (!reader.text(json, path, choice)) return;
+        if (!node.text(choice)) return;
         status = set_setting(settings, std::string(info.name) + "=" + choice);
-        if (!status.ok()) reader.fail(Error{reader.location(path), status.error().message});
-        return;
-    } else if (!reader.number(json, path, info.minimum, info.maximum, value)) {
-        return;
+    } else if (node.number(info.minimum, info.maximum, value)) {
+        status = set_setting(settings, info, value);
     }
-    status = set_setting(settings, info, value);
-    if (!status.ok()) reader.fail(Error{reader.location(path), status.error().message});
+    if (!status) node.fail(status.error());
 }
 
 }  // namespace
-
-std::set<std::string_view> setting_names() {
-    std::set<std::string_view> names;
-    for (const SettingInfo& info : settings_table())
-        names.insert(info.name);
-    return names;
-}
 
 Json settings_json(const MovementSettings& settings) {
     Json json = json_object();
@@ -57,14 +44,10 @@ Json settings_json(const MovementSettings& settings) {
     return json;
 }
 
-void read_settings(JsonReader& reader, const Json& json, const std::string& path,
-                   MovementSettings& settings) {
-    if (!reader.object(json, path)) return;
-    for (const SettingInfo& info : settings_table()) {
-        const Json* value = json.find(info.name);
-        if (value != nullptr && reader.ok())
-            read_setting(reader, *value, path + "/" + info.name, info, settings);
-    }
+void read_settings(const JsonNode& node, MovementSettings& settings) {
+    if (!node.object()) return;
+    for (const SettingInfo& info : settings_table())
+        read_setting(node[info.name], info, settings);
 }
 
 }  // namespace slipface

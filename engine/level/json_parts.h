@@ -8,24 +8,17 @@
 //   "sectors": {"size": 1024, "placement": [1000000, 0, 0]}
 #pragma once
 
-#include <set>
-#include <string_view>
+#include <vector>
 
 #include "json_reader.h"
 #include "slipface/level/level.h"
 
 namespace slipface {
 
-inline const std::set<std::string_view> platform_keys{"name", "group", "path", "repeat", "spin", "phase"};
-inline const std::set<std::string_view> path_keys{"offset", "speed", "pause"};
-inline const std::set<std::string_view> spin_keys{"axis", "pivot", "rate"};
-inline const std::set<std::string_view> heightfield_keys{"file", "origin", "size", "low", "high"};
-inline const std::set<std::string_view> sectors_keys{"size", "placement"};
-
-// Each stores its error in the reader; `path` names the value in the error.
-Platform read_platform(JsonReader& reader, const Json& json, const std::string& path);
-HeightfieldSource read_heightfield(JsonReader& reader, const Json& json, const std::string& path);
-SectorLayout read_sectors(JsonReader& reader, const Json& json, const std::string& path);
+// Adds the objects inside to `parts`: points of the path, spin.
+Platform read_platform(const JsonNode& node, std::vector<JsonNode>& parts);
+HeightfieldSource read_heightfield(const JsonNode& node);
+SectorLayout read_sectors(const JsonNode& node);
 
 Json vector_json(const Vec3& vector);
 // path_point_json() and spin_json() write the objects inside, to which unknown members are added.

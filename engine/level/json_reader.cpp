@@ -1,6 +1,7 @@
 #include "json_reader.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "slipface/base/text.h"
 
@@ -18,78 +19,101 @@ bool JsonReader::fail(Error error) {
     return false;
 }
 
-bool JsonReader::fail(const std::string& path, std::string found, std::string expected) {
-    return fail(Error{location(path), "found " + found + ", expected " + expected});
+bool JsonNode::fail(const std::string& found, const std::string& expected) const {
+    return reader_.fail(Error{location(), "found " + found + ", expected " + expected});
 }
 
-bool JsonReader::object(const Json& value, const std::string& path) {
-    if (value.kind == Json::Kind::object) return ok();
-    return fail(path, json_kind_text(value), "an object");
+bool JsonNode::fail(const std::string& expected) const {
+    return fail(json_kind_text(*json_), expected);
 }
 
-bool JsonReader::array(const Json& value, const std::string& path, std::size_t max_size) {
-    if (value.kind != Json::Kind::array) return fail(path, json_kind_text(value), "an array");
-    if (value.items.size() > max_size) {
-        return fail(path, fmt::format("{} elements", value.items.size()),
-                    fmt::format("at most {}", max_size));
-    }
-    return ok();
+bool JsonNode::fail_name(const std::string& name, const std::vector<std::string>& names) const {
+    return fail(fmt::format("\"{}\"", json_excerpt(name)), fmt::format("one of {}", fmt::join(names, ", ")));
 }
 
-bool JsonReader::text(const Json& value, const std::string& path, std::string& out) {
-    if (value.kind != Json::Kind::string) return fail(path, json_kind_text(value), "a string");
-    if (ok()) out = value.text;
-    return ok();
+JsonNode JsonNode::operator[](std::string_view key) const {
+    read_.emplace_back(key);
+    return {reader_, *this ? json_->find(key) : nullptr, fmt::format("{}/{}", path_, key)};
 }
 
-bool JsonReader::boolean(const Json& value, const std::string& path, bool& out) {
-    if (value.kind != Json::Kind::boolean) return fail(path, json_kind_text(value), "true or false");
-    if (ok()) out = value.truth;
-    return ok();
+JsonNode JsonNode::need(std::string_view key) const {
+    JsonNode member = (*this)[key];
+    if (*this && !member) fail(fmt::format("no \"{}\"", key), "one");
+    return member;
 }
 
-bool JsonReader::number(const Json& value, const std::string& path, double minimum, double maximum,
-                        double& out) {
+std::vector<std::size_t> JsonNode::unknown() const {
+    std::vector<std::size_t> members;
+    if (!*this) return members;
+    for (std::size_t i = 0; i < json_->keys.size(); ++i)
+        if (std::find(read_.begin(), read_.end(), json_->keys[i]) == read_.end()) members.push_back(i);
+    return members;
+}
+
+bool JsonNode::object() const {
+    if (!*this) return false;
+    return json_->kind == Json::Kind::object || fail("an object");
+}
+
+bool JsonNode::array(std::size_t max_size) const {
+    if (!*this) return false;
+    if (json_->kind != Json::Kind::array) return fail("an array");
+    if (json_->items.size() > max_size)
+        return fail(fmt::format("{} elements", json_->items.size()), fmt::format("at most {}", max_size));
+    return true;
+}
+
+bool JsonNode::text(std::string& out) const {
+    if (!*this) return false;
+    if (json_->kind != Json::Kind::string) return fail("a string");
+    out = json_->text;
+    return true;
+}
+
+bool JsonNode::boolean(bool& out) const {
+    if (!*this) return false;
+    if (json_->kind != Json::Kind::boolean) return fail("true or false");
+    out = json_->truth;
+    return true;
+}
+
+bool JsonNode::number(double minimum, double maximum, double& out) const {
+    if (!*this) return false;
     const std::optional<double> number =
-        value.kind == Json::Kind::number ? parse_double(value.text) : std::optional<double>();
-    if (!number || !(*number >= minimum && *number <= maximum)) {
-        return fail(path, json_kind_text(value), range_text("a number", minimum, maximum));
-    }
-    if (ok()) out = *number;
-    return ok();
+        json_->kind == Json::Kind::number ? parse_double(json_->text) : std::optional<double>();
+    if (!number || !(*number >= minimum && *number <= maximum))
+        return fail(range_text("a number", minimum, maximum));
+    out = *number;
+    return true;
 }
 
-bool JsonReader::integer(const Json& value, const std::string& path, int minimum, int maximum, int& out) {
+bool JsonNode::number(double minimum, double maximum, std::optional<double>& out) const {
+    double value = 0.0;
+    if (!number(minimum, maximum, value)) return false;
+    out = value;
+    return true;
+}
+
+bool JsonNode::integer(int minimum, int maximum, int& out) const {
+    if (!*this) return false;
     const std::optional<std::int64_t> number =
-        value.kind == Json::Kind::number ? parse_int(value.text) : std::optional<std::int64_t>();
-    if (!number || *number < minimum || *number > maximum) {
-        return fail(path, json_kind_text(value), range_text("a whole number", minimum, maximum));
-    }
-    if (ok()) out = static_cast<int>(*number);
-    return ok();
+        json_->kind == Json::Kind::number ? parse_int(json_->text) : std::optional<std::int64_t>();
+    if (!number || *number < minimum || *number > maximum)
+        return fail(range_text("a whole number", minimum, maximum));
+    out = static_cast<int>(*number);
+    return true;
 }
 
-bool JsonReader::vector(const Json& value, const std::string& path, double limit_low, double limit_high,
-                        Vec3& out) {
-    if (value.kind != Json::Kind::array)
-        return fail(path, json_kind_text(value), "an array of three numbers");
-    if (value.items.size() != 3) {
-        return fail(path, fmt::format("an array of {}", value.items.size()), "an array of three numbers");
-    }
+bool JsonNode::vector(double minimum, double maximum, Vec3& out) const {
+    if (!*this) return false;
+    if (json_->kind != Json::Kind::array) return fail("an array of three numbers");
+    if (json_->items.size() != 3)
+        return fail(fmt::format("an array of {}", json_->items.size()), "an array of three numbers");
     Vec3 read = out;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        double& part = read[static_cast<Eigen::Index>(axis)];
-        if (!number(value.items[axis], path + "/" + std::to_string(axis), limit_low, limit_high, part))
-            return false;
-    }
-    if (ok()) out = read;
-    return ok();
-}
-
-const Json* JsonReader::member(const Json& object, const std::string& path, std::string_view key) {
-    const Json* value = object.find(key);
-    if (value == nullptr) fail(path, fmt::format("no \"{}\"", key), "one");
-    return ok() ? value : nullptr;
+    Eigen::Index axis = 0;
+    each(3, [&](const JsonNode& part) { part.number(minimum, maximum, read[axis++]); });
+    if (reader_.ok()) out = read;
+    return reader_.ok();
 }
 
 }  // namespace slipface

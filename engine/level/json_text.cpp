@@ -148,20 +148,11 @@ bool fits_one_line(const Json& value) {
 // `indent` < 0: everything on one line.
 void write(std::string& out, const Json& value, int indent) {
     switch (value.kind) {
-        case Json::Kind::null:
-            out += "null";
-            return;
-        case Json::Kind::boolean:
-            out += value.truth ? "true" : "false";
-            return;
-        case Json::Kind::number:
-            out += value.text;
-            return;
-        case Json::Kind::string:
-            out += json_quoted(value.text);
-            return;
-        default:
-            break;
+        case Json::Kind::null: out += "null"; return;
+        case Json::Kind::boolean: out += value.truth ? "true" : "false"; return;
+        case Json::Kind::number: out += value.text; return;
+        case Json::Kind::string: out += json_quoted(value.text); return;
+        default: break;
     }
     const bool object = value.kind == Json::Kind::object;
     const bool one_line = indent < 0 || fits_one_line(value);
@@ -202,18 +193,14 @@ Result<Json> parse_json(std::string_view text, const std::string& location, int 
 
 std::string json_kind_text(const Json& value) {
     switch (value.kind) {
-        case Json::Kind::null:
-            return "null";
-        case Json::Kind::boolean:
-            return value.truth ? "true" : "false";
+        case Json::Kind::null: return "null";
+        case Json::Kind::boolean: return value.truth ? "true" : "false";
         case Json::Kind::number:
             return value.text.size() <= 40 ? "the number " + value.text : "a long number";
         case Json::Kind::string:
             return value.text.size() <= 40 ? "the string " + json_quoted(value.text) : "a long string";
-        case Json::Kind::array:
-            return "an array";
-        case Json::Kind::object:
-            return "an object";
+        case Json::Kind::array: return "an array";
+        case Json::Kind::object: return "an object";
     }
     return "";
 }
@@ -277,15 +264,18 @@ Json json_bool(bool value) {
     return json;
 }
 
-Json json_array() {
+Json json_array(std::vector<Json> items) {
     Json json;
     json.kind = Json::Kind::array;
+    json.items = std::move(items);
     return json;
 }
 
-Json json_object() {
+Json json_object(std::initializer_list<std::pair<const char*, Json>> members) {
     Json json;
     json.kind = Json::Kind::object;
+    for (const auto& [key, value] : members)
+        json_add(json, key, value);
     return json;
 }
 

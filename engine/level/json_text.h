@@ -1,8 +1,10 @@
 // JSON for level files: strict reading, stable writing, and nothing lost in between.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "slipface/base/result.h"
@@ -53,8 +55,16 @@ Json json_number(float value);  // with the digits of a float
 Json json_number(std::int64_t value);
 Json json_string(std::string_view text);
 Json json_bool(bool value);
-Json json_array();
-Json json_object();
+Json json_array(std::vector<Json> items = {});
+Json json_object(std::initializer_list<std::pair<const char*, Json>> members = {});
+// The array of what `json_of` makes of each element.
+template <class Range, class JsonOf>
+Json json_array_of(const Range& range, const JsonOf& json_of) {
+    Json array = json_array();
+    for (const auto& element : range)
+        array.items.push_back(json_of(element));
+    return array;
+}
 void json_add(Json& object, std::string_view key, Json value);
 
 }  // namespace slipface

@@ -29,14 +29,10 @@ MaterialSurface material_surface(const Level& level, const std::string& material
 
 const char* surface_source_name(SurfaceSource source) {
     switch (source) {
-        case SurfaceSource::none:
-            return "none";
-        case SurfaceSource::rule:
-            return "rule";
-        case SurfaceSource::suffix:
-            return "suffix";
-        case SurfaceSource::override_:
-            return "override";
+        case SurfaceSource::none: return "none";
+        case SurfaceSource::rule: return "rule";
+        case SurfaceSource::suffix: return "suffix";
+        case SurfaceSource::override_: return "override";
     }
     return "none";
 }

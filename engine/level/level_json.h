@@ -26,7 +26,6 @@
 #pragma once
 
 #include <map>
-#include <set>
 #include <string>
 
 #include "face_match.h"
@@ -50,10 +49,7 @@ Result<ImportTransform> read_import_transform(const Json& root, const std::strin
 Status check_level_version(const Json& root, const std::string& location);
 
 Json light_json(const LevelLight& light);
-// Reads the known members of `json`; errors go to `reader`.
-void read_light(const Json& json, const std::string& path, JsonReader& reader, LevelLight& light);
-// The members that light_json() writes.
-std::set<std::string_view> light_keys();
+void read_light(const JsonNode& node, LevelLight& light);
 
 // A painted face in one line: loop hash, centroid, normal, area, and the copy if it is not 0.
 std::string face_row_text(const FaceKey& key);

@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 
+#include "json_parts.h"
 #include "level_json.h"
 
 namespace slipface {
@@ -33,44 +34,29 @@ constexpr std::array<LightNumber, 3> numbers{{{"texel", &LevelLight::texel_m, 0.
                                               {"sun_size", &LevelLight::sun_size, 0.0, 0.5},
                                               {"haze", &LevelLight::haze_m, 0.0, 1e6}}};
 
-Json vector_json(const Vec3& vector) {
-    Json json = json_array();
-    for (int axis = 0; axis < 3; ++axis)
-        json.items.push_back(json_number(vector[axis]));
-    return json;
-}
-
-void read_geometry(const Json& json, const std::string& path, JsonReader& reader, std::uint64_t& out) {
+void read_geometry(const JsonNode& node, std::uint64_t& out) {
     std::string text;
-    if (!reader.text(json, path, text)) return;
+    if (!node.text(text)) return;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out, 16);
     if (error != std::errc() || end != text.data() + text.size() || text.size() != 16)
-        reader.fail(path, json_quoted(text), "16 hexadecimal digits");
+        node.fail(json_quoted(text), "16 hexadecimal digits");
 }
 
-void read_image(const Json& json, const std::string& path, JsonReader& reader, std::string& out) {
-    if (!reader.text(json, path, out)) return;
+void read_image(const JsonNode& node, std::string& out) {
+    if (!node.text(out)) return;
     // A level from elsewhere must not make the program open any file that it names.
     if (out.find_first_of("/\\:") != std::string::npos || out == ".." || out.find('\0') != std::string::npos)
-        reader.fail(path, json_quoted(out), "a file name in the level's folder");
+        node.fail(json_quoted(out), "a file name in the level's folder");
 }
 
-void read_emitters(const Json& json, const std::string& path, JsonReader& reader, LevelLight& light) {
-    if (!reader.array(json, path, max_emitters)) return;
-    for (std::size_t i = 0; i < json.items.size() && reader.ok(); ++i) {
-        const std::string here = fmt::format("{}/{}", path, i);
-        if (!reader.object(json.items[i], here)) return;
-        const Json* pattern = reader.member(json.items[i], here, "pattern");
-        const Json* color = reader.member(json.items[i], here, "color");
-        LightEmitter emitter;
-        if (pattern == nullptr || color == nullptr ||
-            !reader.text(*pattern, here + "/pattern", emitter.pattern) ||
-            !reader.vector(*color, here + "/color", 0.0, brightest, emitter.color))
-            return;
-        if (const Json* window = json.items[i].find("window"))
-            reader.boolean(*window, here + "/window", emitter.window);
-        light.emitters.push_back(std::move(emitter));
-    }
+LightEmitter read_emitter(const JsonNode& node) {
+    LightEmitter emitter;
+    if (!node.object()) return emitter;
+    const JsonNode pattern = node.need("pattern"), color = node.need("color");
+    pattern.text(emitter.pattern);
+    color.vector(0.0, brightest, emitter.color);
+    node["window"].boolean(emitter.window);
+    return emitter;
 }
 
 }  // namespace
@@ -85,42 +71,25 @@ Json light_json(const LevelLight& light) {
         json_add(json, number.key, json_number(light.*number.member));
     for (const LightVector& vector : vectors)
         json_add(json, vector.key, vector_json(light.*vector.member));
-    Json emitters = json_array();
-    for (const LightEmitter& emitter : light.emitters) {
-        Json item = json_object();
-        json_add(item, "pattern", json_string(emitter.pattern));
-        json_add(item, "color", vector_json(emitter.color));
-        if (emitter.window) json_add(item, "window", json_bool(true));
-        emitters.items.push_back(std::move(item));
-    }
-    json_add(json, "emitters", std::move(emitters));
+    json_add(json, "emitters", json_array_of(light.emitters, [](const LightEmitter& emitter) {
+                 Json item = json_object(
+                     {{"pattern", json_string(emitter.pattern)}, {"color", vector_json(emitter.color)}});
+                 if (emitter.window) json_add(item, "window", json_bool(true));
+                 return item;
+             }));
     return json;
 }
 
-void read_light(const Json& json, const std::string& path, JsonReader& reader, LevelLight& light) {
-    if (!reader.object(json, path)) return;
-    if (const Json* value = json.find("image")) read_image(*value, path + "/image", reader, light.image);
-    if (const Json* value = json.find("geometry"))
-        read_geometry(*value, path + "/geometry", reader, light.geometry);
-    for (const LightNumber& number : numbers) {
-        if (const Json* value = json.find(number.key))
-            reader.number(*value, path + "/" + number.key, number.lowest, number.highest,
-                          light.*number.member);
-    }
-    for (const LightVector& vector : vectors) {
-        if (const Json* value = json.find(vector.key))
-            reader.vector(*value, path + "/" + vector.key, vector.lowest, brightest, light.*vector.member);
-    }
-    if (const Json* value = json.find("emitters")) read_emitters(*value, path + "/emitters", reader, light);
-}
-
-std::set<std::string_view> light_keys() {
-    std::set<std::string_view> keys{"image", "geometry", "emitters"};
+void read_light(const JsonNode& node, LevelLight& light) {
+    if (!node.object()) return;
+    read_image(node["image"], light.image);
+    read_geometry(node["geometry"], light.geometry);
     for (const LightNumber& number : numbers)
-        keys.insert(number.key);
+        node[number.key].number(number.lowest, number.highest, light.*number.member);
     for (const LightVector& vector : vectors)
-        keys.insert(vector.key);
-    return keys;
+        node[vector.key].vector(vector.lowest, brightest, light.*vector.member);
+    node["emitters"].each(max_emitters,
+                          [&](const JsonNode& emitter) { light.emitters.push_back(read_emitter(emitter)); });
 }
 
 }  // namespace slipface

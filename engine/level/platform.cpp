@@ -96,8 +96,8 @@ Aabb platform_reach(const Platform& platform, const Aabb& rest) {
 
 Pose platform_pose(const Platform& platform, double time_s) {
     const double time = std::max(time_s, 0.0) + std::max(platform.phase_s, 0.0);
-    return turned_about(platform.spin_pivot, platform.spin_axis, platform.spin_rate * time,
-                        path_offset(platform, time));
+    return rotation_about(platform.spin_pivot, platform.spin_axis, platform.spin_rate * time,
+                          path_offset(platform, time));
 }
 
 }  // namespace slipface

@@ -88,32 +88,27 @@ Result<Preset> preset_from_json(std::string_view json, const std::string& locati
     JsonReader reader(location);
     Preset preset;
     preset.settings = basic_settings();
-    if (!reader.object(*root, "/")) return reader.error();
+    const JsonNode node(reader, &*root);
+    if (!node.object()) return reader.error();
     int version = 0;
-    if (const Json* value = reader.member(*root, "/", "slipface_preset"))
-        reader.integer(*value, "/slipface_preset", 1, 1, version);
-    if (const Json* value = reader.member(*root, "/", "name")) reader.text(*value, "/name", preset.name);
-    if (const Json* value = root->find("about")) reader.text(*value, "/about", preset.about);
-    const Json* movement = reader.ok() ? reader.member(*root, "/", "movement") : nullptr;
-    if (movement != nullptr) {
-        read_settings(reader, *movement, "/movement", preset.settings);
-        const std::set<std::string_view> names = setting_names();
-        for (const std::string& key : movement->keys) {
-            if (reader.ok() && !names.contains(key))
-                reader.fail("/movement/" + key, "an unknown setting", "a name of docs/settings.md");
-        }
-    }
+    node.need("slipface_preset").integer(1, 1, version);
+    node.need("name").text(preset.name);
+    node["about"].text(preset.about);
+    const JsonNode movement = node.need("movement");
+    read_settings(movement, preset.settings);
+    for (const std::size_t i : movement.unknown())
+        movement[movement.json().keys[i]].fail("an unknown setting", "a name of docs/settings.md");
     if (!reader.ok()) return reader.error();
     return preset;
 }
 
 std::string preset_to_json(const Preset& preset) {
-    Json root = json_object();
-    json_add(root, "slipface_preset", json_number(std::int64_t{1}));
-    json_add(root, "name", json_string(preset.name));
-    json_add(root, "about", json_string(preset.about));
-    json_add(root, "movement", settings_json(preset.settings));
-    return json_pretty(root, 0) + "\n";
+    return json_pretty(json_object({{"slipface_preset", json_number(std::int64_t{1})},
+                                    {"name", json_string(preset.name)},
+                                    {"about", json_string(preset.about)},
+                                    {"movement", settings_json(preset.settings)}}),
+                       0) +
+           "\n";
 }
 
 Result<Preset> load_preset(const std::filesystem::path& path) {

@@ -15,14 +15,11 @@ namespace slipface {
 namespace {
 
 Json surface_json(const SurfaceType& surface) {
-    Json json = json_object();
-    json_add(json, "name", json_string(surface.name));
-    Json color = json_array();
-    for (const float part : surface.color)
-        color.items.push_back(json_number(part));
-    json_add(json, "color", std::move(color));
-    json_add(json, "hatch", json_string(hatch_names[static_cast<std::size_t>(surface.hatch)]));
-    json_add(json, "hotkey", json_number(std::int64_t{surface.hotkey}));
+    Json json =
+        json_object({{"name", json_string(surface.name)},
+                     {"color", json_array_of(surface.color, [](float part) { return json_number(part); })},
+                     {"hatch", json_string(hatch_names[static_cast<std::size_t>(surface.hatch)])},
+                     {"hotkey", json_number(std::int64_t{surface.hotkey})}});
     for (const SurfaceField& field : surface_fields()) {
         if (const auto* flag = std::get_if<bool SurfaceType::*>(&field.member)) {
             json_add(json, field.name, json_bool(surface.**flag));
@@ -114,12 +111,7 @@ Json groups_json(const PaintedFaces& faces, bool packed, UnknownMembers& unknown
         if (typed) json_add(group, "type", json_string(type));
         json_add(group, "material", json_string(material));
         json_add(group, "faces", std::move(rows));
-        if (!packable.empty()) {
-            Json packed_rows = json_array();
-            for (const std::string& row : pack_faces(packable))
-                packed_rows.items.push_back(json_string(row));
-            json_add(group, "packed", std::move(packed_rows));
-        }
+        if (!packable.empty()) json_add(group, "packed", json_array_of(pack_faces(packable), json_string));
         unknown.append_to(group, unknown.location(kind, typed ? type + "/" + material : material));
         groups.items.push_back(std::move(group));
     }
@@ -165,6 +157,19 @@ Json stored_faces_json(std::vector<FaceKey> keys, UnknownMembers& unknown, const
     return groups_json(faces, faces.keys.size() > max_readable_faces, unknown, kind, false);
 }
 
+Json with_unknown(Json json, const UnknownMembers& unknown, const std::string& location) {
+    unknown.append_to(json, location);
+    return json;
+}
+
+// Each element with its unknown members, which are stored by its name.
+template <class List, class JsonOf>
+Json named_json(const List& list, UnknownMembers& unknown, const char* kind, const JsonOf& json_of) {
+    return json_array_of(list, [&](const auto& element) {
+        return with_unknown(json_of(element), unknown, unknown.location(kind, element.name));
+    });
+}
+
 // Hidden faces and selections.
 void append_stored_faces(Json& root, const Level& level, UnknownMembers& unknown) {
     if (level.hidden.empty() && level.selections.empty()) return;
@@ -172,16 +177,13 @@ void append_stored_faces(Json& root, const Level& level, UnknownMembers& unknown
     if (!level.hidden.empty())
         json_add(root, "hidden", stored_faces_json(std::move(sets[0]), unknown, "hidden"));
     if (level.selections.empty()) return;
-    Json selections = json_array();
-    for (std::size_t i = 0; i < level.selections.size(); ++i) {
-        const std::string& name = level.selections[i].name;
-        Json json = json_object();
-        json_add(json, "name", json_string(name));
-        json_add(json, "faces", stored_faces_json(std::move(sets[i + 1]), unknown, "selected/" + name));
-        unknown.append_to(json, unknown.location("selections", name));
-        selections.items.push_back(std::move(json));
-    }
-    json_add(root, "selections", std::move(selections));
+    std::size_t set = 1;
+    json_add(root, "selections",
+             named_json(level.selections, unknown, "selections", [&](const SavedSelection& saved) {
+                 return json_object({{"name", json_string(saved.name)},
+                                     {"faces", stored_faces_json(std::move(sets[set++]), unknown,
+                                                                 "selected/" + saved.name)}});
+             }));
 }
 
 // Relative to the level file's folder if the mesh lies in it, else absolute.
@@ -197,23 +199,17 @@ std::string mesh_name(const Level& level, const std::filesystem::path& file_path
 }
 
 Json platforms_json(const Level& level, UnknownMembers& unknown) {
-    Json platforms = json_array();
-    for (const Platform& platform : level.platforms) {
+    return json_array_of(level.platforms, [&](const Platform& platform) {
         const std::string location = unknown.location("platforms", platform.name);
         Json json = platform_json(platform);
-        Json path = json_array();
-        for (const PathPoint& point : platform.path) {
-            path.items.push_back(path_point_json(point));
-            unknown.append_to(path.items.back(), fmt::format("{}/path/{}", location, path.items.size() - 1));
-        }
-        json_add(json, "path", std::move(path));
-        Json spin = spin_json(platform);
-        unknown.append_to(spin, location + "/spin");
-        json_add(json, "spin", std::move(spin));
-        unknown.append_to(json, location);
-        platforms.items.push_back(std::move(json));
-    }
-    return platforms;
+        std::size_t points = 0;
+        json_add(json, "path", json_array_of(platform.path, [&](const PathPoint& point) {
+                     return with_unknown(path_point_json(point), unknown,
+                                         fmt::format("{}/path/{}", location, points++));
+                 }));
+        json_add(json, "spin", with_unknown(spin_json(platform), unknown, location + "/spin"));
+        return with_unknown(std::move(json), unknown, location);
+    });
 }
 
 Json spawn_json(const Spawn& spawn, bool named) {
@@ -227,52 +223,41 @@ Json spawn_json(const Spawn& spawn, bool named) {
 void append_spawns(Json& root, const Level& level, UnknownMembers& unknown) {
     if (has_spawn(level)) {
         const Spawn main{level.spawn, level.spawn_yaw, level.spawn_name};
-        Json json = spawn_json(main, main.name != Spawn{}.name);
-        unknown.append_to(json, "/spawn");
-        json_add(root, "spawn", std::move(json));
+        json_add(root, "spawn", with_unknown(spawn_json(main, main.name != Spawn{}.name), unknown, "/spawn"));
     }
-    if (!level.more_spawns.empty()) {
-        Json spawns = json_array();
-        for (const Spawn& spawn : level.more_spawns) {
-            spawns.items.push_back(spawn_json(spawn, true));
-            unknown.append_to(spawns.items.back(), unknown.location("spawns", spawn.name));
-        }
-        json_add(root, "spawns", std::move(spawns));
-    }
+    if (!level.more_spawns.empty())
+        json_add(root, "spawns", named_json(level.more_spawns, unknown, "spawns", [](const Spawn& spawn) {
+                     return spawn_json(spawn, true);
+                 }));
     if (level.fall_limit) json_add(root, "fall_limit", json_number(*level.fall_limit));
 }
 
-void append_goals(Json& root, const Level& level, UnknownMembers& unknown) {
-    if (level.goals.empty()) return;
-    Json goals = json_array();
-    for (const Goal& goal : level.goals) {
-        Json json = json_object();
-        json_add(json, "name", json_string(goal.name));
-        json_add(json, "kind", json_string(goal_kind_names[static_cast<std::size_t>(goal.kind)]));
-        json_add(json, "position", vector_json(goal.position));
-        json_add(json, "radius", json_number(goal.radius));
-        if (goal.within_s) json_add(json, "within_s", json_number(*goal.within_s));
-        if (!goal.from.empty()) json_add(json, "from", json_string(goal.from));
-        unknown.append_to(json, unknown.location("goals", goal.name));
-        goals.items.push_back(std::move(json));
-    }
-    json_add(root, "goals", std::move(goals));
+Json goal_json(const Goal& goal) {
+    Json json = json_object({{"name", json_string(goal.name)},
+                             {"kind", json_string(goal_kind_names[static_cast<std::size_t>(goal.kind)])},
+                             {"position", vector_json(goal.position)},
+                             {"radius", json_number(goal.radius)}});
+    if (goal.within_s) json_add(json, "within_s", json_number(*goal.within_s));
+    if (!goal.from.empty()) json_add(json, "from", json_string(goal.from));
+    return json;
+}
+
+Json camera_json(const CameraBookmark& camera) {
+    return json_object({{"name", json_string(camera.name)},
+                        {"eye", vector_json(camera.eye)},
+                        {"target", vector_json(camera.target)},
+                        {"fov_y", json_number(camera.fov_y)}});
 }
 
 // Writes the parts that few levels have, if the level has them.
 void append_parts(Json& root, const Level& level, UnknownMembers& unknown) {
-    append_goals(root, level, unknown);
+    if (!level.goals.empty()) json_add(root, "goals", named_json(level.goals, unknown, "goals", goal_json));
     if (!level.platforms.empty()) json_add(root, "platforms", platforms_json(level, unknown));
-    if (level.heightfield) {
-        Json json = heightfield_json(*level.heightfield);
-        unknown.append_to(json, "/heightfield");
-        json_add(root, "heightfield", std::move(json));
-    }
-    if (!(level.sectors == SectorLayout{})) {
-        Json json = sectors_json(level.sectors);
-        unknown.append_to(json, "/sectors");
-        json_add(root, "sectors", std::move(json));
-    }
+    if (level.heightfield)
+        json_add(root, "heightfield",
+                 with_unknown(heightfield_json(*level.heightfield), unknown, "/heightfield"));
+    if (!(level.sectors == SectorLayout{}))
+        json_add(root, "sectors", with_unknown(sectors_json(level.sectors), unknown, "/sectors"));
 }
 
 }  // namespace
@@ -291,50 +276,22 @@ std::string level_text(const Level& level, const std::filesystem::path& file_pat
 
     append_spawns(root, level, unknown);
 
-    Json surfaces = json_array();
-    for (const SurfaceType& surface : level.surfaces) {
-        Json json = surface_json(surface);
-        unknown.append_to(json, unknown.location("surfaces", surface.name));
-        surfaces.items.push_back(std::move(json));
-    }
-    json_add(root, "surfaces", std::move(surfaces));
-
-    Json rules = json_array();
-    for (const MaterialRule& rule : level.rules) {
-        Json json = json_object();
-        json_add(json, "pattern", json_string(rule.pattern));
-        json_add(json, "type", json_string(rule.type));
-        unknown.append_to(json, unknown.location("rules", rule.pattern));
-        rules.items.push_back(std::move(json));
-    }
-    json_add(root, "rules", std::move(rules));
+    json_add(root, "surfaces", named_json(level.surfaces, unknown, "surfaces", surface_json));
+    json_add(root, "rules", json_array_of(level.rules, [&](const MaterialRule& rule) {
+                 return with_unknown(
+                     json_object({{"pattern", json_string(rule.pattern)}, {"type", json_string(rule.type)}}),
+                     unknown, unknown.location("rules", rule.pattern));
+             }));
     const PaintedFaces painted = painted_faces(level);
     json_add(root, "overrides",
              groups_json(painted, painted.keys.size() > max_readable_faces, unknown, "faces", true));
     json_add(root, "orphans", groups_json(orphaned_faces(level), false, unknown, "faces", true));
     append_stored_faces(root, level, unknown);
 
-    Json cameras = json_array();
-    for (const CameraBookmark& camera : level.cameras) {
-        Json json = json_object();
-        json_add(json, "name", json_string(camera.name));
-        json_add(json, "eye", vector_json(camera.eye));
-        json_add(json, "target", vector_json(camera.target));
-        json_add(json, "fov_y", json_number(camera.fov_y));
-        unknown.append_to(json, unknown.location("cameras", camera.name));
-        cameras.items.push_back(std::move(json));
-    }
-    json_add(root, "cameras", std::move(cameras));
-
-    Json movement = settings_json(level.movement);
-    unknown.append_to(movement, "/movement");
-    json_add(root, "movement", std::move(movement));
+    json_add(root, "cameras", named_json(level.cameras, unknown, "cameras", camera_json));
+    json_add(root, "movement", with_unknown(settings_json(level.movement), unknown, "/movement"));
     append_parts(root, level, unknown);
-    if (level.light) {
-        Json light = light_json(*level.light);
-        unknown.append_to(light, "/light");
-        json_add(root, "light", std::move(light));
-    }
+    if (level.light) json_add(root, "light", with_unknown(light_json(*level.light), unknown, "/light"));
     unknown.append_to(root, "/");
     return json_pretty(root, 0) + "\n";
 }

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "scene.h"
+#include "lit_geometry.h"
 #include "slipface/base/parallel.h"
 
 namespace slipface {
@@ -75,7 +75,7 @@ void fill_gaps(Texels& texels, int width, int height) {
 }  // namespace
 
 struct LightBaker::Impl {
-    LightScene scene;
+    LitGeometry lit;
     std::vector<Vec2> sky_points, sun_points;
     std::vector<std::size_t> first_texel;  // [face + 1]
 
@@ -87,57 +87,57 @@ struct LightBaker::Impl {
 
 // The fraction of the sun that a texel sees, times the cosine; each ray starts at another point of the texel.
 double LightBaker::Impl::sun_fraction(FaceId face, int i, int j) const {
-    const LightChart& chart = scene.charts.charts[face];
-    const double cosine = scene.normal[face].dot(scene.sun);
+    const LightChart& chart = lit.charts.charts[face];
+    const double cosine = lit.normal[face].dot(lit.sun);
     if (cosine <= 0.0) return 0.0;
     const Vec3 side =
-        (std::abs(scene.sun.y()) < 0.9 ? Vec3::UnitY() : Vec3::UnitX()).cross(scene.sun).normalized();
-    const Vec3 other = scene.sun.cross(side);
+        (std::abs(lit.sun.y()) < 0.9 ? Vec3::UnitY() : Vec3::UnitX()).cross(lit.sun).normalized();
+    const Vec3 other = lit.sun.cross(side);
     int seen = 0;
     for (const Vec2& point : sun_points) {
         const Vec3 from =
-            point_on_face(scene, face, chart.texel_position(i + 0.5 * point.x(), j + 0.5 * point.y()));
-        const Vec3 towards = scene.sun + scene.light.sun_size * (point.y() * side - point.x() * other);
-        const auto hit = cast_ray(scene.world, from, towards);
-        if (hit ? scene.window[scene.mesh->face_material[hit->face]] : scene.open) ++seen;
+            point_on_face(lit, face, chart.texel_position(i + 0.5 * point.x(), j + 0.5 * point.y()));
+        const Vec3 towards = lit.sun + lit.light.sun_size * (point.y() * side - point.x() * other);
+        const auto hit = cast_ray(lit.world, from, towards);
+        if (hit ? lit.window[lit.mesh->face_material[hit->face]] : lit.open) ++seen;
     }
     return cosine * seen / static_cast<double>(sun_points.size());
 }
 
 Vec3f LightBaker::Impl::direct(FaceId face, int i, int j) const {
-    const LightChart& chart = scene.charts.charts[face];
-    Vec3 light = sun_fraction(face, i, j) * scene.light.sun_color;
-    const Vec3 from = point_on_face(scene, face, chart.texel_position(i, j));
-    for (const Emitter& emitter : scene.emitters) {
+    const LightChart& chart = lit.charts.charts[face];
+    Vec3 light = sun_fraction(face, i, j) * lit.light.sun_color;
+    const Vec3 from = point_on_face(lit, face, chart.texel_position(i, j));
+    for (const Emitter& emitter : lit.emitters) {
         const Vec3 path = emitter.position - from;
-        const double here = path.dot(scene.normal[face]), there = -path.dot(emitter.normal);
+        const double here = path.dot(lit.normal[face]), there = -path.dot(emitter.normal);
         if (here <= 0.0 || there <= 0.0) continue;
         const double square = path.squaredNorm();
         const double fraction = here * there * emitter.area / (square * (3.14159265 * square + emitter.area));
         if (fraction * emitter.color.maxCoeff() < faintest) continue;
-        if (!cast_ray(scene.world, from, path, 1.0)) light += fraction * emitter.color;
+        if (!cast_ray(lit.world, from, path, 1.0)) light += fraction * emitter.color;
     }
     return light.cast<float>();
 }
 
 // Light from the sky and reflected by other faces. `valid` is set to false if the texel lies behind faces.
 Vec3 LightBaker::Impl::gather(FaceId face, int i, int j, std::span<const Vec3f> known, bool& valid) const {
-    const LightChart& chart = scene.charts.charts[face];
-    const Vec3& normal = scene.normal[face];
-    const Vec3 from = point_on_face(scene, face, chart.texel_position(i, j));
+    const LightChart& chart = lit.charts.charts[face];
+    const Vec3& normal = lit.normal[face];
+    const Vec3 from = point_on_face(lit, face, chart.texel_position(i, j));
     Vec3 sum = Vec3::Zero();
     int behind = 0;
     for (const Vec2& point : sky_points) {
         const Vec3 towards =
             point.x() * chart.u + point.y() * chart.v + std::sqrt(1.0 - point.squaredNorm()) * normal;
-        const auto hit = cast_ray(scene.world, from, towards);
+        const auto hit = cast_ray(lit.world, from, towards);
         if (!hit) {
-            sum += scene.sky(towards);
+            sum += lit.sky(towards);
             continue;
         }
         if (hit->back_face) ++behind;
-        if (scene.glows(hit->face)) continue;  // counted by direct()
-        const LightChart& other = scene.charts.charts[hit->face];
+        if (lit.glows(hit->face)) continue;  // counted by direct()
+        const LightChart& other = lit.charts.charts[hit->face];
         if (other.width == 0) continue;
         const Vec2 at = other.coordinate(hit->point);
         const int x = static_cast<int>(at.x() + 0.5), y = static_cast<int>(at.y() + 0.5);
@@ -146,18 +146,18 @@ Vec3 LightBaker::Impl::gather(FaceId face, int i, int j, std::span<const Vec3f> 
                           : known[first_texel[hit->face] + static_cast<std::size_t>(y * other.width + x)];
         const double square = hit->t * hit->t;
         const Vec3 reflected =
-            falls.cast<double>() + square / (square + occlusion_m * occlusion_m) * scene.light.ambient;
-        sum += reflected.cwiseProduct(scene.albedo[scene.mesh->face_material[hit->face]]);
+            falls.cast<double>() + square / (square + occlusion_m * occlusion_m) * lit.light.ambient;
+        sum += reflected.cwiseProduct(lit.albedo[lit.mesh->face_material[hit->face]]);
     }
     valid = behind <= behind_fraction * static_cast<double>(sky_points.size());
     return sum / static_cast<double>(sky_points.size());
 }
 
 std::vector<std::uint8_t> LightBaker::Impl::face_bytes(FaceId face, std::span<const Vec3f> known) const {
-    const LightChart& chart = scene.charts.charts[face];
+    const LightChart& chart = lit.charts.charts[face];
     const auto count = static_cast<std::size_t>(chart.width) * chart.height;
     Texels texels{std::vector<Vec3>(count, Vec3::Zero()), std::vector<bool>(count, true)};
-    const Vec3& glow = scene.emission[scene.mesh->face_material[face]];
+    const Vec3& glow = lit.emission[lit.mesh->face_material[face]];
     for (int j = 0; j < chart.height; ++j) {
         for (int i = 0; i < chart.width; ++i) {
             const auto at = static_cast<std::size_t>(j * chart.width + i);
@@ -187,14 +187,14 @@ LightBaker::LightBaker(LightBaker&&) noexcept = default;
 LightBaker& LightBaker::operator=(LightBaker&&) noexcept = default;
 
 Result<LightBaker> LightBaker::make(const Level& level, const LightQuality& quality) {
-    Result<LightScene> scene = make_light_scene(level);
-    if (!scene) return scene.error();
+    Result<LitGeometry> lit = make_lit_geometry(level);
+    if (!lit) return lit.error();
     auto impl = std::make_unique<Impl>();
-    impl->scene = std::move(*scene);
+    impl->lit = std::move(*lit);
     impl->sky_points = disc_points(quality.sky_rays);
     impl->sun_points = disc_points(quality.sun_rays);
     std::size_t texels = 0;
-    for (const LightChart& chart : impl->scene.charts.charts) {
+    for (const LightChart& chart : impl->lit.charts.charts) {
         impl->first_texel.push_back(texels);
         texels += static_cast<std::size_t>(chart.width) * chart.height;
     }
@@ -203,11 +203,11 @@ Result<LightBaker> LightBaker::make(const Level& level, const LightQuality& qual
 }
 
 const LightCharts& LightBaker::charts() const {
-    return impl_->scene.charts;
+    return impl_->lit.charts;
 }
 
 Image LightBaker::bake(const std::function<void(double)>& progress) const {
-    const LightCharts& charts = impl_->scene.charts;
+    const LightCharts& charts = impl_->lit.charts;
     const std::size_t faces = charts.charts.size();
     std::vector<Vec3f> known(impl_->first_texel.back(), Vec3f::Zero());
     std::atomic<std::size_t> done = 0;

@@ -98,7 +98,7 @@ void number_by_first_use(const std::vector<Vec3f>& positions, Mesh& mesh) {
     }
 }
 
-void place_corners(PolygonSoup& soup, Mesh& mesh) {
+void set_corners(PolygonSoup& soup, Mesh& mesh) {
     const bool indexed = !soup.corner_vertex.empty();
     Welded welded = weld_positions(indexed ? soup.vertex_position : soup.corner_position);
     std::vector<Vec3f>().swap(soup.corner_position);
@@ -169,7 +169,7 @@ MeshPtr make(PolygonSoup soup) {
     mesh->corner_uv = std::move(soup.corner_uv);
     mesh->materials = std::move(soup.materials);
     mesh->groups = std::move(soup.groups);
-    place_corners(soup, *mesh);
+    set_corners(soup, *mesh);
     cut_faces(*mesh);
     for (const Vec3f& position : mesh->positions)
         mesh->bounds.add(position.cast<double>());

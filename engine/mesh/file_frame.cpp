@@ -7,23 +7,12 @@ namespace slipface {
 Eigen::Matrix3f upright_rotation(UpAxis up) {
     Eigen::Matrix3f rotation = Eigen::Matrix3f::Identity();
     switch (up) {
-        case UpAxis::y:
-            break;
-        case UpAxis::z:
-            rotation << 1, 0, 0, 0, 0, 1, 0, -1, 0;
-            break;
-        case UpAxis::x:
-            rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-            break;
-        case UpAxis::minus_y:
-            rotation << 1, 0, 0, 0, -1, 0, 0, 0, -1;
-            break;
-        case UpAxis::minus_z:
-            rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;
-            break;
-        case UpAxis::minus_x:
-            rotation << 0, 1, 0, -1, 0, 0, 0, 0, 1;
-            break;
+        case UpAxis::y: break;
+        case UpAxis::z: rotation << 1, 0, 0, 0, 0, 1, 0, -1, 0; break;
+        case UpAxis::x: rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1; break;
+        case UpAxis::minus_y: rotation << 1, 0, 0, 0, -1, 0, 0, 0, -1; break;
+        case UpAxis::minus_z: rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0; break;
+        case UpAxis::minus_x: rotation << 0, 1, 0, -1, 0, 0, 0, 0, 1; break;
     }
     return rotation;
 }

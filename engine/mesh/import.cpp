@@ -32,7 +32,7 @@ Result<ImportedSoup> read_soup(const std::filesystem::path& path, std::string by
     if (extension == "obj") {
         auto obj = import_obj(path, std::move(bytes), warnings, progress);
         if (!obj) return obj.error();
-        ImportedSoup imported{.soup = std::move(obj->soup), .through_assimp = obj->through_assimp};
+        ImportedSoup imported{.soup = std::move(*obj)};
         imported.frame.up_reason = "OBJ files have Y up as a rule";
         imported.frame.scale_reason = "OBJ files have no unit: metres";
         return imported;
@@ -106,7 +106,6 @@ Result<ImportedMesh> read_mesh(const std::filesystem::path& path, const ImportOp
     imported.types = std::move(read->types);
     for (std::size_t face = read->drawn_faces; face < imported.mesh->face_count(); ++face)
         imported.undrawn.push_back(static_cast<FaceId>(face));
-    imported.through_assimp = read->through_assimp;
     imported.warnings = warnings.take(path.string());
     return imported;
 }

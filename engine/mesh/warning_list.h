@@ -27,6 +27,14 @@ class WarningList {
     bool full() const { return list_.size() >= limit_; }
     void add_unworded() { ++unlisted_; }
 
+    // An empty list with the same limit, for a part of the work; append() adds it to this one.
+    WarningList empty_copy() const { return WarningList(limit_); }
+    void append(WarningList& later) {
+        for (Diagnostic& warning : std::exchange(later.list_, {}))
+            add(warning.location, std::move(warning.message));
+        unlisted_ += std::exchange(later.unlisted_, 0);
+    }
+
     // Returns the list, ended by the number of warnings that are not listed.
     Warnings take(const std::string& location) {
         if (unlisted_ > 0) list_.push_back({location, fmt::format("{} more warnings", unlisted_)});

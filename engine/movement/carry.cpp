@@ -26,7 +26,7 @@ void move_with_surface(Mover& mover) {
     constexpr double max_angle = 1e3;  // radians per step, a bound for the work
     if (!(std::abs(angle) <= max_angle) || !support.velocity.allFinite()) return;
     const Vec3 r = horizontal(mover.position - support.spin_centre);
-    const Pose turn = turned_about(Vec3::Zero(), Vec3::UnitY(), angle);
+    const Pose turn = rotation_about(Vec3::Zero(), Vec3::UnitY(), angle);
     const Vec3 move = turn.apply(r) - r + support.velocity * mover.dt;
     if (move.isZero(0.0)) return;
     decide(mover, Decision::surface_carried, {.value = move.norm()}, mover.state.ground_face);

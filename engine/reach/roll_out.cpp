@@ -166,23 +166,20 @@ class Roller {
         Cursor cursor = begin;
         switch (random.below(world_.changes() ? 8 : 7)) {
             case 0:
-            case 1:
-                return run_and_branch(begin, full_stick(stick), 12 + random.below(36), &random);
+            case 1: return run_and_branch(begin, full_stick(stick), 12 + random.below(36), &random);
             case 2: {  // a turn before the edge
                 go(cursor, 2 + random.below(20), steer(random), false, false);
                 if (cursor.alive) run_and_branch(cursor, full_stick(stick), 12 + random.below(36), &random);
                 return;
             }
-            case 3:
-                return jump(cursor, stick, hold(random), random.below(48), steer(random));
+            case 3: return jump(cursor, stick, hold(random), random.below(48), steer(random));
             case 4: {  // a jump on landing from a jump
                 const std::uint8_t then = steer(random);
                 for (std::uint32_t i = 0; i < longest_flight; ++i)
                     if (!tick(cursor, stick, i < 2) || (i > 1 && is_held(cursor.state))) break;
                 return jump(cursor, then, hold(random), random.below(48), steer(random));
             }
-            case 5:
-                return void(go(cursor, 10 + random.below(60), stick, false, false));
+            case 5: return void(go(cursor, 10 + random.below(60), stick, false, false));
             case 6: {
                 for (int leg = 0; leg < 6; ++leg) {
                     const bool jumps = random.below(3) == 0;
@@ -190,8 +187,7 @@ class Roller {
                 }
                 return void(go(cursor, longest_flight, steer(random), false, true));
             }
-            default:
-                return void(go(cursor, 10 + random.below(110), stick_at_rest, false, false));
+            default: return void(go(cursor, 10 + random.below(110), stick_at_rest, false, false));
         }
     }
 

@@ -131,7 +131,7 @@ void append_moved_vertices(const Mesh& mesh, std::span<const TriangleId> triangl
         const Vec3 rest = Vec3(vertex.position[0], vertex.position[1], vertex.position[2]) + origin;
         const Vec3f at = (pose.apply(rest) - origin).cast<float>();
         std::copy(at.data(), at.data() + 3, vertex.position);
-        vertex.normal = packed_normal(pose.turn(face_normal(mesh, vertex.face)));
+        vertex.normal = packed_normal(pose.rotate(face_normal(mesh, vertex.face)));
     }
 }
 

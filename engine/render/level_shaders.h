@@ -11,11 +11,11 @@ namespace slipface {
 
 inline constexpr const char* background_vertex_shader = R"(#version 330 core
 out float height;
-out vec2 place;
+out vec2 screen_position;
 void main() {
     vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
     height = 0.5 + 0.5 * corner.y;
-    place = corner;
+    screen_position = corner;
     gl_Position = vec4(corner, 0.0, 1.0);
 }
 )";
@@ -23,7 +23,7 @@ void main() {
 // A gradient over the image, or the level's sky in the direction of each pixel.
 inline constexpr const char* background_fragment_shader = R"(#version 330 core
 in float height;
-in vec2 place;
+in vec2 screen_position;
 uniform vec3 top;
 uniform vec3 bottom;
 uniform int sky;
@@ -36,7 +36,7 @@ out vec4 out_color;
 void main() {
     out_color = vec4(mix(bottom, top, smoothstep(0.0, 1.0, height)), 1.0);
     if (sky == 0) return;
-    vec3 d = normalize((direction_from_screen * vec4(place, 1.0, 0.0)).xyz);
+    vec3 d = normalize((direction_from_screen * vec4(screen_position, 1.0, 0.0)).xyz);
     float up = clamp(d.y, 0.0, 1.0);
     vec3 color = mix(sky_horizon, sky_zenith, up * (2.0 - up));
     color *= 1.0 - 0.45 * smoothstep(0.0, 0.35, -d.y);
@@ -62,15 +62,15 @@ uniform usampler2D face_state;
 uniform sampler2D light_charts;
 uniform vec4 eye;                 // w 1: position; w 0: direction towards an orthographic camera
 uniform float depth_bias;         // clip space, towards the eye if added
-out vec3 place;
-out vec2 texture_place;
+out vec3 world_position;
+out vec2 texture_position;
 flat out vec3 face_normal;
 flat out vec3 face_color;
 #ifdef PAINTED
 flat out uvec2 state;
 #endif
 #ifdef LIT
-out vec2 light_place;             // texels from the chart's first texel centre
+out vec2 light_texel;             // texels from the chart's first texel centre
 flat out vec4 light_chart;        // first texel centre, texels to the last one
 #endif
 
@@ -81,19 +81,19 @@ void main() {
     vec4 u = texelFetch(light_charts, at, 0);
     vec4 v = texelFetch(light_charts, at + ivec2(1, 0), 0);
     light_chart = texelFetch(light_charts, at + ivec2(2, 0), 0);
-    light_place = vec2(dot(u.xyz, position) + u.w, dot(v.xyz, position) + v.w);
+    light_texel = vec2(dot(u.xyz, position) + u.w, dot(v.xyz, position) + v.w);
 #endif
-    place = position;
-    texture_place = uv;
+    world_position = position;
+    texture_position = uv;
     face_normal = normal.xyz;
     face_color = color.rgb;
     gl_Position = clip_from_local * vec4(position, 1.0);
-    // Where two faces lie back to back in one place, the front is shown.
+    // Where two faces lie back to back at one position, the front is shown.
     if (dot(normal.xyz, eye.xyz - eye.w * position) < 0.0) gl_Position.z -= depth_bias;
 #ifdef PAINTED
     int row = textureSize(face_state, 0).x;
     state = texelFetch(face_state, ivec2(int(face) % row, int(face) / row), 0).rg;
-    // A hidden face has all its corners in one place outside the picture.
+    // A hidden face has all its corners at one position outside the picture.
     if ((state.y & 4u) != 0u) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 #endif
 }
@@ -102,8 +102,8 @@ void main() {
 // Colours are squared to be lit and take the square root at the end: close to sRGB, and exact operations, so
 // that every processor gives the same pixels.
 inline constexpr const char* level_fragment_shader_head = R"(
-in vec3 place;
-in vec2 texture_place;
+in vec3 world_position;
+in vec2 texture_position;
 flat in vec3 face_normal;
 flat in vec3 face_color;
 #ifdef PAINTED
@@ -123,12 +123,12 @@ uniform float haze;               // metres; 0: none
 out vec4 out_color;
 
 #ifdef LIT
-in vec2 light_place;
+in vec2 light_texel;
 flat in vec4 light_chart;
-// The baked light of this place. Clamped to the face's own texels: where a pixel is drawn at the border of a face, its place
+// The baked light at this position. Clamped to the face's own texels: where a pixel is drawn at the border of a face, its position
 // may lie beside it.
 vec3 baked_light() {
-    vec2 texel = light_chart.xy + clamp(light_place, vec2(0.0), light_chart.zw);
+    vec2 texel = light_chart.xy + clamp(light_texel, vec2(0.0), light_chart.zw);
     vec3 encoded = texture(light_map, texel / vec2(textureSize(light_map, 0))).rgb;
     return 2.0 * encoded * encoded;
 }
@@ -166,10 +166,10 @@ float hatch(int pattern, vec2 p, float change) {
 inline constexpr const char* level_fragment_shader_main = R"(
 // World planes, not the face's own: neighbours continue each other's pattern. Floors win ties, so that a ramp of 45 degrees
 // has one pattern.
-vec2 plane_place(vec3 n) {
+vec2 plane_position(vec3 n) {
     vec3 a = abs(n);
-    if (a.y * 1.1 >= max(a.x, a.z)) return vec2(place.x, -place.z);
-    return a.x > a.z * 1.001 ? vec2(-place.z, place.y) : vec2(place.x, place.y);
+    if (a.y * 1.1 >= max(a.x, a.z)) return vec2(world_position.x, -world_position.z);
+    return a.x > a.z * 1.001 ? vec2(-world_position.z, world_position.y) : vec2(world_position.x, world_position.y);
 }
 
 // The pattern at the power-of-two size that suits the distance, blended from one size to the next.
@@ -214,7 +214,7 @@ vec3 walk_color(float up, float limit) {
 void main() {
     bool back = !gl_FrontFacing;
     vec3 n = back ? -face_normal : face_normal;
-    vec2 p = plane_place(face_normal);
+    vec2 p = plane_position(face_normal);
 
     float sky = 0.5 + 0.5 * n.y;
     float key = max(dot(n, vec3(0.6015, 0.7018, 0.3810)) * 0.8 + 0.2, 0.0);
@@ -228,7 +228,7 @@ void main() {
     const vec3 baked = vec3(1.0);
 #endif
 #ifdef TEXTURED
-    vec4 texel = texture(material_texture, texture_place);
+    vec4 texel = texture(material_texture, texture_position);
     vec3 base = texel.rgb * texel.rgb * (lit ? baked : mix(vec3(1.0), light, 0.72));
 #else
     vec3 albedo = use_color == 1 ? face_color * face_color : vec3(0.46, 0.47, 0.49);
@@ -273,7 +273,7 @@ void main() {
     }
 
     vec3 shown = sqrt(clamp(base, 0.0, 1.0));
-    float away = distance(eye.xyz, place) * eye.w;
+    float away = distance(eye.xyz, world_position) * eye.w;
     float fade = 0.30 * smoothstep(fade_range.x, fade_range.y, away);
 #ifdef LIT
     fade = haze > 0.0 ? 0.9 * away * away / (away * away + haze * haze) : 0.0;

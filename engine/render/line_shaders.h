@@ -25,9 +25,9 @@ flat out float half_width;
 flat out float line_kind;
 flat out float head;
 flat out float segment_length;
-noperspective out vec2 place;  // pixels: along the segment from a, across it
+noperspective out vec2 pixel_position;  // pixels: along the segment from a, across it
 
-// The part of a segment behind the near plane has no place on the screen.
+// The part of a segment behind the near plane has no position on the screen.
 vec4 clipped(vec4 a, vec4 b) {
     float da = a.z + a.w;
     float db = b.z + b.w;
@@ -57,7 +57,7 @@ void main() {
     bool at_b = (gl_VertexID & 1) != 0;
     float side = (gl_VertexID & 2) != 0 ? 1.0 : -1.0;
     float extension = kind > 0.5 ? reach : 0.0;
-    place = vec2(at_b ? segment_length + extension : -extension, side * reach);
+    pixel_position = vec2(at_b ? segment_length + extension : -extension, side * reach);
 
     line_color = vec4(color.rgb, color.a * opacity);
     if (shortest > 0.0) line_color.a *= smoothstep(shortest, 4.0 * shortest, segment_length);
@@ -79,16 +79,16 @@ flat in float half_width;
 flat in float line_kind;
 flat in float head;
 flat in float segment_length;
-noperspective in vec2 place;
+noperspective in vec2 pixel_position;
 out vec4 out_color;
 
 void main() {
     float end = segment_length - 0.7 * head;
-    float beyond = line_kind > 0.5 ? max(max(-place.x, place.x - end), 0.0) : 0.0;
-    float coverage = clamp(half_width + 0.5 - length(vec2(beyond, place.y)), 0.0, 1.0);
+    float beyond = line_kind > 0.5 ? max(max(-pixel_position.x, pixel_position.x - end), 0.0) : 0.0;
+    float coverage = clamp(half_width + 0.5 - length(vec2(beyond, pixel_position.y)), 0.0, 1.0);
     if (head > 0.0) {
-        float sides = (0.45 * (segment_length - place.x) - abs(place.y)) * 0.912 + 0.5;
-        float base = place.x - (segment_length - head) + 0.5;
+        float sides = (0.45 * (segment_length - pixel_position.x) - abs(pixel_position.y)) * 0.912 + 0.5;
+        float base = pixel_position.x - (segment_length - head) + 0.5;
         coverage = max(coverage, clamp(min(sides, base), 0.0, 1.0));
     }
     if (coverage <= 0.0) discard;

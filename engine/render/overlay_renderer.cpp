@@ -34,9 +34,9 @@ bool drawable(const Overlay::Ellipsoid& e) {
 }
 
 // Indices of `items` from the farthest to the nearest; a stable order.
-template <class Item, class Place>
+template <class Item, class Position>
 std::vector<std::size_t> far_to_near(const std::vector<Item>& items, const Camera& camera,
-                                     const Place& position) {
+                                     const Position& position) {
     std::vector<double> depth(items.size());
     const Vec3 forward = camera.target - camera.eye;
     for (std::size_t i = 0; i < items.size(); ++i)

@@ -29,18 +29,18 @@ layout(location = 0) in vec3 position;
 uniform mat4 clip_from_local;
 uniform vec3 centre;
 uniform vec3 radii;
-out vec3 place;
+out vec3 surface_position;
 out vec3 normal;
 void main() {
-    place = centre + radii * position;
+    surface_position = centre + radii * position;
     normal = position / radii;
-    gl_Position = clip_from_local * vec4(place, 1.0);
+    gl_Position = clip_from_local * vec4(surface_position, 1.0);
 }
 )";
 
 // Like a soap bubble: clear in the middle, denser towards the rim.
 inline constexpr const char* ellipsoid_fragment_shader = R"(#version 330 core
-in vec3 place;
+in vec3 surface_position;
 in vec3 normal;
 uniform vec4 fill;
 uniform vec4 eye;  // w 1: the eye is the origin; w 0: direction towards it
@@ -48,7 +48,7 @@ uniform float opacity;
 out vec4 out_color;
 void main() {
     vec3 n = normalize(normal);
-    vec3 to_eye = normalize(eye.xyz - eye.w * place);
+    vec3 to_eye = normalize(eye.xyz - eye.w * surface_position);
     float facing = clamp(dot(n, to_eye), 0.0, 1.0);
     float rim = (1.0 - facing) * (1.0 - facing);
     float light = 0.72 + 0.28 * clamp(dot(n, vec3(0.3714, 0.7985, 0.4737)), -0.6, 1.0);

@@ -93,8 +93,7 @@ std::optional<Cure> repair_of(const Level& level, const Problem& problem, const 
                 fmt::format("Flatten the {} step of {}", size_text(height), thing_text(names, problem.face)),
                 std::move(changed), problem.position, height / radius);
         }
-        default:
-            return std::nullopt;
+        default: return std::nullopt;
     }
 }
 

@@ -94,7 +94,7 @@ std::vector<Pose> rides_of(std::span<const MovingPart> platforms) {
         Pose& ride = rides.emplace_back();
         if (part.begin == part.end) continue;
         for (std::size_t axis = 0; axis < 3; ++axis)
-            ride.columns[axis] = part.end.turn(part.begin.turn_back(ride.columns[axis]));
+            ride.columns[axis] = part.end.rotate(part.begin.rotate_back(ride.columns[axis]));
         ride.offset = part.end.apply(part.begin.undo(Vec3::Zero()));
     }
     return rides;

@@ -35,7 +35,7 @@ constexpr RunChannel channels[] = {
      [](const TapeRun& run, std::size_t tick) { return at(run, tick).velocity.z(); }},
     {"speed", "Speed", "m/s", "Length of the velocity", false,
      [](const TapeRun& run, std::size_t tick) { return at(run, tick).velocity.norm(); }},
-    {"level_speed", "Horizontal speed", "m/s", "Length of the horizontal part of the velocity", false,
+    {"horizontal_speed", "Horizontal speed", "m/s", "Length of the horizontal part of the velocity", false,
      [](const TapeRun& run, std::size_t tick) {
          const Vec3& v = at(run, tick).velocity;
          return std::sqrt(v.x() * v.x() + v.z() * v.z());

@@ -47,19 +47,13 @@ constexpr std::array<NumberRow, 13> number_rows{{
 // Whether a number is what a designer would look at first for such a stop.
 bool fits(const Loss& loss, std::string_view number) {
     switch (loss.cause) {
-        case StopCause::step:
-            return number == (loss.in_air ? "jump_speed" : "step_height");
+        case StopCause::step: return number == (loss.in_air ? "jump_speed" : "step_height");
         case StopCause::slope:
-        case StopCause::terrain:
-            return number == "max_slope";
-        case StopCause::gap:
-            return number == "radius_x";
-        case StopCause::overhead:
-            return number == "radius_y";
-        case StopCause::wall:
-            return loss.in_air && number == "jump_speed";
-        default:
-            return false;
+        case StopCause::terrain: return number == "max_slope";
+        case StopCause::gap: return number == "radius_x";
+        case StopCause::overhead: return number == "radius_y";
+        case StopCause::wall: return loss.in_air && number == "jump_speed";
+        default: return false;
     }
 }
 

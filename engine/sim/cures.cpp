@@ -285,9 +285,7 @@ struct CureSearch::Impl {
                 as_is_m = t.advanced_m;
                 phase = Phase::whole_as_is;
                 return start_whole({});
-            case Phase::whole_as_is:
-                whole_as_is = t;
-                return next_candidate();
+            case Phase::whole_as_is: whole_as_is = t; return next_candidate();
             case Phase::plain:
                 judge(trying, t);
                 keep(trying);
@@ -313,8 +311,7 @@ struct CureSearch::Impl {
                 weigh(found[index], t);
                 ++index;
                 return next_whole();
-            case Phase::finished:
-                return;
+            case Phase::finished: return;
         }
     }
 };
@@ -348,13 +345,6 @@ bool CureSearch::advance(std::size_t ticks) {
 const std::vector<Cure>& CureSearch::cures() const {
     static const std::vector<Cure> none;
     return done() ? impl_->found : none;
-}
-
-std::vector<Cure> find_cures(const Level& level, const TapeRun& run, const Stop& stop) {
-    CureSearch search(level, run, stop);
-    while (!search.advance(TapeRun::max_ticks)) {
-    }
-    return search.cures();
 }
 
 Status apply_cure(Level& level, const Cure& cure) {

@@ -113,29 +113,18 @@ class Reader {
             case Decision::still_stuck:
                 if (!heading_.isZero(0.0)) special(StopCause::sticky, index, decision);
                 break;
-            case Decision::ladder_wall_above:
-                special(StopCause::ladder_end, index, decision);
-                break;
-            case Decision::hazard_touched:
-                special(StopCause::hazard, index, decision);
-                break;
+            case Decision::ladder_wall_above: special(StopCause::ladder_end, index, decision); break;
+            case Decision::hazard_touched: special(StopCause::hazard, index, decision); break;
             case Decision::never_inside:
             case Decision::nudge_failed:
             case Decision::push_out_off:
                 if (!special_) special(StopCause::inside, index, decision);
                 break;
-            case Decision::platform_crushed:
-                special(StopCause::platform, index, decision);
-                break;
-            case Decision::terrain_wall:
-                special(StopCause::terrain, index, decision);
-                break;
+            case Decision::platform_crushed: special(StopCause::platform, index, decision); break;
+            case Decision::terrain_wall: special(StopCause::terrain, index, decision); break;
             case Decision::wall:
-            case Decision::too_steep_to_stand:
-                steep_.push_back(decision);
-                break;
-            default:
-                break;
+            case Decision::too_steep_to_stand: steep_.push_back(decision); break;
+            default: break;
         }
     }
     void take(std::size_t, const PushOutRecord&) {}

@@ -105,8 +105,7 @@ std::uint64_t hacks_acted(const TraceRecord& record) {
                 static const std::uint64_t bit = bit_of("keep_energy");
                 return bit;
             }
-            default:
-                return 0;
+            default: return 0;
         }
     }
     if (std::holds_alternative<PushOutRecord>(record)) {

@@ -157,9 +157,7 @@ void write_headline(Stop& stop, const MovementSettings& settings, const StoryNam
         words.say(". ").decision(*loss.because);
     };
     switch (loss.cause) {
-        case StopCause::wall:
-            words.say("A wall of ").say(what).say(" stopped you");
-            break;
+        case StopCause::wall: words.say("A wall of ").say(what).say(" stopped you"); break;
         case StopCause::back:
             words.say("The back of ").say(what).say(" stopped you: it collides from both sides");
             break;
@@ -190,9 +188,7 @@ void write_headline(Stop& stop, const MovementSettings& settings, const StoryNam
             words.say("You are held between ").say(what).say(" and ").say(thing_text(names, loss.other));
             words.say(": you are ").size(2.0 * std::max(settings.radii.x(), settings.radii.z())).say(" wide");
             break;
-        case StopCause::sticky:
-            words.say("The sticky ").say(what).say(" holds you until you jump");
-            break;
+        case StopCause::sticky: words.say("The sticky ").say(what).say(" holds you until you jump"); break;
         case StopCause::carried:
             words.say("The moving surface of ").say(what).say(" carried you against the stick");
             break;
@@ -201,9 +197,7 @@ void write_headline(Stop& stop, const MovementSettings& settings, const StoryNam
             if (loss.surface < names.surfaces.size())
                 words.say(": friction ").ratio(names.surfaces[loss.surface].friction);
             break;
-        case StopCause::platform:
-            words.say("The moving platform ").say(what).say(" stopped you");
-            break;
+        case StopCause::platform: words.say("The moving platform ").say(what).say(" stopped you"); break;
         case StopCause::ladder_end:
             words.say("The ladder ends: the wall above it, ").say(what).say(", cannot be climbed");
             break;
@@ -218,9 +212,7 @@ void write_headline(Stop& stop, const MovementSettings& settings, const StoryNam
             words.say("The terrain stopped you");
             because();
             break;
-        case StopCause::hazard:
-            words.say("The hazard ").say(what).say(" sent you back to the start");
-            break;
+        case StopCause::hazard: words.say("The hazard ").say(what).say(" sent you back to the start"); break;
         case StopCause::fall:
             words.say("You fell out of the level");
             if (loss.face != no_id) words.say(", last from ").say(what);

@@ -57,18 +57,12 @@ StoryLine end_line(const TickTrace& trace, const StoryNames& names) {
 
 const char* sweep_title(const SweepRecord& sweep) {
     switch (sweep.pass) {
-        case Pass::slide:
-            return "whole move";
-        case Pass::horizontal:
-            return "across";
-        case Pass::vertical:
-            return sweep.move.y() > 0.0 ? "up" : "down";
-        case Pass::probe:
-            return "check";
-        case Pass::step:
-            return sweep.move.y() > 0.0 ? "lift" : "drop";
-        case Pass::snap:
-            return "snap down";
+        case Pass::slide: return "whole move";
+        case Pass::horizontal: return "across";
+        case Pass::vertical: return sweep.move.y() > 0.0 ? "up" : "down";
+        case Pass::probe: return "check";
+        case Pass::step: return sweep.move.y() > 0.0 ? "lift" : "drop";
+        case Pass::snap: return "snap down";
     }
     return "";
 }
@@ -102,10 +96,8 @@ bool is_routine(Decision kind) {
         case Decision::slope_speed_kept:
         case Decision::slope_speed_off:
         case Decision::seam_stands_out:
-        case Decision::terrain_above:
-            return true;
-        default:
-            return false;
+        case Decision::terrain_above: return true;
+        default: return false;
     }
 }
 
@@ -114,10 +106,10 @@ bool is_trouble(Decision kind) {
            kind == Decision::platform_crushed || kind == Decision::slides_used_up;
 }
 
-class Teller {
+class StoryWriter {
   public:
-    Teller(const StoryNames& names, const MovementSettings& settings, const TickTrace* tick,
-           std::span<const TraceRecord> records, std::vector<StoryLine>& lines)
+    StoryWriter(const StoryNames& names, const MovementSettings& settings, const TickTrace* tick,
+                std::span<const TraceRecord> records, std::vector<StoryLine>& lines)
         : names_(names), settings_(settings), tick_(tick), records_(records), lines_(lines) {}
 
     void describe(std::size_t index) {
@@ -214,20 +206,13 @@ class Teller {
 
     static const char* rule_sentence(Rule rule) {
         switch (rule) {
-            case Rule::slide:
-                return "Slid along it";
-            case Rule::bounce:
-                return "Bounced off it";
-            case Rule::straight_ahead:
-                return "Continued straight ahead on it";
-            case Rule::keep_energy:
-                return "Deflected along it without loss of speed";
-            case Rule::stick:
-                return "Stuck to it";
-            case Rule::crease:
-                return "Slid along the crease of two faces";
-            case Rule::stop:
-                return "Stopped at it";
+            case Rule::slide: return "Slid along it";
+            case Rule::bounce: return "Bounced off it";
+            case Rule::straight_ahead: return "Continued straight ahead on it";
+            case Rule::keep_energy: return "Deflected along it without loss of speed";
+            case Rule::stick: return "Stuck to it";
+            case Rule::crease: return "Slid along the crease of two faces";
+            case Rule::stop: return "Stopped at it";
         }
         return "";
     }
@@ -284,7 +269,7 @@ class Teller {
 std::vector<StoryLine> describe_records(std::span<const TraceRecord> records, const StoryNames& names,
                                         const MovementSettings& settings, const TickTrace* tick) {
     std::vector<StoryLine> lines;
-    Teller teller(names, settings, tick, records, lines);
+    StoryWriter writer(names, settings, tick, records, lines);
     // The seam filter records its decision before the sweep that touched; the story has it after the sweep.
     const auto of_next_sweep = [&](std::size_t i) {
         const auto* decision = std::get_if<DecisionRecord>(&records[i]);
@@ -294,9 +279,9 @@ std::vector<StoryLine> describe_records(std::span<const TraceRecord> records, co
         std::size_t sweep = i;
         while (sweep < records.size() && of_next_sweep(sweep))
             ++sweep;
-        if (sweep < records.size()) teller.describe(sweep);
+        if (sweep < records.size()) writer.describe(sweep);
         for (; i < sweep; ++i)
-            teller.describe(i);
+            writer.describe(i);
     }
     return lines;
 }

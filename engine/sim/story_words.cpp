@@ -46,21 +46,16 @@ Shown shown_length(double metres, double largest) {
 
 Shown shown(DecisionUnit unit, double value, double largest) {
     switch (unit) {
-        case DecisionUnit::metres:
-            return shown_length(value, largest);
-        case DecisionUnit::speed:
-            return {value, " m/s", 2, true};
-        case DecisionUnit::seconds:
-            return {value, " s", 3, true};
-        case DecisionUnit::percent:
-            return {100.0 * value, " %", 0, true};
+        case DecisionUnit::metres: return shown_length(value, largest);
+        case DecisionUnit::speed: return {value, " m/s", 2, true};
+        case DecisionUnit::seconds: return {value, " s", 3, true};
+        case DecisionUnit::percent: return {100.0 * value, " %", 0, true};
         case DecisionUnit::slope:
         case DecisionUnit::angle:
             return {std::acos(std::clamp(value, -1.0, 1.0)) * degrees_per_radian, "\u00b0", 1, true};
         case DecisionUnit::lift:
             return {std::asin(std::clamp(value, -1.0, 1.0)) * degrees_per_radian, "\u00b0", 1, true};
-        case DecisionUnit::no_unit:
-            break;
+        case DecisionUnit::no_unit: break;
     }
     return {value, "", 2, true};
 }

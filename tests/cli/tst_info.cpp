@@ -96,7 +96,7 @@ TEST_F(Info, ListsTexturesThatCannotBeUsed) {
         "material \"secret\": the texture \"../outside.png\" lies outside the level's folder: not read");
 }
 
-TEST_F(Info, ListsWarningsWithTheirPlace) {
+TEST_F(Info, ListsWarningsWithTheirLocation) {
     write("floor.slipface.json", R"({"slipface": 1, "studio": 1})");
     ASSERT_EQ(run(level, true), cli::exit_fine) << err.str();
     bool found = false;

@@ -86,7 +86,7 @@ TEST_F(Simulate, TellsWhatHappenedInATick) {
     EXPECT_THAT(out.str(), HasSubstr("Jumped at "));
     EXPECT_THAT(out.str(), HasSubstr("Ends: in the air"));
     EXPECT_EQ(describe(70), cli::exit_bad_input);
-    EXPECT_THAT(err.str(), HasSubstr("--tell: found tick 70, expected one from 0 to 69"));
+    EXPECT_THAT(err.str(), HasSubstr("--describe: found tick 70, expected one from 0 to 69"));
 }
 
 TEST_F(Simulate, ATapeThatNamesItsEndIsATest) {

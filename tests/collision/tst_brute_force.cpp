@@ -188,34 +188,21 @@ TEST_F(BruteForceAgreement, BatchesWithQueriesOfEveryKind) {
         const Vec3 direction = random.direction();
         Sweep sweep{Vec3(0.4, 0.9, 0.4), from, random.uniform(0.1, 30) * direction};
         switch (i % 12) {
-            case 0:
-                sweep.move = Vec3::Zero();
-                break;
-            case 1:
-                sweep.move.x() = nan;
-                break;
-            case 2:
-                sweep.from.y() = std::numeric_limits<double>::infinity();
-                break;
-            case 3:
-                sweep.radii.z() = 0.0;
-                break;
-            case 4:
-                sweep.radii = Vec3(1e-16, 1e-16, 1e-16);
-                break;
+            case 0: sweep.move = Vec3::Zero(); break;
+            case 1: sweep.move.x() = nan; break;
+            case 2: sweep.from.y() = std::numeric_limits<double>::infinity(); break;
+            case 3: sweep.radii.z() = 0.0; break;
+            case 4: sweep.radii = Vec3(1e-16, 1e-16, 1e-16); break;
             case 5:
                 sweep.from.y() = 1e17;
                 sweep.move = Vec3(0, -2e17, 0);
                 break;
-            case 6:
-                sweep.radii = Vec3(1e-9, 1e-9, 1e-9);
-                break;
+            case 6: sweep.radii = Vec3(1e-9, 1e-9, 1e-9); break;
             case 7:
                 sweep.from.y() = 1e6;
                 sweep.move = Vec3(0, -2e6, 0);
                 break;
-            default:
-                break;
+            default: break;
         }
         sweeps.push_back(sweep);
     }

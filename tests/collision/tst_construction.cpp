@@ -81,7 +81,7 @@ TEST(Construction, ALineOfPoints) {
 }
 
 // No plane parts them: they are halved.
-TEST(Construction, AllInOnePlace) {
+TEST(Construction, AllAtOnePosition) {
     Soup soup;
     for (int i = 0; i < 20000; ++i)
         soup.add({1, 2, 3}, {2, 2, 3}, {1, 2, 4});

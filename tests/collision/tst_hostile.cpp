@@ -47,7 +47,7 @@ TEST(Hostile, QueriesThatAreNotFiniteTouchNothing) {
     EXPECT_TRUE(world.triangles_in(box).empty());
 }
 
-TEST(Hostile, RadiiMovesAndPlacesOfEverySize) {
+TEST(Hostile, RadiiMovesAndPositionsOfEverySize) {
     Random random(22);
     for (const double size : {1e-38, 1e-20, 1e-6, 1.0, 1e7, 1e20, 1e38}) {
         Soup soup;
@@ -85,7 +85,7 @@ TEST(Hostile, RadiiMovesAndPlacesOfEverySize) {
     }
 }
 
-TEST(Hostile, BuildRefusesWithThePlace) {
+TEST(Hostile, BuildRefusesWithTheLocation) {
     Soup soup;
     soup.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     soup.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0});

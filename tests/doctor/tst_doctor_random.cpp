@@ -190,9 +190,7 @@ TEST(DoctorRandom, FindsNothingInCleanScenes) {
             ++scenes;
         };
         switch (seed % 4) {
-            case 0:
-                check(room(random), "room");
-                break;
+            case 0: check(room(random), "room"); break;
             case 1: {
                 const double rise = random.between(0.1, 0.9 * settings.step_height);
                 check(stairs(random, rise, random.between(1.3, 2.0) * rise + 0.1, random.between(1, 8)),

@@ -236,7 +236,7 @@ TEST_F(AppTest, LosingTheFocusReleasesHeldKeys) {
     EXPECT_FALSE(host->app().context().held.jump);
 }
 
-TEST_F(AppTest, TheTitleTellsTheFileAndWhetherItIsSaved) {
+TEST_F(AppTest, TheTitleShowsTheFileAndWhetherItIsSaved) {
     EXPECT_EQ(window_title(editor()), "grid.obj \u2014 Slipface");
     ASSERT_EQ(run("set gravity=10"), "");
     EXPECT_EQ(window_title(editor()), "grid.obj \u2022 \u2014 Slipface");

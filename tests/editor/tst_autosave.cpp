@@ -153,12 +153,12 @@ TEST_F(AutosaveTest, KeepsTheNewestFew) {
         paint(*document, static_cast<FaceId>(i), ice);
         autosave_now(session, *document, now);
     }
-    EXPECT_EQ(files().size(), AutosaveSession::kept_for_each_level);
+    EXPECT_EQ(files().size(), AutosaveSession::max_for_each_level);
     session.abandon();
     const auto found = AutosaveSession(store).recoverable();
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].steps.size(), 9u) << "the newest is offered";
-    EXPECT_EQ(found[0].older, AutosaveSession::kept_for_each_level - 1);
+    EXPECT_EQ(found[0].older, AutosaveSession::max_for_each_level - 1);
 }
 
 TEST_F(AutosaveTest, OddFilesInTheFolderStopNothing) {

@@ -43,15 +43,11 @@ class CommandFuzz : public LevelFixture {
         editor.hovered_point = face_centroid(editor.document->mesh(), editor.hovered);
         editor.hovered_normal = face_normal(editor.document->mesh(), editor.hovered);
         switch (below(6)) {
-            case 0:
-                return paint_hovered(editor);
-            case 1:
-                return fill_hovered(editor);
+            case 0: return paint_hovered(editor);
+            case 1: return fill_hovered(editor);
             case 2:
-            case 3:
-                return click_select(editor, static_cast<SelectBy>(below(4)));
-            default:
-                return;
+            case 3: return click_select(editor, static_cast<SelectBy>(below(4)));
+            default: return;
         }
     }
 

@@ -71,12 +71,12 @@ TEST_F(DemoScenes, ARecordedRunComesBackWithItsLevel) {
     const std::uint64_t end = walk();
     show();
     EXPECT_EQ(editor().lab.name(), demo->title);
-    ASSERT_EQ(editor().kept_tapes.size(), 1u);
+    ASSERT_EQ(editor().stored_tapes.size(), 1u);
     request_open(editor(), obj);
     host->frame();
     EXPECT_EQ(editor().lab.name(), "Playtest");
     EXPECT_THAT(editor().status, EndsWith("the run recorded here is back in the lab"));
-    EXPECT_TRUE(editor().kept_tapes.empty());
+    EXPECT_TRUE(editor().stored_tapes.empty());
     EXPECT_TRUE(editor().lab.unsaved);
     ASSERT_EQ(run("finish"), "");
     EXPECT_EQ(editor().lab.sealed_tape().end_hash, end);
@@ -94,8 +94,8 @@ TEST_F(DemoScenes, AWalkThatIsGoingOnIsKeptToo) {
     ASSERT_EQ(run("click \"Unsaved/Save\""), "");
     EXPECT_EQ(shown_level(), demo->name);
     EXPECT_FALSE(editor().playtest);
-    ASSERT_EQ(editor().kept_tapes.size(), 1u);
-    EXPECT_GE(editor().kept_tapes[0].tape.tick_count(), ticks);
+    ASSERT_EQ(editor().stored_tapes.size(), 1u);
+    EXPECT_GE(editor().stored_tapes[0].tape.tick_count(), ticks);
     ASSERT_EQ(run("open grid.obj"), "");
     EXPECT_EQ(editor().lab.name(), "Playtest");
 }
@@ -105,7 +105,7 @@ TEST_F(DemoScenes, ARunThatIsSavedIsNotKept) {
     save_tape(editor(), folder / "walk.tape");
     EXPECT_FALSE(editor().lab.unsaved);
     show();
-    EXPECT_TRUE(editor().kept_tapes.empty());
+    EXPECT_TRUE(editor().stored_tapes.empty());
 }
 
 TEST_F(DemoScenes, WhatWasSavedOverADemoStays) {

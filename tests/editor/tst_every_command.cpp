@@ -138,7 +138,7 @@ const std::map<std::string_view, Case>& cases() {
         {"lab.pin", {walk, "expect ghosts 3"}},
         {"reach.cancel", {"command reach.run", ""}},
         {"reach.clear", {"command reach.run\nfinish", "expect no_widget \"Reach/Clear\""}},
-        {"reach.way", {"command reach.run\nfinish\nselect faces 36", "expect status \"Face 36 *\""}},
+        {"reach.path", {"command reach.run\nfinish\nselect faces 36", "expect status \"Face 36 *\""}},
         {"reach.add_goal", {"", "expect status \"Added Goal 1\""}},
         {"audit.clear", {"command audit.run\nfinish", "expect no_widget \"Audit/Clear\""}},
     };

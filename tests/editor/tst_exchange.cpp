@@ -53,7 +53,7 @@ TEST_F(Exchange, APresetThatIsReplacedHandsOnItsName) {
     EXPECT_EQ(load_preset(folder / "own.json")->about, "As we like it.");
 }
 
-TEST_F(Exchange, AWrongPresetIsToldWithItsPlaceAndChangesNothing) {
+TEST_F(Exchange, AWrongPresetIsReportedWithItsLocationAndChangesNothing) {
     ASSERT_EQ(run("set walk_speed=3"), "");
     const MovementSettings before = movement();
     const std::size_t steps = document().history().size();
@@ -128,20 +128,20 @@ TEST_F(Exchange, ExportsRefuseTheLevelsOwnFilesInTheDialog) {
 }
 
 TEST_F(Exchange, BakingSaysWhatItDidOrWhyNot) {
-    ASSERT_EQ(run("select faces 0-4\nkey 2\nkey L\ncommand file.bake"), "");
-    EXPECT_EQ(editor().status, "5 faces baked into grid.obj; the old file is grid.obj.bak");
+    ASSERT_EQ(run("select faces 0-4\nkey 2\nkey L\ncommand file.name_materials"), "");
+    EXPECT_EQ(editor().status, "types of 5 faces written into grid.obj; the old file is grid.obj.bak");
     EXPECT_THAT(read_text(obj), HasSubstr("usemtl floor__ice"));
     ASSERT_EQ(run("select faces 9\nkey 2\nkey L"), "");
     const std::string other = floor_and_wall_obj(n + 1);
     write_text(obj, other);
-    ASSERT_EQ(run("command file.bake\nexpect message \"Cannot bake the types: *grid.obj*\""), "");
+    ASSERT_EQ(run("command file.name_materials\nexpect message \"Cannot write the types: *grid.obj*\""), "");
     EXPECT_EQ(read_text(obj), other);
     EXPECT_TRUE(document().dirty());
 }
 
 TEST_F(Exchange, BakingKeepsWhatIsHiddenAndSelected) {
     ASSERT_EQ(run("select faces 2,3\nselect save pair\nselect faces 7\ncommand select.hide\n"
-                  "select faces 0-4\nkey 2\nkey L\ncommand file.bake"),
+                  "select faces 0-4\nkey 2\nkey L\ncommand file.name_materials"),
               "");
     EXPECT_THAT(document().hidden(), testing::ElementsAre(7));
     ASSERT_EQ(document().saved_selections().size(), 1u);

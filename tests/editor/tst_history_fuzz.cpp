@@ -68,11 +68,8 @@ class Monkey {
         switch (below(11)) {
             case 0:
             case 1:
-            case 2:
-                document_.paint(faces(), below(4) == 0 ? std::nullopt : std::optional(surface()));
-                return;
-            case 3:
-                return document_.select(faces());
+            case 2: document_.paint(faces(), below(4) == 0 ? std::nullopt : std::optional(surface())); return;
+            case 3: return document_.select(faces());
             case 4: {
                 MovementSettings movement = document_.level().movement;
                 const auto& info =
@@ -82,14 +79,12 @@ class Monkey {
                     set_setting(movement, info, info.minimum + fraction * (info.maximum - info.minimum)));
                 return document_.set_movement(movement, "Change movement");
             }
-            case 5:
-                return document_.set_spawn({Vec3(below(3), below(3), below(3)), 0.25 * below(3)});
+            case 5: return document_.set_spawn({Vec3(below(3), below(3), below(3)), 0.25 * below(3)});
             case 6:
                 return document_.set_rules(
                     below(2) == 0 ? std::vector<MaterialRule>{}
                                   : std::vector<MaterialRule>{{"fl*", "ice"}, {"wall*", "sticky"}});
-            case 7:
-                return document_.hide(faces(), "Hide");
+            case 7: return document_.hide(faces(), "Hide");
             case 8: {
                 std::vector<SavedSelection> saved(document_.saved_selections().begin(),
                                                   document_.saved_selections().end());
@@ -102,8 +97,7 @@ class Monkey {
                     below(2) == 0
                         ? std::vector<CameraBookmark>{}
                         : std::vector<CameraBookmark>{{"here", Vec3(below(3), 1, 0), Vec3::Zero(), 1.0}});
-            default:
-                return change_types();
+            default: return change_types();
         }
     }
 
@@ -129,10 +123,8 @@ class Monkey {
             case 1:
                 surfaces[surface()].friction = 0.25 * below(4);
                 return document_.set_surfaces(std::move(surfaces), "Change friction");
-            case 2:
-                return document_.rename_surface(surface(), "name " + std::to_string(below(30)));
-            default:
-                return document_.remove_surface(surface());
+            case 2: return document_.rename_surface(surface(), "name " + std::to_string(below(30)));
+            default: return document_.remove_surface(surface());
         }
     }
 

@@ -79,7 +79,7 @@ TEST_F(Kept, ACrashLosesNeither) {
               "");
 }
 
-TEST_F(Kept, ThereIsALimitThatIsTold) {
+TEST_F(Kept, ThereIsALimitThatIsReported) {
     std::vector<SavedSelection> many(max_saved_selections, SavedSelection{"a", {}});
     editor().document->set_saved_selections(many, "Many");
     ASSERT_EQ(run("select faces 1\nselect save another\nexpect status \"Not saved: a level can have at most "

@@ -70,7 +70,7 @@ TEST_F(LabTest, ATapeIsSavedAndOpenedAgainWithTheSameBits) {
     EXPECT_LT(std::filesystem::file_size(file), 1500u);
 }
 
-TEST_F(LabTest, AWrongTapeIsToldAndTheLabStays) {
+TEST_F(LabTest, AWrongTapeIsReportedAndTheLabStays) {
     record();
     write_text(folder / "bad.tape", "slipface-tape 1\nhop\n");
     open_tape(editor, folder / "bad.tape");
@@ -214,7 +214,7 @@ TEST_F(LabTest, PinnedGhostsStayAndGo) {
     EXPECT_FALSE(run_command(editor, "lab.pin"));
 }
 
-TEST_F(LabTest, TheStoryIsThatOfTheCursorAndTheToldRun) {
+TEST_F(LabTest, TheStoryIsThatOfTheCursorAndTheDescribedRun) {
     record();
     lab.seek(119);
     const std::string recorded = story_text(lab.story(*editor.document));

@@ -56,7 +56,7 @@ TEST_F(ProbeTest, OddNormalsFallBackToUp) {
     EXPECT_FALSE(nowhere.placed);
 }
 
-TEST_F(ProbeTest, SweepsIntoTheWallAndTellsWhy) {
+TEST_F(ProbeTest, SweepsIntoTheWallAndExplainsWhy) {
     const auto document = open();
     Probe probe;
     probe.place_on(Vec3(6, 0, 4), Vec3::UnitY(), document->level().movement);

@@ -79,7 +79,7 @@ TEST_F(RecordedRuns, ThatCannotBeKeptSaySo) {
 
 using RecordingsFolder = AppFixture;
 
-TEST_F(RecordingsFolder, KeepsTheNewestAndLeavesOtherFilesAlone) {
+TEST_F(RecordingsFolder, StoresTheNewestAndLeavesOtherFilesAlone) {
     const fs::path location = folder / "recordings";
     const Recordings recordings(location);
     fs::create_directories(location);
@@ -87,10 +87,10 @@ TEST_F(RecordingsFolder, KeepsTheNewestAndLeavesOtherFilesAlone) {
     for (int i = 0; i < 10; ++i)
         ASSERT_TRUE(
             write_file_atomic(location / ("2001-01-01 00.00.0" + std::to_string(i) + " a.tape"), "").ok());
-    for (std::size_t i = 0; i < Recordings::max_kept - 3; ++i)
-        ASSERT_TRUE(recordings.keep("b", "text").ok());
+    for (std::size_t i = 0; i < Recordings::max_stored - 3; ++i)
+        ASSERT_TRUE(recordings.store("b", "text").ok());
     const std::vector<fs::path> files = files_in(location);
-    ASSERT_THAT(files, SizeIs(Recordings::max_kept + 1));
+    ASSERT_THAT(files, SizeIs(Recordings::max_stored + 1));
     EXPECT_EQ(files[0].filename(), "2001-01-01 00.00.07 a.tape") << "the oldest have gone";
     EXPECT_EQ(files.back().filename(), "mine.tape");
     EXPECT_EQ(*read_file(files[5]), "text");

@@ -94,7 +94,7 @@ TEST_P(RunColors, StandOutFromEveryGroundTheyAreDrawnOn) {
     }
 }
 
-TEST_P(RunColors, AreToldApartByEveryEye) {
+TEST_P(RunColors, AreDistinctToEveryEye) {
     for (std::size_t i = 0; i < Lab::max_runs; ++i)
         for (std::size_t k = 0; k < i; ++k)
             EXPECT_GE(told_apart(run_color(i), run_color(k)), 10.0) << "runs " << k << " and " << i;

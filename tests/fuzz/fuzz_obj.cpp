@@ -1,4 +1,5 @@
-// Any bytes as an OBJ file: an error or a mesh whose indices fit, and baking nothing into it changes nothing.
+// Any bytes as an OBJ file: an error or a mesh whose indices fit, and naming no material of it changes
+// nothing.
 #include <cstdlib>
 #include <string_view>
 

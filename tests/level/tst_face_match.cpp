@@ -179,7 +179,7 @@ TEST(FaceMatch, AMovedFaceOfAnotherMaterialIsNotTaken) {
     EXPECT_EQ(loaded.match.orphaned, 1u);
 }
 
-TEST(FaceMatch, AFaceInItsPlaceIsFoundUnderANewMaterial) {
+TEST(FaceMatch, AFaceAtItsPositionIsFoundUnderANewMaterial) {
     Faces faces = tiles(3);
     faces[4].painted = ice;
     Faces after = rounded(faces);

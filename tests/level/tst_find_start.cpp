@@ -269,7 +269,7 @@ TEST(Spawns, SurviveTheFileWithTheirUnknownKeys) {
     EXPECT_FALSE(level_from_json(R"({"slipface": 1})", "t", level.mesh)->level.spawn_is_set);
 }
 
-TEST(Spawns, BadOnesAreRefusedWithTheirPlace) {
+TEST(Spawns, BadOnesAreRefusedWithTheirLocation) {
     const MeshPtr mesh = mesh_of(tiles(1));
     const auto error = [&](const std::string& members) {
         const Result<LoadedLevel> loaded = level_from_json("{\"slipface\": 1, " + members + "}", "t", mesh);
@@ -314,7 +314,7 @@ TEST(Goals, SurviveTheFileWithTheirUnknownKeys) {
     EXPECT_THAT(level_to_json(level), testing::Not(HasSubstr("goals")));
 }
 
-TEST(Goals, BadOnesAreRefusedWithTheirPlace) {
+TEST(Goals, BadOnesAreRefusedWithTheirLocation) {
     const MeshPtr mesh = mesh_of(tiles(1));
     const auto error = [&](const std::string& goal) {
         const std::string json =

@@ -123,7 +123,7 @@ TEST(KeptFaces, ManyOfThemArePacked) {
     EXPECT_EQ(loaded->level.selections, level.selections);
 }
 
-TEST(KeptFaces, WrongOnesAreRefusedWithTheirPlace) {
+TEST(KeptFaces, WrongOnesAreRefusedWithTheirLocation) {
     const auto error = [](const std::string& members) {
         const auto loaded =
             level_from_json("{\"slipface\": 1, " + members + "}", location, mesh_of(floor_tiles()));

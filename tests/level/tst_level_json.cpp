@@ -330,7 +330,7 @@ const std::vector<Hostile>& hostile_files() {
 
 class HostileJson : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(HostileJson, IsRefusedWithItsPlace) {
+TEST_P(HostileJson, IsRefusedWithItsLocation) {
     const Hostile& hostile = hostile_files()[GetParam()];
     const Result<LoadedLevel> loaded = load(hostile.json);
     ASSERT_FALSE(loaded.ok());

@@ -74,7 +74,7 @@ TEST(PackedFaces, PaintingOneMoreFaceChangesFewRows) {
     EXPECT_LE(changed.size(), 2u) << "its row, and a comma";
 }
 
-TEST(PackedFaces, BrokenRowsAreRefusedWithTheirPlace) {
+TEST(PackedFaces, BrokenRowsAreRefusedWithTheirLocation) {
     const MeshPtr mesh = mesh_of(tiles(2));
     const auto error_of = [&](const std::string& row) {
         const auto loaded = level_from_json(

@@ -21,7 +21,7 @@ void PrintTo(const BadFile& file, std::ostream* out) {
 
 class BadObj : public testing::TestWithParam<BadFile> {};
 
-TEST_P(BadObj, IsRefusedWithItsPlace) {
+TEST_P(BadObj, IsRefusedWithItsLocation) {
     const ScratchFolder folder;
     const std::string path = folder.write("bad.obj", GetParam().bytes);
     const ProgramRun run = run_program("info " + path);
@@ -99,7 +99,7 @@ TEST(BadObjWarning, MissingAndCorruptTexturesAreWarnings) {
 
 class BadLevelFile : public testing::TestWithParam<BadFile> {};
 
-TEST_P(BadLevelFile, IsRefusedWithItsPlace) {
+TEST_P(BadLevelFile, IsRefusedWithItsLocation) {
     const ScratchFolder folder;
     const std::string level = folder.write("level.obj", square + "f 1 2 3 4\n");
     folder.write("level.slipface.json", GetParam().bytes);

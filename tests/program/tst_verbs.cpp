@@ -20,6 +20,12 @@ TEST(Info, CountsFacesAndTriangles) {
     EXPECT_EQ(json.at("triangles"), 2);
 }
 
+TEST(NameMaterials, TheFormerNameOfTheVerbSaysTheNewOne) {
+    const ProgramRun run = run_program("bake level.obj");
+    EXPECT_EQ(run.exit_code, 64);
+    EXPECT_NE(run.output.find("is called name-materials now"), std::string::npos) << run.output;
+}
+
 TEST(Sweep, FallsOntoTheFloor) {
     const ScratchFolder folder;
     const std::string level = folder.write("floor.obj", floor_obj);

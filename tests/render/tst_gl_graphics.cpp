@@ -201,7 +201,7 @@ TEST_F(GlGraphicsTest, NothingIsDrawnOutsideAFrame) {
     EXPECT_FALSE(graphics.end_frame().ok()) << "one end a frame";
 }
 
-TEST_F(GlGraphicsTest, TexturesThatAreNotThereAreToldOnce) {
+TEST_F(GlGraphicsTest, TexturesThatAreNotThereAreReportedOnce) {
     const test::Courtyard yard = test::make_courtyard("gone.png");
     Level level;
     level.mesh = yard.mesh;

@@ -49,7 +49,7 @@ TEST_F(OverlayTest, EmptyChangesNothing) {
 }
 
 // A line of 4 pixels along X at z = 0, from x = -4 to 4: pixel columns 20 to 180, rows 98 to 101.
-TEST_F(OverlayTest, LineHasItsPlaceAndWidth) {
+TEST_F(OverlayTest, LineHasItsPositionAndWidth) {
     Overlay overlay;
     overlay.line({-4, 1, 0}, {4, 1, 0}, red, 4.0f);
     const Image image = with(overlay);

@@ -453,7 +453,7 @@ TEST(Audit, RefusesWhatCannotBeRun) {
     EXPECT_THAT(inside.error().text(), testing::HasSubstr("inside face 0"));
 }
 
-TEST(Audit, ReportsThatAreNoneAreRefusedWithTheirPlace) {
+TEST(Audit, ReportsThatAreNoneAreRefusedWithTheirLocation) {
     const auto error = [](std::string_view json) { return audit_from_json(json, "r.json").error().text(); };
     EXPECT_THAT(error("nonsense"), testing::HasSubstr("r.json"));
     EXPECT_THAT(error("{\"slipface_audit\": 9}"), testing::HasSubstr("version 9"));

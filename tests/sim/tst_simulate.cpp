@@ -111,7 +111,7 @@ TEST(Simulate, FallsInTheTimeOfTheClosedForm) {
     EXPECT_NEAR(report.distance, 2.0, 0.01);
 }
 
-TEST(Simulate, TellsJumpsAndLandings) {
+TEST(Simulate, ReportsJumpsAndLandings) {
     const Stripes stripes;
     const SimulationReport report = simulate(stripes.scene(), {}, Vec3(0, 0.95, 5),
                                              tape_of({{30, {}}, {1, {Vec2(0, 0), true}}, {90, {}}}));
@@ -133,7 +133,7 @@ TEST(Simulate, WalkingOffTheEdgeIsNoJump) {
     EXPECT_LT(report.final_state.position.y(), 0.9);
 }
 
-TEST(Simulate, TellsTheSurfaceThatIsWalkedOn) {
+TEST(Simulate, ReportsTheSurfaceThatIsWalkedOn) {
     const Stripes stripes;
     const SimulationReport report =
         simulate(stripes.scene(), {}, Vec3(0, 0.95, 8), tape_of({{10, {}}, {60, {Vec2(0, 1), false}}}));
@@ -251,7 +251,7 @@ TEST(SceneFingerprint, SeesTypesAndWhereTheyAre) {
     EXPECT_EQ(scene_fingerprint(stripes.scene()), scene_fingerprint(stripes.scene()));
 }
 
-TEST(Simulate, TellsWhenASurfaceHolds) {
+TEST(Simulate, ReportsWhenASurfaceHolds) {
     const Stripes stripes;
     const SimulationReport report = simulate(stripes.scene(), {}, Vec3(0, 1.5, 35), tape_of({{60, {}}}));
     const SimulationEvent* stick = find_event(report, "stick");

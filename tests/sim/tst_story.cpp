@@ -24,21 +24,16 @@ void add_length(std::vector<Value>& values, double metres) {
 
 void add(std::vector<Value>& values, const DecisionInfo& info, double number) {
     switch (info.unit) {
-        case DecisionUnit::metres:
-            return add_length(values, number);
-        case DecisionUnit::speed:
-            return values.push_back({number, " m/s"});
-        case DecisionUnit::seconds:
-            return values.push_back({number, " s"});
-        case DecisionUnit::percent:
-            return values.push_back({100.0 * number, " %"});
+        case DecisionUnit::metres: return add_length(values, number);
+        case DecisionUnit::speed: return values.push_back({number, " m/s"});
+        case DecisionUnit::seconds: return values.push_back({number, " s"});
+        case DecisionUnit::percent: return values.push_back({100.0 * number, " %"});
         case DecisionUnit::slope:
         case DecisionUnit::angle:
             return values.push_back({std::acos(std::clamp(number, -1.0, 1.0)) * degrees, "\u00b0"});
         case DecisionUnit::lift:
             return values.push_back({std::asin(std::clamp(number, -1.0, 1.0)) * degrees, "\u00b0"});
-        case DecisionUnit::no_unit:
-            return;
+        case DecisionUnit::no_unit: return;
     }
 }
 

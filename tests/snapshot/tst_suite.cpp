@@ -63,7 +63,7 @@ TEST(SceneSuite, DefaultsAndSpawn) {
 }
 
 // Each fault is refused at its own place.
-TEST(SceneSuite, ErrorsNameThePlace) {
+TEST(SceneSuite, ErrorsNameTheLocation) {
     struct Case {
         const char* scene;
         const char* location;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "slipface/base/text.h"
-#include "slipface/level/preset.h"
 #include "tools/lab/lab_actions.h"
 
 namespace slipface::command_actions {
@@ -146,28 +144,6 @@ std::optional<SurfaceId> surface_with_hotkey(const Editor& editor, std::size_t d
 std::string type_on_key(const Editor& editor, std::size_t digit) {
     const std::optional<SurfaceId> surface = surface_with_hotkey(editor, digit);
     return surface ? editor.document->level().surfaces[*surface].name : std::string();
-}
-
-bool setting_is_on_at(const Editor& editor, std::size_t row) {
-    return editor.document && get_setting(editor.document->level().movement, settings_table()[row]) != 0.0;
-}
-
-void toggle_setting_at(Editor& editor, std::size_t row) {
-    const SettingInfo& info = settings_table()[row];
-    MovementSettings movement = editor.document->level().movement;
-    const bool on = get_setting(movement, info) != 0.0;
-    if (!set_setting(movement, info, on ? 0.0 : 1.0)) return;
-    editor.document->set_movement(movement,
-                                  std::string(on ? "Switch off " : "Switch on ") + to_lower(info.label));
-    editor.status = std::string(info.label) + (on ? " off" : " on");
-}
-
-bool preset_is_used_at(const Editor& editor, std::size_t row) {
-    return editor.document && editor.document->level().movement == shipped_presets()[row].preset.settings;
-}
-
-void use_preset_at(Editor& editor, std::size_t row) {
-    use_preset(editor, shipped_presets()[row].preset);
 }
 
 }  // namespace slipface::command_actions

@@ -46,42 +46,7 @@ void reset_movement(Editor& editor);
 // The type with a hotkey, or nothing.
 std::optional<SurfaceId> surface_with_hotkey(const Editor& editor, std::size_t digit);
 std::string type_on_key(const Editor& editor, std::size_t digit);  // its name; empty: no type has the key
-// The row of settings_table() as a switch.
-bool setting_is_on_at(const Editor& editor, std::size_t row);
-void toggle_setting_at(Editor& editor, std::size_t row);
-// The row of shipped_presets().
-bool preset_is_used_at(const Editor& editor, std::size_t row);
-void use_preset_at(Editor& editor, std::size_t row);
-
 // Functions without captures for the table, one per argument.
-template <std::size_t Row>
-bool setting_is_on(const Editor& editor) {
-    return setting_is_on_at(editor, Row);
-}
-template <std::size_t Row>
-void toggle_setting(Editor& editor) {
-    toggle_setting_at(editor, Row);
-}
-template <std::size_t Row>
-bool preset_is_used(const Editor& editor) {
-    return preset_is_used_at(editor, Row);
-}
-template <std::size_t Row>
-void use_shipped_preset(Editor& editor) {
-    use_preset_at(editor, Row);
-}
-template <std::size_t Digit>
-bool has_hotkey(const Editor& editor) {
-    return surface_with_hotkey(editor, Digit).has_value();
-}
-template <std::size_t Digit>
-bool brush_has_hotkey(const Editor& editor) {
-    return editor.brush && editor.brush == surface_with_hotkey(editor, Digit);
-}
-template <std::size_t Digit>
-void brush_by_hotkey(Editor& editor) {
-    choose_brush(editor, surface_with_hotkey(editor, Digit));
-}
 template <Tool Which>
 bool tool_is(const Editor& editor) {
     return editor.tool == Which;
@@ -97,14 +62,6 @@ bool flag_is(const Editor& editor) {
 template <bool LevelStyle::*Flag>
 void toggle_flag(Editor& editor) {
     editor.style.*Flag = !(editor.style.*Flag);
-}
-template <std::size_t Row>
-bool panel_is_shown(const Editor& editor) {
-    return editor.layout.shown(panel_table()[Row].id);
-}
-template <std::size_t Row>
-void toggle_panel_at(Editor& editor) {
-    editor.layout.toggle(panel_table()[Row].id);
 }
 template <bool Editor::*Panel>
 bool shown(const Editor& editor) {

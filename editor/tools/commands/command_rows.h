@@ -3,6 +3,7 @@
 // commands.cpp.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "tools/commands/commands.h"
@@ -20,6 +21,12 @@ std::vector<Command> lab_commands();
 std::vector<Command> review_commands();
 std::vector<Command> help_commands();
 
+// The same text for as long as the program runs: for rows that are made from other tables.
+const char* lasting(std::string text);
+
+inline Shortcut no_key() {
+    return {};
+}
 inline Shortcut key(const char* name) {
     return {name, false, false, false};
 }

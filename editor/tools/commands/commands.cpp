@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <iterator>
 
 #include "slipface/base/text.h"
@@ -26,6 +27,11 @@ std::vector<Command> make_commands() {
 }
 
 }  // namespace
+
+const char* lasting(std::string text) {
+    static std::deque<std::string> texts;
+    return texts.emplace_back(std::move(text)).c_str();
+}
 
 std::string Shortcut::text() const {
     if (key.empty()) return {};
@@ -89,7 +95,7 @@ bool run_command(Editor& editor, std::string_view id) {
     const Command* command = find_command(id);
     if (!command || !command->enabled(editor)) return false;
     command->run(editor);
-    keep_brush_valid(editor);
+    make_brush_valid(editor);
     return true;
 }
 

@@ -2,6 +2,7 @@
 // it.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,12 +20,12 @@ struct Command {
     const char* description;  // the tooltip's sentence
     const char* search;       // more words to find it by
     Shortcut shortcut;
-    bool (*enabled)(const Editor&);
-    bool (*checked)(const Editor&);  // null: no check mark
-    void (*run)(Editor&);
+    std::function<bool(const Editor&)> enabled;
+    std::function<bool(const Editor&)> checked;  // null: no check mark
+    std::function<void(Editor&)> run;
     // For commands about something in the level with a name of its own: the label while the command is
     // enabled, "Brush: ice" instead of "Brush of key 1". Null: always `label`.
-    std::string (*name)(const Editor&) = nullptr;
+    std::function<std::string(const Editor&)> name = nullptr;
 };
 
 std::span<const Command> commands();

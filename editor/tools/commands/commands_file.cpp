@@ -12,18 +12,18 @@ bool import_card_is_shown(const Editor& editor) {
     return editor.import_card.shown;
 }
 
-void bake_types(Editor& editor) {
+void name_materials_by_type(Editor& editor) {
     if (!editor.document || editor.document->in_transaction()) return;
     stop_playtest(editor);
-    const Result<std::string> baked = editor.document->bake();
-    if (!baked) {
-        editor.message = MessageDialog{"Cannot bake the types", baked.error().text(), {}};
+    const Result<std::string> named = editor.document->name_materials();
+    if (!named) {
+        editor.message = MessageDialog{"Cannot write the types", named.error().text(), {}};
         return;
     }
     geometry_changed(editor);
     document_is_safe(editor);
     watch_files(editor);
-    editor.status = *baked;
+    editor.status = *named;
 }
 
 }  // namespace
@@ -41,66 +41,29 @@ std::vector<Command> file_commands() {
         {"file.reload", icons::refresh, "Reload geometry", "File",
          "Read the geometry again and find the painted faces in it; can be undone", "refresh again hot",
          ctrl("R"), has_document, nullptr, reload_geometry},
-        {"file.import_card",
-         icons::expand,
-         "Scale, axis and size…",
-         "File",
+        {"file.import_card", icons::expand, "Scale, axis and size…", "File",
          "Show how the geometry's file was read, and change its scale and upward axis",
-         "import unit metres up transform spawn holes",
-         {},
-         has_document,
-         import_card_is_shown,
+         "import unit metres up transform spawn holes", no_key(), has_document, import_card_is_shown,
          toggle_import_card},
-        {"file.recover",
-         icons::life_ring,
-         "Recover autosaves…",
-         "File",
-         "List the unsaved changes of sessions that ended unexpectedly",
-         "crash backup restore autosave",
-         {},
-         always,
-         nullptr,
-         look_for_autosaves},
-        {"file.bake",
-         icons::save,
-         "Bake types into materials",
-         "File",
+        {"file.recover", icons::life_ring, "Recover autosaves…", "File",
+         "List the unsaved changes of sessions that ended unexpectedly", "crash backup restore autosave",
+         no_key(), always, nullptr, look_for_autosaves},
+        {"file.name_materials", icons::save, "Write types into material names", "File",
          "Write the painted types into the OBJ file's material names, which modelling tools preserve; the "
          "old file becomes NAME.bak",
-         "export write obj suffix blender hand over",
-         {},
-         has_document,
-         nullptr,
-         bake_types},
-        {"file.export_obj",
-         icons::share,
-         "Export OBJ…",
-         "File/Export",
+         "export write obj suffix blender hand over", no_key(), has_document, nullptr,
+         name_materials_by_type},
+        {"file.export_obj", icons::share, "Export OBJ…", "File/Export",
          "Write OBJ and MTL with every face's type in its material's name",
-         "write convert blender materials suffix",
-         {},
-         has_document,
-         nullptr,
+         "write convert blender materials suffix", no_key(), has_document, nullptr,
          ask_for_file<FileDialogKind::export_obj>},
-        {"file.export_gltf",
-         icons::share,
-         "Export glTF…",
-         "File/Export",
+        {"file.export_gltf", icons::share, "Export glTF…", "File/Export",
          "Write glTF 2.0 with the types in its extras; a name ending in .glb gives one file",
-         "write convert glb engine",
-         {},
-         has_document,
-         nullptr,
+         "write convert glb engine", no_key(), has_document, nullptr,
          ask_for_file<FileDialogKind::export_gltf>},
-        {"file.export_game",
-         icons::share,
-         "Export for a game…",
-         "File/Export",
+        {"file.export_game", icons::share, "Export for a game…", "File/Export",
          "Write one flat file of types and triangles that a game can read with a few lines of code",
-         "write convert flat binary engine",
-         {},
-         has_document,
-         nullptr,
+         "write convert flat binary engine", no_key(), has_document, nullptr,
          ask_for_file<FileDialogKind::export_game>},
         {"file.quit", icons::sign_out, "Quit", "File",
          "Quit Slipface; asks first if there are unsaved changes", "exit close leave", ctrl("Q"), always,

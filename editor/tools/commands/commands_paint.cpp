@@ -1,7 +1,5 @@
 // Commands that give faces their types.
 #include <algorithm>
-#include <array>
-#include <utility>
 
 #include "tools/commands/command_actions.h"
 #include "tools/commands/command_rows.h"
@@ -14,35 +12,26 @@ using namespace command_actions;
 
 namespace {
 
-// One for each digit. The texts live as long as the program.
-template <std::size_t... I>
-std::vector<Command> digit_commands(std::index_sequence<I...>) {
-    static std::array<std::array<std::string, 6>, sizeof...(I)> texts;
-    std::vector<Command> rows, fills;
-    const auto add = [&](std::size_t i, auto enabled, auto checked, auto run, auto brush_name, auto can_fill,
-                         auto fill, auto fill_name) {
-        const std::string digit = std::to_string(i + 1);
-        texts[i] = {"brush." + digit,
-                    "Brush of key " + digit,
-                    "Paint with the surface type that has the hotkey " + digit,
-                    "paint." + digit,
-                    "Paint the selection with key " + digit,
-                    "Give the selected faces the surface type that has the hotkey " + digit};
-        rows.push_back({texts[i][0].c_str(), "", texts[i][1].c_str(), "Tools", texts[i][2].c_str(),
-                        "surface type hotkey", key(digit.c_str()), enabled, checked, run, brush_name});
-        fills.push_back({texts[i][3].c_str(), "", texts[i][4].c_str(), "Edit/Make it", texts[i][5].c_str(),
-                         "paint selection turn into surface type", shift(digit.c_str()), can_fill, nullptr,
-                         fill, fill_name});
-    };
-    (add(
-         I, has_hotkey<I + 1>, brush_has_hotkey<I + 1>, brush_by_hotkey<I + 1>,
-         [](const Editor& e) { return "Brush: " + type_on_key(e, I + 1); },
-         [](const Editor& e) { return has_selection(e) && has_hotkey<I + 1>(e); },
-         [](Editor& e) { paint_faces(e, e.document->selection(), surface_with_hotkey(e, I + 1)); },
-         [](const Editor& e) { return "Make it " + type_on_key(e, I + 1); }),
-     ...);
+void add_digit_commands(std::vector<Command>& rows) {
+    std::vector<Command> fills;
+    for (std::size_t i = 1; i <= 9; ++i) {
+        const std::string digit = std::to_string(i);
+        const auto has_type = [i](const Editor& e) { return surface_with_hotkey(e, i).has_value(); };
+        rows.push_back({lasting("brush." + digit), "", lasting("Brush of key " + digit), "Tools",
+                        lasting("Paint with the surface type that has the hotkey " + digit),
+                        "surface type hotkey", key(digit.c_str()), has_type,
+                        [i](const Editor& e) { return e.brush && e.brush == surface_with_hotkey(e, i); },
+                        [i](Editor& e) { choose_brush(e, surface_with_hotkey(e, i)); },
+                        [i](const Editor& e) { return "Brush: " + type_on_key(e, i); }});
+        fills.push_back(
+            {lasting("paint." + digit), "", lasting("Paint the selection with key " + digit), "Edit/Make it",
+             lasting("Give the selected faces the surface type that has the hotkey " + digit),
+             "paint selection turn into surface type", shift(digit.c_str()),
+             [has_type](const Editor& e) { return has_selection(e) && has_type(e); }, nullptr,
+             [i](Editor& e) { paint_faces(e, e.document->selection(), surface_with_hotkey(e, i)); },
+             [i](const Editor& e) { return "Make it " + type_on_key(e, i); }});
+    }
     rows.insert(rows.end(), fills.begin(), fills.end());
-    return rows;
 }
 
 // The types of the seeds, everywhere or within the selection, become the brush's.
@@ -90,8 +79,7 @@ std::vector<Command> paint_commands() {
          "Remove paint: rules and suffixes decide the face's type again", "eraser remove override", key("0"),
          has_document, brush_is_unset, brush_unset},
     };
-    for (Command& row : digit_commands(std::make_index_sequence<9>()))
-        rows.push_back(std::move(row));
+    add_digit_commands(rows);
     return rows;
 }
 

@@ -1,12 +1,10 @@
 // Commands of the playtest, and a switch for each movement hack.
-#include <array>
-#include <cstdlib>
-#include <utility>
-
+#include "slipface/base/text.h"
 #include "slipface/level/preset.h"
 #include "tools/commands/command_actions.h"
 #include "tools/commands/command_rows.h"
 #include "tools/commands/icons.h"
+#include "tools/lab/lab_actions.h"
 
 namespace slipface {
 
@@ -14,61 +12,44 @@ using namespace command_actions;
 
 namespace {
 
-// One for each switch of the settings table. The ids live as long as the program.
-template <std::size_t... I>
-std::vector<Command> hack_commands(std::index_sequence<I...>) {
-    static std::array<std::string, sizeof...(I)> ids;
-    std::vector<Command> rows;
-    const auto add = [&](std::size_t i, auto checked, auto run) {
-        if (i >= settings_table().size()) return;
-        const SettingInfo& info = settings_table()[i];
-        if (!std::holds_alternative<bool MovementSettings::*>(info.member)) return;
-        ids[i] = std::string("movement.") + info.name;
-        rows.push_back({ids[i].c_str(),
-                        "",
-                        info.label,
-                        "Playtest",
-                        info.meaning,
-                        "hack switch toggle movement",
-                        {},
-                        has_document,
-                        checked,
-                        run});
-    };
-    (add(I, setting_is_on<I>, toggle_setting<I>), ...);
-    return rows;
+void toggle_setting(Editor& editor, const SettingInfo& info) {
+    MovementSettings movement = editor.document->level().movement;
+    const bool on = get_setting(movement, info) != 0.0;
+    if (!set_setting(movement, info, on ? 0.0 : 1.0)) return;
+    editor.document->set_movement(movement,
+                                  std::string(on ? "Switch off " : "Switch on ") + to_lower(info.label));
+    editor.status = std::string(info.label) + (on ? " off" : " on");
 }
 
-// One for each shipped preset. The ids live as long as the program.
-template <std::size_t... I>
-std::vector<Command> preset_commands(std::index_sequence<I...>) {
-    static std::array<std::string, sizeof...(I)> ids;
-    std::vector<Command> rows;
-    const auto add = [&](std::size_t i, auto checked, auto run) {
-        if (i >= shipped_presets().size()) return;
-        const ShippedPreset& shipped = shipped_presets()[i];
-        ids[i] = std::string("movement.preset.") + shipped.id;
-        rows.push_back({ids[i].c_str(),
-                        "",
-                        shipped.preset.name.c_str(),
-                        "Playtest/Presets",
-                        shipped.preset.about.c_str(),
-                        "preset settings movement hacks defaults",
-                        {},
-                        has_document,
-                        checked,
-                        run});
-    };
-    (add(I, preset_is_used<I>, use_shipped_preset<I>), ...);
-    return rows;
+// One for each switch of the settings table.
+void add_hack_commands(std::vector<Command>& rows) {
+    for (const SettingInfo& info : settings_table()) {
+        if (!std::holds_alternative<bool MovementSettings::*>(info.member)) continue;
+        rows.push_back({lasting(std::string("movement.") + info.name), "", info.label, "Playtest",
+                        info.meaning, "hack switch toggle movement", no_key(), has_document,
+                        [&info](const Editor& e) {
+                            return e.document && get_setting(e.document->level().movement, info) != 0.0;
+                        },
+                        [&info](Editor& e) { toggle_setting(e, info); }});
+    }
+}
+
+void add_preset_commands(std::vector<Command>& rows) {
+    for (const ShippedPreset& shipped : shipped_presets()) {
+        const Preset& preset = shipped.preset;
+        rows.push_back({lasting(std::string("movement.preset.") + shipped.id), "", preset.name.c_str(),
+                        "Playtest/Presets", preset.about.c_str(), "preset settings movement hacks defaults",
+                        no_key(), has_document,
+                        [&preset](const Editor& e) {
+                            return e.document && e.document->level().movement == preset.settings;
+                        },
+                        [&preset](Editor& e) { use_preset(e, preset); }});
+    }
 }
 
 }  // namespace
 
 std::vector<Command> play_commands() {
-    constexpr std::size_t max_settings = 96;
-    constexpr std::size_t max_presets = 16;
-    if (settings_table().size() > max_settings || shipped_presets().size() > max_presets) std::abort();
     std::vector<Command> rows{
         {"playtest.start", icons::play, "Play", "Playtest", "Walk the level from the spawn point",
          "run walk test game", key("F5"), has_document, nullptr, start_playtest},
@@ -82,40 +63,19 @@ std::vector<Command> play_commands() {
         {"playtest.toggle_person", icons::person, "First person", "Playtest", "First-person view",
          "third camera view", key("V"), is_playing, is_first_person, toggle_person},
     };
-    for (Command& row : hack_commands(std::make_index_sequence<max_settings>()))
-        rows.push_back(std::move(row));
-    for (Command& row : preset_commands(std::make_index_sequence<max_presets>()))
-        rows.push_back(std::move(row));
-    rows.push_back({"movement.open_preset",
-                    icons::folder_open,
-                    "Open preset…",
-                    "Playtest",
+    add_hack_commands(rows);
+    add_preset_commands(rows);
+    rows.push_back({"movement.open_preset", icons::folder_open, "Open preset…", "Playtest",
                     "Read all movement settings from a file, as one step of history",
-                    "load settings movement hacks file",
-                    {},
-                    has_document,
-                    nullptr,
+                    "load settings movement hacks file", no_key(), has_document, nullptr,
                     ask_for_file<FileDialogKind::open_preset>});
-    rows.push_back({"movement.save_preset",
-                    icons::save,
-                    "Save preset…",
-                    "Playtest",
+    rows.push_back({"movement.save_preset", icons::save, "Save preset…", "Playtest",
                     "Write all movement settings into a file, for other levels and for --preset",
-                    "write store settings movement hacks file",
-                    {},
-                    has_document,
-                    nullptr,
+                    "write store settings movement hacks file", no_key(), has_document, nullptr,
                     ask_for_file<FileDialogKind::save_preset>});
-    rows.push_back({"movement.reset",
-                    icons::reset,
-                    "Reset movement",
-                    "Playtest",
-                    "Set every hack and parameter to its default",
-                    "default settings hacks",
-                    {},
-                    movement_differs,
-                    nullptr,
-                    reset_movement});
+    rows.push_back({"movement.reset", icons::reset, "Reset movement", "Playtest",
+                    "Set every hack and parameter to its default", "default settings hacks", no_key(),
+                    movement_differs, nullptr, reset_movement});
     return rows;
 }
 

@@ -20,15 +20,9 @@ bool shows_images(const Editor& editor) {
 
 std::vector<Command> review_commands() {
     return {
-        {"review.open",
-         icons::eye,
-         "Review snapshots",
-         "View/Snapshots",
+        {"review.open", icons::eye, "Review snapshots", "View/Snapshots",
          "Review the findings of the last `slipface snapshot check`",
-         "golden image picture difference (search words)",
-         {},
-         command_actions::always,
-         nullptr,
+         "golden image picture difference (search words)", no_key(), command_actions::always, nullptr,
          [](Editor& editor) { open_review(editor, usual_report); }},
         {"review.next", "", "Next snapshot", "View/Snapshots", "Next difference", "forward", alt("PageDown"),
          is_open, nullptr, [](Editor& editor) { review_step(editor, 1); }},
@@ -48,16 +42,8 @@ std::vector<Command> review_commands() {
         {"review.pictures", "", "Show pictures", "View/Snapshots",
          "Show the snapshot's images instead of the level", "compare", alt("P"), is_open, shows_images,
          [](Editor& editor) { editor.review->images ^= true; }},
-        {"review.close",
-         "",
-         "Close review",
-         "View/Snapshots",
-         "Back to the level",
-         "end",
-         {},
-         is_open,
-         nullptr,
-         close_review},
+        {"review.close", "", "Close review", "View/Snapshots", "Back to the level", "end", no_key(), is_open,
+         nullptr, close_review},
     };
 }
 

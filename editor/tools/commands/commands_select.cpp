@@ -1,7 +1,4 @@
 // Commands that select faces, hide them, and store named selections.
-#include <array>
-#include <utility>
-
 #include "tools/commands/command_actions.h"
 #include "tools/commands/command_rows.h"
 #include "tools/commands/icons.h"
@@ -163,15 +160,8 @@ std::vector<Command> type_rows() {
         {"select.brush_type", icons::all, "The brush's type", "Select/By type",
          "Select every face of the brush's surface type, or all unpainted faces if the brush is `unset`",
          "similar same all with type", ctrl("T"), has_document, nullptr, select_brush_type},
-        {"select.painted",
-         icons::brush,
-         "Painted faces",
-         "Select/By type",
-         "Select every painted face",
-         "override overridden",
-         {},
-         has_document,
-         nullptr,
+        {"select.painted", icons::brush, "Painted faces", "Select/By type", "Select every painted face",
+         "override overridden", no_key(), has_document, nullptr,
          [](Editor& e) {
              apply_selection(e, painted_faces(*e.document), SelectBy::replace, "Select painted");
          }},
@@ -184,49 +174,22 @@ bool has_guessed(const Editor& editor) {
 
 std::vector<Command> guessed_rows() {
     return {
-        {"select.guessed",
-         icons::all,
-         "All of them",
-         "Select/Guessed paint",
+        {"select.guessed", icons::all, "All of them", "Select/Guessed paint",
          "Select the faces whose paint was guessed when the geometry was read: matched by plane or distance, "
          "not exactly",
-         "reload match plane nearest hot",
-         {},
-         has_guessed,
-         nullptr,
+         "reload match plane nearest hot", no_key(), has_guessed, nullptr,
          [](Editor& e) {
              const std::span<const FaceId> faces = e.document->guessed();
              apply_selection(e, {faces.begin(), faces.end()}, SelectBy::replace, "Select guessed paint");
          }},
-        {"select.next_guessed",
-         icons::step_forward,
-         "Next",
-         "Select/Guessed paint",
-         "Select and frame the next face whose paint was guessed",
-         "reload match step",
-         {},
-         has_guessed,
-         nullptr,
-         [](Editor& e) { step_guessed(e, true); }},
-        {"select.previous_guessed",
-         icons::step_back,
-         "Previous",
-         "Select/Guessed paint",
-         "Select and frame the previous face whose paint was guessed",
-         "reload match step",
-         {},
-         has_guessed,
-         nullptr,
-         [](Editor& e) { step_guessed(e, false); }},
-        {"select.accept_guessed",
-         icons::check,
-         "Accept all",
-         "Select/Guessed paint",
-         "Accept all guessed paint",
-         "reload match confirm",
-         {},
-         has_guessed,
-         nullptr,
+        {"select.next_guessed", icons::step_forward, "Next", "Select/Guessed paint",
+         "Select and frame the next face whose paint was guessed", "reload match step", no_key(), has_guessed,
+         nullptr, [](Editor& e) { step_guessed(e, true); }},
+        {"select.previous_guessed", icons::step_back, "Previous", "Select/Guessed paint",
+         "Select and frame the previous face whose paint was guessed", "reload match step", no_key(),
+         has_guessed, nullptr, [](Editor& e) { step_guessed(e, false); }},
+        {"select.accept_guessed", icons::check, "Accept all", "Select/Guessed paint",
+         "Accept all guessed paint", "reload match confirm", no_key(), has_guessed, nullptr,
          [](Editor& e) {
              e.status = std::to_string(e.document->guessed().size()) + " guesses accepted";
              e.document->accept_guessed();
@@ -266,45 +229,29 @@ std::vector<Command> shape_rows() {
     };
 }
 
-template <std::size_t Digit>
-std::optional<std::size_t> saved_index(const Editor& editor) {
-    if (!editor.document || Digit > editor.document->saved_selections().size()) return std::nullopt;
-    return Digit - 1;
-}
-
-// For each digit: every face of the type with that hotkey, and the saved selection with that number. The
-// texts live as long as the program.
-template <std::size_t... I>
-std::vector<Command> digit_rows(std::index_sequence<I...>) {
-    static std::array<std::array<std::string, 6>, sizeof...(I)> texts;
+// For each digit: every face of the type with that hotkey, and the saved selection with that number.
+std::vector<Command> digit_rows() {
     std::vector<Command> types, saved;
-    const auto add = [&](std::size_t i, auto has_type, auto select_type, auto type_name, auto has_saved,
-                         auto recall, auto saved_name) {
-        const std::string digit = std::to_string(i + 1);
-        texts[i] = {"select.type_" + digit,
-                    "Type of key " + digit,
-                    "Select every face of the surface type that has the hotkey " + digit,
-                    "select.recall_" + digit,
-                    "Recall selection " + digit,
-                    "Select the faces of saved selection number " + digit};
-        types.push_back({texts[i][0].c_str(), "", texts[i][1].c_str(), "Select/By type", texts[i][2].c_str(),
-                         "surface type hotkey", ctrl(digit.c_str()), has_type, nullptr, select_type,
-                         type_name});
-        saved.push_back({texts[i][3].c_str(), "", texts[i][4].c_str(), "Select/Saved", texts[i][5].c_str(),
-                         "saved named set restore", alt(digit.c_str()), has_saved, nullptr, recall,
-                         saved_name});
-    };
-    (add(
-         I, has_hotkey<I + 1>,
-         [](Editor& e) {
-             apply_selection(e, faces_of_type(*e.document, *surface_with_hotkey(e, I + 1)), SelectBy::replace,
-                             "Select " + type_on_key(e, I + 1));
-         },
-         [](const Editor& e) { return "Type: " + type_on_key(e, I + 1); },
-         [](const Editor& e) { return saved_index<I + 1>(e).has_value(); },
-         [](Editor& e) { recall_selection(e, I, SelectBy::replace); },
-         [](const Editor& e) { return "Recall " + e.document->saved_selections()[I].name; }),
-     ...);
+    for (std::size_t i = 1; i <= 9; ++i) {
+        const std::string digit = std::to_string(i);
+        types.push_back({lasting("select.type_" + digit), "", lasting("Type of key " + digit),
+                         "Select/By type",
+                         lasting("Select every face of the surface type that has the hotkey " + digit),
+                         "surface type hotkey", ctrl(digit.c_str()),
+                         [i](const Editor& e) { return surface_with_hotkey(e, i).has_value(); }, nullptr,
+                         [i](Editor& e) {
+                             apply_selection(e, faces_of_type(*e.document, *surface_with_hotkey(e, i)),
+                                             SelectBy::replace, "Select " + type_on_key(e, i));
+                         },
+                         [i](const Editor& e) { return "Type: " + type_on_key(e, i); }});
+        saved.push_back(
+            {lasting("select.recall_" + digit), "", lasting("Recall selection " + digit), "Select/Saved",
+             lasting("Select the faces of saved selection number " + digit), "saved named set restore",
+             alt(digit.c_str()),
+             [i](const Editor& e) { return e.document && i <= e.document->saved_selections().size(); },
+             nullptr, [i](Editor& e) { recall_selection(e, i - 1, SelectBy::replace); },
+             [i](const Editor& e) { return "Recall " + e.document->saved_selections()[i - 1].name; }});
+    }
     types.push_back({"select.save", icons::save, "Save selection", "Select/Saved",
                      "Save the selected faces under a name", "named set remember store", ctrl_alt("S"),
                      has_selection, nullptr, [](Editor& e) { save_selection(e, {}); }});
@@ -316,9 +263,8 @@ std::vector<Command> digit_rows(std::index_sequence<I...>) {
 
 std::vector<Command> select_commands() {
     std::vector<Command> all;
-    for (const std::vector<Command>& part :
-         {whole_rows(), hide_rows(), connected_rows(), similar_rows(), type_rows(), guessed_rows(),
-          digit_rows(std::make_index_sequence<9>()), shape_rows()})
+    for (const std::vector<Command>& part : {whole_rows(), hide_rows(), connected_rows(), similar_rows(),
+                                             type_rows(), guessed_rows(), digit_rows(), shape_rows()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }

@@ -15,19 +15,15 @@ using namespace command_actions;
 
 namespace {
 
-// One for each panel. The texts live as long as the program.
-template <std::size_t... I>
-std::vector<Command> panel_commands(std::index_sequence<I...>) {
-    static std::array<std::array<std::string, 3>, sizeof...(I)> texts;
+std::vector<Command> panel_commands() {
     std::vector<Command> rows;
-    const auto add = [&](std::size_t i, auto checked, auto run) {
-        const PanelInfo& info = panel_table()[i];
-        texts[i] = {std::string("panel.") + info.name, std::string(info.label) + " panel",
-                    std::string("panel window tab ") + info.search};
-        rows.push_back({texts[i][0].c_str(), info.icon, texts[i][1].c_str(), "View/Panels", info.description,
-                        texts[i][2].c_str(), parse_shortcut(info.shortcut), always, checked, run});
-    };
-    (add(I, panel_is_shown<I>, toggle_panel_at<I>), ...);
+    for (const PanelInfo& info : panel_table())
+        rows.push_back({lasting(std::string("panel.") + info.name), info.icon,
+                        lasting(std::string(info.label) + " panel"), "View/Panels", info.description,
+                        lasting(std::string("panel window tab ") + info.search),
+                        parse_shortcut(info.shortcut), always,
+                        [id = info.id](const Editor& e) { return e.layout.shown(id); },
+                        [id = info.id](Editor& e) { e.layout.toggle(id); }});
     return rows;
 }
 
@@ -120,37 +116,17 @@ std::vector<Command> back_face_rows() {
         {"view.back_faces", icons::cube, "Back faces", "View/Back faces",
          "Show or hide faces seen from behind (darker and reddish); again: automatic",
          "cull two sided inside outside", key("C"), always, sees_back_faces, switch_back_faces},
-        {"view.back_faces_automatic",
-         "",
-         "Automatic",
-         "View/Back faces",
+        {"view.back_faces_automatic", "", "Automatic", "View/Back faces",
          "Hide back faces where they would cover rooms (seen from outside, and in orthographic views); draw "
          "them everywhere else",
-         "cull two sided inside outside closed",
-         {},
-         always,
-         back_faces_are<BackFaces::automatic>,
+         "cull two sided inside outside closed", no_key(), always, back_faces_are<BackFaces::automatic>,
          use_back_faces<BackFaces::automatic>},
-        {"view.back_faces_always",
-         "",
-         "Always drawn",
-         "View/Back faces",
-         "Draw faces seen from behind, darker and reddish, in every view",
-         "cull two sided",
-         {},
-         always,
-         back_faces_are<BackFaces::always>,
-         use_back_faces<BackFaces::always>},
-        {"view.back_faces_never",
-         "",
-         "Never drawn",
-         "View/Back faces",
-         "Hide faces seen from behind in every view",
-         "cull two sided",
-         {},
-         always,
-         back_faces_are<BackFaces::never>,
-         use_back_faces<BackFaces::never>},
+        {"view.back_faces_always", "", "Always drawn", "View/Back faces",
+         "Draw faces seen from behind, darker and reddish, in every view", "cull two sided", no_key(), always,
+         back_faces_are<BackFaces::always>, use_back_faces<BackFaces::always>},
+        {"view.back_faces_never", "", "Never drawn", "View/Back faces",
+         "Hide faces seen from behind in every view", "cull two sided", no_key(), always,
+         back_faces_are<BackFaces::never>, use_back_faces<BackFaces::never>},
     };
 }
 
@@ -180,32 +156,18 @@ bool has_camera(const Editor& editor) {
     return editor.document && !editor.document->level().cameras.empty();
 }
 
-// Going to the first nine by their keys. The texts live as long as the program.
-template <std::size_t... I>
-std::vector<Command> camera_rows(std::index_sequence<I...>) {
+std::vector<Command> camera_rows() {
     std::vector<Command> rows{
         {"camera.add", icons::camera, "Add camera", "View/Cameras", "Save this view as a camera",
          "bookmark save snapshot", ctrl_shift("B"), has_document, nullptr,
          [](Editor& e) { save_camera(e, {}); }},
-        {"camera.replace",
-         icons::camera,
-         "Move camera here",
-         "View/Cameras",
-         "Replace the last used camera by the current view",
-         "bookmark update change",
-         {},
-         [](const Editor& e) { return has_camera(e) && e.camera_shown.has_value(); },
-         nullptr,
+        {"camera.replace", icons::camera, "Move camera here", "View/Cameras",
+         "Replace the last used camera by the current view", "bookmark update change", no_key(),
+         [](const Editor& e) { return has_camera(e) && e.camera_shown.has_value(); }, nullptr,
          [](Editor& e) { replace_camera(e, *e.camera_shown); }},
-        {"camera.delete",
-         icons::trash,
-         "Delete camera",
-         "View/Cameras",
-         "Delete the last used camera from the level",
-         "bookmark remove",
-         {},
-         [](const Editor& e) { return has_camera(e) && e.camera_shown.has_value(); },
-         nullptr,
+        {"camera.delete", icons::trash, "Delete camera", "View/Cameras",
+         "Delete the last used camera from the level", "bookmark remove", no_key(),
+         [](const Editor& e) { return has_camera(e) && e.camera_shown.has_value(); }, nullptr,
          [](Editor& e) { remove_camera(e, *e.camera_shown); }},
         {"camera.next", icons::camera, "Next camera", "View/Cameras", "Go to the next of the level's cameras",
          "bookmark cycle", key("PageDown"), has_camera, nullptr, [](Editor& e) { go_to_next_camera(e, 1); }},
@@ -213,18 +175,14 @@ std::vector<Command> camera_rows(std::index_sequence<I...>) {
          "Go to the previous of the level's cameras", "bookmark cycle", key("PageUp"), has_camera, nullptr,
          [](Editor& e) { go_to_next_camera(e, -1); }},
     };
-    static std::array<std::array<std::string, 4>, sizeof...(I)> texts;
-    const auto add = [&](std::size_t i, auto enabled, auto run, auto name) {
+    for (std::size_t i = 0; i < 9; ++i) {
         const std::string digit = std::to_string(i + 1);
-        texts[i] = {"camera.go_" + digit, "Camera " + digit, "Go to camera number " + digit, "F" + digit};
-        rows.push_back({texts[i][0].c_str(), "", texts[i][1].c_str(), "View/Cameras", texts[i][2].c_str(),
-                        "bookmark jump", shift(texts[i][3].c_str()), enabled, nullptr, run, name});
-    };
-    (add(
-         I, [](const Editor& e) { return e.document && I < e.document->level().cameras.size(); },
-         [](Editor& e) { go_to_camera(e, I); },
-         [](const Editor& e) { return "Camera: " + e.document->level().cameras[I].name; }),
-     ...);
+        rows.push_back({lasting("camera.go_" + digit), "", lasting("Camera " + digit), "View/Cameras",
+                        lasting("Go to camera number " + digit), "bookmark jump", shift(lasting("F" + digit)),
+                        [i](const Editor& e) { return e.document && i < e.document->level().cameras.size(); },
+                        nullptr, [i](Editor& e) { go_to_camera(e, i); },
+                        [i](const Editor& e) { return "Camera: " + e.document->level().cameras[i].name; }});
+    }
     return rows;
 }
 
@@ -240,16 +198,9 @@ std::vector<Command> view_commands() {
         {"view.textured", icons::image, "Textures", "View", "Draw textures instead of plain shaded faces",
          "shaded material plain", key("X"), always, flag_is<&LevelStyle::textured>,
          toggle_flag<&LevelStyle::textured>},
-        {"view.baked_light",
-         icons::eye,
-         "Baked light",
-         "View",
-         "Draw textures in the level's baked light and sky, if it has them",
-         "light map shadow sun lit",
-         {},
-         always,
-         flag_is<&LevelStyle::baked_light>,
-         toggle_flag<&LevelStyle::baked_light>},
+        {"view.baked_light", icons::eye, "Baked light", "View",
+         "Draw textures in the level's baked light and sky, if it has them", "light map shadow sun lit",
+         no_key(), always, flag_is<&LevelStyle::baked_light>, toggle_flag<&LevelStyle::baked_light>},
         {"view.overlay", icons::layers, "Surface type overlay", "View",
          "Show the surface types' colours and hatches on faces", "colour hatch legend types", key("O"),
          always, overlay_is_on, toggle_overlay},
@@ -270,20 +221,12 @@ std::vector<Command> view_commands() {
         {"view.trace", icons::eye, "Contacts in playtest", "View",
          "Draw the contacts of the last tick while walking", "trace debug", key("K"), always,
          shown<&Editor::show_trace>, toggle_shown<&Editor::show_trace>},
-        {"view.reset_layout",
-         icons::reset,
-         "Reset layout",
-         "View/Panels",
-         "Reset the panels to the default layout",
-         "default panels docks window arrange",
-         {},
-         always,
-         nullptr,
-         reset_layout},
+        {"view.reset_layout", icons::reset, "Reset layout", "View/Panels",
+         "Reset the panels to the default layout", "default panels docks window arrange", no_key(), always,
+         nullptr, reset_layout},
     };
-    for (std::vector<Command>& part : std::array{back_face_rows(), direction_rows(), pane_rows(),
-                                                 camera_rows(std::make_index_sequence<9>()),
-                                                 panel_commands(std::make_index_sequence<panel_count>())})
+    for (std::vector<Command>& part :
+         std::array{back_face_rows(), direction_rows(), pane_rows(), camera_rows(), panel_commands()})
         std::move(part.begin(), part.end(), std::back_inserter(rows));
     return rows;
 }

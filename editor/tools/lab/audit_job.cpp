@@ -81,12 +81,9 @@ double AuditJob::value(HeatKind of, FaceId face) const {
             return heat.visits == 0
                        ? 0.0
                        : 1e-6 * static_cast<double>(heat.lost_us) / static_cast<double>(heat.visits);
-        case HeatKind::stuck:
-            return static_cast<double>(heat.stuck) * options_.dt;
-        case HeatKind::missed_ground:
-            return static_cast<double>(heat.missed_ground) * options_.dt;
-        case HeatKind::visited:
-            return static_cast<double>(heat.stood) * options_.dt;
+        case HeatKind::stuck: return static_cast<double>(heat.stuck) * options_.dt;
+        case HeatKind::missed_ground: return static_cast<double>(heat.missed_ground) * options_.dt;
+        case HeatKind::visited: return static_cast<double>(heat.stood) * options_.dt;
         case HeatKind::unreached: {
             const bool walkable = face_normal(*level_.mesh, face).y() >= std::cos(level_.movement.max_slope);
             return walkable && heat.stood == 0 ? 1.0 : 0.0;

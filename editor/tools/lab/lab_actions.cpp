@@ -56,8 +56,8 @@ void take_playtest_tape(Editor& editor) {
     go_to_headline(editor);
     show_lab(editor);
     editor.status = "Recorded " + seconds_text(duration);
-    const Status kept = editor.session.recordings.keep(editor.document->level().mesh_path.stem().string(),
-                                                       tape_to_text(editor.lab.sealed_tape()));
+    const Status kept = editor.session.recordings.store(editor.document->level().mesh_path.stem().string(),
+                                                        tape_to_text(editor.lab.sealed_tape()));
     if (!kept) editor.status += "; it will be lost at the end of this session: " + kept.error().text();
 }
 

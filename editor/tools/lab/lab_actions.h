@@ -12,10 +12,10 @@ struct Preset;
 
 // Moves the tape of the ending playtest to the lab, with the cursor at the end.
 void take_playtest_tape(Editor& editor);
-// Called before another level is opened: stores an unsaved recorded run in editor.kept_tapes.
-void keep_tape(Editor& editor);
+// Called before another level is opened: stores an unsaved recorded run in editor.stored_tapes.
+void store_tape(Editor& editor);
 // Called after a level was opened: puts its newest stored run, if any, back into the lab.
-void bring_back_tape(Editor& editor);
+void restore_tape(Editor& editor);
 void show_lab(Editor& editor);       // its panels
 void complete_runs(Editor& editor);  // now; tapes that end after a few minutes take milliseconds
 // Each reports failure as a MessageDialog and leaves the lab as it was.

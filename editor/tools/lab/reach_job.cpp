@@ -14,16 +14,12 @@ namespace slipface {
 
 const char* meaning_of(ReachView view) {
     switch (view) {
-        case ReachView::time:
-            return "How long the fastest way found to each face takes";
-        case ReachView::unreached:
-            return "Faces flat enough to stand on where the player was never brought";
+        case ReachView::time: return "How long the fastest path found to each face takes";
+        case ReachView::unreached: return "Faces flat enough to stand on where the player was never brought";
         case ReachView::traps:
             return "Faces that were reached, but from which no way back to the start was found";
-        case ReachView::gained:
-            return "Faces reached now and not in the search before";
-        case ReachView::lost:
-            return "Faces reached in the search before and not now";
+        case ReachView::gained: return "Faces reached now and not in the search before";
+        case ReachView::lost: return "Faces reached in the search before and not now";
     }
     return "";
 }
@@ -157,7 +153,7 @@ bool reach_can_start(const Editor& editor) {
 bool has_reach(const Editor& editor) {
     return editor.reach && !editor.reach->running();
 }
-bool can_show_way(const Editor& editor) {
+bool can_show_path(const Editor& editor) {
     return editor.document && has_reach(editor) && editor.reach->report() && !editor.playtest &&
            !editor.document->selection().empty();
 }
@@ -210,7 +206,7 @@ void open_way(Editor& editor, FaceId face) {
                                : fmt::format("Face {} not reached: {:.2f} m short", face, motion->short_m));
 }
 
-void show_way(Editor& editor) {
+void show_path(Editor& editor) {
     open_way(editor, editor.document->selection().front());
 }
 
@@ -226,7 +222,7 @@ void tick_reach(Editor& editor) {
     ReachJob& job = *editor.reach;
     job.settle();
     const std::span<const FaceId> selected = editor.document->selection();
-    if (job.settings.ways_by_click && job.report() && selected.size() == 1 &&
+    if (job.settings.paths_by_click && job.report() && selected.size() == 1 &&
         job.opened != selected.front() && !editor.playtest)
         open_way(editor, selected.front());
     if (!job.settings.follow || editor.live_edit || editor.playtest || job.fits(*editor.document)) return;

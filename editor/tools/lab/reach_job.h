@@ -20,8 +20,8 @@ const char* meaning_of(ReachView view);
 struct ReachSettings {
     double duration_s = 5.0;
     int seed = 1;
-    bool follow = false;         // search again whenever what is walked on, or how, changes
-    bool ways_by_click = false;  // a face that is selected shows its way
+    bool follow = false;          // search again whenever what is walked on, or how, changes
+    bool paths_by_click = false;  // a face that is selected shows its path
 };
 
 class ReachJob {
@@ -86,11 +86,11 @@ class ReachJob {
 bool reach_can_start(const Editor& editor);
 bool reach_runs(const Editor& editor);
 bool has_reach(const Editor& editor);
-bool can_show_way(const Editor& editor);
+bool can_show_path(const Editor& editor);
 void run_reach(Editor& editor);  // goes on with the last search where nothing has changed since
 void cancel_reach(Editor& editor);
 void clear_reach(Editor& editor);
-void show_way(Editor& editor);  // to the first of the selected faces
+void show_path(Editor& editor);  // to the first of the selected faces
 void open_way(Editor& editor, FaceId face);
 void open_exit(Editor& editor, std::size_t exit);
 void tick_reach(Editor& editor);  // takes results over, and begins anew where it follows the document

@@ -15,12 +15,9 @@ std::string faces_text(std::size_t count) {
 
 std::vector<FaceId> combined(std::span<const FaceId> old, std::vector<FaceId> chosen, SelectBy by) {
     switch (by) {
-        case SelectBy::replace:
-            return chosen;
-        case SelectBy::add:
-            return united(old, chosen);
-        case SelectBy::remove:
-            return without(old, chosen);
+        case SelectBy::replace: return chosen;
+        case SelectBy::add: return united(old, chosen);
+        case SelectBy::remove: return without(old, chosen);
         case SelectBy::toggle: {
             const std::vector<FaceId> both = united(old, chosen);
             return without(both, without(chosen, without(chosen, old)));

@@ -77,8 +77,7 @@ std::string fix_label(const Editor& editor, const Problem& problem) {
             return document.selection().size() == 1
                        ? "Attach to the selected face"
                        : "Attach to " + std::to_string(document.selection().size()) + " selected faces";
-        default:
-            return {};
+        default: return {};
     }
 }
 

@@ -75,7 +75,7 @@ bool reload_annotations(Editor& editor) {
         document.mark_saved();
         document_is_safe(editor);
     }
-    keep_brush_valid(editor);
+    make_brush_valid(editor);
     editor.status = "Reloaded " + name + ": " + loaded->match.text() + guessed_text(document);
     if (!loaded->warnings.empty()) editor.status += "; " + loaded->warnings.front().message;
     editor.status += unsaved ? "; undo restores your unsaved changes" : "; can be undone";

@@ -128,7 +128,7 @@ void finish_loading(Editor& editor) {
         return;
     }
     adopt_document(editor, std::move(opened).value(), loading.path);
-    bring_back_tape(editor);
+    restore_tape(editor);
     if (loading.kind != Loading::Kind::recover) return offer_recovery(editor);
     editor.session.recovered = loading.autosave;
     editor.session.recoverable.clear();

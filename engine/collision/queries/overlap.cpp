@@ -48,18 +48,18 @@ class Overlaps {
         ++found_;
         // `out` is a heap with the highest triangle on top, so that the lowest ones stay, whatever the
         // visiting order.
-        if (kept_ == out_.size()) {
-            if (kept_ == 0 || leaf.id > out_[0].triangle) return;
-            std::ranges::pop_heap(out_.first(kept_--), {}, &Overlap::triangle);
+        if (stored_ == out_.size()) {
+            if (stored_ == 0 || leaf.id > out_[0].triangle) return;
+            std::ranges::pop_heap(out_.first(stored_--), {}, &Overlap::triangle);
         }
         const Touch touch = kernels().touch_of_nearest(leaf, query, nearest);
-        out_[kept_++] = {
+        out_[stored_++] = {
             leaf.id,          world_.face_of(leaf.id), world_.surface_of(leaf.id),        nearest.feature,
             vec(touch.point), vec(touch.normal),       1.0 - std::sqrt(nearest.distance2)};
-        std::ranges::push_heap(out_.first(kept_), {}, &Overlap::triangle);
+        std::ranges::push_heap(out_.first(stored_), {}, &Overlap::triangle);
     }
     std::size_t finish() {
-        std::ranges::sort_heap(out_.first(kept_), {}, &Overlap::triangle);
+        std::ranges::sort_heap(out_.first(stored_), {}, &Overlap::triangle);
         return found_;
     }
 
@@ -67,7 +67,7 @@ class Overlaps {
     const CollisionWorld::Impl& world_;
     std::span<Overlap> out_;
     std::size_t found_ = 0;
-    std::size_t kept_ = 0;
+    std::size_t stored_ = 0;
 };
 
 bool overlaps(const CollisionWorld::Impl& world, const EllipsoidQuery& query, const LeafTriangle& leaf) {

@@ -129,7 +129,7 @@ TriangleHit first_border_touch(const SphereTriangle& triangle, const EllipsoidQu
     const ThreeMask on_corner = first_root(-triangle.a, Threes::all(query.d), lower, corner_t);
 
     TriangleHit best{2.0, Feature::vertex, 0, false};
-    const auto keep_first = [&best](unsigned which, const Three& times, Feature feature) {
+    const auto take_first = [&best](unsigned which, const Three& times, Feature feature) {
         double t[4];
         times.store(t);
         for (int k = 0; k < 3; ++k) {
@@ -137,8 +137,8 @@ TriangleHit first_border_touch(const SphereTriangle& triangle, const EllipsoidQu
             if (t[k] < best.t || (t[k] == best.t && feature < best.feature)) best = {t[k], feature, k, false};
         }
     };
-    keep_first(on_edge.bits(), edge_t, Feature::edge);
-    keep_first(on_corner.bits(), corner_t, Feature::vertex);
+    take_first(on_edge.bits(), edge_t, Feature::edge);
+    take_first(on_corner.bits(), corner_t, Feature::vertex);
     return best;
 }
 

@@ -146,7 +146,7 @@ class Builder {
         Range left;
         if (!range.cells.empty()) {
             if (divide_by_cost(range, range.cells, left, right)) return left;
-            put_in_place(range);
+            collect_items(range);
         }
         if (!range.mixed && divide_by_cost(range, items_of(range), left, right)) return left;
         left.first = range.first;
@@ -187,11 +187,11 @@ class Builder {
 
     void take_cells(Range& range, std::span<Cell> cells) {
         range.cells = cells;
-        if (cells.size() < cells_worth_it) put_in_place(range);
+        if (cells.size() < cells_worth_it) collect_items(range);
     }
 
     // Collects the items of a range from its cells.
-    void put_in_place(Range& range) {
+    void collect_items(Range& range) {
         Item* to = &items_[range.first];
         for (const Cell& cell : range.cells)
             to = std::copy_n(&by_cell_[cell.first], cell.count, to);
@@ -253,7 +253,7 @@ class Builder {
 };
 
 // Assigns memory: nodes before the nodes below them, leaves in the order in which a walk reaches them.
-class Places {
+class MemoryLayout {
   public:
     void give(Node& node, std::uint32_t parent, int level) {
         node.index = static_cast<std::uint32_t>(nodes.size());
@@ -369,8 +369,8 @@ Bvh build_bvh(std::span<const Vec3f> positions, std::span<const std::array<std::
     all.count = count;
     builder.measure(all);
     const std::unique_ptr<Node> root = builder.build(all);
-    Places places;
-    places.give(*root, 0, 1);
+    MemoryLayout layout;
+    layout.give(*root, 0, 1);
 
     alignas(16) float low[4];
     alignas(16) float high[4];
@@ -378,15 +378,15 @@ Bvh build_bvh(std::span<const Vec3f> positions, std::span<const std::array<std::
     all.box.max.store(high);
     std::copy_n(low, 3, bvh.low.begin());
     std::copy_n(high, 3, bvh.high.begin());
-    bvh.depth = places.depth;
-    bvh.nodes.resize(places.nodes.size());
-    bvh.parents.resize(places.nodes.size());
-    bvh.leaves.resize(places.bytes + leaf_overread);
+    bvh.depth = layout.depth;
+    bvh.nodes.resize(layout.nodes.size());
+    bvh.parents.resize(layout.nodes.size());
+    bvh.leaves.resize(layout.bytes + leaf_overread);
     bvh.slots.resize(count);
     Writer writer(items.get(), positions, triangles, bvh);
-    parallel_for(places.nodes.size(), 64, [&](std::size_t begin, std::size_t end) {
+    parallel_for(layout.nodes.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            writer.write(*places.nodes[i]);
+            writer.write(*layout.nodes[i]);
     });
     return bvh;
 }

@@ -174,7 +174,7 @@ bool fit(BvhNode& node, std::uint32_t link, const Bounds& bounds) {
     return !same;
 }
 
-void keep_once(std::vector<std::uint32_t>& list) {
+void remove_duplicates(std::vector<std::uint32_t>& list) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
 }
@@ -199,7 +199,7 @@ void move_some(Bvh& bvh, std::span<const TriangleId> triangles, std::span<const 
     }
     // A node is refitted again after each round in which a child changed; the last refit is correct.
     while (!nodes.empty()) {
-        keep_once(nodes);
+        remove_duplicates(nodes);
         std::vector<std::uint32_t> above;
         for (const std::uint32_t node : nodes) {
             if (node == 0) continue;

@@ -177,7 +177,7 @@ Result<ImportedSoup> read_scene(const std::filesystem::path& path, const std::st
     std::string().swap(bytes);
     auto soup = SceneReader(*scene, frame.root_is_frame, location, warnings).run();
     if (!soup) return soup.error();
-    return ImportedSoup{.soup = std::move(*soup), .frame = frame.frame, .through_assimp = true};
+    return ImportedSoup{.soup = std::move(*soup), .frame = frame.frame};
 }
 
 }  // namespace slipface

@@ -32,7 +32,6 @@ struct ImportedSoup {
     std::vector<FoundSpawn> spawns = {};  // feet in coordinates of the file
     std::vector<FoundType> types = {};
     std::size_t drawn_faces = no_id;  // the faces from this index on are not drawn
-    bool through_assimp = false;
 };
 
 }  // namespace slipface

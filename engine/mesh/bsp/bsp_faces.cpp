@@ -89,7 +89,7 @@ class FaceReader {
             used.push_back(point(points.first + index));
             if (auto status = check(used.back().position); !status) return status;
         }
-        if (flat) keep_walls(used);
+        if (flat) store_walls(used);
         const std::vector<std::uint32_t> outline =
             flat ? outline_of(triangles) : std::vector<std::uint32_t>();
         if (!outline.empty()) {
@@ -128,7 +128,7 @@ class FaceReader {
     }
 
     // A face that does not stop a player does not cover a wall that does.
-    void keep_walls(const std::vector<Point>& triangles) {
+    void store_walls(const std::vector<Point>& triangles) {
         if ((file_.contents(material_) & bsp::contents_wall) == 0) return;
         for (std::size_t i = 0; i < triangles.size(); i += 3)
             out_.walls.push_back({triangles[i].position.cast<double>(),

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "obj/obj_scan.h"
+#include "obj/obj_reader.h"
 #include "slipface/mesh/mesh.h"
 #include "warning_list.h"
 

@@ -13,10 +13,6 @@
 namespace slipface {
 namespace {
 
-bool is_space(char c) {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
-}
-
 bool is_text(unsigned char byte) {
     return byte >= 0x20 || (byte >= '\t' && byte <= '\r');
 }
@@ -77,14 +73,14 @@ bool LineReader::next() {
 
 std::string_view take_word(std::string_view& line) {
     std::size_t begin = 0;
-    while (begin < line.size() && is_space(line[begin]))
+    while (begin < line.size() && is_blank(line[begin]))
         ++begin;
     if (begin == line.size() || line[begin] == '#') {
         line = {};
         return {};
     }
     std::size_t end = begin;
-    while (end < line.size() && !is_space(line[end]))
+    while (end < line.size() && !is_blank(line[end]))
         ++end;
     const std::string_view word = line.substr(begin, end - begin);
     line.remove_prefix(end);

@@ -27,6 +27,11 @@ class LineReader {
     std::size_t next_number_ = 1;
 };
 
+// White space. A line contains no '\n'.
+inline bool is_blank(char c) {
+    return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
 // Removes the next word from `line` and returns it; empty at the end and where a comment begins.
 std::string_view take_word(std::string_view& line);
 

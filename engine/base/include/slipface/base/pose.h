@@ -21,20 +21,20 @@ struct Pose {
     std::array<Vec3, 3> columns{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};  // of the rotation matrix
     Vec3 offset = Vec3::Zero();
 
-    Vec3 turn(const Vec3& direction) const {
+    Vec3 rotate(const Vec3& direction) const {
         return columns[0] * direction.x() + columns[1] * direction.y() + columns[2] * direction.z();
     }
-    Vec3 turn_back(const Vec3& direction) const {
+    Vec3 rotate_back(const Vec3& direction) const {
         return {columns[0].dot(direction), columns[1].dot(direction), columns[2].dot(direction)};
     }
-    Vec3 apply(const Vec3& point) const { return turn(point) + offset; }
-    Vec3 undo(const Vec3& point) const { return turn_back(point - offset); }
+    Vec3 apply(const Vec3& point) const { return rotate(point) + offset; }
+    Vec3 undo(const Vec3& point) const { return rotate_back(point - offset); }
     friend bool operator==(const Pose&, const Pose&) = default;
 };
 
 // The pose that rotates by `angle` radians about `axis` through `pivot`, counter-clockwise seen from the tip
 // of the axis, and then adds `offset`. `axis` may have any length; with a zero or infinite one nothing is
 // rotated. Source: Rodrigues' rotation formula.
-Pose turned_about(const Vec3& pivot, const Vec3& axis, double angle, const Vec3& offset = Vec3::Zero());
+Pose rotation_about(const Vec3& pivot, const Vec3& axis, double angle, const Vec3& offset = Vec3::Zero());
 
 }  // namespace slipface

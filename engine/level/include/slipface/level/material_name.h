@@ -25,7 +25,7 @@ std::optional<SurfaceId> suffix_surface(std::string_view name, SurfaceTable surf
 std::optional<std::string> typed_material(std::string_view material, SurfaceId surface,
                                           SurfaceTable surfaces);
 
-// The normal name without such a suffix. Baking a face's type into its material does not change it.
+// The normal name without such a suffix. Writing a face's type into its material's name does not change it.
 std::string base_material(std::string_view name, SurfaceTable surfaces);
 
 }  // namespace slipface

@@ -73,7 +73,6 @@ struct ImportedMesh {
     std::vector<FaceId> undrawn;     // ascending: faces that stop a player but are not drawn in the game
     Warnings warnings;               // parts that were dropped or repaired, with their line
     FileStamp stamp;
-    bool through_assimp = false;  // false: through a reader of our own
 };
 
 struct ImportOptions {
@@ -83,8 +82,7 @@ struct ImportOptions {
 };
 
 // Reads an OBJ file: each polygon becomes one face, in the order of the file, and its group is the last `o`
-// or `g` before it. Ordinary files go through a reader of our own on all cores, whose result equals assimp's
-// bit for bit; all others through assimp.
+// or `g` before it. A reader of our own reads it on all cores, and its numbers are assimp's bit for bit.
 // Other formats (formats.h) are also read, to view and paint them; such files are never written. They go
 // through assimp, in a child process if the program offers one (scene_child.h), with the polygons of all
 // nodes in world space; Quake 3 maps have a reader of our own. Files

@@ -52,9 +52,6 @@ class CureSearch {
     std::unique_ptr<Impl> impl_;
 };
 
-// The same in one call.
-std::vector<Cure> find_cures(const Level& level, const TapeRun& run, const Stop& stop);
-
 // Applies the cure to a level: its settings, its type to its face, or its mesh. Errors: an unknown setting,
 // no such face, too many surface types.
 Status apply_cure(Level& level, const Cure& cure);

@@ -1,5 +1,5 @@
 // The story of a tick in plain words, line by line, from its trace alone. All explanations of movement use
-// these sentences: the Why panel, `slipface simulate --tell`, `slipface why`, the probe.
+// these sentences: the Why panel, `slipface simulate --describe`, `slipface why`, the probe.
 #pragma once
 
 #include "slipface/level/level.h"

@@ -1,4 +1,4 @@
-#include "scene.h"
+#include "lit_geometry.h"
 
 #include <algorithm>
 
@@ -83,46 +83,45 @@ Vec3 nearest_in_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3
 
 }  // namespace
 
-Vec3 LightScene::sky(const Vec3& direction) const {
+Vec3 LitGeometry::sky(const Vec3& direction) const {
     const double height = std::clamp(direction.y(), 0.0, 1.0);
     return light.sky_horizon + (light.sky_zenith - light.sky_horizon) * (height * (2.0 - height));
 }
 
-Result<LightScene> make_light_scene(const Level& level) {
+Result<LitGeometry> make_lit_geometry(const Level& level) {
     const std::string location = level.file_path.string();
     if (!level.mesh || level.mesh->triangle_count() == 0) return Error{location, "has no geometry to light"};
     if (!level.light) return Error{location + ":/light", "found nothing, expected what to bake from"};
-    LightScene scene;
-    scene.mesh = level.mesh;
-    scene.light = *level.light;
-    const double length = scene.light.sun_direction.norm();
-    if (scene.light.sun_color.maxCoeff() > 0.0 && length > 0.0)
-        scene.sun = scene.light.sun_direction / length;
-    scene.open = scene.light.sky_zenith.maxCoeff() > 0.0 || scene.light.sky_horizon.maxCoeff() > 0.0;
+    LitGeometry lit;
+    lit.mesh = level.mesh;
+    lit.light = *level.light;
+    const double length = lit.light.sun_direction.norm();
+    if (lit.light.sun_color.maxCoeff() > 0.0 && length > 0.0) lit.sun = lit.light.sun_direction / length;
+    lit.open = lit.light.sky_zenith.maxCoeff() > 0.0 || lit.light.sky_horizon.maxCoeff() > 0.0;
     Result<CollisionWorld> world = light_collision(level);
     if (!world) return world.error();
-    scene.world = std::move(*world);
-    Result<LightCharts> charts = light_charts(*level.mesh, scene.light.texel_m);
+    lit.world = std::move(*world);
+    Result<LightCharts> charts = light_charts(*level.mesh, lit.light.texel_m);
     if (!charts) return charts.error();
-    scene.charts = std::move(*charts);
+    lit.charts = std::move(*charts);
     for (const Material& material : level.mesh->materials) {
-        scene.albedo.push_back(mean_color(material, level.mesh_path.parent_path()));
-        const LightEmitter emitter = material_emitter(scene.light, material);
-        scene.emission.push_back(emitter.color);
-        scene.window.push_back(emitter.window);
+        lit.albedo.push_back(mean_color(material, level.mesh_path.parent_path()));
+        const LightEmitter emitter = material_emitter(lit.light, material);
+        lit.emission.push_back(emitter.color);
+        lit.window.push_back(emitter.window);
     }
     for (FaceId face = 0; face < level.mesh->face_count(); ++face) {
-        scene.normal.push_back(face_normal(*level.mesh, face));
-        if (!scene.glows(face) || scene.normal.back().squaredNorm() < 0.5) continue;
-        const Vec3 front = face_centroid(*level.mesh, face) + 2.0 * lift * scene.normal.back();
-        scene.emitters.push_back({front, scene.normal.back(), scene.emission[level.mesh->face_material[face]],
-                                  face_area(*level.mesh, face), face});
+        lit.normal.push_back(face_normal(*level.mesh, face));
+        if (!lit.glows(face) || lit.normal.back().squaredNorm() < 0.5) continue;
+        const Vec3 front = face_centroid(*level.mesh, face) + 2.0 * lift * lit.normal.back();
+        lit.emitters.push_back({front, lit.normal.back(), lit.emission[level.mesh->face_material[face]],
+                                face_area(*level.mesh, face), face});
     }
-    return scene;
+    return lit;
 }
 
-Vec3 point_on_face(const LightScene& scene, FaceId face, const Vec3& position) {
-    const Mesh& mesh = *scene.mesh;
+Vec3 point_on_face(const LitGeometry& lit, FaceId face, const Vec3& position) {
+    const Mesh& mesh = *lit.mesh;
     Vec3 best = position;
     double best_distance = std::numeric_limits<double>::infinity();
     for (TriangleId t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1]; ++t) {
@@ -145,7 +144,7 @@ Vec3 point_on_face(const LightScene& scene, FaceId face, const Vec3& position) {
         best = nearest;
         best_distance = distance;
     }
-    return best + lift * scene.normal[face];
+    return best + lift * lit.normal[face];
 }
 
 }  // namespace slipface

@@ -1,4 +1,4 @@
-#include "slipface/exchange/bake.h"
+#include "slipface/exchange/name_materials.h"
 
 #include <fmt/format.h>
 
@@ -31,12 +31,12 @@ class Patcher {
     Patcher(const Level& level, const TypedMaterials& materials, std::string_view text)
         : mesh_(*level.mesh), materials_(materials), text_(text) {}
 
-    Result<BakedText> run(const std::string& location) {
+    Result<NamedObj> run(const std::string& location) {
         std::size_t face = 0;
         for (const ObjStatement& statement : obj_statements(text_)) {
             switch (statement.kind) {
                 case ObjStatement::Kind::material:
-                    keep_pending();
+                    leave_pending();
                     pending_ = statement;
                     authored_ = text_.substr(statement.name_begin, statement.name_end - statement.name_begin);
                     break;
@@ -50,13 +50,12 @@ class Patcher {
                         return Error{location, "contains other faces than before; open it again"};
                     add_face(static_cast<FaceId>(face++), statement);
                     break;
-                case ObjStatement::Kind::library:
-                    break;
+                case ObjStatement::Kind::library: break;
             }
         }
         if (face != mesh_.face_count())
             return Error{location, "contains other faces than before; open it again"};
-        keep_pending();
+        leave_pending();
         out_.obj += text_.substr(copied_);
         return std::move(out_);
     }
@@ -70,7 +69,7 @@ class Patcher {
         if (pending_ && typed) {
             replace_pending(wanted);
         } else {
-            keep_pending();
+            leave_pending();
         }
         if (written_ == wanted) return;
         copy_until(statement.begin);
@@ -81,7 +80,7 @@ class Patcher {
     }
 
     // The file's own `usemtl` stays as it is.
-    void keep_pending() {
+    void leave_pending() {
         if (!pending_) return;
         written_ = std::string(authored_);
         pending_.reset();
@@ -109,20 +108,20 @@ class Patcher {
     std::string_view authored_;                // by the file's last `usemtl`
     std::optional<std::string> written_ = "";  // what a reader of the new text takes for the material
     std::optional<ObjStatement> pending_;      // a `usemtl` without a face so far
-    BakedText out_;
+    NamedObj out_;
 };
 
 Status write_with_backup(const fs::path& path, std::string_view before, std::string_view after,
-                         Baked& baked) {
+                         NamedMaterials& named) {
     const fs::path backup = path.string() + ".bak";
     if (Status status = write_file_atomic(backup, before); !status) return status;
-    baked.backups.push_back(backup);
+    named.backups.push_back(backup);
     if (Status status = write_file_atomic(path, after); !status) return status;
-    baked.written.push_back(path);
+    named.written.push_back(path);
     return {};
 }
 
-// Reads the baked geometry and clears the paint of faces whose material now gives their type.
+// Reads the written geometry and clears the paint of faces whose material now gives their type.
 Result<LoadedLevel> read_baked(const Level& level) {
     Result<LoadedLevel> loaded = reload_mesh(level);
     if (!loaded) return loaded;
@@ -173,48 +172,48 @@ Result<TypedMaterials> typed_materials(const Level& level, bool rules_too) {
     return result;
 }
 
-Result<BakedText> bake_text(const Level& level, std::string_view obj) {
+Result<NamedObj> obj_with_names(const Level& level, std::string_view obj) {
     const std::string location = level.mesh_path.string();
     if (file_stamp(obj) != level.mesh_stamp)
         return Error{location, "was changed by another program since it was read; reload it first"};
     Result<TypedMaterials> materials = typed_materials(level, false);
     if (!materials) return materials.error();
-    Result<BakedText> baked = Patcher(level, *materials, obj).run(location);
-    if (baked) baked->materials = std::move(*materials);
-    return baked;
+    Result<NamedObj> named = Patcher(level, *materials, obj).run(location);
+    if (named) named->materials = std::move(*materials);
+    return named;
 }
 
-Result<Baked> bake_level(const Level& level) {
+Result<NamedMaterials> name_materials(const Level& level) {
     const std::string location = level.mesh_path.string();
     if (to_lower(level.mesh_path.extension().string()) != ".obj")
         return Error{location, "is read only; only OBJ files are written (slipface export writes others)"};
     Result<std::string> bytes = read_file(level.mesh_path);
     if (!bytes) return bytes.error();
-    Result<BakedText> text = bake_text(level, *bytes);
+    Result<NamedObj> text = obj_with_names(level, *bytes);
     if (!text) return text.error();
 
-    Baked baked;
-    baked.faces = text->faces;
+    NamedMaterials named;
+    named.faces = text->faces;
     if (text->faces > 0) {
         // Materials first: if the OBJ cannot be written, unused materials do no harm.
         for (const MaterialPatch& patch : patch_libraries(level, *bytes, text->materials)) {
-            if (Status status = write_with_backup(patch.path, patch.before, patch.after, baked); !status)
+            if (Status status = write_with_backup(patch.path, patch.before, patch.after, named); !status)
                 return status.error();
         }
-        if (Status status = write_with_backup(level.mesh_path, *bytes, text->obj, baked); !status)
+        if (Status status = write_with_backup(level.mesh_path, *bytes, text->obj, named); !status)
             return status.error();
     }
     Result<LoadedLevel> after = read_baked(level);
     if (!after) return after.error();
-    baked.after = std::move(*after);
-    return baked;
+    named.after = std::move(*after);
+    return named;
 }
 
-std::string Baked::text() const {
+std::string NamedMaterials::text() const {
     const std::string name = after.level.mesh_path.filename().string();
     if (faces == 0) return "no face is painted: " + name + " stays as it is";
-    return fmt::format("{} face{} baked into {}; the old file is {}.bak", faces, faces == 1 ? "" : "s", name,
-                       name);
+    return fmt::format("types of {} face{} written into {}; the old file is {}.bak", faces,
+                       faces == 1 ? "" : "s", name, name);
 }
 
 }  // namespace slipface

@@ -1,4 +1,4 @@
-// The scene as the light rays need it: faces with their colours, charts and emission.
+// The level as the light rays need it: faces with their colours, charts and emission.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@ struct Emitter {
     FaceId face = no_id;
 };
 
-struct LightScene {
+struct LitGeometry {
     MeshPtr mesh;
     LevelLight light;
     Vec3 sun = Vec3::Zero();  // unit, towards the sun; zero without a sun
@@ -36,10 +36,10 @@ struct LightScene {
 };
 
 // Errors: those of LightBaker::make().
-Result<LightScene> make_light_scene(const Level& level);
+Result<LitGeometry> make_lit_geometry(const Level& level);
 
 // The point nearest to `position` that is inside the border of the face and a little in front of it, so that
 // no ray starts behind a neighbour.
-Vec3 point_on_face(const LightScene& scene, FaceId face, const Vec3& position);
+Vec3 point_on_face(const LitGeometry& lit, FaceId face, const Vec3& position);
 
 }  // namespace slipface

@@ -17,7 +17,7 @@ struct TypedMaterials {
 // Error: a type's name that cannot be part of a material's name.
 Result<TypedMaterials> typed_materials(const Level& level, bool rules_too);
 
-struct BakedText {
+struct NamedObj {
     std::string obj;        // the file's new bytes
     std::size_t faces = 0;  // faces whose material has a type added
     TypedMaterials materials;
@@ -27,20 +27,20 @@ struct BakedText {
 // material alone would not give ice gets "MATERIAL__ice". Only `usemtl` lines are changed or inserted; all
 // other bytes stay. Without painted faces the bytes are the same. Errors: `obj` is not the text that the
 // level's mesh was read from; a type's name that cannot be part of a material's name.
-Result<BakedText> bake_text(const Level& level, std::string_view obj);
+Result<NamedObj> obj_with_names(const Level& level, std::string_view obj);
 
-struct Baked {
+struct NamedMaterials {
     LoadedLevel after;  // read again; faces whose material now gives their type are no longer painted
     std::size_t faces = 0;
     std::vector<std::filesystem::path> written, backups;
-    std::string text() const;  // "12 faces baked into easy.obj; the file before is easy.obj.bak"
+    std::string text() const;  // "types of 12 faces written into easy.obj; the old file is easy.obj.bak"
 };
 
-// Writes bake_text() to the level's OBJ file and, to its material library, copies of the materials tinted
-// with the type's colour. Stores the previous bytes of a file as NAME.bak and replaces an older one. Errors:
-// geometry that is no OBJ; a file that another program has changed since it was read. Does not write the
-// level file: call save_level(after.level).
-Result<Baked> bake_level(const Level& level);
+// Writes obj_with_names() to the level's OBJ file and, to its material library, copies of the materials
+// tinted with the type's colour. Stores the previous bytes of a file as NAME.bak and replaces an older one.
+// Errors: geometry that is no OBJ; a file that another program has changed since it was read. Does not write
+// the level file: call save_level(after.level).
+Result<NamedMaterials> name_materials(const Level& level);
 
 // The colour of a material that carries a type: the mean of the material's own colour and the type's.
 Vec3f tinted(const Vec3f& diffuse, const SurfaceType& type);

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "exchange/scratch_level.h"
-#include "slipface/exchange/bake.h"
+#include "slipface/exchange/name_materials.h"
 
 namespace slipface::test {
 namespace {
@@ -12,12 +12,12 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-class Bake : public ScratchLevel {
+class NameMaterials : public ScratchLevel {
   protected:
     std::string baked_text(const Level& level) {
-        const Result<BakedText> baked = bake_text(level, read("level.obj"));
-        if (baked) return baked->obj;
-        ADD_FAILURE() << baked.error().text();
+        const Result<NamedObj> named = obj_with_names(level, read("level.obj"));
+        if (named) return named->obj;
+        ADD_FAILURE() << named.error().text();
         return {};
     }
 };
@@ -39,16 +39,16 @@ const std::string untidy =
     "  f 1 2 \\\r\n 4 5\r\n"
     "f 3 4 5";
 
-TEST_F(Bake, WithoutPaintNoByteChanges) {
+TEST_F(NameMaterials, WithoutPaintNoByteChanges) {
     const Level level = open(untidy);
     EXPECT_EQ(baked_text(level), untidy);
-    const Result<Baked> baked = bake_level(level);
-    ASSERT_TRUE(baked) << baked.error().text();
-    EXPECT_TRUE(baked->written.empty());
+    const Result<NamedMaterials> named = name_materials(level);
+    ASSERT_TRUE(named) << named.error().text();
+    EXPECT_TRUE(named->written.empty());
     EXPECT_FALSE(exists("level.obj.bak"));
 }
 
-TEST_F(Bake, OnlyUsemtlLinesComeInOrChange) {
+TEST_F(NameMaterials, OnlyUsemtlLinesComeInOrChange) {
     Level level = open(untidy);
     ASSERT_EQ(level.mesh->face_count(), 5u);
     paint(level, 1, "ice");
@@ -75,7 +75,7 @@ TEST_F(Bake, OnlyUsemtlLinesComeInOrChange) {
     EXPECT_EQ(baked_text(level), expected);
 }
 
-TEST_F(Bake, TheTypesAreReadBackFromTheMaterials) {
+TEST_F(NameMaterials, TheTypesAreReadBackFromTheMaterials) {
     Level level = open("mtllib level.mtl\n" + grid_obj(12, {"stone", "", "my wood"}));
     std::mt19937 random(3);
     for (FaceId face = 0; face < level.mesh->face_count(); ++face)
@@ -84,60 +84,60 @@ TEST_F(Bake, TheTypesAreReadBackFromTheMaterials) {
     level.rules = {{"stone", "sticky"}};
     const ResolvedSurfaces before = resolve_surfaces(level);
 
-    const Result<Baked> baked = bake_level(level);
-    ASSERT_TRUE(baked) << baked.error().text();
-    const Level& after = baked->after.level;
+    const Result<NamedMaterials> named = name_materials(level);
+    ASSERT_TRUE(named) << named.error().text();
+    const Level& after = named->after.level;
     EXPECT_EQ(resolve_surfaces(after).surface, before.surface);
     for (const auto& painted : after.overrides)
         EXPECT_FALSE(painted) << "the material says it now";
     EXPECT_EQ(after.mesh->positions, level.mesh->positions);
     EXPECT_EQ(after.mesh->corner_vertex, level.mesh->corner_vertex);
 
-    // Nothing more to bake: the second time changes no byte.
+    // Nothing more to write: the second time changes no byte.
     const std::string once = read("level.obj");
     EXPECT_EQ(baked_text(after), once);
 }
 
-TEST_F(Bake, KeepsOneBackupAndTintsTheMaterial) {
+TEST_F(NameMaterials, KeepsOneBackupAndTintsTheMaterial) {
     write("level.mtl",
           "newmtl stone\r\nKd 1 1 1\r\nmap_Kd stone.png\r\nillum 2\r\n\r\nnewmtl wall\r\nKd 0 0 0\r\n");
     Level level = open(untidy);
     paint(level, 0, "ice");
-    const Result<Baked> baked = bake_level(level);
-    ASSERT_TRUE(baked) << baked.error().text();
-    EXPECT_EQ(baked->text(), "1 face baked into level.obj; the old file is level.obj.bak");
+    const Result<NamedMaterials> named = name_materials(level);
+    ASSERT_TRUE(named) << named.error().text();
+    EXPECT_EQ(named->text(), "types of 1 face written into level.obj; the old file is level.obj.bak");
     EXPECT_EQ(read("level.obj.bak"), untidy);
     const std::string library = read("level.mtl");
     EXPECT_TRUE(library.starts_with(read("level.mtl.bak")));
     EXPECT_THAT(library, HasSubstr("newmtl stone__ice\r\nKd 0."));
     EXPECT_THAT(library.substr(library.find("stone__ice")), HasSubstr("map_Kd stone.png\r\nillum 2"));
     EXPECT_THAT(library.substr(library.find("stone__ice")), Not(HasSubstr("wall")));
-    EXPECT_TRUE(baked->after.warnings.empty() ||
-                baked->after.warnings[0].message.find("stone__ice") == std::string::npos)
+    EXPECT_TRUE(named->after.warnings.empty() ||
+                named->after.warnings[0].message.find("stone__ice") == std::string::npos)
         << "the new material is in the library";
 }
 
-TEST_F(Bake, RefusesAFileThatAnotherProgramHasChanged) {
+TEST_F(NameMaterials, RefusesAFileThatAnotherProgramHasChanged) {
     Level level = open(untidy);
     paint(level, 0, "ice");
     write("level.obj", untidy + "\n# saved elsewhere");
-    const Result<Baked> baked = bake_level(level);
-    ASSERT_FALSE(baked);
-    EXPECT_THAT(baked.error().text(), HasSubstr("changed by another program"));
+    const Result<NamedMaterials> named = name_materials(level);
+    ASSERT_FALSE(named);
+    EXPECT_THAT(named.error().text(), HasSubstr("changed by another program"));
     EXPECT_EQ(read("level.obj"), untidy + "\n# saved elsewhere");
     EXPECT_FALSE(exists("level.obj.bak"));
 }
 
-TEST_F(Bake, RefusesATypeThatNoMaterialNameCanHold) {
+TEST_F(NameMaterials, RefusesATypeThatNoMaterialNameCanHold) {
     Level level = open(untidy);
     SurfaceType odd;
     odd.name = "ice.001";
     level.surfaces.push_back(odd);
     paint(level, 0, "ice.001");
-    EXPECT_FALSE(bake_text(level, read("level.obj")));
+    EXPECT_FALSE(obj_with_names(level, read("level.obj")));
 }
 
-TEST_F(Bake, ReadOnlyGeometryIsNotWritten) {
+TEST_F(NameMaterials, ReadOnlyGeometryIsNotWritten) {
     write("level.ply",
           "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
           "float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n0 0 "
@@ -145,9 +145,9 @@ TEST_F(Bake, ReadOnlyGeometryIsNotWritten) {
     Result<LoadedLevel> loaded = load_level(path("level.ply"));
     ASSERT_TRUE(loaded) << loaded.error().text();
     paint(loaded->level, 0, "ice");
-    const Result<Baked> baked = bake_level(loaded->level);
-    ASSERT_FALSE(baked);
-    EXPECT_THAT(baked.error().text(), HasSubstr("read only"));
+    const Result<NamedMaterials> named = name_materials(loaded->level);
+    ASSERT_FALSE(named);
+    EXPECT_THAT(named.error().text(), HasSubstr("read only"));
 }
 
 }  // namespace

@@ -1,0 +1,38 @@
+#include "cli/options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "cli/verbs.h"
+
+namespace slipface::cli {
+
+void add_set_option(CLI::App& verb, std::vector<std::string>& settings) {
+    verb.add_option("--set", settings, "Change a movement setting; may be repeated")
+        ->type_name("name=value")
+        ->allow_extra_args(false);
+}
+
+CLI::Option* add_play_options(CLI::App& verb, PlayWords& words) {
+    CLI::Option* level = verb.add_option("LEVEL", words.level, level_help());
+    verb.add_option("--seed", words.seed, "Another seed, other inputs")
+        ->check(whole_number)
+        ->capture_default_str();
+    verb.add_option("--preset", words.preset, "A preset, or a preset file, instead of the level's settings");
+    verb.add_option("--spawn", words.spawn, "Start at this spawn of the level")->type_name("NAME");
+    add_set_option(verb, words.settings);
+    verb.add_option("--threads", words.threads, "Maximum number of threads; 0: one per processor")
+        ->check(CLI::Range(0, 4096));
+    return level;
+}
+
+std::string whole_number(const std::string& text) {
+    std::uint64_t number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, number);
+    if (error == std::errc() && rest == end) return {};
+    return fmt::format("found {}, expected a whole number from 0 to 18446744073709551615", text);
+}
+
+}  // namespace slipface::cli

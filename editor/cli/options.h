@@ -1,0 +1,28 @@
+// Options that several verbs share, each declared once.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace slipface::cli {
+
+// --set name=value, which may be repeated.
+void add_set_option(CLI::App& verb, std::vector<std::string>& settings);
+
+// What a verb that sends players through a level needs to know.
+struct PlayWords {
+    std::string level, preset, spawn;
+    std::vector<std::string> settings;
+    std::uint64_t seed = 1;
+    int threads = 0;
+};
+
+// LEVEL, --seed, --preset, --spawn, --set and --threads. Returns LEVEL, which is not required.
+CLI::Option* add_play_options(CLI::App& verb, PlayWords& words);
+
+// A check for numbers of 64 bits: the parser alone would read -1 as the largest number.
+std::string whole_number(const std::string& text);
+
+}  // namespace slipface::cli
