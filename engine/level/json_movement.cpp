@@ -8,7 +8,7 @@ void read_setting(JsonReader& reader, const Json& json, const std::string& path,
                   MovementSettings& settings) {
     double value = 0.0;
     Status status;
-    if (std::holds_alternative<bool MovementSettings::*>(info.member)) {
+    if (is_switch(info)) {
         bool flag = false;
         if (!reader.boolean(json, path, flag)) return;
         value = flag ? 1.0 : 0.0;
@@ -18,7 +18,7 @@ void read_setting(JsonReader& reader, const Json& json, const std::string& path,
                             whole))
             return;
         value = whole;
-    } else if (!choice_names(info).empty()) {
+    } else if (is_choice(info)) {
         std::string choice;
         if (!reader.text(json, path, choice)) return;
         status = set_setting(settings, std::string(info.name) + "=" + choice);
@@ -44,11 +44,11 @@ Json settings_json(const MovementSettings& settings) {
     Json json = json_object();
     for (const SettingInfo& info : settings_table()) {
         const double value = get_setting(settings, info);
-        if (std::holds_alternative<bool MovementSettings::*>(info.member)) {
+        if (is_switch(info)) {
             json_add(json, info.name, json_bool(value != 0.0));
         } else if (std::holds_alternative<int MovementSettings::*>(info.member)) {
             json_add(json, info.name, json_number(static_cast<std::int64_t>(value)));
-        } else if (!choice_names(info).empty()) {
+        } else if (is_choice(info)) {
             json_add(json, info.name, json_string(setting_text(settings, info)));
         } else {
             json_add(json, info.name, json_number(value));

@@ -22,7 +22,7 @@ std::vector<Command> hack_commands(std::index_sequence<I...>) {
     const auto add = [&](std::size_t i, auto checked, auto run) {
         if (i >= settings_table().size()) return;
         const SettingInfo& info = settings_table()[i];
-        if (!std::holds_alternative<bool MovementSettings::*>(info.member)) return;
+        if (!is_switch(info)) return;
         ids[i] = std::string("movement.") + info.name;
         rows.push_back({ids[i].c_str(),
                         "",
