@@ -121,7 +121,8 @@ std::string meaning_of(const SettingInfo& info) {
 
 void set_switches(MovementSettings& settings, bool on) {
     for (const SettingInfo& info : settings_table())
-        if (const auto* member = std::get_if<bool MovementSettings::*>(&info.member)) settings.** member = on;
+        if (const auto* member = std::get_if<bool MovementSettings::*>(&info.member))
+            settings.*(*member) = on;
 }
 
 namespace {

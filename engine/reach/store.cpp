@@ -118,7 +118,7 @@ PlayerState get_state(ByteReader& from, const Level& level) {
     static_assert(PlayerState::flags.size() <= 8, "a byte holds them");
     auto flags = from.up_to<std::uint8_t>((1U << PlayerState::flags.size()) - 1, "the flags of a state");
     for (auto member = PlayerState::flags.rbegin(); member != PlayerState::flags.rend(); ++member) {
-        state.** member = flags % 2 != 0;
+        state.*(*member) = flags % 2 != 0;
         flags /= 2;
     }
     state.ground_face = from.index(level.mesh->face_count(), "a face");

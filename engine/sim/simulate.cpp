@@ -78,13 +78,16 @@ void EventLog::log(std::size_t tick, const char* kind, const PlayerState& state)
 std::uint64_t state_hash(const PlayerState& state, std::uint64_t previous) {
     Hasher hasher;
     hasher.u64(previous);
-    for (const auto member : PlayerState::vectors) {
+    // What a hack adds to the state counts only while it is set, so that tapes that end without it keep the
+    // hash of their end.
+    constexpr std::size_t first_vectors = 3, first_flags = 7, first_numbers = 3;
+    for (std::size_t i = 0; i < PlayerState::vectors.size(); ++i) {
+        const Vec3& vector = state.*PlayerState::vectors[i];
+        if (i >= first_vectors && vector.isZero(0.0)) continue;
+        if (i >= first_vectors) hasher.u64(i);
         for (int axis = 0; axis < 3; ++axis)
-            hasher.f64((state.*member)[axis]);
+            hasher.f64(vector[axis]);
     }
-    // A member that a hack brought later counts only while it is set, so that tapes that end without it keep
-    // the hash of their end.
-    constexpr std::size_t first_flags = 7, first_numbers = 3;
     std::uint64_t flags = 0;
     for (std::size_t i = 0; i < PlayerState::flags.size(); ++i) {
         const bool flag = state.*PlayerState::flags[i];
