@@ -53,9 +53,7 @@ Wishes wishes_of(std::size_t walkers) {
 MovementSettings every_hack() {
     MovementSettings s = basic_settings();
     s.push_out = PushOut::analytic;
-    for (const char* name :
-         {"nudge", "step_up", "snap_down", "seam_filter", "coyote", "jump_buffer", "variable_jump"})
-        static_cast<void>(set_setting(s, *find_setting(name), 1.0).ok());
+    set_switches(s, true);
     return s;
 }
 

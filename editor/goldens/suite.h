@@ -14,7 +14,8 @@
 // name: the golden is NAME.png; letters, digits, '-', '_', '@' and '/'.
 //
 // level, tape: paths relative to the suite file. The levels "demo:NAME:on" and "demo:NAME:off" are the scenes
-// of a hack (engine/scenes), with their tape, their camera and the hack's switch on or off.
+// of a hack (engine/scenes), with their tape, their camera and the hack's switch on or off. "demo:*" is all
+// of them: the snapshots NAME/DEMO-off and NAME/DEMO-on.
 //
 // camera: one of the names below, or { "eye": [x, y, z], "target": [x, y, z], "fov_deg": 60 }, where fov_deg
 // may be left out. Without a camera: "auto:iso".

@@ -48,7 +48,7 @@ void effect_rows(Editor& editor, const SettingInfo& info) {
         }
     }
     ImGui::SameLine();
-    if (std::holds_alternative<bool MovementSettings::*>(info.member) &&
+    if (is_switch(info) &&
         ui::button("Ghost without it", "Run the tape with this switch inverted, as another ghost")) {
         MovementSettings settings = editor.document->level().movement;
         if (set_setting(settings, info, 1.0 - get_setting(settings, info))) editor.lab.pin(settings);
@@ -171,7 +171,7 @@ void hack_cell(Editor& editor, FrameContext& frame, const SettingInfo& info) {
     const ui::Scope card("Card");
     ui::heading(info.label);
     ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(info.meaning);
+    ImGui::TextUnformatted(meaning_of(info).c_str());
     ImGui::PopTextWrapPos();
     for (const DemoInfo& demo : demo_table()) {
         if (std::string_view(demo.hack) != info.name) continue;

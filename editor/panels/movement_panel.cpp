@@ -17,12 +17,6 @@
 namespace slipface {
 namespace {
 
-bool is_switch(const SettingInfo& info) {
-    return std::holds_alternative<bool MovementSettings::*>(info.member);
-}
-bool is_choice(const SettingInfo& info) {
-    return !choice_names(info).empty();
-}
 bool is_whole(const SettingInfo& info) {
     return std::holds_alternative<int MovementSettings::*>(info.member);
 }
@@ -39,7 +33,7 @@ std::string value_text(const MovementSettings& settings, const SettingInfo& info
 
 std::string setting_tooltip(const SettingInfo& info) {
     const MovementSettings defaults;
-    std::string text = info.meaning;
+    std::string text = meaning_of(info);
     text += "\n\n";
     if (is_switch(info) || is_choice(info))
         text += "Default: " + setting_text(defaults, info);
@@ -64,7 +58,7 @@ std::string words_of(std::string name) {
 
 void choice_control(Editor& editor, const SettingInfo& info, double value, const std::string& tooltip) {
     std::vector<std::string> texts;
-    for (const char* name : choice_names(info))
+    for (const auto& [name, meaning] : choices_of(info))
         texts.push_back(sentence_case(words_of(name)));
     std::vector<const char*> names;
     for (const std::string& text : texts)

@@ -175,7 +175,7 @@ void switches(Editor& editor) {
         const ui::Scope row(effect.setting);
         ImGui::AlignTextToFramePadding();
         ImGui::TextColored(better ? ui::palette().good : ui::palette().text, "%s", name.c_str());
-        ui::tooltip(effect.info->meaning);
+        ui::tooltip(meaning_of(*effect.info).c_str());
         const float buttons = ImGui::CalcTextSize("GhostSet").x + 4.0f * ImGui::GetStyle().FramePadding.x +
                               ImGui::GetStyle().ItemSpacing.x;
         ImGui::SameLine();

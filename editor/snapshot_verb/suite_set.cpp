@@ -76,7 +76,7 @@ Result<SuiteSet> load_suite_set(const SuiteArguments& arguments) {
     const Result<std::vector<Scene>> scenes =
         arguments.levels.empty() ? scenes_of_suites(arguments) : scenes_of_levels(arguments);
     if (!scenes) return scenes.error();
-    Result<std::vector<Scene>> expanded = expand_cameras(*scenes);
+    Result<std::vector<Scene>> expanded = expand_suite(*scenes);
     if (!expanded) return expanded.error();
     SuiteSet set;
     set.scenes = *std::move(expanded);

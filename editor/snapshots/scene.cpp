@@ -9,6 +9,7 @@
 #include "goldens/level_digest.h"
 #include "slipface/base/files.h"
 #include "slipface/level/level_file.h"
+#include "slipface/scenes/demo.h"
 #include "slipface/view/camera.h"
 #include "snapshots/explain.h"
 #include "snapshots/scene_stage.h"
@@ -240,9 +241,34 @@ Result<Attachment> SceneStage::digest(const Scene& scene) {
     return Attachment{"levels/" + staged.digest + ".digest", *std::move(bytes)};
 }
 
-Result<std::vector<Scene>> expand_cameras(const std::vector<Scene>& scenes) {
+namespace {
+
+// With every demo, off and on, instead of "demo:*".
+std::vector<Scene> with_demos(const std::vector<Scene>& scenes) {
     std::vector<Scene> expanded;
     for (const Scene& scene : scenes) {
+        if (scene.level != "demo:*") {
+            expanded.push_back(scene);
+            continue;
+        }
+        for (const DemoInfo& demo : demo_table()) {
+            for (const char* state : {"off", "on"}) {
+                Scene one = scene;
+                one.name += fmt::format("/{}-{}", demo.name, state);
+                one.level = fmt::format("demo:{}:{}", demo.name, state);
+                one.camera = demo.title;
+                expanded.push_back(std::move(one));
+            }
+        }
+    }
+    return expanded;
+}
+
+}  // namespace
+
+Result<std::vector<Scene>> expand_suite(const std::vector<Scene>& scenes) {
+    std::vector<Scene> expanded;
+    for (const Scene& scene : with_demos(scenes)) {
         if (scene.cameras.empty()) {
             expanded.push_back(scene);
             continue;

@@ -10,9 +10,9 @@
 
 namespace slipface {
 
-// Replaces each scene with `cameras` by one scene per camera. Reads levels and runs tapes only for
-// "bookmarks" and "contacts". Error: two scenes of one name.
-Result<std::vector<Scene>> expand_cameras(const std::vector<Scene>& scenes);
+// Replaces "demo:*" by one scene per demo and state, and each scene with `cameras` by one scene per camera.
+// Reads levels and runs tapes only for "bookmarks" and "contacts". Error: two scenes of one name.
+Result<std::vector<Scene>> expand_suite(const std::vector<Scene>& scenes);
 
 // Renders scenes. Levels stay loaded and uploaded from one scene to the next. `context` must outlive it.
 class SceneStage {

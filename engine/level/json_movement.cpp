@@ -7,7 +7,7 @@ namespace {
 void read_setting(const JsonNode& node, const SettingInfo& info, MovementSettings& settings) {
     double value = 0.0;
     Status status;
-    if (std::holds_alternative<bool MovementSettings::*>(info.member)) {
+    if (is_switch(info)) {
         bool flag = false;
         if (!node.boolean(flag)) return;
         status = set_setting(settings, info, flag ? 1.0 : 0.0);
@@ -15,7 +15,7 @@ void read_setting(const JsonNode& node, const SettingInfo& info, MovementSetting
         int whole = 0;
         if (!node.integer(static_cast<int>(info.minimum), static_cast<int>(info.maximum), whole)) return;
         status = set_setting(settings, info, whole);
-    } else if (!choice_names(info).empty()) {
+    } else if (is_choice(info)) {
         std::string choice;
         if (!node.text(choice)) return;
         status = set_setting(settings, std::string(info.name) + "=" + choice);
@@ -31,11 +31,11 @@ Json settings_json(const MovementSettings& settings) {
     Json json = json_object();
     for (const SettingInfo& info : settings_table()) {
         const double value = get_setting(settings, info);
-        if (std::holds_alternative<bool MovementSettings::*>(info.member)) {
+        if (is_switch(info)) {
             json_add(json, info.name, json_bool(value != 0.0));
         } else if (std::holds_alternative<int MovementSettings::*>(info.member)) {
             json_add(json, info.name, json_number(static_cast<std::int64_t>(value)));
-        } else if (!choice_names(info).empty()) {
+        } else if (is_choice(info)) {
             json_add(json, info.name, json_string(setting_text(settings, info)));
         } else {
             json_add(json, info.name, json_number(value));

@@ -12,10 +12,9 @@ namespace {
 constexpr std::size_t max_preset_bytes = std::size_t{1} << 20;
 
 MovementSettings everything() {
-    MovementSettings s = basic_settings();
-    s.push_out = PushOut::analytic;
-    s.nudge = s.step_up = s.snap_down = s.seam_filter = true;
-    s.coyote = s.jump_buffer = true;
+    MovementSettings s;
+    s.nudge = true;
+    s.step_height = s.snap_distance = 0.35;
     return s;
 }
 
@@ -54,10 +53,7 @@ MovementSettings momentum() {
 // Every hack off: what remains is sweep and slide.
 MovementSettings simulation() {
     MovementSettings s = basic_settings();
-    for (const SettingInfo& info : settings_table()) {
-        if (std::holds_alternative<bool MovementSettings::*>(info.member))
-            static_cast<void>(set_setting(s, info, 0.0).ok());
-    }
+    set_switches(s, false);
     s.gravity = 9.81;
     return s;
 }

@@ -303,8 +303,17 @@ bool wants_jump(const Mover& mover);  // pressed now, or remembered
 bool may_jump(const Mover& mover);    // held by something, or just left it
 Vec3 jump_velocity(const Mover& mover);
 void cut_jump(Mover& mover);
-// What the timers are after the step.
+
+// Clocks of hacks: members of the state, and what each is after the step.
+struct Clock {
+    double PlayerState::*member;
+    double (*after)(const Mover&);
+};
 double coyote_after(const Mover& mover);
 double jump_buffer_after(const Mover& mover);
+inline constexpr auto clocks = std::to_array<Clock>({
+    {&PlayerState::coyote_s, coyote_after},
+    {&PlayerState::jump_buffer_s, jump_buffer_after},
+});
 
 }  // namespace slipface

@@ -34,8 +34,8 @@ PlayerState state_after(const Mover& mover) {
         after.ground_platform = mover.support.platform;
         after.ground_rise = mover.grounded ? mover.support_rise : 0.0;
     }
-    after.coyote_s = coyote_after(mover);
-    after.jump_buffer_s = jump_buffer_after(mover);
+    for (const Clock& clock : clocks)
+        after.*clock.member = clock.after(mover);
     return after;
 }
 

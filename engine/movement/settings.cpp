@@ -23,10 +23,6 @@ struct Overloaded : F... {
 template <class... F>
 Overloaded(F...) -> Overloaded<F...>;
 
-bool is_switch(const SettingInfo& info) {
-    return std::holds_alternative<bool MovementSettings::*>(info.member);
-}
-
 bool is_angle(const SettingInfo& info) {
     return std::string_view(info.unit) == "deg";
 }
@@ -34,10 +30,10 @@ bool is_angle(const SettingInfo& info) {
 // The allowed values, for error messages.
 std::string allowed(const SettingInfo& info) {
     if (is_switch(info)) return "on or off";
-    if (const auto names = choice_names(info); !names.empty()) {
-        std::string text = names.front();
-        for (std::size_t i = 1; i < names.size(); ++i)
-            text += (i + 1 < names.size() ? ", " : " or ") + std::string(names[i]);
+    if (const auto choices = choices_of(info); !choices.empty()) {
+        std::string text = choices.front().name;
+        for (std::size_t i = 1; i < choices.size(); ++i)
+            text += (i + 1 < choices.size() ? ", " : " or ") + std::string(choices[i].name);
         return text;
     }
     const bool whole = std::holds_alternative<int MovementSettings::*>(info.member);
@@ -85,9 +81,9 @@ std::optional<double> parse_value(const SettingInfo& info, std::string_view text
         if (lower == "true" || lower == "on") return 1.0;
         if (lower == "false" || lower == "off") return 0.0;
     }
-    const std::span<const char* const> names = choice_names(info);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (lower == names[i]) return static_cast<double>(i);
+    const std::span<const Choice> choices = choices_of(info);
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (lower == choices[i].name) return static_cast<double>(i);
     }
     if (is_angle(info) && lower.size() > 3 && lower.ends_with("deg")) {
         const std::optional<double> degrees =
@@ -107,9 +103,26 @@ const SettingInfo* find_setting(std::string_view name) {
     return nullptr;
 }
 
-std::span<const char* const> choice_names(const SettingInfo& info) {
+std::span<const Choice> choices_of(const SettingInfo& info) {
     const auto* choice = std::get_if<ChoiceMember>(&info.member);
-    return choice != nullptr ? choice->names : std::span<const char* const>();
+    return choice != nullptr ? choice->choices : std::span<const Choice>();
+}
+
+std::string meaning_of(const SettingInfo& info) {
+    std::string text = info.meaning;
+    for (const Choice& choice : choices_of(info)) {
+        std::string name = choice.name;
+        std::replace(name.begin(), name.end(), '_', ' ');
+        name[0] = static_cast<char>(name[0] - 'a' + 'A');
+        text += fmt::format(" {}: {}.", name, choice.meaning);
+    }
+    return text;
+}
+
+void set_switches(MovementSettings& settings, bool on) {
+    for (const SettingInfo& info : settings_table())
+        if (const auto* member = std::get_if<bool MovementSettings::*>(&info.member))
+            settings.*(*member) = on;
 }
 
 namespace {
@@ -130,12 +143,11 @@ struct Numbers {
 }  // namespace
 
 MovementSettings basic_settings() {
-    MovementSettings s;
-    s.push_out = PushOut::off;
-    s.step_up = s.snap_down = s.seam_filter = false;
-    s.step_height = s.snap_distance = 0.35;
-    s.coyote = s.jump_buffer = false;
-    return s;
+    MovementSettings settings;
+    // The rows' own values are in their range, so this cannot fail.
+    for (const SettingInfo& info : settings_table())
+        if (info.basic) static_cast<void>(set_setting(settings, info, *info.basic).ok());
+    return settings;
 }
 
 bool is_finite(const MovementSettings& settings) {
@@ -197,9 +209,9 @@ Status set_setting(MovementSettings& settings, std::string_view assignment) {
 std::string setting_text(const MovementSettings& settings, const SettingInfo& info) {
     const double value = get_setting(settings, info);
     if (is_switch(info)) return value != 0.0 ? "on" : "off";
-    if (const auto names = choice_names(info); !names.empty()) {
+    if (const auto choices = choices_of(info); !choices.empty()) {
         const auto index = static_cast<std::size_t>(value);
-        return index < names.size() ? names[index] : to_text(value);
+        return index < choices.size() ? choices[index].name : to_text(value);
     }
     return to_text(value);
 }

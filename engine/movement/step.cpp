@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "mover.h"
 
@@ -14,9 +15,10 @@ bool usable(const MovementSettings& s) {
 }
 
 bool usable(const PlayerState& state, const PlayerInput& input, double dt) {
-    return dt >= 1e-4 && dt <= 0.25 && state.position.allFinite() && state.velocity.allFinite() &&
-           state.ground_normal.allFinite() && input.wish.allFinite() &&
-           std::isfinite(state.ground_rise + state.coyote_s + state.jump_buffer_s);
+    const auto finite = [&](auto... number) { return (std::isfinite(state.*number) && ...); };
+    const auto all_finite = [&](auto... vector) { return ((state.*vector).allFinite() && ...); };
+    return dt >= 1e-4 && dt <= 0.25 && input.wish.allFinite() &&
+           std::apply(all_finite, PlayerState::vectors) && std::apply(finite, PlayerState::numbers);
 }
 
 Vec2 at_most_one(const Vec2& wish) {

@@ -52,7 +52,7 @@ void apply_surface_rules(CollisionWorld& world, SurfaceTable surfaces) {
 
 std::span<const SurfaceField> surface_fields() {
     using T = SurfaceType;
-    static const std::array<SurfaceField, 13> fields{{
+    static const auto fields = std::to_array<SurfaceField>({
         {"friction", "Friction", "", 0.0, max_friction,
          "How well the ground holds: 1 as plain ground, 0 slides, more starts and stops faster. Multiplies "
          "acceleration and braking; below 1 slopes pull; above 1 a bounce loses speed along the surface.",
@@ -84,7 +84,7 @@ std::span<const SurfaceField> surface_fields() {
          &T::hazardous},
         {"max_slope", "Maximum slope", "deg", 0.0, 1.5533430342749532,
          "Maximum walkable slope of this surface, instead of the player's setting.", &T::max_slope},
-    }};
+    });
     return fields;
 }
 

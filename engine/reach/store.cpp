@@ -94,41 +94,38 @@ class ByteReader {
 };
 
 void put_state(Writer& to, const PlayerState& state) {
-    for (const Vec3* vector : {&state.position, &state.velocity, &state.ground_normal})
-        to.put(*vector);
+    for (const auto member : PlayerState::vectors)
+        to.put(state.*member);
     for (const std::int32_t number : state.sector)
         to.put(number);
     std::uint8_t flags = 0;
-    for (const bool flag : {state.grounded, state.climbing, state.stuck, state.jump_held, state.hazard,
-                            state.jumping, state.trapped})
-        flags = static_cast<std::uint8_t>(flags * 2 + (flag ? 1 : 0));
+    for (const auto member : PlayerState::flags)
+        flags = static_cast<std::uint8_t>(flags * 2 + (state.*member ? 1 : 0));
     to.put(flags);
     to.put(state.ground_face);
     to.put(state.ground_surface);
     to.put(state.ground_platform);
-    to.put(state.ground_rise);
-    to.put(state.coyote_s);
-    to.put(state.jump_buffer_s);
+    for (const auto member : PlayerState::numbers)
+        to.put(state.*member);
 }
 
 PlayerState get_state(ByteReader& from, const Level& level) {
     PlayerState state;
-    for (Vec3* vector : {&state.position, &state.velocity, &state.ground_normal})
-        *vector = from.vector("a coordinate of a state");
+    for (const auto member : PlayerState::vectors)
+        state.*member = from.vector("a coordinate of a state");
     for (std::int32_t& number : state.sector)
         number = from.get<std::int32_t>();
-    auto flags = from.up_to<std::uint8_t>(127, "the flags of a state");
-    for (bool* flag : {&state.trapped, &state.jumping, &state.hazard, &state.jump_held, &state.stuck,
-                       &state.climbing, &state.grounded}) {
-        *flag = flags % 2 != 0;
+    static_assert(PlayerState::flags.size() <= 8, "a byte holds them");
+    auto flags = from.up_to<std::uint8_t>((1U << PlayerState::flags.size()) - 1, "the flags of a state");
+    for (auto member = PlayerState::flags.rbegin(); member != PlayerState::flags.rend(); ++member) {
+        state.*(*member) = flags % 2 != 0;
         flags /= 2;
     }
     state.ground_face = from.index(level.mesh->face_count(), "a face");
     state.ground_surface = from.up_to<SurfaceId>(level.surfaces.size() - 1, "a surface type");
     state.ground_platform = from.index(level.platforms.size(), "a platform");
-    state.ground_rise = from.number("a height");
-    state.coyote_s = from.number("a time");
-    state.jump_buffer_s = from.number("a time");
+    for (const auto member : PlayerState::numbers)
+        state.*member = from.number("a number of a state");
     return state;
 }
 

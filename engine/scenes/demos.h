@@ -4,26 +4,9 @@
 
 namespace slipface {
 
-Demo demo_static_friction();
-Demo demo_ground_velocity();
-Demo demo_straight_ahead();
-Demo demo_keep_energy();
-Demo demo_push_out();
-Demo demo_nudge();
-Demo demo_step_up();
-Demo demo_heightfield();
-Demo demo_sectors();
-Demo demo_bounce();
-Demo demo_snap_down();
-Demo demo_seam_filter();
-Demo demo_coyote();
-Demo demo_jump_buffer();
-Demo demo_variable_jump();
-Demo demo_air_control();
-Demo demo_platforms();
-Demo demo_turntable();
-Demo demo_sticky();
-Demo demo_surface_types();
+// One row per demo, with all that it shows; demo_table() joins them.
+std::span<const DemoInfo> ground_demos();
+std::span<const DemoInfo> air_demos();
 
 // Builds a demo from a level, the player's start, the inputs ("60 wish 0,-1" lines of a tape) and a camera.
 Demo demo_of(Level level, const Vec3& spawn, const MovementSettings& on, const char* inputs, const Vec3& eye,

@@ -1,5 +1,6 @@
 // Demos of jumping, of moving things, and of worlds that are not only triangles.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "demos.h"
@@ -22,148 +23,171 @@ Shapes ledges(double gap) {
     return shapes;
 }
 
+const auto air_rows = std::to_array<DemoInfo>({
+    {"heightfield", "heightfield", "Heightfield",
+     "Off: the player falls through the terrain. On: the player walks on it.",
+     [] {
+         MovementSettings on = basic_settings();
+         constexpr int side = 33;
+         Shapes shapes;
+         shapes.material("stone").box({-2, 0, 6}, {2, 2.4, 9});
+         // Posts at the far corners, so that the bounds of the mesh, which frame the images, include the
+         // hills.
+         shapes.box({-11.9, -1, -13.9}, {-11.5, 2.6, -13.5}).box({11.5, -1, -13.9}, {11.9, 2.6, -13.5});
+         Demo demo = demo_of(shapes.level(), {0, standing_on_flat(on, 2.4), 7.5}, on,
+                             "20 wish 0,0\n145 wish 0,-1\n", {13, 8, 11}, {0, 0.5, -1});
+         demo.level.heightfield = HeightfieldSource{.file = "heightfield-terrain.png",
+                                                    .origin = {-12, 0, -14},
+                                                    .size = {24, 28},
+                                                    .low = -1.0,
+                                                    .high = 2.0};
+         GreyImage image{.width = side, .height = side, .values = {}};
+         for (int row = 0; row < side; ++row) {
+             for (int column = 0; column < side; ++column) {
+                 const double x = column / 5.0, z = row / 4.0;
+                 const double wave = 0.5 + 0.25 * std::sin(x) * std::cos(z) + 0.2 * std::sin(0.6 * z + 1.0);
+                 image.values.push_back(static_cast<std::uint16_t>(std::clamp(wave, 0.0, 1.0) * 65535.0));
+             }
+         }
+         demo.level.terrain =
+             std::make_shared<const Heightfield>(make_heightfield(*demo.level.heightfield, image));
+         return demo;
+     }},
+    {"sectors", "sectors", "Sectors",
+     "A million metres from the origin. Off: coordinates are 6 cm apart, and rounding has moved the "
+     "posts of the gate too close. On: the player walks through as at the origin.",
+     [] {
+         MovementSettings on = basic_settings();
+         // A tilted floor of small tiles: a corner that is moved sideways is also too high or too low.
+         Shapes shapes;
+         shapes.material("stone");
+         const auto height = [](double x, double z) { return 0.25 * x - 0.15 * z; };
+         const auto corner = [&](int i, int k) {
+             const double x = 0.57 * i - 4.0, z = 0.57 * k - 12.0;
+             return Vec3(x, height(x, z), z);
+         };
+         for (int k = 0; k < 32; ++k) {
+             for (int i = 0; i < 14; ++i)
+                 shapes.polygon({corner(i, k), corner(i, k + 1), corner(i + 1, k + 1), corner(i + 1, k)});
+         }
+         // Gates 0.81 m wide for a player of 0.8 m. A million metres out the positions of their posts are
+         // rounded to multiples of 0.0625 m, which leaves 0.75 m.
+         constexpr double gate = 0.405;
+         shapes.material("brick");
+         for (const double z : {0.0, -3.0, -6.0}) {
+             const double low = height(0, z) - 0.8, high = height(0, z) + 2.4;
+             shapes.box({-gate - 0.3, low, z - 0.2}, {-gate, high, z + 0.2});
+             shapes.box({gate, low, z - 0.2}, {gate + 0.3, high, z + 0.2});
+         }
+         Demo demo = demo_of(shapes.level(), {0, standing_on_flat(on, 0), 3.1}, on,
+                             "30 wish 0,0\n120 wish 0,-0.9\n", {6, 4.5, 5}, {0.5, 1, -1.5});
+         demo.level.sectors = {.size = 1000.0, .placement = {1e6, 0, -1e6}};
+         return demo;
+     }},
+    {"coyote", "coyote", "Coyote time",
+     "Jump is pressed 3 ticks after the ledge. Off: the player falls into the gap. On: the player "
+     "reaches the other side.",
+     [] {
+         MovementSettings on = basic_settings();
+         on.coyote = true;
+         // From 6 m before the rim, at 6 m/s, the player passes the rim in about tick 65; the jump comes 3
+         // ticks later.
+         return demo_of(ledges(4).level(), {0, standing_on_flat(on, 0), 6}, on,
+                        "5 wish 0,0\n69 wish 0,-1\n30 wish 0,-1 jump\n30 wish 0,0\n", {11, 3, 1}, {0, 0, -2});
+     }},
+    {"jump-buffer", "jump_buffer", "Jump buffer",
+     "Jump is pressed 4 ticks before landing. Off: the press is ignored. On: the jump starts on landing.",
+     [] {
+         MovementSettings on = basic_settings();
+         on.jump_buffer = true;
+         Shapes shapes;
+         shapes.material("plaster")
+             .box({-4, -0.5, -16}, {4, 0, 8})
+             .material("brick")
+             .box({-3, 0, -10}, {3, 1, -7});
+         // The first jump lasts 2 * 8 / 20 s, 48 ticks; the second press comes 4 ticks before it ends.
+         return demo_of(
+             shapes.level(), {0, standing_on_flat(on, 0), 5}, on,
+             "10 wish 0,0\n10 wish 0,-1\n1 wish 0,-1 jump\n43 wish 0,-1\n1 wish 0,-1 jump\n60 wish 0,-1\n",
+             {11, 4, 0}, {0, 1, -2});
+     }},
+    {"variable-jump", "variable_jump", "Variable jump height",
+     "The button is held for 6 ticks only. Off: the jump has its full height. On: a short hop under the "
+     "beam.",
+     [] {
+         MovementSettings on = basic_settings();
+         on.variable_jump = true;
+         Shapes shapes;
+         shapes.material("plaster")
+             .box({-4, -0.5, -12}, {4, 0, 6})
+             .material("brick")
+             .box({-3, 2.65, -3}, {3, 3.1, -1});
+         return demo_of(shapes.level(), {0, standing_on_flat(on, 0), 4}, on,
+                        "10 wish 0,0\n35 wish 0,-1\n6 wish 0,-1 jump\n60 wish 0,-1\n", {10, 3.5, 0},
+                        {0, 1.2, -1.5});
+     }},
+    {"air-control", "air_control", "Air control",
+     "The stick changes direction in mid-air. Off: the player flies past the pillar's top. On: the "
+     "player lands on it.",
+     [] {
+         MovementSettings on = basic_settings();
+         Shapes shapes;
+         shapes.material("plaster")
+             .box({-5, -4.5, -14}, {9, -4, 8})
+             .material("stone")
+             .box({-2, -4, 0}, {2, 0, 7});
+         shapes.material("brick__pillar").box({0.8, -4, -3.6}, {3.2, 0, -1.4});
+         Demo demo = demo_of(shapes.level(), {0, standing_on_flat(on, 0), 4}, on,
+                             "10 wish 0,0\n38 wish 0,-1\n10 wish 0,-1 jump\n14 wish 1,0 jump\n70 wish 0,0\n",
+                             {-9, 6, 3.5}, {0.5, -1, -1});
+         demo.level.surfaces.push_back(painted("pillar", {0.30F, 0.55F, 0.85F}));
+         return demo;
+     }},
+    {"moving-platforms", "platforms", "Moving platforms",
+     "Off: the raft slides away under the feet. On: it carries the player across the gap.",
+     [] {
+         MovementSettings on = basic_settings();
+         Shapes shapes = ledges(6);
+         shapes.group("raft").material("wood").box({-1.2, -0.3, -1.6}, {1.2, 0, 0});
+         Demo demo = demo_of(shapes.level(), {0, standing_on_flat(on, 0), -0.8}, on,
+                             "210 wish 0,0\n60 wish 0,-1\n", {11, 4, -1}, {0, 0, -3.2});
+         Platform raft;
+         raft.name = "raft";
+         raft.group = "raft";
+         raft.path = {{.offset = {0, 0, 0}, .speed = 1.6, .pause_s = 0.5},
+                      {.offset = {0, 0, -4.4}, .speed = 1.6, .pause_s = 2}};
+         demo.level.platforms = {raft};
+         return demo;
+     }},
+    {"turntable", "platforms", "Turntable",
+     "Off: the turntable rotates under the feet. On: the player rotates with it.",
+     [] {
+         MovementSettings on = basic_settings();
+         Shapes shapes;
+         shapes.material("plaster").box({-7, -1, -7}, {7, -0.5, 7}).group("table").material("wood__disc");
+         std::vector<Vec3> rim;
+         for (int i = 0; i < 24; ++i) {
+             const double angle = -2.0 * 3.141592653589793 * i / 24;
+             rim.emplace_back(5 * std::cos(angle), 0, 5 * std::sin(angle));
+         }
+         shapes.polygon(rim);
+         shapes.material("brick").box({-0.3, 0, -4.5}, {0.3, 0.6, -2});
+         Demo demo = demo_of(shapes.level(), {3, standing_on_flat(on, 0), 0}, on, "180 wish 0,0\n", {6, 9, 8},
+                             {0, 0, 0});
+         Platform table;
+         table.name = "table";
+         table.group = "table";
+         table.spin_rate = 1.2;
+         demo.level.platforms = {table};
+         demo.level.surfaces.push_back(painted("disc", {0.72F, 0.56F, 0.36F}));
+         return demo;
+     }},
+});
+
 }  // namespace
 
-Demo demo_coyote() {
-    MovementSettings on = basic_settings();
-    on.coyote = true;
-    // From 6 m before the rim, at 6 m/s, the player passes the rim in about tick 65; the jump comes 3 ticks
-    // later.
-    return demo_of(ledges(4).level(), {0, standing_on_flat(on, 0), 6}, on,
-                   "5 wish 0,0\n69 wish 0,-1\n30 wish 0,-1 jump\n30 wish 0,0\n", {11, 3, 1}, {0, 0, -2});
-}
-
-Demo demo_jump_buffer() {
-    MovementSettings on = basic_settings();
-    on.jump_buffer = true;
-    Shapes shapes;
-    shapes.material("plaster")
-        .box({-4, -0.5, -16}, {4, 0, 8})
-        .material("brick")
-        .box({-3, 0, -10}, {3, 1, -7});
-    // The first jump lasts 2 * 8 / 20 s, 48 ticks; the second press comes 4 ticks before it ends.
-    return demo_of(
-        shapes.level(), {0, standing_on_flat(on, 0), 5}, on,
-        "10 wish 0,0\n10 wish 0,-1\n1 wish 0,-1 jump\n43 wish 0,-1\n1 wish 0,-1 jump\n60 wish 0,-1\n",
-        {11, 4, 0}, {0, 1, -2});
-}
-
-Demo demo_variable_jump() {
-    MovementSettings on = basic_settings();
-    on.variable_jump = true;
-    Shapes shapes;
-    shapes.material("plaster")
-        .box({-4, -0.5, -12}, {4, 0, 6})
-        .material("brick")
-        .box({-3, 2.65, -3}, {3, 3.1, -1});
-    return demo_of(shapes.level(), {0, standing_on_flat(on, 0), 4}, on,
-                   "10 wish 0,0\n35 wish 0,-1\n6 wish 0,-1 jump\n60 wish 0,-1\n", {10, 3.5, 0},
-                   {0, 1.2, -1.5});
-}
-
-Demo demo_air_control() {
-    MovementSettings on = basic_settings();
-    Shapes shapes;
-    shapes.material("plaster").box({-5, -4.5, -14}, {9, -4, 8}).material("stone").box({-2, -4, 0}, {2, 0, 7});
-    shapes.material("brick__pillar").box({0.8, -4, -3.6}, {3.2, 0, -1.4});
-    Demo demo = demo_of(shapes.level(), {0, standing_on_flat(on, 0), 4}, on,
-                        "10 wish 0,0\n38 wish 0,-1\n10 wish 0,-1 jump\n14 wish 1,0 jump\n70 wish 0,0\n",
-                        {-9, 6, 3.5}, {0.5, -1, -1});
-    demo.level.surfaces.push_back(painted("pillar", {0.30F, 0.55F, 0.85F}));
-    return demo;
-}
-
-Demo demo_platforms() {
-    MovementSettings on = basic_settings();
-    Shapes shapes = ledges(6);
-    shapes.group("raft").material("wood").box({-1.2, -0.3, -1.6}, {1.2, 0, 0});
-    Demo demo = demo_of(shapes.level(), {0, standing_on_flat(on, 0), -0.8}, on,
-                        "210 wish 0,0\n60 wish 0,-1\n", {11, 4, -1}, {0, 0, -3.2});
-    Platform raft;
-    raft.name = "raft";
-    raft.group = "raft";
-    raft.path = {{.offset = {0, 0, 0}, .speed = 1.6, .pause_s = 0.5},
-                 {.offset = {0, 0, -4.4}, .speed = 1.6, .pause_s = 2}};
-    demo.level.platforms = {raft};
-    return demo;
-}
-
-Demo demo_turntable() {
-    MovementSettings on = basic_settings();
-    Shapes shapes;
-    shapes.material("plaster").box({-7, -1, -7}, {7, -0.5, 7}).group("table").material("wood__disc");
-    std::vector<Vec3> rim;
-    for (int i = 0; i < 24; ++i) {
-        const double angle = -2.0 * 3.141592653589793 * i / 24;
-        rim.emplace_back(5 * std::cos(angle), 0, 5 * std::sin(angle));
-    }
-    shapes.polygon(rim);
-    shapes.material("brick").box({-0.3, 0, -4.5}, {0.3, 0.6, -2});
-    Demo demo =
-        demo_of(shapes.level(), {3, standing_on_flat(on, 0), 0}, on, "180 wish 0,0\n", {6, 9, 8}, {0, 0, 0});
-    Platform table;
-    table.name = "table";
-    table.group = "table";
-    table.spin_rate = 1.2;
-    demo.level.platforms = {table};
-    demo.level.surfaces.push_back(painted("disc", {0.72F, 0.56F, 0.36F}));
-    return demo;
-}
-
-Demo demo_heightfield() {
-    MovementSettings on = basic_settings();
-    constexpr int side = 33;
-    Shapes shapes;
-    shapes.material("stone").box({-2, 0, 6}, {2, 2.4, 9});
-    // Posts at the far corners, so that the bounds of the mesh, which frame the images, include the hills.
-    shapes.box({-11.9, -1, -13.9}, {-11.5, 2.6, -13.5}).box({11.5, -1, -13.9}, {11.9, 2.6, -13.5});
-    Demo demo = demo_of(shapes.level(), {0, standing_on_flat(on, 2.4), 7.5}, on,
-                        "20 wish 0,0\n145 wish 0,-1\n", {13, 8, 11}, {0, 0.5, -1});
-    demo.level.heightfield = HeightfieldSource{.file = "heightfield-terrain.png",
-                                               .origin = {-12, 0, -14},
-                                               .size = {24, 28},
-                                               .low = -1.0,
-                                               .high = 2.0};
-    GreyImage image{.width = side, .height = side, .values = {}};
-    for (int row = 0; row < side; ++row) {
-        for (int column = 0; column < side; ++column) {
-            const double x = column / 5.0, z = row / 4.0;
-            const double wave = 0.5 + 0.25 * std::sin(x) * std::cos(z) + 0.2 * std::sin(0.6 * z + 1.0);
-            image.values.push_back(static_cast<std::uint16_t>(std::clamp(wave, 0.0, 1.0) * 65535.0));
-        }
-    }
-    demo.level.terrain =
-        std::make_shared<const Heightfield>(make_heightfield(*demo.level.heightfield, image));
-    return demo;
-}
-
-Demo demo_sectors() {
-    MovementSettings on = basic_settings();
-    // A tilted floor of small tiles: a corner that is moved sideways is also too high or too low.
-    Shapes shapes;
-    shapes.material("stone");
-    const auto height = [](double x, double z) { return 0.25 * x - 0.15 * z; };
-    const auto corner = [&](int i, int k) {
-        const double x = 0.57 * i - 4.0, z = 0.57 * k - 12.0;
-        return Vec3(x, height(x, z), z);
-    };
-    for (int k = 0; k < 32; ++k) {
-        for (int i = 0; i < 14; ++i)
-            shapes.polygon({corner(i, k), corner(i, k + 1), corner(i + 1, k + 1), corner(i + 1, k)});
-    }
-    // Gates 0.81 m wide for a player of 0.8 m. A million metres out the positions of their posts are rounded
-    // to multiples of 0.0625 m, which leaves 0.75 m.
-    constexpr double gate = 0.405;
-    shapes.material("brick");
-    for (const double z : {0.0, -3.0, -6.0}) {
-        const double low = height(0, z) - 0.8, high = height(0, z) + 2.4;
-        shapes.box({-gate - 0.3, low, z - 0.2}, {-gate, high, z + 0.2});
-        shapes.box({gate, low, z - 0.2}, {gate + 0.3, high, z + 0.2});
-    }
-    Demo demo = demo_of(shapes.level(), {0, standing_on_flat(on, 0), 3.1}, on,
-                        "30 wish 0,0\n120 wish 0,-0.9\n", {6, 4.5, 5}, {0.5, 1, -1.5});
-    demo.level.sectors = {.size = 1000.0, .placement = {1e6, 0, -1e6}};
-    return demo;
+std::span<const DemoInfo> air_demos() {
+    return air_rows;
 }
 
 }  // namespace slipface

@@ -42,196 +42,232 @@ SurfaceType painted(const char* name, const std::array<float, 3>& color) {
     return type;
 }
 
-Demo demo_static_friction() {
-    MovementSettings on = basic_settings();
-    const double angle = pi / 6;
-    Shapes shapes;
-    shapes.material("plaster").box({-7, -0.5, -12}, {7, 0, 8}).material("brick");
-    shapes.ramp({-3, 0, 2}, 6, 10, 10 * std::tan(angle));
-    const Vec3 spawn(0, standing(on, 3.5 * std::tan(angle), angle), -1.5);
-    return demo_of(shapes.level(), spawn, on, "600 wish 0,0\n", {11, 6, 4}, {0, 1.6, -0.5});
-}
+namespace {
 
-Demo demo_ground_velocity() {
-    MovementSettings on = basic_settings();
-    const double rise = 14 * std::tan(pi / 6);
-    Shapes shapes;
-    shapes.material("plaster")
-        .box({-6, -0.5, -26}, {6, 0, 12})
-        .material("brick")
-        .ramp({-2, 0, 4}, 4, 14, rise);
-    shapes.material("stone").box({-2, 0, -20}, {2, rise, -10});
-    return demo_of(shapes.level(), {0, standing(on, rise), -14}, on, "20 wish 0,0\n190 wish 0,1\n",
-                   {17, 7, -2}, {0, 3, -3});
-}
+const auto ground_rows = std::to_array<DemoInfo>({
+    {"static-friction", "static_friction", "Static friction",
+     "Off: a player on the 30 degree ramp creeps down. On: the player stands still.",
+     [] {
+         MovementSettings on = basic_settings();
+         const double angle = pi / 6;
+         Shapes shapes;
+         shapes.material("plaster").box({-7, -0.5, -12}, {7, 0, 8}).material("brick");
+         shapes.ramp({-3, 0, 2}, 6, 10, 10 * std::tan(angle));
+         const Vec3 spawn(0, standing(on, 3.5 * std::tan(angle), angle), -1.5);
+         return demo_of(shapes.level(), spawn, on, "600 wish 0,0\n", {11, 6, 4}, {0, 1.6, -0.5});
+     }},
+    {"ground-velocity", "ground_velocity", "Ground velocity",
+     "Off: the player hops down the ramp. On: the path follows the ramp.",
+     [] {
+         MovementSettings on = basic_settings();
+         const double rise = 14 * std::tan(pi / 6);
+         Shapes shapes;
+         shapes.material("plaster")
+             .box({-6, -0.5, -26}, {6, 0, 12})
+             .material("brick")
+             .ramp({-2, 0, 4}, 4, 14, rise);
+         shapes.material("stone").box({-2, 0, -20}, {2, rise, -10});
+         return demo_of(shapes.level(), {0, standing(on, rise), -14}, on, "20 wish 0,0\n190 wish 0,1\n",
+                        {17, 7, -2}, {0, 3, -3});
+     }},
+    // A stripe along the heading is painted over floor and ramp, and the camera looks straight down: a path
+    // that leaves the stripe has been deflected.
+    {"straight-ahead", "straight_ahead", "Straight ahead on ramps",
+     "Off: the ramp deflects the path from the stripe. On: the path continues along it.",
+     [] {
+         MovementSettings on = basic_settings();
+         constexpr double left = -12, right = 10, near = 7, far = -8;
+         const double slope = std::tan(pi / 6), half = 0.35;
+         // The x at which the middle of the stripe crosses a line of constant z: from the spawn at (-6, 5) at
+         // 45 degrees.
+         const auto middle = [](double z) { return -1.0 - z; };
+         Shapes shapes;
+         const auto strip = [&](double from, double to, double x0_from, double x1_from, double x0_to,
+                                double x1_to) {
+             const double low = std::max(0.0, -from) * slope, high = std::max(0.0, -to) * slope;
+             shapes.polygon(
+                 {{x0_from, low, from}, {x1_from, low, from}, {x1_to, high, to}, {x0_to, high, to}});
+         };
+         for (const auto& [from, to] : {std::pair{near, 0.0}, std::pair{0.0, far}}) {
+             const double a = middle(from), b = middle(to);
+             shapes.material("plaster");
+             strip(from, to, left, a - half, left, b - half);
+             strip(from, to, a + half, right, b + half, right);
+             shapes.material("plaster__stripe");
+             strip(from, to, a - half, a + half, b - half, b + half);
+         }
+         Demo demo =
+             demo_of(shapes.level(), {-6, standing(on, 0), 5}, on,
+                     "10 wish 0,0\n150 wish 0.70710678,-0.70710678\n", {-1, 60, -0.5}, {-1, 1.5, -0.5});
+         demo.camera.fov_y = 0.3;
+         demo.level.surfaces.push_back(painted("stripe", {0.30F, 0.55F, 0.85F}));
+         return demo;
+     }},
+    {"keep-energy", "keep_energy", "Keep energy",
+     "Off: the player loses speed at every face of the half-pipe and does not reach the far rim. On: the "
+     "player reaches it.",
+     [] {
+         MovementSettings on = basic_settings();
+         on.slippery_acceleration = 0.0;
+         constexpr int segments = 12;
+         const double radius = 5.0;
+         Shapes shapes;
+         shapes.material("metal__ice");
+         for (int i = 0; i < segments; ++i) {
+             const double a = pi * (1.0 + static_cast<double>(i) / segments);
+             const double b = pi * (1.0 + static_cast<double>(i + 1) / segments);
+             const Vec3 p(radius * std::cos(a), radius + radius * std::sin(a), 6);
+             const Vec3 q(radius * std::cos(b), radius + radius * std::sin(b), 6);
+             const Vec3 back(0, 0, -12);
+             shapes.polygon({p, q, q + back, p + back});
+         }
+         shapes.material("plaster").box({-9, 4.5, -6}, {-5.02, 5, 6}).box({5.02, 4.5, -6}, {9, 5, 6});
+         return demo_of(shapes.level(), {-4.2, 5.2, 0}, on, "240 wish 0,0\n", {0, 6.5, 15}, {0, 2.6, 0});
+     }},
+    // Walking straight out of the wedge also works with the switch off. So the stick pushes across the wedge,
+    // past the end of the right wall; each component of that leads further into one of the walls.
+    {"push-out", "push_out", "Push-out",
+     "Off: a player who starts inside both walls of the wedge and pushes across it stays there. On: the "
+     "player is pushed out at once and walks on.",
+     [] {
+         MovementSettings on = basic_settings();
+         on.push_out = PushOut::analytic;
+         const double half = pi / 18;
+         const Vec3 apex(0, 0, -3);
+         const auto rim = [&](double side) {
+             return Vec3(apex + 1.7 * Vec3(side * std::sin(half), 0, std::cos(half)));
+         };
+         const Vec3 up(0, 2.0, 0);
+         Shapes shapes;
+         shapes.material("plaster").box({-2.5, -0.5, -4}, {4.5, 0, 0.6}).material("brick");
+         shapes.polygon({apex, rim(-1), rim(-1) + up, apex + up});
+         shapes.polygon({rim(1), apex, apex + up, rim(1) + up});
+         Demo demo = demo_of(shapes.level(), {0, standing(on, 0), -1.6}, on,
+                             "20 wish 0,0\n40 wish 0.9,-0.43\n", {1, 15, 4}, {1, 0.5, -1.5});
+         demo.camera.fov_y = 0.35;
+         return demo;
+     }},
+    // Four posts with less room between them than the player's width: a player inside touches all of them,
+    // and every direction leads further into one.
+    {"nudge", "nudge", "Nudge",
+     "Off: a player who spawns between posts that are too close cannot leave. On: the player is moved "
+     "beside them and walks on.",
+     [] {
+         MovementSettings on = basic_settings();
+         on.nudge = true;
+         on.nudge_distance = 0.8;
+         Shapes shapes;
+         shapes.material("plaster").box({-2, -0.5, -2}, {4.5, 0, 4}).material("brick");
+         for (const double x : {-0.33, 0.33}) {
+             for (const double z : {-0.33, 0.33})
+                 shapes.box({x - 0.06, 0, z - 0.06}, {x + 0.06, 2.2, z + 0.06});
+         }
+         return demo_of(shapes.level(), {0, standing(on, 0), 0}, on,
+                        "20 wish 0,0\n20 wish 1,0\n20 wish 0,1\n", {3.6, 3.6, 3.8}, {1.1, 0.7, 0.5});
+     }},
+    {"step-up", "step_up", "Step up", "Off: the stairs act as a wall. On: the player climbs them.",
+     [] {
+         MovementSettings on = basic_settings();
+         on.step_up = true;
+         on.snap_down = true;
+         Shapes shapes;
+         shapes.material("plaster").box({-6, -0.5, -14}, {6, 0, 6});
+         shapes.material("stone").stairs({-2, 0, 0}, 4, 10, 0.3, 0.4);
+         shapes.box({-2, 0, -8}, {2, 3, -4});
+         return demo_of(shapes.level(), {0, standing(on, 0), 3}, on, "10 wish 0,0\n110 wish 0,-1\n",
+                        {10, 5, 3}, {0, 1.8, -2});
+     }},
+    {"bounce", "bounce", "Bounce",
+     "Off: the pad acts as a floor. On: each rebound has 0.8 times the impact speed.",
+     [] {
+         MovementSettings on = basic_settings();
+         Shapes shapes;
+         shapes.material("plaster")
+             .box({-8, -0.5, -3}, {12, 0, 3})
+             .material("wood__bouncy")
+             .box({-5, 0, -2}, {10, 0.2, 2});
+         return demo_of(shapes.level(), {-4, 5, 0}, on, "300 wish 0.35,0\n", {2, 3.5, 14}, {2, 2, 0});
+     }},
+    {"sticky", "stick", "Sticky",
+     "Off: the player slides down the wall. On: the player hangs on it, with or without the stick.",
+     [] {
+         MovementSettings on = basic_settings();
+         Shapes shapes;
+         shapes.material("plaster")
+             .box({-5, -0.5, -6}, {5, 0, 5})
+             .material("stone")
+             .box({-3, 0, -4}, {3, 4, -2});
+         shapes.material("stone__sticky")
+             .polygon({{-3, 0, -1.98}, {3, 0, -1.98}, {3, 4, -1.98}, {-3, 4, -1.98}});
+         // The jump hits the wall near its highest point, 2.4 m away; the stick continues to push.
+         return demo_of(shapes.level(), {0, standing(on, 0), 2.6}, on,
+                        "10 wish 0,0\n20 wish 0,-1\n30 wish 0,-1 jump\n60 wish 0,-1\n", {8, 4, 3.5},
+                        {0, 1.6, -0.8});
+     }},
+    {"snap-down", "snap_down", "Snap to floor",
+     "Off: the player leaves the ground at every step downwards. On: the path follows the stairs.",
+     [] {
+         MovementSettings on = basic_settings();
+         on.step_up = true;
+         on.snap_down = true;
+         Shapes shapes;
+         shapes.material("plaster").box({-6, -0.5, -14}, {6, 0, 8});
+         shapes.material("stone").stairs({-2, 0, 0}, 4, 10, 0.3, 0.4);
+         shapes.box({-2, 0, -8}, {2, 3, -4});
+         return demo_of(shapes.level(), {0, standing(on, 3), -6}, on, "10 wish 0,0\n100 wish 0,1\n",
+                        {10, 5, 3}, {0, 1.8, -1});
+     }},
+    // The floor is modelled at the end of its rise.
+    {"seam-filter", "seam_filter", "Seam filter",
+     "A floor rises into the player. Off: the edges of its triangles stop the player. On: the player "
+     "walks on.",
+     [] {
+         MovementSettings on = basic_settings();
+         on.seam_filter = true;
+         // A floor that rises into the player, as in a game that moves its geometry without platforms.
+         on.platforms = false;
+         constexpr double rise = 0.8, x = 3, front = 5, back = -11;
+         Shapes shapes;
+         shapes.material("plaster").box({-6, -1.4, -13}, {6, -rise - 0.1, 8}).group("lift").material("stone");
+         shapes.floor({-x, 0, back}, {x, 0, front}, 0.8);
+         const std::array<Vec3, 4> rim{{{-x, 0, front}, {x, 0, front}, {x, 0, back}, {-x, 0, back}}};
+         for (std::size_t i = 0; i < 4; ++i) {
+             const Vec3 &a = rim.at(i), &b = rim.at((i + 1) % 4), down(0, -rise, 0);
+             shapes.polygon({a, a + down, b + down, b});
+         }
+         Demo demo = demo_of(shapes.level(), {0.1, standing(on, -rise), 3}, on, "120 wish 0.05,-0.998\n",
+                             {9, 4, 5}, {0, 0, -3});
+         Platform lift;
+         lift.name = "lift";
+         lift.group = "lift";
+         lift.repeat = PathRepeat::once;
+         lift.path = {{.offset = {0, -rise, 0}, .speed = 2.0}, {.offset = {0, 0, 0}, .speed = 2.0}};
+         demo.level.platforms = {lift};
+         return demo;
+     }},
+    {"surface-types", "surface_types", "Surface types",
+     "Off: the ladder acts as a wall. On: the player climbs it, and the conveyor above carries the "
+     "player on.",
+     [] {
+         MovementSettings on = basic_settings();
+         Shapes shapes;
+         shapes.material("plaster")
+             .box({-6, -0.5, -10}, {6, 0, 6})
+             .material("stone")
+             .box({-3, 0, -8}, {3, 4, -2});
+         shapes.material("wood__ladder")
+             .polygon({{-0.6, 0, -1.98}, {0.6, 0, -1.98}, {0.6, 4, -1.98}, {-0.6, 4, -1.98}});
+         shapes.material("metal__conveyor")
+             .polygon({{-1, 4.01, -2.6}, {1, 4.01, -2.6}, {1, 4.01, -8}, {-1, 4.01, -8}});
+         return demo_of(shapes.level(), {0, standing(on, 0), 2}, on,
+                        "10 wish 0,0\n170 wish 0,-1\n60 wish 0,0\n", {9, 6, 5}, {0, 2.2, -3});
+     }},
+});
 
-// A stripe along the heading is painted over floor and ramp, and the camera looks straight down: a path that
-// leaves the stripe has been deflected.
-Demo demo_straight_ahead() {
-    MovementSettings on = basic_settings();
-    constexpr double left = -12, right = 10, near = 7, far = -8;
-    const double slope = std::tan(pi / 6), half = 0.35;
-    // The x at which the middle of the stripe crosses a line of constant z: from the spawn at (-6, 5) at 45
-    // degrees.
-    const auto middle = [](double z) { return -1.0 - z; };
-    Shapes shapes;
-    const auto strip = [&](double from, double to, double x0_from, double x1_from, double x0_to,
-                           double x1_to) {
-        const double low = std::max(0.0, -from) * slope, high = std::max(0.0, -to) * slope;
-        shapes.polygon({{x0_from, low, from}, {x1_from, low, from}, {x1_to, high, to}, {x0_to, high, to}});
-    };
-    for (const auto& [from, to] : {std::pair{near, 0.0}, std::pair{0.0, far}}) {
-        const double a = middle(from), b = middle(to);
-        shapes.material("plaster");
-        strip(from, to, left, a - half, left, b - half);
-        strip(from, to, a + half, right, b + half, right);
-        shapes.material("plaster__stripe");
-        strip(from, to, a - half, a + half, b - half, b + half);
-    }
-    Demo demo = demo_of(shapes.level(), {-6, standing(on, 0), 5}, on,
-                        "10 wish 0,0\n150 wish 0.70710678,-0.70710678\n", {-1, 60, -0.5}, {-1, 1.5, -0.5});
-    demo.camera.fov_y = 0.3;
-    demo.level.surfaces.push_back(painted("stripe", {0.30F, 0.55F, 0.85F}));
-    return demo;
-}
+}  // namespace
 
-Demo demo_keep_energy() {
-    MovementSettings on = basic_settings();
-    on.slippery_acceleration = 0.0;
-    constexpr int segments = 12;
-    const double radius = 5.0;
-    Shapes shapes;
-    shapes.material("metal__ice");
-    for (int i = 0; i < segments; ++i) {
-        const double a = pi * (1.0 + static_cast<double>(i) / segments);
-        const double b = pi * (1.0 + static_cast<double>(i + 1) / segments);
-        const Vec3 p(radius * std::cos(a), radius + radius * std::sin(a), 6);
-        const Vec3 q(radius * std::cos(b), radius + radius * std::sin(b), 6);
-        const Vec3 back(0, 0, -12);
-        shapes.polygon({p, q, q + back, p + back});
-    }
-    shapes.material("plaster").box({-9, 4.5, -6}, {-5.02, 5, 6}).box({5.02, 4.5, -6}, {9, 5, 6});
-    return demo_of(shapes.level(), {-4.2, 5.2, 0}, on, "240 wish 0,0\n", {0, 6.5, 15}, {0, 2.6, 0});
-}
-
-Demo demo_step_up() {
-    MovementSettings on = basic_settings();
-    on.step_up = true;
-    on.snap_down = true;
-    Shapes shapes;
-    shapes.material("plaster").box({-6, -0.5, -14}, {6, 0, 6});
-    shapes.material("stone").stairs({-2, 0, 0}, 4, 10, 0.3, 0.4);
-    shapes.box({-2, 0, -8}, {2, 3, -4});
-    return demo_of(shapes.level(), {0, standing(on, 0), 3}, on, "10 wish 0,0\n110 wish 0,-1\n", {10, 5, 3},
-                   {0, 1.8, -2});
-}
-
-Demo demo_snap_down() {
-    MovementSettings on = basic_settings();
-    on.step_up = true;
-    on.snap_down = true;
-    Shapes shapes;
-    shapes.material("plaster").box({-6, -0.5, -14}, {6, 0, 8});
-    shapes.material("stone").stairs({-2, 0, 0}, 4, 10, 0.3, 0.4);
-    shapes.box({-2, 0, -8}, {2, 3, -4});
-    return demo_of(shapes.level(), {0, standing(on, 3), -6}, on, "10 wish 0,0\n100 wish 0,1\n", {10, 5, 3},
-                   {0, 1.8, -1});
-}
-
-// The floor is modelled at the end of its rise.
-Demo demo_seam_filter() {
-    MovementSettings on = basic_settings();
-    on.seam_filter = true;
-    // A floor that rises into the player, as in a game that moves its geometry without platforms.
-    on.platforms = false;
-    constexpr double rise = 0.8, x = 3, front = 5, back = -11;
-    Shapes shapes;
-    shapes.material("plaster").box({-6, -1.4, -13}, {6, -rise - 0.1, 8}).group("lift").material("stone");
-    shapes.floor({-x, 0, back}, {x, 0, front}, 0.8);
-    const std::array<Vec3, 4> rim{{{-x, 0, front}, {x, 0, front}, {x, 0, back}, {-x, 0, back}}};
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Vec3 &a = rim.at(i), &b = rim.at((i + 1) % 4), down(0, -rise, 0);
-        shapes.polygon({a, a + down, b + down, b});
-    }
-    Demo demo = demo_of(shapes.level(), {0.1, standing(on, -rise), 3}, on, "120 wish 0.05,-0.998\n",
-                        {9, 4, 5}, {0, 0, -3});
-    Platform lift;
-    lift.name = "lift";
-    lift.group = "lift";
-    lift.repeat = PathRepeat::once;
-    lift.path = {{.offset = {0, -rise, 0}, .speed = 2.0}, {.offset = {0, 0, 0}, .speed = 2.0}};
-    demo.level.platforms = {lift};
-    return demo;
-}
-
-// Walking straight out of the wedge also works with the switch off. So the stick pushes across the wedge,
-// past the end of the right wall; each component of that leads further into one of the walls.
-Demo demo_push_out() {
-    MovementSettings on = basic_settings();
-    on.push_out = PushOut::analytic;
-    const double half = pi / 18;
-    const Vec3 apex(0, 0, -3);
-    const auto rim = [&](double side) {
-        return Vec3(apex + 1.7 * Vec3(side * std::sin(half), 0, std::cos(half)));
-    };
-    const Vec3 up(0, 2.0, 0);
-    Shapes shapes;
-    shapes.material("plaster").box({-2.5, -0.5, -4}, {4.5, 0, 0.6}).material("brick");
-    shapes.polygon({apex, rim(-1), rim(-1) + up, apex + up});
-    shapes.polygon({rim(1), apex, apex + up, rim(1) + up});
-    Demo demo = demo_of(shapes.level(), {0, standing(on, 0), -1.6}, on, "20 wish 0,0\n40 wish 0.9,-0.43\n",
-                        {1, 15, 4}, {1, 0.5, -1.5});
-    demo.camera.fov_y = 0.35;
-    return demo;
-}
-
-// Four posts with less room between them than the player's width: a player inside touches all of them, and
-// every direction leads further into one.
-Demo demo_nudge() {
-    MovementSettings on = basic_settings();
-    on.nudge = true;
-    on.nudge_distance = 0.8;
-    Shapes shapes;
-    shapes.material("plaster").box({-2, -0.5, -2}, {4.5, 0, 4}).material("brick");
-    for (const double x : {-0.33, 0.33}) {
-        for (const double z : {-0.33, 0.33})
-            shapes.box({x - 0.06, 0, z - 0.06}, {x + 0.06, 2.2, z + 0.06});
-    }
-    return demo_of(shapes.level(), {0, standing(on, 0), 0}, on, "20 wish 0,0\n20 wish 1,0\n20 wish 0,1\n",
-                   {3.6, 3.6, 3.8}, {1.1, 0.7, 0.5});
-}
-
-Demo demo_bounce() {
-    MovementSettings on = basic_settings();
-    Shapes shapes;
-    shapes.material("plaster")
-        .box({-8, -0.5, -3}, {12, 0, 3})
-        .material("wood__bouncy")
-        .box({-5, 0, -2}, {10, 0.2, 2});
-    return demo_of(shapes.level(), {-4, 5, 0}, on, "300 wish 0.35,0\n", {2, 3.5, 14}, {2, 2, 0});
-}
-
-Demo demo_sticky() {
-    MovementSettings on = basic_settings();
-    Shapes shapes;
-    shapes.material("plaster").box({-5, -0.5, -6}, {5, 0, 5}).material("stone").box({-3, 0, -4}, {3, 4, -2});
-    shapes.material("stone__sticky").polygon({{-3, 0, -1.98}, {3, 0, -1.98}, {3, 4, -1.98}, {-3, 4, -1.98}});
-    // The jump hits the wall near its highest point, 2.4 m away; the stick continues to push.
-    return demo_of(shapes.level(), {0, standing(on, 0), 2.6}, on,
-                   "10 wish 0,0\n20 wish 0,-1\n30 wish 0,-1 jump\n60 wish 0,-1\n", {8, 4, 3.5},
-                   {0, 1.6, -0.8});
-}
-
-Demo demo_surface_types() {
-    MovementSettings on = basic_settings();
-    Shapes shapes;
-    shapes.material("plaster").box({-6, -0.5, -10}, {6, 0, 6}).material("stone").box({-3, 0, -8}, {3, 4, -2});
-    shapes.material("wood__ladder")
-        .polygon({{-0.6, 0, -1.98}, {0.6, 0, -1.98}, {0.6, 4, -1.98}, {-0.6, 4, -1.98}});
-    shapes.material("metal__conveyor")
-        .polygon({{-1, 4.01, -2.6}, {1, 4.01, -2.6}, {1, 4.01, -8}, {-1, 4.01, -8}});
-    return demo_of(shapes.level(), {0, standing(on, 0), 2}, on, "10 wish 0,0\n170 wish 0,-1\n60 wish 0,0\n",
-                   {9, 6, 5}, {0, 2.2, -3});
+std::span<const DemoInfo> ground_demos() {
+    return ground_rows;
 }
 
 }  // namespace slipface

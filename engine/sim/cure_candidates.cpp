@@ -57,10 +57,6 @@ bool fits(const Loss& loss, std::string_view number) {
     }
 }
 
-bool is_switch(const SettingInfo& info) {
-    return std::holds_alternative<bool MovementSettings::*>(info.member);
-}
-
 std::string value_text(const SettingInfo& info, double value) {
     const bool angle = std::string_view(info.unit) == "deg";
     std::string text = fmt::format("{:.4g}", angle ? value / degree : value);

@@ -9,10 +9,9 @@ namespace {
 std::vector<const SettingInfo*> find_hack_rows() {
     std::vector<const SettingInfo*> rows;
     for (const SettingInfo& info : settings_table()) {
-        const bool is_switch = std::holds_alternative<bool MovementSettings::*>(info.member);
         // A choice that belongs to a switch is how that hack acts, and no hack of its own.
-        const bool is_choice = !choice_names(info).empty() && *info.switch_name == '\0';
-        if ((is_switch || is_choice) && rows.size() < 64) rows.push_back(&info);
+        const bool is_hack = is_switch(info) || (is_choice(info) && *info.switch_name == '\0');
+        if (is_hack && rows.size() < 64) rows.push_back(&info);
     }
     return rows;
 }

@@ -78,14 +78,20 @@ void EventLog::log(std::size_t tick, const char* kind, const PlayerState& state)
 std::uint64_t state_hash(const PlayerState& state, std::uint64_t previous) {
     Hasher hasher;
     hasher.u64(previous);
-    for (const Vec3* vector : {&state.position, &state.velocity, &state.ground_normal}) {
+    // What a hack adds to the state counts only while it is set, so that tapes that end without it keep the
+    // hash of their end.
+    constexpr std::size_t first_vectors = 3, first_flags = 7, first_numbers = 3;
+    for (std::size_t i = 0; i < PlayerState::vectors.size(); ++i) {
+        const Vec3& vector = state.*PlayerState::vectors[i];
+        if (i >= first_vectors && vector.isZero(0.0)) continue;
+        if (i >= first_vectors) hasher.u64(i);
         for (int axis = 0; axis < 3; ++axis)
-            hasher.f64((*vector)[axis]);
+            hasher.f64(vector[axis]);
     }
     std::uint64_t flags = 0;
-    for (const bool flag : {state.grounded, state.climbing, state.stuck, state.jump_held, state.hazard,
-                            state.jumping, state.trapped}) {
-        flags = flags * 2 + (flag ? 1 : 0);
+    for (std::size_t i = 0; i < PlayerState::flags.size(); ++i) {
+        const bool flag = state.*PlayerState::flags[i];
+        flags |= std::uint64_t{flag} << (i < first_flags ? first_flags - 1 - i : i);
     }
     hasher.u64(flags);
     for (const std::int32_t number : state.sector)
@@ -93,9 +99,12 @@ std::uint64_t state_hash(const PlayerState& state, std::uint64_t previous) {
     hasher.u64(state.ground_face);
     hasher.u64(state.ground_surface);
     hasher.u64(state.ground_platform);
-    hasher.f64(state.ground_rise);
-    hasher.f64(state.coyote_s);
-    hasher.f64(state.jump_buffer_s);
+    for (std::size_t i = 0; i < PlayerState::numbers.size(); ++i) {
+        const double number = state.*PlayerState::numbers[i];
+        if (i >= first_numbers && number == 0.0) continue;
+        if (i >= first_numbers) hasher.u64(i);
+        hasher.f64(number);
+    }
     return hasher.value();
 }
 

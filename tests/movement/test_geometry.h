@@ -97,11 +97,10 @@ inline double centre_height(const MovementSettings& s, const Vec3& n) {
     return (s.radii.cwiseProduct(n).norm() + s.skin) / n.y();
 }
 
-// Everything that helps a player at once.
 inline MovementSettings every_hack() {
     MovementSettings s = basic_settings();
     s.push_out = PushOut::analytic;
-    s.nudge = s.step_up = s.snap_down = s.seam_filter = s.coyote = s.jump_buffer = s.variable_jump = true;
+    set_switches(s, true);
     return s;
 }
 

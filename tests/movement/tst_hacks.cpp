@@ -485,7 +485,7 @@ TEST(PushOut, frees_from_a_plane_a_wedge_and_a_corner) {
                 const PlayerState out = step(lab.scene(), s, inside, {}, tick, &trace).state;
                 EXPECT_FALSE(overlaps_any(lab.world(), s.radii, out.position))
                     << degrees << (corner ? " corner " : " wedge ")
-                    << push_out_names[static_cast<std::size_t>(kind)];
+                    << push_out_choices[static_cast<std::size_t>(kind)].name;
                 ASSERT_FALSE(trace.records.empty());
                 const auto* record = std::get_if<PushOutRecord>(&trace.records.front());
                 ASSERT_NE(record, nullptr);

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -22,10 +24,8 @@ TEST(SettingsTable, describes_every_setting_completely) {
         EXPECT_GE(get_setting(defaults, info), info.minimum) << info.name;
         EXPECT_LE(get_setting(defaults, info), info.maximum) << info.name;
         EXPECT_EQ(find_setting(info.name), &info);
-        const bool is_switch = std::holds_alternative<bool MovementSettings::*>(info.member);
-        const bool is_choice = !choice_names(info).empty();
-        EXPECT_EQ(std::string(info.too_small).empty(), is_switch || is_choice) << info.name;
-        EXPECT_EQ(std::string(info.too_large).empty(), is_switch || is_choice) << info.name;
+        EXPECT_EQ(std::string(info.too_small).empty(), is_switch(info) || is_choice(info)) << info.name;
+        EXPECT_EQ(std::string(info.too_large).empty(), is_switch(info) || is_choice(info)) << info.name;
         if (*info.switch_name != '\0') {
             EXPECT_NE(find_setting(info.switch_name), nullptr) << info.name;
         }
@@ -37,6 +37,17 @@ TEST(SettingsTable, describes_every_setting_completely) {
         EXPECT_TRUE(used) << group;
     }
     EXPECT_EQ(find_setting("no_such"), nullptr);
+}
+
+TEST(SettingsTable, has_a_section_of_the_page_for_every_hack) {
+    std::ifstream file(SLIPFACE_SOURCE_DIR "/docs/movement.md");
+    const std::string page(std::istreambuf_iterator<char>(file), {});
+    for (const SettingInfo& info : settings_table()) {
+        const std::string_view group = info.group;
+        if (group != "Hacks" && group != "Jump") continue;
+        EXPECT_NE(page.find(std::string("`") + info.name + "`"), std::string::npos)
+            << info.name << " is not in docs/movement.md";
+    }
 }
 
 TEST(SettingsTable, reaches_every_member) {

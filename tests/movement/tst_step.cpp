@@ -224,4 +224,23 @@ TEST(EmptyWorld, is_fallen_through_for_ever) {
     EXPECT_NEAR(state.position.y(), -10.0, 1e-9);
 }
 
+TEST(PlayerState, lists_every_member) {
+    // A member in no list would keep what is written over all of them.
+    PlayerState state;
+    std::memset(static_cast<void*>(&state), 1, sizeof state);
+    const PlayerState fresh;
+    for (const auto member : PlayerState::vectors)
+        state.*member = fresh.*member;
+    for (const auto member : PlayerState::flags)
+        state.*member = fresh.*member;
+    for (const auto member : PlayerState::numbers)
+        state.*member = fresh.*member;
+    EXPECT_NE(state, fresh);
+    state.sector = fresh.sector;
+    state.ground_face = fresh.ground_face;
+    state.ground_surface = fresh.ground_surface;
+    state.ground_platform = fresh.ground_platform;
+    EXPECT_EQ(state, fresh);
+}
+
 }  // namespace slipface::test

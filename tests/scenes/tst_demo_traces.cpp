@@ -1,4 +1,5 @@
-// A trace must name the switch that would have helped.
+// Every demo: with the switch on the hack acts and the run is another; off, the trace names the switch that
+// would have helped.
 #include <gtest/gtest.h>
 
 #include "slipface/scenes/demo.h"
@@ -40,9 +41,14 @@ TEST_P(DemoTraces, NameTheirSwitch) {
     const auto row = hack_row(info.hack);
     ASSERT_TRUE(row);
     EXPECT_GT(on.run.acted_count(*row), 0U);
+    const DemoRun off(demo, demo.off);
+    double apart = 0.0;
+    for (std::size_t tick = 0; tick < on.run.samples().size(); ++tick)
+        apart = std::max(apart, (on.run.samples()[tick].position - off.run.samples()[tick].position).norm());
+    EXPECT_GT(apart, 0.25) << "the runs with the switch off and on look alike";
     // Without sectors a scene is built in one piece, and no step knows that there could have been some.
     if (std::string_view(info.hack) == "sectors") return;
-    EXPECT_TRUE(DemoRun(demo, demo.off).says_switched_off(info.hack));
+    EXPECT_TRUE(off.says_switched_off(info.hack));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DemoTraces, testing::ValuesIn(demo_table().begin(), demo_table().end()),

@@ -48,10 +48,7 @@ TEST_P(WalkersInLevel, do_so_with_every_hack_on) {
     auto loaded = load_level(folder / (std::string(GetParam()) + ".obj"));
     ASSERT_TRUE(loaded.ok()) << loaded.error().text();
     Level& level = loaded->level;
-    for (const SettingInfo& info : settings_table()) {
-        if (!std::holds_alternative<bool MovementSettings::*>(info.member)) continue;
-        ASSERT_TRUE(set_setting(level.movement, info, 1.0).ok()) << info.name;
-    }
+    set_switches(level.movement, true);
     level.movement.push_out = PushOut::analytic;
     expect_nobody_inside(level, a_few_walkers(3));
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "snapshots/scene_stage.h"
@@ -225,7 +226,7 @@ TEST_F(SceneTest, CamerasAreExpanded) {
                      "cameras": ["auto:iso4", "auto:map", "auto:top", "auto:turntable:3", "tape:2", "contacts"]})"),
                           folder_ / "scenes.json");
     ASSERT_TRUE(scenes.ok()) << scenes.error().text();
-    const auto expanded = expand_cameras(*scenes);
+    const auto expanded = expand_suite(*scenes);
     ASSERT_TRUE(expanded.ok()) << expanded.error().text();
     std::vector<std::string> names;
     std::vector<Image> images;
@@ -241,6 +242,20 @@ TEST_F(SceneTest, CamerasAreExpanded) {
     EXPECT_EQ(names, (std::vector<std::string>{"a@iso-1", "a@iso-2", "a@iso-3", "a@iso-4", "a@map", "a@top",
                                                "a@turntable-1", "a@turntable-2", "a@turntable-3", "a@tape-1",
                                                "a@tape-2", "a@contact-1"}));
+}
+
+TEST(SceneSuite, EveryDemoHasItsPair) {
+    const auto scenes = parse(suite_of(R"({"name": "h", "level": "demo:*", "size": [96, 54]})"));
+    ASSERT_TRUE(scenes.ok()) << scenes.error().text();
+    const auto expanded = expand_suite(*scenes);
+    ASSERT_TRUE(expanded.ok()) << expanded.error().text();
+    EXPECT_GE(expanded->size(), 40U);
+    const auto found = std::find_if(expanded->begin(), expanded->end(),
+                                    [](const Scene& scene) { return scene.name == "h/step-up-on"; });
+    ASSERT_NE(found, expanded->end());
+    EXPECT_EQ(found->level, "demo:step-up:on");
+    EXPECT_EQ(std::get<std::string>(found->camera), "Step up");
+    EXPECT_EQ(found->width, 96);
 }
 
 TEST_F(SceneTest, CameraNamesAreChecked) {

@@ -24,7 +24,7 @@ void toggle_setting(Editor& editor, const SettingInfo& info) {
 // One for each switch of the settings table.
 void add_hack_commands(std::vector<Command>& rows) {
     for (const SettingInfo& info : settings_table()) {
-        if (!std::holds_alternative<bool MovementSettings::*>(info.member)) continue;
+        if (!is_switch(info)) continue;
         rows.push_back({lasting(std::string("movement.") + info.name), "", info.label, "Playtest",
                         info.meaning, "hack switch toggle movement", no_key(), has_document,
                         [&info](const Editor& e) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,11 +15,26 @@
 
 namespace slipface {
 
+// A value of a setting that is an enum.
+struct Choice {
+    const char* name;     // "every_move", as in --set, files and scripts
+    const char* meaning;  // what it does, after "Every move: "
+};
+
 enum class PushOut : int { off, iterative, analytic };
-inline constexpr std::array<const char*, 3> push_out_names{"off", "iterative", "analytic"};
+inline constexpr auto push_out_choices = std::to_array<Choice>({
+    {"off", "the player can only move out"},
+    {"iterative", "out of the deepest triangle first, several times"},
+    {"analytic", "to the common point of up to three planes at once, which acute corners need"},
+});
 
 enum class StepForm : int { when_blocked, every_move };
-inline constexpr std::array<const char*, 2> step_form_names{"when_blocked", "every_move"};
+inline constexpr auto step_form_choices = std::to_array<Choice>({
+    {"when_blocked", "a move that hits a wall is repeated from higher up, and the better result is used"},
+    {"every_move",
+     "the lecture's form (MDK2), each move on the ground is lifted before and dropped after, so the player "
+     "needs room for a step above its head wherever it walks"},
+});
 
 // The defaults are what players of 3D platformers expect: the preset "platformer".
 struct MovementSettings {
@@ -71,48 +87,59 @@ struct MovementSettings {
 };
 
 // The values of settings that a file, tape or preset does not name: the hacks of the lecture without
-// push-out. They stay as they are when the defaults above change. A setting that is added later has here the
-// value that changes nothing for old files. Demos and tests that show one hack alone begin with these
-// settings.
+// push-out. They stay as they are when the defaults above change. Demos and tests that show one hack alone
+// begin with these settings.
 MovementSettings basic_settings();
 
-// A member that is an enum whose values are 0, 1, ... in the order of `names`.
+// A member that is an enum whose values are 0, 1, ... in the order of `choices`.
 struct ChoiceMember {
-    std::span<const char* const> names;  // as in --set, files and scripts
+    std::span<const Choice> choices;
     int (*get)(const MovementSettings&);
     void (*set)(MovementSettings&, int);
 };
 template <auto Member>
-constexpr ChoiceMember choice(std::span<const char* const> names) {
+constexpr ChoiceMember choice(std::span<const Choice> choices) {
     using Enum = std::remove_cvref_t<decltype(std::declval<MovementSettings>().*Member)>;
-    return {names, [](const MovementSettings& s) { return static_cast<int>(s.*Member); },
+    return {choices, [](const MovementSettings& s) { return static_cast<int>(s.*Member); },
             [](MovementSettings& s, int value) { s.*Member = static_cast<Enum>(value); }};
 }
 
-// One row per setting. The editor's widgets and tooltips, --set, the level and tape files and
-// docs/settings.md are made from it.
+// One row per setting, from setting_rows.inc.
 struct SettingInfo {
     const char* name;         // "max_slope", as in --set, files and scripts
     const char* label;        // "Maximum slope"
     const char* group;        // heading in the editor: "Body", "Speed", "Collision", "Hacks"
     const char* unit;         // as shown: "m/s", "deg", ""; angles are stored in radians and shown in degrees
     double minimum, maximum;  // as stored
-    const char* meaning;
-    const char* too_small;  // what goes wrong; empty for switches
+    const char* meaning;      // without those of the choices: see meaning_of()
+    const char* too_small;    // what goes wrong; empty for switches
     const char* too_large;
     const char* switch_name;  // the switch that this parameter belongs to, or empty
     std::variant<bool MovementSettings::*, int MovementSettings::*, double MovementSettings::*, ChoiceMember,
                  Vec3 MovementSettings::*>
         member;
-    int axis = -1;  // for a Vec3 member: which component this row is
-    double smallest =
-        0.0;  // values between 0 and this are refused, while 0 itself switches it off; 0: none is
+    // In basic_settings(), where that is not the default. A setting that is added later has here the value
+    // that changes nothing for old files.
+    std::optional<double> basic{};
+    int axis = -1;          // for a Vec3 member: which component this row is
+    double smallest = 0.0;  // values between 0 and this are refused, while 0 itself switches it off; 0: none
 };
 
 std::span<const SettingInfo> settings_table();
 const SettingInfo* find_setting(std::string_view name);
-// The names to choose from; empty for a setting that is no choice.
-std::span<const char* const> choice_names(const SettingInfo& info);
+inline bool is_switch(const SettingInfo& info) {
+    return std::holds_alternative<bool MovementSettings::*>(info.member);
+}
+inline bool is_choice(const SettingInfo& info) {
+    return std::holds_alternative<ChoiceMember>(info.member);
+}
+// Empty for a setting that is no choice.
+std::span<const Choice> choices_of(const SettingInfo& info);
+// With the meaning of each choice.
+std::string meaning_of(const SettingInfo& info);
+
+// Every switch on, or every switch off.
+void set_switches(MovementSettings& settings, bool on);
 
 // Whether all numbers are finite.
 bool is_finite(const MovementSettings& settings);

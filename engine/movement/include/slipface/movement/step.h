@@ -35,6 +35,16 @@ struct PlayerState {
     double coyote_s = 0.0;       // for how much longer a jump starts although the player left the ground
     double jump_buffer_s = 0.0;  // for how much longer a press of jump is remembered
 
+    // Every member but the sector and the ids: hashes, files and checks of a state go through these lists.
+    // What a hack adds comes last.
+    static constexpr std::array numbers{&PlayerState::ground_rise, &PlayerState::coyote_s,
+                                        &PlayerState::jump_buffer_s};
+    static constexpr std::array flags{&PlayerState::grounded,  &PlayerState::climbing, &PlayerState::stuck,
+                                      &PlayerState::jump_held, &PlayerState::hazard,   &PlayerState::jumping,
+                                      &PlayerState::trapped};
+    static constexpr std::array vectors{&PlayerState::position, &PlayerState::velocity,
+                                        &PlayerState::ground_normal};
+
     friend bool operator==(const PlayerState&, const PlayerState&) = default;
 };
 

@@ -1,0 +1,64 @@
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "slipface/base/text.h"
+#include "slipface/movement/settings.h"
+#include "slipface/movement/surface_type.h"
+#include "tools/commands/docs.h"
+#include "tools/commands/markdown.h"
+
+namespace slipface {
+namespace {
+
+std::string shown_number(double value, std::string_view unit) {
+    return to_text(unit == "deg" ? std::round(value * 180.0 / std::numbers::pi * 1e6) / 1e6 : value);
+}
+
+std::string with_unit(const std::string& number, std::string_view unit) {
+    return unit.empty() ? number : number + " " + std::string(unit);
+}
+
+}  // namespace
+
+std::string settings_markdown() {
+    std::string text =
+        "# Settings\n\n"
+        "Made from the settings table. The editor's movement panel, `--set name=value`, level files and "
+        "tapes use the same "
+        "rows. Angles are shown in degrees here and in the editor; files and `--set` hold radians.\n\n"
+        "## Movement\n";
+    const MovementSettings defaults;
+    std::string_view group;
+    for (const SettingInfo& info : settings_table()) {
+        if (group != info.group) {
+            group = info.group;
+            text += fmt::format("\n### {}\n\n", group);
+            text +=
+                markdown_row({"Setting", "Name", "Default", "Range", "Meaning", "Too small", "Too large"});
+            text += markdown_row({"---", "---", "---", "---", "---", "---", "---"});
+        }
+        const bool number = !is_switch(info) && !is_choice(info);
+        const std::string standard =
+            number ? with_unit(shown_number(get_setting(defaults, info), info.unit), info.unit)
+                   : setting_text(defaults, info);
+        const std::string range =
+            number ? shown_number(info.minimum, info.unit) + " to " + shown_number(info.maximum, info.unit)
+                   : "";
+        text += markdown_row({info.label, markdown_code(info.name), standard, range, meaning_of(info),
+                              info.too_small, info.too_large});
+    }
+    text += "\n## Surface types\n\n" + markdown_row({"Parameter", "Name", "Unit", "Range", "Meaning"}) +
+            markdown_row({"---", "---", "---", "---", "---"});
+    for (const SurfaceField& field : surface_fields()) {
+        const bool is_switch = std::holds_alternative<bool SurfaceType::*>(field.member);
+        text += markdown_row({field.label, markdown_code(field.name), field.unit,
+                              is_switch ? "on, off"
+                                        : shown_number(field.minimum, field.unit) + " to " +
+                                              shown_number(field.maximum, field.unit),
+                              field.meaning});
+    }
+    return text;
+}
+
+}  // namespace slipface
