@@ -24,7 +24,7 @@ namespace slipface::cli {
 namespace {
 
 struct ReachWords {
-    std::string level, preset, spawn, out, resume, how, tape, tapes, links;
+    std::string level, preset, spawn, out, resume, how, tape, tapes, links, before;
     double seconds = 0.0, cell = 0.0;
     std::uint64_t rounds = 0, seed = 1;
     int threads = 0;
@@ -169,24 +169,7 @@ Status write_links(const ReachSearch& search, const std::filesystem::path& file)
     return export_gltf(search.level(), file, nodes);
 }
 
-// Which of the settings that were changed here breaks a goal that held before: each is taken back alone.
-std::string setting_to_blame(const Level& level, const MovementSettings& before, const Vec3& start,
-                             const ReachOptions& options, const ReachLimits& limits, std::size_t goal) {
-    std::string blamed;
-    for (const std::string& change : setting_changes(level.movement, before)) {
-        Level other = level;
-        if (!set_setting(other.movement, change)) continue;
-        other.goals = {level.goals[goal]};
-        for (const Goal& named : level.goals)
-            if (named.name == level.goals[goal].from) other.goals.push_back(named);
-        const auto answers = check_goals(other, start, options, limits);
-        if (answers && !answers->empty() && answers->front().holds)
-            blamed += (blamed.empty() ? "" : ", ") + change;
-    }
-    return blamed;
-}
-
-int check(const Level& level, const MovementSettings& before, const Vec3& start, const ReachWords& words,
+int check(const Level& level, const Level& before, const Vec3& start, const ReachWords& words,
           const ReachOptions& options, const ReachLimits& limits) {
     const auto answers = check_goals(level, start, options, limits);
     if (!answers) return bad_input(answers.error());
@@ -202,11 +185,9 @@ int check(const Level& level, const MovementSettings& before, const Vec3& start,
         text += fmt::format("{:<8}{}\n", answer.holds ? "holds" : "BROKEN", answer.text);
         if (!answer.holds) {
             all = false;
-            const std::string blamed = setting_to_blame(level, before, start, options, limits, answer.goal);
-            if (!blamed.empty()) {
-                one["holds_with"] = blamed;
-                text += fmt::format("        holds with {}\n", blamed);
-            }
+            one["causes"] = causes_of(answer, before, level, start, options, limits);
+            for (const auto& cause : one["causes"])
+                text += fmt::format("        {}\n", cause.get<std::string>());
         }
         if (answer.tape && !words.tapes.empty()) {
             const std::filesystem::path file =
@@ -227,7 +208,13 @@ int run(const ReachWords& words) {
     if (!loaded) return bad_input(loaded.error());
     print_warnings(std::cerr, loaded->warnings);
     Level& level = loaded->level;
-    const MovementSettings before = level.movement;
+    Level before = level;
+    if (!words.before.empty()) {
+        Result<LoadedLevel> other = load_level(words.before);
+        if (!other) return bad_input(other.error());
+        print_warnings(std::cerr, other->warnings);
+        before = std::move(other->level);
+    }
     if (!words.preset.empty()) {
         const Result<Preset> preset = find_preset(words.preset);
         if (!preset) return bad_input({"--preset", preset.error().text()});
@@ -374,6 +361,9 @@ void add_reach_verb(CLI::App& app, int& exit_code) {
     CLI::Option* check_flag = verb->add_flag(
         "--check", words->check, "Check the level's goals; fails when one breaks, and says what broke it");
     check_flag->excludes(how);
+    verb->add_option("--before", words->before, "The level before a change: names what of it broke a goal")
+        ->type_name("LEVEL")
+        ->needs(check_flag);
     verb->add_option("--tapes", words->tapes, "Folder for a tape of each goal")
         ->type_name("FOLDER")
         ->needs(check_flag)
