@@ -11,7 +11,7 @@ class ReachPanel : public AppFixture {
   protected:
     void SetUp() override {
         AppFixture::SetUp();
-        ASSERT_EQ(run("command lab.reach\nwait 3"), "");
+        ASSERT_EQ(run("command panel.reach\nwait 3"), "");
     }
     const ReachJob& job() { return *editor().reach; }
     // Where the lab's tape ends, run anew.
@@ -79,7 +79,8 @@ TEST_F(ReachPanel, AClickOnAFaceOpensItsWayAndTheWayStandsOnIt) {
 
 TEST_F(ReachPanel, WhatCannotBeReachedIsListedAndOpensTheNearestAttempt) {
     // A field of hazard, wider than a jump, beside the spawn.
-    ASSERT_EQ(run("set walk_speed=3\nselect faces 3\ncommand edit.set_spawn"), "");
+    ASSERT_EQ(run("set walk_speed=3"), "");
+    editor().document->set_spawn({Vec3(0.5, 0.91, 3.5), 0.0});
     const auto hazard = find_surface(document().level(), "hazard");
     ASSERT_TRUE(hazard);
     std::vector<FaceId> row;
@@ -149,9 +150,9 @@ TEST_F(ReachPanel, GoalsAreAddedNamedChangedAndJudged) {
 }
 
 TEST_F(ReachPanel, WalkersOfAnAuditStartEverywhere) {
-    ASSERT_EQ(
-        run("command lab.audit\nwait 3\nclick \"Audit/Start everywhere\"\nclick \"Audit/Run audit\"\nfinish"),
-        "");
+    ASSERT_EQ(run("command panel.audit\nwait 3\nclick \"Audit/Start everywhere\"\nclick \"Audit/Run "
+                  "audit\"\nfinish"),
+              "");
     ASSERT_TRUE(editor().audit->report()) << editor().audit->problem();
     EXPECT_EQ(editor().audit->report()->starts, 60u);
     EXPECT_NE(editor().audit->tape_of({.walker = 5}).start, document().level().spawn);

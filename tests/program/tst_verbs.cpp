@@ -177,29 +177,33 @@ TEST(Reach, ChecksTheGoalsAndNamesTheSettingThatBreaksOne) {
 
 TEST(Reach, NamesWhatOfALevelBrokeAGoal) {
     const ScratchFolder folder;
+    // A bridge of 10 m between two ledges.
+    const std::string bridge_obj =
+        "v -2 -1 4\nv 2 -1 4\nv 2 -1 0\nv -2 -1 0\nv -2 -1 -10\nv 2 -1 -10\nv 2 -1 -14\nv -2 -1 -14\n"
+        "f 1 2 3 4\nf 4 3 6 5\nf 5 6 7 8\n";
     const auto write = [&](const std::string& name, const std::string& obj, const std::string& more) {
         folder.write(name + ".slipface.json", R"({"slipface": 1, "mesh": ")" + name +
                                                   R"(.obj", "spawn": {"position": [0, -0.05, 3]},
-                         "goals": [{"name": "over", "position": [0, 0, -4.5]}])" +
+                         "goals": [{"name": "over", "position": [0, 0, -13], "within_s": 10}])" +
                                                   more + "}");
         return folder.write(name + ".obj", obj);
     };
-    const std::string before = write("before", ledges_obj, "");
+    const std::string before = write("before", bridge_obj, "");
     const auto check = [&](const std::string& level) {
         return run_program("reach " + level + " --rounds 25 --check --before " + before);
     };
     EXPECT_EQ(check(before).exit_code, 0);
-    const ProgramRun slow = check(write("slow", ledges_obj, R"(, "movement": {"walk_speed": 1})"));
+    const ProgramRun slow = check(write("slow", bridge_obj, R"(, "movement": {"walk_speed": 1})"));
     EXPECT_EQ(slow.exit_code, 1) << slow.output;
     EXPECT_NE(slow.output.find("holds with walk_speed=6\n"), std::string::npos) << slow.output;
-    std::string gone = ledges_obj;
-    gone.erase(gone.find("f 5 6 7 8\n"), 10);
+    std::string gone = bridge_obj;
+    gone.erase(gone.find("f 4 3 6 5\n"), 10);
     const ProgramRun hole = check(write("hole", gone, ""));
     EXPECT_EQ(hole.exit_code, 1) << hole.output;
-    EXPECT_NE(hole.output.find("face 1 of before, at (0.00, -1.00, -4.50) m, is gone\n"), std::string::npos)
+    EXPECT_NE(hole.output.find("face 1 of before, at (0.00, -1.00, -5.00) m, is gone\n"), std::string::npos)
         << hole.output;
-    std::string painted = ledges_obj;
-    painted.insert(painted.find("f 5 6 7 8\n"), "usemtl far__hazard\n");
+    std::string painted = bridge_obj;
+    painted.insert(painted.find("f 4 3 6 5\n"), "usemtl bridge__hazard\n");
     const ProgramRun paint = check(write("paint", painted, ""));
     EXPECT_EQ(paint.exit_code, 1) << paint.output;
     EXPECT_NE(paint.output.find("is hazard and was default\n"), std::string::npos) << paint.output;
