@@ -12,6 +12,11 @@ class ReachPanel : public AppFixture {
     void SetUp() override {
         AppFixture::SetUp();
         ASSERT_EQ(run("command panel.reach\nwait 3"), "");
+        // The panel remembers what an earlier test asked for.
+        ReachSettings settings;
+        settings.duration_s = 1.0;
+        editor().reach = ReachJob::start(document(), settings, {}, nullptr);
+        ASSERT_EQ(run("finish\nwait 2\nclick \"Reach/Clear\""), "");
     }
     const ReachJob& job() { return *editor().reach; }
     // Where the lab's tape ends, run anew.
@@ -42,7 +47,7 @@ TEST_F(ReachPanel, SearchesGoesOnAndClears) {
 TEST_F(ReachPanel, AnotherSeedAndDurationAreUsedAndASearchIsCancelled) {
     ASSERT_EQ(run("drag \"Reach/Seed\" 40 0\ndrag \"Reach/Duration\" 60 0\nclick \"Reach/Search\""), "");
     EXPECT_GT(job().settings.seed, 1);
-    EXPECT_NE(job().settings.duration_s, 5.0);
+    EXPECT_GT(job().settings.duration_s, 1.0);
     ASSERT_EQ(run("click \"Reach/Cancel\"\nfinish\nexpect widget \"Reach/Search on\""), "");
     ASSERT_TRUE(job().report());
     EXPECT_EQ(job().report()->seed, static_cast<std::uint64_t>(job().settings.seed));
@@ -54,7 +59,7 @@ TEST_F(ReachPanel, TheMapIsSwitchedAndShowsTheFacesThatAreAskedFor) {
     EXPECT_FALSE(job().show);
     for (std::size_t view = reach_view_names.size(); view-- > 0;) {
         const std::string name = reach_view_names[view];
-        ASSERT_EQ(run("click \"Reach/##View\"\nclick \"Reach/##View/" + name + "\""), "");
+        ASSERT_EQ(run("click \"Reach/View\"\nclick \"Reach/View/" + name + "\""), "");
         EXPECT_EQ(job().view, static_cast<ReachView>(view)) << name;
         const auto coloured =
             std::count_if(job().heat().begin(), job().heat().end(), [](float heat) { return heat > 0.0f; });
@@ -73,7 +78,7 @@ TEST_F(ReachPanel, AClickOnAFaceOpensItsWayAndTheWayStandsOnIt) {
                   "");
         EXPECT_EQ(end_of_tape().ground_face, face);
     }
-    ASSERT_EQ(run("click \"Reach/Ways by click\"\nselect faces 9\nwait 2"), "");
+    ASSERT_EQ(run("click \"Tabs/Reach\"\nwait 2\nclick \"Reach/Ways by click\"\nselect faces 9\nwait 2"), "");
     EXPECT_EQ(end_of_tape().ground_face, 63u);
 }
 
@@ -87,8 +92,8 @@ TEST_F(ReachPanel, WhatCannotBeReachedIsListedAndOpensTheNearestAttempt) {
     for (FaceId face = 8; face < 56; ++face)
         row.push_back(face);
     editor().document->paint(row, *hazard);
-    ASSERT_EQ(run("click \"Reach/Search\"\nfinish\nclick \"Reach/##View\"\n"
-                  "click \"Reach/##View/Never reached\""),
+    ASSERT_EQ(run("click \"Reach/Search\"\nfinish\nclick \"Reach/View\"\n"
+                  "click \"Reach/View/Never reached\""),
               "");
     ASSERT_FALSE(job().report()->unreached.empty());
     const FaceId face = job().report()->unreached.front();
@@ -104,7 +109,7 @@ TEST_F(ReachPanel, AWayOutIsOpenedAndLeadsOut) {
     const std::vector<ReachReport::Exit>& exits = job().report()->exits;
     ASSERT_FALSE(exits.empty()) << "the floor has open sides";
     const Vec3 hole = exits[0].hole;
-    ASSERT_EQ(run(fmt::format("click \"Reach/Exit/{:.1f}, {:.1f}, {:.1f} m after {:.1f} s##0\"\n"
+    ASSERT_EQ(run(fmt::format("click \"Reach/Exit/{:.1f}, {:.1f}, {:.1f} m after {:.1f} s\"\n"
                               "expect status \"Out of the level*\"",
                               hole.x(), hole.y(), hole.z(), exits[0].time_s)),
               "");
@@ -129,15 +134,16 @@ TEST_F(ReachPanel, GoalsAreAddedNamedChangedAndJudged) {
               "");
     ASSERT_EQ(document().level().goals.size(), 1u);
     EXPECT_NE(goal_state(editor(), 0).find(" s"), std::string::npos);
-    ASSERT_EQ(run("click \"Reach/Goal/Goal 1/##Kind\"\nclick \"Reach/Goal/Goal 1/##Kind/never\""), "");
+    ASSERT_EQ(run("click \"Reach/Goal/Goal 1/Kind\"\nclick \"Reach/Goal/Goal 1/Kind/never\""), "");
     EXPECT_EQ(document().level().goals[0].kind, GoalKind::never);
     ASSERT_EQ(run("click \"Reach/Search\"\nfinish"), "");
     EXPECT_NE(goal_state(editor(), 0).find("broken"), std::string::npos);
-    ASSERT_EQ(run("click \"Reach/Goal/Goal 1/##Kind\"\nclick \"Reach/Goal/Goal 1/##Kind/reach\"\n"
-                  "drag \"Reach/Goal/Goal 1/##Within\" 1 0"),
+    ASSERT_EQ(run("click \"Reach/Goal/Goal 1/Kind\"\nclick \"Reach/Goal/Goal 1/Kind/reach\"\n"
+                  "drag \"Reach/Goal/Goal 1/Within\" 1 0"),
               "");
     ASSERT_TRUE(document().level().goals[0].within_s);
-    ASSERT_EQ(run("hover \"Reach/Goal/Goal 1/Row\"\nclick \"Reach/Goal/Goal 1/Rename\"\nkey Ctrl+A\n"
+    ASSERT_EQ(run("hover \"Reach/Goal/Goal 1/Row\"\nclick \"Reach/Goal/Goal 1/Rename\"\n"
+"expect widget \"Reach/Goal/Goal 1/Name\"\nkey Ctrl+A\n"
                   "type \"roof\"\nkey Enter"),
               "");
     EXPECT_EQ(document().level().goals[0].name, "roof");
