@@ -136,7 +136,6 @@ std::vector<NodeId> ReachSearch::Impl::nearest_nodes(const std::function<double(
     for (NodeId node = 0; node < archive.nodes.size(); ++node)
         if (is_held(archive.nodes[node].state))
             all.emplace_back(distance(scene.to_level(archive.nodes[node].state)), node);
-    // The nearest, and of those further away some of the highest: jumps begin there, too.
     std::sort(all.begin(), all.end());
     if (all.size() > count) all.resize(count);
     std::vector<NodeId> nodes;
