@@ -18,12 +18,13 @@
 #include "slipface/level/find_start.h"
 #include "slipface/level/level_file.h"
 #include "slipface/level/preset.h"
+#include "slipface/reach/search.h"
 
 namespace slipface::cli {
 namespace {
 
 struct AuditWords : PlayWords {
-    std::string speeds, shard, dt = "1/60", tapes, out;
+    std::string speeds, starts, shard, dt = "1/60", tapes, out;
     std::uint32_t walkers = 100;
     double seconds = 60.0;
     bool json = false, heat = false;
@@ -59,6 +60,32 @@ Result<AuditOptions> audit_options(const AuditWords& words) {
     return options;
 }
 
+// Places that a search reached: "reached", "reached:300" rounds, or a file of `slipface reach --out`.
+Result<std::vector<Vec3>> reached_starts(const Level& level, const Vec3& spawn, const AuditWords& words,
+                                         double dt) {
+    constexpr std::string_view reached = "reached";
+    constexpr std::uint64_t usual_rounds = 200;
+    const bool anew = words.starts.starts_with(reached) &&
+                      (words.starts.size() == reached.size() || words.starts[reached.size()] == ':');
+    ReachLimits limits;
+    limits.rounds = usual_rounds;
+    if (anew && words.starts.size() > reached.size()) {
+        const auto rounds = parse_int(words.starts.substr(reached.size() + 1));
+        if (!rounds || *rounds < 1)
+            return Error{"--starts", fmt::format("found {}, expected reached:ROUNDS with at least one round",
+                                                 words.starts)};
+        limits.rounds = static_cast<std::uint64_t>(*rounds);
+    }
+    Result<ReachSearch> search =
+        anew ? ReachSearch::begin(level, spawn, {}) : ReachSearch::resume(level, words.starts);
+    if (!search) return search.error();
+    if (anew) search->run(limits);
+    Result<std::vector<Vec3>> starts = usable_starts(level, search->standing_places(words.walkers), dt);
+    if (starts && starts->empty())
+        return Error{"--starts", "found no place where a walker can begin, expected at least one"};
+    return starts;
+}
+
 Status write_tapes(const std::filesystem::path& folder, const Level& level, const AuditOptions& options,
                    const AuditReport& report) {
     std::error_code error;
@@ -79,6 +106,8 @@ void print_audit(const AuditReport& report, double seconds, std::ostream& out) {
     print_row(out, "walkers",
               fmt::format("{} of {} s at {} s per step, seed {}", report.walkers, report.duration_s,
                           report.dt_text, report.seed));
+    if (report.starts > 0)
+        print_row(out, "starts", fmt::format("{} places that a search reached", report.starts));
     if (!report.shard.whole()) print_row(out, "shard", shard_text(report.shard));
     print_row(out, "steps", fmt::format("{}", report.steps));
     if (seconds > 0.0)
@@ -140,6 +169,11 @@ int run(const AuditWords& words) {
     if (!start->note.empty()) print_warnings(std::cerr, {{loaded->level.mesh_path.string(), start->note}});
     std::optional<ThreadLimit> limit;
     if (words.threads > 0) limit.emplace(words.threads);
+    if (!words.starts.empty()) {
+        auto starts = reached_starts(loaded->level, start->position, words, options->dt);
+        if (!starts) return print_error(std::cerr, starts.error()), exit_bad_input;
+        options->starts = std::move(*starts);
+    }
     const auto begin = std::chrono::steady_clock::now();
     const Result<AuditReport> report = run_audit(loaded->level, *options);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -181,6 +215,9 @@ void add_audit_verb(CLI::App& app, int& exit_code) {
     verb->add_option("--speeds", words->speeds, "Running speeds in m/s, used in turn; default: the level's")
         ->type_name("6,20,60");
     verb->add_option("--dt", words->dt, "Seconds a step")->capture_default_str();
+    verb->add_option("--starts", words->starts,
+                     "Start wherever a search gets in 200 or so many rounds, or got, instead of at a spawn")
+        ->type_name("reached[:ROUNDS]|FILE");
     verb->add_option("--shard", words->shard, "Run only this part of the walkers, 1/N to N/N")
         ->type_name("I/N");
     verb->add_option("--tapes", words->tapes, "Folder for a tape of each finding")->type_name("FOLDER");

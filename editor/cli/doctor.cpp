@@ -5,11 +5,12 @@
 #include "cli/format.h"
 #include "cli/verbs.h"
 #include "slipface/level/level_file.h"
+#include "slipface/reach/grades.h"
 
 namespace slipface::cli {
 namespace {
 
-void print_doctor_json(const DoctorReport& report, std::ostream& out) {
+void print_doctor_json(const DoctorReport& report, const Grades* grades, std::ostream& out) {
     OutputJson json;
     json["problems"] = report.total();
     json["counts"] = OutputJson::object();
@@ -23,7 +24,31 @@ void print_doctor_json(const DoctorReport& report, std::ostream& out) {
         row["position"] = vector_json(problem.position);
         json["list"].push_back(std::move(row));
     }
+    if (grades) {
+        OutputJson& notes = (json["grades"] = {{"step_m", grades->limits.step_m},
+                                               {"ledge_m", grades->limits.ledge_m},
+                                               {"gap_m", grades->limits.gap_m},
+                                               {"dropped", grades->dropped},
+                                               {"jumped", grades->jumped},
+                                               {"missed", grades->missed},
+                                               {"notes", OutputJson::array()}})["notes"];
+        for (const GradeNote& note : grades->notes)
+            notes.push_back({{"face", note.face},
+                             {"position", vector_json(note.position)},
+                             {"reached", note.reached},
+                             {"text", note.text}});
+    }
     print_json(out, json);
+}
+
+void print_grades(const Grades& grades, std::ostream& out) {
+    const JumpLimits& limits = grades.limits;
+    out << fmt::format(
+        "\nSteps up to {:.2f} m are walked, ledges up to {:.2f} m and gaps up to {:.2f} m jumped\n"
+        "Of the regions apart, {} are dropped onto, {} jumped to, and {} missed by less than a tenth\n",
+        limits.step_m, limits.ledge_m, limits.gap_m, grades.dropped, grades.jumped, grades.missed);
+    for (const GradeNote& note : grades.notes)
+        out << fmt::format("    face {}, at {}: {}\n", note.face, vector_text(note.position), note.text);
 }
 
 void print_doctor_text(const DoctorReport& report, std::ostream& out) {
@@ -55,7 +80,10 @@ int run_doctor(const DoctorOptions& options, std::ostream& out, std::ostream& er
     if (!loaded) return bad_input(err, loaded.error());
     print_warnings(err, loaded->warnings);
     const DoctorReport report = examine(loaded->level);
-    options.json ? print_doctor_json(report, out) : print_doctor_text(report, out);
+    const Grades grades = options.grade ? grade(loaded->level) : Grades{};
+    options.json ? print_doctor_json(report, options.grade ? &grades : nullptr, out)
+                 : print_doctor_text(report, out);
+    if (options.grade && !options.json) print_grades(grades, out);
     return report.total() == 0 ? exit_fine : exit_check_failed;
 }
 

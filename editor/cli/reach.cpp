@@ -12,16 +12,18 @@
 #include "slipface/base/files.h"
 #include "slipface/base/parallel.h"
 #include "slipface/base/text.h"
+#include "slipface/exchange/export.h"
 #include "slipface/level/find_start.h"
 #include "slipface/level/level_file.h"
 #include "slipface/level/preset.h"
+#include "slipface/reach/links.h"
 #include "slipface/reach/report.h"
 
 namespace slipface::cli {
 namespace {
 
 struct ReachWords : PlayWords {
-    std::string out, resume, how, tape, tapes;
+    std::string out, resume, how, tape, tapes, links, before;
     double seconds = 0.0, cell = 0.0;
     std::uint64_t rounds = 0;
     bool json = false, check = false;
@@ -147,24 +149,24 @@ int answer_how(const ReachSearch& search, const ReachWords& words) {
     return json["reached"].get<bool>() ? exit_fine : exit_check_failed;
 }
 
-// Which of the settings that were changed here breaks a goal that held before: each is taken back alone.
-std::string setting_to_blame(const Level& level, const MovementSettings& before, const Vec3& start,
-                             const ReachOptions& options, const ReachLimits& limits, std::size_t goal) {
-    std::string blamed;
-    for (const std::string& change : setting_changes(level.movement, before)) {
-        Level other = level;
-        if (!set_setting(other.movement, change)) continue;
-        other.goals = {level.goals[goal]};
-        for (const Goal& named : level.goals)
-            if (named.name == level.goals[goal].from) other.goals.push_back(named);
-        const auto answers = check_goals(other, start, options, limits);
-        if (answers && !answers->empty() && answers->front().holds)
-            blamed += (blamed.empty() ? "" : ", ") + change;
-    }
-    return blamed;
+std::string ending_of(const std::filesystem::path& file) {
+    return to_lower(file.extension().string());
 }
 
-int check(const Level& level, const MovementSettings& before, const Vec3& start, const ReachWords& words,
+// As JSON, for RecastDemo, or as nodes of the level's glTF.
+Status write_links(const ReachSearch& search, const std::filesystem::path& file) {
+    const ReachLinks links = search.links();
+    if (ending_of(file) == ".json") return write_file_atomic(file, links_to_json(search, links));
+    if (ending_of(file) == ".gset") return write_file_atomic(file, links_to_gset(search, links));
+    std::vector<GltfNode> nodes;
+    for (const ReachLink& link : links.links)
+        nodes.push_back({fmt::format("link {} {}", nodes.size() + 1,
+                                     link_kind_names[static_cast<std::size_t>(link.kind)]),
+                         link.begin, fmt::format("{{\"slipface_link\": {}}}", link_to_json(link))});
+    return export_gltf(search.level(), file, nodes);
+}
+
+int check(const Level& level, const Level& before, const Vec3& start, const ReachWords& words,
           const ReachOptions& options, const ReachLimits& limits) {
     const auto answers = check_goals(level, start, options, limits);
     if (!answers) return bad_input(answers.error());
@@ -180,11 +182,9 @@ int check(const Level& level, const MovementSettings& before, const Vec3& start,
         text += fmt::format("{:<8}{}\n", answer.holds ? "holds" : "BROKEN", answer.text);
         if (!answer.holds) {
             all = false;
-            const std::string blamed = setting_to_blame(level, before, start, options, limits, answer.goal);
-            if (!blamed.empty()) {
-                one["holds_with"] = blamed;
-                text += fmt::format("        holds with {}\n", blamed);
-            }
+            one["causes"] = causes_of(answer, before, level, start, options, limits);
+            for (const auto& cause : one["causes"])
+                text += fmt::format("        {}\n", cause.get<std::string>());
         }
         if (answer.tape && !words.tapes.empty()) {
             const std::filesystem::path file =
@@ -205,7 +205,13 @@ int run(const ReachWords& words) {
     if (!loaded) return bad_input(loaded.error());
     print_warnings(std::cerr, loaded->warnings);
     Level& level = loaded->level;
-    const MovementSettings before = level.movement;
+    Level before = level;
+    if (!words.before.empty()) {
+        Result<LoadedLevel> other = load_level(words.before);
+        if (!other) return bad_input(other.error());
+        print_warnings(std::cerr, other->warnings);
+        before = std::move(other->level);
+    }
     if (!words.preset.empty()) {
         const Result<Preset> preset = find_preset(words.preset);
         if (!preset) return bad_input({"--preset", preset.error().text()});
@@ -235,13 +241,16 @@ int run(const ReachWords& words) {
     if (!search) return bad_input(search.error());
     const std::uint64_t steps_before = search->steps();
     const auto begin = std::chrono::steady_clock::now();
-    // Who only asks a stored search how to get somewhere wants no further one.
-    const bool only_asks =
-        !words.how.empty() && !words.resume.empty() && words.rounds == 0 && words.seconds <= 0.0;
+    // Who only asks a stored search wants no further one.
+    const bool asks = !words.how.empty() || !words.links.empty();
+    const bool only_asks = asks && !words.resume.empty() && words.rounds == 0 && words.seconds <= 0.0;
     if (!only_asks) search->run(limits);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (!words.out.empty())
         if (const Status status = search->store(words.out); !status) return bad_input(status.error());
+    if (!words.links.empty())
+        if (const Status status = write_links(*search, words.links); !status)
+            return bad_input(status.error());
     if (!words.how.empty()) return answer_how(*search, words);
     const ReachReport report = make_reach_report(*search);
     words.json ? void(std::cout << reach_to_json(report, true) << '\n')
@@ -289,6 +298,12 @@ int diff(const std::string& a, const std::string& b, bool json) {
     return same ? exit_fine : exit_check_failed;
 }
 
+std::string links_check(const std::string& file) {
+    for (const char* const ending : {".json", ".gset", ".gltf", ".glb"})
+        if (ending_of(file) == ending) return {};
+    return fmt::format("found {}, expected a file of .json, .gset, .gltf or .glb", file);
+}
+
 std::string how_check(const std::string& text) {
     if (text.starts_with("face:") || parse_vec3(text)) return {};
     return fmt::format("found {}, expected face:NUMBER or x,y,z", text);
@@ -317,9 +332,15 @@ void add_reach_verb(CLI::App& app, int& exit_code) {
     verb->add_option("--tape", words->tape, "Write the inputs of --how to a file")
         ->type_name("FILE")
         ->needs(how);
+    verb->add_option("--links", words->links, "Write the links between walkable regions, with their tapes")
+        ->type_name("FILE.json|.gset|.gltf|.glb")
+        ->check(links_check);
     CLI::Option* check_flag = verb->add_flag(
         "--check", words->check, "Check the level's goals; fails when one breaks, and says what broke it");
     check_flag->excludes(how);
+    verb->add_option("--before", words->before, "The level before a change: names what of it broke a goal")
+        ->type_name("LEVEL")
+        ->needs(check_flag);
     verb->add_option("--tapes", words->tapes, "Folder for a tape of each goal")
         ->type_name("FOLDER")
         ->needs(check_flag)

@@ -117,6 +117,8 @@ void add_doctor(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<DoctorOptions>();
     verb->add_option("LEVEL", options->level, level_help())->required();
     verb->add_flag("--json", options->json, "Print JSON");
+    verb->add_flag("--grade", options->grade,
+                   "Also grade ledges and gaps by what the player can jump; these are no problems");
     verb->callback([options, &exit_code] {
         exit_code = guarded([&] { return run_doctor(*options, std::cout, std::cerr); });
     });

@@ -102,6 +102,7 @@ void add_reach_verb(CLI::App& app, int& exit_code);
 struct DoctorOptions {
     std::filesystem::path level;
     bool json = false;
+    bool grade = false;  // ledges and gaps, too; they are notes, not problems
 };
 
 // What in the geometry makes movement fail. Returns exit_check_failed if there is anything.

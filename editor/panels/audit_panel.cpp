@@ -34,6 +34,10 @@ void start_row(Editor& editor) {
         ImGui::TableNextColumn();
         end_property_rows();
     }
+    ui::checkbox(
+        "Start everywhere", &wanted.everywhere,
+        "Search for all that the player can reach first, and start the walkers all over it, not only "
+        "at the spawn");
     if (ui::button("Run audit", "Run the walkers in the background")) {
         editor.audit = AuditJob::start(*editor.document, wanted);
     }

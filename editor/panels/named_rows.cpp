@@ -38,8 +38,8 @@ void name_box(Renaming& state, NamedRowResult& result,
     state.focus = false;
 }
 
-// Small buttons over the row's right end, shown while the mouse is over it. They are drawn first, so that
-// they get the click.
+// Small buttons over the row's right end, shown while the mouse is over it. They overlap the row and get
+// its clicks.
 bool row_button(const char* icon, const char* name, const char* tooltip, float x, float y, float side) {
     ImGui::SetCursorScreenPos({x, y});
     const bool pressed = ImGui::InvisibleButton(name, {side, side});
@@ -68,14 +68,16 @@ NamedRowResult named_row(std::size_t index, const NamedRow& row,
     }
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
-    const bool hovered =
-        ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(at, {at.x + width, at.y + height});
+    // A button that is held down stays, or it would never be released.
+    const bool hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
+                         ImGui::IsMouseHoveringRect(at, {at.x + width, at.y + height});
     float right = at.x + width;
+    const bool on_buttons = hovered && ImGui::GetMousePos().x >= right - 3 * height;
     ImGui::Selectable("##row", row.chosen, ImGuiSelectableFlags_AllowItemOverlap, {0, height});
     ui::record_last_item("Row", true, row.chosen);
     ui::mark_as_ground();
-    result.chosen = ImGui::IsItemClicked();
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+    result.chosen = ImGui::IsItemClicked() && !on_buttons;
+    if (ImGui::IsItemHovered() && !on_buttons && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
         state = {id, row.name, true};
     ui::tooltip(row.tooltip);
     ImGui::SetItemAllowOverlap();
@@ -87,7 +89,6 @@ NamedRowResult named_row(std::size_t index, const NamedRow& row,
         if (row_button(icons::pencil, "Rename", "Rename", ends[1], at.y, height))
             state = {id, row.name, true};
         result.replace = row_button(icons::save, "Replace", row.replace_tooltip, ends[2], at.y, height);
-        if (result.remove || result.replace || state.row == id) result.chosen = false;
         right = ends[2];
     }
     ImGui::SetCursorPosY(next);

@@ -100,7 +100,6 @@ void map_rows(Editor& editor) {
     ui::checkbox("Show", &job.show,
                  "Colour the faces in the view; crosses mark where players leave the level");
     int view = static_cast<int>(job.view);
-    ImGui::SetNextItemWidth(-1.0f);
     if (ui::combo("##View", &view, reach_view_names.data(), static_cast<int>(reach_view_names.size()),
                   meaning_of(static_cast<ReachView>(view))))
         job.view = static_cast<ReachView>(view);
@@ -135,7 +134,6 @@ void goal_rows(Editor& editor, std::size_t index) {
     const ui::Scope scope(goal.name);
     ImGui::PushID(static_cast<int>(index));
     int kind = static_cast<int>(goal.kind);
-    ImGui::SetNextItemWidth(0.45f * ImGui::GetContentRegionAvail().x);
     if (ui::combo("##Kind", &kind, goal_kind_names.data(), static_cast<int>(goal_kind_names.size()),
                   "Must be reached, or must never be")) {
         goal.kind = static_cast<GoalKind>(kind);
@@ -143,9 +141,7 @@ void goal_rows(Editor& editor, std::size_t index) {
         change_goal(editor, index, goal);
     }
     if (goal.kind == GoalKind::reach) {
-        ImGui::SameLine();
         double within = goal.within_s.value_or(0.0);
-        ImGui::SetNextItemWidth(-1.0f);
         if (ui::slider("##Within", &within, 0.0, 120.0, within > 0.0 ? "within %.0f s" : "any time",
                        "It must not take longer; 0: it may take any time")) {
             live_edit(editor, "Change goal " + goal.name);

@@ -21,11 +21,18 @@ class GltfWriter {
     GltfWriter(const Level& level, const TypedMaterials& materials, fs::path folder)
         : level_(level), mesh_(*level.mesh), materials_(materials), folder_(std::move(folder)) {}
 
-    void write() {
+    void write(std::span<const GltfNode> nodes) {
         root_["asset"] = {{"version", "2.0"}, {"generator", "Slipface"}};
         root_["scene"] = 0;
         root_["scenes"] = {{{"nodes", {0}}, {"extras", {{"slipface_types", types_json()}}}}};
         root_["nodes"] = {{{"name", level_.mesh_path.stem().string()}, {"mesh", 0}}};
+        for (const GltfNode& node : nodes) {
+            const Vec3& at = node.position;
+            root_["scenes"][0]["nodes"].push_back(root_["nodes"].size());
+            root_["nodes"].push_back({{"name", node.name},
+                                      {"translation", {at.x(), at.y(), at.z()}},
+                                      {"extras", GltfJson::parse(node.extras, nullptr, false)}});
+        }
         write_materials();
         write_primitives();
     }
@@ -196,11 +203,15 @@ std::string glb_bytes(const GltfJson& root, const std::string& binary) {
 }  // namespace
 
 Status export_gltf(const Level& level, const fs::path& path) {
+    return export_gltf(level, path, {});
+}
+
+Status export_gltf(const Level& level, const fs::path& path, std::span<const GltfNode> nodes) {
     if (Status status = check_target(level, path); !status) return status;
     const Result<TypedMaterials> materials = typed_materials(level, true);
     if (!materials) return materials.error();
     GltfWriter writer(level, *materials, path.parent_path());
-    writer.write();
+    writer.write(nodes);
     if (to_lower(path.extension().string()) == ".glb")
         return write_file_atomic(path, glb_bytes(writer.root_, writer.bytes_));
     fs::path binary = path;

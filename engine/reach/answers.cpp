@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_set>
+#include <set>
 
 #include "impl.h"
 #include "slipface/base/parallel.h"
@@ -98,6 +98,23 @@ Vec3 ReachSearch::position_of(NodeId node) const {
     return impl_->scene.to_level(impl_->archive.nodes[node].state);
 }
 
+std::vector<Vec3> ReachSearch::standing_places(std::size_t count) const {
+    std::set<std::array<std::int64_t, 3>> seen;
+    std::vector<Vec3> places;
+    for (NodeId node = 0; node < impl_->archive.nodes.size(); ++node) {
+        const PlayerState& state = impl_->archive.nodes[node].state;
+        if (!state.grounded || state.ground_platform != no_id) continue;
+        const Vec3 at = position_of(node), cell = at / cell_m();
+        if (seen.insert({std::llround(cell.x()), std::llround(cell.y()), std::llround(cell.z())}).second)
+            places.push_back(at);
+    }
+    if (places.size() <= count) return places;
+    std::vector<Vec3> some;
+    for (std::size_t i = 0; i < count; ++i)
+        some.push_back(places[i * places.size() / count]);
+    return some;
+}
+
 ReachSearch::Near ReachSearch::nearest(const Vec3& point) const {
     Near nearest{no_id, std::numeric_limits<double>::infinity()};
     const Vec3 down(0.0, level().movement.radii.y(), 0.0);
@@ -119,7 +136,6 @@ std::vector<NodeId> ReachSearch::Impl::nearest_nodes(const std::function<double(
     for (NodeId node = 0; node < archive.nodes.size(); ++node)
         if (is_held(archive.nodes[node].state))
             all.emplace_back(distance(scene.to_level(archive.nodes[node].state)), node);
-    // The nearest, and of those further away some of the highest: jumps begin there, too.
     std::sort(all.begin(), all.end());
     if (all.size() > count) all.resize(count);
     std::vector<NodeId> nodes;

@@ -31,6 +31,7 @@ struct ReachSearch::Impl {
 
     // A scene for the thread that asks; those of a level that moves are used again.
     class Lease;
+    class LinkFinder;
 
     mutable LevelScene scene;
     ReachWorld world;

@@ -81,18 +81,32 @@ std::uint64_t scene_fingerprint_of(const Level& level, const MovementScene& at_f
     return hasher.value();
 }
 
-// When a player who stands still at the spawn point dies there, within a second; nothing if he lives.
-std::optional<std::pair<double, PlayerState>> death_at_spawn(const TickScene& scene,
-                                                             const MovementSettings& settings,
-                                                             const RunStart& start, double dt) {
+// Why no life can begin there; nothing if one can.
+std::optional<std::string> problem_of(const Level& level, const TickScene& scene, const RunStart& start,
+                                      double dt) {
+    const MovementScene at_first = scene.at(0, 0.0);
+    const Vec3 at = position_in_scene(at_first, start.player);
+    if (const auto inside = overlaps_deeply(at_first, level.movement, at))
+        return fmt::format("lies inside face {}; every walker would start stuck", inside->face);
     PlayerState state = start.player;
     for (std::size_t tick = 0; static_cast<double>(tick) * dt < 1.0; ++tick) {
-        const TickResult result = play_tick(scene.at(tick, dt), settings, state, {}, dt, start);
+        const TickResult result = play_tick(scene.at(tick, dt), level.movement, state, {}, dt, start);
         if (result.respawn == Respawn::hazard)
-            return std::pair(static_cast<double>(tick + 1) * dt, result.stepped);
+            return fmt::format("is deadly: a player who stands still is killed after {:.2f} s on {}",
+                               static_cast<double>(tick + 1) * dt,
+                               thing_text(level, result.stepped.ground_face));
         state = result.state;
     }
     return std::nullopt;
+}
+
+std::uint64_t starts_hash_of(const std::vector<Vec3>& starts) {
+    if (starts.empty()) return 0;
+    Hasher hasher;
+    for (const Vec3& start : starts)
+        for (int axis = 0; axis < 3; ++axis)
+            hasher.f64(start[axis]);
+    return hasher.value();
 }
 
 // What holds the level wherever its platforms are. Scene coordinates.
@@ -141,21 +155,20 @@ Result<AuditReport> run_audit(const Level& level, const AuditOptions& options) {
     Result<LevelScene> level_scene = LevelScene::build(level);
     if (!level_scene) return level_scene.error();
     const TickScene first(*level_scene);
-    const RunStart start = run_start(first, level.spawn);
+    std::vector<RunStart> starts;
+    for (const Vec3& start : options.starts)
+        starts.push_back(run_start(first, start));
+    const RunStart spawn = run_start(first, level.spawn);
+    if (starts.empty()) starts.push_back(spawn);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        const std::string name = options.starts.empty() ? "the spawn point" : fmt::format("start {}", i + 1);
+        if (const auto problem = problem_of(level, first, starts[i], options.dt))
+            return Error{"audit", name + " " + *problem};
+    }
     const MovementScene at_first = first.at(0, 0.0);
-    const Vec3 spawn_in_scene = position_in_scene(at_first, start.player);
-    if (const auto inside = overlaps_deeply(at_first, level.movement, spawn_in_scene))
-        return Error{
-            "audit",
-            fmt::format("the spawn point lies inside face {}; every walker would start stuck", inside->face)};
-
     // A door may be open at another time: only what stands still closes a level.
-    const bool closed = level_is_closed(at_first.collision, spawn_in_scene);
+    const bool closed = level_is_closed(at_first.collision, position_in_scene(at_first, spawn.player));
     const std::uint64_t fingerprint = scene_fingerprint_of(level, at_first);
-    if (const auto death = death_at_spawn(first, level.movement, start, options.dt))
-        return Error{"audit", fmt::format("a player who stands still at the spawn point is killed after "
-                                          "{:.2f} s on {}",
-                                          death->first, thing_text(level, death->second.ground_face))};
 
     AuditReport report;
     report.level_name = level.mesh_path.filename().string();
@@ -168,12 +181,14 @@ Result<AuditReport> run_audit(const Level& level, const AuditOptions& options) {
     report.seed = options.seed;
     report.dt_text = options.dt_text;
     report.speeds = options.speeds;
+    report.starts = options.starts.size();
+    report.starts_hash = starts_hash_of(options.starts);
     report.shard = options.shard;
     report.closed = closed;
 
     const Aabb bounds = level_bounds(level, first);
     AuditArena arena{.options = options,
-                     .start = start,
+                     .starts = std::move(starts),
                      .level_bounds = bounds,
                      .bounds = walk_bounds(bounds, level.movement, closed),
                      .closed = closed,
@@ -219,13 +234,25 @@ Result<AuditReport> run_audit(const Level& level, const AuditOptions& options) {
     return report;
 }
 
+Result<std::vector<Vec3>> usable_starts(const Level& level, const std::vector<Vec3>& starts, double dt) {
+    Result<LevelScene> level_scene = LevelScene::build(level);
+    if (!level_scene) return level_scene.error();
+    const TickScene scene(*level_scene);
+    std::vector<Vec3> usable;
+    for (const Vec3& start : starts)
+        if (!problem_of(level, scene, run_start(scene, start), dt)) usable.push_back(start);
+    return usable;
+}
+
 Tape audit_tape(const Level& level, const AuditOptions& options, const AuditFinding& finding) {
     Tape tape;
     tape.level_name = level.mesh_path.filename().string();
     tape.level_fingerprint = level.mesh->fingerprint;
     tape.dt = options.dt;
     tape.dt_text = options.dt_text;
-    tape.start = level.spawn;
+    tape.start = options.starts.empty()
+                     ? level.spawn
+                     : options.starts[start_of(finding.walker, finding.life, options.starts.size())];
     MovementSettings settings = level.movement;
     settings.walk_speed = speed_of(options, settings, finding.walker);
     for (const SettingInfo& info : settings_table())

@@ -189,6 +189,7 @@ std::string difference(const AuditReport& a, const AuditReport& b) {
     compare(a.seed == b.seed, "seed");
     compare(a.dt_text == b.dt_text, "seconds per step");
     compare(a.speeds == b.speeds, "speeds");
+    compare(a.starts == b.starts && a.starts_hash == b.starts_hash, "starts");
     compare(a.heat.size() == b.heat.size(), "heat");
     return words;
 }
@@ -208,6 +209,10 @@ std::string audit_to_json(const AuditReport& report) {
     json["seed"] = report.seed;
     json["dt"] = report.dt_text;
     json["speeds"] = report.speeds;
+    if (report.starts > 0) {
+        json["starts"] = report.starts;
+        json["starts_hash"] = hex(report.starts_hash);
+    }
     if (!report.shard.whole()) json["shard"] = shard_text(report.shard);
     json["closed"] = report.closed;
     if (report.cancelled) json["cancelled"] = true;
@@ -253,6 +258,10 @@ Result<AuditReport> audit_from_json(std::string_view text, const std::string& lo
     report.seed = reader.number<std::uint64_t>("seed");
     report.dt_text = reader.text("dt");
     report.speeds = reader.list<double>("speeds");
+    if (reader.member("starts")) {
+        report.starts = reader.number<std::uint64_t>("starts");
+        report.starts_hash = reader.hexadecimal("starts_hash");
+    }
     if (reader.member("shard")) {
         const Result<Shard> shard = parse_shard(reader.text("shard"), location + ":/shard");
         if (!shard) return shard.error();

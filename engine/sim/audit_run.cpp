@@ -155,6 +155,7 @@ AuditRun::AuditRun(AuditArena& arena, const MovementSettings& settings, std::uin
 
 void AuditRun::begin_life() {
     walker_ = Walker(arena_->options.seed, number_, static_cast<std::uint32_t>(lives_), arena_->options.dt);
+    start_ = &arena_->starts[start_of(number_, lives_, arena_->starts.size())];
     ++lives_;
     tick_ = 0;
     life_hash_ = 0;
@@ -162,7 +163,7 @@ void AuditRun::begin_life() {
     exit_.reset();
     last_ground_ = no_id;
     touched_ = {};
-    state_ = arena_->start.player;
+    state_ = start_->player;
     watch_.begin(state_.position);
 }
 
@@ -256,7 +257,7 @@ bool AuditRun::tick(const AuditTick& now, std::vector<FaceHeat>* heat) {
     if (heat) sink.emplace(*heat, touched_, tick_, input, settings_, options.dt);
     const PlayerState before = state_;
     const TickResult result =
-        play_tick(scene, settings_, before, input, options.dt, arena_->start, sink ? &*sink : nullptr);
+        play_tick(scene, settings_, before, input, options.dt, *start_, sink ? &*sink : nullptr);
     state_ = result.state;
     life_hash_ = state_hash(state_, life_hash_);
     ++steps_;

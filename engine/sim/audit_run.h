@@ -13,12 +13,17 @@
 
 namespace slipface {
 
+// Index of the start of a walker's life, of so many.
+inline std::size_t start_of(std::uint32_t walker, std::uint64_t life, std::size_t starts) {
+    return static_cast<std::size_t>((walker + life) % starts);
+}
+
 // The data that all walkers of an audit share.
 struct AuditArena {
     const AuditOptions& options;
-    RunStart start;
-    Aabb level_bounds;  // of all parts of the level at all times, in the scene's coordinates
-    Aabb bounds;        // larger; a walker outside of it has left the level
+    std::vector<RunStart> starts;  // at least one
+    Aabb level_bounds;             // of all parts of the level at all times, in the scene's coordinates
+    Aabb bounds;                   // larger; a walker outside of it has left the level
     bool closed = false;
     std::uint64_t ticks = 0;           // of each walker, over all its lives
     std::atomic<bool> stopped{false};  // set by AuditOptions::progress
@@ -93,6 +98,7 @@ class AuditRun {
     std::uint32_t number_;
     Walker walker_;
     StuckWatch watch_;
+    const RunStart* start_ = nullptr;  // of this life
     PlayerState state_;
     std::uint64_t tick_ = 0;  // of this life
     std::uint64_t life_hash_ = 0;

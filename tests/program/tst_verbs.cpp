@@ -181,6 +181,93 @@ TEST(Reach, ChecksTheGoalsAndNamesTheSettingThatBreaksOne) {
     EXPECT_NE(broken.output.find("holds with walk_speed=6\n"), std::string::npos) << broken.output;
 }
 
+TEST(Reach, NamesWhatOfALevelBrokeAGoal) {
+    const ScratchFolder folder;
+    // A bridge of 10 m between two ledges.
+    const std::string bridge_obj =
+        "v -2 -1 4\nv 2 -1 4\nv 2 -1 0\nv -2 -1 0\nv -2 -1 -10\nv 2 -1 -10\nv 2 -1 -14\nv -2 -1 -14\n"
+        "f 1 2 3 4\nf 4 3 6 5\nf 5 6 7 8\n";
+    const auto write = [&](const std::string& name, const std::string& obj, const std::string& more) {
+        folder.write(name + ".slipface.json", R"({"slipface": 1, "mesh": ")" + name +
+                                                  R"(.obj", "spawn": {"position": [0, -0.05, 3]},
+                         "goals": [{"name": "over", "position": [0, 0, -13], "within_s": 10}])" +
+                                                  more + "}");
+        return folder.write(name + ".obj", obj);
+    };
+    const std::string before = write("before", bridge_obj, "");
+    const auto check = [&](const std::string& level) {
+        return run_program("reach " + level + " --rounds 25 --check --before " + before);
+    };
+    EXPECT_EQ(check(before).exit_code, 0);
+    const ProgramRun slow = check(write("slow", bridge_obj, R"(, "movement": {"walk_speed": 1})"));
+    EXPECT_EQ(slow.exit_code, 1) << slow.output;
+    EXPECT_NE(slow.output.find("holds with walk_speed=6\n"), std::string::npos) << slow.output;
+    std::string gone = bridge_obj;
+    gone.erase(gone.find("f 4 3 6 5\n"), 10);
+    const ProgramRun hole = check(write("hole", gone, ""));
+    EXPECT_EQ(hole.exit_code, 1) << hole.output;
+    EXPECT_NE(hole.output.find("face 1 of before, at (0.00, -1.00, -5.00) m, is gone\n"), std::string::npos)
+        << hole.output;
+    std::string painted = bridge_obj;
+    painted.insert(painted.find("f 4 3 6 5\n"), "usemtl bridge__hazard\n");
+    const ProgramRun paint = check(write("paint", painted, ""));
+    EXPECT_EQ(paint.exit_code, 1) << paint.output;
+    EXPECT_NE(paint.output.find("is hazard and was default\n"), std::string::npos) << paint.output;
+}
+
+TEST(Reach, WritesLinksForEngines) {
+    const ScratchFolder folder;
+    const std::string level = folder.write("ledges.obj", ledges_obj);
+    folder.write("ledges.slipface.json",
+                 R"({"slipface": 1, "mesh": "ledges.obj", "spawn": {"position": [0, -0.05, 3]}})");
+    const std::string out = (folder / "search").string();
+    ASSERT_EQ(run_program("reach " + level + " --rounds 25 --out " + out).exit_code, 0);
+    const auto write = [&](const char* name) {
+        const std::string file = (folder / name).string();
+        EXPECT_EQ(run_program("reach " + level + " --resume " + out + " --links " + file).exit_code, 0);
+        std::ifstream stream(file);
+        return std::string(std::istreambuf_iterator<char>(stream), {});
+    };
+    const auto json = nlohmann::json::parse(write("links.json"));
+    const auto& links = json.at("links");
+    ASSERT_GE(links.size(), 2u);
+    EXPECT_TRUE(links[0].at("two_way"));
+    // Its tape ends on the face that it names.
+    const std::string tape = folder.write("link.tape", links[0].at("tape").get<std::string>());
+    const ProgramRun run = run_program("simulate " + level + " --tape " + tape + " --json");
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    EXPECT_EQ(nlohmann::json::parse(without_warnings(run.output)).at("final_state").at("ground_face"),
+              links[0].at("to_face"));
+    const auto gltf = nlohmann::json::parse(write("links.gltf"));
+    ASSERT_EQ(gltf.at("nodes").size(), 1 + links.size());
+    EXPECT_EQ(gltf.at("nodes")[1].at("extras").at("slipface_link"), links[0]);
+    EXPECT_EQ(gltf.at("scenes")[0].at("nodes").size(), 1 + links.size());
+    const std::string gset = write("links.gset");
+    EXPECT_EQ(gset.rfind("f ledges.obj\nc ", 0), 0u) << gset;
+    EXPECT_EQ(run_program("reach " + level + " --rounds 1 --links links.txt").exit_code, 64);
+}
+
+TEST(Audit, StartsWhereASearchGets) {
+    const ScratchFolder folder;
+    const std::string level = folder.write("ledges.obj", ledges_obj);
+    folder.write("ledges.slipface.json",
+                 R"({"slipface": 1, "mesh": "ledges.obj", "spawn": {"position": [0, -0.05, 3]}})");
+    const std::string audit = "audit " + level + " --walkers 8 --seconds 2 --heat --starts ";
+    const ProgramRun one = run_program(audit + "reached:10 --json --threads 1"),
+                     two = run_program(audit + "reached:10 --json --threads 2");
+    EXPECT_EQ(without_warnings(one.output), without_warnings(two.output));
+    EXPECT_EQ(nlohmann::json::parse(without_warnings(one.output)).at("starts"), 8);
+    const std::string search = (folder / "search").string(), out = " --json --out ";
+    ASSERT_EQ(run_program("reach " + level + " --rounds 10 --out " + search).exit_code, 0);
+    EXPECT_EQ(without_warnings(run_program(audit + search + " --json").output), without_warnings(one.output));
+    const std::string a = (folder / "a.json").string(), b = (folder / "b.json").string();
+    run_program(audit + "reached:10 --shard 1/2 --json --out " + a);
+    run_program(audit + "reached:10 --shard 2/2 --json --out " + b);
+    EXPECT_EQ(run_program("audit merge " + a + " " + b + " --json").output, without_warnings(one.output));
+    EXPECT_EQ(run_program(audit + "reached:0").exit_code, 2);
+    EXPECT_EQ(run_program(audit + "nowhere").exit_code, 2);
+}
+
 TEST(Reach, RefusesWhatItCannotDo) {
     const ScratchFolder folder;
     const std::string level = folder.write("ledges.obj", ledges_obj);

@@ -424,6 +424,51 @@ TEST(Audit, APlatformsWholeWayBelongsToTheLevel) {
     EXPECT_NEAR(platform_reach(level.platforms[0], rest).max.y(), 60.0 + std::sqrt(38.5), 1e-12);
 }
 
+TEST(Audit, WalkersStartAtTheGivenPlacesInTurn) {
+    AuditOptions options = short_audit();
+    options.starts = {{3, 1, 3}, {-3, 1, -3}, {3, 1, -3}};
+    // Each walker is thrown out through the wall that is left out, sooner or later.
+    const Level level = box_level(wall);
+    const AuditReport whole = run_audit(level, options).value();
+    EXPECT_EQ(whole.starts, 3u);
+    EXPECT_GT(whole.lives, whole.walkers);
+    options.starts.pop_back();
+    EXPECT_NE(run_audit(level, options)->hash, whole.hash);
+    EXPECT_EQ(audit_tape(level, options, {.walker = 4}).start, Vec3(3, 1, 3));
+    EXPECT_EQ(audit_tape(level, options, {.walker = 4, .life = 1}).start, Vec3(-3, 1, -3));
+
+    // Shards of one audit have the same starts.
+    options.starts = {{3, 1, 3}, {-3, 1, -3}, {3, 1, -3}};
+    std::vector<AuditPart> parts;
+    for (std::uint32_t number = 1; number <= 2; ++number) {
+        options.shard = {number, 2};
+        const std::string text = audit_to_json(run_audit(level, options).value());
+        parts.push_back({"part", audit_from_json(text, "part").value()});
+    }
+    EXPECT_EQ(audit_to_json(merge_audits(parts).value()), audit_to_json(whole));
+    options.starts[0].x() = 2;
+    parts[1].report = run_audit(level, options).value();
+    EXPECT_THAT(merge_audits(parts).error().text(), testing::HasSubstr("they differ in starts"));
+
+    const auto usable = usable_starts(level, {{0, 1, 0}, {0, 0.1, 0}, {3, 1, 3}}, options.dt);
+    EXPECT_EQ(usable.value(), (std::vector<Vec3>{{0, 1, 0}, {3, 1, 3}}));
+    options.starts[1] = {0, 0.1, 0};
+    EXPECT_THAT(run_audit(level, options).error().text(), testing::HasSubstr("start 2 lies inside face 0"));
+}
+
+TEST(Audit, FindingsOfOtherStartsRepeat) {
+    Level level = moving_level();
+    level.movement = basic_settings();
+    level.movement.platforms = false;
+    AuditOptions options = short_audit();
+    options.duration_s = 20.0;
+    options.starts = {{3, 1, -3}, {-3, 1, -3}};
+    const AuditReport report = run_audit(level, options).value();
+    ASSERT_FALSE(report.findings.empty());
+    for (const AuditFinding& finding : report.findings)
+        EXPECT_EQ(replay(level, audit_tape(level, options, finding)).end_hash, finding.hash);
+}
+
 TEST(Audit, RefusesWhatCannotBeRun) {
     AuditOptions options = short_audit();
     options.walkers = 0;

@@ -7,6 +7,7 @@
 
 #include "slipface/level/find_start.h"
 #include "slipface/mesh/mesh.h"
+#include "slipface/reach/search.h"
 
 namespace slipface {
 
@@ -20,6 +21,8 @@ constexpr HeatInfo heat_infos[] = {
     {"Faces flat enough to stand on where no walker ever was", ""},
 };
 static_assert(std::size(heat_infos) == heat_names.size());
+
+constexpr std::uint64_t search_rounds = 100;
 
 }  // namespace
 
@@ -41,16 +44,10 @@ std::shared_ptr<AuditJob> AuditJob::start(const Document& document, const AuditS
     job->options_.duration_s = std::clamp(settings.duration_s, 1.0, 3600.0);
     job->options_.seed = static_cast<std::uint64_t>(std::max(settings.seed, 0));
     job->options_.heat = true;
+    job->everywhere_ = settings.everywhere;
     AuditJob* const self = job.get();  // outlived: the destructor waits for the thread
     job->thread_ = std::thread([self] {
-        AuditOptions options = self->options_;
-        options.progress = [self](std::uint64_t steps) {
-            self->steps_ += steps;
-            return !self->cancelled_;
-        };
-        const Result<Start> start = settle_start(self->level_);
-        Result<AuditReport> report =
-            start ? run_audit(self->level_, options) : Result<AuditReport>(start.error());
+        Result<AuditReport> report = self->run();
         if (report)
             self->report_ = std::move(*report);
         else
@@ -60,8 +57,34 @@ std::shared_ptr<AuditJob> AuditJob::start(const Document& document, const AuditS
     return job;
 }
 
-AuditJob::~AuditJob() {
+Result<AuditReport> AuditJob::run() {
+    const Result<Start> start = settle_start(level_);
+    if (!start) return start.error();
+    if (everywhere_) {
+        Result<ReachSearch> search = ReachSearch::begin(level_, start->position, {});
+        if (!search) return search.error();
+        ReachLimits limits;
+        limits.rounds = search_rounds;
+        search->run(limits, &search_);
+        auto starts = usable_starts(level_, search->standing_places(options_.walkers), options_.dt);
+        if (!starts) return starts.error();
+        options_.starts = std::move(*starts);
+    }
+    AuditOptions options = options_;
+    options.progress = [this](std::uint64_t steps) {
+        steps_ += steps;
+        return !cancelled_;
+    };
+    return run_audit(level_, options);
+}
+
+void AuditJob::cancel() {
     cancelled_ = true;
+    search_.cancel();
+}
+
+AuditJob::~AuditJob() {
+    cancel();
     if (thread_.joinable()) thread_.join();
 }
 

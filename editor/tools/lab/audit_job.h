@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "document/document.h"
+#include "slipface/base/progress.h"
 #include "slipface/sim/audit.h"
 
 namespace slipface {
@@ -26,6 +27,7 @@ struct AuditSettings {
     int walkers = 60;
     double duration_s = 30.0;  // simulated, per walker
     int seed = 1;
+    bool everywhere = false;  // walkers start wherever a short search gets, not only at the spawn
 };
 
 class AuditJob {
@@ -38,7 +40,7 @@ class AuditJob {
 
     bool running() const { return !done_; }
     double progress() const;  // 0..1
-    void cancel() { cancelled_ = true; }
+    void cancel();
     // After the end: the report; null if there is none, and then problem() says why.
     const AuditReport* report() const { return done_ && report_ ? &*report_ : nullptr; }
     const std::string& problem() const { return problem_; }
@@ -62,13 +64,16 @@ class AuditJob {
 
   private:
     AuditJob() = default;
+    Result<AuditReport> run();
     double value(HeatKind kind, FaceId face) const;
 
     Level level_;
     AuditOptions options_;
     std::uint64_t face_revision_ = 0;
+    bool everywhere_ = false;
     std::atomic<std::uint64_t> steps_{0};
     std::atomic<bool> cancelled_{false}, done_{false};
+    Progress search_;  // of where the walkers start
     std::optional<AuditReport> report_;
     std::string problem_;
     mutable std::optional<HeatKind> heat_kind_;

@@ -57,7 +57,7 @@ std::shared_ptr<ReachJob> ReachJob::start(const Document& document, const ReachS
 }
 
 bool ReachJob::can_go_on(const Document& document) const {
-    return search_ && fits(document) &&
+    return search_ && fits(document) && fits_goals(document) &&
            search_->options().seed == static_cast<std::uint64_t>(settings.seed) && !search_->exhausted();
 }
 

@@ -3,6 +3,8 @@
 // OBJ and glTF a type's name that cannot be part of a material's name.
 #pragma once
 
+#include <span>
+
 #include "slipface/level/level.h"
 
 namespace slipface {
@@ -15,6 +17,13 @@ Status export_obj(const Level& level, const std::filesystem::path& path);
 // `extras` of material and primitive are {"slipface_type": "ice"}; those of the scene list every type with
 // its parameters.
 Status export_gltf(const Level& level, const std::filesystem::path& path);
+// The same with further nodes in the scene.
+struct GltfNode {
+    std::string name;
+    Vec3 position = Vec3::Zero();
+    std::string extras;  // JSON
+};
+Status export_gltf(const Level& level, const std::filesystem::path& path, std::span<const GltfNode> nodes);
 
 // One file that a game reads with a few lines (README.md), little-endian:
 //   char magic[8] "slipflat"; u32 version (1), types, fields, vertices, triangles

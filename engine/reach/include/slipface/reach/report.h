@@ -81,4 +81,10 @@ Result<std::vector<GoalAnswer>> check_goals(const Level& level, const Vec3& star
                                             const ReachOptions& options, const ReachLimits& limits,
                                             Progress* progress = nullptr);
 
+// What breaks a goal of `now` that is answered by `broken`: settings and types with which, taken back to what
+// they are in `before`, it holds again; else the faces that are gone, new or of another type where the way
+// that held, or that should not be, parts from what it was. Empty: not known.
+std::vector<std::string> causes_of(const GoalAnswer& broken, const Level& before, const Level& now,
+                                   const Vec3& start, const ReachOptions& options, const ReachLimits& limits);
+
 }  // namespace slipface

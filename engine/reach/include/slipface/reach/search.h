@@ -18,6 +18,8 @@
 
 namespace slipface {
 
+struct ReachLinks;  // slipface/reach/links.h
+
 struct ReachOptions {
     std::uint64_t seed = 1;
     double dt = 1.0 / 60.0;
@@ -93,6 +95,10 @@ class ReachSearch {
     Tape tape_of(const ReachExit& exit) const;
     Vec3 position_of(NodeId node) const;  // in the level's coordinates
 
+    // Where players stood on what does not move, at most `count` places: of all places a cell apart each has
+    // the same chance. The level's coordinates.
+    std::vector<Vec3> standing_places(std::size_t count) const;
+
     // The held state nearest to a point of the level, by the centre or by the lowest point of the player.
     struct Near {
         NodeId node = no_id;
@@ -109,6 +115,10 @@ class ReachSearch {
     };
     std::optional<Miss> nearest_miss_of_face(FaceId face) const;
     std::optional<Miss> nearest_miss_of_point(const Vec3& point, double radius) const;
+
+    // From each region to others: what the search passed, and what is found anew from where regions are near
+    // to each other. Every link was replayed.
+    ReachLinks links() const;
 
   private:
     struct Impl;

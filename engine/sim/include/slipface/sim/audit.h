@@ -25,8 +25,10 @@ struct AuditOptions {
     double dt = 1.0 / 60.0;
     std::string dt_text = "1/60";
     std::vector<double> speeds;  // m/s; walker i runs at speeds[i % size]. Empty: the level's walk_speed
-    Shard shard;                 // the walkers that this part runs
-    bool heat = false;           // also fill AuditReport::heat; about a tenth slower
+    // Where lives begin, in turn, at rest; the level's coordinates. Empty: at the spawn point.
+    std::vector<Vec3> starts;
+    Shard shard;        // the walkers that this part runs
+    bool heat = false;  // also fill AuditReport::heat; about a tenth slower
     // Called from any thread, about once per simulated second of a walker, with the steps done since its last
     // call. Returning false cancels the audit.
     std::function<bool(std::uint64_t steps)> progress;
@@ -47,7 +49,7 @@ const FindingKindInfo& info_of(FindingKind kind);
 struct AuditFinding {
     FindingKind kind = FindingKind::passed_through;
     std::uint32_t walker = 0;
-    // A walker that left the level starts its next life, at the spawn point and at the level's time 0.
+    // A walker that left the level starts its next life, at its next start and at the level's time 0.
     std::uint32_t life = 0;
     std::uint64_t tick = 0;        // of the life; the state after this many ticks shows the finding
     Vec3 position = Vec3::Zero();  // in the level's coordinates
@@ -85,8 +87,9 @@ struct AuditReport {
     std::uint64_t seed = 0;
     std::string dt_text;
     std::vector<double> speeds;
-    Shard shard;          // the part that this report is
-    bool closed = false;  // no ray from the spawn point leaves the level
+    std::uint64_t starts = 0, starts_hash = 0;  // AuditOptions::starts; 0: the spawn point
+    Shard shard;                                // the part that this report is
+    bool closed = false;                        // no ray from the spawn point leaves the level
 
     // The results.
     std::uint64_t steps = 0;
@@ -105,9 +108,12 @@ struct AuditReport {
     bool clean() const { return counts == decltype(counts){} && !cancelled; }
 };
 
-// Runs the audit. Errors: a level without triangles; a spawn point inside geometry, or where a player who
-// stands still touches a hazard within a second; options out of range.
+// Runs the audit. Errors: a level without triangles; a start inside geometry, or where a player who stands
+// still touches a hazard within a second; options out of range.
 Result<AuditReport> run_audit(const Level& level, const AuditOptions& options);
+
+// Those of `starts` where the lives of an audit can begin.
+Result<std::vector<Vec3>> usable_starts(const Level& level, const std::vector<Vec3>& starts, double dt);
 
 // The tape of the finding's life, up to and including its tick. simulate() repeats it bit by bit, and the
 // tape's `end` proves that.
