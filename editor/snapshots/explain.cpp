@@ -278,7 +278,7 @@ void describe_rest(const ExplainRequest& request, std::size_t pixels, std::vecto
         return findings.push_back({Cause::view, pixels,
                                    fmt::format("another view: {} was {}, is {}", number->path.substr(8),
                                                number->expected, number->actual)});
-    if (const NumberDifference* number = first_number(request, "/picture"))
+    if (const NumberDifference* number = first_number(request, "/image"))
         return findings.push_back({Cause::view, pixels,
                                    fmt::format("drawing style changed: {} was {}, is {}",
                                                number->path.substr(9), number->expected, number->actual)});

@@ -270,6 +270,16 @@ std::vector<Command> view_commands() {
         {"view.trace", icons::eye, "Contacts in playtest", "View",
          "Draw the contacts of the last tick while walking", "trace debug", key("K"), always,
          shown<&Editor::show_trace>, toggle_shown<&Editor::show_trace>},
+        {"view.focus", icons::expand, "Focus", "View/Panels",
+         "Hide menus, toolbar and every panel but the view; Escape brings them back",
+         "zen distraction full only", key("F11"), has_document,
+         [](const Editor& e) { return e.layout.focus; },
+         [](Editor& e) {
+             if (e.layout.focus)
+                 e.layout.focus = false;
+             else
+                 e.layout.focus_on(std::nullopt);
+         }},
         {"view.reset_layout",
          icons::reset,
          "Reset layout",
