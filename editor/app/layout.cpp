@@ -151,7 +151,7 @@ void layout(Parts& parts, ImVec2 size) {
     PanelLayout& sizes = editor.layout;
     const float scale = ui::scale();
     const float gap = std::round(4.0f * scale);
-    const bool bars = !sizes.focus || !editor.document;
+    const bool bars = !sizes.focus;
     const float menu_height = bars ? menu_bar(parts) : 0.0f;
     const float toolbar_height = bars ? toolbar_height_in(editor, size.x) : 0.0f;
     const float status_height = bars ? std::round(30.0f * scale) : 0.0f;

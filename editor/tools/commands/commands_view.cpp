@@ -272,8 +272,7 @@ std::vector<Command> view_commands() {
          shown<&Editor::show_trace>, toggle_shown<&Editor::show_trace>},
         {"view.focus", icons::expand, "Focus", "View/Panels",
          "Hide menus, toolbar and every panel but the view; Escape brings them back",
-         "zen distraction full only", key("F11"), has_document,
-         [](const Editor& e) { return e.layout.focus; },
+         "zen distraction full only", key("F11"), always, [](const Editor& e) { return e.layout.focus; },
          [](Editor& e) {
              if (e.layout.focus)
                  e.layout.focus = false;
