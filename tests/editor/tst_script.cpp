@@ -107,13 +107,13 @@ TEST_F(ScriptTest, OnlyOnePanelIsShownAndEverythingComesBack) {
     EXPECT_EQ(run("only all\n" + std::string(expect_all)), "");
     // By the keyboard, and by a tab's menu.
     EXPECT_EQ(run("key F11\nexpect no_widget \"Toolbar/Paint\"\nkey Escape\n" + std::string(expect_all)), "");
-    EXPECT_EQ(run("right_click \"Tabs/Ghosts\"\nclick \"Tab menu/Only this\"\nexpect widget \"Tabs/Ghosts\"\n"
-                  "expect no_widget \"Tabs/Types\"\nkey F11\n" +
-                  std::string(expect_all)),
-              "");
-    EXPECT_EQ(failure("only nonsense"), ScriptFailure::bad_input);
-    EXPECT_EQ(failure("only probe 7"), ScriptFailure::bad_input);
-    EXPECT_EQ(failure("only view 300"), ScriptFailure::bad_input);
+    EXPECT_EQ(
+        run("right_click \"Tabs/Ghosts\"\nclick \"Tabs/Tab menu/Only this\"\nexpect widget \"Tabs/Ghosts\"\n"
+            "expect no_widget \"Tabs/Types\"\nkey F11\n" +
+            std::string(expect_all)),
+        "");
+    for (const char* wrong : {"only nonsense", "only probe 7", "only view 300"})
+        EXPECT_EQ(run_script(*host, wrong, "test", folder).failure, ScriptFailure::bad_input) << wrong;
 }
 
 TEST(Sizes, AreReadStrictly) {
