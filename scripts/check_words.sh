@@ -15,7 +15,7 @@ words=(
 )
 bad=0
 for ((i = 0; i < ${#words[@]}; i += 2)); do
-    if found=$(git grep -nIP "${words[i]}" -- '*.h' '*.cpp' '*.inc' '*.md' '*.sh' ':!scripts/check_words.sh'); then
+    if found=$(git grep -nIiP "${words[i]}" -- '*.h' '*.cpp' '*.inc' '*.md' '*.sh' ':!scripts/check_words.sh'); then
         printf '%s\n    say: %s\n' "$found" "${words[i + 1]}"
         bad=1
     fi

@@ -74,7 +74,9 @@ def main():
                     scene[key] = str((suite.parent / scene[key]).resolve())
             scene.pop("cameras", None)
             side = [camera["target"][2] - camera["eye"][2], 0, camera["eye"][0] - camera["target"][0]]
-            length = (side[0] ** 2 + side[2] ** 2) ** 0.5 or 1
+            length = (side[0] ** 2 + side[2] ** 2) ** 0.5
+            if length < 1e-9:  # a camera that looks straight down
+                side, length = [1, 0, 0], 1
             move = lambda point: [p + metres * s / length for p, s in zip(point, side)]
             scene.update(name=name, camera={"eye": move(camera["eye"]), "target": move(camera["target"]),
                                             "fov_deg": camera["fov_y"] * 180 / 3.141592653589793})

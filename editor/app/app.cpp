@@ -139,6 +139,10 @@ void App::key_pressed(const KeyPress& press) {
             editor.show_shortcuts = false;
             return;
         }
+        if (editor.layout.focus && !GImGui->ActiveId) {
+            editor.layout.focus = false;
+            return;
+        }
     }
     // While a text box is edited it gets the letters and the keys for its own undo, clipboard and selection.
     const bool plain = !key.ctrl && !key.alt &&

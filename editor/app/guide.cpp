@@ -34,7 +34,7 @@ constexpr std::array<Step, 7> steps{{
      "Ice, ladders, sticky walls: click one to take it as the brush, or press its number. Every parameter "
      "can be "
      "changed, and you can add your own.",
-     "brush.type_1"},
+     "brush.2"},
     {"Tabs/Movement", "Movement",
      "Every movement hack has a switch here. Switch one off while you walk and feel the difference.", ""},
     {"Toolbar/Probe", "Probe",

@@ -68,7 +68,14 @@ void tab_menu(Editor& editor, PanelId panel) {
         if (ui::menu_item(choice.label, "", editor.layout.dock(panel) == choice.dock, true, nullptr))
             editor.layout.move(panel, choice.dock);
     ImGui::Separator();
-    if (ui::menu_item("Hide", "", false, true, nullptr)) editor.layout.hide(panel);
+    PanelLayout& layout = editor.layout;
+    if (ui::menu_item("Only this", "", layout.focus, true, "Hide everything but this panel and the view")) {
+        if (layout.focus)
+            layout.focus = false;
+        else
+            layout.focus_on(panel);
+    }
+    if (ui::menu_item("Hide", "", false, true, nullptr)) layout.hide(panel);
     ImGui::EndPopup();
 }
 
@@ -82,6 +89,7 @@ void tabs(Editor& editor, Dock dock, PanelId front) {
     bool first = true;
     for (const PanelInfo& info : panel_table()) {
         if (!editor.layout.shown(info.id) || editor.layout.dock(info.id) != dock) continue;
+        if (editor.layout.focus && info.id != front) continue;
         if (!std::exchange(first, false)) ui::flow(ui::button_width(info.label));
         if (ui::tab(info.label, front == info.id)) editor.layout.show(info.id);
         tab_menu(editor, info.id);
@@ -143,20 +151,22 @@ void layout(Parts& parts, ImVec2 size) {
     PanelLayout& sizes = editor.layout;
     const float scale = ui::scale();
     const float gap = std::round(4.0f * scale);
-    const float menu_height = menu_bar(parts);
-    const float toolbar_height = toolbar_height_in(editor, size.x);
-    const float status_height = std::round(30.0f * scale);
+    const bool bars = !sizes.focus;
+    const float menu_height = bars ? menu_bar(parts) : 0.0f;
+    const float toolbar_height = bars ? toolbar_height_in(editor, size.x) : 0.0f;
+    const float status_height = bars ? std::round(30.0f * scale) : 0.0f;
     const bool walking = editor.playtest.has_value();
     if (editor.tool != parts.last_tool) {
         if (editor.tool == Tool::probe && sizes.shown(PanelId::probe)) sizes.show(PanelId::probe);
         parts.last_tool = editor.tool;
     }
 
-    const float top = menu_height + toolbar_height + 1.0f;
+    const float top = bars ? menu_height + toolbar_height + 1.0f : 0.0f;
     const float bottom = std::max(top + 1.0f, size.y - status_height);
-    // In a small window the view keeps at least a third.
-    const float left_width = std::round(std::min(sizes.left * scale, size.x * 0.30f));
-    const float right_width = std::round(std::min(sizes.right * scale, size.x * 0.36f));
+    // In a small window the view keeps at least a third; in focus only one of the columns is shown.
+    const float widest = sizes.focus ? 0.66f : 0.0f;
+    const float left_width = std::round(std::min(sizes.left * scale, size.x * std::max(0.30f, widest)));
+    const float right_width = std::round(std::min(sizes.right * scale, size.x * std::max(0.36f, widest)));
     const float low_height = std::round(std::min(sizes.bottom * scale, (bottom - top) * 0.5f));
     const bool left_shown = (occupied(editor, Dock::left) || occupied(editor, Dock::left_lower)) && !walking;
     const bool right_shown = occupied(editor, Dock::right), low_shown = occupied(editor, Dock::bottom);
@@ -170,10 +180,12 @@ void layout(Parts& parts, ImVec2 size) {
 
     const ui::Palette& p = ui::palette();
     const ImVec2 panel_padding{std::round(12 * scale), std::round(8 * scale)};
-    begin_region("##toolbar", {{0, menu_height}, {size.x, menu_height + toolbar_height}},
-                 {10 * scale, 5 * scale}, p.panel);
-    toolbar(parts);
-    ImGui::End();
+    if (bars) {
+        begin_region("##toolbar", {{0, menu_height}, {size.x, menu_height + toolbar_height}},
+                     {10 * scale, 5 * scale}, p.panel);
+        toolbar(parts);
+        ImGui::End();
+    }
 
     if (left_shown) {
         left_column(parts, {{0, top}, {left_width, left_bottom}}, panel_padding, gap);
@@ -209,9 +221,11 @@ void layout(Parts& parts, ImVec2 size) {
         welcome(parts);
     ImGui::End();
 
-    begin_region("##status", {{0, bottom}, {size.x, size.y}}, {12 * scale, 2 * scale}, p.window);
-    status_bar(parts);
-    ImGui::End();
+    if (bars) {
+        begin_region("##status", {{0, bottom}, {size.x, size.y}}, {12 * scale, 2 * scale}, p.window);
+        status_bar(parts);
+        ImGui::End();
+    }
 
     shortcuts_window(editor);
     command_palette(editor);

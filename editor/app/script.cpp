@@ -222,6 +222,11 @@ constexpr ScriptVerb verbs[] = {
     {"look", "dx dy", "Moves the mouse by dx, dy pixels while playing", 2, 2, verb_look},
     {"camera", "eye x,y,z target x,y,z | frame | bookmark NAME | save NAME | delete NAME | rename NAME NEW",
      "Places the camera, or changes the level's cameras", 1, 4, verb_camera},
+    {"only", "PANEL [SIZE] | view | all",
+     "Shows one panel beside the view, as wide or high as wanted, and nothing else; the view alone; "
+     "everything "
+     "again",
+     1, 2, verb_only},
     {"pane", "n", "Activates this view, 1 to 4", 1, 1, verb_pane},
     {"select",
      "faces 3,5-9 [add|remove] | type NAME | save NAME | recall NAME | delete NAME | rename NAME NEW",

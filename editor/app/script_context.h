@@ -41,6 +41,7 @@ void verb_hold(ScriptContext& context, const Words& words);
 void verb_look(ScriptContext& context, const Words& words);
 void verb_camera(ScriptContext& context, const Words& words);
 bool camera_bookmark(ScriptContext& context, const Words& words);
+void verb_only(ScriptContext& context, const Words& words);
 void verb_select(ScriptContext& context, const Words& words);
 void verb_replace(ScriptContext& context, const Words& words);
 void verb_pane(ScriptContext& context, const Words& words);

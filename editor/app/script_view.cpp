@@ -164,6 +164,36 @@ void verb_viewport(ScriptContext& context, const Words& words) {
     host.frame();
 }
 
+void verb_only(ScriptContext& context, const Words& words) {
+    PanelLayout& layout = context.editor().layout;
+    if (words[1] == "all" || words[1] == "view") {
+        if (words.size() > 2) return context.fail("a size needs a panel");
+        layout.focus = words[1] == "view";
+        layout.focused.reset();
+    } else {
+        std::string names;
+        std::optional<PanelId> panel;
+        for (const PanelInfo& info : panel_table()) {
+            if (words[1] == info.name) panel = info.id;
+            names += std::string(", ") + info.name;
+        }
+        if (!panel) return context.fail("no panel \"" + words[1] + "\"; there are: view, all" + names);
+        if (words.size() > 2) {
+            const std::optional<double> size = number(context, words[2]);
+            if (!size) return;
+            if (*size < 90.0 || *size > 640.0)
+                return context.fail("expected a size of 90 to 640, found \"" + words[2] + "\"");
+            const Dock dock = layout.dock(*panel);
+            (dock == Dock::bottom  ? layout.bottom
+             : dock == Dock::right ? layout.right
+                                   : layout.left) = static_cast<float>(*size);
+        }
+        layout.focus_on(panel);
+    }
+    context.host.frame();
+    context.host.frame();
+}
+
 void verb_hold(ScriptContext& context, const Words& words) {
     const std::optional<std::int64_t> frames = parse_int(words.back());
     if (!frames || *frames < 1 || *frames > 36000)

@@ -26,7 +26,7 @@ constexpr std::array field_rules{
     FieldRule{"/renderer*", Cause::renderer, false, 0.0},
     FieldRule{"/widgets*", Cause::ui, false, 0.0},
     FieldRule{"/screen*", Cause::ui, true, 0.0},
-    FieldRule{"/picture*", Cause::view, true, 0.0},
+    FieldRule{"/image*", Cause::view, true, 0.0},
     FieldRule{"/camera*", Cause::view, true, 1e-6},
     FieldRule{"/level/digest", Cause::level, false, 0.0},
     FieldRule{"/level/bounds*", Cause::level, true, 1e-5},

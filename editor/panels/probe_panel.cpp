@@ -121,9 +121,9 @@ void outcome(const Probe& probe, const ProbeResult& result) {
         ImGui::PopTextWrapPos();
         ImGui::PopStyleColor();
     }
-    fact("Asked", fmt::format("{:.4g} m", probe.move.norm()));
+    fact("Requested", fmt::format("{:.4g} m", probe.move.norm()));
     fact("Moved", fmt::format("{:.4g} m", (result.slide.position - probe.from).norm()));
-    fact("Leftover", fmt::format("{:.4g} m", result.slide.remainder.norm()));
+    fact("Remainder", fmt::format("{:.4g} m", result.slide.remainder.norm()));
     fact("Contacts", std::to_string(result.slide.contacts));
     fact("End", vector_text(result.slide.position));
 }

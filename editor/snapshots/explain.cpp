@@ -386,8 +386,8 @@ std::string view_text(const ExplainRequest& request) {
     if (const NumberDifference* number = first_number(request, "/camera"))
         return fmt::format("another view: {} was {}, is {}", number->path.substr(8), number->expected,
                            number->actual);
-    if (const NumberDifference* number = first_number(request, "/picture"))
-        return fmt::format("drawing style changed: {} was {}, is {}", number->path.substr(9),
+    if (const NumberDifference* number = first_number(request, "/image"))
+        return fmt::format("drawing style changed: {} was {}, is {}", number->path.substr(7),
                            number->expected, number->actual);
     return "";
 }

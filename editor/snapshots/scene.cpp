@@ -188,7 +188,7 @@ Result<Rendering> SceneStage::render(const Scene& scene) {
     if (!image) return at_scene(scene, "", image.error());
     Numbers numbers;
     numbers["version"] = 1;
-    numbers["picture"] = {{"width", scene.width}, {"height", scene.height}, {"style", style_text(scene)}};
+    numbers["image"] = {{"width", scene.width}, {"height", scene.height}, {"style", style_text(scene)}};
     numbers["camera"] = camera_json(scene, *camera);
     numbers["level"] = on_stage.staged->numbers;
     if (!story->numbers.is_null()) numbers["movement"] = story->numbers;

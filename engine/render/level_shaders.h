@@ -134,7 +134,7 @@ vec3 baked_light() {
 }
 #endif
 
-// Share of ink of a stripe of `width` (of period 1) at x; `change` is how far x moves from pixel to pixel. Stripes too dense
+// Fraction of ink of a stripe of `width` (of period 1) at x; `change` is how far x moves from pixel to pixel. Stripes too dense
 // to be seen become their mean.
 float stripe(float x, float width, float change) {
     float ink = clamp((0.5 * width - abs(fract(x) - 0.5)) / max(change, 1e-6) + 0.5, 0.0, 1.0);

@@ -59,6 +59,13 @@ TEST_P(LayoutTest, EveryPanel) {
     }
 }
 
+TEST_P(LayoutTest, EveryPanelByItself) {
+    fill_the_level();
+    for (const PanelInfo& info : panel_table())
+        expect_tidy_after(std::string("only ") + info.name);
+    expect_tidy_after("only view");
+}
+
 TEST_P(LayoutTest, PanelsWithContents) {
     fill_the_level();
     expect_tidy_after("command panel.problems\nclick \"Problems/Examine\"");

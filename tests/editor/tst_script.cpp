@@ -96,6 +96,26 @@ TEST_F(ScriptTest, AWidgetBelowTheEdgeIsScrolledTo) {
     EXPECT_EQ(run("click \"" + last + "\"\nexpect history 1"), "");
 }
 
+TEST_F(ScriptTest, OnlyOnePanelIsShownAndEverythingComesBack) {
+    const auto expect_all = "expect widget \"Toolbar/Paint\"\nexpect widget \"Tabs/Types\"";
+    ASSERT_EQ(run("only probe 300\nexpect widget \"Tabs/Probe\"\nexpect no_widget \"Tabs/Movement\"\n"
+                  "expect no_widget \"Tabs/Types\"\nexpect no_widget \"Toolbar/Paint\"\nexpect no_widget "
+                  "\"Menu/View\""),
+              "");
+    EXPECT_EQ(run("command panel.why\nexpect widget \"Tabs/Why\"\nexpect no_widget \"Tabs/Probe\""), "");
+    EXPECT_EQ(run("only view\nexpect no_widget \"Tabs/Why\"\nexpect widget \"Viewport/View\""), "");
+    EXPECT_EQ(run("only all\n" + std::string(expect_all)), "");
+    // By the keyboard, and by a tab's menu.
+    EXPECT_EQ(run("key F11\nexpect no_widget \"Toolbar/Paint\"\nkey Escape\n" + std::string(expect_all)), "");
+    EXPECT_EQ(
+        run("right_click \"Tabs/Ghosts\"\nclick \"Tabs/Tab menu/Only this\"\nexpect widget \"Tabs/Ghosts\"\n"
+            "expect no_widget \"Tabs/Types\"\nkey F11\n" +
+            std::string(expect_all)),
+        "");
+    for (const char* wrong : {"only nonsense", "only probe 7", "only view 300"})
+        EXPECT_EQ(run_script(*host, wrong, "test", folder).failure, ScriptFailure::bad_input) << wrong;
+}
+
 TEST(Sizes, AreReadStrictly) {
     EXPECT_EQ(parse_size("1280x720"), (std::pair{1280, 720}));
     for (const char* bad :

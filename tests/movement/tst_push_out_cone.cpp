@@ -185,7 +185,8 @@ int drives() {
     return wanted != nullptr ? std::atoi(wanted) : 20000;
 }
 
-// Shares of the extents by which a player overlaps `planes` planes, from nearly touching to nearly through.
+// Fractions of the extents by which a player overlaps `planes` planes, from nearly touching to nearly
+// through.
 std::vector<double> random_fractions(Random& random, std::size_t planes) {
     std::vector<double> fraction;
     for (std::size_t k = 0; k < planes; ++k)

@@ -54,7 +54,7 @@ TEST(TraceOverlay, OneGhostASweep) {
         EXPECT_EQ(ellipsoid.radii, radii);
 }
 
-// Leftovers start at the centre at the contact: from + t * move = (1, 0, 0).
+// Remainders start at the centre at the contact: from + t * move = (1, 0, 0).
 TEST(TraceOverlay, RemaindersAndNormalInTheirColours) {
     Overlay overlay;
     draw_trace(overlay, two_sweeps(), radii);

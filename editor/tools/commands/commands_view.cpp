@@ -221,6 +221,15 @@ std::vector<Command> view_commands() {
         {"view.trace", icons::eye, "Contacts in playtest", "View",
          "Draw the contacts of the last tick while walking", "trace debug", key("K"), always,
          shown<&Editor::show_trace>, toggle_shown<&Editor::show_trace>},
+        {"view.focus", icons::expand, "Focus", "View/Panels",
+         "Hide menus, toolbar and every panel but the view; Escape brings them back",
+         "zen distraction full only", key("F11"), always, [](const Editor& e) { return e.layout.focus; },
+         [](Editor& e) {
+             if (e.layout.focus)
+                 e.layout.focus = false;
+             else
+                 e.layout.focus_on(std::nullopt);
+         }},
         {"view.reset_layout", icons::reset, "Reset layout", "View/Panels",
          "Reset the panels to the default layout", "default panels docks window arrange", no_key(), always,
          nullptr, reset_layout},

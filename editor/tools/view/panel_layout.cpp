@@ -24,6 +24,7 @@ PanelLayout::PanelLayout() {
 }
 
 std::optional<PanelId> PanelLayout::front_of(Dock dock) const {
+    if (focus) return focused && this->dock(*focused) == dock ? focused : std::nullopt;
     const std::optional<PanelId> wanted = front[static_cast<std::size_t>(dock)];
     const auto stands = [&](PanelId id) {
         const PanelState& state = panels[static_cast<std::size_t>(id)];
@@ -39,9 +40,17 @@ void PanelLayout::show(PanelId id) {
     PanelState& state = panels[static_cast<std::size_t>(id)];
     state.shown = true;
     front[static_cast<std::size_t>(state.dock)] = id;
+    if (focus) focused = id;
+}
+
+void PanelLayout::focus_on(std::optional<PanelId> id) {
+    if (id) show(*id);
+    focus = true;
+    focused = id;
 }
 
 void PanelLayout::hide(PanelId id) {
+    if (focused == id) focused.reset();
     panels[static_cast<std::size_t>(id)].shown = false;
 }
 

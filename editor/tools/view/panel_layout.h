@@ -48,6 +48,10 @@ struct PanelLayout {
     float left = 264.0f, right = 344.0f;         // widths in design pixels
     float left_lower = 230.0f, bottom = 230.0f;  // heights
 
+    // Focus: only the view and at most one panel are shown, without menus, toolbar and status bar. Not saved.
+    bool focus = false;
+    std::optional<PanelId> focused;
+
     PanelLayout();  // as panel_table() says
 
     bool shown(PanelId id) const { return panels[static_cast<std::size_t>(id)].shown; }
@@ -55,7 +59,8 @@ struct PanelLayout {
     std::optional<PanelId> front_of(Dock dock) const;  // the visible panel; nothing: the dock is empty
     bool is_front(PanelId id) const { return front_of(dock(id)) == id; }
 
-    void show(PanelId id);  // and brings it to the front
+    void show(PanelId id);  // and brings it to the front; in focus instead of the panel that is shown
+    void focus_on(std::optional<PanelId> id);  // nothing: the view alone
     void hide(PanelId id);
     void toggle(PanelId id);  // hides it if it is visible, else shows it
     void move(PanelId id, Dock dock);

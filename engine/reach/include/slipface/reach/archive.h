@@ -38,7 +38,7 @@ class ReachArchive {
     void rebuild_index();  // after `nodes` was filled by hand
     std::size_t cell_count() const { return cells_; }
 
-    // From `from` the player came into `to`'s cell. Whoever comes to a node that returns, returns.
+    // From `from` the player came into `to`'s cell. A player that reaches a node that returns can return.
     void add_edge(NodeId from, NodeId to);
     void mark_returning(NodeId node);
 
