@@ -40,7 +40,7 @@ Platform lift() {
     return platform;
 }
 
-TEST(Platform, walks_its_path_there_and_back) {
+TEST(Platform, WalksItsPathThereAndBack) {
     // 1 s of rest, 4 m at 2 m/s: 2 s, half a second of rest, and back as fast: 2 s; 5.5 s in all.
     Platform p = lift();
     EXPECT_DOUBLE_EQ(path_period(p), 5.5);
@@ -61,7 +61,7 @@ TEST(Platform, walks_its_path_there_and_back) {
     EXPECT_DOUBLE_EQ(height(0.0), 2.0);
 }
 
-TEST(Platform, turns_about_its_axis) {
+TEST(Platform, TurnsAboutItsAxis) {
     Platform p;
     p.spin_rate = 0.5 * 3.141592653589793;
     p.spin_pivot = {1, 0, 0};
@@ -70,14 +70,14 @@ TEST(Platform, turns_about_its_axis) {
     EXPECT_LT((platform_pose(p, 4e5 + 1.0).apply({3, 5, 0}) - Vec3(1, 5, -2)).norm(), 1e-8);
 }
 
-TEST(SinCos, agrees_with_the_library) {
+TEST(SinCos, AgreesWithTheLibrary) {
     for (double angle = -50.0; angle < 50.0; angle += 0.0137) {
         EXPECT_NEAR(sin_cos(angle).sine, std::sin(angle), 2e-15 * (1.0 + std::abs(angle)));
         EXPECT_NEAR(sin_cos(angle).cosine, std::cos(angle), 2e-15 * (1.0 + std::abs(angle)));
     }
 }
 
-TEST(LevelFileMotion, keeps_platforms_terrain_and_sectors) {
+TEST(LevelFileMotion, KeepsPlatformsTerrainAndSectors) {
     Level level = two_boards();
     level.platforms = {lift()};
     level.platforms[0].spin_rate = 0.25;
@@ -96,7 +96,7 @@ TEST(LevelFileMotion, keeps_platforms_terrain_and_sectors) {
     EXPECT_EQ(level_to_json(read->level), text);
 }
 
-TEST(LevelFileMotion, errors_of_the_new_parts_name_their_place) {
+TEST(LevelFileMotion, ErrorsOfTheNewPartsNameTheirPlace) {
     const Level level = two_boards();
     const auto error = [&](const std::string& member) {
         const auto read = level_from_json("{\"slipface\": 1, " + member + "}", "b.json", level.mesh);
@@ -123,7 +123,7 @@ TEST(LevelFileMotion, errors_of_the_new_parts_name_their_place) {
     EXPECT_NE(missing->warnings.back().text().find("nowhere"), std::string::npos);
 }
 
-TEST(Terrain, comes_from_a_16_bit_picture) {
+TEST(Terrain, ComesFromA16BitPicture) {
     const auto folder = std::filesystem::path(::testing::TempDir()) / "slipface-terrain";
     std::filesystem::create_directories(folder);
     Level level = two_boards();
@@ -146,7 +146,7 @@ TEST(Terrain, comes_from_a_16_bit_picture) {
     std::filesystem::remove_all(folder);
 }
 
-TEST(LevelScene, is_a_pure_function_of_time) {
+TEST(LevelScene, IsAPureFunctionOfTime) {
     Level level = two_boards();
     level.platforms = {lift()};
     Result<LevelScene> scene = LevelScene::build(level);

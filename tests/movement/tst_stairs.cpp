@@ -3,7 +3,7 @@
 
 namespace slipface::test {
 
-TEST(Stairs, of_any_size_are_climbed_and_descended_on_the_ground) {
+TEST(Stairs, OfAnySizeAreClimbedAndDescendedOnTheGround) {
     for (std::uint64_t seed = 1; seed <= 400; ++seed) {
         const Stair stair = random_stair(seed);
         const StairWalk walk = walk_stair(stair);
@@ -14,7 +14,7 @@ TEST(Stairs, of_any_size_are_climbed_and_descended_on_the_ground) {
 }
 
 // Found by search: rims beside which the foot came down again, within the skin that the plain move kept.
-TEST(Stairs, that_were_stopped_at_by_slow_and_slanting_moves_are_climbed) {
+TEST(Stairs, ThatWereStoppedAtBySlowAndSlantingMovesAreClimbed) {
     for (const std::uint64_t seed :
          std::initializer_list<std::uint64_t>{437, 1143, 1265, 1293, 1315, 1976, 2114, 6759, 6815}) {
         const Stair stair = random_stair(seed);
@@ -22,7 +22,7 @@ TEST(Stairs, that_were_stopped_at_by_slow_and_slanting_moves_are_climbed) {
     }
 }
 
-TEST(Stairs, steeper_than_45_degrees_are_climbed_as_far_as_no_rim_above_a_step_is_hit_first) {
+TEST(Stairs, SteeperThan45DegreesAreClimbedAsFarAsNoRimAboveAStepIsHitFirst) {
     int arrived = 0;
     int walks = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
@@ -35,7 +35,7 @@ TEST(Stairs, steeper_than_45_degrees_are_climbed_as_far_as_no_rim_above_a_step_i
     EXPECT_GE(arrived, walks * 99 / 100);
 }
 
-TEST(Stairs, are_walls_without_step_up) {
+TEST(Stairs, AreWallsWithoutStepUp) {
     // The rims are higher than the round foot walks over, so nothing but step up gets onto them.
     int tried = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
@@ -50,7 +50,7 @@ TEST(Stairs, are_walls_without_step_up) {
     EXPECT_GT(tried, 50);
 }
 
-TEST(Stairs, are_climbed_in_the_lectures_form_too) {
+TEST(Stairs, AreClimbedInTheLecturesFormToo) {
     int arrived = 0;
     int walks = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
@@ -64,7 +64,7 @@ TEST(Stairs, are_climbed_in_the_lectures_form_too) {
     EXPECT_GE(arrived, walks * 95 / 100);
 }
 
-TEST(Barriers, are_neither_climbed_nor_hung_on_to) {
+TEST(Barriers, AreNeitherClimbedNorHungOnTo) {
     for (std::size_t k = 0; k < barrier_names.size(); ++k) {
         const auto kind = static_cast<Barrier>(k);
         for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -79,7 +79,7 @@ TEST(Barriers, are_neither_climbed_nor_hung_on_to) {
 // Found by search: rims higher than a step that were climbed all the same. They are no steps: the skin holds
 // the foot up, so that it meets them where it is flat enough to stand on, and it walks over them without step
 // up as well. Nearer to the floor than they are high it meets them where it is too steep, and stops.
-TEST(Barriers, that_the_foot_walks_over_because_the_skin_holds_it_up_are_no_steps) {
+TEST(Barriers, ThatTheFootWalksOverBecauseTheSkinHoldsItUpAreNoSteps) {
     struct Found {
         Barrier kind;
         std::uint64_t seed;
@@ -102,7 +102,7 @@ TEST(Barriers, that_the_foot_walks_over_because_the_skin_holds_it_up_are_no_step
     }
 }
 
-TEST(Kerb, of_exactly_the_step_height_is_climbed_at_any_rate) {
+TEST(Kerb, OfExactlyTheStepHeightIsClimbedAtAnyRate) {
     for (const double rate : {30.0, 60.0, 144.0, 360.0}) {
         Stair kerb;
         kerb.rise = kerb.step_height;
@@ -115,7 +115,7 @@ TEST(Kerb, of_exactly_the_step_height_is_climbed_at_any_rate) {
 }
 
 // Under a lintel that leaves room for the player but not for a lifted one, the lecture's form stops.
-TEST(StepForm, every_move_needs_room_for_a_step_overhead_and_when_blocked_does_not) {
+TEST(StepForm, EveryMoveNeedsRoomForAStepOverheadAndWhenBlockedDoesNot) {
     Lab lab;
     lab.floor();
     lab.wall({4, -5}, {4, 5}, 1.95, 6.0);
