@@ -208,6 +208,16 @@ void expect_equal_to_the_trace(const TickTrace& trace, const StoryNames& names) 
     EXPECT_EQ(std::count(explained.begin(), explained.end(), false), 0);
 }
 
+void expect_run_equal_to_the_trace(const MovementScene& scene, std::shared_ptr<const Tape> tape,
+                                   const MovementSettings& settings, const Vec3& start) {
+    TapeRun run(std::move(tape), settings, start);
+    run.advance(scene, TapeRun::max_ticks);
+    for (std::size_t tick = 0; tick < run.length() && !testing::Test::HasFailure(); ++tick) {
+        SCOPED_TRACE(tick);
+        expect_equal_to_the_trace(run.trace(scene, tick), scene.surfaces);
+    }
+}
+
 TEST(Story, EveryNumberEqualsTheTrace) {
     const Stripes stripes;
     const auto tape = std::make_shared<const Tape>(tape_of({{30, {}},
@@ -215,14 +225,32 @@ TEST(Story, EveryNumberEqualsTheTrace) {
                                                             {1, {Vec2(0, 1), true}},
                                                             {120, {Vec2(0.5, 0.5), false}},
                                                             {100, {Vec2(-1, 0), false}}}));
-    for (const Vec3& start : {Vec3(0, 1.2, 5), Vec3(0, 1.2, 16), Vec3(0, 1.2, 27), Vec3(0, 2, 35)}) {
-        TapeRun run(tape, {}, start);
-        run.advance(stripes.scene(), TapeRun::max_ticks);
-        for (std::size_t tick = 0; tick < run.length(); ++tick) {
-            SCOPED_TRACE(tick);
-            expect_equal_to_the_trace(run.trace(stripes.scene(), tick), stripes.surfaces);
-            if (testing::Test::HasFailure()) return;
-        }
+    for (const Vec3& start : {Vec3(0, 1.2, 5), Vec3(0, 1.2, 16), Vec3(0, 1.2, 27), Vec3(0, 2, 35)})
+        expect_run_equal_to_the_trace(stripes.scene(), tape, {}, start);
+}
+
+// A kerb of 0.3 m across the way, and 2 m behind its edge a wall: edges are touched, and moves cut short.
+TEST(Story, EveryNumberAtAKerbAndAWallEqualsTheTrace) {
+    std::vector<Vec3f> positions;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<FaceId> faces;
+    const std::array<Vec2, 5> profile{Vec2(-9, 0), Vec2(2, 0), Vec2(2, 0.3), Vec2(4, 0.3), Vec2(4, 5)};
+    for (const Vec2& corner : profile)
+        for (const double z : {-9.0, 9.0})
+            positions.push_back(Vec3(corner.x(), corner.y(), z).cast<float>());
+    for (std::uint32_t face = 0; face + 1 < profile.size(); ++face) {
+        const std::uint32_t i = 2 * face;
+        triangles.insert(triangles.end(), {{i, i + 1, i + 3}, {i, i + 3, i + 2}});
+        faces.insert(faces.end(), {face, face});
+    }
+    const Result<CollisionWorld> world = CollisionWorld::build({positions, triangles, faces});
+    ASSERT_TRUE(world.ok());
+    const std::vector<SurfaceType> surfaces = preset_surface_types();
+    const auto tape = std::make_shared<const Tape>(tape_of({{150, {Vec2(0.9, 0.2), false}}}));
+    for (const bool step_up : {true, false}) {
+        MovementSettings settings;
+        settings.step_up = step_up;
+        expect_run_equal_to_the_trace({*world, surfaces}, tape, settings, Vec3(0, 0.95, 0));
     }
 }
 
