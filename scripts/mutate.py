@@ -8,8 +8,9 @@ that gives the same object file, is not counted. The table goes between the mark
     scripts/mutate.py                          # 50 mutants by the seed of docs/mutants.md: about half an hour on one core
     scripts/mutate.py --seed 7 --count 25 --out other.md
     scripts/mutate.py --survivors              # those that survived the last run of this seed, again
+    scripts/mutate.py --tests movement,level   # quicker: some test programs only
 """
-import argparse, json, pathlib, random, re, resource, shlex, signal, subprocess, sys, time
+import argparse, collections, concurrent.futures, json, pathlib, random, re, resource, shlex, signal, subprocess, sys, threading
 
 TOP = pathlib.Path(__file__).resolve().parent.parent
 SOURCES = {"movement": "engine/movement/**/*.cpp", "level": "engine/level/*.cpp"}
@@ -65,34 +66,34 @@ def shell(command, cwd):
 
 
 class Bench:
-    """Compiles, links and runs one mutant."""
+    """Compiles, links and runs mutants, each worker in a folder of its own."""
 
-    def __init__(self, build):
-        self.build, self.work = build, build / "mutant"
-        self.work.mkdir(exist_ok=True)
+    def __init__(self, build, names):
+        self.build, self.names, self.durations, self.lock = build, names, {}, threading.Lock()
         rows = json.loads((build / "compile_commands.json").read_text())
         self.command = {row["file"]: row["command"] for row in rows}
-        self.original, self.durations = {}, {}
+        self.worker = threading.local()
+
+    @property
+    def work(self):
+        if not hasattr(self.worker, "folder"):
+            self.worker.folder = self.build / "mutants" / str(threading.get_ident())
+            self.worker.folder.mkdir(parents=True, exist_ok=True)
+        return self.worker.folder
 
     def object_file(self, path):
         return self.work / (path.name + ".o")
 
     def compile(self, path, text):
-        """The object file's bytes, or None."""
+        """Why it does not count, or None; then its object file is there."""
         source = self.work / path.name
         source.write_text(text)
         words = shlex.split(self.command[str(path)])
+        built = self.build / words[words.index("-o") + 1]
         words[words.index("-o") + 1], words[words.index("-c") + 1] = str(self.object_file(path)), str(source)
-        done = shell([*words, "-w", "-iquote", str(path.parent)], self.build)
-        return self.object_file(path).read_bytes() if done.returncode == 0 else None
-
-    def compile_mutant(self, path, text):
-        """Why it does not count, or None; then its object file is there."""
-        if path not in self.original:
-            self.original[path] = self.compile(path, path.read_text())
-            assert self.original[path], f"{path} does not compile"
-        compiled = self.compile(path, text)
-        return "does not compile" if not compiled else "same object" if compiled == self.original[path] else None
+        if shell([*words, "-w", "-iquote", str(path.parent)], self.build).returncode != 0:
+            return "does not compile"
+        return "same object" if self.object_file(path).read_bytes() == built.read_bytes() else None
 
     def link(self, tests, path):
         """Own objects come before libraries, so the library's copy of the changed file is never looked for."""
@@ -123,12 +124,11 @@ class Bench:
         return (failed.group(1) if failed else begun[-1] if begun else "the program's start") + why
 
     def kill(self, floor, path):
-        for tests in TESTS[floor]:
+        for tests in [name for name in TESTS[floor] if name in self.names]:
             program = self.build / "tests" / f"tests_{tests}"
-            if not program.exists():
-                continue
-            if tests not in self.durations:
-                self.run_unchanged(tests, program)
+            with self.lock:
+                if tests not in self.durations:
+                    self.run_unchanged(tests, program)
             if not self.link(tests, path):
                 return "does not link"
             times = self.durations[tests]
@@ -179,42 +179,52 @@ def main():
     parser.add_argument("--seed", type=int, default=20261123)
     parser.add_argument("--build", type=pathlib.Path, default=TOP / "build/mutants")
     parser.add_argument("--out", type=pathlib.Path, default=TOP / "docs/mutants.md")
-    parser.add_argument("--survivors", action="store_true")
-    parser.add_argument("--jobs", default="1")
-    parser.add_argument("--targets", help="test programs to build; all that are asked by default")
+    parser.add_argument("--survivors", action="store_true", help="what was killed in the last run is not run again")
+    parser.add_argument("--resume", action="store_true", help="what the last run came to is not run again")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--tests", default=",".join(sorted(set(sum(TESTS.values(), [])))), help="test programs, of %(default)s")
     arguments = parser.parse_args()
     build = arguments.build.resolve()
     if not (build / "build.ninja").exists():
         subprocess.run(["cmake", "-S", TOP, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                         "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DSLIPFACE_PCH=ON", "-DSLIPFACE_EDITOR=OFF"], check=True)
-    names = arguments.targets.split(",") if arguments.targets else sorted(set(sum(TESTS.values(), [])))
-    subprocess.run(["cmake", "--build", build, "-j", arguments.jobs, "--target", *[f"tests_{name}" for name in names]],
+    names = arguments.tests.split(",")
+    subprocess.run(["cmake", "--build", build, "-j", str(arguments.jobs), "--target", *[f"tests_{name}" for name in names]],
                    check=True, stdout=subprocess.DEVNULL)
-    bench, results = Bench(build), build / f"mutants-{arguments.seed}.json"
+    bench, results = Bench(build, names), build / f"mutants-{arguments.seed}.json"
     drawn, mutants = draw(arguments.seed), []
-    earlier = json.loads(results.read_text()) if arguments.survivors else []
-    for index, (floor, file, offset, old, new) in enumerate(drawn):
-        if len(mutants) == arguments.count:
-            break
+    earlier = json.loads(results.read_text()) if arguments.survivors or arguments.resume else []
+
+    def judge(floor, file, offset, old, new):
         path = TOP / file
         text = path.read_text()
         changed = text[:offset] + new + text[offset + len(old):]
         line = text.count("\n", 0, offset)
         before, after = text.splitlines()[line].strip(), changed.splitlines()[line].strip()
         mutant = {"file": file, "line": line + 1, "before": before, "after": "" if after == ";" else after}
-        known = [m for m in earlier if all(m[key] == mutant[key] for key in ("file", "before", "after"))]
-        if arguments.survivors and (not known or known[0]["killed"]):
-            mutants += known[:1]
-            continue
-        start, why = time.monotonic(), bench.compile_mutant(path, changed)
-        if why:
-            print(f"not counted ({why}): {file}:{line + 1}: {mutant['before']} -> {mutant['after'] or 'removed'}", flush=True)
-            continue
-        mutant["killed"] = bench.kill(floor, path)
-        mutants.append(mutant)
-        print(f"{row_of(len(mutants), mutant)} {time.monotonic() - start:.0f} s", flush=True)
-        results.write_text(json.dumps(mutants, indent=1))
-    results.write_text(json.dumps(mutants, indent=1))
+        known = [m for m in earlier if all(m[key] == mutant[key] for key in mutant)]
+        if known and (arguments.resume or known[0]["killed"]):
+            return known[0]
+        if why := bench.compile(path, changed):
+            return mutant | {"why": why}
+        return mutant | {"killed": bench.kill(floor, path)}
+
+    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        drawn_next, waiting = iter(drawn), collections.deque()
+        while len(mutants) < arguments.count:
+            while len(waiting) <= arguments.jobs and (change := next(drawn_next, None)):
+                waiting.append(pool.submit(judge, *change))
+            if not waiting:
+                break
+            mutant = waiting.popleft().result()
+            if "why" not in mutant:
+                mutants.append(mutant)
+                results.write_text(json.dumps(mutants, indent=1))
+                print(row_of(len(mutants), mutant), flush=True)
+            else:
+                print(f"not counted ({mutant['why']}): {mutant['file']}:{mutant['line']}: {mutant['after'] or 'removed'}", flush=True)
+        for late in waiting:
+            late.cancel()
     report = table(mutants, arguments.seed, len(drawn))
     if not arguments.out.exists():
         arguments.out.write_text("<!-- table -->\n<!-- end of the table -->\n")
