@@ -138,6 +138,12 @@ TEST(Terrain, ComesFromA16BitPicture) {
     EXPECT_DOUBLE_EQ(terrain_at(*level.terrain, 0, 1)->height, 310.0);  // rows along +Z
     EXPECT_DOUBLE_EQ(terrain_at(*level.terrain, 0.5, 0)->height, 10.5);
     EXPECT_FALSE(terrain_at(*level.terrain, -0.1, 0));
+    // Black is `low`, white is `high`: 15 m from one to the other, above the origin's 10 m.
+    level.heightfield->low = -5;
+    level.heightfield->high = 10;
+    ASSERT_TRUE(load_terrain(level).ok());
+    EXPECT_DOUBLE_EQ(terrain_at(*level.terrain, 0, 0)->height, 5.0);
+    EXPECT_DOUBLE_EQ(terrain_at(*level.terrain, 2, 2)->height, 20.0);
     ASSERT_TRUE(write_file_atomic(folder / "hills.png", "no picture").ok());
     const Status status = load_terrain(level);
     ASSERT_FALSE(status.ok());
@@ -171,6 +177,27 @@ TEST(LevelScene, IsAPureFunctionOfTime) {
     ASSERT_TRUE(borrowed.ok());
     EXPECT_EQ(&borrowed->at(0.0).collision, &*whole);
     EXPECT_TRUE(borrowed->is_static());
+}
+
+// The smallest grid: two triangles, cut from its first corner to its last.
+TEST(Heightfield, OfTwoByTwoSamplesIsTwoTriangles) {
+    const Heightfield field{
+        .columns = 2, .rows = 2, .heights = {1.0, 2.0, 5.0, 9.0}, .origin = {3, 0, 4}, .size = {2, 4}};
+    EXPECT_EQ(field.corner(0, 0), Vec3(3, 1, 4));
+    EXPECT_EQ(field.corner(1, 0), Vec3(5, 2, 4));
+    EXPECT_EQ(field.corner(0, 1), Vec3(3, 5, 8));
+    EXPECT_EQ(field.corner(1, 1), Vec3(5, 9, 8));
+    for (const auto& [x, z, height] : {std::tuple(3.0, 4.0, 1.0),
+                                       {5.0, 4.0, 2.0},
+                                       {3.0, 8.0, 5.0},
+                                       {5.0, 8.0, 9.0},
+                                       {4.0, 6.0, 5.0},
+                                       {4.5, 5.0, 3.5},
+                                       {3.5, 7.0, 5.0}}) {
+        const auto point = terrain_at(field, x, z);
+        ASSERT_TRUE(point) << x << ", " << z;
+        EXPECT_NEAR(point->height, height, 1e-12) << x << ", " << z;
+    }
 }
 
 }  // namespace

@@ -75,8 +75,10 @@ TEST(Presets, ErrorsNameThePlace) {
     };
     EXPECT_NE(error("{").find("p.json:1"), std::string::npos);
     EXPECT_NE(error("{}").find("slipface_preset"), std::string::npos);
-    EXPECT_NE(error(R"({"slipface_preset": 2, "name": "x", "movement": {}})").find("/slipface_preset"),
-              std::string::npos);
+    for (const std::string version : {"0", "2"}) {
+        const std::string preset = "{\"slipface_preset\": " + version + R"(, "name": "x", "movement": {}})";
+        EXPECT_NE(error(preset.c_str()).find("/slipface_preset"), std::string::npos) << version;
+    }
     EXPECT_NE(
         error(R"({"slipface_preset": 1, "name": "x", "movement": {"gravty": 3}})").find("/movement/gravty"),
         std::string::npos);

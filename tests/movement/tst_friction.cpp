@@ -277,4 +277,26 @@ TEST(Friction, WhateverAGameWritesThereNothingBreaks) {
     }
 }
 
+// A sledge that slides up a slope without friction pays for its height with its velocity: v v / 2g, no more
+// and no less.
+TEST(Friction, ASledgeRisesAsFarAsItsEnergyAllows) {
+    Lab lab;
+    lab.surfaces[plain].friction = 0.0;
+    lab.slope(radians(30));
+    lab.ready();
+    const MovementSettings s = basic_settings();
+    PlayerState state = at({0, centre_height(s, slope_normal(radians(30))), 0}, {5, 0, 0});
+    state.grounded = true;
+    state.ground_normal = slope_normal(radians(30));
+    state.ground_face = 0;
+    const double from = state.position.y();
+    double highest = from;
+    for (int i = 0; i < 240; ++i) {
+        state = step(lab.scene(), s, state, {}, tick / 4).state;
+        highest = std::max(highest, state.position.y());
+    }
+    const double expected = 25.0 / (2.0 * s.gravity);
+    EXPECT_NEAR(highest - from, expected, 0.01 * expected);
+}
+
 }  // namespace slipface::test

@@ -257,6 +257,26 @@ TEST(StraightAhead, KeepsTheHeading) {
     EXPECT_NEAR(heading_on_ramp(s), pi / 4, 1e-4);
 }
 
+TEST(StraightAhead, IsTheRuleOfItsResponse) {
+    Lab lab;
+    lab.slope(radians(30));
+    lab.ready();
+    MovementSettings s = basic_settings();
+    const PlayerState state = standing_on_slope(lab, s, radians(30));
+    for (const bool on : {true, false}) {
+        s.straight_ahead = on;
+        TraceRecorder trace;
+        step(lab.scene(), s, state, wish(1, 0), tick, &trace);
+        const auto is = [](Rule rule) {
+            return [rule](const TraceRecord& record) {
+                const auto* response = std::get_if<ResponseRecord>(&record);
+                return response != nullptr && response->rule == rule;
+            };
+        };
+        EXPECT_EQ(std::any_of(trace.records.begin(), trace.records.end(), is(Rule::straight_ahead)), on);
+    }
+}
+
 TEST(StraightAhead, OffTheRampTurnsTheHeading) {
     MovementSettings s = basic_settings();
     s.straight_ahead = false;
@@ -420,6 +440,10 @@ TEST(KeepEnergy, AHeadOnHitIsNotRedirected) {
         state = step(lab.scene(), s, state, {}, tick, &head_on).state;
     EXPECT_NEAR(state.velocity.norm(), 10.0 * std::sin(radians(35)), 1e-9);
     EXPECT_TRUE(has_decision(head_on, "keep_energy", false, "head-on"));
+    for (const DecisionRecord& record : decisions_of(head_on, Decision::energy_head_on)) {
+        EXPECT_NEAR(record.value, std::cos(radians(35)), 1e-9);
+        EXPECT_EQ(record.limit, 0.5);
+    }
     // At 65 degrees from the normal, -0.42: turned with all its speed.
     state = run(lab, s, at({-1, 5, 0}, 10.0 * Vec3(std::cos(radians(65)), 0, std::sin(radians(65)))), {}, 30);
     EXPECT_NEAR(state.velocity.norm(), 10.0, 1e-9);

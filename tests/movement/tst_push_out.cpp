@@ -188,5 +188,33 @@ TEST(Nudge, FreesWithinItsDistanceAndSaysSoWhereItCannot) {
     EXPECT_TRUE(has_decision(trace, "nudge", false, "Trapped"));
 }
 
+// Specks of geometry lie at the player and a metre away in all directions but one; the next ring, at two
+// metres, is free.
+TEST(Nudge, TriesEachOfItsDirections) {
+    MovementSettings s = basic_settings();
+    s.gravity = 0.0;
+    s.nudge = true;
+    s.nudge_distance = 8.0;
+    s.radii = Vec3::Constant(0.3);
+    std::vector<Vec3> directions;
+    for (int i = 0; i < 27; ++i)
+        if (i != 13) directions.push_back(Vec3(i / 9 - 1, i / 3 % 3 - 1, i % 3 - 1).normalized());
+    for (const Vec3& free : directions) {
+        Lab lab;
+        const auto speck = [&](const Vec3& position) {
+            lab.polygon({position, position + Vec3(0.01, 0, 0), position + Vec3(0, 0.01, 0)});
+        };
+        speck({0.11, 0.07, 0.03});
+        for (const Vec3& other : directions)
+            if (other != free) speck(other);
+        lab.ready();
+        TraceRecorder trace;
+        const PlayerState freed = step(lab.scene(), s, at(Vec3::Zero()), {}, tick, &trace).state;
+        EXPECT_LT((freed.position - free).norm(), 1e-9) << free.transpose();
+        EXPECT_EQ(decisions_of(trace, Decision::push_out_off).size(), 1u);
+        EXPECT_EQ(decisions_of(trace, Decision::nudged).size(), 1u);
+    }
+}
+
 }  // namespace
 }  // namespace slipface::test

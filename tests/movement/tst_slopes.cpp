@@ -171,5 +171,20 @@ TEST(StairWalk, UpStairsAlongAWallEndsAtTheFirstStepWithoutStepUp) {
     }
 }
 
+// A ramp deflects the move of a walking player and leaves its velocity to the stick, beside a wall too.
+TEST(RampWalk, AlongAWallKeepsTheVelocityOfTheStick) {
+    for (const double degrees : {10.0, 45.0, 70.0}) {
+        const MovementSettings s = basic_settings();
+        Lab lab;
+        lab.slope(radians(30));
+        lab.wall({-50, 0}, {50, 0}, -50, 50);
+        lab.ready();
+        const PlayerState foot = at({0, centre_height(s, slope_normal(radians(30))), s.radii.z() + s.skin});
+        const PlayerState walking = push_along(lab, s, foot, degrees, 60, tick).end;
+        EXPECT_TRUE(walking.grounded);
+        EXPECT_NEAR(walking.velocity.x(), s.walk_speed * std::cos(radians(degrees)), 1e-4) << degrees;
+    }
+}
+
 }  // namespace
 }  // namespace slipface::test

@@ -114,6 +114,82 @@ TEST(Kerb, OfExactlyTheStepHeightIsClimbedAtAnyRate) {
     }
 }
 
+// The drop onto a step ends the move: nothing falls once more afterwards.
+TEST(Kerb, TheDropTakesThePlaceOfTheVerticalPart) {
+    Lab lab;
+    lab.floor();
+    lab.wall({2, -5}, {2, 5}, 0.0, 0.2);
+    lab.polygon({{2, 0.2, -5}, {2, 0.2, 5}, {9, 0.2, 5}, {9, 0.2, -5}});
+    lab.ready();
+    const MovementSettings s = every_hack();
+    PlayerState state = run(lab, s, at({0, 0.902, 0}), {}, 5);
+    int climbed = 0;
+    for (int i = 0; i < 60; ++i) {
+        TraceRecorder trace;
+        state = step(lab.scene(), s, state, wish(1, 0), tick, &trace).state;
+        if (decisions_of(trace, Decision::stepped_up).empty()) continue;
+        ++climbed;
+        for (const TraceRecord& record : trace.records) {
+            const auto* sweep = std::get_if<SweepRecord>(&record);
+            EXPECT_FALSE(sweep != nullptr && sweep->pass == Pass::vertical);
+        }
+    }
+    EXPECT_GT(climbed, 0);
+    EXPECT_NEAR(state.position.y(), 1.102, 1e-6);
+}
+
+// The foot comes down beside the edge of a table, as steep as a wall there. What would make a step of it is
+// switched off, so nothing looks for one.
+TEST(Kerb, NoRimIsLookedForWithoutStepUpAndSnapDown) {
+    for (const bool on : {true, false}) {
+        Lab lab;
+        lab.polygon({{-5, 0, -5}, {-5, 0, 5}, {0, 0, 5}, {0, 0, -5}});
+        lab.floor(-0.6);
+        lab.ready();
+        MovementSettings s = basic_settings();
+        s.step_up = on;
+        TraceRecorder trace;
+        PlayerState state = at({0.37, 0.85, 0});
+        for (int i = 0; i < 30; ++i)
+            state = step(lab.scene(), s, state, {}, tick, &trace).state;
+        std::size_t looked = 0;
+        for (const TraceRecord& record : trace.records) {
+            const auto* decision = std::get_if<DecisionRecord>(&record);
+            if (decision == nullptr) continue;
+            const std::string_view sentence = decision_info(decision->kind).sentence;
+            if (sentence.find("im of a step") != sentence.npos) ++looked;
+        }
+        EXPECT_EQ(looked > 0, on);
+    }
+}
+
+// Two narrow treads below the player's centre, each a step of 0.3 m, lead to the rim that the foot comes down
+// on, 0.25 m ahead and 0.8 m above the ground below the centre. They are as wide as a sixteenth of the way.
+TEST(Kerb, ARimBehindTreadsOfASixteenthOfTheWayIsStoodOn) {
+    for (const double first : {0.008, 0.2}) {
+        Lab lab;
+        const auto tread = [&](double from, double to, double height) {
+            lab.polygon({{from, height, -5}, {from, height, 5}, {to, height, 5}, {to, height, -5}});
+        };
+        tread(-5, 0.008, 0.0);
+        // Without the lower tread the rise of 0.6 m is no step.
+        if (first == 0.008) tread(first, 0.023, 0.3);
+        tread(0.023, 0.25, 0.6);
+        tread(0.25, 5, 0.8);
+        lab.ready();
+        MovementSettings s = basic_settings();
+        s.step_up = true;
+        s.step_height = 0.35;
+        TraceRecorder trace;
+        PlayerState state = at({0, 1.6, 0});
+        const auto decided = [&](Decision kind) { return !decisions_of(trace, kind).empty(); };
+        for (int i = 0; i < 30 && !decided(Decision::step_rim) && !decided(Decision::step_rim_no_steps); ++i)
+            state = step(lab.scene(), s, state, {}, tick, &trace).state;
+        EXPECT_EQ(decided(Decision::step_rim), first == 0.008);
+        EXPECT_EQ(decided(Decision::step_rim_no_steps), first != 0.008);
+    }
+}
+
 // Under a lintel that leaves room for the player but not for a lifted one, the lecture's form stops.
 TEST(StepForm, EveryMoveNeedsRoomForAStepOverheadAndWhenBlockedDoesNot) {
     Lab lab;

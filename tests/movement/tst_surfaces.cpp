@@ -108,6 +108,46 @@ TEST(Ladder, ThatEndsBelowAWallHoldsAtItsEnd) {
     EXPECT_NEAR(run(lab, s, state, wish(1, 0), 60).position.y(), y, 1e-9);
 }
 
+// A ladder that leans against a wall: the wall ends the climb, and what the player holds on to stays the
+// ladder.
+TEST(Ladder, ThatLeansAgainstAWallIsHeldOnToAtItsEnd) {
+    Lab lab;
+    lab.floor();
+    lab.polygon({{2, 0, -5}, {2, 0, 5}, {3, 3, 5}, {3, 3, -5}}, ladder);
+    lab.wall({3, -5}, {3, 5}, 3.0, 9.0);
+    lab.ready();
+    const MovementSettings s = basic_settings();
+    PlayerState state = on_ladder(lab, s);
+    for (int i = 0; i < 120; ++i) {
+        state = step(lab.scene(), s, state, wish(1, 0), tick).state;
+        ASSERT_TRUE(state.climbing) << i;
+        ASSERT_EQ(state.ground_surface, ladder) << i;
+    }
+    EXPECT_GT(state.position.y(), 2.5);
+}
+
+// A platform that moves where the player never comes changes nothing of a climb onto the top of a ladder.
+TEST(Ladder, IsClimbedAlikeBesideAFarPlatform) {
+    Lab lab, far;
+    build_ladder(lab);
+    far.floor(100.0);
+    far.ready();
+    const Pose before{.offset = Vec3(0, -0.1, 0)};
+    const std::vector<MovingPart> parts{{.collision = &far.world(), .begin = before, .end = {}}};
+    MovementScene with = lab.scene();
+    with.platforms = parts;
+    const MovementSettings s = basic_settings();
+    PlayerState one = on_ladder(lab, s), other = one;
+    bool arrived = false;
+    for (int i = 0; i < 180; ++i) {
+        one = step(lab.scene(), s, one, wish(1, 0), tick).state;
+        other = step(with, s, other, wish(1, 0), tick).state;
+        ASSERT_EQ(one, other) << i;
+        arrived = arrived || one.grounded;
+    }
+    EXPECT_TRUE(arrived);
+}
+
 TEST(Ladder, IsAWallWithoutSurfaceTypes) {
     Lab lab;
     build_ladder(lab);
@@ -208,6 +248,25 @@ TEST(Bouncy, DropHeightsFallByTheSquareOfTheRestitution) {
     }
 }
 
+// A bounce is flight: it leaves nothing to stand on, and no late jump starts from it.
+TEST(Bouncy, ABounceIsNoGroundToJumpFrom) {
+    Lab lab;
+    lab.floor(0, bouncy);
+    lab.ready();
+    const MovementSettings s = every_hack();
+    PlayerState state = at({0, 1.0, 0}, {0, -6, 0});
+    state.coyote_s = s.coyote_time;
+    for (int i = 0; i < 10 && state.velocity.y() < 0.0; ++i)
+        state = step(lab.scene(), s, state, {}, tick).state;
+    ASSERT_GT(state.velocity.y(), 1.0);
+    EXPECT_FALSE(state.grounded);
+    EXPECT_EQ(state.ground_face, no_id);
+    EXPECT_EQ(state.coyote_s, 0.0);
+    TraceRecorder trace;
+    step(lab.scene(), s, state, wish(0, 0, true), tick, &trace);
+    EXPECT_TRUE(decisions_of(trace, Decision::jumped).empty());
+}
+
 TEST(Bouncy, WithoutSurfaceTypesItStops) {
     Lab lab;
     lab.floor(0, bouncy);
@@ -280,6 +339,43 @@ TEST(Conveyor, ThatPushesIntoAWallIsNoReasonToStepUp) {
     step(lab.scene(), s, pressed, wish(-1, 0), tick, &trace);
     EXPECT_FALSE(has_decision(trace, "step_up", false, ""));
     EXPECT_FALSE(has_decision(trace, "step_up", true, ""));
+}
+
+TEST(Terrain, ItsDistanceBelowTheFeetIsTraced) {
+    Lab lab;
+    lab.floor(-50);
+    lab.ready();
+    const Heightfield field{
+        .columns = 2, .rows = 2, .heights = {1, 1, 1, 1}, .origin = {-9, 0, -9}, .size = {18, 18}};
+    MovementScene scene = lab.scene();
+    scene.heightfield = &field;
+    MovementSettings s = basic_settings();
+    s.gravity = 0.0;
+    TraceRecorder trace;
+    step(scene, s, at({0, 4, 0}), {}, tick, &trace);
+    const std::vector<DecisionRecord> above = decisions_of(trace, Decision::terrain_above);
+    ASSERT_EQ(above.size(), 1u);
+    EXPECT_NEAR(above[0].value, 4 - s.radii.y() - 1, 1e-12);
+}
+
+// A wall that comes half a metre along -X in a tick, to 0.05 m inside the player's body, pushes it a skin
+// before itself.
+TEST(Platforms, AWallThatComesPushesThePlayerAhead) {
+    Lab lab, coming;
+    lab.floor(-50);
+    lab.ready();
+    coming.wall({0.35, -5}, {0.35, 5});
+    coming.ready();
+    const Pose before{.offset = Vec3(0.5, 0, 0)};
+    const std::vector<MovingPart> parts{
+        {.collision = &coming.world(), .begin = before, .end = {}, .velocity = Vec3(-30, 0, 0)}};
+    MovementScene scene = lab.scene();
+    scene.platforms = parts;
+    MovementSettings s = basic_settings();
+    s.gravity = 0.0;
+    const PlayerState state = step(scene, s, at({0, 5, 0}), {}, tick).state;
+    EXPECT_NEAR(state.position.x(), 0.35 - s.radii.x() - s.skin, 1e-6);
+    EXPECT_FALSE(state.trapped);
 }
 
 TEST(Platforms, SwitchedOffGiveNoVelocityToAJump) {
