@@ -74,6 +74,22 @@ TEST(StaticFriction, HoldsUpToMaxSlopeAndNotAbove) {
     }
 }
 
+TEST(StaticFriction, ItsLimitIsTheCosineOfTheMaximumSlope) {
+    Lab lab;
+    lab.floor();
+    lab.ready();
+    MovementSettings s = basic_settings();
+    const PlayerState state = run(lab, s, at({0, 0.902, 0}), {}, 5);
+    for (int degrees = 5; degrees <= 85; degrees += 5) {
+        s.max_slope = radians(degrees);
+        TraceRecorder trace;
+        step(lab.scene(), s, state, {}, tick, &trace);
+        const std::vector<DecisionRecord> stood = decisions_of(trace, Decision::stood);
+        ASSERT_FALSE(stood.empty());
+        EXPECT_NEAR(stood[0].limit, std::cos(s.max_slope), 1e-15) << degrees;
+    }
+}
+
 TEST(StaticFriction, ASurfaceOverridesTheMaximumSlope) {
     Lab lab;
     lab.surfaces[plain].max_slope = radians(20);
