@@ -5,10 +5,10 @@ Draws changes of one operator, number or statement by a seed, compiles each chan
 engine/ is touched), links it into the tests and runs them, own floor first, until one fails. A change that does not compile, or
 that gives the same object file, is not counted. The table goes between the markers of docs/mutants.md.
 
-    scripts/mutate.py                          # 50 mutants by the seed of docs/mutants.md: about half an hour on one core
+    scripts/mutate.py                          # 50 mutants by the seed of docs/mutants.md
     scripts/mutate.py --seed 7 --count 25 --out other.md
     scripts/mutate.py --survivors              # those that survived the last run of this seed, again
-    scripts/mutate.py --tests movement,level   # quicker: some test programs only
+    scripts/mutate.py --tests movement,level   # quicker, as docs/mutants.md was made: 20 minutes
 """
 import argparse, collections, concurrent.futures, json, pathlib, random, re, resource, shlex, signal, subprocess, sys, threading
 
