@@ -13,7 +13,7 @@ build release tests_collision tests_movement
 # allocations, for valgrind replaces `new` itself, and the longest runs, each as long as all the others together.
 declare -A left_out=(
     [collision]='Families*:SweepAccuracy*:Construction.TheWholeRangeOfFloats:Construction.AllInOnePlace:SweepProperty.*'
-    [movement]='Trace.without_a_sink*:PushOutCone.*drives_into*:PushOutCone.more_planes*:HalfPipe.of_768*:SeamFilter.no_bumps_in*'
+    [movement]='Trace.WithoutASink*:PushOutCone.*DrivesInto*:PushOutCone.MorePlanes*:HalfPipe.Of768*:SeamFilter.NoBumpsIn*'
 )
 for floor in collision movement; do
     step "Testing $floor under valgrind" valgrind --quiet --error-exitcode=1 "$@" \

@@ -1,5 +1,5 @@
 // Every command of the table, run as a person would: by its key, or through its menu. What it does has to be
-// seen.
+// seen, and must not have been there before.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -7,17 +7,30 @@
 #include <thread>
 
 #include "app_fixture.h"
+#include "slipface/base/text.h"
 #include "tools/commands/commands.h"
 #include "tools/lab/audit_job.h"
+#include "tools/lab/reach_job.h"
 
 namespace slipface {
 namespace {
 
-using EveryCommand = AppFixture;
+class EveryCommand : public AppFixture {
+  protected:
+    // Each line that expects something fails as such.
+    void expect_unmet(std::string_view lines) {
+        for (const std::string_view line : split(lines, '\n'))
+            if (line.starts_with("expect ")) {
+                EXPECT_NE(run(std::string(line)), "") << line << ": holds before";
+            }
+    }
+};
 
 struct Case {
-    std::string_view setup;   // lines of a script, so that the command can run
-    std::string_view expect;  // lines of a script; empty: the window must look different afterwards
+    std::string_view setup;  // lines of a script, so that the command can run
+    // Lines of a script: each `expect` fails before the command and holds after it. Empty: the command's
+    // check mark changes, or the window looks different.
+    std::string_view expect;
 };
 
 // A walk, recorded.
@@ -37,15 +50,15 @@ const std::map<std::string_view, Case>& cases() {
         {"edit.redo", {"key Ctrl+Z", "expect history 1"}},
         {"edit.redo_alternative", {"key Ctrl+Z", "expect history 1"}},
         {"edit.fill_selection", {"key 2", "expect count ice 2"}},
-        {"edit.unset_selection", {"key 1\nkey L", "expect count ice 0"}},
-        {"edit.replace_type", {"select faces 0-5\nkey 1\nkey L\nselect faces 40\nkey 3", "expect dirty yes"}},
+        {"edit.unset_selection", {"key 2\nkey L", "expect count ice 0"}},
+        {"edit.replace_type", {"select faces 0-5\nkey 2\nviewport hover @0.5,0,0.5", "expect count ice 6"}},
         {"edit.set_spawn", {"", "expect dirty yes"}},
         {"select.all", {"", "expect selected 72"}},
         {"select.none", {"", "expect selected 0"}},
         {"select.invert", {"", "expect selected 70"}},
         {"select.grow", {"", "expect selected 6"}},
         {"select.shrink", {"", "expect selected 0"}},
-        {"select.middle", {"select faces 0", "expect selected 1"}},
+        {"select.middle", {"", "expect selected 1"}},
         {"select.behind", {"", "expect status \"*under the mouse\""}},
         {"select.hide", {"", "expect hidden 2\nexpect selected 0"}},
         {"select.isolate", {"", "expect hidden 70"}},
@@ -63,7 +76,7 @@ const std::map<std::string_view, Case>& cases() {
         {"select.steep", {"", "expect selected 8"}},
         {"select.brush_type", {"key 3", "expect selected 8"}},
         {"select.painted", {"key 1\nkey L\nselect faces 9", "expect selected 2"}},
-        {"select.type_", {"", "expect status \"Select *: * selected\""}},
+        {"select.type_", {"key 1", "expect status \"Select *: * selected\""}},
         {"select.save", {"", "expect saved 1"}},
         {"select.guessed", {"open cut.obj", "expect selected 2"}},
         {"select.next_guessed", {"open cut.obj", "expect status \"Guessed paint 1 of 2: ice\""}},
@@ -79,11 +92,14 @@ const std::map<std::string_view, Case>& cases() {
         {"paint.1", {"key 2\nkey L", "expect count ice 0"}},
         {"tools.select", {"key B", "expect tool select"}},
         {"tools.smaller_brush", {"key B\nkey ]\nkey ]", ""}},
-        {"tools.pick_surface", {"key 1", "expect brush default"}},
+        {"tools.pick_surface", {"key 2", "expect brush default"}},
         {"tools.larger_brush", {"key B", ""}},
         {"tools.clear_probe", {"key T\nviewport click @4.5,0,4.5", ""}},
         {"brush.1", {"key 2", "expect brush default"}},
+        {"brush.2", {"key 1", "expect brush ice"}},
+        {"movement.preset.platformer", {"set walk_speed=2", "expect setting walk_speed=6"}},
         {"movement.reset", {"set walk_speed=2", "expect history 3"}},
+        {"view.back_faces_automatic", {"command view.back_faces_never", ""}},
         {"view.one_pane", {"key Ctrl+Alt+2", "expect panes 1"}},
         {"view.two_panes", {"", "expect panes 2"}},
         {"view.three_panes", {"", "expect panes 3"}},
@@ -98,7 +114,6 @@ const std::map<std::string_view, Case>& cases() {
         {"view.left", {"", "expect view Left"}},
         {"view.orthographic", {"", "expect view Orthographic"}},
         {"view.reset_layout", {"key Ctrl+H", ""}},
-        {"view.trace", {"", "click \"Menu/View\"\nexpect checked \"Menu/View/Contacts in playtest\" no"}},
         {"view.turn_up", {"key Shift+Down\nkey Shift+Down", ""}},
         {"view.frame_all", {"camera eye 1,1,1 target 1,0,0", ""}},
         {"camera.add", {"", "expect cameras 1"}},
@@ -116,8 +131,8 @@ const std::map<std::string_view, Case>& cases() {
         {"review.camera", {"review report.json", "expect status \"Looking from where first was taken\""}},
         {"playtest.start", {"", "expect playing yes"}},
         {"playtest.stop", {"key F5", "expect playing no"}},
-        {"playtest.restart", {"key F5\nhold W 30", "expect playing yes"}},
-        {"playtest.toggle_person", {"key F5", "expect playing yes"}},
+        {"playtest.restart", {"key F5\nhold W 30", "key Escape\nfinish\nexpect tape 3"}},
+        {"playtest.toggle_person", {"key F5", ""}},
         {"tools.copy_probe_command", {"key T\nviewport click @4.5,0,4.5", "expect status \"*copied*\""}},
         {"tools.copy_probe_test", {"key T\nviewport click @4.5,0,4.5", "expect status \"*copied*\""}},
         {"lab.", {walk, ""}},
@@ -136,7 +151,6 @@ const std::map<std::string_view, Case>& cases() {
         {"lab.loop", {walk, "expect checked \"Timeline/Transport/Loop\" yes"}},
         {"lab.resume", {walk, "expect playing yes"}},
         {"lab.pin", {walk, "expect ghosts 3"}},
-        {"reach.cancel", {"command reach.run", ""}},
         {"reach.clear", {"command reach.run\nfinish", "expect no_widget \"Reach/Clear\""}},
         {"reach.path", {"command reach.run\nfinish\nselect faces 36", "expect status \"Face 36 *\""}},
         {"reach.add_goal", {"", "expect status \"Added Goal 1\""}},
@@ -189,8 +203,9 @@ TEST_F(EveryCommand, DoesSomethingThatCanBeSeenByItsKeyOrItsMenu) {
         << R"({"version": 1, "camera": {"eye": [4, 6, 9], "target": [4, 0, 4], "fov_y": 1}})";
     for (const Command& command : commands()) {
         SCOPED_TRACE(command.id);
-        const bool cancels = std::string_view(command.id) == "audit.cancel";
-        const Case row = case_of(command.id);
+        const std::string_view id = command.id;
+        const bool cancels = id.ends_with(".cancel");
+        const Case row = case_of(id);
         editor() = Editor{};
         ASSERT_EQ(run("open grid.obj\ncamera eye 4,14,9 target 4,0,4\nselect faces 3,4\nviewport hover "
                       "@4.5,0,4.5\n" +
@@ -199,36 +214,48 @@ TEST_F(EveryCommand, DoesSomethingThatCanBeSeenByItsKeyOrItsMenu) {
         if (cancels) {
             editor().document->set_spawn({Vec3(4.5, 1.0, 4.5), 0.0});
             ASSERT_TRUE(editor().document->save().ok());
-            // More walkers than any machine is done with before the click comes.
-            editor().audit = AuditJob::start(*editor().document, {2000, 600.0, 1});
         }
+        // More than any machine is done with before the click comes.
+        if (id == "audit.cancel") editor().audit = AuditJob::start(*editor().document, {2000, 600.0, 1});
+        if (id == "reach.cancel")
+            editor().reach = ReachJob::start(*editor().document, {.duration_s = 3600.0}, {}, nullptr);
         const auto history = editor().document->history_cursor();
         ASSERT_TRUE(command.enabled(editor())) << "its row in this table lacks a setup";
+        expect_unmet(row.expect);
+        const bool marked = command.checked != nullptr && command.checked(editor());
+        const bool walking = editor().playtest.has_value();
+        const bool by_key = !command.shortcut.key.empty();
         host->settle();
         const std::uint64_t before = host->app().frame_hash();
-        const bool by_key = !command.shortcut.key.empty();
         const std::string how =
             by_key ? "key " + command.shortcut.text() : "menu \"" + menu_path(command) + "\"";
         std::string error = run(how);
         // A menu longer than the window scrolls, and what is out of sight cannot be clicked.
         if (!by_key && error.find("no widget \"Menu/") != std::string::npos)
-            error = run("key Escape\ncommand " + std::string(command.id));
+            error = run("key Escape\ncommand " + std::string(id));
         EXPECT_EQ(error, "") << how;
         EXPECT_EQ(run(std::string(row.expect)), "") << how;
+        const bool changed_mark = command.checked != nullptr && command.checked(editor()) != marked;
         host->settle();
-        if (row.expect.empty()) {
+        if (row.expect.empty() && !changed_mark) {
+            EXPECT_FALSE(walking) << "in a walk each frame looks different";
             EXPECT_NE(host->app().frame_hash(), before) << how;
         }
-        if (cancels) {
+        if (!cancels) continue;
+        if (id == "audit.cancel") {
             while (editor().audit->running())
                 std::this_thread::yield();
             ASSERT_NE(editor().audit->report(), nullptr) << editor().audit->problem();
             EXPECT_TRUE(editor().audit->report()->cancelled);
             EXPECT_LT(editor().audit->progress(), 0.5);
-            EXPECT_FALSE(editor().document->dirty());
-            EXPECT_EQ(editor().document->history_cursor(), history);
-            EXPECT_FALSE(command.enabled(editor()));
+        } else {
+            while (editor().reach->running())
+                std::this_thread::yield();
+            EXPECT_LT(editor().reach->progress(), 0.5);
         }
+        EXPECT_FALSE(editor().document->dirty());
+        EXPECT_EQ(editor().document->history_cursor(), history);
+        EXPECT_FALSE(command.enabled(editor()));
     }
 }
 

@@ -296,6 +296,7 @@ TEST(Spawns, BadOnesAreRefusedWithTheirLocation) {
     spawns.push_back(spawns.front());
     EXPECT_THAT(spawns_problem(spawns), HasSubstr("Another spawn"));
     EXPECT_THAT(spawns_problem(std::vector<Spawn>(max_spawns + 1)), HasSubstr("at most 10000"));
+    EXPECT_THAT(spawns_problem(std::vector<Spawn>(max_spawns)), Not(HasSubstr("at most 10000")));
 }
 
 TEST(Goals, SurviveTheFileWithTheirUnknownKeys) {

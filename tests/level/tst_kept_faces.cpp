@@ -134,6 +134,7 @@ TEST(KeptFaces, WrongOnesAreRefusedWithTheirLocation) {
     EXPECT_THAT(error(R"("hidden": [{"faces": ["x"]}])"), HasSubstr("/hidden/0/faces/0"));
     EXPECT_THAT(error(R"("hidden": [{"faces": [], "packed": ["?"]}])"), HasSubstr("/hidden/0/packed/0"));
     EXPECT_THAT(error(R"("selections": [{"faces": []}])"), HasSubstr("/selections/0"));
+    EXPECT_THAT(error(R"("selections": [{"name": "a"}])"), HasSubstr("/selections/0"));
     EXPECT_THAT(error(R"("selections": [{"name": 1, "faces": []}])"), HasSubstr("/selections/0/name"));
     EXPECT_THAT(error(R"("selections": [{"name": "a", "faces": [{"faces": [1]}]}])"),
                 HasSubstr("/selections/0/faces/0/faces/0"));

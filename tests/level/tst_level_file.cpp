@@ -53,6 +53,14 @@ class LevelFile : public testing::Test {
     fs::path folder_;
 };
 
+TEST_F(LevelFile, WarningsOfItsMeshAreItsOwn) {
+    write("odd.obj", "mtllib gone.mtl\nv 0 0 0\nv 0 0 1\nv 1 0 1\nf 1 2 3\n");
+    const LoadedLevel odd = load("odd.obj");
+    ASSERT_EQ(odd.warnings.size(), 1U);
+    EXPECT_THAT(odd.warnings[0].text(), HasSubstr("gone.mtl"));
+    EXPECT_TRUE(load("easy.obj").warnings.empty());
+}
+
 TEST_F(LevelFile, LiesBesideItsMesh) {
     EXPECT_EQ(level_file_for("a/b.obj"), fs::path("a/b.slipface.json"));
     EXPECT_EQ(level_file_for("b.v2.obj"), fs::path("b.v2.slipface.json"));

@@ -40,7 +40,7 @@ Platform lift() {
     return platform;
 }
 
-TEST(Platform, walks_its_path_there_and_back) {
+TEST(Platform, WalksItsPathThereAndBack) {
     // 1 s of rest, 4 m at 2 m/s: 2 s, half a second of rest, and back as fast: 2 s; 5.5 s in all.
     Platform p = lift();
     EXPECT_DOUBLE_EQ(path_period(p), 5.5);
@@ -61,7 +61,7 @@ TEST(Platform, walks_its_path_there_and_back) {
     EXPECT_DOUBLE_EQ(height(0.0), 2.0);
 }
 
-TEST(Platform, turns_about_its_axis) {
+TEST(Platform, TurnsAboutItsAxis) {
     Platform p;
     p.spin_rate = 0.5 * 3.141592653589793;
     p.spin_pivot = {1, 0, 0};
@@ -70,14 +70,14 @@ TEST(Platform, turns_about_its_axis) {
     EXPECT_LT((platform_pose(p, 4e5 + 1.0).apply({3, 5, 0}) - Vec3(1, 5, -2)).norm(), 1e-8);
 }
 
-TEST(SinCos, agrees_with_the_library) {
+TEST(SinCos, AgreesWithTheLibrary) {
     for (double angle = -50.0; angle < 50.0; angle += 0.0137) {
         EXPECT_NEAR(sin_cos(angle).sine, std::sin(angle), 2e-15 * (1.0 + std::abs(angle)));
         EXPECT_NEAR(sin_cos(angle).cosine, std::cos(angle), 2e-15 * (1.0 + std::abs(angle)));
     }
 }
 
-TEST(LevelFileMotion, keeps_platforms_terrain_and_sectors) {
+TEST(LevelFileMotion, KeepsPlatformsTerrainAndSectors) {
     Level level = two_boards();
     level.platforms = {lift()};
     level.platforms[0].spin_rate = 0.25;
@@ -96,7 +96,7 @@ TEST(LevelFileMotion, keeps_platforms_terrain_and_sectors) {
     EXPECT_EQ(level_to_json(read->level), text);
 }
 
-TEST(LevelFileMotion, errors_of_the_new_parts_name_their_place) {
+TEST(LevelFileMotion, ErrorsOfTheNewPartsNameTheirPlace) {
     const Level level = two_boards();
     const auto error = [&](const std::string& member) {
         const auto read = level_from_json("{\"slipface\": 1, " + member + "}", "b.json", level.mesh);
@@ -123,7 +123,7 @@ TEST(LevelFileMotion, errors_of_the_new_parts_name_their_place) {
     EXPECT_NE(missing->warnings.back().text().find("nowhere"), std::string::npos);
 }
 
-TEST(Terrain, comes_from_a_16_bit_picture) {
+TEST(Terrain, ComesFromA16BitPicture) {
     const auto folder = std::filesystem::path(::testing::TempDir()) / "slipface-terrain";
     std::filesystem::create_directories(folder);
     Level level = two_boards();
@@ -138,6 +138,12 @@ TEST(Terrain, comes_from_a_16_bit_picture) {
     EXPECT_DOUBLE_EQ(terrain_at(*level.terrain, 0, 1)->height, 310.0);  // rows along +Z
     EXPECT_DOUBLE_EQ(terrain_at(*level.terrain, 0.5, 0)->height, 10.5);
     EXPECT_FALSE(terrain_at(*level.terrain, -0.1, 0));
+    // Black is `low`, white is `high`: 15 m from one to the other, above the origin's 10 m.
+    level.heightfield->low = -5;
+    level.heightfield->high = 10;
+    ASSERT_TRUE(load_terrain(level).ok());
+    EXPECT_DOUBLE_EQ(terrain_at(*level.terrain, 0, 0)->height, 5.0);
+    EXPECT_DOUBLE_EQ(terrain_at(*level.terrain, 2, 2)->height, 20.0);
     ASSERT_TRUE(write_file_atomic(folder / "hills.png", "no picture").ok());
     const Status status = load_terrain(level);
     ASSERT_FALSE(status.ok());
@@ -146,7 +152,7 @@ TEST(Terrain, comes_from_a_16_bit_picture) {
     std::filesystem::remove_all(folder);
 }
 
-TEST(LevelScene, is_a_pure_function_of_time) {
+TEST(LevelScene, IsAPureFunctionOfTime) {
     Level level = two_boards();
     level.platforms = {lift()};
     Result<LevelScene> scene = LevelScene::build(level);
@@ -171,6 +177,27 @@ TEST(LevelScene, is_a_pure_function_of_time) {
     ASSERT_TRUE(borrowed.ok());
     EXPECT_EQ(&borrowed->at(0.0).collision, &*whole);
     EXPECT_TRUE(borrowed->is_static());
+}
+
+// The smallest grid: two triangles, cut from its first corner to its last.
+TEST(Heightfield, OfTwoByTwoSamplesIsTwoTriangles) {
+    const Heightfield field{
+        .columns = 2, .rows = 2, .heights = {1.0, 2.0, 5.0, 9.0}, .origin = {3, 0, 4}, .size = {2, 4}};
+    EXPECT_EQ(field.corner(0, 0), Vec3(3, 1, 4));
+    EXPECT_EQ(field.corner(1, 0), Vec3(5, 2, 4));
+    EXPECT_EQ(field.corner(0, 1), Vec3(3, 5, 8));
+    EXPECT_EQ(field.corner(1, 1), Vec3(5, 9, 8));
+    for (const auto& [x, z, height] : {std::tuple(3.0, 4.0, 1.0),
+                                       {5.0, 4.0, 2.0},
+                                       {3.0, 8.0, 5.0},
+                                       {5.0, 8.0, 9.0},
+                                       {4.0, 6.0, 5.0},
+                                       {4.5, 5.0, 3.5},
+                                       {3.5, 7.0, 5.0}}) {
+        const auto point = terrain_at(field, x, z);
+        ASSERT_TRUE(point) << x << ", " << z;
+        EXPECT_NEAR(point->height, height, 1e-12) << x << ", " << z;
+    }
 }
 
 }  // namespace

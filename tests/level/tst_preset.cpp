@@ -7,7 +7,7 @@
 namespace slipface {
 namespace {
 
-TEST(Presets, files_and_program_agree) {
+TEST(Presets, FilesAndProgramAgree) {
     ASSERT_EQ(shipped_presets().size(), 5U);
     for (const ShippedPreset& shipped : shipped_presets()) {
         const auto path = std::filesystem::path(SLIPFACE_SOURCE_DIR) / "assets" / "presets" /
@@ -21,7 +21,7 @@ TEST(Presets, files_and_program_agree) {
     }
 }
 
-TEST(Presets, are_saved_and_loaded_without_loss) {
+TEST(Presets, AreSavedAndLoadedWithoutLoss) {
     Preset mine{.name = "Mine", .about = "A \"test\"", .settings = {}};
     mine.settings.gravity = 0.1 + 0.2;
     mine.settings.step_up = true;
@@ -30,14 +30,14 @@ TEST(Presets, are_saved_and_loaded_without_loss) {
     EXPECT_EQ(*read, mine);
 }
 
-TEST(Presets, the_defaults_are_the_platformer) {
+TEST(Presets, TheDefaultsAreThePlatformer) {
     EXPECT_EQ(find_preset("platformer").value().settings, MovementSettings{});
     const MovementSettings s;
     EXPECT_TRUE(s.step_up && s.snap_down && s.seam_filter && s.coyote && s.jump_buffer);
     EXPECT_EQ(s.push_out, PushOut::analytic);
 }
 
-TEST(Presets, a_setting_that_the_file_does_not_name_is_the_basic_one) {
+TEST(Presets, ASettingThatTheFileDoesNotNameIsTheBasicOne) {
     const Result<Preset> read =
         preset_from_json(R"({"slipface_preset": 1, "name": "x", "movement": {"gravity": 3}})", "p.json");
     ASSERT_TRUE(read.ok()) << read.error().text();
@@ -46,7 +46,7 @@ TEST(Presets, a_setting_that_the_file_does_not_name_is_the_basic_one) {
     EXPECT_EQ(read->settings, expected);
 }
 
-TEST(Presets, the_nearest_one_is_named_with_what_differs) {
+TEST(Presets, TheNearestOneIsNamedWithWhatDiffers) {
     for (const ShippedPreset& shipped : shipped_presets()) {
         EXPECT_EQ(nearest_preset(shipped.preset.settings).preset, &shipped);
         // A few changed rows leave it the nearest preset, and exactly these are reported.
@@ -68,15 +68,17 @@ TEST(Presets, the_nearest_one_is_named_with_what_differs) {
     }
 }
 
-TEST(Presets, errors_name_the_place) {
+TEST(Presets, ErrorsNameThePlace) {
     const auto error = [](const char* json) {
         const Result<Preset> preset = preset_from_json(json, "p.json");
         return preset ? std::string() : preset.error().text();
     };
     EXPECT_NE(error("{").find("p.json:1"), std::string::npos);
     EXPECT_NE(error("{}").find("slipface_preset"), std::string::npos);
-    EXPECT_NE(error(R"({"slipface_preset": 2, "name": "x", "movement": {}})").find("/slipface_preset"),
-              std::string::npos);
+    for (const std::string version : {"0", "2"}) {
+        const std::string preset = "{\"slipface_preset\": " + version + R"(, "name": "x", "movement": {}})";
+        EXPECT_NE(error(preset.c_str()).find("/slipface_preset"), std::string::npos) << version;
+    }
     EXPECT_NE(
         error(R"({"slipface_preset": 1, "name": "x", "movement": {"gravty": 3}})").find("/movement/gravty"),
         std::string::npos);

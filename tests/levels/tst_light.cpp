@@ -1,6 +1,8 @@
 // Light maps: their charts, what is baked, and how the level file says it.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "slipface/level/level_file.h"
 #include "slipface/light/bake.h"
 #include "slipface/mesh/build.h"
@@ -40,18 +42,31 @@ TEST(LightCharts, LieBesideEachOtherAndHoldTheirFaces) {
     const MeshPtr mesh = floor_and_roof();
     const Result<LightCharts> charts = light_charts(*mesh, 0.25);
     ASSERT_TRUE(charts.ok());
+    EXPECT_EQ(charts->charts.size(), mesh->face_count());
     std::vector<int> owners(static_cast<std::size_t>(charts->width * charts->height));
     for (FaceId face = 0; face < mesh->face_count(); ++face) {
         const LightChart& chart = charts->charts[face];
         for (int j = 0; j < chart.height; ++j)
             for (int i = 0; i < chart.width; ++i)
                 ++owners.at(static_cast<std::size_t>((chart.y + j) * charts->width + chart.x + i));
-        for (std::uint32_t k = mesh->face_first_corner[face]; k < mesh->face_first_corner[face + 1]; ++k) {
-            const Vec3 corner = mesh->corner_position(k).cast<double>();
-            const Vec2 at = chart.coordinate(corner);
-            EXPECT_LT((chart.texel_position(at.x(), at.y()) - corner).norm(), 1e-6);
+        // All faces lie flat, so the map is seen from above: texels of at most 0.25 m, the first on the
+        // western edge, the last on the eastern, and likewise from edge to edge in Z.
+        Aabb box;
+        for (std::uint32_t k = mesh->face_first_corner[face]; k < mesh->face_first_corner[face + 1]; ++k)
+            box.add(mesh->corner_position(k).cast<double>());
+        const Vec3 size = box.max - box.min;
+        ASSERT_EQ(chart.width, size.x() / 0.25 + 1);
+        ASSERT_EQ(chart.height, size.z() / 0.25 + 1);
+        const bool north_first = chart.texel_position(0, 0).z() == box.min.z();
+        for (const auto& [i, j] : {std::pair(0, 0), {0, chart.height - 1}, {chart.width - 1, 0}, {3, 2}}) {
+            const double south = north_first ? 0.25 * j : size.z() - 0.25 * j;
+            const Vec3 expected = box.min + Vec3(0.25 * i, 0.0, south);
+            EXPECT_LT((chart.texel_position(i, j) - expected).norm(), 1e-6);
+            EXPECT_LT((chart.coordinate(expected) - Vec2(i, j)).norm(), 1e-5);
         }
-        EXPECT_EQ(chart.coordinate({100, 0, 0}).x(), chart.width - 1);  // clamped to the face's own texels
+        // Clamped to the face's own texels.
+        EXPECT_EQ(chart.coordinate({100, 0, 0}).x(), chart.width - 1);
+        EXPECT_EQ(chart.coordinate({-100, 0, 0}).x(), 0);
     }
     EXPECT_EQ(*std::max_element(owners.begin(), owners.end()), 1);
 }
@@ -79,8 +94,36 @@ TEST(LightBaker, ShadowsWhatTheSunDoesNotSee) {
     for (const FaceId face : {under_roof, in_sun, roof}) {
         const LightChart& chart = baker->charts().charts[face];
         const std::vector<std::uint8_t> bytes = baker->bake_face(face);
-        for (int i = 0; i < chart.width; ++i)
-            EXPECT_EQ(image.pixel(chart.x + i, chart.y)[1], bytes[static_cast<std::size_t>(3 * i + 1)]);
+        ASSERT_EQ(bytes.size(), 3U * chart.width * chart.height);
+        for (std::size_t at = 0; at < bytes.size(); ++at) {
+            const int texel = static_cast<int>(at / 3);
+            const auto* pixel = image.pixel(chart.x + texel % chart.width, chart.y + texel / chart.width);
+            ASSERT_EQ(pixel[at % 3], bytes[at]);
+        }
+    }
+}
+
+// Where nothing reflects and the sky is black, light is the cosine of the sun. From the east at 45 degrees a
+// roof 2 m up throws its shadow 2 m to the west: over x < -2 of the floor.
+TEST(LightBaker, SunlightAndShadowAreThoseOfTheSunsAngle) {
+    Level level = lit_level();
+    auto black = std::make_shared<Mesh>(*level.mesh);
+    for (Material& material : black->materials)
+        material.diffuse = Vec3f::Zero();
+    level.mesh = std::move(black);
+    level.light->sky_zenith = level.light->ambient = Vec3::Zero();
+    level.light->sky_horizon = Vec3::Constant(1e-6);  // the sun shines in from outside at all
+    level.light->sun_direction = {3, 3, 0};
+    const Result<LightBaker> baker = LightBaker::make(level);
+    ASSERT_TRUE(baker.ok()) << baker.error().text();
+    const auto in_sun = static_cast<int>(255.0 * std::sqrt(std::sqrt(0.5) / light_map_range));
+    for (FaceId face = 0; face < 65; ++face) {
+        const int west = static_cast<int>(face % 8) - 4, row = static_cast<int>(face / 8);
+        // The shadow's borders, as soft as the sun is large.
+        if (face < 64 && (west == -3 || west == -2 || row == 0 || row == 7)) continue;
+        const int expected = face < 64 && west < -3 ? 0 : in_sun;
+        for (const std::uint8_t byte : baker->bake_face(face))
+            ASSERT_NEAR(byte, expected, 1) << "face " << face;
     }
 }
 

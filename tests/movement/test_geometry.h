@@ -158,6 +158,15 @@ class Random {
     std::uint64_t state_;
 };
 
+inline std::vector<DecisionRecord> decisions_of(const TraceRecorder& trace, Decision kind) {
+    std::vector<DecisionRecord> found;
+    for (const TraceRecord& record : trace.records) {
+        const auto* decision = std::get_if<DecisionRecord>(&record);
+        if (decision != nullptr && decision->kind == kind) found.push_back(*decision);
+    }
+    return found;
+}
+
 inline bool has_decision(const TraceRecorder& trace, const std::string& hack, bool acted,
                          const std::string& sentence_part) {
     for (const TraceRecord& record : trace.records) {

@@ -35,7 +35,7 @@ CornerMove corner_move(const std::vector<Vec3>& normals, const MovementSettings&
             .reach_of_skin = point.norm()};
 }
 
-TEST(CornerMoves, in_acute_wedges_are_the_exact_projection) {
+TEST(CornerMoves, InAcuteWedgesAreTheExactProjection) {
     for (const double skin : {0.002, 1e-6}) {
         Random random(31);
         MovementSettings s = basic_settings();
@@ -55,7 +55,7 @@ TEST(CornerMoves, in_acute_wedges_are_the_exact_projection) {
     }
 }
 
-TEST(CornerMoves, in_acute_corners_of_three_faces_are_the_exact_projection) {
+TEST(CornerMoves, InAcuteCornersOfThreeFacesAreTheExactProjection) {
     // Three planes may each turn the move once, and the way along the last crease is a fourth sweep.
     for (const double skin : {0.002, 1e-6}) {
         Random random(32);

@@ -44,7 +44,7 @@ PlayerState after_on_flat(double friction, const PlayerInput& input, double spee
 
 }  // namespace
 
-TEST(Friction, multiplies_acceleration_and_braking_on_the_ground) {
+TEST(Friction, MultipliesAccelerationAndBrakingOnTheGround) {
     const MovementSettings s = basic_settings();
     for (const double friction : {0.0, 0.1, 0.25, 1.0, 2.0}) {
         const double per_tick = friction * s.ground_acceleration * tick;
@@ -55,7 +55,7 @@ TEST(Friction, multiplies_acceleration_and_braking_on_the_ground) {
     }
 }
 
-TEST(Friction, nothing_is_multiplied_in_the_air_or_without_surface_types) {
+TEST(Friction, NothingIsMultipliedInTheAirOrWithoutSurfaceTypes) {
     for (const double friction : {0.0, 5.0}) {
         Lab lab;
         lab.surfaces[rough].friction = friction;
@@ -73,7 +73,7 @@ TEST(Friction, nothing_is_multiplied_in_the_air_or_without_surface_types) {
 
 // The law of the file's head: from rest, (1 - f) g sin a - f acceleration / cos a along the slope, where that
 // is more than nothing; the acceleration is one across the map.
-TEST(Friction, below_one_a_slope_pulls_as_far_as_friction_does_not_hold) {
+TEST(Friction, BelowOneASlopePullsAsFarAsFrictionDoesNotHold) {
     Random random(5);
     int slid = 0, held = 0;
     for (int trial = 0; trial < 300; ++trial) {
@@ -110,7 +110,7 @@ TEST(Friction, below_one_a_slope_pulls_as_far_as_friction_does_not_hold) {
     EXPECT_GT(held, 50);
 }
 
-TEST(Friction, nothing_jumps_where_friction_changes_a_little) {
+TEST(Friction, NothingJumpsWhereFrictionChangesALittle) {
     // Random slopes, sticks and speeds; the way of a second changes with friction as little as friction does,
     // and not at all at 1.
     Random random(9);
@@ -136,7 +136,7 @@ TEST(Friction, nothing_jumps_where_friction_changes_a_little) {
     }
 }
 
-TEST(Friction, without_input_energy_never_grows) {
+TEST(Friction, WithoutInputEnergyNeverGrows) {
     // A random valley of ramps: motion along the ground counts whole, down and up.
     Random random(21);
     for (int trial = 0; trial < 120; ++trial) {
@@ -159,7 +159,7 @@ TEST(Friction, without_input_energy_never_grows) {
         if (!state.grounded) continue;
         state.velocity += Vec3(random.between(-8, 8), 0, random.between(-3, 3));
         const auto energy = [&](const PlayerState& p) {
-            // As Energy.never_grows_without_input: of motion on the ground the descent counts; the rise as
+            // As Energy.NeverGrowsWithoutInput: of motion on the ground the descent counts; the rise as
             // far as friction is missing, for what friction holds a climb is no motion that goes on.
             Vec3 v = p.velocity;
             if (p.grounded) v.y() = motion_velocity(p).y();
@@ -176,7 +176,7 @@ TEST(Friction, without_input_energy_never_grows) {
     }
 }
 
-TEST(Friction, ice_of_friction_zero_is_not_steered) {
+TEST(Friction, IceOfFrictionZeroIsNotSteered) {
     Lab lab;
     lab.surfaces[ice].friction = 0.0;
     lab.floor(0, ice);
@@ -206,7 +206,7 @@ Vec3 off_a_wall(double restitution, double friction, const Vec3& velocity, int t
 
 }  // namespace
 
-TEST(Friction, takes_from_a_bounce_what_the_rebound_can_and_no_more_than_its_fraction) {
+TEST(Friction, TakesFromABounceWhatTheReboundCanAndNoMoreThanItsFraction) {
     Random random(3);
     for (int trial = 0; trial < 200; ++trial) {
         const double e = random.between(0.01, 1), f = random.between(0, 10);
@@ -218,7 +218,7 @@ TEST(Friction, takes_from_a_bounce_what_the_rebound_can_and_no_more_than_its_fra
     }
 }
 
-TEST(Friction, a_bounce_goes_over_into_a_slide_without_a_jump) {
+TEST(Friction, ABounceGoesOverIntoASlideWithoutAJump) {
     for (const double f : {0.0, 0.5, 1.0, 3.0, 10.0}) {
         const Vec3 slide = off_a_wall(0.0, f, {8, 0, 4});
         for (const double e : {1e-9, 1e-6, 1e-4}) {
@@ -255,7 +255,7 @@ TEST(Friction, a_bounce_goes_over_into_a_slide_without_a_jump) {
     }
 }
 
-TEST(Friction, its_decisions_are_told) {
+TEST(Friction, ItsDecisionsAreTold) {
     for (const bool slides : {false, true}) {
         Slope slope(30, slides ? 0.05 : 0.5);
         const MovementSettings s = basic_settings();
@@ -267,7 +267,7 @@ TEST(Friction, its_decisions_are_told) {
     }
 }
 
-TEST(Friction, whatever_a_game_writes_there_nothing_breaks) {
+TEST(Friction, WhateverAGameWritesThereNothingBreaks) {
     for (const double friction : {-1.0, 1e300, std::nan(""), -std::numeric_limits<double>::infinity()}) {
         Slope slope(20, friction);
         const MovementSettings s = basic_settings();
@@ -275,6 +275,28 @@ TEST(Friction, whatever_a_game_writes_there_nothing_breaks) {
         EXPECT_TRUE(state.position.allFinite() && state.velocity.allFinite()) << friction;
         EXPECT_LE(motion_velocity(state).norm(), 40.0);
     }
+}
+
+// A sledge that slides up a slope without friction pays for its height with its velocity: v v / 2g, no more
+// and no less.
+TEST(Friction, ASledgeRisesAsFarAsItsEnergyAllows) {
+    Lab lab;
+    lab.surfaces[plain].friction = 0.0;
+    lab.slope(radians(30));
+    lab.ready();
+    const MovementSettings s = basic_settings();
+    PlayerState state = at({0, centre_height(s, slope_normal(radians(30))), 0}, {5, 0, 0});
+    state.grounded = true;
+    state.ground_normal = slope_normal(radians(30));
+    state.ground_face = 0;
+    const double from = state.position.y();
+    double highest = from;
+    for (int i = 0; i < 240; ++i) {
+        state = step(lab.scene(), s, state, {}, tick / 4).state;
+        highest = std::max(highest, state.position.y());
+    }
+    const double expected = 25.0 / (2.0 * s.gravity);
+    EXPECT_NEAR(highest - from, expected, 0.01 * expected);
 }
 
 }  // namespace slipface::test

@@ -16,7 +16,7 @@ bool same_bits(const Vec3& a, const Vec3& b) {
 // --- static friction
 // -------------------------------------------------------------------------------------------------
 
-TEST(StaticFriction, idle_on_30_degrees_is_bit_still_for_ten_seconds) {
+TEST(StaticFriction, IdleOn30DegreesIsBitStillForTenSeconds) {
     Lab lab;
     lab.slope(radians(30));
     lab.ready();
@@ -31,7 +31,7 @@ TEST(StaticFriction, idle_on_30_degrees_is_bit_still_for_ten_seconds) {
     }
 }
 
-TEST(StaticFriction, off_the_player_creeps_down_by_the_closed_form) {
+TEST(StaticFriction, OffThePlayerCreepsDownByTheClosedForm) {
     // Each tick the idle player's brake takes the horizontal part of the speed u along the slope, gravity
     // adds p = g sin a dt = 1/6 m/s along it, and the slide keeps what leads along the slope: u sin^2 a + p.
     // That comes to rest at u = p / cos^2 a = 0.2222 m/s. From rest, u_k = u (1 - sin^2k a), and a tick moves
@@ -52,7 +52,7 @@ TEST(StaticFriction, off_the_player_creeps_down_by_the_closed_form) {
     EXPECT_NEAR(state.position.x() - rest.x(), -motion * std::cos(radians(30)), 1e-6);
 }
 
-TEST(StaticFriction, holds_up_to_max_slope_and_not_above) {
+TEST(StaticFriction, HoldsUpToMaxSlopeAndNotAbove) {
     for (const double degrees : {5.0, 15.0, 25.0, 35.0, 45.0, 49.0, 51.0, 55.0, 65.0, 75.0}) {
         const double a = radians(degrees);
         Lab lab;
@@ -74,7 +74,23 @@ TEST(StaticFriction, holds_up_to_max_slope_and_not_above) {
     }
 }
 
-TEST(StaticFriction, a_surface_overrides_the_maximum_slope) {
+TEST(StaticFriction, ItsLimitIsTheCosineOfTheMaximumSlope) {
+    Lab lab;
+    lab.floor();
+    lab.ready();
+    MovementSettings s = basic_settings();
+    const PlayerState state = run(lab, s, at({0, 0.902, 0}), {}, 5);
+    for (int degrees = 5; degrees <= 85; degrees += 5) {
+        s.max_slope = radians(degrees);
+        TraceRecorder trace;
+        step(lab.scene(), s, state, {}, tick, &trace);
+        const std::vector<DecisionRecord> stood = decisions_of(trace, Decision::stood);
+        ASSERT_FALSE(stood.empty());
+        EXPECT_NEAR(stood[0].limit, std::cos(s.max_slope), 1e-15) << degrees;
+    }
+}
+
+TEST(StaticFriction, ASurfaceOverridesTheMaximumSlope) {
     Lab lab;
     lab.surfaces[plain].max_slope = radians(20);
     lab.slope(radians(30));
@@ -85,7 +101,7 @@ TEST(StaticFriction, a_surface_overrides_the_maximum_slope) {
     EXPECT_TRUE(run(lab, s, at({0, centre_height(s, slope_normal(radians(30))), 0}), {}, 60).grounded);
 }
 
-TEST(StaticFriction, the_vertical_part_gets_exactly_one_sweep_on_ground) {
+TEST(StaticFriction, TheVerticalPartGetsExactlyOneSweepOnGround) {
     Lab lab;
     lab.slope(radians(30));
     lab.ready();
@@ -99,7 +115,7 @@ TEST(StaticFriction, the_vertical_part_gets_exactly_one_sweep_on_ground) {
 // --- steep slopes are walls
 // ------------------------------------------------------------------------------------------
 
-TEST(SteepSlope, of_60_and_75_degrees_cannot_be_climbed_by_walking_or_jumping) {
+TEST(SteepSlope, Of60And75DegreesCannotBeClimbedByWalkingOrJumping) {
     for (const double degrees : {60.0, 75.0}) {
         Lab lab;
         lab.floor();
@@ -147,13 +163,13 @@ double airborne_fraction(const MovementSettings& s, double dt) {
 
 }  // namespace
 
-TEST(GroundVelocity, on_the_player_is_grounded_in_every_tick) {
+TEST(GroundVelocity, OnThePlayerIsGroundedInEveryTick) {
     const MovementSettings s = basic_settings();
     for (const int rate : {30, 60, 120, 240, 360})
         EXPECT_EQ(airborne_fraction(s, 1.0 / rate), 0.0) << rate;
 }
 
-TEST(GroundVelocity, off_the_player_hops) {
+TEST(GroundVelocity, OffThePlayerHops) {
     // Off the ground with no vertical speed, g t t / 2 meets the slope's v t tan a at t = 2 v tan a / g =
     // 0.346 s, 20.8 ticks: 20 in the air, one on the ground. Four times that are 84 of the 90 ticks, and the
     // six left are the next hop's: 86.
@@ -162,7 +178,7 @@ TEST(GroundVelocity, off_the_player_hops) {
     EXPECT_NEAR(airborne_fraction(s, tick), 86.0 / 90.0, 1e-12);
 }
 
-TEST(GroundVelocity, a_step_off_a_ledge_falls_from_rest) {
+TEST(GroundVelocity, AStepOffALedgeFallsFromRest) {
     // The press is not a motion: after t seconds in the air the player has fallen g t t / 2, not ground_speed
     // t more.
     Lab lab;
@@ -180,7 +196,7 @@ TEST(GroundVelocity, a_step_off_a_ledge_falls_from_rest) {
     EXPECT_NEAR(state.position.y(), y + v * 0.5 - 10 * 0.25, 1e-9);
 }
 
-TEST(MotionVelocity, is_the_motion_and_not_the_press) {
+TEST(MotionVelocity, IsTheMotionAndNotThePress) {
     Lab lab;
     lab.slope(radians(30));
     lab.ready();
@@ -206,7 +222,7 @@ TEST(MotionVelocity, is_the_motion_and_not_the_press) {
 // --- constant speed on slopes
 // ----------------------------------------------------------------------------------------
 
-TEST(ConstantSlopeSpeed, on_the_way_along_the_slope_is_the_walking_speed) {
+TEST(ConstantSlopeSpeed, OnTheWayAlongTheSlopeIsTheWalkingSpeed) {
     for (const bool on : {false, true}) {
         for (const double degrees : {10.0, 30.0, 45.0}) {
             for (const int rate : {30, 60, 240}) {
@@ -252,12 +268,32 @@ double heading_on_ramp(const MovementSettings& s) {
 
 }  // namespace
 
-TEST(StraightAhead, keeps_the_heading) {
+TEST(StraightAhead, KeepsTheHeading) {
     const MovementSettings s = basic_settings();
     EXPECT_NEAR(heading_on_ramp(s), pi / 4, 1e-4);
 }
 
-TEST(StraightAhead, off_the_ramp_turns_the_heading) {
+TEST(StraightAhead, IsTheRuleOfItsResponse) {
+    Lab lab;
+    lab.slope(radians(30));
+    lab.ready();
+    MovementSettings s = basic_settings();
+    const PlayerState state = standing_on_slope(lab, s, radians(30));
+    for (const bool on : {true, false}) {
+        s.straight_ahead = on;
+        TraceRecorder trace;
+        step(lab.scene(), s, state, wish(1, 0), tick, &trace);
+        const auto is = [](Rule rule) {
+            return [rule](const TraceRecord& record) {
+                const auto* response = std::get_if<ResponseRecord>(&record);
+                return response != nullptr && response->rule == rule;
+            };
+        };
+        EXPECT_EQ(std::any_of(trace.records.begin(), trace.records.end(), is(Rule::straight_ahead)), on);
+    }
+}
+
+TEST(StraightAhead, OffTheRampTurnsTheHeading) {
     MovementSettings s = basic_settings();
     s.straight_ahead = false;
     // V = (1,0,1)/sqrt 2, N = (-1/2, cos 30, 0): V - N (V.N) = (0.7071 (1 - 1/4), .., 0.7071), a heading of
@@ -265,7 +301,7 @@ TEST(StraightAhead, off_the_ramp_turns_the_heading) {
     EXPECT_NEAR(heading_on_ramp(s), std::atan2(1.0, 0.75), 1e-3);
 }
 
-TEST(StraightAhead, keeps_the_length_of_the_slide) {
+TEST(StraightAhead, KeepsTheLengthOfTheSlide) {
     Lab lab;
     lab.slope(radians(30));
     lab.ready();
@@ -283,7 +319,7 @@ TEST(StraightAhead, keeps_the_length_of_the_slide) {
     }
 }
 
-TEST(StraightAhead, leaves_vertical_walls_to_plain_sliding) {
+TEST(StraightAhead, LeavesVerticalWallsToPlainSliding) {
     Lab lab;
     lab.wall({0, -40}, {0, 40});
     lab.ready();
@@ -323,7 +359,7 @@ PlayerState ride(const MovementSettings& s, int segments, double entry_speed) {
 
 }  // namespace
 
-TEST(KeepEnergy, off_a_half_pipe_takes_the_product_of_the_cosines) {
+TEST(KeepEnergy, OffAHalfPipeTakesTheProductOfTheCosines) {
     for (const int segments : {8, 16, 32, 64}) {
         MovementSettings s = basic_settings();
         s.gravity = 0.0;
@@ -336,7 +372,7 @@ TEST(KeepEnergy, off_a_half_pipe_takes_the_product_of_the_cosines) {
     }
 }
 
-TEST(KeepEnergy, on_the_exit_speed_is_the_entry_speed) {
+TEST(KeepEnergy, OnTheExitSpeedIsTheEntrySpeed) {
     for (const int segments : {8, 16, 32, 64}) {
         MovementSettings s = basic_settings();
         s.gravity = 0.0;
@@ -345,7 +381,7 @@ TEST(KeepEnergy, on_the_exit_speed_is_the_entry_speed) {
     }
 }
 
-TEST(KeepEnergy, a_pipe_of_six_faces_turns_by_the_default_limit_exactly_and_keeps_the_speed) {
+TEST(KeepEnergy, APipeOfSixFacesTurnsByTheDefaultLimitExactlyAndKeepsTheSpeed) {
     // Each turn is 30 degrees: N.V / |V| = -sin 30 = -0.5 but for rounding.
     MovementSettings s = basic_settings();
     s.gravity = 0.0;
@@ -353,7 +389,7 @@ TEST(KeepEnergy, a_pipe_of_six_faces_turns_by_the_default_limit_exactly_and_keep
     EXPECT_NEAR(ride(s, 6, 10.0).velocity.norm(), 10.0, 1e-5);
 }
 
-TEST(KeepEnergy, on_the_exit_speed_is_the_entry_speed_and_gravitys_work) {
+TEST(KeepEnergy, OnTheExitSpeedIsTheEntrySpeedAndGravitysWork) {
     for (const int segments : {8, 16, 32, 64}) {
         MovementSettings s = basic_settings();
         Lab lab;
@@ -378,7 +414,7 @@ TEST(KeepEnergy, on_the_exit_speed_is_the_entry_speed_and_gravitys_work) {
     }
 }
 
-TEST(KeepEnergy, off_with_gravity_speed_is_lost) {
+TEST(KeepEnergy, OffWithGravitySpeedIsLost) {
     // The centre goes round a polygon of its own: eight faces, a skin and a radius further in. Each of its
     // seven corners turns the way by 22.5 degrees and keeps cos^2 of the kinetic energy that is left there;
     // in between gravity takes nothing. The corners lie at apothem / cos(pi / 16) from the axis.
@@ -406,7 +442,7 @@ TEST(KeepEnergy, off_with_gravity_speed_is_lost) {
     EXPECT_NEAR(state.velocity.norm(), speed, 0.005 * speed);
 }
 
-TEST(KeepEnergy, a_head_on_hit_is_not_redirected) {
+TEST(KeepEnergy, AHeadOnHitIsNotRedirected) {
     Lab lab;
     lab.wall({0, -40}, {0, 40}, -5, 20, ice);
     lab.ready();
@@ -420,6 +456,10 @@ TEST(KeepEnergy, a_head_on_hit_is_not_redirected) {
         state = step(lab.scene(), s, state, {}, tick, &head_on).state;
     EXPECT_NEAR(state.velocity.norm(), 10.0 * std::sin(radians(35)), 1e-9);
     EXPECT_TRUE(has_decision(head_on, "keep_energy", false, "head-on"));
+    for (const DecisionRecord& record : decisions_of(head_on, Decision::energy_head_on)) {
+        EXPECT_NEAR(record.value, std::cos(radians(35)), 1e-9);
+        EXPECT_EQ(record.limit, 0.5);
+    }
     // At 65 degrees from the normal, -0.42: turned with all its speed.
     state = run(lab, s, at({-1, 5, 0}, 10.0 * Vec3(std::cos(radians(65)), 0, std::sin(radians(65)))), {}, 30);
     EXPECT_NEAR(state.velocity.norm(), 10.0, 1e-9);
@@ -429,7 +469,7 @@ TEST(KeepEnergy, a_head_on_hit_is_not_redirected) {
     EXPECT_NEAR(state.velocity.norm(), 10.0 * std::sin(radians(65)), 1e-9);
 }
 
-TEST(KeepEnergy, gliding_over_flat_ice_neither_gains_nor_loses) {
+TEST(KeepEnergy, GlidingOverFlatIceNeitherGainsNorLoses) {
     Lab lab;
     lab.floor(0, ice, 500);
     lab.ready();
@@ -443,7 +483,7 @@ TEST(KeepEnergy, gliding_over_flat_ice_neither_gains_nor_loses) {
     }
 }
 
-TEST(KeepEnergy, ice_does_not_hold_an_idle_player) {
+TEST(KeepEnergy, IceDoesNotHoldAnIdlePlayer) {
     Lab lab;
     lab.slope(radians(20), ice);
     lab.ready();
@@ -456,7 +496,7 @@ TEST(KeepEnergy, ice_does_not_hold_an_idle_player) {
 // --- push-out
 // --------------------------------------------------------------------------------------------------------
 
-TEST(PushOut, off_an_overlapping_player_stays_inside) {
+TEST(PushOut, OffAnOverlappingPlayerStaysInside) {
     Lab lab;
     lab.floor();
     lab.ready();
@@ -464,7 +504,7 @@ TEST(PushOut, off_an_overlapping_player_stays_inside) {
     EXPECT_LT(step(lab.scene(), s, at({0, 0.4, 0}), {}, tick).state.position.y(), 0.5);
 }
 
-TEST(PushOut, frees_from_a_plane_a_wedge_and_a_corner) {
+TEST(PushOut, FreesFromAPlaneAWedgeAndACorner) {
     for (const PushOut kind : {PushOut::iterative, PushOut::analytic}) {
         for (const double degrees : {5.0, 20.0, 45.0, 85.0}) {
             for (const bool corner : {false, true}) {
@@ -501,7 +541,7 @@ TEST(PushOut, frees_from_a_plane_a_wedge_and_a_corner) {
     }
 }
 
-TEST(PushOut, parallel_planes_are_refused_without_a_division_by_zero) {
+TEST(PushOut, ParallelPlanesAreRefusedWithoutADivisionByZero) {
     // A slot narrower than the player: nowhere to go.
     Lab lab;
     lab.wall({-20, 0.3}, {20, 0.3}, -50, 50);
@@ -519,7 +559,7 @@ TEST(PushOut, parallel_planes_are_refused_without_a_division_by_zero) {
     }
 }
 
-TEST(StartingInside, moves_that_lead_out_are_free) {
+TEST(StartingInside, MovesThatLeadOutAreFree) {
     Lab lab;
     lab.wall({0, -40}, {0, 40});
     lab.ready();

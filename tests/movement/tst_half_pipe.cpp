@@ -48,14 +48,14 @@ PlayerState ride_through(const Pipe& pipe, double speed) {
     return state;
 }
 
-TEST(HalfPipe, of_768_faces_keeps_the_speed) {
+TEST(HalfPipe, Of768FacesKeepsTheSpeed) {
     // Turning keeps the length but for rounding: 767 turns of a few units in the last place.
     Pipe pipe = make_pipe();
     pipe.s.gravity = 0.0;
     EXPECT_NEAR(ride_through(pipe, 10.0).velocity.norm(), 10.0, 767 * 8e-16 * 10.0);
 }
 
-TEST(HalfPipe, of_768_faces_takes_the_product_of_the_cosines_without_keep_energy) {
+TEST(HalfPipe, Of768FacesTakesTheProductOfTheCosinesWithoutKeepEnergy) {
     Pipe pipe = make_pipe();
     pipe.s.gravity = 0.0;
     pipe.s.keep_energy = false;
@@ -93,14 +93,14 @@ Swing swing(const Pipe& pipe) {
     return result;
 }
 
-TEST(HalfPipe, of_768_faces_keeps_the_energy_of_a_swing) {
+TEST(HalfPipe, Of768FacesKeepsTheEnergyOfASwing) {
     // 7200 parts, each of which rounds a few units in the last place, 3e-16: less than 1e-11.
     const Swing kept = swing(make_pipe());
     EXPECT_NEAR(kept.least, 1.0, 1e-11);
     EXPECT_NEAR(kept.maximum, 1.0, 1e-11);
 }
 
-TEST(HalfPipe, of_768_faces_takes_energy_from_a_swing_without_keep_energy) {
+TEST(HalfPipe, Of768FacesTakesEnergyFromASwingWithoutKeepEnergy) {
     // At each edge the fraction sin(a)^2 of the kinetic energy is lost. At the angle b below the rim that
     // energy is g r sin b of the g r of the fall, so a pass loses the sum of a a sin b over the edges, which
     // lie a apart: a times the integral of sin b from 0 to pi, 2 a = 0.0082. A part of 1/2880 s still cuts

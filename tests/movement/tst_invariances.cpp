@@ -60,7 +60,7 @@ Vec3 route(const Lab& lab, const MovementSettings& s, const Vec3& start, int rat
 const auto as_it_is = [](const auto& v) { return v; };
 const Vec3 start{0.2, 0.902, 6};
 
-TEST(Invariance, of_the_frame_rate_with_sub_steps) {
+TEST(Invariance, OfTheFrameRateWithSubSteps) {
     // 1/720 s divides 1/30, 1/60, 1/120, 1/240 and 1/360 s, so every rate runs through the same parts.
     const Lab lab = yard(as_it_is);
     MovementSettings s = every_hack();
@@ -70,7 +70,7 @@ TEST(Invariance, of_the_frame_rate_with_sub_steps) {
         EXPECT_LT((route(lab, s, start, rate, as_it_is) - reference).norm(), 0.01) << rate;
 }
 
-TEST(Invariance, of_the_order_and_cut_of_triangles) {
+TEST(Invariance, OfTheOrderAndCutOfTriangles) {
     const MovementSettings s = every_hack();
     const Vec3 reference = route(yard(as_it_is), s, start, 60, as_it_is);
     EXPECT_EQ(route(yard(as_it_is, true), s, start, 60, as_it_is), reference);
@@ -79,7 +79,7 @@ TEST(Invariance, of_the_order_and_cut_of_triangles) {
             << cuts;
 }
 
-TEST(Invariance, of_rigid_motions) {
+TEST(Invariance, OfRigidMotions) {
     const MovementSettings s = every_hack();
     const Vec3 reference = route(yard(as_it_is), s, start, 60, as_it_is);
     // Mirrored in x: every operation is the same but for signs.
@@ -99,7 +99,7 @@ TEST(Invariance, of_rigid_motions) {
     EXPECT_LT((moved - offset - reference).norm(), 1e-3);
 }
 
-TEST(Invariance, of_a_turn_about_y_by_any_angle) {
+TEST(Invariance, OfATurnAboutYByAnyAngle) {
     // A turned corner, up to 28 m out, is rounded to float by up to 1e-6 m, and so are the places at which
     // steps, rims and pillars turn the player; 12 s make less than a hundred times that of it.
     const MovementSettings s = every_hack();
@@ -117,7 +117,7 @@ TEST(Invariance, of_a_turn_about_y_by_any_angle) {
     }
 }
 
-TEST(NeverInside, with_every_hack_in_a_hostile_yard) {
+TEST(NeverInside, WithEveryHackInAHostileYard) {
     // Random triangles, slivers among them, over the yard's floor, and random steps of any length and rate.
     Random random(11);
     Lab lab;
@@ -149,7 +149,7 @@ TEST(NeverInside, with_every_hack_in_a_hostile_yard) {
     EXPECT_GT(walked, 5000);
 }
 
-TEST(StepUp, climbs_stairs_at_every_rate_and_gains_nothing_along_a_wall) {
+TEST(StepUp, ClimbsStairsAtEveryRateAndGainsNothingAlongAWall) {
     // 10 steps of 0.3 m by 0.4 m at 4 m/s: 4 m of way, 1 s at best, 1.5 s allowed.
     for (const int rate : {60, 120, 240, 360}) {
         MovementSettings s = every_hack();
@@ -195,7 +195,7 @@ TEST(StepUp, climbs_stairs_at_every_rate_and_gains_nothing_along_a_wall) {
     }
 }
 
-TEST(StepUp, respects_low_ceilings) {
+TEST(StepUp, RespectsLowCeilings) {
     // A step of 0.3 m under a ceiling that leaves 1.9 m above the floor: standing on the step needs 2.1 m.
     MovementSettings s = every_hack();
     Lab lab;
@@ -209,7 +209,7 @@ TEST(StepUp, respects_low_ceilings) {
     EXPECT_FALSE(overlaps_any(lab.world(), s.radii, state.position));
 }
 
-TEST(SnapDown, keeps_to_the_ground_over_a_crest) {
+TEST(SnapDown, KeepsToTheGroundOverACrest) {
     // From level ground onto a slope of 40 degrees down at 6 m/s: without it the player flies. Six ticks to 6
     // m/s make 0.3 m of the 4 m to the crest, 37 more the rest, so the ground is left over the crest itself,
     // where the next 0.1 m take the rim 0.9 (1 - sqrt(1 - (0.1 / 0.4)^2)) = 0.029 m away, more than the press

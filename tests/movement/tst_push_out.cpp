@@ -34,7 +34,7 @@ Vec3 exact_answer(const MovementSettings& s, double angle, const Vec3& from) {
     return {0, from.y(), need / std::sin(half)};
 }
 
-TEST(PushOut, is_the_projection_on_the_cone_in_wedges_of_5_to_85_degrees) {
+TEST(PushOut, IsTheProjectionOnTheConeInWedgesOf5To85Degrees) {
     Random random(7);
     MovementSettings s = basic_settings();
     s.gravity = 0.0;
@@ -56,7 +56,7 @@ TEST(PushOut, is_the_projection_on_the_cone_in_wedges_of_5_to_85_degrees) {
     }
 }
 
-TEST(PushOut, iterates_out_of_the_same_wedges) {
+TEST(PushOut, IteratesOutOfTheSameWedges) {
     Random random(8);
     MovementSettings s = basic_settings();
     s.gravity = 0.0;
@@ -73,7 +73,7 @@ TEST(PushOut, iterates_out_of_the_same_wedges) {
     }
 }
 
-TEST(PushOut, off_leaves_the_player_inside) {
+TEST(PushOut, OffLeavesThePlayerInside) {
     MovementSettings s = basic_settings();
     s.gravity = 0.0;
     Lab lab = wedge(radians(20));
@@ -82,7 +82,7 @@ TEST(PushOut, off_leaves_the_player_inside) {
     EXPECT_TRUE(overlaps_any(lab.world(), s.radii, to));
 }
 
-TEST(PushOut, three_planes_are_left_at_their_point) {
+TEST(PushOut, ThreePlanesAreLeftAtTheirPoint) {
     // A corner of three perpendicular faces: the point is need away from each, exactly (r + skin) for each
     // axis.
     MovementSettings s = basic_settings();
@@ -135,7 +135,7 @@ int window(MovementSettings s, double dt, bool late) {
     return works;
 }
 
-TEST(JumpFeel, windows_are_exact_to_the_tick) {
+TEST(JumpFeel, WindowsAreExactToTheTick) {
     // 0.1 s is 6 ticks at 60 Hz, 12 at 120 and 3 at 30.
     for (const int rate : {30, 60, 120}) {
         MovementSettings s = basic_settings();
@@ -149,7 +149,7 @@ TEST(JumpFeel, windows_are_exact_to_the_tick) {
     }
 }
 
-TEST(JumpFeel, a_cut_jump_has_the_height_of_its_speed) {
+TEST(JumpFeel, ACutJumpHasTheHeightOfItsSpeed) {
     // Let go after 5 ticks: the speed is then 8 - 20 * 5 / 60 = 6.333, cut to 0.4 of that, 2.533, which rises
     // by 2.533 * 2.533 / 40 = 0.160 m more on top of 5 ticks of 8 t - 10 t t = 0.597 m.
     MovementSettings s = basic_settings();
@@ -169,7 +169,7 @@ TEST(JumpFeel, a_cut_jump_has_the_height_of_its_speed) {
     EXPECT_NEAR(top, 0.597 + 0.160, 0.002);
 }
 
-TEST(Nudge, frees_within_its_distance_and_says_so_where_it_cannot) {
+TEST(Nudge, FreesWithinItsDistanceAndSaysSoWhereItCannot) {
     MovementSettings s = basic_settings();
     s.gravity = 0.0;
     s.nudge = true;
@@ -186,6 +186,34 @@ TEST(Nudge, frees_within_its_distance_and_says_so_where_it_cannot) {
     const PlayerState trapped = step(lab.scene(), s, at({0.15, 5, 0}), {}, tick, &trace).state;
     EXPECT_TRUE(trapped.trapped);
     EXPECT_TRUE(has_decision(trace, "nudge", false, "Trapped"));
+}
+
+// Specks of geometry lie at the player and a metre away in all directions but one; the next ring, at two
+// metres, is free.
+TEST(Nudge, TriesEachOfItsDirections) {
+    MovementSettings s = basic_settings();
+    s.gravity = 0.0;
+    s.nudge = true;
+    s.nudge_distance = 8.0;
+    s.radii = Vec3::Constant(0.3);
+    std::vector<Vec3> directions;
+    for (int i = 0; i < 27; ++i)
+        if (i != 13) directions.push_back(Vec3(i / 9 - 1, i / 3 % 3 - 1, i % 3 - 1).normalized());
+    for (const Vec3& free : directions) {
+        Lab lab;
+        const auto speck = [&](const Vec3& position) {
+            lab.polygon({position, position + Vec3(0.01, 0, 0), position + Vec3(0, 0.01, 0)});
+        };
+        speck({0.11, 0.07, 0.03});
+        for (const Vec3& other : directions)
+            if (other != free) speck(other);
+        lab.ready();
+        TraceRecorder trace;
+        const PlayerState freed = step(lab.scene(), s, at(Vec3::Zero()), {}, tick, &trace).state;
+        EXPECT_LT((freed.position - free).norm(), 1e-9) << free.transpose();
+        EXPECT_EQ(decisions_of(trace, Decision::push_out_off).size(), 1u);
+        EXPECT_EQ(decisions_of(trace, Decision::nudged).size(), 1u);
+    }
 }
 
 }  // namespace

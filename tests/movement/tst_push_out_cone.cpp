@@ -28,7 +28,7 @@ PushOutRecord push_record(const Lab& lab, const MovementSettings& s, const Vec3&
     return {};
 }
 
-TEST(PushOutCone, is_the_exact_projection_for_two_and_three_planes_of_any_orientation) {
+TEST(PushOutCone, IsTheExactProjectionForTwoAndThreePlanesOfAnyOrientation) {
     // The answer may lie on one plane, on a line or in the point; each must come up often enough.
     Random random(21);
     std::array<int, 4> ended_on{};
@@ -61,7 +61,7 @@ TEST(PushOutCone, is_the_exact_projection_for_two_and_three_planes_of_any_orient
         EXPECT_GT(ended_on[planes], 100) << planes;
 }
 
-TEST(PushOutCone, is_the_exact_projection_for_four_to_eight_planes) {
+TEST(PushOutCone, IsTheExactProjectionForFourToEightPlanes) {
     // A pit of faces that lean outwards around +Y. Only three of them can decide, whichever they are.
     Random random(22);
     int requested = 0;
@@ -95,7 +95,7 @@ TEST(PushOutCone, is_the_exact_projection_for_four_to_eight_planes) {
     EXPECT_GT(requested, 300);
 }
 
-TEST(PushOutCone, four_planes_of_a_pyramid_are_left_over_its_point) {
+TEST(PushOutCone, FourPlanesOfAPyramidAreLeftOverItsPoint) {
     // Four faces, each 60 degrees steep, that meet at the origin: by symmetry the nearest place that is off
     // all of them from below is on the axis, where n.(0, y, 0) = |R n| + skin, which is centre_height.
     const double a = radians(60);
@@ -110,7 +110,7 @@ TEST(PushOutCone, four_planes_of_a_pyramid_are_left_over_its_point) {
     }
 }
 
-TEST(PushOutCone, more_planes_than_are_kept_are_left_all_the_same) {
+TEST(PushOutCone, MorePlanesThanAreKeptAreLeftAllTheSame) {
     // Sixteen faces of a round pit, 60 degrees steep. Eight planes are kept, those overlapped deepest, and
     // the rest is left one by one. That is no longer the shortest way, and nothing says how much longer it
     // is: not twice as long.
@@ -143,7 +143,7 @@ TEST(PushOutCone, more_planes_than_are_kept_are_left_all_the_same) {
     }
 }
 
-TEST(PushOutCone, faces_that_are_nearly_one_plane_count_once) {
+TEST(PushOutCone, FacesThatAreNearlyOnePlaneCountOnce) {
     // Their line, if they were taken for two, lies 1 / tilt times as far away as their heights differ. The
     // upper one counts, and the lower one is then left by as much as it lies lower.
     const MovementSettings s = pushed(PushOut::analytic);
@@ -162,7 +162,7 @@ TEST(PushOutCone, faces_that_are_nearly_one_plane_count_once) {
     }
 }
 
-TEST(PushOutCone, a_slot_with_nearly_parallel_sides_is_not_left) {
+TEST(PushOutCone, ASlotWithNearlyParallelSidesIsNotLeft) {
     // Two walls 0.6 m apart whose planes meet 0.6 / tilt away, at least 60 km: with no line worth going to,
     // nothing is free, and the player stays.
     for (const double tilt : {0.0, 1e-9, 1e-7, 1e-5}) {
@@ -212,7 +212,7 @@ void drive(const Lab& lab, const MovementSettings& s, const std::vector<HalfSpac
     }
 }
 
-TEST(PushOutCone, drives_into_wedges_and_corners_end_outside_on_the_same_side_and_near) {
+TEST(PushOutCone, DrivesIntoWedgesAndCornersEndOutsideOnTheSameSideAndNear) {
     // Near: no further than the shortest way out, to 1e-6 m, and what the speed makes of the ticks.
     ASSERT_GT(drives(), 0);
     Random random(24);
@@ -233,7 +233,7 @@ TEST(PushOutCone, drives_into_wedges_and_corners_end_outside_on_the_same_side_an
     }
 }
 
-TEST(PushOutCone, iterating_drives_into_wedges_end_outside_on_the_same_side_and_near) {
+TEST(PushOutCone, IteratingDrivesIntoWedgesEndOutsideOnTheSameSideAndNear) {
     // Every round is a projection on a plane that the centre has to leave, and no such step is longer than
     // what is left of the shortest way; in a wedge their sum is that way.
     Random random(25);
@@ -253,7 +253,7 @@ TEST(PushOutCone, iterating_drives_into_wedges_end_outside_on_the_same_side_and_
 }
 
 // The point of three narrow faces may be metres away, and rounds alone do not always get there.
-TEST(PushOutCone, iterating_leaves_every_corner) {
+TEST(PushOutCone, IteratingLeavesEveryCorner) {
     Random random(26);
     const MovementSettings s = pushed(PushOut::iterative);
     for (int i = 0; i < 2000; ++i) {

@@ -66,7 +66,7 @@ Evenness walk_in_circles(const Lab& lab, const MovementSettings& s, double slope
     return maximum;
 }
 
-TEST(SeamFilter, no_bumps_in_10_to_the_5_ticks_over_random_triangulations_of_a_plane) {
+TEST(SeamFilter, NoBumpsIn10ToThe5TicksOverRandomTriangulationsOfAPlane) {
     // Five level planes, whose corners floats hold exactly in height, and five of 10 degrees, whose corners
     // are rounded by up to 2.4e-7 m in height and 1e-6 m along: seams that do rise, by up to 4e-7 m. A
     // thousandth of the skin, 2e-6 m, may be missing without a push.
@@ -84,7 +84,7 @@ TEST(SeamFilter, no_bumps_in_10_to_the_5_ticks_over_random_triangulations_of_a_p
     }
 }
 
-TEST(SeamFilter, bumps_of_a_millimetre_are_felt_as_such) {
+TEST(SeamFilter, BumpsOfAMillimetreAreFeltAsSuch) {
     // The player stands on the highest corners, at most 1 mm up, and comes near to that in 2000 ticks.
     Random random(4);
     const Evenness maximum =

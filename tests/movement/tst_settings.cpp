@@ -12,7 +12,7 @@ namespace slipface::test {
 
 using ::testing::HasSubstr;
 
-TEST(SettingsTable, describes_every_setting_completely) {
+TEST(SettingsTable, DescribesEverySettingCompletely) {
     std::set<std::string> names;
     const MovementSettings defaults;
     for (const SettingInfo& info : settings_table()) {
@@ -39,7 +39,7 @@ TEST(SettingsTable, describes_every_setting_completely) {
     EXPECT_EQ(find_setting("no_such"), nullptr);
 }
 
-TEST(SettingsTable, has_a_section_of_the_page_for_every_hack) {
+TEST(SettingsTable, HasASectionOfThePageForEveryHack) {
     std::ifstream file(SLIPFACE_SOURCE_DIR "/docs/movement.md");
     const std::string page(std::istreambuf_iterator<char>(file), {});
     for (const SettingInfo& info : settings_table()) {
@@ -50,7 +50,7 @@ TEST(SettingsTable, has_a_section_of_the_page_for_every_hack) {
     }
 }
 
-TEST(SettingsTable, reaches_every_member) {
+TEST(SettingsTable, ReachesEveryMember) {
     // Every row sets its own member and no other: set all rows to their minimum one by one; each must change
     // the struct.
     for (const SettingInfo& info : settings_table()) {
@@ -72,7 +72,7 @@ TEST(SettingsTable, reaches_every_member) {
     }
 }
 
-TEST(SetSetting, reads_numbers_switches_choices_and_degrees) {
+TEST(SetSetting, ReadsNumbersSwitchesChoicesAndDegrees) {
     MovementSettings s;
     EXPECT_TRUE(set_setting(s, "walk_speed=7.5").ok());
     EXPECT_EQ(s.walk_speed, 7.5);
@@ -95,7 +95,7 @@ TEST(SetSetting, reads_numbers_switches_choices_and_degrees) {
     EXPECT_EQ(s.radii, Vec3(0.4, 1.5, 0.4));
 }
 
-TEST(SetSetting, refuses_bad_input_and_leaves_the_settings_alone) {
+TEST(SetSetting, RefusesBadInputAndLeavesTheSettingsAlone) {
     MovementSettings s;
     const auto error = [&](std::string_view assignment) {
         const Status status = set_setting(s, assignment);

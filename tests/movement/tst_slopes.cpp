@@ -33,7 +33,7 @@ Descent run_down_45(MovementSettings s, int ticks, double dt) {
     return descent;
 }
 
-TEST(StickToFloor, at_45_degrees_and_10_m_per_s_is_grounded_in_every_tick) {
+TEST(StickToFloor, At45DegreesAnd10MPerSIsGroundedInEveryTick) {
     // Each tick the slope falls away by 10 / rate metres, 0.333 m at 30 Hz, of the 0.35 m that are snapped.
     for (const int rate : {30, 60, 120, 240, 360}) {
         for (const bool pressed : {false, true}) {
@@ -47,7 +47,7 @@ TEST(StickToFloor, at_45_degrees_and_10_m_per_s_is_grounded_in_every_tick) {
     }
 }
 
-TEST(StickToFloor, off_the_player_flies_by_the_parabola) {
+TEST(StickToFloor, OffThePlayerFliesByTheParabola) {
     // Off the ground with no vertical speed, g t t / 2 meets the slope's v t tan a at t = 2 v tan a / g. With
     // g = 19 that is 1.0526 s, 63.2 ticks at 60 Hz: 63 ticks in the air, one on the ground, again and again.
     // In between the gap is v t tan a - g t t / 2, greatest at half the time: (v tan a)^2 / (2 g) = 2.632 m
@@ -88,7 +88,7 @@ Along push_along(const Lab& lab, const MovementSettings& s, PlayerState state, d
     return along;
 }
 
-TEST(StairWalk, along_a_wall_makes_the_tangential_part_in_every_tick) {
+TEST(StairWalk, AlongAWallMakesTheTangentialPartInEveryTick) {
     // Pushing by `degrees` into the wall leaves the cosine of the walking speed. What the stick gives back of
     // the part into the wall points into the wall, so it adds nothing along it; a second before the
     // measurement lets the speed settle to 2e-5.
@@ -140,7 +140,7 @@ Along walk_up(bool on, int rate, double degrees) {
     return push_along(lab, s, walking, degrees, 3 * rate, dt);
 }
 
-TEST(StairWalk, up_stairs_along_a_wall_gains_nothing_and_stays_on_the_ground) {
+TEST(StairWalk, UpStairsAlongAWallGainsNothingAndStaysOnTheGround) {
     for (const double degrees : {10.0, 30.0, 45.0}) {
         for (const int rate : {60, 120, 240, 360}) {
             const Along along = walk_up(true, rate, degrees);
@@ -158,7 +158,7 @@ TEST(StairWalk, up_stairs_along_a_wall_gains_nothing_and_stays_on_the_ground) {
     }
 }
 
-TEST(StairWalk, up_stairs_along_a_wall_ends_at_the_first_step_without_step_up) {
+TEST(StairWalk, UpStairsAlongAWallEndsAtTheFirstStepWithoutStepUp) {
     // The rim, 0.3 m up, is 0.602 m below the centre, where the ellipsoid is 0.4 sqrt(1 - (0.602 / 0.9)^2) =
     // 0.29734 m wide. Its normal there, (x / 0.16, y / 0.81) made unit, has 0.9286 along X: a skin off it is
     // 0.002 / 0.9286 = 0.00215 m along X.
@@ -168,6 +168,21 @@ TEST(StairWalk, up_stairs_along_a_wall_ends_at_the_first_step_without_step_up) {
             EXPECT_NEAR(along.end.position.x(), 2.0 - 0.29734 - 0.00215, 1e-4) << rate << " Hz, " << degrees;
             EXPECT_NEAR(along.end.position.y(), 0.902, 1e-6) << rate << " Hz, " << degrees;
         }
+    }
+}
+
+// A ramp deflects the move of a walking player and leaves its velocity to the stick, beside a wall too.
+TEST(RampWalk, AlongAWallKeepsTheVelocityOfTheStick) {
+    for (const double degrees : {10.0, 45.0, 70.0}) {
+        const MovementSettings s = basic_settings();
+        Lab lab;
+        lab.slope(radians(30));
+        lab.wall({-50, 0}, {50, 0}, -50, 50);
+        lab.ready();
+        const PlayerState foot = at({0, centre_height(s, slope_normal(radians(30))), s.radii.z() + s.skin});
+        const PlayerState walking = push_along(lab, s, foot, degrees, 60, tick).end;
+        EXPECT_TRUE(walking.grounded);
+        EXPECT_NEAR(walking.velocity.x(), s.walk_speed * std::cos(radians(degrees)), 1e-4) << degrees;
     }
 }
 

@@ -72,7 +72,7 @@ std::uint64_t walk_randomly(Lab& lab, const MovementSettings& s, int steps, doub
 
 }  // namespace
 
-TEST(NeverInside, over_random_walks_in_a_hostile_room) {
+TEST(NeverInside, OverRandomWalksInAHostileRoom) {
     Lab lab;
     build_hostile(lab);
     MovementSettings s = basic_settings();
@@ -87,7 +87,7 @@ TEST(NeverInside, over_random_walks_in_a_hostile_room) {
     walk_randomly(lab, s, 5000, 300.0, 3);
 }
 
-TEST(NeverInside, on_every_surface_type) {
+TEST(NeverInside, OnEverySurfaceType) {
     for (const SurfaceId surface : {ice, ladder, sticky, bouncy, conveyor, turntable}) {
         Lab lab;
         build_hostile(lab, surface);
@@ -98,7 +98,7 @@ TEST(NeverInside, on_every_surface_type) {
     }
 }
 
-TEST(NeverInside, one_huge_step_does_not_tunnel) {
+TEST(NeverInside, OneHugeStepDoesNotTunnel) {
     Lab lab;
     lab.wall({2, -50}, {2, 50}, -50, 50);
     lab.ready();
@@ -108,7 +108,7 @@ TEST(NeverInside, one_huge_step_does_not_tunnel) {
     EXPECT_NEAR(state.position.x(), 2 - 0.4 - s.skin, 1e-6);
 }
 
-TEST(Energy, never_grows_without_input) {
+TEST(Energy, NeverGrowsWithoutInput) {
     // Kinetic and potential energy per mass. The push that restores a skin may lift the player by a skin.
     for (const SurfaceId surface : {plain, ice, bouncy}) {
         for (int variant = 0; variant < 8; ++variant) {
@@ -148,7 +148,7 @@ TEST(Energy, never_grows_without_input) {
     }
 }
 
-TEST(Determinism, the_same_arguments_give_the_same_bits) {
+TEST(Determinism, TheSameArgumentsGiveTheSameBits) {
     Lab lab;
     build_hostile(lab);
     MovementSettings s = basic_settings();
@@ -160,7 +160,7 @@ TEST(Determinism, the_same_arguments_give_the_same_bits) {
     EXPECT_NE(walk_randomly(lab, s, 5000, 30.0, 7), first);
 }
 
-TEST(Determinism, a_trace_changes_nothing) {
+TEST(Determinism, ATraceChangesNothing) {
     Lab lab;
     build_hostile(lab);
     const MovementSettings s = basic_settings();
@@ -179,7 +179,7 @@ TEST(Determinism, a_trace_changes_nothing) {
     EXPECT_GT(trace.records.size(), 300u);
 }
 
-TEST(BadInput, leaves_the_state_unchanged) {
+TEST(BadInput, LeavesTheStateUnchanged) {
     Lab lab;
     lab.floor();
     lab.ready();
@@ -215,7 +215,7 @@ TEST(BadInput, leaves_the_state_unchanged) {
     EXPECT_TRUE(huge.velocity.allFinite());
 }
 
-TEST(EmptyWorld, is_fallen_through_for_ever) {
+TEST(EmptyWorld, IsFallenThroughForEver) {
     const CollisionWorld nothing;
     const MovementScene scene{.collision = nothing, .surfaces = {}};
     PlayerState state = at({0, 0, 0});

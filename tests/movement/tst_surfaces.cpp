@@ -29,7 +29,7 @@ PlayerState on_ladder(const Lab& lab, const MovementSettings& s) {
 
 }  // namespace
 
-TEST(Ladder, is_climbed_at_its_speed_without_gravity) {
+TEST(Ladder, IsClimbedAtItsSpeedWithoutGravity) {
     Lab lab;
     build_ladder(lab);
     const MovementSettings s = basic_settings();
@@ -54,7 +54,7 @@ TEST(Ladder, is_climbed_at_its_speed_without_gravity) {
     EXPECT_NEAR(state.position.y(), rest.y() - 0.5, 1e-6);
 }
 
-TEST(Ladder, is_left_at_the_floor) {
+TEST(Ladder, IsLeftAtTheFloor) {
     Lab lab;
     build_ladder(lab);
     const MovementSettings s = basic_settings();
@@ -66,7 +66,7 @@ TEST(Ladder, is_left_at_the_floor) {
     EXPECT_LT(state.position.x(), 0.0) << "walks away";
 }
 
-TEST(Ladder, is_left_at_the_top_by_walking_onto_it) {
+TEST(Ladder, IsLeftAtTheTopByWalkingOntoIt) {
     Lab lab;
     build_ladder(lab);
     const MovementSettings s = basic_settings();
@@ -82,7 +82,7 @@ TEST(Ladder, is_left_at_the_top_by_walking_onto_it) {
     EXPECT_NEAR(state.position.y(), 4.0 + 0.9 + s.skin, 1e-6);
 }
 
-TEST(Ladder, is_left_by_a_jump_off_along_the_normal) {
+TEST(Ladder, IsLeftByAJumpOffAlongTheNormal) {
     Lab lab;
     build_ladder(lab);
     const MovementSettings s = basic_settings();
@@ -94,7 +94,7 @@ TEST(Ladder, is_left_by_a_jump_off_along_the_normal) {
     EXPECT_NEAR(state.position.x(), x - 8.0 * tick, 1e-6);
 }
 
-TEST(Ladder, that_ends_below_a_wall_holds_at_its_end) {
+TEST(Ladder, ThatEndsBelowAWallHoldsAtItsEnd) {
     Lab lab;
     lab.floor();
     lab.wall({2, -5}, {2, 5}, 0.0, 3.0, ladder);
@@ -108,7 +108,47 @@ TEST(Ladder, that_ends_below_a_wall_holds_at_its_end) {
     EXPECT_NEAR(run(lab, s, state, wish(1, 0), 60).position.y(), y, 1e-9);
 }
 
-TEST(Ladder, is_a_wall_without_surface_types) {
+// A ladder that leans against a wall: the wall ends the climb, and what the player holds on to stays the
+// ladder.
+TEST(Ladder, ThatLeansAgainstAWallIsHeldOnToAtItsEnd) {
+    Lab lab;
+    lab.floor();
+    lab.polygon({{2, 0, -5}, {2, 0, 5}, {3, 3, 5}, {3, 3, -5}}, ladder);
+    lab.wall({3, -5}, {3, 5}, 3.0, 9.0);
+    lab.ready();
+    const MovementSettings s = basic_settings();
+    PlayerState state = on_ladder(lab, s);
+    for (int i = 0; i < 120; ++i) {
+        state = step(lab.scene(), s, state, wish(1, 0), tick).state;
+        ASSERT_TRUE(state.climbing) << i;
+        ASSERT_EQ(state.ground_surface, ladder) << i;
+    }
+    EXPECT_GT(state.position.y(), 2.5);
+}
+
+// A platform that moves where the player never comes changes nothing of a climb onto the top of a ladder.
+TEST(Ladder, IsClimbedAlikeBesideAFarPlatform) {
+    Lab lab, far;
+    build_ladder(lab);
+    far.floor(100.0);
+    far.ready();
+    const Pose before{.offset = Vec3(0, -0.1, 0)};
+    const std::vector<MovingPart> parts{{.collision = &far.world(), .begin = before, .end = {}}};
+    MovementScene with = lab.scene();
+    with.platforms = parts;
+    const MovementSettings s = basic_settings();
+    PlayerState one = on_ladder(lab, s), other = one;
+    bool arrived = false;
+    for (int i = 0; i < 180; ++i) {
+        one = step(lab.scene(), s, one, wish(1, 0), tick).state;
+        other = step(with, s, other, wish(1, 0), tick).state;
+        ASSERT_EQ(one, other) << i;
+        arrived = arrived || one.grounded;
+    }
+    EXPECT_TRUE(arrived);
+}
+
+TEST(Ladder, IsAWallWithoutSurfaceTypes) {
     Lab lab;
     build_ladder(lab);
     MovementSettings s = basic_settings();
@@ -116,7 +156,7 @@ TEST(Ladder, is_a_wall_without_surface_types) {
     EXPECT_FALSE(on_ladder(lab, s).climbing);
 }
 
-TEST(Ladder, is_passed_by_who_walks_along_it) {
+TEST(Ladder, IsPassedByWhoWalksAlongIt) {
     Lab lab;
     build_ladder(lab);
     const MovementSettings s = basic_settings();
@@ -132,7 +172,7 @@ TEST(Ladder, is_passed_by_who_walks_along_it) {
 // --- sticky
 // ----------------------------------------------------------------------------------------------------------
 
-TEST(Sticky, walls_and_ceilings_hold_until_a_jump) {
+TEST(Sticky, WallsAndCeilingsHoldUntilAJump) {
     for (const bool overhead : {false, true}) {
         Lab lab;
         lab.floor(-40);
@@ -162,7 +202,7 @@ TEST(Sticky, walls_and_ceilings_hold_until_a_jump) {
     }
 }
 
-TEST(Sticky, does_not_act_without_surface_types) {
+TEST(Sticky, DoesNotActWithoutSurfaceTypes) {
     Lab lab;
     lab.floor(0, sticky);
     lab.ready();
@@ -175,7 +215,7 @@ TEST(Sticky, does_not_act_without_surface_types) {
 // --- bounce
 // ----------------------------------------------------------------------------------------------------------
 
-TEST(Bouncy, drop_heights_fall_by_the_square_of_the_restitution) {
+TEST(Bouncy, DropHeightsFallByTheSquareOfTheRestitution) {
     for (const double e : {0.5, 0.8, 1.0}) {
         for (const int rate : {30, 60, 240}) {
             Lab lab;
@@ -208,7 +248,26 @@ TEST(Bouncy, drop_heights_fall_by_the_square_of_the_restitution) {
     }
 }
 
-TEST(Bouncy, without_surface_types_it_stops) {
+// A bounce is flight: it leaves nothing to stand on, and no late jump starts from it.
+TEST(Bouncy, ABounceIsNoGroundToJumpFrom) {
+    Lab lab;
+    lab.floor(0, bouncy);
+    lab.ready();
+    const MovementSettings s = every_hack();
+    PlayerState state = at({0, 1.0, 0}, {0, -6, 0});
+    state.coyote_s = s.coyote_time;
+    for (int i = 0; i < 10 && state.velocity.y() < 0.0; ++i)
+        state = step(lab.scene(), s, state, {}, tick).state;
+    ASSERT_GT(state.velocity.y(), 1.0);
+    EXPECT_FALSE(state.grounded);
+    EXPECT_EQ(state.ground_face, no_id);
+    EXPECT_EQ(state.coyote_s, 0.0);
+    TraceRecorder trace;
+    step(lab.scene(), s, state, wish(0, 0, true), tick, &trace);
+    EXPECT_TRUE(decisions_of(trace, Decision::jumped).empty());
+}
+
+TEST(Bouncy, WithoutSurfaceTypesItStops) {
     Lab lab;
     lab.floor(0, bouncy);
     lab.ready();
@@ -222,7 +281,7 @@ TEST(Bouncy, without_surface_types_it_stops) {
     EXPECT_TRUE(state.grounded);
 }
 
-TEST(Bouncy, comes_to_rest_and_can_be_walked_on) {
+TEST(Bouncy, ComesToRestAndCanBeWalkedOn) {
     Lab lab;
     lab.floor(0, bouncy);
     lab.ready();
@@ -235,7 +294,7 @@ TEST(Bouncy, comes_to_rest_and_can_be_walked_on) {
     }
 }
 
-TEST(Bouncy, walls_reflect_and_scale_the_parallel_part_by_friction) {
+TEST(Bouncy, WallsReflectAndScaleTheParallelPartByFriction) {
     Lab lab;
     lab.surfaces[bouncy].restitution = 0.5;
     lab.surfaces[bouncy].friction = 4.0;  // keeps a quarter
@@ -247,7 +306,7 @@ TEST(Bouncy, walls_reflect_and_scale_the_parallel_part_by_friction) {
     EXPECT_LT((state.velocity - Vec3(-4, 0, 1)).norm(), 1e-9);
 }
 
-TEST(Ladder, a_jump_remembered_from_before_it_is_traced_once) {
+TEST(Ladder, AJumpRememberedFromBeforeItIsTracedOnce) {
     Lab lab;
     build_ladder(lab);
     MovementSettings s = basic_settings();
@@ -267,7 +326,7 @@ TEST(Ladder, a_jump_remembered_from_before_it_is_traced_once) {
     EXPECT_EQ(explained, 1);
 }
 
-TEST(Conveyor, that_pushes_into_a_wall_is_no_reason_to_step_up) {
+TEST(Conveyor, ThatPushesIntoAWallIsNoReasonToStepUp) {
     Lab lab;
     lab.surfaces[conveyor].velocity = Vec3(2, 0, 0);
     lab.floor(0, conveyor);
@@ -282,7 +341,44 @@ TEST(Conveyor, that_pushes_into_a_wall_is_no_reason_to_step_up) {
     EXPECT_FALSE(has_decision(trace, "step_up", true, ""));
 }
 
-TEST(Platforms, switched_off_give_no_velocity_to_a_jump) {
+TEST(Terrain, ItsDistanceBelowTheFeetIsTraced) {
+    Lab lab;
+    lab.floor(-50);
+    lab.ready();
+    const Heightfield field{
+        .columns = 2, .rows = 2, .heights = {1, 1, 1, 1}, .origin = {-9, 0, -9}, .size = {18, 18}};
+    MovementScene scene = lab.scene();
+    scene.heightfield = &field;
+    MovementSettings s = basic_settings();
+    s.gravity = 0.0;
+    TraceRecorder trace;
+    step(scene, s, at({0, 4, 0}), {}, tick, &trace);
+    const std::vector<DecisionRecord> above = decisions_of(trace, Decision::terrain_above);
+    ASSERT_EQ(above.size(), 1u);
+    EXPECT_NEAR(above[0].value, 4 - s.radii.y() - 1, 1e-12);
+}
+
+// A wall that comes half a metre along -X in a tick, to 0.05 m inside the player's body, pushes it a skin
+// before itself.
+TEST(Platforms, AWallThatComesPushesThePlayerAhead) {
+    Lab lab, coming;
+    lab.floor(-50);
+    lab.ready();
+    coming.wall({0.35, -5}, {0.35, 5});
+    coming.ready();
+    const Pose before{.offset = Vec3(0.5, 0, 0)};
+    const std::vector<MovingPart> parts{
+        {.collision = &coming.world(), .begin = before, .end = {}, .velocity = Vec3(-30, 0, 0)}};
+    MovementScene scene = lab.scene();
+    scene.platforms = parts;
+    MovementSettings s = basic_settings();
+    s.gravity = 0.0;
+    const PlayerState state = step(scene, s, at({0, 5, 0}), {}, tick).state;
+    EXPECT_NEAR(state.position.x(), 0.35 - s.radii.x() - s.skin, 1e-6);
+    EXPECT_FALSE(state.trapped);
+}
+
+TEST(Platforms, SwitchedOffGiveNoVelocityToAJump) {
     Lab lab;
     lab.floor(-20);
     lab.ready();
@@ -308,7 +404,7 @@ TEST(Platforms, switched_off_give_no_velocity_to_a_jump) {
 // --- moving surfaces
 // -------------------------------------------------------------------------------------------------
 
-TEST(Conveyor, carries_and_gives_its_velocity_on_leave) {
+TEST(Conveyor, CarriesAndGivesItsVelocityOnLeave) {
     Lab lab;
     lab.surfaces[conveyor].velocity = Vec3(0, 0, -2);
     lab.floor(0, conveyor);
@@ -325,7 +421,7 @@ TEST(Conveyor, carries_and_gives_its_velocity_on_leave) {
     EXPECT_NEAR(run(lab, s, state, {}, 60).position.z(), state.position.z(), 1e-9);
 }
 
-TEST(Conveyor, does_not_carry_through_a_wall) {
+TEST(Conveyor, DoesNotCarryThroughAWall) {
     Lab lab;
     lab.floor(0, conveyor);
     lab.wall({-20, -3}, {20, -3});
@@ -336,7 +432,7 @@ TEST(Conveyor, does_not_carry_through_a_wall) {
     EXPECT_TRUE(state.grounded);
 }
 
-TEST(Turntable, carries_on_the_circle) {
+TEST(Turntable, CarriesOnTheCircle) {
     Lab lab;
     lab.surfaces[turntable].angular_velocity = 2 * pi;
     lab.surfaces[turntable].spin_centre = Vec3(1, 0, 2);
@@ -361,7 +457,7 @@ TEST(Turntable, carries_on_the_circle) {
 // --- the rest
 // --------------------------------------------------------------------------------------------------------
 
-TEST(Hazard, is_reported_while_touched) {
+TEST(Hazard, IsReportedWhileTouched) {
     Lab lab;
     lab.polygon({{-5, 0, -5}, {-5, 0, 5}, {0, 0, 5}, {0, 0, -5}});
     lab.polygon({{0, 0, -5}, {0, 0, 5}, {5, 0, 5}, {5, 0, -5}}, hazard);
@@ -374,7 +470,7 @@ TEST(Hazard, is_reported_while_touched) {
     EXPECT_FALSE(run(lab, s, at({3, 1, 0}), {}, 30).hazard);
 }
 
-TEST(Solid, what_is_not_is_passed) {
+TEST(Solid, WhatIsNotIsPassed) {
     Lab lab;
     lab.surfaces[hazard].solid = false;
     lab.floor(-10);
@@ -384,7 +480,7 @@ TEST(Solid, what_is_not_is_passed) {
     EXPECT_NEAR(run(lab, s, at({0, 3, 0}), {}, 180).position.y(), -10 + 0.9 + s.skin, 1e-6);
 }
 
-TEST(OneSided, lets_through_from_behind_only) {
+TEST(OneSided, LetsThroughFromBehindOnly) {
     Lab lab;
     lab.surfaces[bouncy].restitution = 0.0;
     lab.surfaces[bouncy].one_sided = true;
@@ -398,7 +494,7 @@ TEST(OneSided, lets_through_from_behind_only) {
     EXPECT_NEAR(down.position.y(), 0.9 + s.skin, 1e-6) << "and lands on it";
 }
 
-TEST(Surfaces, an_unknown_id_is_plain_ground) {
+TEST(Surfaces, AnUnknownIdIsPlainGround) {
     Lab lab;
     lab.floor(0, SurfaceId{200});
     lab.ready();
@@ -408,7 +504,7 @@ TEST(Surfaces, an_unknown_id_is_plain_ground) {
     EXPECT_TRUE(std::isfinite(step(empty, s, at({0, 1, 0}), {}, tick).state.position.y()));
 }
 
-TEST(Surfaces, presets_are_complete) {
+TEST(Surfaces, PresetsAreComplete) {
     const std::vector<SurfaceType> types = preset_surface_types();
     ASSERT_EQ(types.size(), 8u);
     const std::array<const char*, 8> names{"default", "ice",      "ladder",    "sticky",

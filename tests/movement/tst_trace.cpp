@@ -9,7 +9,7 @@
 
 namespace slipface::test {
 
-TEST(Trace, without_a_sink_a_step_allocates_nothing) {
+TEST(Trace, WithoutASinkAStepAllocatesNothing) {
     Lab lab;
     lab.floor();
     lab.slope(radians(30));
@@ -75,7 +75,7 @@ struct Everything {
     }
 };
 
-TEST(Trace, without_a_sink_a_step_with_every_hack_allocates_nothing) {
+TEST(Trace, WithoutASinkAStepWithEveryHackAllocatesNothing) {
     Everything world;
     const MovementScene scene = world.scene(tick);
     std::set<std::string> acted;
@@ -126,7 +126,7 @@ TEST(Trace, without_a_sink_a_step_with_every_hack_allocates_nothing) {
     EXPECT_GE(hacks, 14u) << ::testing::PrintToString(acted);
 }
 
-TEST(Trace, tells_the_steps_of_a_slide_in_order) {
+TEST(Trace, TellsTheStepsOfASlideInOrder) {
     Lab lab;
     lab.wall({2, -9}, {2, 9});
     lab.ready();
@@ -153,7 +153,7 @@ TEST(Trace, tells_the_steps_of_a_slide_in_order) {
     EXPECT_EQ(second.reached, result.position);
 }
 
-TEST(Trace, every_decision_has_a_sentence_with_its_numbers) {
+TEST(Trace, EveryDecisionHasASentenceWithItsNumbers) {
     for (const DecisionInfo& info : decision_table()) {
         const std::string_view sentence = info.sentence;
         EXPECT_TRUE(find_setting(info.hack) != nullptr || std::string_view(info.hack) == "never_inside")
@@ -175,7 +175,7 @@ TEST(Trace, every_decision_has_a_sentence_with_its_numbers) {
         EXPECT_STRNE(pass_name(pass), "unknown");
 }
 
-TEST(Trace, every_decision_has_finite_numbers_where_its_sentence_has_some) {
+TEST(Trace, EveryDecisionHasFiniteNumbersWhereItsSentenceHasSome) {
     Lab lab;
     lab.floor();
     lab.slope(radians(30), ice);

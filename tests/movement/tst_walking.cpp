@@ -3,7 +3,7 @@
 
 namespace slipface::test {
 
-TEST(Falling, follows_the_parabola_at_every_rate) {
+TEST(Falling, FollowsTheParabolaAtEveryRate) {
     Lab lab;
     lab.floor(-1000.0);
     lab.ready();
@@ -18,7 +18,7 @@ TEST(Falling, follows_the_parabola_at_every_rate) {
     }
 }
 
-TEST(Falling, stops_at_terminal_speed) {
+TEST(Falling, StopsAtTerminalSpeed) {
     Lab lab;
     lab.floor(-1000.0);
     lab.ready();
@@ -27,7 +27,7 @@ TEST(Falling, stops_at_terminal_speed) {
     EXPECT_DOUBLE_EQ(run(lab, s, at({0, 10, 0}), {}, 60).velocity.y(), -7.0);
 }
 
-TEST(Falling, lands_a_skin_above_the_floor) {
+TEST(Falling, LandsASkinAboveTheFloor) {
     Lab lab;
     lab.floor();
     lab.ready();
@@ -39,7 +39,7 @@ TEST(Falling, lands_a_skin_above_the_floor) {
     EXPECT_NEAR(end.ground_normal.y(), 1.0, 1e-12);
 }
 
-TEST(Jumping, reaches_v_squared_over_2g_at_every_rate) {
+TEST(Jumping, ReachesVSquaredOver2gAtEveryRate) {
     Lab lab;
     lab.floor();
     lab.ready();
@@ -63,7 +63,7 @@ TEST(Jumping, reaches_v_squared_over_2g_at_every_rate) {
     }
 }
 
-TEST(Jumping, is_cut_by_a_ceiling) {
+TEST(Jumping, IsCutByACeiling) {
     Lab lab;
     lab.floor();
     lab.floor(2.5);
@@ -79,7 +79,7 @@ TEST(Jumping, is_cut_by_a_ceiling) {
     EXPECT_TRUE(state.grounded);
 }
 
-TEST(Walking, reaches_walk_speed_and_stops) {
+TEST(Walking, ReachesWalkSpeedAndStops) {
     Lab lab;
     lab.floor();
     lab.ready();
@@ -99,7 +99,7 @@ TEST(Walking, reaches_walk_speed_and_stops) {
     EXPECT_NEAR(state.velocity.z(), 4.8, 1e-9);
 }
 
-TEST(Walls, sliding_keeps_the_parallel_speed) {
+TEST(Walls, SlidingKeepsTheParallelSpeed) {
     // A wall along the direction (cos a, sin a) in x, z; the player pushes along +X. What is left of 6 m/s is
     // 6 cos a.
     for (const double degrees : {10.0, 30.0, 45.0, 60.0, 80.0}) {
@@ -126,7 +126,7 @@ TEST(Walls, sliding_keeps_the_parallel_speed) {
     }
 }
 
-TEST(Walls, a_slide_move_has_the_length_of_the_projection) {
+TEST(Walls, ASlideMoveHasTheLengthOfTheProjection) {
     Lab lab;
     lab.wall({-40, 0}, {40, 0});
     lab.ready();
@@ -141,7 +141,7 @@ TEST(Walls, a_slide_move_has_the_length_of_the_projection) {
     EXPECT_EQ(result.remainder, Vec3(Vec3::Zero()));
 }
 
-TEST(Corners, ninety_degrees_hold_without_jitter) {
+TEST(Corners, NinetyDegreesHoldWithoutJitter) {
     Lab lab;
     lab.floor();
     lab.wall({2, -20}, {2, 20});
@@ -159,7 +159,7 @@ TEST(Corners, ninety_degrees_hold_without_jitter) {
     }
 }
 
-TEST(Corners, wedges_of_all_angles_hold_without_jitter_and_without_overlap) {
+TEST(Corners, WedgesOfAllAnglesHoldWithoutJitterAndWithoutOverlap) {
     for (const double degrees : {5.0, 15.0, 30.0, 45.0, 60.0, 85.0, 120.0}) {
         const double half = radians(degrees) / 2;
         Lab lab;
@@ -183,7 +183,7 @@ TEST(Corners, wedges_of_all_angles_hold_without_jitter_and_without_overlap) {
     }
 }
 
-TEST(Corners, a_third_plane_stops_the_move) {
+TEST(Corners, AThirdPlaneStopsTheMove) {
     // A pit of three faces, 70 degrees steep, that meet at the origin.
     Lab lab;
     std::array<Vec3, 3> rims;
@@ -209,7 +209,7 @@ TEST(Corners, a_third_plane_stops_the_move) {
     EXPECT_LT((again.position - result.position).norm(), s.skin);
 }
 
-TEST(Corners, a_crease_is_followed) {
+TEST(Corners, ACreaseIsFollowed) {
     // Two walls lean together over a groove along Z; falling into it leaves the motion along the groove.
     Lab lab;
     const double a = radians(70);
@@ -234,7 +234,7 @@ TEST(Corners, a_crease_is_followed) {
     EXPECT_TRUE(creased);
 }
 
-TEST(Slides, max_slides_bounds_the_contacts) {
+TEST(Slides, MaxSlidesBoundsTheContacts) {
     Lab lab;
     lab.half_pipe(64, 3.0, plain);
     lab.ready();
@@ -247,7 +247,7 @@ TEST(Slides, max_slides_bounds_the_contacts) {
     }
 }
 
-TEST(Ditch, two_steep_faces_ground_a_wedged_player) {
+TEST(Ditch, TwoSteepFacesGroundAWedgedPlayer) {
     Lab lab;
     const double a = radians(65);
     const Vec3 z(0, 0, 50);

@@ -57,21 +57,21 @@ Pair pair_of(const char* name) {
     return {std::move(demo), std::move(off), std::move(on)};
 }
 
-TEST(Demos, static_friction_holds_on_the_ramp) {
+TEST(Demos, StaticFrictionHoldsOnTheRamp) {
     const Pair pair = pair_of("static-friction");
     EXPECT_GT((pair.off.end().position - pair.off.start.position).norm(), 1.0);
     EXPECT_EQ(pair.on.end().position, pair.on.states[60].position);  // bit-still
     EXPECT_LT((pair.on.end().position - pair.on.start.position).norm(), 0.01);
 }
 
-TEST(Demos, ground_velocity_stays_on_the_ramp) {
+TEST(Demos, GroundVelocityStaysOnTheRamp) {
     // Past the crest, which both leave, from tick 90 on; the ramp is 14 m long, 140 ticks.
     const Pair pair = pair_of("ground-velocity");
     EXPECT_GT(pair.off.airborne(90, 190), 30U);  // more than 30 %
     EXPECT_EQ(pair.on.airborne(90, 190), 0U);
 }
 
-TEST(Demos, straight_ahead_keeps_the_heading) {
+TEST(Demos, StraightAheadKeepsTheHeading) {
     const Pair pair = pair_of("straight-ahead");
     const auto heading = [](const Trip& r) {
         const Vec3 motion = r.end().position - r.states[r.states.size() - 30].position;
@@ -87,7 +87,7 @@ TEST(Demos, straight_ahead_keeps_the_heading) {
     EXPECT_GT(aside(pair.off), 0.35 + pair.demo.on.radii.x());
 }
 
-TEST(Demos, keep_energy_reaches_the_far_rim) {
+TEST(Demos, KeepEnergyReachesTheFarRim) {
     // From 5.2 m the centre comes back to that height less what the ellipsoid's shape takes; without the hack
     // each of 12 faces takes 1 - cos(15 deg) of the speed.
     const Pair pair = pair_of("keep-energy");
@@ -110,7 +110,7 @@ Trip run_towards(Demo demo, const MovementSettings& settings, double angle) {
     return run(demo, settings);
 }
 
-TEST(Demos, push_out_frees_from_the_wedge) {
+TEST(Demos, PushOutFreesFromTheWedge) {
     const Pair pair = pair_of("push-out");
     const Result<CollisionWorld> world = build_collision_world(pair.demo.level);
     const Vec3& radii = pair.demo.on.radii;
@@ -125,7 +125,7 @@ TEST(Demos, push_out_frees_from_the_wedge) {
     EXPECT_LT((run(pair.demo, iterative).end().position - pair.on.end().position).norm(), 1e-5);
 }
 
-TEST(Demos, nudge_frees_from_between_the_posts) {
+TEST(Demos, NudgeFreesFromBetweenThePosts) {
     const Pair pair = pair_of("nudge");
     const Result<CollisionWorld> world = build_collision_world(pair.demo.level);
     const Vec3& radii = pair.demo.on.radii;
@@ -146,14 +146,14 @@ TEST(Demos, nudge_frees_from_between_the_posts) {
     }
 }
 
-TEST(Demos, step_up_climbs_the_stairs) {
+TEST(Demos, StepUpClimbsTheStairs) {
     const Pair pair = pair_of("step-up");
     EXPECT_LT(pair.off.highest(), 1.0);
     EXPECT_NEAR(pair.on.highest(), 3.9 + pair.demo.on.skin, 0.02);
     EXPECT_EQ(pair.on.airborne(20, 120), 0U);
 }
 
-TEST(Demos, heightfield_carries) {
+TEST(Demos, HeightfieldCarries) {
     const Pair pair = pair_of("heightfield");
     EXPECT_LT(pair.off.end().position.y(), -35.0);
     for (const PlayerState& s : pair.on.states) {
@@ -164,7 +164,7 @@ TEST(Demos, heightfield_carries) {
     EXPECT_LT(pair.on.end().position.z(), -6.0);
 }
 
-TEST(Demos, sectors_move_as_at_the_origin) {
+TEST(Demos, SectorsMoveAsAtTheOrigin) {
     // Bit for bit: the same level with no placement, and 10^6 m out.
     Pair pair = pair_of("sectors");
     Demo home = pair.demo;
@@ -190,13 +190,13 @@ TEST(Demos, sectors_move_as_at_the_origin) {
     EXPECT_GT(worst, 0.003);
 }
 
-TEST(Demos, bounce_gives_back) {
+TEST(Demos, BounceGivesBack) {
     const Pair pair = pair_of("bounce");
     EXPECT_LT(pair.off.highest(120), 1.2);
     EXPECT_GT(pair.on.highest(80), 2.5);
 }
 
-TEST(Demos, sticky_walls_hold) {
+TEST(Demos, StickyWallsHold) {
     const Pair pair = pair_of("sticky");
     EXPECT_TRUE(pair.off.end().grounded);
     EXPECT_LT(pair.off.end().position.y(), 1.0);
@@ -205,13 +205,13 @@ TEST(Demos, sticky_walls_hold) {
     EXPECT_EQ(pair.on.end().position, pair.on.states[pair.on.states.size() - 30].position);  // bit by bit
 }
 
-TEST(Demos, snap_down_follows_the_stairs) {
+TEST(Demos, SnapDownFollowsTheStairs) {
     const Pair pair = pair_of("snap-down");
     EXPECT_GT(pair.off.airborne(20, 110), 10U);
     EXPECT_EQ(pair.on.airborne(20, 110), 0U);
 }
 
-TEST(Demos, seam_filter_passes_triangle_edges) {
+TEST(Demos, SeamFilterPassesTriangleEdges) {
     const Pair pair = pair_of("seam-filter");
     const double ideal = 6.0 * 2.0;
     EXPECT_LT(std::abs(pair.off.start.position.z() - pair.off.end().position.z()), 0.1);
@@ -220,7 +220,7 @@ TEST(Demos, seam_filter_passes_triangle_edges) {
     EXPECT_NEAR(pair.on.end().position.y(), pair.demo.on.radii.y() + pair.demo.on.skin, 1e-5);
 }
 
-TEST(Demos, jumps_are_forgiving) {
+TEST(Demos, JumpsAreForgiving) {
     const Pair coyote = pair_of("coyote");
     EXPECT_LT(coyote.off.end().position.y(), 0.0);
     EXPECT_TRUE(coyote.on.end().grounded);
@@ -237,7 +237,7 @@ TEST(Demos, jumps_are_forgiving) {
     EXPECT_LT(air.off.end().position.y(), 0.0);
 }
 
-TEST(Demos, platforms_carry) {
+TEST(Demos, PlatformsCarry) {
     const Pair raft = pair_of("moving-platforms");
     EXPECT_LT(raft.off.end().position.y(), -2.0);
     EXPECT_TRUE(raft.on.end().grounded);
@@ -253,7 +253,7 @@ TEST(Demos, platforms_carry) {
     EXPECT_GT(types.on.highest(), 4.5);
 }
 
-TEST(Demos, are_saved_as_files_that_load) {
+TEST(Demos, AreSavedAsFilesThatLoad) {
     const auto folder = std::filesystem::path(::testing::TempDir()) / "slipface-demos";
     std::filesystem::create_directories(folder);
     for (const DemoInfo& info : demo_table()) {

@@ -55,7 +55,7 @@ struct Ride {
     }
 };
 
-TEST(Platforms, a_turning_one_carries_on_its_circle) {
+TEST(Platforms, ATurningOneCarriesOnItsCircle) {
     // 9 m out at one turn a second, 56.5 m/s: a full circle in 60 ticks, within 1e-4 m at each of them.
     Platform plate;
     plate.spin_rate = 2.0 * pi;
@@ -79,7 +79,7 @@ TEST(Platforms, a_turning_one_carries_on_its_circle) {
     EXPECT_NEAR(speed, 2 * pi * 9, 0.1);
 }
 
-TEST(Platforms, a_lift_keeps_the_player_grounded_up_and_down) {
+TEST(Platforms, ALiftKeepsThePlayerGroundedUpAndDown) {
     Platform lift;
     lift.path = {{.offset = {0, 0, 0}, .speed = 3.0, .pause_s = 0.5},
                  {.offset = {0, 3, 0}, .speed = 3.0, .pause_s = 0.5}};
@@ -93,7 +93,7 @@ TEST(Platforms, a_lift_keeps_the_player_grounded_up_and_down) {
     }
 }
 
-TEST(Platforms, a_wall_pushes_and_a_press_crushes) {
+TEST(Platforms, AWallPushesAndAPressCrushes) {
     // A wall comes along +X at 2 m/s; the player stands in its way and is pushed along, skin before it.
     Platform wall;
     wall.repeat = PathRepeat::once;
@@ -115,7 +115,7 @@ TEST(Platforms, a_wall_pushes_and_a_press_crushes) {
     EXPECT_TRUE(under.state.trapped);
 }
 
-TEST(Platforms, off_they_slide_away_under_the_feet) {
+TEST(Platforms, OffTheySlideAwayUnderTheFeet) {
     Platform raft;
     raft.repeat = PathRepeat::once;
     raft.path = {{.offset = {0, 0, 0}, .speed = 2.0}, {.offset = {20, 0, 0}, .speed = 2.0}};

@@ -35,7 +35,7 @@ void expect_nobody_inside(const Level& level, const AuditOptions& options) {
 
 class WalkersInLevel : public testing::TestWithParam<const char*> {};
 
-TEST_P(WalkersInLevel, come_through_nothing_and_end_inside_nothing) {
+TEST_P(WalkersInLevel, ComeThroughNothingAndEndInsideNothing) {
     const auto folder = std::filesystem::path(SLIPFACE_SOURCE_DIR) / "assets/levels";
     const auto loaded = load_level(folder / (std::string(GetParam()) + ".obj"));
     ASSERT_TRUE(loaded.ok()) << loaded.error().text();
@@ -43,7 +43,7 @@ TEST_P(WalkersInLevel, come_through_nothing_and_end_inside_nothing) {
         expect_nobody_inside(loaded->level, a_few_walkers(seed));
 }
 
-TEST_P(WalkersInLevel, do_so_with_every_hack_on) {
+TEST_P(WalkersInLevel, DoSoWithEveryHackOn) {
     const auto folder = std::filesystem::path(SLIPFACE_SOURCE_DIR) / "assets/levels";
     auto loaded = load_level(folder / (std::string(GetParam()) + ".obj"));
     ASSERT_TRUE(loaded.ok()) << loaded.error().text();
@@ -56,7 +56,7 @@ TEST_P(WalkersInLevel, do_so_with_every_hack_on) {
 INSTANTIATE_TEST_SUITE_P(All, WalkersInLevel, testing::Values("easy", "hard", "island", "playground"),
                          [](const auto& info) { return std::string(info.param); });
 
-TEST(WalkersInLevels, are_in_every_shipped_one) {
+TEST(WalkersInLevels, AreInEveryShippedOne) {
     std::size_t shipped = 0;
     for (const auto& entry :
          std::filesystem::directory_iterator(std::filesystem::path(SLIPFACE_SOURCE_DIR) / "assets/levels"))
@@ -64,7 +64,7 @@ TEST(WalkersInLevels, are_in_every_shipped_one) {
     EXPECT_EQ(shipped, 4u);
 }
 
-TEST(WalkersInDemos, come_through_nothing_and_end_inside_nothing) {
+TEST(WalkersInDemos, ComeThroughNothingAndEndInsideNothing) {
     for (const DemoInfo& info : demo_table()) {
         SCOPED_TRACE(info.name);
         const std::string name = info.name;

@@ -1,6 +1,7 @@
-// Stories: every number is one of the trace, and every record has its line.
+// Stories: every number is the one of the trace that its sentence means, and every record has its line.
 #include <gmock/gmock.h>
 
+#include <map>
 #include <regex>
 
 #include "sim/stripes.h"
@@ -11,71 +12,151 @@ namespace {
 
 using testing::HasSubstr;
 
+constexpr double degrees = 180.0 / M_PI;
+
+// A number that a line must show, worked out here again from the record. Lengths are shown in m or mm.
 struct Value {
     double value;
     std::string unit;
 };
-constexpr double degrees = 180.0 / M_PI;
-
-void add_length(std::vector<Value>& values, double metres) {
-    values.push_back({metres, " m"});
-    values.push_back({metres * 1000.0, " mm"});
+Value metres(double length) {
+    return {length, " m"};
+}
+Value speed(const Vec3& velocity) {
+    return {velocity.norm(), " m/s"};
+}
+bool is_shown(const StoryNumber& number, const Value& value) {
+    return (number.value == value.value && number.unit == value.unit) ||
+           (value.unit == " m" && number.value == value.value * 1000.0 && number.unit == " mm");
 }
 
-void add(std::vector<Value>& values, const DecisionInfo& info, double number) {
+Value value_of(const DecisionInfo& info, double number) {
     switch (info.unit) {
-        case DecisionUnit::metres: return add_length(values, number);
-        case DecisionUnit::speed: return values.push_back({number, " m/s"});
-        case DecisionUnit::seconds: return values.push_back({number, " s"});
-        case DecisionUnit::percent: return values.push_back({100.0 * number, " %"});
+        case DecisionUnit::metres:
+            return metres(number);
+        case DecisionUnit::speed:
+            return {number, " m/s"};
+        case DecisionUnit::seconds:
+            return {number, " s"};
+        case DecisionUnit::percent:
+            return {100.0 * number, " %"};
         case DecisionUnit::slope:
         case DecisionUnit::angle:
-            return values.push_back({std::acos(std::clamp(number, -1.0, 1.0)) * degrees, "\u00b0"});
+            return {std::acos(std::clamp(number, -1.0, 1.0)) * degrees, "\u00b0"};
         case DecisionUnit::lift:
-            return values.push_back({std::asin(std::clamp(number, -1.0, 1.0)) * degrees, "\u00b0"});
-        case DecisionUnit::no_unit: return;
+            return {std::asin(std::clamp(number, -1.0, 1.0)) * degrees, "\u00b0"};
+        case DecisionUnit::no_unit:
+            break;
     }
+    return {number, ""};
 }
 
-// What a number of a line must be one of: the record's own values, worked out here again, with their units.
-std::vector<Value> values_of(const TraceRecord& record, const MovementSettings& settings) {
+// What a line must say, in its order: words and the numbers between them.
+struct Saying {
+    std::vector<std::string> words;
     std::vector<Value> values;
-    if (const auto* sweep = std::get_if<SweepRecord>(&record)) {
-        add_length(values, sweep->move.norm());
-        if (sweep->contact) {
-            const Contact& contact = *sweep->contact;
-            add_length(values, contact.t * sweep->move.norm());
-            const double tilt = std::acos(std::clamp(contact.normal.y(), -1.0, 1.0)) * degrees;
-            values.push_back({tilt, "\u00b0"});
-            values.push_back({tilt - 90.0, "\u00b0"});
-            const double feet = sweep->from.y() + contact.t * sweep->move.y() - settings.radii.y();
-            add_length(values, std::abs(contact.point.y() - feet));
-        }
-    } else if (const auto* response = std::get_if<ResponseRecord>(&record)) {
-        add_length(values, response->remainder_before.norm());
-        add_length(values, response->remainder_after.norm());
-        values.push_back({response->velocity_before.norm(), " m/s"});
-        values.push_back({response->velocity_after.norm(), " m/s"});
-    } else if (const auto* decision = std::get_if<DecisionRecord>(&record)) {
-        add(values, decision_info(decision->kind), decision->value);
-        add(values, decision_info(decision->kind), decision->limit);
-    } else if (const auto* push = std::get_if<PushOutRecord>(&record)) {
-        values.push_back({static_cast<double>(push->planes), ""});
-        add_length(values, (push->to - push->from).norm());
+};
+
+void add_sweep(Saying& saying, const SweepRecord& sweep, const StoryLine& line,
+               const MovementSettings& settings) {
+    const double length = sweep.move.norm();
+    if (!sweep.contact) {
+        saying.words = {"Moved ", "nothing in the way"};
+        saying.values = {metres(length)};
+        return;
     }
-    return values;
+    const Contact& contact = *sweep.contact;
+    EXPECT_EQ(line.face, contact.face);
+    const std::string face = "face " + std::to_string(contact.face);
+    if (line.title.empty()) {
+        saying.words = {"Resting on ", face};
+        return;
+    }
+    const std::string thing = contact.feature == Feature::edge     ? "an edge"
+                              : contact.feature == Feature::vertex ? "a corner"
+                              : contact.normal.y() > 0.999         ? "the floor"
+                                                                   : "";
+    saying.words = {"Touched " + thing, face};
+    const double tilt = std::acos(std::clamp(contact.normal.y(), -1.0, 1.0)) * degrees;
+    if (tilt > 0.05 && std::abs(tilt - 90.0) > 0.05 && tilt < 179.95)
+        saying.values.push_back({tilt > 90.0 ? tilt - 90.0 : tilt, "\u00b0"});
+    if (contact.feature != Feature::interior) {
+        const double feet = sweep.from.y() + contact.t * sweep.move.y() - settings.radii.y();
+        saying.values.push_back(metres(std::abs(contact.point.y() - feet)));
+        saying.words.emplace_back(contact.point.y() < feet ? "below the feet" : "above the feet");
+    }
+    saying.words.emplace_back("after ");
+    saying.values.insert(saying.values.end(), {metres(contact.t * length), metres(length)});
 }
 
-std::vector<Value> values_of(const TickTrace& trace, bool end) {
-    if (!end) {
-        const Vec2& wish = trace.input.wish;
-        double heading = std::atan2(wish.x(), -wish.y()) * degrees;
-        if (heading < 0) heading += 360.0;
-        return {{trace.before.velocity.norm(), " m/s"}, {100.0 * wish.norm(), " %"}, {heading, "\u00b0"}};
+void add_response(Saying& saying, const ResponseRecord& response) {
+    static const std::map<Rule, std::string> begins{{Rule::slide, "Slid along it"},
+                                                    {Rule::bounce, "Bounced"},
+                                                    {Rule::stick, "Stuck"},
+                                                    {Rule::straight_ahead, "Continued straight ahead"},
+                                                    {Rule::stop, "Stopped"},
+                                                    {Rule::keep_energy, "Deflected along it without loss"},
+                                                    {Rule::crease, "Slid along the crease"}};
+    saying.words = {begins.at(response.rule)};
+    const Value before = metres(response.remainder_before.norm()),
+                after = metres(response.remainder_after.norm());
+    if (after.value > 0.0) saying.values.push_back(after);
+    saying.words.emplace_back(after.value > 0.0 ? "remain" : "are lost");
+    saying.values.push_back(before);
+    const Value from = speed(response.velocity_before), to = speed(response.velocity_after);
+    if (std::abs(to.value - from.value) >= 0.005) saying.values.insert(saying.values.end(), {from, to});
+}
+
+// The sentence of the table with its numbers in place of {value} and {limit}.
+void add_decision(Saying& saying, const DecisionRecord& decision) {
+    const DecisionInfo& info = decision_info(decision.kind);
+    std::string_view rest = info.sentence;
+    for (std::size_t open = rest.find('{'); open != std::string_view::npos; open = rest.find('{')) {
+        saying.words.emplace_back(rest.substr(0, open));
+        rest.remove_prefix(open);
+        const bool value = rest.starts_with("{value}");
+        saying.values.push_back(value_of(info, value ? decision.value : decision.limit));
+        rest.remove_prefix(rest.find('}') + 1);
     }
-    std::vector<Value> values{{trace.after.stepped.velocity.norm(), " m/s"}};
-    add_length(values, (trace.to - trace.from).norm());
-    return values;
+    saying.words.emplace_back(rest);
+}
+
+Saying saying_of(const TraceRecord& record, const StoryLine& line, const MovementSettings& settings) {
+    Saying saying;
+    if (const auto* sweep = std::get_if<SweepRecord>(&record)) {
+        add_sweep(saying, *sweep, line, settings);
+    } else if (const auto* response = std::get_if<ResponseRecord>(&record)) {
+        add_response(saying, *response);
+    } else if (const auto* decision = std::get_if<DecisionRecord>(&record)) {
+        add_decision(saying, *decision);
+    } else if (const auto* push = std::get_if<PushOutRecord>(&record)) {
+        saying.words = {push->free ? "Pushed out of " : "Not pushed out of "};
+        saying.values = {{static_cast<double>(push->planes), ""}, metres((push->to - push->from).norm())};
+    }
+    return saying;
+}
+
+Saying saying_of_begin(const TickTrace& trace) {
+    Saying saying{{trace.before.grounded ? "standing on face "
+                   : trace.before.stuck  ? "stuck to face "
+                                         : "in the air"},
+                  {speed(trace.before.velocity)}};
+    const Vec2& wish = trace.input.wish;
+    if (wish.isZero(0.0)) return saying;
+    double heading = std::atan2(wish.x(), -wish.y()) * degrees;
+    if (heading < 0) heading += 360.0;
+    saying.words.emplace_back(", stick ");
+    saying.values.insert(saying.values.end(), {{100.0 * wish.norm(), " %"}, {heading, "\u00b0"}});
+    return saying;
+}
+
+Saying saying_of_end(const TickTrace& trace) {
+    const PlayerState& end = trace.after.stepped;
+    return {{end.grounded ? "standing on face "
+             : end.stuck  ? "stuck to face "
+                          : "in the air",
+             ", moved "},
+            {speed(end.velocity), metres((trace.to - trace.from).norm())}};
 }
 
 // A number as shown stands for the value: no other value with that text lies further away than its last
@@ -97,14 +178,21 @@ void expect_equal_to_the_trace(const TickTrace& trace, const StoryNames& names) 
         const bool whole = i == 0 || i + 1 == lines.size();
         ASSERT_EQ(line.record.has_value(), !whole);
         if (!whole) explained.at(*line.record) = true;
-        const std::vector<Value> values =
-            whole ? values_of(trace, i != 0) : values_of(trace.records[*line.record], trace.settings);
+        const Saying saying = i == 0  ? saying_of_begin(trace)
+                              : whole ? saying_of_end(trace)
+                                      : saying_of(trace.records[*line.record], line, trace.settings);
+        std::size_t said = 0;
+        for (const std::string& words : saying.words) {
+            said = line.text.find(words, said);
+            ASSERT_NE(said, std::string::npos) << '"' << words << "\" in: " << line.text;
+            said += words.size();
+        }
+        ASSERT_EQ(line.numbers.size(), saying.values.size()) << line.text;
         std::string rest = std::regex_replace(line.text, std::regex("face [0-9]+"), "");
-        for (const StoryNumber& number : line.numbers) {
-            const bool found = std::any_of(values.begin(), values.end(), [&](const Value& value) {
-                return value.value == number.value && value.unit == number.unit;
-            });
-            EXPECT_TRUE(found) << number.text << number.unit << " in: " << line.text;
+        for (std::size_t k = 0; k < line.numbers.size(); ++k) {
+            const StoryNumber& number = line.numbers[k];
+            EXPECT_TRUE(is_shown(number, saying.values[k])) << number.text << number.unit << " instead of "
+                                                            << saying.values[k].value << " in: " << line.text;
             expect_shown(number);
             // No number stands in the text that is not listed, but names of faces, and each has its unit,
             // where it stands or at the end of "a of b".
@@ -120,6 +208,16 @@ void expect_equal_to_the_trace(const TickTrace& trace, const StoryNames& names) 
     EXPECT_EQ(std::count(explained.begin(), explained.end(), false), 0);
 }
 
+void expect_run_equal_to_the_trace(const MovementScene& scene, std::shared_ptr<const Tape> tape,
+                                   const MovementSettings& settings, const Vec3& start) {
+    TapeRun run(std::move(tape), settings, start);
+    run.advance(scene, TapeRun::max_ticks);
+    for (std::size_t tick = 0; tick < run.length() && !testing::Test::HasFailure(); ++tick) {
+        SCOPED_TRACE(tick);
+        expect_equal_to_the_trace(run.trace(scene, tick), scene.surfaces);
+    }
+}
+
 TEST(Story, EveryNumberEqualsTheTrace) {
     const Stripes stripes;
     const auto tape = std::make_shared<const Tape>(tape_of({{30, {}},
@@ -127,14 +225,32 @@ TEST(Story, EveryNumberEqualsTheTrace) {
                                                             {1, {Vec2(0, 1), true}},
                                                             {120, {Vec2(0.5, 0.5), false}},
                                                             {100, {Vec2(-1, 0), false}}}));
-    for (const Vec3& start : {Vec3(0, 1.2, 5), Vec3(0, 1.2, 16), Vec3(0, 1.2, 27), Vec3(0, 2, 35)}) {
-        TapeRun run(tape, {}, start);
-        run.advance(stripes.scene(), TapeRun::max_ticks);
-        for (std::size_t tick = 0; tick < run.length(); ++tick) {
-            SCOPED_TRACE(tick);
-            expect_equal_to_the_trace(run.trace(stripes.scene(), tick), stripes.surfaces);
-            if (testing::Test::HasFailure()) return;
-        }
+    for (const Vec3& start : {Vec3(0, 1.2, 5), Vec3(0, 1.2, 16), Vec3(0, 1.2, 27), Vec3(0, 2, 35)})
+        expect_run_equal_to_the_trace(stripes.scene(), tape, {}, start);
+}
+
+// A kerb of 0.3 m across the way, and 2 m behind its edge a wall: edges are touched, and moves cut short.
+TEST(Story, EveryNumberAtAKerbAndAWallEqualsTheTrace) {
+    std::vector<Vec3f> positions;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<FaceId> faces;
+    const std::array<Vec2, 5> profile{Vec2(-9, 0), Vec2(2, 0), Vec2(2, 0.3), Vec2(4, 0.3), Vec2(4, 5)};
+    for (const Vec2& corner : profile)
+        for (const double z : {-9.0, 9.0})
+            positions.push_back(Vec3(corner.x(), corner.y(), z).cast<float>());
+    for (std::uint32_t face = 0; face + 1 < profile.size(); ++face) {
+        const std::uint32_t i = 2 * face;
+        triangles.insert(triangles.end(), {{i, i + 1, i + 3}, {i, i + 3, i + 2}});
+        faces.insert(faces.end(), {face, face});
+    }
+    const Result<CollisionWorld> world = CollisionWorld::build({positions, triangles, faces});
+    ASSERT_TRUE(world.ok());
+    const std::vector<SurfaceType> surfaces = preset_surface_types();
+    const auto tape = std::make_shared<const Tape>(tape_of({{150, {Vec2(0.9, 0.2), false}}}));
+    for (const bool step_up : {true, false}) {
+        MovementSettings settings;
+        settings.step_up = step_up;
+        expect_run_equal_to_the_trace({*world, surfaces}, tape, settings, Vec3(0, 0.95, 0));
     }
 }
 

@@ -173,16 +173,29 @@ TEST(GeometricManager, MovesEachCharacterAsStepDoes) {
     EXPECT_NEAR(idler.state.position.y(), 0.902, 0.002);
 }
 
+// Leaves in its first tick, before the manager's, and is destroyed after both.
+class LeavingCharacter : public Character {
+  public:
+    LeavingCharacter(World& world, Vec3& last_position) : world_(world), last_position_(last_position) {}
+    ~LeavingCharacter() override { last_position_ = state.position; }
+    void on_tick(double) override { world_.remove_entity(*this); }
+
+  private:
+    World& world_;
+    Vec3& last_position_;
+};
+
 TEST(GeometricManager, ARemovedCharacterStandsStill) {
     World world;
     add_floor(world);
+    Vec3 last_position = Vec3::Zero();
     auto& stays = world.make_entity<Character>();
-    auto& leaves = world.make_entity<Character>();
+    auto& leaves = world.make_entity<LeavingCharacter>(world, last_position);
     stays.state.position = leaves.state.position = Vec3(0, 10, 0);
-    world.remove_entity(leaves);
     world.tick(1.0 / 60);
     EXPECT_LT(stays.state.position.y(), 10.0);
     EXPECT_EQ(world.entity_count(), 1u);
+    EXPECT_EQ(last_position, Vec3(0, 10, 0));
 }
 
 TEST(GeometricManager, DrawsItsLevelOnceAsItIsNowAndEachCharacter) {
