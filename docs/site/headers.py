@@ -77,7 +77,23 @@ class Header:
         for before, line in zip(body, body[1:]):
             if line.is_comment and not before.is_comment and before.column_of_comment() == line.column_of_comment() > 0:
                 line.is_comment = False
-        self.blocks = list(split(body))
+        self.blocks = [b for b in split(without_private(body)) if not all(re.match(r"(struct|class) \w+;", x.bare) for x in b)]
+
+
+def without_private(lines):
+    """Drops the private part at the end of each class, and the empty line before it."""
+    out, depth, private = [], 0, 0  # the depth of the part that is left out
+    for line in lines:
+        if not private and line.bare == "private:":
+            private = depth
+            while out and not out[-1].bare:
+                out.pop()
+        depth += line.depth()
+        if depth < private:
+            private = 0
+        if not private:
+            out.append(line)
+    return out
 
 
 def split(lines):
@@ -171,9 +187,13 @@ class Site:
             code, word = match.groups()
             if code is not None:
                 return f"<code>{html.escape(code)}</code>"
-            return self.link(page, word, html.escape(word))
+            if word.startswith("slipface/"):
+                target = word.removesuffix(".h") + ".html"
+                return f'<a href="{os.path.relpath(target, os.path.dirname(page))}">{word}</a>' \
+                    if any(h.path == word for h in self.headers) else word
+            return self.link(page, word, word)
         pieces, end = [], 0
-        pattern = r"`([^`]+)`|(\b[A-Za-z_]\w*(?:::\w+)+(?:\(\))?|\b[a-z_]\w*\(\)|\b[A-Z][a-z0-9]+[A-Z]\w+)"
+        pattern = r"`([^`]+)`|(\bslipface/\w+/\w+\.h\b|\b[A-Za-z_]\w*(?:::\w+)+(?:\(\))?|\b[a-z_]\w*\(\)|\b[A-Z][a-z0-9]+[A-Z]\w+)"
         for match in re.finditer(pattern, text):
             pieces += [html.escape(text[end:match.start()], quote=False), one(match)]
             end = match.end()
@@ -196,10 +216,12 @@ class Site:
                 if refid not in written:
                     written.add(refid)
                     shown = f'<span id="{anchor}">{shown}</span>'
-            elif refid and self.href(page, refid):
-                shown = f'<a href="{self.href(page, refid)}">{shown}</a>'
-            elif kind == "normal":  # doxygen links no arguments of templates
-                shown = re.sub(r"\b[A-Z]\w+\b(?!::)", lambda m: self.link(page, m[0], m[0]), shown)
+            else:  # doxygen links no arguments of templates, or Result<Mesh> as one
+                head = re.match(r"[\w:~]+", text)[0] if refid and self.href(page, refid) else ""
+                rest = html.escape(text[len(head):], quote=False)
+                if kind == "normal":
+                    rest = re.sub(r"\b[A-Z]\w+\b(?!::)", lambda m: self.link(page, m[0], m[0]), rest)
+                shown = (f'<a href="{self.href(page, refid)}">{head}</a>' if head else "") + rest
             if kind in CLASSES:
                 shown = f'<span class="{CLASSES[kind]}">{shown}</span>'
             out.append(shown)

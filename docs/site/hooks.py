@@ -74,7 +74,10 @@ def on_files(files, config):
 
 
 def on_page_markdown(text, page, config, files):
-    """Links to files of the repository that are pages under another name here."""
+    """Links to files of the repository that are pages under another name here; lists inside lists, which Python's Markdown
+    wants indented by four."""
+    parts = re.split(r"(^```.*?^```$)", text, flags=re.S | re.M)
+    text = "".join(p if p.startswith("```") else re.sub(r"^ {2,3}(?=\S)", "    ", p, flags=re.M) for p in parts)
     text = re.sub(r"\]\(((?:\.\./)*)(LICENSE|NOTICES)\)", r"](\1\2.md)", text)
     return re.sub(r"\]\(((?:\.\./)*)engine/\w+/include/(slipface/\w+/\w+)\.h\)", r"](\1\2.md)", text)
 
@@ -100,7 +103,7 @@ def on_page_content(content, page, config, files):
         text = html.unescape(code or label)
         if code:
             call = re.fullmatch(r"(\w+)\(.*\)", text)
-            url = names.get(text) or call and names.get(call[1] + "()") or None
+            url = names.get(text.split("=")[0]) or "_" in text and names.get(text + "()") or call and names.get(call[1] + "()")
             url = url or (text.startswith("docs/") and text.replace(".md", ".html")
                           if (pathlib.Path(config["docs_dir"]) / text).is_file() else None)
         else:
@@ -109,6 +112,8 @@ def on_page_content(content, page, config, files):
 
     pattern = r"(<(a|h[1-6]|pre)\b.*?</\2>|<code>([^<]+)</code>|<em>([^<]+)</em>|(<img [^>]*>))"
     content = re.sub(pattern, link, content, flags=re.S)
+    # Several numbers in a cell stand in columns of their own.
+    content = re.sub(r'<td style="text-align: right;">(?=[^<]*\S  )', '<td class="columns" style="text-align: right;">', content)
     # A page named in running text: docs/sweep.md.
     return re.sub(r"(?<![\w/\"`>])docs/([\w-]+)\.md(?![\w\"])",
                   lambda m: f'<a href="{to(f"docs/{m[1]}.html")}">{m[0]}</a>', content)
