@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
 """Fails on dead links, dead anchors and missing images, each with its file and line.
 
-    scripts/check_links.py [SITE]
+    scripts/check_links.py [--root FOLDER] [SITE]
 
 Checks README.md and docs/*.md as they lie in the repository, with the anchors that GitHub makes, and with SITE the pages that
 scripts/build_docs.sh wrote there. Those may also load nothing from another machine. Links to other sites are not followed.
+scripts/check_links_test.py tests it.
 """
-import html.parser, pathlib, re, sys, urllib.parse
-
-top = pathlib.Path(__file__).resolve().parent.parent
+import argparse, html.parser, pathlib, re, sys, urllib.parse
 
 
 class Page:
@@ -27,11 +26,11 @@ class HtmlPage(Page, html.parser.HTMLParser):
     def handle_starttag(self, tag, attributes):
         line = self.getpos()[0]
         for name, value in attributes:
-            if name in ("id", "name") and value:
+            if value and (name == "id" or name == "name" and tag == "a"):
                 self.anchors.add(value)
             elif name == "href" and tag == "a":
                 self.links.append((line, value or ""))
-            elif name in ("src", "data", "poster") or name == "href" and dict(attributes).get("rel") not in ("canonical",):
+            elif name in ("src", "data", "poster") or name == "href" and tag == "link":
                 self.loads.append((line, value or ""))
             elif name == "srcset":
                 self.loads += [(line, part.split()[0]) for part in value.split(",")]
@@ -117,27 +116,31 @@ class Checker:
 
 
 def main():
-    sources, site = Checker(top), None
-    pages = [top / "README.md", *sorted((top / "docs").glob("**/*.md"))]
-    for path in pages:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--root", type=pathlib.Path, default=pathlib.Path(__file__).parent.parent)
+    parser.add_argument("site", nargs="?", type=pathlib.Path)
+    options = parser.parse_args()
+
+    sources = Checker(options.root.resolve())
+    documents = [sources.root / "README.md", *sorted((sources.root / "docs").glob("**/*.md"))]
+    for path in documents:
         sources.check(path)
-    checked = f"{len(pages)} documents with {sources.links} links"
-    errors = sources.errors
-    if len(sys.argv) > 1:
-        site = Checker(pathlib.Path(sys.argv[1]).resolve())
-        found = sorted(site.root.glob("**/*.html"))
-        if not found:
-            sys.exit(f"check_links.py: found no page in {site.root}, expected a site of scripts/build_docs.sh")
-        for path in found:
-            # The page for addresses that do not exist has absolute links, because it may be shown anywhere.
-            if path.name != "404.html":
-                site.check(path)
-        for path in site.root.glob("**/*.css"):
+    checked, errors = f"{len(documents)} documents with {sources.links} links", sources.errors
+    if options.site:
+        site = Checker(options.site.resolve())
+        # The page for addresses that do not exist may be shown in any folder, so its links count from the server's top.
+        pages = [path for path in sorted(site.root.glob("**/*.html")) if path.name != "404.html"]
+        if not pages:
+            sys.exit(f"check_links.py: found no page in {options.site}, expected a site of scripts/build_docs.sh")
+        for path in pages:
+            site.check(path)
+        for path in sorted(site.root.glob("**/*.css")):
             for line, address in addresses_of_css(path.read_text()):
                 site.load(path, line, address)
-        checked += f", {len(found)} pages with {site.links}"
+        checked += f", {len(pages)} pages with {site.links}"
         errors = errors + site.errors
-    print(*errors, sep="\n", end="\n" if errors else "")
+    for error in errors:
+        print(error)
     print(f"{checked}: {len(errors)} dead" if errors else f"{checked}: all lead somewhere")
     sys.exit(1 if errors else 0)
 

@@ -40,7 +40,6 @@ class Line:
                 self.add(kind, child.tail, None)
         self.text = "".join(text for _, text, _ in self.parts)
         self.bare = self.text.strip()
-        # Only a comment; a trailing one that goes on is none.
         self.is_comment = self.bare.startswith("//")
 
     def add(self, kind, text, refid):
@@ -69,11 +68,12 @@ class Header:
         self.page = path.removesuffix(".h") + ".html"
         self.module, self.name = path.split("/")[1:]
         lines = [Line(e) for e in element.find("programlisting")]
-        pragma = next(i for i, line in enumerate(lines) if line.bare == "#pragma once")
-        self.about = [line.bare for line in lines[:pragma] if line.is_comment]
+        pragma = next((i for i, line in enumerate(lines) if line.bare == "#pragma once"), -1)
+        self.about = [line.bare for line in lines[:max(pragma, 0)] if line.is_comment]
         self.includes = [part[2] for line in lines if line.bare.startswith("#include") for part in line.parts if part[2]]
         body = [line for line in lines[pragma + 1:]
                 if not re.match(r'#include|namespace slipface \{|\}\s*// namespace slipface$', line.bare)]
+        # The further lines of a comment at the right margin belong to the code there.
         for before, line in zip(body, body[1:]):
             if line.is_comment and not before.is_comment and before.column_of_comment() == line.column_of_comment() > 0:
                 line.is_comment = False
@@ -294,8 +294,8 @@ class Site:
         return "\n\n".join(out) + "\n"
 
     def index(self):
-        out = ["# Headers", "The public headers of the engine, by module. [Design](../docs/design.md#modules) says what each "
-               "module owns and which may include which."]
+        out = ["# Headers\n", "The public headers of the engine, by module. [Design](../docs/design.md#modules) says what each module "
+               "owns, and which may include which."]
         module = None
         for header in self.headers:
             if header.module != module:
@@ -303,8 +303,8 @@ class Site:
                 out.append(f"\n## {module}\n\n| header | what it has |\n|---|---|")
             about = " ".join(re.sub(r"^// ?", "", c) for c in header.about)
             about = re.split(r"(?<=[.:])\s", about, maxsplit=1)[0].rstrip(".:").replace("|", "\\|")
-            out.append(f"| [{header.name}]({header.module}/{header.name}.md) | {about} |".replace(".h.md", ".md"))
-        return "\n".join(out[:2]) .replace("\n", "\n\n", 1) + "\n" + "\n".join(out[2:]) + "\n"
+            out.append(f"| [{header.name}]({header.path.removeprefix('slipface/').removesuffix('.h')}.md) | {about} |")
+        return "\n".join(out) + "\n"
 
 
 def main():
