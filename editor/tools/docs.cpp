@@ -13,11 +13,15 @@
 namespace slipface {
 namespace {
 
-// A '|' would end the table's cell.
+// A '|' would end the table's cell, and two '*' outside of code would set what is between them in italics.
 std::string cell(std::string_view text) {
     std::string escaped;
-    for (const char c : text)
-        escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+    bool code = false;
+    for (const char c : text) {
+        if (c == '`') code = !code;
+        if (c == '|' || (c == '*' && !code)) escaped += '\\';
+        escaped += c;
+    }
     return escaped;
 }
 
