@@ -6,6 +6,10 @@ cd "$(dirname "$0")/.."
 . scripts/common.sh
 
 out=$(realpath -m -- "${1:-out/site}")
+if [ -e "$out" ] && [ -n "$(ls -A "$out")" ] && [ ! -f "$out/search/search_index.json" ]; then
+    echo "build_docs.sh: $out is neither empty nor a site, and building a site empties it" >&2
+    exit 64
+fi
 install_packages "${docs_packages[@]}"
 pages=$(mktemp -d)
 trap 'rm -rf "$pages"' EXIT
@@ -13,7 +17,7 @@ trap 'rm -rf "$pages"' EXIT
 # The pages lie as in the repository, so that one link serves both.
 mkdir -p "$pages/docs/site/fonts"
 ln -s "$PWD"/README.md "$PWD"/screenshots "$pages"
-ln -s "$PWD"/docs/*.md "$PWD"/docs/images "$pages/docs"
+find "$PWD/docs" -mindepth 1 -maxdepth 1 ! -name site -exec ln -s -t "$pages/docs" {} +
 ln -s "$PWD"/docs/site/{style.css,offline_search.js} "$PWD/editor/desktop/slipface.svg" "$pages/docs/site"
 ln -s /usr/share/fonts/opentype/inter/Inter-{Regular,Italic,SemiBold}.otf "$pages/docs/site/fonts"
 { printf '# Licence\n\n'; cat LICENSE; } >"$pages/LICENSE.md"

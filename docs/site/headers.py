@@ -70,7 +70,7 @@ class Header:
         lines = [Line(e) for e in element.find("programlisting")]
         pragma = next((i for i, line in enumerate(lines) if line.bare == "#pragma once"), -1)
         self.about = [line.bare for line in lines[:max(pragma, 0)] if line.is_comment]
-        self.includes = [part[2] for line in lines if line.bare.startswith("#include") for part in line.parts if part[2]]
+        self.includes = [refid for line in lines if line.bare.startswith("#include") for _, _, refid in line.parts if refid]
         body = [line for line in lines[pragma + 1:]
                 if not re.match(r'#include|namespace slipface \{|\}\s*// namespace slipface$', line.bare)]
         # The further lines of a comment at the right margin belong to the code there.
@@ -104,9 +104,7 @@ def split(lines):
             if block:
                 yield block
             block = []
-        if line.bare:
-            block.append(line)
-        elif block:
+        if line.bare or block:
             block.append(line)
         depth += line.depth()
     if block:
@@ -279,7 +277,8 @@ class Site:
         written = set()
         out = [f"# {header.name}", f'<p class="include"><code>#include &lt;{header.path}&gt;</code></p>',
                self.prose(header.page, header.about)]
-        uses = [f'<a href="{self.href(header.page, r)}">{self.file_of[r].name}</a>' for r in header.includes if r in self.file_of]
+        uses = [f'<a href="{self.href(header.page, refid)}">{self.file_of[refid].name}</a>'
+                for refid in header.includes if refid in self.file_of]
         if uses:
             out.append(f'<p class="uses">Includes {", ".join(uses)}</p>')
         for block in header.blocks:
@@ -294,8 +293,8 @@ class Site:
         return "\n\n".join(out) + "\n"
 
     def index(self):
-        out = ["# Headers\n", "The public headers of the engine, by module. [Design](../docs/design.md#modules) says what each module "
-               "owns, and which may include which."]
+        out = ["# Headers\n", "The public headers of the engine, by module. [Design](../docs/design.md#modules) says what each "
+               "module owns, and which may include which."]
         module = None
         for header in self.headers:
             if header.module != module:

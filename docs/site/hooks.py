@@ -1,46 +1,45 @@
 """What MkDocs does not do by itself: the pages' navigation, anchors for settings and commands, and links to them and to the
 headers wherever a page names one as `code` or by its label in *italics*."""
-import html, json, os, pathlib, posixpath, re
+import collections, html, json, pathlib, posixpath, re
+from mkdocs.exceptions import PluginError
 from mkdocs.utils import get_relative_url
 
-TABLES = {"docs/settings.md": ("Name", "Setting", "Parameter"), "docs/commands.md": ("Id", "Command")}
-names = {}   # text of code -> URL from the site's top
-labels = {}  # text in italics -> the same
+# A row of the tables of settings and commands; menu: the heading above it; cells: by column.
+Row = collections.namedtuple("Row", "name label menu anchor cells")
+tables = {"docs/settings.md": [], "docs/commands.md": []}
+names = {}   # what stands as code -> URL from the site's top
+labels = {}  # what stands in italics -> the same
 
 
-def rows(text):
-    """(heading of the second level, heading of the third, cells by column's name) of each row of a page's tables."""
-    part = section = head = None
-    for line in text.splitlines():
+def read_rows(path):
+    part = menu = head = None
+    for line in path.read_text().splitlines():
         if line.startswith("#"):
-            level, title = line.split(" ", 1)
-            part, section = (title, title) if len(level) < 3 else (part, title)
+            level, menu = line.split(" ", 1)
+            part = menu if len(level) == 2 else part
             head = None
         elif line.startswith("|"):
             cells = [c.strip().strip("`") for c in re.split(r"(?<!\\)\|", line)[1:-1]]
             if head is None:
                 head = cells
             elif not set(cells[0]) <= set("-: "):
-                yield part, section, dict(zip(head, cells))
-
-
-def anchor_of(page, part, row):
-    name = row.get("Name") or row.get("Id")
-    return f"type-{name}" if page == "docs/settings.md" and part == "Surface types" else name
+                cells = dict(zip(head, cells))
+                name, label = cells.get("Name") or cells["Id"], cells[head[0]].rstrip("…")
+                anchor = f"type-{name}" if part == "Surface types" else name  # both have a max_slope
+                yield Row(name, label, menu.replace(", ", " > "), anchor, cells)
 
 
 def on_config(config):
     pages = pathlib.Path(config["docs_dir"])
-    for page in TABLES:
-        url = page.replace(".md", ".html")
-        for part, section, row in rows((pages / page).read_text()):
-            target = f"{url}#{anchor_of(page, part, row)}"
-            name = row.get("Name") or row.get("Id")
-            label = row.get("Setting") or row.get("Parameter") or row.get("Command")
-            names.setdefault(name, target)
-            labels.setdefault(label.rstrip("…"), target)
-            if "Id" in row:
-                labels.setdefault(" > ".join(section.split(", ") + [label.rstrip("…")]), target)
+    for page in tables:
+        tables[page] = list(read_rows(pages / page))
+        if not tables[page]:
+            raise PluginError(f"{page} has no table of names")
+        for row in tables[page]:
+            target = page.replace(".md", ".html#") + row.anchor
+            names.setdefault(row.name, target)
+            labels.setdefault(row.label, target)
+            labels.setdefault(f"{row.menu} > {row.label}", target)
     for name, (page, anchor) in json.loads((pages / "names.json").read_text()).items():
         names.setdefault(name, f"{page}#{anchor}")
 
@@ -59,17 +58,14 @@ def on_config(config):
 def on_files(files, config):
     """Of the images only those that a page shows."""
     pages = pathlib.Path(config["docs_dir"])
-    wanted = {"docs/site/slipface.svg", "docs/site/style.css", "docs/site/offline_search.js"}
-    wanted |= {f.src_path for f in files if f.src_path.startswith("docs/site/fonts/")}
+    wanted = {f.src_path for f in files if f.src_path.startswith("docs/site/")}
     for file in files.documentation_pages():
         folder = posixpath.dirname(file.src_path)
         for image in re.findall(r"!\[[^\]]*\]\(([^)\s]+)", (pages / file.src_path).read_text()):
             wanted.add(posixpath.normpath(posixpath.join(folder, image)))
     for file in list(files):
-        if not file.is_documentation_page() and file.src_path in wanted or \
-                file.is_documentation_page() or file.src_path.startswith("assets/"):
-            continue
-        files.remove(file)
+        if not (file.is_documentation_page() or file.src_path in wanted or file.src_path.startswith("assets/")):
+            files.remove(file)
     return files
 
 
@@ -88,13 +84,12 @@ def on_page_content(content, page, config, files):
     here = page.file.url
     if here == "index.html":
         page.meta["hide"] = ["navigation"]  # it has no neighbours
-    source = page.file.src_path
 
     def to(url):
         return f"#{url.split('#')[1]}" if url.split("#")[0] == here else get_relative_url(url, here)
 
-    if source in TABLES:
-        content = give_anchors(content, source, config)
+    if page.file.src_path in tables:
+        content = give_anchors(content, tables[page.file.src_path])
 
     def link(match):
         whole, tag, code, label, image = match.groups()
@@ -106,14 +101,16 @@ def on_page_content(content, page, config, files):
         if code:
             call = re.fullmatch(r"(\w+)\(.*\)", text)
             url = names.get(text.split("=")[0]) or "_" in text and names.get(text + "()") or call and names.get(call[1] + "()")
-            url = url or (text.startswith("docs/") and text.replace(".md", ".html")
-                          if (pathlib.Path(config["docs_dir"]) / text).is_file() else None)
+            if re.fullmatch(r"docs/[\w-]+\.md", text):
+                url = text.replace(".md", ".html")
         else:
             url = labels.get(text.rstrip("…").replace("\n", " "))
         return f'<a class="to" href="{to(url)}">{whole}</a>' if url else whole
 
     pattern = r"(<(a|h[1-6]|pre)\b.*?</\2>|<code>([^<]+)</code>|<em>([^<]+)</em>|(<img [^>]*>))"
     content = re.sub(pattern, link, content, flags=re.S)
+    # Python's Markdown leaves the backslash that keeps a | inside a cell.
+    content = re.sub(r"<code>[^<]*</code>", lambda m: m[0].replace("\\|", "|"), content)
     # Several numbers in a cell stand in columns of their own.
     content = re.sub(r'<td style="text-align: right;">(?=[^<]*\S  )', '<td class="columns" style="text-align: right;">', content)
     # A page named in running text: docs/sweep.md.
@@ -121,20 +118,24 @@ def on_page_content(content, page, config, files):
                   lambda m: f'<a href="{to(f"docs/{m[1]}.html")}">{m[0]}</a>', content)
 
 
-def give_anchors(content, source, config):
+def give_anchors(content, rows):
     """An id for each row, and for each cell its column's name, which narrow screens show beside it."""
-    known = rows((pathlib.Path(config["docs_dir"]) / source).read_text())
+    rows = iter(rows)
 
     def row(match):
-        part, _, cells = next(known)
-        name, columns = anchor_of(source, part, cells), iter(cells)
+        known = next(rows)
+        columns = iter(known.cells)
 
         def cell(match):
             column, text = next(columns), match[1]
             if column in ("Name", "Id"):
-                text = f'<a href="#{name}">{text}</a>'
+                text = f'<a href="#{known.anchor}">{text}</a>'
             return f'<td data-column="{column}">{text}</td>'
-        return f'<tr id="{name}">' + re.sub("<td>(.*?)</td>", cell, match[1], flags=re.S) + "</tr>"
+        text = re.sub("<td>(.*?)</td>", cell, match[1], flags=re.S)
+        # A switch has no limits: its meaning takes their columns.
+        text = re.sub(r'<td data-column="Meaning">(.*?)</td>\s*(<td data-column="Too \w+"></td>\s*){2}',
+                      r'<td data-column="Meaning" colspan="3">\1</td>', text, flags=re.S)
+        return f'<tr id="{known.anchor}">{text}</tr>'
 
     def body(match):
         return re.sub("<tr>(.*?)</tr>", row, match[0], flags=re.S)
@@ -145,15 +146,13 @@ def on_post_build(config):
     """Each setting and command is found by itself, not only as part of its table."""
     index = pathlib.Path(config["site_dir"]) / "search" / "search_index.json"
     data = json.loads(index.read_text())
-    pages = pathlib.Path(config["docs_dir"])
-    for page in TABLES:
-        for part, section, row in rows((pages / page).read_text()):
-            label = row.get("Setting") or row.get("Parameter") or row.get("Command")
-            name = row.get("Name") or row.get("Id")
-            meaning = row.get("Meaning") or row.get("What it does")
-            key = row.get("Shortcut")
-            data["docs"].append({"location": page.replace(".md", ".html") + "#" + anchor_of(page, part, row),
-                                 "title": f"{label} ({name})", "text": html.escape(meaning + (f" Key: {key}." if key else ""))})
+    for page, rows in tables.items():
+        for row in rows:
+            text = (row.cells.get("Meaning") or row.cells["What it does"]).replace("\\", "")
+            if row.cells.get("Shortcut"):
+                text += f" Key: {row.cells['Shortcut']}."
+            data["docs"].append({"location": page.replace(".md", ".html#") + row.anchor,
+                                 "title": f"{row.label} ({row.name})", "text": html.escape(text)})
     index.write_text(json.dumps(data))
     # The same for pages that are opened as files, where a page may load a script but not fetch JSON.
-    index.with_name("search_index.js").write_text(f"take_search_index({json.dumps(data)})")
+    index.with_name("search_index.js").write_text(f"take_search_index({json.dumps(data)})\n")
