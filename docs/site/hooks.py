@@ -143,7 +143,7 @@ def give_anchors(content, rows):
 
 
 def on_post_build(config):
-    """Each setting and command is found by itself, not only as part of its table."""
+    """Search finds each setting and command by itself, and shows these first and headers last."""
     index = pathlib.Path(config["site_dir"]) / "search" / "search_index.json"
     data = json.loads(index.read_text())
     for page, rows in tables.items():
@@ -152,7 +152,20 @@ def on_post_build(config):
             if row.cells.get("Shortcut"):
                 text += f" Key: {row.cells['Shortcut']}."
             data["docs"].append({"location": page.replace(".md", ".html#") + row.anchor,
-                                 "title": f"{row.label} ({row.name})", "text": html.escape(text)})
+                                 "title": f"{row.label} ({row.name})", "text": html.escape(text), "row": True})
     index.write_text(json.dumps(data))
     # The same for pages that are opened as files, where a page may load a script but not fetch JSON.
     index.with_name("search_index.js").write_text(f"take_search_index({json.dumps(data)})\n")
+    # What MkDocs cannot set: the order of results, that a typed step_up is two words, and that "why" is one.
+    patch = r"""
+lunr.QueryLexer.termSeparator = /[\s\-.\/_]+/;
+(() => {
+    const { add } = lunr.Builder.prototype;
+    lunr.Builder.prototype.add = function (doc) {
+        this.pipeline.remove(lunr.stopWordFilter);
+        add.call(this, doc, { boost: doc.location.startsWith("slipface/") ? 0.4 : doc.row ? 2 : 1 });
+    };
+})();
+"""
+    for worker in (pathlib.Path(config["site_dir"]) / "assets" / "javascripts" / "workers").glob("search.*.js"):
+        worker.write_text(worker.read_text() + patch)
