@@ -23,6 +23,9 @@ test_packages=(libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev)
 # What the checks of .ci/run need besides.
 check_packages=(clang clang-format clang-tidy libclang-rt-14-dev mmdebstrap)
 
+# What the documents as a site need (scripts/build_docs.sh).
+docs_packages=(mkdocs mkdocs-material doxygen fonts-inter python3)
+
 # install_packages NAME...: those that are missing, through apt; nothing at all when none is.
 install_packages() {
     local missing=() name
