@@ -91,6 +91,10 @@ inline ReachScene ice_scene(const Draw& draw, double width, double yaw) {
     Shapes shapes;
     shapes.material("stone");
     turned_box(shapes, {-2, 0, length}, {2, wall_m, length + 0.5}, yaw);
+    // Players who slide over a rim of the runway gain speed: walls beside it, and one metre more in front of
+    // what is meant to be impossible.
+    turned_box(shapes, {-2.5, -1, 0}, {-2, wall_m, length}, yaw);
+    turned_box(shapes, {2, -1, 0}, {2.5, wall_m, length}, yaw);
     shapes.material("floor__ice");
     turned_box(shapes, {-2, -1, 0}, {2, 0, length}, yaw);
     shapes.material("stone");
@@ -131,7 +135,7 @@ inline double gap_beyond(const Draw& draw, double speed) {
 inline ReachScene ferry_scene(const Draw& draw, double fraction, double maximum) {
     const double speed = draw.in(0, 1.5, 4.0);
     const double last = fraction > 1.0 ? fraction * gap_beyond(draw, speed) : fraction * maximum;
-    const double path = 2.0 * gap_beyond(draw, speed) + draw.in(1, 2.0, 6.0);
+    const double path = gap_beyond(draw, speed) + draw.in(1, 2.0, 6.0);
     const double far_z = -0.2 - ferry_m - path - last;
     Shapes shapes;
     shapes.box({-2, -1, 0}, {2, 0, 4}).box({-2, -1, far_z - 4}, {2, 0, far_z});
@@ -335,7 +339,8 @@ inline const std::vector<KnownScene>& known_scenes() {
              return largest_possible(make, 12.0, starts);
          },
          [](const Draw& draw, double fraction, double maximum) {
-             return ice_scene(draw, fraction * maximum, draw.in(5, 0.0, 6.28));
+             const double more = fraction > 1.0 ? 1.0 : 0.0;
+             return ice_scene(draw, fraction * maximum + more, draw.in(5, 0.0, 6.28));
          }},
         {"ferry", true, gap_from_ferry, ferry_scene},
         {"two ferries", false, none, relay_scene},
