@@ -93,38 +93,48 @@ inline bool any_straight_jump(const ReachScene& scene, int starts) {
     const MovementSettings& settings = scene.level.movement;
     const FaceId target = face_at(scene.level, scene.target);
     const double stride = settings.walk_speed * tick_s;
+    const double lowest = scene.level.mesh->bounds.min.y() - 2.0;
     for (int s = 0; s < starts; ++s) {
         std::vector<PlayerState> trail;
+        int in_air = 0;
         PlayerState state = built.player_at(scene.start + Vec3(0, 0, -stride * s / starts));
         for (int i = 0; i < 30; ++i)
             state = step(now, settings, state, {}, tick_s).state;
         for (int i = 0; i < 400; ++i) {
             trail.push_back(state);
             state = step(now, settings, state, {Vec2(0, -1), false}, tick_s).state;
-            if (state.position.y() < -3.0) break;
+            in_air = state.grounded ? 0 : in_air + 1;
+            if (in_air > 20 || state.position.y() < lowest) break;  // coyote time is over
         }
         for (const PlayerState& from : trail) {
             state = from;
             for (int i = 0; i < 240; ++i) {
                 state = step(now, settings, state, {Vec2(0, -1), true}, tick_s).state;
                 if (state.grounded && state.ground_face == target) return true;
-                if (state.position.y() < -3.0 || (i > 2 && state.grounded)) break;
+                if (state.position.y() < lowest || (i > 2 && state.grounded)) break;
             }
         }
     }
     return false;
 }
 
-// The widest gap, or the highest ledge 0.5 m away, that a straight jump masters.
-inline double max_possible(const MovementSettings& settings, bool ledge, int starts) {
-    double good = 0.0, bad = ledge ? 8.0 : 20.0;
+// The largest size at which a straight run with one jump comes to the target of `make(size)`.
+template <class Make>
+double largest_possible(const Make& make, double high, int starts) {
+    double good = 0.0, bad = high;
     for (int i = 0; i < 12; ++i) {
         const double middle = 0.5 * (good + bad);
-        const ReachScene scene =
-            ledge ? gap_scene(settings, 0.5, middle, 0.0) : gap_scene(settings, middle, 0.0, 0.0);
-        (any_straight_jump(scene, starts) ? good : bad) = middle;
+        (any_straight_jump(make(middle), starts) ? good : bad) = middle;
     }
     return good;
+}
+
+// The widest gap, or the highest ledge 0.5 m away, that a straight jump masters.
+inline double max_possible(const MovementSettings& settings, bool ledge, int starts) {
+    if (ledge)
+        return largest_possible([&](double size) { return gap_scene(settings, 0.5, size, 0.0); }, 8.0,
+                                starts);
+    return largest_possible([&](double size) { return gap_scene(settings, size, 0.0, 0.0); }, 20.0, starts);
 }
 
 inline ReachSearch search_of(const ReachScene& scene, std::uint64_t rounds, std::uint64_t seed = 1) {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "reach/reach_scenes.h"
+#include "reach/known_scenes.h"
 #include "slipface/base/files.h"
 #include "slipface/base/parallel.h"
 
@@ -136,67 +136,43 @@ TEST(ReachSearch, ACellTakesAtMost64BytesBesideItsState) {
     EXPECT_LT(beside / static_cast<double>(search.archive().nodes.size()), 64.0);
 }
 
-// Walls of a random maze on a grid: from every cell to every other there is one way.
-ReachScene maze_scene(std::uint64_t seed, int size) {
-    constexpr double cell = 2.0, wall = 3.0, thick = 0.1;
-    std::mt19937_64 random(seed);
-    const auto count = static_cast<std::size_t>(size * size);
-    std::vector<bool> seen(count), open_x(count), open_z(count);  // to the next cell along x, along z
-    std::vector<int> stack{0};
-    seen[0] = true;
-    while (!stack.empty()) {
-        const int at = stack.back(), x = at % size, z = at / size;
-        std::vector<int> next;
-        if (x > 0 && !seen[static_cast<std::size_t>(at - 1)]) next.push_back(at - 1);
-        if (x < size - 1 && !seen[static_cast<std::size_t>(at + 1)]) next.push_back(at + 1);
-        if (z > 0 && !seen[static_cast<std::size_t>(at - size)]) next.push_back(at - size);
-        if (z < size - 1 && !seen[static_cast<std::size_t>(at + size)]) next.push_back(at + size);
-        if (next.empty()) {
-            stack.pop_back();
-            continue;
-        }
-        const int to = next[random() % next.size()];
-        const auto low = static_cast<std::size_t>(std::min(at, to));
-        (std::abs(to - at) == 1 ? open_x : open_z)[low] = true;
-        seen[static_cast<std::size_t>(to)] = true;
-        stack.push_back(to);
-    }
-    Shapes shapes;
-    shapes.floor({0, 0, 0}, {cell * size, 0, cell * size}, cell);
-    for (int i = 0; i <= size; i += size) {
-        shapes.box({cell * i - thick, 0, 0}, {cell * i + thick, wall, cell * size});
-        shapes.box({0, 0, cell * i - thick}, {cell * size, wall, cell * i + thick});
-    }
-    for (int z = 0; z < size; ++z) {
-        for (int x = 0; x < size; ++x) {
-            const auto at = static_cast<std::size_t>(z * size + x);
-            if (x < size - 1 && !open_x[at])
-                shapes.box({cell * (x + 1) - thick, 0, cell * z},
-                           {cell * (x + 1) + thick, wall, cell * (z + 1)});
-            if (z < size - 1 && !open_z[at])
-                shapes.box({cell * x, 0, cell * (z + 1) - thick},
-                           {cell * (x + 1), wall, cell * (z + 1) + thick});
-        }
-    }
-    ReachScene scene{shapes.level(), {1, 0.91, 1}, {cell * size - 1, 0, cell * size - 1}};
-    scene.level.movement = MovementSettings{};
-    return scene;
-}
-
-TEST(ReachSearch, EveryTileOfAMazeIsReachedAndTheWayBackToo) {
-    for (const std::uint64_t seed : {1u, 2u}) {
-        const int size = 5;
-        const ReachScene scene = maze_scene(seed, size);
-        const ReachSearch search = search_of(scene, 25, seed);
+// One wall on the path to the last tile is closed, or none: the tiles reached are those connected with the
+// first.
+TEST(ReachSearch, TheConnectedTilesOfAMazeAreReachedAndNoOthers) {
+    for (const bool closed : {false, true}) {
+        SCOPED_TRACE(closed);
+        const Maze maze = maze_of(closed ? 2 : 1, 5, closed);
+        const ReachScene scene = maze_scene(Draw{}, maze);
+        const ReachSearch search = search_of(scene, 25);
         const ReachReport report = make_reach_report(search);
-        // The floor's tiles are the first faces.
-        for (FaceId face = 0; face < static_cast<FaceId>(size * size); ++face)
-            EXPECT_TRUE(search.faces()[face].found()) << "tile " << face << " of maze " << seed;
+        const std::vector<bool> connected = maze.connected();
+        EXPECT_EQ(connected.back(), !closed);
+        for (FaceId tile = 0; tile < connected.size(); ++tile)
+            EXPECT_EQ(search.faces()[tile].found(), connected[tile]) << "tile " << tile;
         EXPECT_TRUE(report.traps.empty());
         EXPECT_EQ(false_claims(search), "");
-        // No way is longer than the fastest through all tiles, and none faster than straight on.
+        if (closed) continue;
+        // Not faster than straight through all walls.
         const double time = search.faces()[face_at(scene.level, scene.target)].tick * tick_s;
         EXPECT_GT(time, (scene.target - scene.start).norm() / scene.level.movement.walk_speed - 0.5);
+    }
+}
+
+// Each kind once below its limit and once beyond.
+TEST(ReachSearch, KnownScenesAreReachedUpToTheirLimitAndNotBeyond) {
+    std::uint64_t seed = 20;
+    for (const KnownScene& kind : known_scenes()) {
+        const Draw draw = draw_of(++seed);
+        const double maximum = kind.maximum(draw, 4);
+        for (const double fraction : {draw.in(90, 0.5, 0.85), draw.in(91, 1.1, 1.3)}) {
+            SCOPED_TRACE(kind.name + std::string(" at ") + std::to_string(fraction));
+            const ReachScene scene = kind.make(draw, fraction, maximum);
+            ReachSearch search = search_of(scene, 0, seed);
+            const FaceId face = face_at(scene.level, scene.target);
+            const bool found = rounds_until(search, face, fraction < 1.0 ? 300 : 4).has_value();
+            EXPECT_EQ(found, fraction < 1.0) << search.steps();
+            EXPECT_EQ(false_claims(search), "");
+        }
     }
 }
 
