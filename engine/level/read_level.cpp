@@ -78,7 +78,10 @@ class LevelReader {
                 read_member(root, key, [this](const Json& json, const std::string& path) {
                     read_faces(json, path, "faces", true, stored_);
                 });
+                if (key == std::string_view("overrides")) painted_ = stored_.size();
             }
+            read_member(root, "parts",
+                        [this](const Json& json, const std::string& path) { read_parts(json, path); });
             read_member(root, "hidden", [this](const Json& json, const std::string& path) {
                 read_stored_faces(json, path, "hidden", kept_.front());
             });
@@ -102,10 +105,11 @@ class LevelReader {
             });
             read_member(root, "light",
                         [this](const Json& json, const std::string& path) { read_light_of(json, path); });
-            keep_unknown(root, "/", "/", {"slipface", "mesh",       "scale",       "up",      "spawn",
-                                          "spawns",   "fall_limit", "surfaces",    "rules",   "overrides",
-                                          "orphans",  "hidden",     "selections",  "cameras", "goals",
-                                          "movement", "platforms",  "heightfield", "sectors", "light"});
+            keep_unknown(
+                root, "/", "/",
+                {"slipface", "mesh",     "scale",     "up",          "spawn",   "spawns",     "fall_limit",
+                 "surfaces", "rules",    "overrides", "orphans",     "hidden",  "selections", "cameras",
+                 "goals",    "movement", "platforms", "heightfield", "sectors", "light",      "parts"});
         }
         if (!reader_.ok()) return reader_.error();
         if (warnings_ > max_warnings)
@@ -389,6 +393,49 @@ class LevelReader {
         }
     }
 
+    void read_parts(const Json& json, const std::string& path) {
+        const Json* paint = reader_.member(json, path, "paint");
+        const Json* box = reader_.member(json, path, "box");
+        const Json* list = reader_.member(json, path, "list");
+        std::string hash;
+        if (paint == nullptr || box == nullptr || list == nullptr ||
+            !reader_.text(*paint, path + "/paint", hash) || !reader_.array(*box, path + "/box", 2) ||
+            !reader_.array(*list, path + "/list", max_paint_parts))
+            return;
+        PaintParts parts;
+        if (box->items.size() != 2) {
+            reader_.fail(path + "/box", json_kind_text(*box), "two corners");
+            return;
+        }
+        reader_.vector(box->items[0], path + "/box/0", -max_position, max_position, parts.bounds.min);
+        reader_.vector(box->items[1], path + "/box/1", -max_position, max_position, parts.bounds.max);
+        for (const Json& item : list->items) {
+            if (item.kind != Json::Kind::string || !unpack_part(item.text, parts.parts.emplace_back())) {
+                reader_.fail(fmt::format("{}/list/{}", path, parts.parts.size() - 1), json_kind_text(item),
+                             "a part of the geometry, as base64");
+                return;
+            }
+        }
+        parts.of.assign(painted_, 1);
+        if (const Json* of = json.find("of")) {
+            std::string bytes;
+            if (of->kind != Json::Kind::string || !decode_base64(of->text, bytes)) {
+                reader_.fail(path + "/of", json_kind_text(*of), "a part for each painted face, as base64");
+                return;
+            }
+            if (bytes.size() != 2 * painted_) return;
+            const char* at = bytes.data();
+            for (std::uint16_t& part : parts.of)
+                part = static_cast<std::uint16_t>(take_bytes(at, 2));
+        }
+        std::vector<const FaceKey*> keys;
+        for (std::size_t i = 0; i < painted_; ++i)
+            keys.push_back(&stored_[i].key);
+        // Another program may have changed the painted faces and kept this member, which it does not know.
+        if (hash == fmt::format("{:016x}", hash_of_keys(keys))) parts_ = std::move(parts);
+        keep_unknown(json, path, path, {"paint", "box", "of", "list"});
+    }
+
     void read_cameras(const Json& json, const std::string& path) {
         if (!reader_.array(json, path, max_cameras)) return;
         for (std::size_t i = 0; i < json.items.size() && reader_.ok(); ++i) {
@@ -491,7 +538,8 @@ class LevelReader {
     }
 
     void match() {
-        MatchedOverrides matched = match_overrides(*loaded_.level.mesh, loaded_.level.surfaces, stored_);
+        MatchedOverrides matched =
+            match_overrides(*loaded_.level.mesh, loaded_.level.surfaces, stored_, parts_);
         loaded_.level.overrides = std::move(matched.overrides);
         loaded_.level.orphans = std::move(matched.orphans);
         loaded_.match = matched.summary;
@@ -512,6 +560,8 @@ class LevelReader {
     std::size_t warnings_ = 0;  // about the file's content; only the first ones are listed
     UnknownMembers unknown_;
     std::vector<StoredOverride> stored_;
+    std::size_t painted_ = 0;  // of stored_; the others were orphans already
+    PaintParts parts_;
     FaceKeySets kept_ = FaceKeySets(1);  // hidden faces, then selections
 };
 
