@@ -450,7 +450,7 @@ std::vector<StoredOverride> stored_overrides(const Level& level, PaintParts& par
         const std::optional<SurfaceId>& surface = level.overrides[face];
         if (surface && *surface < level.surfaces.size()) faces.push_back(static_cast<FaceId>(face));
     }
-    parts = paint_parts(*level.mesh, faces);
+    parts = paint_parts(*level.mesh, level.surfaces, faces);
     std::vector<StoredOverride> stored;
     stored.reserve(faces.size() + level.orphans.size());
     std::vector<FaceKey> keys = face_keys(*level.mesh, faces);

@@ -10,6 +10,7 @@
 #include "packed_faces.h"
 #include "slipface/base/hash.h"
 #include "slipface/base/key_sort.h"
+#include "slipface/level/material_name.h"
 
 namespace slipface {
 namespace {
@@ -87,8 +88,7 @@ bool loop_before(const std::vector<Vec3f>& a, const std::vector<Vec3f>& b) {
 }
 
 // Of each rim direction: the face with the outermost corner.
-void find_anchors(const Mesh& mesh, const std::vector<std::uint32_t>& part_of,
-                  std::vector<PaintPart>& parts) {
+void find_anchors(const Mesh& mesh, const MeshParts& all, std::vector<PaintPart>& parts) {
     const auto& directions = rim_directions();
     struct Rim {
         double reach = -std::numeric_limits<double>::infinity();
@@ -96,7 +96,7 @@ void find_anchors(const Mesh& mesh, const std::vector<std::uint32_t>& part_of,
     };
     std::vector<std::array<Rim, 12>> rims(parts.size());
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
-        const std::uint32_t part = part_of[face];
+        const std::uint32_t part = all.of[face];
         const std::uint32_t count = mesh.face_corner_count(face);
         if (part == no_id || count < 3 || count > max_anchor_corners) continue;
         for (std::size_t d = 0; d < directions.size(); ++d) {
@@ -113,17 +113,43 @@ void find_anchors(const Mesh& mesh, const std::vector<std::uint32_t>& part_of,
         }
     }
     for (std::size_t part = 0; part < parts.size(); ++part) {
-        std::vector<std::vector<Vec3f>>& anchors = parts[part].anchors;
+        std::vector<AnchorFace>& anchors = parts[part].anchors;
         for (const Rim& rim : rims[part])
-            if (rim.face != no_id) anchors.push_back(corners_of(mesh, rim.face));
-        std::sort(anchors.begin(), anchors.end(), loop_before);
+            if (rim.face != no_id) anchors.push_back({all.rank[rim.face], corners_of(mesh, rim.face)});
+        std::sort(anchors.begin(), anchors.end(),
+                  [](const AnchorFace& a, const AnchorFace& b) { return loop_before(a.corners, b.corners); });
         anchors.erase(std::unique(anchors.begin(), anchors.end()), anchors.end());
+    }
+}
+
+void sort_parts(const Mesh& mesh, SurfaceTable surfaces, MeshParts& parts) {
+    std::vector<std::string> bases;
+    for (const Material& material : mesh.materials)
+        bases.push_back(base_material(material.name, surfaces));
+    std::vector<std::string> names = bases;
+    std::sort(names.begin(), names.end());
+    std::vector<std::uint64_t> number;  // [material] of its base name
+    for (const std::string& base : bases)
+        number.push_back(
+            static_cast<std::uint64_t>(std::lower_bound(names.begin(), names.end(), base) - names.begin()));
+    std::vector<KeyedIndex> order(mesh.face_count());
+    for (FaceId face = 0; face < mesh.face_count(); ++face)
+        order[face] = {std::uint64_t{parts.of[face]} << 32 | number[mesh.face_material[face]], face};
+    sort_by_key(order);
+    parts.first.assign(parts.parts.size() + 1, 0);
+    for (std::size_t part = 0; part < parts.parts.size(); ++part)
+        parts.first[part + 1] = parts.first[part] + parts.parts[part].faces;
+    parts.rank.resize(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const FaceId face = order[i].index;
+        parts.sorted.push_back(face);
+        parts.rank[face] = static_cast<std::uint32_t>(i) - parts.first[parts.of[face]];
     }
 }
 
 }  // namespace
 
-MeshParts mesh_parts(const Mesh& mesh) {
+MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces) {
     const std::vector<std::uint32_t> first = welded(mesh);
     Union pieces(mesh.face_count());
     std::vector<std::uint32_t> face_at(mesh.positions.size(), no_id);  // [welded vertex] last face there
@@ -157,21 +183,21 @@ MeshParts mesh_parts(const Mesh& mesh) {
         for (std::uint32_t c = mesh.face_first_corner[face]; c < mesh.face_first_corner[face + 1]; ++c)
             result.parts[part].box.add(mesh.corner_position(c).cast<double>());
     }
+    sort_parts(mesh, surfaces, result);
     return result;
 }
 
-PaintParts paint_parts(const Mesh& mesh, const std::vector<FaceId>& faces) {
+PaintParts paint_parts(const Mesh& mesh, SurfaceTable surfaces, const std::vector<FaceId>& faces) {
     PaintParts result;
     if (faces.empty()) return result;
     result.bounds = mesh.bounds;
-    MeshParts all = mesh_parts(mesh);
+    MeshParts all = mesh_parts(mesh, surfaces);
     std::vector<std::uint32_t> painted(all.parts.size(), 0);
     for (const FaceId face : faces)
         ++painted[all.of[face]];
-    // Only the parts with paint, the ones with the most first if there are too many.
     std::vector<std::uint32_t> order;
     for (std::uint32_t part = 0; part < all.parts.size(); ++part)
-        if (painted[part] > 0) order.push_back(part);
+        order.push_back(part);
     const auto content = [&](std::uint32_t part) {
         const Aabb& box = all.parts[part].box;
         return std::make_tuple(painted[part], all.parts[part].faces, box.min.x(), box.min.y(), box.min.z(),
@@ -186,14 +212,14 @@ PaintParts paint_parts(const Mesh& mesh, const std::vector<FaceId>& faces) {
         result.parts.push_back(all.parts[order[i]]);
     }
     for (std::uint32_t& part : all.of)
-        part = number[part];
-    find_anchors(mesh, all.of, result.parts);
+        part = painted[part] > 0 ? number[part] : no_id;
+    find_anchors(mesh, all, result.parts);
     for (const FaceId face : faces)
         result.of.push_back(static_cast<std::uint16_t>(all.of[face] + 1));  // no_id + 1 is 0
     return result;
 }
 
-// 4 bytes number of faces, 6 x 4 box, then of each anchor 1 byte number of corners, 3 x 4 each.
+// 4 bytes number of faces, 6 x 4 box, then of each anchor 4 bytes rank, 1 byte number of corners, 3 x 4 each.
 std::string pack_part(const PaintPart& part) {
     std::string bytes;
     const auto put = [&](const Vec3f& position) {
@@ -203,9 +229,10 @@ std::string pack_part(const PaintPart& part) {
     put_bytes(bytes, part.faces, 4);
     put(part.box.min.cast<float>());
     put(part.box.max.cast<float>());
-    for (const std::vector<Vec3f>& anchor : part.anchors) {
-        put_bytes(bytes, anchor.size(), 1);
-        for (const Vec3f& corner : anchor)
+    for (const AnchorFace& anchor : part.anchors) {
+        put_bytes(bytes, anchor.rank, 4);
+        put_bytes(bytes, anchor.corners.size(), 1);
+        for (const Vec3f& corner : anchor.corners)
             put(corner);
     }
     return base64(bytes);
@@ -228,13 +255,15 @@ bool unpack_part(std::string_view text, PaintPart& part) {
     part.box.min = take().cast<double>();
     part.box.max = take().cast<double>();
     while (at != end) {
+        if (end - at < 5) return false;
+        AnchorFace& anchor = part.anchors.emplace_back();
+        anchor.rank = static_cast<std::uint32_t>(take_bytes(at, 4));
         const std::size_t count = take_bytes(at, 1);
         if (count < 3 || count > max_anchor_corners || static_cast<std::size_t>(end - at) < 12 * count ||
-            part.anchors.size() == rim_directions().size())
+            part.anchors.size() > rim_directions().size())
             return false;
-        std::vector<Vec3f>& anchor = part.anchors.emplace_back();
         for (std::size_t i = 0; i < count; ++i)
-            anchor.push_back(take());
+            anchor.corners.push_back(take());
     }
     return valid && (part.box.min.array() <= part.box.max.array()).all();
 }

@@ -111,6 +111,7 @@ std::vector<Eigen::Matrix3d> axis_turns() {
 
 struct Support {
     double corners = 0.0, keys = 0.0;  // fractions
+    double ranks = 0.0;                // fraction of anchors with their place in the file's order
     double sum() const { return corners + keys; }
 };
 
@@ -122,8 +123,8 @@ class Finder {
         parts_.resize(parts.parts.size());
         for (std::size_t part = 0; part < parts_.size(); ++part) {
             std::vector<Vec3>& points = parts_[part].points;
-            for (const std::vector<Vec3f>& anchor : parts.parts[part].anchors)
-                for (const Vec3f& corner : anchor)
+            for (const AnchorFace& anchor : parts.parts[part].anchors)
+                for (const Vec3f& corner : anchor.corners)
                     points.push_back(corner.cast<double>());
             std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) {
                 return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
@@ -157,7 +158,8 @@ class Finder {
         std::vector<Motion> motions;
         for (Part& part : parts_) {
             part.best.flipped = is_flipped(part);
-            part.best.lost = part.best_support.corners < lost_below && part.best_support.keys < lost_below;
+            part.best.lost = part.best_support.corners < lost_below && part.best_support.keys < lost_below &&
+                             !has_similar_box(motions.size());
             motions.push_back(part.best);
         }
         return motions;
@@ -212,6 +214,67 @@ class Finder {
         return same && other ? Side::both : same ? Side::same : other ? Side::other : Side::none;
     }
 
+    // The parts of the mesh, found when they are first needed.
+    const MeshParts& all() {
+        if (all_) return *all_;
+        all_ = mesh_parts(mesh_, surfaces_);
+        vertex_part_.assign(mesh_.positions.size(), no_id);
+        for (FaceId face = 0; face < mesh_.face_count(); ++face)
+            for (std::uint32_t c = mesh_.face_first_corner[face]; c < mesh_.face_first_corner[face + 1]; ++c)
+                vertex_part_[mesh_.corner_vertex[c]] = all_->of[face];
+        // Parts by the place of their box.
+        std::vector<std::pair<double, std::uint32_t>> stored;
+        for (std::size_t i = 0; i < stored_.parts.size(); ++i)
+            stored.push_back({stored_.parts[i].box.min.x(), static_cast<std::uint32_t>(i)});
+        std::sort(stored.begin(), stored.end());
+        owner_.assign(all_->parts.size(), no_id);
+        for (std::size_t part = 0; part < all_->parts.size(); ++part) {
+            const Aabb& box = all_->parts[part].box;
+            const double slack = 4.0 * position_tolerance(box.max) + 4.0 * position_tolerance(box.min);
+            auto at = std::lower_bound(stored.begin(), stored.end(),
+                                       std::pair<double, std::uint32_t>{box.min.x() - slack, 0});
+            for (; at != stored.end() && at->first <= box.min.x() + slack; ++at) {
+                const Aabb& old = stored_.parts[at->second].box;
+                if ((old.min - box.min).cwiseAbs().maxCoeff() <= slack &&
+                    (old.max - box.max).cwiseAbs().maxCoeff() <= slack)
+                    owner_[part] = at->second;
+            }
+        }
+        return *all_;
+    }
+
+    // True if the motion puts the part where another one stayed.
+    bool is_taken(std::size_t i, const Motion& motion) {
+        all();
+        std::size_t hits = 0, taken = 0;
+        for (const Vec3& point : parts_[i].points) {
+            const Vec3 to = motion(point);
+            const std::uint32_t vertex = grid_.nearest(to, tolerance(motion, point, to));
+            if (vertex == no_id || vertex_part_[vertex] == no_id) continue;
+            ++hits;
+            const std::uint32_t owner = owner_[vertex_part_[vertex]];
+            taken += owner != no_id && owner != i ? 1 : 0;
+        }
+        return 10 * taken > 3 * hits;
+    }
+
+    double ranks_kept(std::size_t i, const Motion& motion) {
+        const std::vector<AnchorFace>& anchors = stored_.parts[i].anchors;
+        std::size_t kept = 0;
+        for (const AnchorFace& anchor : anchors) {
+            Vec3 centroid = Vec3::Zero();
+            for (const Vec3f& corner : anchor.corners)
+                centroid += corner.cast<double>() / static_cast<double>(anchor.corners.size());
+            const Vec3 to = motion(centroid);
+            const double reach = std::min(4.0 * position_tolerance(to), tolerance(motion, centroid, to));
+            bool same = false;
+            for (const FaceId face : index_.near(to, reach))
+                same = same || all().rank[face] == anchor.rank;
+            kept += same ? 1 : 0;
+        }
+        return anchors.empty() ? 0.0 : static_cast<double>(kept) / static_cast<double>(anchors.size());
+    }
+
     Support support(const Part& part, const Motion& motion, double least) const {
         Support result;
         result.corners = corners_hit(part, motion, least);
@@ -239,12 +302,21 @@ class Finder {
     void consider(std::size_t i, const Motion& motion) {
         Part& part = parts_[i];
         ++guesses_;
-        const Support found = support(part, motion, enough_anchors);
-        if (found.corners < enough_anchors || found.sum() <= part.staying.sum() + clearly_more) return;
+        Support found = support(part, motion, enough_anchors);
+        if (found.corners < enough_anchors || found.sum() < part.best_support.sum() - 1e-9) return;
+        found.ranks = ranks_kept(i, motion);
+        // What explains all needs to explain only a little more than staying does. A symmetric part that was
+        // turned or mirrored in its place is where it was: the file's order shows it.
+        const double more = found.sum() - part.staying.sum();
+        const bool whole = found.sum() > 2.0 - 1e-9;
+        const bool reordered = more > -1e-9 && found.ranks >= 0.75 && part.staying.ranks <= 0.25;
+        if (!reordered && more <= (whole ? 1e-9 : clearly_more)) return;
+        if (is_taken(i, motion)) return;
         const PaintPart& old = stored_.parts[i];
         const double cost = effort(motion, old.box.centre(), old.box.size().norm());
         const double gain = found.sum() - part.best_support.sum();
-        if (gain < -1e-9 || (gain < 1e-9 && cost >= part.best_effort)) return;
+        const double ranks_gain = found.ranks - part.best_support.ranks;
+        if (gain < 1e-9 && (ranks_gain < -1e-9 || (ranks_gain < 1e-9 && cost >= part.best_effort))) return;
         part.best = motion;
         part.best_support = found;
         part.best_effort = cost;
@@ -252,12 +324,18 @@ class Finder {
 
     void find(std::size_t i) {
         Part& part = parts_[i];
-        part.staying = part.best_support = support(part, Motion{}, 0.0);
-        if (part.points.size() < 3 || part.staying.corners >= 1.0) return;
+        part.staying = support(part, Motion{}, 0.0);
+        if (!part.points.empty()) part.staying.ranks = ranks_kept(i, Motion{});
+        part.best_support = part.staying;
+        if (part.points.size() < 3 || (part.staying.corners >= 1.0 && part.staying.ranks > 0.25)) return;
         part.searched = true;
         try_known(i);
-        try_boxes(i);
-        try_faces(i);
+        try_ranks(i);
+        if (part.best.is_identity() || part.best_support.sum() < 2.0 - 1e-9 ||
+            part.best_support.ranks < 0.75) {
+            try_boxes(i);
+            try_faces(i);
+        }
         if (!part.best.is_identity()) known_.push_back(part.best);
     }
 
@@ -266,10 +344,79 @@ class Finder {
             consider(i, known_[k]);
     }
 
+    // Whether the mesh has a part that fills nearly the same box: an edited part.
+    bool has_similar_box(std::size_t i) {
+        const Aabb& old = stored_.parts[i].box;
+        const double slack = 0.05 * old.size().norm();
+        return std::any_of(all().parts.begin(), all().parts.end(), [&](const PaintPart& part) {
+            return (part.box.min - old.min).norm() <= slack && (part.box.max - old.max).norm() <= slack;
+        });
+    }
+
+    // A part with as many faces has them in the same order: any affine motion, even a shear, follows from the
+    // anchors' centroids.
+    void try_ranks(std::size_t i) {
+        const PaintPart& old = stored_.parts[i];
+        const MeshParts& all_parts = all();
+        const auto count = static_cast<Eigen::Index>(old.anchors.size());
+        Eigen::Matrix3Xd from(3, count), to(3, count);
+        for (Eigen::Index k = 0; k < count; ++k) {
+            const AnchorFace& anchor = old.anchors[static_cast<std::size_t>(k)];
+            from.col(k).setZero();
+            for (const Vec3f& corner : anchor.corners)
+                from.col(k) += corner.cast<double>() / static_cast<double>(anchor.corners.size());
+        }
+        std::size_t tried = 0;
+        for (std::size_t part = 0; part < all_parts.parts.size() && tried < 100; ++part) {
+            if (all_parts.parts[part].faces != old.faces || guesses_ > max_guesses) continue;
+            ++tried;
+            bool fits = count >= 3;
+            for (Eigen::Index k = 0; k < count && fits; ++k) {
+                const AnchorFace& anchor = old.anchors[static_cast<std::size_t>(k)];
+                fits = anchor.rank < old.faces;
+                if (!fits) break;
+                const FaceId face = all_parts.sorted[all_parts.first[part] + anchor.rank];
+                fits = mesh_.face_corner_count(face) == anchor.corners.size();
+                to.col(k) = index_.key(face).centroid;
+            }
+            if (!fits) continue;
+            for (const bool mirrored : {false, true})
+                if (const std::optional<Motion> motion = affine(from, to, mirrored)) consider(i, *motion);
+        }
+    }
+
+    // The least-squares affine motion. What is flat says nothing about the third direction: it becomes the
+    // new plane's normal, scaled as the plane was.
+    static std::optional<Motion> affine(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
+                                        bool mirrored) {
+        const Vec3 old_centre = from.rowwise().mean();
+        const Vec3 new_centre = to.rowwise().mean();
+        const Eigen::Matrix3Xd a = from.colwise() - old_centre;
+        const Eigen::Matrix3Xd b = to.colwise() - new_centre;
+        const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(a, Eigen::ComputeThinU | Eigen::ComputeThinV);
+        const Vec3 sizes = svd.singularValues();
+        if (!(sizes[1] > 1e-4 * sizes[0])) return std::nullopt;
+        const bool flat = !(sizes[2] > 1e-4 * sizes[0]);
+        if (!flat && mirrored) return std::nullopt;  // the fit decides
+        Eigen::Matrix3d moved;                       // columns: where the three directions go
+        for (int k = 0; k < 3; ++k)
+            moved.col(k) = k == 2 && flat ? Vec3(Vec3::Zero()) : Vec3(b * svd.matrixV().col(k) / sizes[k]);
+        if (flat) {
+            const Vec3 normal = moved.col(0).cross(moved.col(1));
+            if (!(normal.norm() > 0.0)) return std::nullopt;
+            const double side = svd.matrixU().determinant() < 0.0 ? -1.0 : 1.0;
+            moved.col(2) = (mirrored ? -side : side) * normal / std::sqrt(normal.norm());
+        }
+        Motion motion;
+        motion.linear = moved * svd.matrixU().transpose();
+        motion.offset = new_centre - motion.linear * old_centre;
+        if (!motion.linear.allFinite() || std::abs(motion.linear.determinant()) < 1e-12) return std::nullopt;
+        return motion;
+    }
+
     // The part's box became the box of a part with as many faces, or of the same shape; or the whole level's
     // box became the mesh's.
     void try_boxes(std::size_t i) {
-        if (!all_) all_ = mesh_parts(mesh_);
         const PaintPart& old = stored_.parts[i];
         if (!stored_.bounds.empty() && !mesh_.bounds.empty()) try_box(i, stored_.bounds, mesh_.bounds);
         const auto sorted_size = [](const Aabb& box) {
@@ -279,7 +426,7 @@ class Finder {
         };
         const Vec3 size = sorted_size(old.box);
         std::size_t tried = 0;
-        for (const PaintPart& part : all_->parts) {
+        for (const PaintPart& part : all().parts) {
             if (part.faces != old.faces && !(sorted_size(part.box) - size).isZero(1e-4 * size.z())) continue;
             if (++tried > 100 || guesses_ > max_guesses) break;
             try_box(i, old.box, part.box);
@@ -370,7 +517,8 @@ class Finder {
             std::vector<FaceId> faces;
         };
         std::vector<Anchor> anchors;
-        for (const std::vector<Vec3f>& corners : stored_.parts[i].anchors) {
+        for (const AnchorFace& face : stored_.parts[i].anchors) {
+            const std::vector<Vec3f>& corners = face.corners;
             double length = 0.0;
             Vec3 sum = Vec3::Zero();
             for (std::size_t c = 0; c < corners.size(); ++c) {
@@ -522,7 +670,8 @@ class Finder {
         const Motion& motion = known_[static_cast<std::size_t>(most - votes.begin())];
         for (Part& part : parts_) {
             const Support found = support(part, motion, enough_anchors);
-            if (found.corners < enough_anchors || found.sum() < part.best_support.sum() - 1e-9) continue;
+            if (found.corners < enough_anchors || found.sum() < part.best_support.sum() - 0.1) continue;
+            if (part.best.is_identity() && found.sum() < part.best_support.sum() - 1e-9) continue;
             part.best = motion;
             part.best_support = found;
         }
@@ -535,6 +684,8 @@ class Finder {
     VertexGrid grid_;
     std::vector<Part> parts_;
     std::optional<MeshParts> all_;
+    std::vector<std::uint32_t> vertex_part_;  // [vertex] of the mesh
+    std::vector<std::uint32_t> owner_;        // [part of the mesh] the stored part with its box, or no_id
     std::vector<Shape> shapes_;
     std::vector<Motion> known_;
     std::size_t guesses_ = 0;

@@ -12,11 +12,18 @@ namespace slipface {
 
 class FaceIndex;
 
+// A face at a part's rim; it shows where the part is.
+struct AnchorFace {
+    std::uint32_t rank = 0;  // number among the part's faces, sorted by base material and then as in the file
+    std::vector<Vec3f> corners;
+    friend bool operator==(const AnchorFace&, const AnchorFace&) = default;
+};
+
 // A connected piece of a group, or all small pieces of a group together.
 struct PaintPart {
     std::uint32_t faces = 0;  // painted or not
     Aabb box;
-    std::vector<std::vector<Vec3f>> anchors;  // corners of faces at its rim; they show where it is
+    std::vector<AnchorFace> anchors;  // none if no face is painted
 };
 
 inline constexpr std::size_t max_paint_parts = 4096;  // of a level
@@ -27,8 +34,8 @@ struct PaintParts {
     std::vector<std::uint16_t> of;  // [painted face] 1 + its part; 0: none
 };
 
-// The parts with a face of `faces`, in an order that does not depend on the order of the mesh's faces.
-PaintParts paint_parts(const Mesh& mesh, const std::vector<FaceId>& faces);
+// All parts, the ones with most faces of `faces` first.
+PaintParts paint_parts(const Mesh& mesh, SurfaceTable surfaces, const std::vector<FaceId>& faces);
 
 // A part in base64, and back; false if `text` is none.
 std::string pack_part(const PaintPart& part);

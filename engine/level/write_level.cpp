@@ -142,7 +142,7 @@ PaintedFaces painted_faces(const Level& level) {
     PaintedFaces painted;
     if (faces.empty()) return painted;
     painted.keys = face_keys(*level.mesh, faces);
-    painted.parts = paint_parts(*level.mesh, faces);
+    painted.parts = paint_parts(*level.mesh, level.surfaces, faces);
     for (const FaceId face : faces) {
         const SurfaceId surface = *level.overrides[face];
         painted.types.push_back(&level.surfaces[surface].name);
