@@ -240,12 +240,25 @@ class Matcher {
             if (area > whole_fraction * key.area) return false;
             faces.push_back(part.face);
             if (area < part_fraction * key.area) continue;
-            if (!has_middle(key, faces)) return false;
+            if (!has_middle(key, faces) || !cover_middle(key, normal, faces)) return false;
             for (const FaceId face : faces)
                 claim(face, i, Stage::plane);
             return true;
         }
         return false;
+    }
+
+    // Whether a part is at the old face's middle, where cuts often meet: halves of the neighbours of a
+    // deleted tile have its middle, too, but leave it free.
+    bool cover_middle(const FaceKey& key, const Vec3& normal, const std::vector<FaceId>& parts) const {
+        const Vec3 side = 0.01 * std::sqrt(key.area) * normal.unitOrthogonal();
+        const Vec3 other = normal.cross(side);
+        const Vec3 points[] = {side, -side, other, -other};
+        return std::all_of(std::begin(points), std::end(points), [&](const Vec3& point) {
+            return std::any_of(parts.begin(), parts.end(), [&](FaceId face) {
+                return index_.covers(face, key.centroid + point, normal);
+            });
+        });
     }
 
     // Parts that are all of the old face, not parts of its neighbours: they have its middle.

@@ -23,6 +23,9 @@ constexpr std::size_t max_candidates_per_anchor = 400;
 constexpr double enough_anchors = 0.7;  // fraction of anchor corners that a motion must explain
 constexpr double clearly_more = 0.15;   // than staying explains; the most is 2
 constexpr double lost_below = 0.3;
+constexpr double in_place = 0.85;             // fraction of anchor corners of a part that stayed
+constexpr double vote_slack = 0.1;            // by which parts yield to the motion of other parts
+constexpr std::size_t max_candidates = 1000;  // motions to vote on
 
 // Finds vertices near a position.
 class VertexGrid {
@@ -152,14 +155,12 @@ class Finder {
     std::vector<Motion> run() && {
         for (std::size_t part = 0; part < parts_.size(); ++part)
             find(part);
-        for (std::size_t part = 0; part < parts_.size(); ++part)
-            if (parts_[part].searched) try_known(part);
-        follow_the_many();
+        vote();
         std::vector<Motion> motions;
         for (Part& part : parts_) {
             part.best.flipped = is_flipped(part);
-            part.best.lost = part.best_support.corners < lost_below && part.best_support.keys < lost_below &&
-                             !has_similar_box(motions.size());
+            part.best.lost = !part.points.empty() && part.best_support.corners < lost_below &&
+                             part.best_support.keys < lost_below && !has_similar_box(motions.size());
             motions.push_back(part.best);
         }
         return motions;
@@ -303,31 +304,50 @@ class Finder {
         Part& part = parts_[i];
         ++guesses_;
         Support found = support(part, motion, enough_anchors);
-        if (found.corners < enough_anchors || found.sum() < part.best_support.sum() - 1e-9) return;
+        if (found.corners < enough_anchors || found.sum() < part.best_support.sum() - vote_slack) return;
         found.ranks = ranks_kept(i, motion);
-        // What explains all needs to explain only a little more than staying does. A symmetric part that was
-        // turned or mirrored in its place is where it was: the file's order shows it.
+        // What explains all needs to explain only a little more than staying does.
         const double more = found.sum() - part.staying.sum();
-        const bool whole = found.sum() > 2.0 - 1e-9;
-        const bool reordered = more > -1e-9 && found.ranks >= 0.75 && part.staying.ranks <= 0.25;
-        if (!reordered && more <= (whole ? 1e-9 : clearly_more)) return;
+        if (more <= (found.sum() > 2.0 - 1e-9 ? 1e-9 : clearly_more) || !fills_box(i, motion)) return;
         if (is_taken(i, motion)) return;
         const PaintPart& old = stored_.parts[i];
         const double cost = effort(motion, old.box.centre(), old.box.size().norm());
         const double gain = found.sum() - part.best_support.sum();
+        add_candidate(i, motion);
         const double ranks_gain = found.ranks - part.best_support.ranks;
-        if (gain < 1e-9 && (ranks_gain < -1e-9 || (ranks_gain < 1e-9 && cost >= part.best_effort))) return;
+        if (gain < -1e-9 ||
+            (gain < 1e-9 && (ranks_gain < -1e-9 || (ranks_gain < 1e-9 && cost >= part.best_effort))))
+            return;
         part.best = motion;
         part.best_support = found;
         part.best_effort = cost;
     }
 
+    // Tiles may repeat at half their size in a subdivided part. So a part that was scaled must fill its new
+    // box.
+    bool fills_box(std::size_t i, const Motion& motion) {
+        if ((motion.linear.transpose() * motion.linear).isIdentity(1e-3)) return true;
+        all();
+        Aabb moved;
+        std::uint32_t part = no_id;
+        for (const Vec3& point : parts_[i].points) {
+            const Vec3 to = motion(point);
+            moved.add(to);
+            if (part != no_id) continue;
+            const std::uint32_t vertex = grid_.nearest(to, tolerance(motion, point, to));
+            if (vertex != no_id) part = vertex_part_[vertex];
+        }
+        if (part == no_id) return false;
+        const Aabb& box = all_->parts[part].box;
+        const double slack = 0.2 * moved.size().norm();
+        return (moved.min - box.min).norm() <= slack && (moved.max - box.max).norm() <= slack;
+    }
+
     void find(std::size_t i) {
         Part& part = parts_[i];
         part.staying = support(part, Motion{}, 0.0);
-        if (!part.points.empty()) part.staying.ranks = ranks_kept(i, Motion{});
         part.best_support = part.staying;
-        if (part.points.size() < 3 || (part.staying.corners >= 1.0 && part.staying.ranks > 0.25)) return;
+        if (part.points.size() < 3 || part.staying.corners >= in_place) return;
         part.searched = true;
         try_known(i);
         try_ranks(i);
@@ -647,33 +667,67 @@ class Finder {
         }
     }
 
-    // A part that several motions explain equally goes with the motion of the most other parts.
-    void follow_the_many() {
-        std::vector<std::size_t> votes(known_.size(), 0);
-        std::size_t stayed = 0;
-        const auto same = [&](const Motion& a, const Motion& b, const Aabb& box) {
-            const double size = 1e-4 * (box.size().norm() + 1.0);
-            return (a(box.min) - b(box.min)).norm() < size && (a(box.max) - b(box.max)).norm() < size &&
-                   (a(box.centre()) - b(box.centre())).norm() < size &&
-                   (a.linear.determinant() < 0.0) == (b.linear.determinant() < 0.0);
+    static bool same(const Motion& a, const Motion& b, const Aabb& box) {
+        const double size = 1e-4 * (box.size().norm() + 1.0);
+        return (a(box.min) - b(box.min)).norm() < size && (a(box.max) - b(box.max)).norm() < size &&
+               (a(box.centre()) - b(box.centre())).norm() < size &&
+               (a.linear - b.linear).norm() < 1e-3 * (a.linear.norm() + b.linear.norm());
+    }
+
+    void add_candidate(std::size_t i, const Motion& motion) {
+        constexpr std::size_t max_of_part = 100;
+        if (i != candidates_part_) candidates_of_part_ = 0;
+        candidates_part_ = i;
+        if (candidates_.size() == max_candidates || candidates_of_part_ == max_of_part) return;
+        for (const Motion& known : candidates_)
+            if (same(known, motion, stored_.parts[i].box)) return;
+        candidates_.push_back(motion);
+        ++candidates_of_part_;
+    }
+
+    // Equal crates can go to each other's new places, and symmetric parts can turn. The motion that explains
+    // the most parts is theirs, then the one that explains the most of the others.
+    void vote() {
+        struct Voter {
+            std::size_t part;
+            std::vector<std::size_t> motions;
         };
+        std::vector<Voter> voters;
         for (std::size_t i = 0; i < parts_.size(); ++i) {
-            if (parts_[i].best.is_identity()) {
-                ++stayed;
-                continue;
+            if (!parts_[i].searched || parts_[i].best.is_identity()) continue;
+            Voter voter{i, {}};
+            for (std::size_t k = 0; k < candidates_.size() && votes_ < max_guesses; ++k) {
+                ++votes_;
+                const Support found = support(parts_[i], candidates_[k], enough_anchors);
+                if (found.corners >= enough_anchors &&
+                    found.sum() >= parts_[i].best_support.sum() - vote_slack &&
+                    !is_taken(i, candidates_[k]) && fills_box(i, candidates_[k]))
+                    voter.motions.push_back(k);
             }
-            for (std::size_t k = 0; k < known_.size() && k < 64; ++k)
-                votes[k] += same(parts_[i].best, known_[k], stored_.parts[i].box) ? 1 : 0;
+            voters.push_back(std::move(voter));
         }
-        const auto most = std::max_element(votes.begin(), votes.end());
-        if (most == votes.end() || *most < 2 || *most <= stayed) return;
-        const Motion& motion = known_[static_cast<std::size_t>(most - votes.begin())];
-        for (Part& part : parts_) {
-            const Support found = support(part, motion, enough_anchors);
-            if (found.corners < enough_anchors || found.sum() < part.best_support.sum() - 0.1) continue;
-            if (part.best.is_identity() && found.sum() < part.best_support.sum() - 1e-9) continue;
-            part.best = motion;
-            part.best_support = found;
+        while (!voters.empty()) {
+            std::vector<std::size_t> votes(candidates_.size(), 0);
+            for (const Voter& voter : voters)
+                for (const std::size_t k : voter.motions)
+                    ++votes[k];
+            std::size_t most = no_id;
+            const auto cost = [&](std::size_t k) {
+                return effort(candidates_[k], stored_.bounds.centre(), stored_.bounds.size().norm());
+            };
+            for (std::size_t k = 0; k < votes.size(); ++k)
+                if (votes[k] >= 2 && (most == no_id || votes[k] > votes[most] ||
+                                      (votes[k] == votes[most] && cost(k) < cost(most))))
+                    most = k;
+            if (most == no_id) return;
+            std::erase_if(voters, [&](const Voter& voter) {
+                if (std::find(voter.motions.begin(), voter.motions.end(), most) == voter.motions.end())
+                    return false;
+                Part& part = parts_[voter.part];
+                part.best = candidates_[most];
+                part.best_support = support(part, part.best, enough_anchors);
+                return true;
+            });
         }
     }
 
@@ -687,7 +741,9 @@ class Finder {
     std::vector<std::uint32_t> vertex_part_;  // [vertex] of the mesh
     std::vector<std::uint32_t> owner_;        // [part of the mesh] the stored part with its box, or no_id
     std::vector<Shape> shapes_;
-    std::vector<Motion> known_;
+    std::vector<Motion> known_;       // the parts' best, to be tried with the next parts
+    std::vector<Motion> candidates_;  // all that nearly explain as much
+    std::size_t candidates_part_ = 0, candidates_of_part_ = 0, votes_ = 0;
     std::size_t guesses_ = 0;
 };
 
