@@ -20,11 +20,13 @@ constexpr std::size_t max_sampled_keys = 48;        // of a part
 constexpr std::size_t max_guesses_per_part = 8000;  // motions examined
 constexpr std::size_t max_guesses = 500'000;        // of all parts
 constexpr std::size_t max_candidates_per_anchor = 400;
-constexpr double enough_anchors = 0.7;  // fraction of anchor corners that a motion must explain
-constexpr double clearly_more = 0.15;   // than staying explains; the most is 2
+constexpr double enough_anchors = 0.7;    // fraction of anchor corners that a motion must explain
+constexpr double clearly_more = 0.15;     // than staying explains; the most is 2
+constexpr double clearly_more_rim = 0.1;  // of the anchor corners alone
 constexpr double lost_below = 0.3;
 constexpr double in_place = 0.85;             // fraction of anchor corners of a part that stayed
-constexpr double vote_slack = 0.1;            // by which parts yield to the motion of other parts
+constexpr double box_slack = 0.05;            // of a box's diagonal, by which edits in place change it
+constexpr double vote_slack = 0.3;            // by which parts yield to the motion of other parts
 constexpr std::size_t max_candidates = 1000;  // motions to vote on
 
 // Finds vertices near a position.
@@ -172,7 +174,7 @@ class Finder {
         std::vector<const FaceKey*> keys;  // a sample
         Motion best;
         Support best_support, staying;
-        double best_effort = 0.0;
+        double best_rating = 0.0;
         bool searched = false;
     };
 
@@ -308,19 +310,34 @@ class Finder {
         found.ranks = ranks_kept(i, motion);
         // What explains all needs to explain only a little more than staying does.
         const double more = found.sum() - part.staying.sum();
-        if (more <= (found.sum() > 2.0 - 1e-9 ? 1e-9 : clearly_more) || !fills_box(i, motion)) return;
+        const bool whole = found.sum() > 2.0 - 1e-9;
+        if (more <= (whole ? 1e-9 : clearly_more) || !fills_box(i, motion)) return;
+        if (found.corners < part.staying.corners + clearly_more_rim) return;
+        if (!whole && part.staying.corners >= 0.5 && stays_inside(i, motion)) return;
         if (is_taken(i, motion)) return;
+        add_candidate(i, motion);
         const PaintPart& old = stored_.parts[i];
         const double cost = effort(motion, old.box.centre(), old.box.size().norm());
-        const double gain = found.sum() - part.best_support.sum();
-        add_candidate(i, motion);
-        const double ranks_gain = found.ranks - part.best_support.ranks;
-        if (gain < -1e-9 ||
-            (gain < 1e-9 && (ranks_gain < -1e-9 || (ranks_gain < 1e-9 && cost >= part.best_effort))))
-            return;
+        // Deleted faces make one of a symmetric part's motions fit a little better by chance, so the order
+        // and the effort count more than a little.
+        const double rating = found.sum() + 0.3 * found.ranks - 0.1 * std::min(cost, 2.0);
+        if (!part.best.is_identity() && rating <= part.best_rating) return;
         part.best = motion;
         part.best_support = found;
-        part.best_effort = cost;
+        part.best_rating = rating;
+    }
+
+    // A part of equal tiles that lost some at its rim looks as if it had moved by a tile, but nothing of it
+    // is at a new place.
+    bool stays_inside(std::size_t i, const Motion& motion) const {
+        const Aabb& box = stored_.parts[i].box;
+        const Vec3 slack = Vec3::Constant(1e-3 * box.size().norm());
+        return std::all_of(parts_[i].points.begin(), parts_[i].points.end(), [&](const Vec3& point) {
+            const Vec3 to = motion(point);
+            if (grid_.nearest(to, tolerance(motion, point, to)) == no_id) return true;
+            return ((to - box.min + slack).array() >= 0.0).all() &&
+                   ((box.max - to + slack).array() >= 0.0).all();
+        });
     }
 
     // Tiles may repeat at half their size in a subdivided part. So a part that was scaled must fill its new
@@ -367,7 +384,7 @@ class Finder {
     // Whether the mesh has a part that fills nearly the same box: an edited part.
     bool has_similar_box(std::size_t i) {
         const Aabb& old = stored_.parts[i].box;
-        const double slack = 0.05 * old.size().norm();
+        const double slack = box_slack * old.size().norm();
         return std::any_of(all().parts.begin(), all().parts.end(), [&](const PaintPart& part) {
             return (part.box.min - old.min).norm() <= slack && (part.box.max - old.max).norm() <= slack;
         });
@@ -719,7 +736,7 @@ class Finder {
                 if (votes[k] >= 2 && (most == no_id || votes[k] > votes[most] ||
                                       (votes[k] == votes[most] && cost(k) < cost(most))))
                     most = k;
-            if (most == no_id) return;
+            if (most == no_id) break;
             std::erase_if(voters, [&](const Voter& voter) {
                 if (std::find(voter.motions.begin(), voter.motions.end(), most) == voter.motions.end())
                     return false;
@@ -728,6 +745,15 @@ class Finder {
                 part.best_support = support(part, part.best, enough_anchors);
                 return true;
             });
+        }
+        // A part that is still there, damaged, and also looks like another one, has not become that one.
+        for (const Voter& voter : voters) {
+            Part& part = parts_[voter.part];
+            const Aabb& box = stored_.parts[voter.part].box;
+            const double moved = (part.best(box.centre()) - box.centre()).norm();
+            if (moved <= box_slack * box.size().norm() || !has_similar_box(voter.part)) continue;
+            part.best = Motion{};
+            part.best_support = part.staying;
         }
     }
 
