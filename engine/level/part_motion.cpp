@@ -231,6 +231,7 @@ class Finder {
             stored.push_back({stored_.parts[i].box.min.x(), static_cast<std::uint32_t>(i)});
         std::sort(stored.begin(), stored.end());
         owner_.assign(all_->parts.size(), no_id);
+        std::size_t visits = 0;
         for (std::size_t part = 0; part < all_->parts.size(); ++part) {
             const Aabb& box = all_->parts[part].box;
             const double slack = 4.0 * position_tolerance(box.max) + 4.0 * position_tolerance(box.min);
@@ -241,6 +242,15 @@ class Finder {
                 if ((old.min - box.min).cwiseAbs().maxCoeff() <= slack &&
                     (old.max - box.max).cwiseAbs().maxCoeff() <= slack)
                     owner_[part] = at->second;
+            }
+            // What is left of a part that lost faces lies in its box.
+            const double size = box.size().norm();
+            for (std::size_t i = 0; i < stored_.parts.size() && owner_[part] == no_id && visits < 4'000'000;
+                 ++i, ++visits) {
+                const Aabb& old = stored_.parts[i].box;
+                if (((box.min - old.min).array() >= -slack).all() &&
+                    ((old.max - box.max).array() >= -slack).all() && size >= 0.5 * old.size().norm())
+                    owner_[part] = static_cast<std::uint32_t>(i);
             }
         }
         return *all_;
