@@ -58,7 +58,7 @@ void add_file(Numbers& numbers, const Level& level) {
     }
     numbers["types"] = std::move(types);
     for (const char* key : {"slipface", "mesh", "overrides", "orphans", "rules", "cameras", "movement",
-                            "goals", "hidden", "selections", "surfaces"})
+                            "goals", "hidden", "selections", "surfaces", "parts"})
         file.erase(key);
     numbers["file"] = std::move(file);
 }

@@ -24,6 +24,10 @@ constexpr std::size_t max_listed_orphans = 100;
 constexpr double part_fraction = 0.99;
 constexpr double whole_fraction = 1.01;
 
+// A face larger than this fraction of an old one was merged from several, if they make up so much of it.
+constexpr double merged_fraction = 1.5;
+constexpr double merged_coverage = 0.9;
+
 Vec3 unit_or_zero(const Vec3& normal) {
     const double length = normal.norm();
     return length > 0.5 ? Vec3(normal / length) : Vec3(Vec3::Zero());
@@ -47,7 +51,7 @@ struct Lookup {
 class Matcher {
   public:
     Matcher(const Mesh& mesh, SurfaceTable surfaces, const std::vector<StoredOverride>& stored,
-            Lookup& lookup)
+            Lookup& lookup, std::vector<bool> lost = {})
         : mesh_(mesh),
           surfaces_(surfaces),
           stored_(stored),
@@ -56,7 +60,9 @@ class Matcher {
           claims_(mesh.face_count()),
           found_(stored.size(), Stage::none),
           types_(stored.size()),
-          bases_(stored.size()) {
+          bases_(stored.size()),
+          lost_(std::move(lost)) {
+        lost_.resize(stored.size(), false);
         result_.overrides.resize(mesh.face_count());
         for (std::size_t i = 0; i < stored.size(); ++i) {
             types_[i] = type_of(stored[i].type);
@@ -69,6 +75,7 @@ class Matcher {
         run_stage(Stage::exact, [this](std::size_t i) { return match_location(i); });
         if (has_unmatched() && build_tree()) {
             run_stage(Stage::plane, [this](std::size_t i) { return match_plane(i); });
+            match_merged();
             run_stage(Stage::plane, [this](std::size_t i) { return match_union(i); });
             run_stage(Stage::nearest, [this](std::size_t i) { return match_nearest(i); });
         }
@@ -87,13 +94,16 @@ class Matcher {
     template <class Match>
     void run_stage(Stage stage, Match match) {
         for (std::size_t i = 0; i < stored_.size() && lookup_.visits < max_visits; ++i) {
-            if (found_[i] == Stage::none && types_[i] && match(i)) found_[i] = stage;
+            if (found_[i] == Stage::none && types_[i] && !is_lost(i) && match(i)) found_[i] = stage;
         }
     }
 
+    bool is_lost(std::size_t i) const { return lost_[i]; }
+
     bool has_unmatched() const {
         for (std::size_t i = 0; i < stored_.size(); ++i) {
-            if (found_[i] == Stage::none && types_[i] && !stored_[i].key.normal.isZero()) return true;
+            if (found_[i] == Stage::none && types_[i] && !is_lost(i) && !stored_[i].key.normal.isZero())
+                return true;
         }
         return false;
     }
@@ -115,6 +125,7 @@ class Matcher {
 
     bool match_hash(std::size_t i) {
         const FaceKey& key = stored_[i].key;
+        if (key.loop_hash == 0) return false;  // a moved key
         std::vector<FaceId> faces = index_.with_hash(key.loop_hash);
         lookup_.visits += faces.size() + 1;
         const double tolerance = position_tolerance(key.centroid);
@@ -210,6 +221,10 @@ class Matcher {
             if (std::abs(candidate_normal.dot(offset)) > 1e-3 * size + tolerance) continue;
             if (candidate.area >= part_fraction * key.area) {
                 if (!index_.covers(face, key.centroid, normal)) continue;
+                if (candidate.area > merged_fraction * key.area) {
+                    merged_.push_back({face, i});
+                    return false;
+                }
                 claim(face, i, Stage::plane);
                 return true;
             }
@@ -219,12 +234,74 @@ class Matcher {
             return a.distance != b.distance ? a.distance < b.distance : a.face < b.face;
         });
         double area = 0.0;
+        std::vector<FaceId> faces;
         for (const Part& part : parts) {
             area += index_.key(part.face).area;
-            if (area > whole_fraction * key.area) break;
-            claim(part.face, i, Stage::plane);
+            if (area > whole_fraction * key.area) return false;
+            faces.push_back(part.face);
+            if (area < part_fraction * key.area) continue;
+            if (!has_middle(key, faces) || !cover_middle(key, normal, faces)) return false;
+            for (const FaceId face : faces)
+                claim(face, i, Stage::plane);
+            return true;
         }
-        return !parts.empty();
+        return false;
+    }
+
+    // Whether a part is at the old face's middle, where cuts often meet: halves of the neighbours of a
+    // deleted tile have its middle, too, but leave it free.
+    bool cover_middle(const FaceKey& key, const Vec3& normal, const std::vector<FaceId>& parts) const {
+        const Vec3 side = 0.01 * std::sqrt(key.area) * normal.unitOrthogonal();
+        const Vec3 other = normal.cross(side);
+        const Vec3 points[] = {side, -side, other, -other};
+        return std::all_of(std::begin(points), std::end(points), [&](const Vec3& point) {
+            return std::any_of(parts.begin(), parts.end(), [&](FaceId face) {
+                return index_.covers(face, key.centroid + point, normal);
+            });
+        });
+    }
+
+    // Parts that are all of the old face, not parts of its neighbours: they have its middle.
+    bool has_middle(const FaceKey& key, const std::vector<FaceId>& parts) const {
+        if (has_corner_mean(key, parts)) return true;
+        double area = 0.0;
+        Vec3 sum = Vec3::Zero();
+        for (const FaceId part : parts) {
+            for (std::uint32_t t = mesh_.face_first_triangle[part]; t < mesh_.face_first_triangle[part + 1];
+                 ++t) {
+                Vec3 corner[3];
+                for (std::size_t i = 0; i < 3; ++i)
+                    corner[i] = mesh_.corner_position(mesh_.triangles[t][i]).cast<double>();
+                const double doubled = (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm();
+                sum += doubled * (corner[0] + corner[1] + corner[2]) / 3.0;
+                area += doubled;
+            }
+        }
+        return area > 0.0 && (sum / area - key.centroid).norm() <=
+                                 0.02 * std::sqrt(key.area) + position_tolerance(key.centroid);
+    }
+
+    // A face that is much larger than an old one was merged from several. It has their type if they agree and
+    // make up the face; else the user must say.
+    void match_merged() {
+        std::sort(merged_.begin(), merged_.end());
+        for (std::size_t begin = 0, end = 0; begin < merged_.size(); begin = end) {
+            const FaceId face = merged_[begin].first;
+            double area = 0.0;
+            bool agree = true;
+            for (end = begin; end < merged_.size() && merged_[end].first == face; ++end) {
+                area += stored_[merged_[end].second].key.area;
+                agree = agree && types_[merged_[end].second] == types_[merged_[begin].second];
+            }
+            agree = agree && is_free(face) && area >= merged_coverage * index_.key(face).area;
+            for (std::size_t k = begin; k < end; ++k) {
+                const std::size_t i = merged_[k].second;
+                lost_[i] = true;
+                if (!agree) continue;
+                claim(face, i, Stage::plane);
+                found_[i] = Stage::plane;
+            }
+        }
     }
 
     // A long face that was cut into parts, whose centres are too far away for match_plane(): connected faces
@@ -364,18 +441,21 @@ class Matcher {
     std::vector<Stage> found_;                     // [stored]
     std::vector<std::optional<SurfaceId>> types_;  // [stored]
     std::vector<std::string> bases_;               // [stored]
+    std::vector<bool> lost_;  // [stored] not to be searched: nothing found could be trusted
+    std::vector<std::pair<FaceId, std::size_t>> merged_;  // a merged face, and a stored one in it
     std::size_t union_visits_ = 0;
     MatchedOverrides result_;
 };
 
 }  // namespace
 
-std::vector<StoredOverride> stored_overrides(const Level& level) {
+std::vector<StoredOverride> stored_overrides(const Level& level, PaintParts& parts) {
     std::vector<FaceId> faces;
     for (std::size_t face = 0; face < level.overrides.size(); ++face) {
         const std::optional<SurfaceId>& surface = level.overrides[face];
         if (surface && *surface < level.surfaces.size()) faces.push_back(static_cast<FaceId>(face));
     }
+    parts = paint_parts(*level.mesh, level.surfaces, faces);
     std::vector<StoredOverride> stored;
     stored.reserve(faces.size() + level.orphans.size());
     std::vector<FaceKey> keys = face_keys(*level.mesh, faces);
@@ -387,14 +467,33 @@ std::vector<StoredOverride> stored_overrides(const Level& level) {
 }
 
 MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
-                                 const std::vector<StoredOverride>& stored) {
+                                 const std::vector<StoredOverride>& stored, const PaintParts& parts) {
     if (stored.empty()) {
         MatchedOverrides result;
         result.overrides.resize(mesh.face_count());
         return result;
     }
     Lookup lookup(mesh, surfaces);
-    return Matcher(mesh, surfaces, stored, lookup).run();
+    if (parts.parts.empty()) return Matcher(mesh, surfaces, stored, lookup).run();
+    std::vector<const FaceKey*> keys;
+    keys.reserve(stored.size());
+    for (const StoredOverride& one : stored)
+        keys.push_back(&one.key);
+    const std::vector<Motion> motions = find_motions(mesh, lookup.index, surfaces, parts, keys);
+    const auto stays = [](const Motion& motion) { return motion.is_identity() && !motion.lost; };
+    if (std::all_of(motions.begin(), motions.end(), stays))
+        return Matcher(mesh, surfaces, stored, lookup).run();
+    std::vector<StoredOverride> moved = stored;
+    std::vector<bool> lost(stored.size(), false);
+    for (std::size_t i = 0; i < parts.of.size() && i < stored.size(); ++i) {
+        if (parts.of[i] == 0 || parts.of[i] > motions.size()) continue;
+        const Motion& motion = motions[parts.of[i] - 1u];
+        if (motion.lost)
+            lost[i] = true;
+        else
+            moved[i].key = moved_key(moved[i].key, motion);
+    }
+    return Matcher(mesh, surfaces, moved, lookup, std::move(lost)).run();
 }
 
 FaceKeySets stored_face_keys(const Level& level) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "part_motion.h"
 #include "slipface/level/level_file.h"
 
 namespace slipface {
@@ -24,7 +25,8 @@ double position_tolerance(const Vec3& position);
 std::vector<FaceKey> face_keys(const Mesh& mesh, const std::vector<FaceId>& faces);
 
 // The painted faces of `level` and then its orphans, as in a level file, with empty locations.
-std::vector<StoredOverride> stored_overrides(const Level& level);
+// `parts`: filled in, with as many members of `of` as there are painted faces.
+std::vector<StoredOverride> stored_overrides(const Level& level, PaintParts& parts);
 
 struct MatchedOverrides {
     std::vector<std::optional<SurfaceId>> overrides;  // [face]
@@ -34,8 +36,9 @@ struct MatchedOverrides {
     Warnings warnings;
 };
 
-// Finds the faces of stored overrides. Each stage handles all overrides that are still without a face before
-// the next stage starts:
+// Finds the faces of stored overrides. First the motion of each part in `parts` is found and undone: an
+// override is then searched for where its part went, and nothing is guessed for a lost part. Each stage
+// handles all overrides that are still without a face before the next stage starts:
 // 1. exact: the same loop hash at the same centroid; else the same centroid and normal and nearly the same
 //    area. The same material is preferred. FaceKey::copy distinguishes faces with the same corners.
 // 2. by plane: faces of the same material in the same plane that are parts of the old face (smaller, near its
@@ -48,7 +51,7 @@ struct MatchedOverrides {
 // A face found for one type is never given to another. An override without a face, or with an unknown type,
 // becomes an orphan.
 MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
-                                 const std::vector<StoredOverride>& stored);
+                                 const std::vector<StoredOverride>& stored, const PaintParts& parts = {});
 
 // The keys of a level's hidden faces (first) and of its selections (in their order), as in a level file.
 using FaceKeySets = std::vector<std::vector<FaceKey>>;

@@ -199,8 +199,9 @@ Result<LoadedLevel> reload_mesh(const Level& level, Progress* progress) {
         if (!geometry) return geometry;
         begin_stage(progress, "Finding painted faces", 1.0, 1.0);
         LoadedLevel loaded = with_geometry(level, std::move(*geometry));
-        MatchedOverrides matched =
-            match_overrides(*loaded.level.mesh, level.surfaces, stored_overrides(level));
+        PaintParts parts;
+        const std::vector<StoredOverride> stored = stored_overrides(level, parts);
+        MatchedOverrides matched = match_overrides(*loaded.level.mesh, level.surfaces, stored, parts);
         loaded.level.overrides = std::move(matched.overrides);
         loaded.level.orphans = std::move(matched.orphans);
         loaded.match = matched.summary;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "slipface/base/hash.h"
 #include "slipface/base/parallel.h"
 
 namespace slipface {
@@ -19,20 +20,6 @@ constexpr int normal_steps = 2047;  // from the middle of the folded octahedron 
 constexpr double largest_centroid = 1e9;
 
 constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-
-void put(std::string& bytes, std::uint64_t value, std::size_t count) {
-    char low_first[8];
-    for (std::size_t i = 0; i < count; ++i)
-        low_first[i] = static_cast<char>(value >> (8 * i));
-    bytes.append(low_first, count);
-}
-
-std::uint64_t take(const char*& at, std::size_t count) {
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < count; ++i)
-        value |= std::uint64_t{static_cast<unsigned char>(*at++)} << (8 * i);
-    return value;
-}
 
 double sign_of(double value) {
     return value < 0.0 ? -1.0 : 1.0;
@@ -83,6 +70,41 @@ double decode_area(std::uint32_t code) {
     return std::ldexp(1.0 + (code & 0x1FF) / 512.0, static_cast<int>(code >> 9) - 64);
 }
 
+void put_face(std::string& bytes, const FaceKey& key) {
+    put_bytes(bytes, packed_hash(key.loop_hash), 6);
+    for (int axis = 0; axis < 3; ++axis)
+        put_bytes(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(key.centroid[axis])), 4);
+    put_bytes(bytes, normal_code(key.normal), 3);
+    put_bytes(bytes, area_code(key.area), 2);
+}
+
+bool take_face(const char*& at, FaceKey& key) {
+    key.loop_hash = take_bytes(at, 6);
+    for (int axis = 0; axis < 3; ++axis)
+        key.centroid[axis] =
+            static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(take_bytes(at, 4))));
+    if (!(key.centroid.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= largest_centroid)) return false;
+    if (!decode_normal(static_cast<std::uint32_t>(take_bytes(at, 3)), key.normal)) return false;
+    key.area = decode_area(static_cast<std::uint32_t>(take_bytes(at, 2)));
+    return true;
+}
+
+}  // namespace
+
+void put_bytes(std::string& bytes, std::uint64_t value, std::size_t count) {
+    char low_first[8];
+    for (std::size_t i = 0; i < count; ++i)
+        low_first[i] = static_cast<char>(value >> (8 * i));
+    bytes.append(low_first, count);
+}
+
+std::uint64_t take_bytes(const char*& at, std::size_t count) {
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        value |= std::uint64_t{static_cast<unsigned char>(*at++)} << (8 * i);
+    return value;
+}
+
 std::string base64(std::string_view bytes) {
     std::string text((bytes.size() * 4 + 2) / 3, '\0');
     std::size_t out = 0;
@@ -121,26 +143,13 @@ bool decode_base64(std::string_view text, std::string& bytes) {
     return true;
 }
 
-void put_face(std::string& bytes, const FaceKey& key) {
-    put(bytes, packed_hash(key.loop_hash), 6);
-    for (int axis = 0; axis < 3; ++axis)
-        put(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(key.centroid[axis])), 4);
-    put(bytes, normal_code(key.normal), 3);
-    put(bytes, area_code(key.area), 2);
+std::uint64_t hash_of_keys(std::span<const FaceKey* const> keys) {
+    Hasher hasher;
+    hasher.u64(keys.size());
+    for (const FaceKey* key : keys)
+        hasher.u64(packed_hash(key->loop_hash));
+    return hasher.value();
 }
-
-bool take_face(const char*& at, FaceKey& key) {
-    key.loop_hash = take(at, 6);
-    for (int axis = 0; axis < 3; ++axis)
-        key.centroid[axis] =
-            static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(take(at, 4))));
-    if (!(key.centroid.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= largest_centroid)) return false;
-    if (!decode_normal(static_cast<std::uint32_t>(take(at, 3)), key.normal)) return false;
-    key.area = decode_area(static_cast<std::uint32_t>(take(at, 2)));
-    return true;
-}
-
-}  // namespace
 
 std::vector<std::string> pack_faces(std::span<const FaceKey* const> keys) {
     if (keys.empty()) return {};

@@ -86,8 +86,10 @@ class LevelReader {
         root["fall_limit"].number(-max_position, max_position, level_.fall_limit);
         read_surfaces(root["surfaces"]);
         root["rules"].each(max_rules, [this](const JsonNode& node) { read_rule(node); });
-        for (const char* key : {"overrides", "orphans"})
-            read_faces(root[key], "faces", true, stored_);
+        read_faces(root["overrides"], "faces", true, stored_);
+        painted_ = stored_.size();
+        read_faces(root["orphans"], "faces", true, stored_);
+        if (const JsonNode parts = root["parts"]) read_parts(parts);
         read_stored_faces(root["hidden"], "hidden", face_keys_.front());
         root["selections"].each(max_saved_selections, [this](const JsonNode& node) { read_selection(node); });
         root["cameras"].each(max_cameras, [this](const JsonNode& node) { read_camera(node); });
@@ -272,6 +274,47 @@ class LevelReader {
         store_unknown(node, unknown_.location(kind, typed ? stored.type + "/" + material : material));
     }
 
+    void read_parts(const JsonNode& node) {
+        const JsonNode paint = node.need("paint"), box = node.need("box"), list = node.need("list");
+        std::string hash;
+        std::vector<Vec3> corners;
+        PaintParts parts;
+        paint.text(hash);
+        box.each(2, [&](const JsonNode& corner) {
+            corner.vector(-max_position, max_position, corners.emplace_back(Vec3::Zero()));
+        });
+        list.each(max_paint_parts, [&](const JsonNode& part) {
+            if (part.json().kind != Json::Kind::string ||
+                !unpack_part(part.json().text, parts.parts.emplace_back()))
+                part.fail("a part of the geometry, as base64");
+        });
+        if (!reader_.ok()) return;
+        if (corners.size() != 2) {
+            box.fail("two corners");
+            return;
+        }
+        parts.bounds.min = corners[0];
+        parts.bounds.max = corners[1];
+        parts.of.assign(painted_, 1);
+        if (const JsonNode of = node["of"]) {
+            std::string bytes;
+            if (of.json().kind != Json::Kind::string || !decode_base64(of.json().text, bytes)) {
+                of.fail("a part for each painted face, as base64");
+                return;
+            }
+            if (bytes.size() != 2 * painted_) return;
+            const char* at = bytes.data();
+            for (std::uint16_t& part : parts.of)
+                part = static_cast<std::uint16_t>(take_bytes(at, 2));
+        }
+        std::vector<const FaceKey*> keys;
+        for (std::size_t i = 0; i < painted_; ++i)
+            keys.push_back(&stored_[i].key);
+        // Another program may have changed the painted faces and kept this member, which it does not know.
+        if (hash == fmt::format("{:016x}", hash_of_keys(keys))) parts_ = std::move(parts);
+        store_unknown(node, "/parts");
+    }
+
     void read_camera(const JsonNode& node) {
         CameraBookmark camera;
         if (!node.object()) return;
@@ -317,7 +360,7 @@ class LevelReader {
     }
 
     void match() {
-        MatchedOverrides matched = match_overrides(*level_.mesh, level_.surfaces, stored_);
+        MatchedOverrides matched = match_overrides(*level_.mesh, level_.surfaces, stored_, parts_);
         level_.overrides = std::move(matched.overrides);
         level_.orphans = std::move(matched.orphans);
         loaded_.match = matched.summary;
@@ -339,6 +382,8 @@ class LevelReader {
     std::size_t warnings_ = 0;  // about the file's content; only the first ones are listed
     UnknownMembers unknown_;
     std::vector<StoredOverride> stored_;
+    std::size_t painted_ = 0;  // of stored_; the others were orphans already
+    PaintParts parts_;
     FaceKeySets face_keys_ = FaceKeySets(1);  // hidden faces, then selections
 };
 

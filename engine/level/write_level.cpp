@@ -42,6 +42,7 @@ struct PaintedFaces {
     std::vector<FaceKey> keys;
     std::vector<const std::string*> types;  // [key]
     std::vector<std::size_t> type_ranks;    // [key] types of the level in their order, then other types
+    PaintParts parts;
 };
 
 // [i] rank of the name among the distinct names in alphabetical order.
@@ -86,9 +87,9 @@ std::vector<SortedFace> sorted(const PaintedFaces& faces, bool packed) {
 }
 
 // One object per type and material. Without `typed` the objects have no type. `kind` names the location of a
-// group's unknown members.
+// group's unknown members. Appends the indices of the keys in the file's order to `written`, if given.
 Json groups_json(const PaintedFaces& faces, bool packed, UnknownMembers& unknown, const std::string& kind,
-                 bool typed) {
+                 bool typed, std::vector<std::size_t>* written = nullptr) {
     const std::vector<SortedFace> order = sorted(faces, packed);
     Json groups = json_array();
     for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
@@ -104,6 +105,9 @@ Json groups_json(const PaintedFaces& faces, bool packed, UnknownMembers& unknown
             else
                 rows.items.push_back(json_string(face_row_text(key)));
         }
+        for (const bool rows_first : {true, false})
+            for (std::size_t i = begin; written != nullptr && i < end; ++i)
+                if ((!packed || order[i].is_row) == rows_first) written->push_back(order[i].face);
         const std::size_t first = order[begin].face;
         const std::string& type = *faces.types[first];
         const std::string& material = faces.keys[first].material;
@@ -130,12 +134,37 @@ PaintedFaces painted_faces(const Level& level) {
     PaintedFaces painted;
     if (faces.empty()) return painted;
     painted.keys = face_keys(*level.mesh, faces);
+    painted.parts = paint_parts(*level.mesh, level.surfaces, faces);
     for (const FaceId face : faces) {
         const SurfaceId surface = *level.overrides[face];
         painted.types.push_back(&level.surfaces[surface].name);
         painted.type_ranks.push_back(surface);
     }
     return painted;
+}
+
+// `order`: the keys' indices in the file's order.
+Json paint_parts_json(const PaintedFaces& painted, const std::vector<std::size_t>& order) {
+    Json json = json_object();
+    std::vector<const FaceKey*> keys;
+    std::string of;
+    bool one = true;
+    for (const std::size_t i : order) {
+        keys.push_back(&painted.keys[i]);
+        one = one && painted.parts.of[i] == 1;
+        put_bytes(of, painted.parts.of[i], 2);
+    }
+    json_add(json, "paint", json_string(fmt::format("{:016x}", hash_of_keys(keys))));
+    Json box = json_array();
+    for (const Vec3& corner : {painted.parts.bounds.min, painted.parts.bounds.max})
+        box.items.push_back(vector_json(corner));
+    json_add(json, "box", std::move(box));
+    if (!one) json_add(json, "of", json_string(base64(of)));
+    Json list = json_array();
+    for (const PaintPart& part : painted.parts.parts)
+        list.items.push_back(json_string(pack_part(part)));
+    json_add(json, "list", std::move(list));
+    return json;
 }
 
 PaintedFaces orphaned_faces(const Level& level) {
@@ -151,7 +180,7 @@ PaintedFaces orphaned_faces(const Level& level) {
 
 Json stored_faces_json(std::vector<FaceKey> keys, UnknownMembers& unknown, const std::string& kind) {
     static const std::string no_type;
-    PaintedFaces faces{std::move(keys), {}, {}};
+    PaintedFaces faces{std::move(keys), {}, {}, {}};
     faces.types.resize(faces.keys.size(), &no_type);
     faces.type_ranks.resize(faces.keys.size());
     return groups_json(faces, faces.keys.size() > max_readable_faces, unknown, kind, false);
@@ -283,8 +312,10 @@ std::string level_text(const Level& level, const std::filesystem::path& file_pat
                      unknown, unknown.location("rules", rule.pattern));
              }));
     const PaintedFaces painted = painted_faces(level);
+    std::vector<std::size_t> order;
     json_add(root, "overrides",
-             groups_json(painted, painted.keys.size() > max_readable_faces, unknown, "faces", true));
+             groups_json(painted, painted.keys.size() > max_readable_faces, unknown, "faces", true, &order));
+    if (!painted.parts.parts.empty()) json_add(root, "parts", paint_parts_json(painted, order));
     json_add(root, "orphans", groups_json(orphaned_faces(level), false, unknown, "faces", true));
     append_stored_faces(root, level, unknown);
 

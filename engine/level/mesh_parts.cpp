@@ -1,0 +1,271 @@
+// The parts of a mesh.
+
+#include "mesh_parts.h"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+#include <numeric>
+
+#include "packed_faces.h"
+#include "slipface/base/hash.h"
+#include "slipface/base/key_sort.h"
+#include "slipface/level/material_name.h"
+
+namespace slipface {
+namespace {
+
+constexpr std::uint32_t small_part = 5;  // faces; pieces with fewer count as one part of their group
+constexpr std::uint32_t max_anchor_corners = 16;
+
+// Directions in which a part's rim is searched. They are not along the axes, so that rarely two vertices are
+// equally far out.
+const std::array<Vec3, 12>& rim_directions() {
+    static const std::array<Vec3, 12> directions = [] {
+        std::array<Vec3, 12> list;
+        std::size_t i = 0;
+        for (const double x : {1.0, -1.0})
+            for (const double z : {0.871, -0.871})
+                for (const double y : {0.313, -0.313})
+                    list[i++] = Vec3(x, y, z);
+        for (const double side : {1.0, -1.0}) {
+            list[i++] = Vec3(0.0171, side, 0.0133);
+            list[i++] = Vec3(-0.0137, side, -0.0191);
+        }
+        return list;
+    }();
+    return directions;
+}
+
+struct Union {
+    std::vector<std::uint32_t> parent;
+    explicit Union(std::size_t count) : parent(count) { std::iota(parent.begin(), parent.end(), 0u); }
+    std::uint32_t root(std::uint32_t i) {
+        while (parent[i] != i)
+            i = parent[i] = parent[parent[i]];
+        return i;
+    }
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = root(a);
+        b = root(b);
+        parent[std::max(a, b)] = std::min(a, b);
+    }
+};
+
+// [vertex] the first vertex at the same position.
+std::vector<std::uint32_t> welded(const Mesh& mesh) {
+    const std::size_t count = mesh.positions.size();
+    std::vector<KeyedIndex> order(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        Hasher hasher;
+        for (int axis = 0; axis < 3; ++axis)
+            hasher.f64(static_cast<double>(mesh.positions[i][axis]));
+        order[i] = {hasher.value(), static_cast<std::uint32_t>(i)};
+    }
+    sort_by_key(order);
+    std::vector<std::uint32_t> first(count);
+    for (std::size_t i = 0; i < count; ++i)
+        first[order[i].index] =
+            i > 0 && order[i].key == order[i - 1].key ? first[order[i - 1].index] : order[i].index;
+    return first;
+}
+
+bool before(const Vec3f& a, const Vec3f& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+}
+
+// Begins at the lowest corner, so that the text does not depend on where the loop begins.
+std::vector<Vec3f> corners_of(const Mesh& mesh, FaceId face) {
+    std::vector<Vec3f> corners;
+    for (std::uint32_t c = mesh.face_first_corner[face]; c < mesh.face_first_corner[face + 1]; ++c)
+        corners.push_back(mesh.corner_position(c));
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), before), corners.end());
+    return corners;
+}
+
+bool loop_before(const std::vector<Vec3f>& a, const std::vector<Vec3f>& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), before);
+}
+
+// Of each rim direction: the face with the outermost corner.
+void find_anchors(const Mesh& mesh, const MeshParts& all, std::vector<PaintPart>& parts) {
+    const auto& directions = rim_directions();
+    struct Rim {
+        double reach = -std::numeric_limits<double>::infinity();
+        FaceId face = no_id;
+    };
+    std::vector<std::array<Rim, 12>> rims(parts.size());
+    for (FaceId face = 0; face < mesh.face_count(); ++face) {
+        const std::uint32_t part = all.of[face];
+        const std::uint32_t count = mesh.face_corner_count(face);
+        if (part == no_id || count < 3 || count > max_anchor_corners) continue;
+        for (std::size_t d = 0; d < directions.size(); ++d) {
+            Rim& rim = rims[part][d];
+            double reach = -std::numeric_limits<double>::infinity();
+            for (std::uint32_t c = 0; c < count; ++c)
+                reach = std::max(
+                    reach,
+                    directions[d].dot(mesh.corner_position(mesh.face_first_corner[face] + c).cast<double>()));
+            if (reach < rim.reach) continue;
+            if (reach > rim.reach || rim.face == no_id ||
+                loop_before(corners_of(mesh, face), corners_of(mesh, rim.face)))
+                rim = {reach, face};
+        }
+    }
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+        std::vector<AnchorFace>& anchors = parts[part].anchors;
+        for (const Rim& rim : rims[part])
+            if (rim.face != no_id) anchors.push_back({all.rank[rim.face], corners_of(mesh, rim.face)});
+        std::sort(anchors.begin(), anchors.end(),
+                  [](const AnchorFace& a, const AnchorFace& b) { return loop_before(a.corners, b.corners); });
+        anchors.erase(std::unique(anchors.begin(), anchors.end()), anchors.end());
+    }
+}
+
+void sort_parts(const Mesh& mesh, SurfaceTable surfaces, MeshParts& parts) {
+    std::vector<std::string> bases;
+    for (const Material& material : mesh.materials)
+        bases.push_back(base_material(material.name, surfaces));
+    std::vector<std::string> names = bases;
+    std::sort(names.begin(), names.end());
+    std::vector<std::uint64_t> number;  // [material] of its base name
+    for (const std::string& base : bases)
+        number.push_back(
+            static_cast<std::uint64_t>(std::lower_bound(names.begin(), names.end(), base) - names.begin()));
+    std::vector<KeyedIndex> order(mesh.face_count());
+    for (FaceId face = 0; face < mesh.face_count(); ++face)
+        order[face] = {std::uint64_t{parts.of[face]} << 32 | number[mesh.face_material[face]], face};
+    sort_by_key(order);
+    parts.first.assign(parts.parts.size() + 1, 0);
+    for (std::size_t part = 0; part < parts.parts.size(); ++part)
+        parts.first[part + 1] = parts.first[part] + parts.parts[part].faces;
+    parts.rank.resize(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const FaceId face = order[i].index;
+        parts.sorted.push_back(face);
+        parts.rank[face] = static_cast<std::uint32_t>(i) - parts.first[parts.of[face]];
+    }
+}
+
+}  // namespace
+
+MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces) {
+    const std::vector<std::uint32_t> first = welded(mesh);
+    Union pieces(mesh.face_count());
+    std::vector<std::uint32_t> face_at(mesh.positions.size(), no_id);  // [welded vertex] last face there
+    std::vector<FaceId> order(mesh.face_count());
+    std::iota(order.begin(), order.end(), FaceId{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](FaceId a, FaceId b) { return mesh.face_group[a] < mesh.face_group[b]; });
+    for (const FaceId face : order) {
+        for (std::uint32_t c = mesh.face_first_corner[face]; c < mesh.face_first_corner[face + 1]; ++c) {
+            std::uint32_t& last = face_at[first[mesh.corner_vertex[c]]];
+            if (last != no_id && mesh.face_group[last] == mesh.face_group[face]) pieces.join(last, face);
+            last = face;
+        }
+    }
+    std::vector<std::uint32_t> size(mesh.face_count(), 0);
+    for (FaceId face = 0; face < mesh.face_count(); ++face)
+        ++size[pieces.root(face)];
+    MeshParts result;
+    result.of.resize(mesh.face_count());
+    std::vector<std::uint32_t> number(mesh.face_count(), no_id);
+    std::vector<std::uint32_t> rest(mesh.groups.size(), no_id);
+    for (FaceId face = 0; face < mesh.face_count(); ++face) {
+        const std::uint32_t root = pieces.root(face);
+        std::uint32_t& part = size[root] < small_part ? rest[mesh.face_group[face]] : number[root];
+        if (part == no_id) {
+            part = static_cast<std::uint32_t>(result.parts.size());
+            result.parts.emplace_back();
+        }
+        result.of[face] = part;
+        ++result.parts[part].faces;
+        for (std::uint32_t c = mesh.face_first_corner[face]; c < mesh.face_first_corner[face + 1]; ++c)
+            result.parts[part].box.add(mesh.corner_position(c).cast<double>());
+    }
+    sort_parts(mesh, surfaces, result);
+    return result;
+}
+
+PaintParts paint_parts(const Mesh& mesh, SurfaceTable surfaces, const std::vector<FaceId>& faces) {
+    PaintParts result;
+    if (faces.empty()) return result;
+    result.bounds = mesh.bounds;
+    MeshParts all = mesh_parts(mesh, surfaces);
+    std::vector<std::uint32_t> painted(all.parts.size(), 0);
+    for (const FaceId face : faces)
+        ++painted[all.of[face]];
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t part = 0; part < all.parts.size(); ++part)
+        order.push_back(part);
+    const auto content = [&](std::uint32_t part) {
+        const Aabb& box = all.parts[part].box;
+        return std::make_tuple(painted[part], all.parts[part].faces, box.min.x(), box.min.y(), box.min.z(),
+                               box.max.x(), box.max.y(), box.max.z());
+    };
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return content(a) > content(b); });
+    if (order.size() > max_paint_parts) order.resize(max_paint_parts);
+    std::vector<std::uint32_t> number(all.parts.size(), no_id);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        number[order[i]] = static_cast<std::uint32_t>(i);
+        result.parts.push_back(all.parts[order[i]]);
+    }
+    for (std::uint32_t& part : all.of)
+        part = painted[part] > 0 ? number[part] : no_id;
+    find_anchors(mesh, all, result.parts);
+    for (const FaceId face : faces)
+        result.of.push_back(static_cast<std::uint16_t>(all.of[face] + 1));  // no_id + 1 is 0
+    return result;
+}
+
+// 4 bytes number of faces, 6 x 4 box, then of each anchor 4 bytes rank, 1 byte number of corners, 3 x 4 each.
+std::string pack_part(const PaintPart& part) {
+    std::string bytes;
+    const auto put = [&](const Vec3f& position) {
+        for (int axis = 0; axis < 3; ++axis)
+            put_bytes(bytes, std::bit_cast<std::uint32_t>(position[axis]), 4);
+    };
+    put_bytes(bytes, part.faces, 4);
+    put(part.box.min.cast<float>());
+    put(part.box.max.cast<float>());
+    for (const AnchorFace& anchor : part.anchors) {
+        put_bytes(bytes, anchor.rank, 4);
+        put_bytes(bytes, anchor.corners.size(), 1);
+        for (const Vec3f& corner : anchor.corners)
+            put(corner);
+    }
+    return base64(bytes);
+}
+
+bool unpack_part(std::string_view text, PaintPart& part) {
+    std::string bytes;
+    if (!decode_base64(text, bytes) || bytes.size() < 28) return false;
+    const char* at = bytes.data();
+    const char* const end = at + bytes.size();
+    bool valid = true;
+    const auto take = [&] {
+        Vec3f position;
+        for (int axis = 0; axis < 3; ++axis)
+            position[axis] = std::bit_cast<float>(static_cast<std::uint32_t>(take_bytes(at, 4)));
+        valid = valid && position.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= 1e9f;
+        return position;
+    };
+    part.faces = static_cast<std::uint32_t>(take_bytes(at, 4));
+    part.box.min = take().cast<double>();
+    part.box.max = take().cast<double>();
+    while (at != end) {
+        if (end - at < 5) return false;
+        AnchorFace& anchor = part.anchors.emplace_back();
+        anchor.rank = static_cast<std::uint32_t>(take_bytes(at, 4));
+        const std::size_t count = take_bytes(at, 1);
+        if (count < 3 || count > max_anchor_corners || static_cast<std::size_t>(end - at) < 12 * count ||
+            part.anchors.size() > rim_directions().size())
+            return false;
+        for (std::size_t i = 0; i < count; ++i)
+            anchor.corners.push_back(take());
+    }
+    return valid && (part.box.min.array() <= part.box.max.array()).all();
+}
+
+}  // namespace slipface

@@ -1,0 +1,65 @@
+// Parts of a mesh with painted faces, and how each of them moved when another program changed the mesh.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "slipface/level/level.h"
+
+namespace slipface {
+
+class FaceIndex;
+
+// A face at a part's rim; it shows where the part is.
+struct AnchorFace {
+    std::uint32_t rank = 0;  // number among the part's faces, sorted by base material and then as in the file
+    std::vector<Vec3f> corners;
+    friend bool operator==(const AnchorFace&, const AnchorFace&) = default;
+};
+
+// A connected piece of a group, or all small pieces of a group together.
+struct PaintPart {
+    std::uint32_t faces = 0;  // painted or not
+    Aabb box;
+    std::vector<AnchorFace> anchors;  // none if no face is painted
+};
+
+inline constexpr std::size_t max_paint_parts = 4096;  // of a level
+
+struct PaintParts {
+    Aabb bounds;  // of the whole mesh
+    std::vector<PaintPart> parts;
+    std::vector<std::uint16_t> of;  // [painted face] 1 + its part; 0: none
+};
+
+// All parts, the ones with most faces of `faces` first.
+PaintParts paint_parts(const Mesh& mesh, SurfaceTable surfaces, const std::vector<FaceId>& faces);
+
+// A part in base64, and back; false if `text` is none.
+std::string pack_part(const PaintPart& part);
+bool unpack_part(std::string_view text, PaintPart& part);
+
+// Where a part went: position p became linear * p + offset.
+struct Motion {
+    Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
+    Vec3 offset = Vec3::Zero();
+    bool flipped = false;  // the faces look the other way
+    // `lost`: nothing of the part is where it was, and no motion explains the new mesh. A face that looks
+    // like one of its faces is another one.
+    bool lost = false;
+
+    bool is_identity() const { return linear.isIdentity(0.0) && offset.isZero(0.0) && !flipped; }
+    Vec3 operator()(const Vec3& position) const { return linear * position + offset; }
+};
+
+// [part] the motion that puts the most anchors and painted faces (`keys`) onto the mesh's. A part stays where
+// it is unless another motion explains clearly more. The work is bounded.
+std::vector<Motion> find_motions(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces,
+                                 const PaintParts& parts, const std::vector<const FaceKey*>& keys);
+
+// `key` after the motion. The loop hash, which cannot be moved, becomes 0.
+FaceKey moved_key(const FaceKey& key, const Motion& motion);
+
+}  // namespace slipface

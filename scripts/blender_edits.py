@@ -1,0 +1,652 @@
+#!/usr/bin/env python3
+"""What becomes of painted faces when a real Blender edits a level.
+
+    scripts/blender_edits.py [--program slipface] [--levels 3] [--seed 1] [--shipped easy] [--only turn] [--markdown]
+
+Needs Blender (apt-get install blender). Blender itself carries the number of each original face through the edit,
+as a face attribute; what Slipface finds is compared with that. So the matching is not measured by itself.
+right: of the painted faces that still exist, the ones with their type. wrong: faces with another type than theirs.
+"""
+import argparse
+import json
+import math
+import os
+import random
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+
+# Edits of these kinds must never give a wrong type.
+RIGID = "rigid"
+OTHER = "other"
+
+# ---------------------------------------------------------------------------------------------------------------
+# Inside Blender
+
+
+def inside_blender(job_path):
+    import bmesh
+    import bpy
+    from mathutils import Matrix, Vector
+
+    job = json.load(open(job_path))
+
+    def read(path):
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+        bpy.ops.wm.obj_import(filepath=path)
+        return sorted((o for o in bpy.context.scene.objects if o.type == "MESH"), key=lambda o: o.name)
+
+    def tag(objects):
+        """Gives each face its number in the OBJ."""
+        numbers = {}
+        for number, at in enumerate(job["centroids"]):
+            numbers.setdefault(tuple(round(x, 3) for x in at), []).append(number)
+        missing = 0
+        for o in objects:
+            ids = []
+            for polygon in o.data.polygons:
+                c = sum((o.data.vertices[v].co for v in polygon.vertices), Vector()) / len(polygon.vertices)
+                c = o.matrix_world @ c
+                key = (c.x, c.z, -c.y)
+                found = None
+                for dx in (0, -1, 1):
+                    for dy in (0, -1, 1):
+                        for dz in (0, -1, 1):
+                            if found is None:
+                                k = tuple(round(round(v, 3) + d * 0.001, 3) for v, d in zip(key, (dx, dy, dz)))
+                                for n in numbers.get(k, []):
+                                    same = job["corners"][n] == len(polygon.vertices)
+                                    if same and math.dist(job["centroids"][n], key) < 2e-3:
+                                        found = n
+                ids.append(0 if found is None else found + 1)
+                missing += found is None
+            o.data.attributes.new("face_id", "INT", "FACE").data.foreach_set("value", ids)
+        return missing
+
+    def write(path):
+        bpy.ops.wm.obj_export(filepath=path)
+        rows = []
+        graph = bpy.context.evaluated_depsgraph_get()
+        for o in bpy.context.scene.objects:
+            if o.type != "MESH":
+                continue
+            shown = o.evaluated_get(graph)
+            mesh = shown.to_mesh()
+            ids = [0] * len(mesh.polygons)
+            layer = mesh.attributes.get("face_id")
+            if layer is not None and layer.domain == "FACE" and len(layer.data) == len(ids):
+                layer.data.foreach_get("value", ids)
+            side = -1.0 if o.matrix_world.determinant() < 0.0 else 1.0
+            for polygon, number in zip(mesh.polygons, ids):
+                corners = [o.matrix_world @ mesh.vertices[v].co for v in polygon.vertices]
+                c = sum(corners, Vector()) / len(corners)
+                n = Vector()
+                for i, corner in enumerate(corners):
+                    n += (corner - c).cross(corners[(i + 1) % len(corners)] - c)
+                n = side * n.normalized()
+                rows.append((number, c.x, c.z, -c.y, n.x, n.z, -n.y))
+            shown.to_mesh_clear()
+        json.dump(rows, open(path + ".truth", "w"))
+
+    def bm_edit(o, change):
+        b = bmesh.new()
+        b.from_mesh(o.data)
+        b.faces.ensure_lookup_table()
+        b.verts.ensure_lookup_table()
+        b.edges.ensure_lookup_table()
+        change(b)
+        b.to_mesh(o.data)
+        b.free()
+
+    def modifier(o, kind, **values):
+        m = o.modifiers.new(kind, kind)
+        for name, value in values.items():
+            setattr(m, name, value)
+
+    def center(o):
+        return o.matrix_world @ (sum((Vector(c) for c in o.bound_box), Vector()) / 8)
+
+    def apply(o, matrix, about=None):
+        if about is not None:
+            matrix = Matrix.Translation(about) @ matrix @ Matrix.Translation(-about)
+        o.matrix_world = matrix @ o.matrix_world
+
+    def to_all(objects, matrix):
+        for o in objects:
+            apply(o, matrix)
+
+    def joined(objects):
+        for o in objects:
+            o.select_set(True)
+        bpy.context.view_layer.objects.active = objects[0]
+        bpy.ops.object.join()
+        return objects[0]
+
+    def bake(o):
+        o.data.transform(o.matrix_world)
+        o.matrix_world = Matrix()
+
+    def turn(angle, axis="Z"):
+        return Matrix.Rotation(angle, 4, axis)
+
+    def scale(x, y, z):
+        return Matrix.Diagonal((x, y, z, 1.0))
+
+    def big(objects, r):
+        return r.choice(sorted(objects, key=lambda o: -len(o.data.polygons))[:3])
+
+    def some(objects, r, share=0.5):
+        return [o for o in objects if r.random() < share] or [r.choice(objects)]
+
+    def pick(r, sequence, share):
+        return [f for f in sequence if r.random() < share]
+
+    def tile(o):
+        """The most frequent length of an edge along x."""
+        lengths = {}
+        for e in o.data.edges:
+            d = o.data.vertices[e.vertices[0]].co - o.data.vertices[e.vertices[1]].co
+            if abs(d.x) > 0.99 * d.length:
+                lengths[round(d.length, 4)] = lengths.get(round(d.length, 4), 0) + 1
+        return max(lengths, key=lengths.get) if lengths else 1.0
+
+    def flip(o):
+        bm_edit(o, lambda b: bmesh.ops.reverse_faces(b, faces=b.faces))
+
+    def triangulate(o):
+        bm_edit(o, lambda b: bmesh.ops.triangulate(b, faces=b.faces))
+
+    def delete_some(o, r, share):
+        bm_edit(o, lambda b: bmesh.ops.delete(b, geom=pick(r, b.faces, share), context="FACES"))
+
+    def subdivide(o):
+        bm_edit(o, lambda b: bmesh.ops.subdivide_edges(b, edges=b.edges, cuts=1, use_grid_fill=True))
+
+    def inset(o, r, share):
+        bm_edit(o, lambda b: bmesh.ops.inset_individual(b, faces=pick(r, b.faces, share), thickness=0.1 * tile(o)))
+
+    def poke(o, r, share):
+        bm_edit(o, lambda b: bmesh.ops.poke(b, faces=pick(r, b.faces, share)))
+
+    def extrude(o, r, share):
+        def change(b):
+            made = bmesh.ops.extrude_discrete_faces(b, faces=pick(r, b.faces, share))
+            for f in made["faces"]:
+                bmesh.ops.translate(b, verts=list(f.verts), vec=f.normal * r.uniform(0.1, 0.5))
+        bm_edit(o, change)
+
+    def bevel(o, r):
+        def change(b):
+            edges = [e for e in b.edges if len(e.link_faces) == 2 and e.calc_face_angle(0.0) > 0.5]
+            bmesh.ops.bevel(b, geom=edges, offset=r.uniform(0.02, 0.08), segments=r.choice([1, 2]), affect="EDGES")
+        bm_edit(o, change)
+
+    def dissolve(o):
+        bm_edit(o, lambda b: bmesh.ops.dissolve_limit(b, angle_limit=0.01, verts=b.verts, edges=b.edges,
+                                                      delimit={"MATERIAL"}))
+
+    def knife(o, r):
+        c = center(o)
+        n = Vector((r.uniform(-1, 1), r.uniform(-1, 1), r.uniform(-0.3, 0.3))).normalized()
+        local = o.matrix_world.inverted()
+        bm_edit(o, lambda b: bmesh.ops.bisect_plane(b, geom=b.verts[:] + b.edges[:] + b.faces[:],
+                                                    plane_co=local @ c, plane_no=n))
+
+    def jitter(o, r, share):
+        def change(b):
+            for v in pick(r, b.verts, share):
+                v.co += Vector((r.uniform(-1, 1), r.uniform(-1, 1), r.uniform(-1, 1))) * 0.1 * tile(o)
+        bm_edit(o, change)
+
+    def separate(objects):
+        for o in objects:
+            o.select_set(True)
+        bpy.context.view_layer.objects.active = objects[0]
+        bpy.ops.object.mode_set(mode="EDIT")
+        bpy.ops.mesh.select_all(action="SELECT")
+        bpy.ops.mesh.separate(type="LOOSE")
+        bpy.ops.object.mode_set(mode="OBJECT")
+
+    def move_island(o, r):
+        def change(b):
+            seen, islands = set(), []
+            for start in b.verts:
+                if start.index in seen:
+                    continue
+                todo, island = [start], []
+                seen.add(start.index)
+                while todo:
+                    v = todo.pop()
+                    island.append(v)
+                    for e in v.link_edges:
+                        w = e.other_vert(v)
+                        if w.index not in seen:
+                            seen.add(w.index)
+                            todo.append(w)
+                islands.append(island)
+            bmesh.ops.translate(b, verts=r.choice(islands), vec=(tile(o), 0, 0))
+        bm_edit(o, change)
+
+    def rename(objects):
+        for i, o in enumerate(objects):
+            o.name = "thing_%d" % i
+        for m in bpy.data.materials:
+            m.name += ".004"
+
+    def shuffle(objects, r):
+        for o in objects:
+            def change(b):
+                order = list(range(len(b.faces)))
+                r.shuffle(order)
+                for f, k in zip(b.faces, order):
+                    f.index = k
+                b.faces.sort()
+            bm_edit(o, change)
+
+    def copy_beside(objects, r):
+        o = big(objects, r)
+        copy = o.copy()
+        copy.data = o.data.copy()
+        copy.matrix_world = Matrix.Translation((tile(o) * r.randint(1, 30), 0, 0)) @ o.matrix_world
+        bpy.context.scene.collection.objects.link(copy)
+
+    def each(objects, change, *rest):
+        for o in objects:
+            change(o, *rest)
+
+    def delete_objects(objects):
+        for o in objects:
+            bpy.data.objects.remove(o)
+
+    def remesh(o):
+        modifier(o, "REMESH", mode="VOXEL", voxel_size=max(0.05, 0.4 * tile(o)))
+
+    def by(r, low, high):
+        return r.choice([-1, 1]) * r.uniform(low, high)
+
+    edits = [
+        ("nothing", RIGID, lambda o, r: None),
+        ("all joined", RIGID, lambda o, r: joined(o)),
+        ("separated into loose parts", RIGID, lambda o, r: separate(o)),
+        ("objects and materials renamed", RIGID, lambda o, r: rename(o)),
+        ("faces in another order", RIGID, lambda o, r: shuffle(o, r)),
+        ("one object moved by one tile", RIGID,
+         lambda o, r: (lambda x: apply(x, Matrix.Translation((tile(x), 0, 0))))(big(o, r))),
+        ("one object moved", RIGID,
+         lambda o, r: apply(big(o, r), Matrix.Translation((by(r, 0.1, 9), by(r, 0.1, 9), by(r, 0, 3))))),
+        ("everything moved", RIGID, lambda o, r: to_all(o, Matrix.Translation((10, by(r, 0, 9), by(r, 0, 9))))),
+        ("half of the objects moved, each its own way", RIGID,
+         lambda o, r: [apply(x, Matrix.Translation((by(r, 0.1, 9), by(r, 0.1, 9), 0))) for x in some(o, r)]),
+        ("one object turned by 1 degree", RIGID,
+         lambda o, r: (lambda x: apply(x, turn(math.radians(1)), center(x)))(big(o, r))),
+        ("one object turned", RIGID,
+         lambda o, r: (lambda x: apply(x, turn(r.uniform(0.1, 3)), center(x)))(big(o, r))),
+        ("one object turned by 90 degrees", RIGID,
+         lambda o, r: (lambda x: apply(x, turn(math.pi / 2), center(x)))(big(o, r))),
+        ("everything turned about the upward axis", RIGID, lambda o, r: to_all(o, turn(r.uniform(0.1, 3)))),
+        ("everything turned about another axis", RIGID,
+         lambda o, r: to_all(o, turn(r.uniform(0.1, 3), r.choice("XY")))),
+        ("everything scaled evenly", RIGID, lambda o, r: to_all(o, Matrix.Scale(r.uniform(0.3, 3), 4))),
+        ("metres to centimetres", RIGID, lambda o, r: to_all(o, Matrix.Scale(100, 4))),
+        ("centimetres to metres", RIGID, lambda o, r: to_all(o, Matrix.Scale(0.01, 4))),
+        ("one object scaled evenly", RIGID,
+         lambda o, r: (lambda x: apply(x, Matrix.Scale(r.uniform(0.5, 2), 4), center(x)))(big(o, r))),
+        ("everything scaled unevenly", RIGID,
+         lambda o, r: to_all(o, scale(r.uniform(0.5, 2), r.uniform(0.5, 2), r.uniform(0.5, 2)))),
+        ("one object scaled unevenly", RIGID,
+         lambda o, r: (lambda x: apply(x, scale(r.uniform(0.5, 2), r.uniform(0.5, 2), 1), center(x)))(big(o, r))),
+        ("everything mirrored", RIGID, lambda o, r: to_all(o, scale(-1, 1, 1))),
+        ("one object mirrored", RIGID,
+         lambda o, r: (lambda x: apply(x, scale(1, -1, 1), center(x)))(big(o, r))),
+        ("mirrored in edit mode, normals left", RIGID,
+         lambda o, r: each(o, lambda x: (bake(x), bm_edit(x, lambda b: bmesh.ops.scale(b, verts=b.verts, vec=(-1, 1, 1)))))),
+        ("all normals flipped", RIGID, lambda o, r: each(o, flip)),
+        ("one object's normals flipped", RIGID, lambda o, r: flip(big(o, r))),
+        ("moved, then turned", RIGID,
+         lambda o, r: (to_all(o, Matrix.Translation((by(r, 1, 9), 0, 0))),
+                       (lambda x: apply(x, turn(r.uniform(0.1, 3)), center(x)))(big(o, r)))),
+        ("turned, then scaled unevenly", RIGID,
+         lambda o, r: to_all(o, scale(r.uniform(0.5, 2), r.uniform(0.5, 2), 1) @ turn(r.uniform(0.1, 3)))),
+        ("joined, then moved", RIGID, lambda o, r: apply(joined(o), Matrix.Translation((10, by(r, 0, 9), 0)))),
+        ("joined, one island moved by a tile", RIGID, lambda o, r: move_island(joined(o), r)),
+        ("a copy beside it", RIGID, lambda o, r: copy_beside(o, r)),
+        ("an array of three", RIGID, lambda o, r: modifier(big(o, r), "ARRAY", count=3)),
+        ("one object deleted", RIGID, lambda o, r: delete_objects([big(o, r)])),
+        ("faces deleted", OTHER, lambda o, r: each(o, delete_some, r, r.uniform(0.05, 0.4))),
+        ("triangulated", OTHER, lambda o, r: each(o, triangulate)),
+        ("faces deleted, then triangulated", OTHER,
+         lambda o, r: (each(o, delete_some, r, r.uniform(0.05, 0.3)), each(o, triangulate))),
+        ("triangulated, then moved", OTHER,
+         lambda o, r: (each(o, triangulate), to_all(o, Matrix.Translation((by(r, 1, 9), by(r, 1, 9), 0))))),
+        ("moved by one tile, faces deleted", OTHER,
+         lambda o, r: (lambda x: (apply(x, Matrix.Translation((tile(x), 0, 0))), delete_some(x, r, 0.1)))(big(o, r))),
+        ("subdivided", OTHER, lambda o, r: each(o, subdivide)),
+        ("one object subdivided, then moved", OTHER,
+         lambda o, r: (lambda x: (subdivide(x), apply(x, Matrix.Translation((by(r, 1, 9), 0, 0)))))(big(o, r))),
+        ("faces inset", OTHER, lambda o, r: each(o, inset, r, r.uniform(0.1, 0.5))),
+        ("faces poked", OTHER, lambda o, r: each(o, poke, r, r.uniform(0.1, 0.5))),
+        ("faces extruded", OTHER, lambda o, r: each(o, extrude, r, r.uniform(0.02, 0.2))),
+        ("extruded, then turned", OTHER,
+         lambda o, r: (each(o, extrude, r, 0.05), to_all(o, turn(r.uniform(0.1, 3))))),
+        ("edges bevelled", OTHER, lambda o, r: each(o, bevel, r)),
+        ("flat areas dissolved", OTHER, lambda o, r: each(o, dissolve)),
+        ("decimated", OTHER, lambda o, r: modifier(big(o, r), "DECIMATE", ratio=r.uniform(0.4, 0.9))),
+        ("remeshed", OTHER, lambda o, r: remesh(big(o, r))),
+        ("cut with the knife", OTHER, lambda o, r: each(o, knife, r)),
+        ("vertices moved", OTHER, lambda o, r: each(o, jitter, r, r.uniform(0.02, 0.2))),
+        ("thickened (solidify)", OTHER, lambda o, r: modifier(big(o, r), "SOLIDIFY", thickness=0.2)),
+        ("a mirrored half added (modifier)", OTHER, lambda o, r: modifier(big(o, r), "MIRROR")),
+        ("edges split", OTHER, lambda o, r: each(o, lambda x: modifier(x, "EDGE_SPLIT"))),
+    ]
+    result = []
+    for i, (name, kind, change) in enumerate(edits):
+        if job["only"] not in name:
+            continue
+        objects = read(job["obj"])
+        missing = tag(objects)
+        if missing:
+            print("UNTAGGED", missing, file=sys.stderr)
+        change(objects, random.Random(job["seed"] * 1000 + i))
+        folder = os.path.join(job["folder"], "%02d" % i)
+        os.makedirs(folder, exist_ok=True)
+        write(os.path.join(folder, "level.obj"))
+        result.append((name, kind, folder))
+    json.dump(result, open(job_path + ".done", "w"))
+
+
+# ---------------------------------------------------------------------------------------------------------------
+# Levels
+
+
+class Obj:
+    def __init__(self):
+        self.vertices, self.index, self.objects = [], {}, []
+
+    def begin(self, name):
+        self.objects.append((name, []))
+        self.index = {}
+
+    def vertex(self, p):
+        key = tuple(round(x, 5) for x in p)
+        if key not in self.index:
+            self.vertices.append(key)
+            self.index[key] = len(self.vertices)
+        return self.index[key]
+
+    def face(self, material, *corners):
+        self.objects[-1][1].append((material, [self.vertex(c) for c in corners]))
+
+    def grid(self, material_of, origin, right, up, columns, rows):
+        at = lambda i, k: [o + i * a + k * b for o, a, b in zip(origin, right, up)]
+        for i in range(columns):
+            for k in range(rows):
+                self.face(material_of(i, k), at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1))
+
+    def box(self, material, low, high, cells=1):
+        (x, y, z), (X, Y, Z) = low, high
+        dx, dy, dz = (X - x) / cells, (Y - y) / cells, (Z - z) / cells
+        m = lambda i, k: material
+        self.grid(m, (x, Y, Z), (dx, 0, 0), (0, 0, -dz), cells, cells)
+        self.grid(m, (x, y, z), (dx, 0, 0), (0, 0, dz), cells, cells)
+        self.grid(m, (x, y, Z), (dx, 0, 0), (0, dy, 0), cells, cells)
+        self.grid(m, (X, y, z), (-dx, 0, 0), (0, dy, 0), cells, cells)
+        self.grid(m, (X, y, Z), (0, 0, -dz), (0, dy, 0), cells, cells)
+        self.grid(m, (x, y, z), (0, 0, dz), (0, dy, 0), cells, cells)
+
+    def write(self, path):
+        with open(path, "w") as f:
+            f.write("mtllib level.mtl\n")
+            for v in self.vertices:
+                f.write("v %g %g %g\n" % v)
+            for name, faces in self.objects:
+                f.write("o %s\n" % name)
+                last = None
+                for material, corners in faces:
+                    if material != last:
+                        f.write("usemtl %s\n" % material)
+                        last = material
+                    f.write("f " + " ".join(map(str, corners)) + "\n")
+        names = sorted({m for _, faces in self.objects for m, _ in faces})
+        with open(os.path.join(os.path.dirname(path), "level.mtl"), "w") as f:
+            for name in names:
+                f.write("newmtl %s\nKd 0.5 0.5 0.5\n" % name)
+
+
+def random_level(path, seed):
+    """A plaza, a hall, stairs, a hill and crates. Tiles repeat, as in levels they do."""
+    r = random.Random(seed)
+    obj = Obj()
+    t = r.choice([1.0, 1.5, 2.0, 2.5])
+    columns, rows = r.randint(10, 16), r.randint(6, 12)
+    obj.begin("plaza")
+    obj.grid(lambda i, k: "stone" if (i // 3 + k // 3) % 2 else "tile", (-3 * t, 0, 2 * t), (t, 0, 0), (0, 0, -t),
+             columns, rows)
+    obj.begin("hall")
+    w, d, h = r.randint(4, 7), r.randint(5, 9), r.randint(2, 3)
+    x, z = -3 * t - (w + 2) * t, 0.0
+    obj.grid(lambda i, k: "wood", (x, 0.1, z), (t, 0, 0), (0, 0, -t), w, d)
+    for side in range(2):
+        obj.grid(lambda i, k: "plaster", (x + side * w * t, 0.1, z), (0, 0, -t), (0, t, 0), d, h)
+        obj.grid(lambda i, k: "plaster", (x, 0.1, z - side * d * t), (t, 0, 0), (0, t, 0), w, h)
+    obj.begin("stairs")
+    for i in range(r.randint(6, 12)):
+        obj.box("stone", (20, 0, 10 - 0.4 * i), (22, 0.2 * (i + 1), 10.4 - 0.4 * i - 0.02))
+    obj.begin("hill")
+    n, m = r.randint(8, 14), r.randint(8, 14)
+    height = [[r.uniform(0, 0.6) for _ in range(m + 1)] for _ in range(n + 1)]
+    for i in range(n):
+        for k in range(m):
+            at = lambda a, b: (30 + 1.2 * a, height[a][b], -1.1 * b)
+            obj.face("grass", at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1))
+    obj.begin("crates")
+    for i in range(r.randint(5, 12)):
+        cx, cz, s = 5 * i - 20 + r.uniform(0, 2), 15 + r.uniform(0, 9), r.choice([0.5, 1, 1, 1.7])
+        obj.box("wood", (cx, 0, cz), (cx + s, s, cz + s), r.choice([1, 1, 2]))
+    obj.begin("tower")
+    obj.box("stone", (10, 0, -40), (10 + r.uniform(4, 9), r.uniform(5, 12), -33), r.randint(3, 5))
+    obj.write(path)
+
+
+def read_obj(path):
+    """The faces: centroid, area vector, material."""
+    vertices, faces, material = [], [], ""
+    for line in open(path):
+        words = line.split()
+        if not words:
+            continue
+        if words[0] == "v":
+            vertices.append(tuple(map(float, words[1:4])))
+        elif words[0] == "usemtl":
+            material = words[1]
+        elif words[0] == "f":
+            c = [vertices[int(w.split("/")[0]) - 1] for w in words[1:]]
+            mid = tuple(sum(p[i] for p in c) / len(c) for i in range(3))
+            n = [0.0, 0.0, 0.0]
+            for i, p in enumerate(c):
+                a = [p[k] - mid[k] for k in range(3)]
+                b = [c[(i + 1) % len(c)][k] - mid[k] for k in range(3)]
+                n[0] += a[1] * b[2] - a[2] * b[1]
+                n[1] += a[2] * b[0] - a[0] * b[2]
+                n[2] += a[0] * b[1] - a[1] * b[0]
+            faces.append((mid, tuple(0.5 * x for x in n), material, len(c)))
+    return faces
+
+
+# ---------------------------------------------------------------------------------------------------------------
+# Paint
+
+TYPES = ["ice", "sticky", "bouncy", "ladder", "hazard"]
+
+
+def paint(faces, seed):
+    """[face] a type or None: patches, and single faces among them."""
+    r = random.Random(seed + 77)
+    patch = {}
+    types = []
+    for mid, _, material, _ in faces:
+        key = (material, round(mid[0] / 4), round(mid[1] / 4), round(mid[2] / 4))
+        if key not in patch:
+            patch[key] = r.choice(TYPES + [None, None])
+        types.append(r.choice(TYPES + [None]) if r.random() < 0.25 else patch[key])
+    return types
+
+
+def row(mid, vector):
+    area = math.sqrt(sum(x * x for x in vector))
+    normal = [x / area if area > 0 else 0.0 for x in vector]
+    return "0" * 16 + " %.9g,%.9g,%.9g %.4f,%.4f,%.4f %.9g" % (*mid, *normal, area)
+
+
+def save(program, obj, script):
+    done = subprocess.run([program, "edit", obj, "--headless", "--script", script], capture_output=True, text=True)
+    if done.returncode != 0:
+        raise SystemExit(done.stdout + done.stderr)
+
+
+def unpacked(text):
+    import base64
+    data = base64.b64decode(text + "=" * (-len(text) % 4))
+    for i in range(0, len(data), 23):
+        code = int.from_bytes(data[i + 18:i + 21], "little")
+        u, v = ((code & 0xFFF) - 2047) / 2047, ((code >> 12) - 2047) / 2047
+        z = 1 - abs(u) - abs(v)
+        sign = lambda x: -1 if x < 0 else 1
+        if z < 0:
+            u, v = (1 - abs(v)) * sign(u), (1 - abs(u)) * sign(v)
+        yield struct.unpack("<3f", data[i + 6:i + 18]), (u, v, z)
+
+
+def found_paint(level_file):
+    """[(centroid, normal, type)] of the painted faces, and the number of orphans."""
+    level = json.load(open(level_file))
+    rows = []
+    for group in level["overrides"]:
+        for text in group["faces"]:
+            words = text.split()
+            rows.append((tuple(map(float, words[1].split(","))), tuple(map(float, words[2].split(","))), group["type"]))
+        for text in group.get("packed", []):
+            rows += [(at, n, group["type"]) for at, n in unpacked(text)]
+    orphans = sum(len(g["faces"]) + sum(1 for t in g.get("packed", []) for _ in unpacked(t)) for g in level["orphans"])
+    return rows, orphans
+
+
+def score(types, truth, rows, original):
+    """right, wrong, listed, existing: of the painted faces that still exist."""
+    size = max(max(abs(x) for x in t[1:4]) for t in truth) if truth else 1.0
+    step = max(1e-3, 2e-5 * size)
+    cells = {}
+    for k, t in enumerate(truth):
+        cells.setdefault(tuple(math.floor(x / step) for x in t[1:4]), []).append(k)
+    got = [None] * len(truth)
+    unplaced = 0
+    for at, normal, kind in rows:
+        c = [math.floor(x / step) for x in at]
+        near = [k for dx in (-1, 0, 1) for dy in (-1, 0, 1) for dz in (-1, 0, 1)
+                for k in cells.get((c[0] + dx, c[1] + dy, c[2] + dz), []) if got[k] is None]
+        if not near:
+            unplaced += 1
+            continue
+        best = min(near, key=lambda k: math.dist(truth[k][1:4], at) / step -
+                   sum(a * b for a, b in zip(truth[k][4:7], normal)))
+        got[best] = kind
+    right, wrong = set(), set()
+    existing = {int(t[0]) for t in truth if t[0] > 0 and types[int(t[0]) - 1]}
+    for t, kind in zip(truth, got):
+        number = int(t[0])
+        if kind is None:
+            continue
+        if number == 0:  # Blender lost it: the original face nearest to its place
+            near = min(range(len(original)), key=lambda k: math.dist(original[k][0], t[1:4]))
+            if types[near] != kind:
+                wrong.add(-len(wrong) - 1)
+        elif types[number - 1] == kind:
+            right.add(number)
+        else:
+            wrong.add(number)
+    return len(right - wrong), len(wrong), len(existing - right - wrong), len(existing), unplaced
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", action="append", help="one or two programs to compare")
+    parser.add_argument("--levels", type=int, default=3, help="random levels")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--shipped", nargs="*", default=[], help="names of levels in assets/levels")
+    parser.add_argument("--only", default="", help="edits whose name contains this")
+    parser.add_argument("--keep", help="folder for the files; its edits are used again")
+    args = parser.parse_args()
+    programs = args.program or [os.path.join(ROOT, "build/release/editor/slipface")]
+    if shutil.which("blender") is None:
+        raise SystemExit("Blender is not installed: apt-get install blender")
+    scratch = args.keep or tempfile.mkdtemp()
+    template = json.load(open(os.path.join(ROOT, "assets/levels/easy.slipface.json")))
+    for key in ("light", "platforms", "cameras", "goals"):
+        template.pop(key, None)
+    total = {}
+    levels = [("random %d" % s, s) for s in range(args.seed, args.seed + args.levels)]
+    levels += [(name, args.seed) for name in args.shipped]
+    for name, seed in levels:
+        folder = os.path.join(scratch, name.replace(" ", "_"))
+        os.makedirs(folder, exist_ok=True)
+        obj = os.path.join(folder, "level.obj")
+        if name.startswith("random"):
+            random_level(obj, seed)
+        else:
+            shutil.copy(os.path.join(ROOT, "assets/levels", name + ".obj"), obj)
+            shutil.copy(os.path.join(ROOT, "assets/levels", name + ".mtl"), os.path.join(folder, name + ".mtl"))
+        faces = read_obj(obj)
+        types = paint(faces, seed)
+        groups = {}
+        for (mid, vector, material, _), kind in zip(faces, types):
+            if kind:
+                groups.setdefault((kind, material), []).append(row(mid, vector))
+        level = dict(template, mesh="level.obj", rules=[], orphans=[],
+                     overrides=[{"type": t, "material": m, "faces": rows} for (t, m), rows in groups.items()])
+        job = os.path.join(folder, "job.json")
+        done = job + ".done"
+        if not os.path.exists(done):
+            json.dump({"obj": obj, "folder": folder, "seed": seed, "only": args.only, "centroids": [f[0] for f in faces],
+                       "corners": [f[3] for f in faces]}, open(job, "w"))
+            run = subprocess.run(["blender", "--background", "--factory-startup", "--python-exit-code", "1", "--python",
+                                  os.path.abspath(__file__), "--", job], capture_output=True, text=True)
+            if run.returncode != 0 or "UNTAGGED" in run.stderr:
+                sys.stderr.write(run.stdout[-3000:] + run.stderr[-3000:])
+                if run.returncode != 0:
+                    raise SystemExit("Blender failed")
+        script = os.path.join(folder, "save.script")
+        open(script, "w").write("command file.save\n")
+        for p, program in enumerate(programs):
+            level_file = os.path.join(folder, "level.slipface.json")
+            json.dump(level, open(level_file, "w"))
+            save(program, obj, script)
+            for edit, kind, place in json.load(open(done)):
+                if args.only not in edit:
+                    continue
+                edited = os.path.join(place, "level.obj")
+                here = os.path.join(place, "level.slipface.json")
+                shutil.copy(level_file, here)
+                save(program, edited, script)
+                rows, orphans = found_paint(here)
+                one = score(types, json.load(open(edited + ".truth")), rows, faces)
+                key = (p, edit, kind)
+                sums = total.setdefault(key, [0] * 5)
+                for i, value in enumerate(one):
+                    sums[i] += value
+                if one[1] or one[4]:
+                    print("  %s, %s: %s" % (name, edit, one), file=sys.stderr)
+    print("| edit | kind | faces |" + " right | wrong | listed |" * len(programs))
+    print("|---|---|---:|" + "---:|---:|---:|" * len(programs))
+    for (p, edit, kind) in [k for k in total if k[0] == 0]:
+        cells = "".join(" %.1f %% | %d | %d |" % (100.0 * s[0] / max(1, s[3]), s[1], s[2])
+                        for s in (total[(q, edit, kind)] for q in range(len(programs))))
+        print("| %s | %s | %d |%s" % (edit, kind, total[(0, edit, kind)][3], cells))
+
+
+if "--" in sys.argv and "blender" in os.path.basename(sys.argv[0]):
+    inside_blender(sys.argv[sys.argv.index("--") + 1])
+else:
+    main()
