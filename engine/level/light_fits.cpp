@@ -1,5 +1,4 @@
 #include "slipface/level/level_light.h"
-
 #include "slipface/mesh/light_charts.h"
 
 namespace slipface {

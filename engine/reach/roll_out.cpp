@@ -423,17 +423,14 @@ std::uint64_t ReachWorld::cell_key(const MovementScene& scene, const PlayerState
             key = mix(key, static_cast<std::uint64_t>(std::llround(state.velocity[axis] / apart)));
         if (!held) key = mix(key, static_cast<std::uint64_t>(std::llround(state.velocity.y() / 4.0)));
     }
-    // Of the platforms around, two: where the periods of two differ, what can be done depends on both. The
-    // second phase is coarser, so that the cells do not become too many.
-    int near = 0;
-    for (std::size_t i = 0; i < moving.size() && near < 2; ++i) {
+    for (std::size_t i = 0; i < moving.size(); ++i) {
         const MovingArea& area = moving[i];
         if ((at.array() < area.box.min.array()).any() || (at.array() > area.box.max.array()).any()) continue;
         const double time = tick * options.dt;
         const double phase = area.period > 0.0 ? std::fmod(time, area.period) / area.period * area.phases
                                                : std::min(time, area.phases - 1.0);
-        key = mix(key, (i + 1) * 64 + static_cast<std::uint64_t>(near == 0 ? phase : 0.5 * phase));
-        ++near;
+        key = mix(key, (i + 1) * 64 + static_cast<std::uint64_t>(phase));
+        break;
     }
     return key == 0 ? 1 : key;
 }

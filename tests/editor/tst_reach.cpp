@@ -143,7 +143,7 @@ TEST_F(ReachPanel, GoalsAreAddedNamedChangedAndJudged) {
               "");
     ASSERT_TRUE(document().level().goals[0].within_s);
     ASSERT_EQ(run("hover \"Reach/Goal/Goal 1/Row\"\nclick \"Reach/Goal/Goal 1/Rename\"\n"
-"expect widget \"Reach/Goal/Goal 1/Name\"\nkey Ctrl+A\n"
+                  "expect widget \"Reach/Goal/Goal 1/Name\"\nkey Ctrl+A\n"
                   "type \"roof\"\nkey Enter"),
               "");
     EXPECT_EQ(document().level().goals[0].name, "roof");

@@ -32,21 +32,14 @@ bool is_shown(const StoryNumber& number, const Value& value) {
 
 Value value_of(const DecisionInfo& info, double number) {
     switch (info.unit) {
-        case DecisionUnit::metres:
-            return metres(number);
-        case DecisionUnit::speed:
-            return {number, " m/s"};
-        case DecisionUnit::seconds:
-            return {number, " s"};
-        case DecisionUnit::percent:
-            return {100.0 * number, " %"};
+        case DecisionUnit::metres: return metres(number);
+        case DecisionUnit::speed: return {number, " m/s"};
+        case DecisionUnit::seconds: return {number, " s"};
+        case DecisionUnit::percent: return {100.0 * number, " %"};
         case DecisionUnit::slope:
-        case DecisionUnit::angle:
-            return {std::acos(std::clamp(number, -1.0, 1.0)) * degrees, "\u00b0"};
-        case DecisionUnit::lift:
-            return {std::asin(std::clamp(number, -1.0, 1.0)) * degrees, "\u00b0"};
-        case DecisionUnit::no_unit:
-            break;
+        case DecisionUnit::angle: return {std::acos(std::clamp(number, -1.0, 1.0)) * degrees, "\u00b0"};
+        case DecisionUnit::lift: return {std::asin(std::clamp(number, -1.0, 1.0)) * degrees, "\u00b0"};
+        case DecisionUnit::no_unit: break;
     }
     return {number, ""};
 }

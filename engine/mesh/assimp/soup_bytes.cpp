@@ -140,7 +140,6 @@ std::optional<SceneAnswer> answer_from_bytes(std::string_view bytes) {
         if (frame.up > UpAxis::minus_x || frame.up_from > ImportSource::given ||
             frame.scale_from > ImportSource::given)
             return std::nullopt;
-        answer.scene.through_assimp = true;
     }
     if (!reader.complete()) return std::nullopt;
     return answer;
