@@ -70,7 +70,7 @@ TEST_F(ReachPanel, TheMapIsSwitchedAndShowsTheFacesThatAreAskedFor) {
 }
 
 TEST_F(ReachPanel, AClickOnAFaceOpensItsWayAndTheWayStandsOnIt) {
-    ASSERT_EQ(run("click \"Reach/Search\"\nfinish\nclick \"Reach/Ways by click\""), "");
+    ASSERT_EQ(run("click \"Reach/Search\"\nfinish\nclick \"Reach/Paths by click\""), "");
     for (const FaceId face : {0u, 63u}) {
         ASSERT_EQ(run(fmt::format("select faces {0}\nwait 2\nexpect status \"Face {0} reached after*\"\n"
                                   "expect repeats yes",
@@ -78,7 +78,7 @@ TEST_F(ReachPanel, AClickOnAFaceOpensItsWayAndTheWayStandsOnIt) {
                   "");
         EXPECT_EQ(end_of_tape().ground_face, face);
     }
-    ASSERT_EQ(run("click \"Tabs/Reach\"\nwait 2\nclick \"Reach/Ways by click\"\nselect faces 9\nwait 2"), "");
+    ASSERT_EQ(run("click \"Tabs/Reach\"\nwait 2\nclick \"Reach/Paths by click\"\nselect faces 9\nwait 2"), "");
     EXPECT_EQ(end_of_tape().ground_face, 63u);
 }
 

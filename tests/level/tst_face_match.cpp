@@ -115,18 +115,20 @@ TEST(FaceMatch, BothTrianglesOfASplitTileKeepItsTypeAndNoOther) {
     EXPECT_EQ(loaded.match.exact, 0u);
 }
 
-// Of a tile cut into quarters, one of them gone, the nearest parts are found, and no half of a neighbour.
-TEST(FaceMatch, TheNearestPartsOfATileThatLostOneAreTaken) {
+// Of a tile cut into quarters, one of them gone, the rest does not make up the tile: it is listed, and no
+// half of a neighbour takes its type.
+TEST(FaceMatch, ATileThatLostAPartIsListed) {
     const auto flat = [](float x0, float x1, float z0, float z1) {
         return quad({x0, 0, z0}, {x0, 0, z1}, {x1, 0, z1}, {x1, 0, z0});
     };
     Faces before{flat(0, 1, 0, 1), flat(1, 2, 0, 1), flat(2, 3, 0, 1)};
     before[1].painted = ice;
-    Faces after{flat(0, 0.5f, 0, 1),    flat(0.5f, 1, 0, 1),    flat(2, 2.5f, 0, 1),   flat(2.5f, 3, 0, 1),
-                flat(1, 1.5f, 0, 0.5f), flat(1.5f, 2, 0, 0.5f), flat(1, 1.5f, 0.5f, 1)};
-    for (std::size_t i = 4; i < after.size(); ++i)
-        after[i].painted = ice;
-    EXPECT_TRUE(wrong_faces(after, rematch(before, after)).empty());
+    const Faces after{flat(0, 0.5f, 0, 1),   flat(0.5f, 1, 0, 1),    flat(2, 2.5f, 0, 1),
+                      flat(2.5f, 3, 0, 1),   flat(1, 1.5f, 0, 0.5f), flat(1.5f, 2, 0, 0.5f),
+                      flat(1, 1.5f, 0.5f, 1)};
+    const LoadedLevel loaded = rematch(before, after);
+    EXPECT_TRUE(wrong_faces(after, loaded).empty());
+    EXPECT_EQ(loaded.level.orphans.size(), 1U);
 }
 
 TEST(FaceMatch, TilesMergedIntoOneFaceKeepTheirCommonType) {
