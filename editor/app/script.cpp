@@ -167,7 +167,11 @@ void verb_finish(ScriptContext& context, const Words&) {
         context.host.frame();
         const Editor& editor = context.editor();
         const bool auditing = (editor.audit && editor.audit->running()) || reach_runs(editor);
-        if (!auditing && (!editor.lab.has_tape() || editor.lab.complete())) return;
+        if (!auditing && (!editor.lab.has_tape() || editor.lab.complete())) {
+            context.host.frame();  // takes the result
+            context.host.frame();  // shows it
+            return;
+        }
         if (auditing) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     context.fail("the audit or the search did not end");
