@@ -79,7 +79,8 @@ TEST_F(ReachPanel, AClickOnAFaceOpensItsWayAndTheWayStandsOnIt) {
                   "");
         EXPECT_EQ(end_of_tape().ground_face, face);
     }
-    ASSERT_EQ(run("click \"Tabs/Reach\"\nwait 2\nclick \"Reach/Paths by click\"\nselect faces 9\nwait 2"), "");
+    ASSERT_EQ(run("click \"Tabs/Reach\"\nwait 2\nclick \"Reach/Paths by click\"\nselect faces 9\nwait 2"),
+              "");
     EXPECT_EQ(end_of_tape().ground_face, 63u);
 }
 
