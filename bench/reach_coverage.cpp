@@ -94,7 +94,7 @@ int main(int count, char** words) {
     const slipface::ThreadLimit one(1);
     fmt::print(
         "| level | walkable faces reached | by random walkers | steps, M | 95 % after | 99 % after | search, "
-        "M/s | bare, M/s | share | bytes |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+        "M/s | bare, M/s | search / bare | bytes |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     int failed = 0;
     for (int i = 2; i < count; ++i)
         failed |= slipface::bench::measure(words[i], std::atof(words[1]));
