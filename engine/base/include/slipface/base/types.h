@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "slipface/base/sum_order.h"
+
 namespace slipface {
 
 using Vec2 = Eigen::Vector2d;
