@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# compare_bits.sh [BUILD...]: runs every demo and its walkers in each build under build/, on one thread and on four, and
-# compares every hash. Without arguments: release (gcc -O2), clang, debug (-O0), o3 and clang-o3, as far as
-# they are built.
+# compare_bits.sh [BUILD...]: runs every demo and its walkers in each build under build/, on one thread and on four and with
+# each of the processor's kernels, and compares every hash. Without arguments: all that are built of release (gcc -O2), clang,
+# debug (-O0), o3, clang-o3, asan, scalar (Eigen without vector instructions) and arm64 (under qemu, see compare_arm64.sh).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 builds=("$@")
 if [ ${#builds[@]} -eq 0 ]; then
-    for build in release clang debug o3 clang-o3 asan; do
+    for build in release clang debug o3 clang-o3 asan scalar arm64; do
         if [ -x "build/$build/tests/slipface_bits" ]; then builds+=("$build"); fi
     done
 fi
@@ -15,17 +15,23 @@ if [ ${#builds[@]} -eq 0 ]; then
     exit 2
 fi
 first=""
+compare() { # compare BUILD THREADS [KERNELS]: kernels that the processor lacks are its best ones again
+    local runner=()
+    if [ "$1" = arm64 ]; then runner=(qemu-aarch64 -L build/arm64-root); fi
+    local name="$1, $2 threads${3:+, $3}" hashes
+    hashes=$(SLIPFACE_SIMD=${3:-} "${runner[@]}" "build/$1/tests/slipface_bits" "$2")
+    if [ -z "$first" ]; then
+        first=$hashes
+        first_name=$name
+    elif [ "$hashes" != "$first" ]; then
+        echo "$name differs from $first_name" >&2
+        diff <(echo "$first") <(echo "$hashes") >&2
+        exit 1
+    fi
+    echo "$name: $(echo "$hashes" | wc -l) demos, the same bits"
+}
 for build in "${builds[@]}"; do
-    for threads in 1 4; do
-        hashes=$("build/$build/tests/slipface_bits" "$threads")
-        if [ -z "$first" ]; then
-            first=$hashes
-            name="$build, $threads"
-        elif [ "$hashes" != "$first" ]; then
-            echo "$build on $threads threads differs from $name" >&2
-            diff <(echo "$first") <(echo "$hashes") >&2
-            exit 1
-        fi
-        echo "$build, $threads threads: $(echo "$hashes" | wc -l) demos, the same bits"
-    done
+    compare "$build" 1
+    compare "$build" 4
 done
+for kernels in baseline avx2 avx512; do compare "${builds[0]}" 4 "$kernels"; done

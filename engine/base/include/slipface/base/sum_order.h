@@ -1,6 +1,7 @@
-// One order of summation for Eigen. With vector instructions Eigen adds the three products of a dot product of
-// doubles as (x + y) + z, without them as x + (y + z), and the last bit differs. A processor must not decide
-// where a player ends, so this makes the first order that of every build. Included by types.h, before any use.
+// One order of summation for Eigen. With vector instructions Eigen adds the three products of a dot product
+// of doubles as (x + y) + z, without them as x + (y + z), and the last bit differs. A processor must not
+// decide where a player ends, so this makes the first order that of every build. Included by types.h, before
+// any use.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +13,7 @@ namespace Eigen::internal {
 // terms into two and one. An Eigen that names this class differently does not compile here; one that uses it
 // differently fails tests/base/tst_sum_order.cpp.
 template <class Function, class Evaluator, int Start>
-    requires std::same_as<typename Evaluator::Scalar, double>
+requires std::same_as<typename Evaluator::Scalar, double>
 struct redux_novec_unroller<Function, Evaluator, Start, 3> {
     static double run(const Evaluator& terms, const Function& add) {
         return add(redux_novec_unroller<Function, Evaluator, Start, 2>::run(terms, add),
