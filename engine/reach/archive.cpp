@@ -6,41 +6,48 @@
 namespace slipface {
 namespace {
 
-constexpr std::uint64_t upper_half = 0xffffffff00000000ULL;
+// An entry of the table: the lower half of the cell's key, then the node. The upper half says where it stands.
+constexpr std::uint64_t entry_of(std::uint64_t cell, NodeId node) {
+    return (cell << 32) | (node + std::uint64_t{1});
+}
+constexpr NodeId node_of(std::uint64_t entry) {
+    return static_cast<NodeId>((entry & 0xffffffffULL) - 1);
+}
+constexpr std::size_t place_of(std::uint64_t cell, std::size_t places) {
+    return static_cast<std::size_t>(((cell >> 32) * places) >> 32);
+}
+
 constexpr std::size_t max_edges_per_node = 32;
 
 }  // namespace
 
 NodeId ReachArchive::find(std::uint64_t cell) const {
     if (table_.empty()) return no_id;
-    const std::size_t mask = table_.size() - 1;
-    for (std::size_t at = cell & mask; table_[at] != 0; at = (at + 1) & mask) {
-        if ((table_[at] & upper_half) != (cell & upper_half)) continue;
-        const auto node = static_cast<NodeId>(table_[at] - 1);
-        if (nodes[node].cell == cell) return node;
+    for (std::size_t at = place_of(cell, table_.size()); table_[at] != 0; at = next(at)) {
+        const NodeId node = node_of(table_[at]);
+        if (table_[at] == entry_of(cell, node) && nodes[node].cell == cell) return node;
     }
     return no_id;
 }
 
 void ReachArchive::index(NodeId node) {
-    if (3 * (cells_ + 1) > 2 * table_.size()) {
-        std::vector<std::uint64_t> old(std::max<std::size_t>(1024, 2 * table_.size()), 0);
+    if (4 * (cells_ + 1) > 3 * table_.size()) {
+        std::vector<std::uint64_t> old(std::max<std::size_t>(1024, table_.size() + table_.size() / 2), 0);
         old.swap(table_);
         cells_ = 0;
         for (const std::uint64_t entry : old)
-            if (entry != 0) index(static_cast<NodeId>(entry - 1));
+            if (entry != 0) index(node_of(entry));
     }
     const std::uint64_t cell = nodes[node].cell;
-    const std::size_t mask = table_.size() - 1;
-    std::size_t at = cell & mask;
-    for (; table_[at] != 0; at = (at + 1) & mask) {
-        const auto known = static_cast<NodeId>(table_[at] - 1);
+    std::size_t at = place_of(cell, table_.size());
+    for (; table_[at] != 0; at = next(at)) {
+        const NodeId known = node_of(table_[at]);
         if (nodes[known].cell != cell) continue;
         nodes[known].superseded = 1;
-        table_[at] = (cell & upper_half) | (node + std::uint64_t{1});
+        table_[at] = entry_of(cell, node);
         return;
     }
-    table_[at] = (cell & upper_half) | (node + std::uint64_t{1});
+    table_[at] = entry_of(cell, node);
     ++cells_;
 }
 

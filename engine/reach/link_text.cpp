@@ -32,6 +32,19 @@ Json link_json(const ReachLink& link) {
     return json;
 }
 
+// A player on a rim hangs over it, lower than the face that holds it. Detour looks for its mesh as high as
+// the place that it is given, so that is on the face.
+Vec3 on_face(const Level& level, FaceId face, const Vec3& lowest) {
+    if (face == no_id) return lowest;
+    const Vec3 normal = face_normal(*level.mesh, face);
+    if (!(normal.y() > 0.1)) return lowest;
+    const Vec3 corner = level.mesh->corner_position(level.mesh->face_first_corner[face]).cast<double>();
+    const double height =
+        corner.y() -
+        (normal.x() * (lowest.x() - corner.x()) + normal.z() * (lowest.z() - corner.z())) / normal.y();
+    return {lowest.x(), std::clamp(height, lowest.y(), lowest.y() + level.movement.radii.y()), lowest.z()};
+}
+
 }  // namespace
 
 std::string link_to_json(const ReachLink& link) {
@@ -62,14 +75,15 @@ std::string links_to_json(const ReachSearch& search, const ReachLinks& links) {
 // c BEGIN END RADIUS BIDIRECTIONAL AREA FLAGS, as RecastDemo writes them. Its area 5 and its flag 8 are a
 // jump's; 0 and 1 are the ground's.
 std::string links_to_gset(const ReachSearch& search, const ReachLinks& links) {
-    std::string text = fmt::format("f {}\n", search.level().mesh_path.filename().string());
-    const Vec3& radii = search.level().movement.radii;
+    const Level& level = search.level();
+    std::string text = fmt::format("f {}\n", level.mesh_path.filename().string());
+    // The mesh ends a radius and a few of its cells before a rim, and the player may stand a radius beyond.
+    const double radius = 3.0 * std::max(level.movement.radii.x(), level.movement.radii.z());
     for (const ReachLink& link : links.links) {
-        const Vec3 &a = link.begin, &b = link.end;
+        const Vec3 a = on_face(level, link.from_face, link.begin), b = on_face(level, link.to_face, link.end);
         const bool walks = link.kind == LinkKind::walk;
         text += fmt::format("c {:.6f} {:.6f} {:.6f}  {:.6f} {:.6f} {:.6f}  {:.6f} 0 {} {}\n", a.x(), a.y(),
-                            a.z(), b.x(), b.y(), b.z(), 2.0 * std::max(radii.x(), radii.z()), walks ? 0 : 5,
-                            walks ? 1 : 8);
+                            a.z(), b.x(), b.y(), b.z(), radius, walks ? 0 : 5, walks ? 1 : 8);
     }
     return text;
 }

@@ -57,8 +57,9 @@ class ReachArchive {
 
   private:
     void index(NodeId node);
+    std::size_t next(std::size_t place) const { return place + 1 < table_.size() ? place + 1 : 0; }
 
-    std::vector<std::uint64_t> table_;  // upper half: of the cell's key; lower half: node + 1, 0 is empty
+    std::vector<std::uint64_t> table_;  // lower half of the cell's key, then node + 1; 0 is empty
     std::size_t cells_ = 0;
 };
 

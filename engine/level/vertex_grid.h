@@ -1,0 +1,27 @@
+// Finds vertices of a mesh near a position.
+#pragma once
+
+#include <vector>
+
+#include "slipface/base/key_sort.h"
+#include "slipface/mesh/mesh.h"
+
+namespace slipface {
+
+class VertexGrid {
+  public:
+    // `mesh` must outlive the grid.
+    explicit VertexGrid(const Mesh& mesh);
+
+    double widest() const { return 0.45 * cell_; }
+
+    // The nearest vertex within `tolerance`, at most widest(); no_id: none.
+    std::uint32_t nearest(const Vec3& position, double tolerance) const;
+
+  private:
+    const Mesh& mesh_;
+    double cell_ = 1.0;
+    std::vector<KeyedIndex> entries_;
+};
+
+}  // namespace slipface
