@@ -6,7 +6,8 @@
 namespace slipface {
 namespace {
 
-// An entry of the table: the lower half of the cell's key, then the node. The upper half says where it stands.
+// An entry of the table: the lower half of the cell's key, then the node. The upper half says where it
+// stands.
 constexpr std::uint64_t entry_of(std::uint64_t cell, NodeId node) {
     return (cell << 32) | (node + std::uint64_t{1});
 }
