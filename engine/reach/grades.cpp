@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rim.h"
 #include "slipface/base/parallel.h"
 #include "slipface/collision/collision_world.h"
 
@@ -111,9 +110,16 @@ Grades grade(const Level& level) {
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         const std::uint32_t region = regions.of_face[face];
         if (region == no_id) continue;
-        for (const Rim& edge : rims_of(mesh, face)) {
-            if (edge.along.norm() < radius) continue;
-            const Vec3 rim = edge.from + 0.5 * edge.along, out = edge.out;
+        const Vec3 normal = face_normal(mesh, face);
+        const std::uint32_t first = mesh.face_first_corner[face], count = mesh.face_corner_count(face);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const Vec3 from = mesh.corner_position(first + i).cast<double>();
+            const Vec3 along = mesh.corner_position(first + (i + 1) % count).cast<double>() - from;
+            Vec3 out = along.cross(normal);
+            out.y() = 0.0;
+            if (along.norm() < radius || out.norm() < 1e-9) continue;
+            out.normalize();
+            const Vec3 rim = from + 0.5 * along;
             const auto below = [&](double away) -> std::optional<std::pair<std::uint32_t, double>> {
                 const Vec3 at = rim + away * out + Vec3(0.0, grades.limits.step_m + 0.01, 0.0);
                 const auto hit = cast_ray(*world, at, down);

@@ -7,9 +7,9 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstring>
 
 #include "impl.h"
-#include "slipface/base/bytes.h"
 #include "slipface/base/files.h"
 #include "slipface/base/hash.h"
 #include "slipface/base/pack.h"
@@ -23,22 +23,38 @@ namespace {
 constexpr std::string_view magic = "slipface-reach 1";
 constexpr std::uint64_t max_body = std::uint64_t{16} << 30;
 
-void put(ByteWriter& to, const Vec3& vector) {
-    for (int axis = 0; axis < 3; ++axis)
-        to.put(vector[axis]);
-}
-
-// Says of the first value that is missing or not allowed where it is; from there on nothing is read.
-class CheckedReader {
+class Writer {
   public:
-    explicit CheckedReader(std::string_view bytes) : from_(bytes) {}
+    template <class T>
+    void put(T value) {
+        static_assert(std::is_arithmetic_v<T>);
+        const std::size_t at = bytes.size();
+        bytes.resize(at + sizeof(T));
+        std::memcpy(bytes.data() + at, &value, sizeof(T));
+    }
+    void put(const Vec3& vector) {
+        for (int axis = 0; axis < 3; ++axis)
+            put(vector[axis]);
+    }
+    std::string bytes;
+};
+
+// Reads what Writer wrote; after the first value that is missing or not allowed nothing is read any more.
+class ByteReader {
+  public:
+    explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
     template <class T>
     T get() {
-        const auto value = from_.get<T>();
-        if (!from_.ok()) fail("the end of the data", "more");
+        T value{};
+        if (problem || bytes_.size() - at_ < sizeof(T)) {
+            fail("the end of the data", "more");
+            return value;
+        }
+        std::memcpy(&value, bytes_.data() + at_, sizeof(T));
+        at_ += sizeof(T);
         return value;
     }
-    // A whole number of at most `maximum`.
+    // A whole number of at most `most`.
     template <class T>
     T up_to(std::uint64_t maximum, const char* what) {
         const T value = get<T>();
@@ -63,25 +79,23 @@ class CheckedReader {
     }
     // How many items follow, each of at least `size` bytes: no more than there are bytes for.
     std::size_t count(std::size_t size, const char* what) {
-        const auto value = get<std::uint64_t>();
-        if (value > from_.left() / size)
-            fail(fmt::format("{} {}", what, value), fmt::format("at most {}", from_.left() / size));
-        return problem ? 0 : value;
+        return up_to<std::uint64_t>((bytes_.size() - at_) / size, what);
     }
-    bool at_end() const { return from_.at_end(); }
+    bool at_end() const { return at_ == bytes_.size(); }
+    std::size_t at() const { return at_; }
     void fail(std::string found, std::string expected) {
-        if (!problem) problem = fmt::format("byte {}: found {}, expected {}", from_.at(), found, expected);
-        from_.fail();
+        if (!problem) problem = fmt::format("byte {}: found {}, expected {}", at_, found, expected);
     }
     std::optional<std::string> problem;
 
   private:
-    ByteReader from_;
+    std::string_view bytes_;
+    std::size_t at_ = 0;
 };
 
-void put_state(ByteWriter& to, const PlayerState& state) {
+void put_state(Writer& to, const PlayerState& state) {
     for (const auto member : PlayerState::vectors)
-        put(to, state.*member);
+        to.put(state.*member);
     for (const std::int32_t number : state.sector)
         to.put(number);
     std::uint8_t flags = 0;
@@ -95,7 +109,7 @@ void put_state(ByteWriter& to, const PlayerState& state) {
         to.put(state.*member);
 }
 
-PlayerState get_state(CheckedReader& from, const Level& level) {
+PlayerState get_state(ByteReader& from, const Level& level) {
     PlayerState state;
     for (const auto member : PlayerState::vectors)
         state.*member = from.vector("a coordinate of a state");
@@ -115,7 +129,7 @@ PlayerState get_state(CheckedReader& from, const Level& level) {
     return state;
 }
 
-void put_reached(ByteWriter& to, const std::vector<Reached>& list) {
+void put_reached(Writer& to, const std::vector<Reached>& list) {
     to.put(std::uint64_t{list.size()});
     for (const Reached& one : list) {
         to.put(one.node);
@@ -123,7 +137,7 @@ void put_reached(ByteWriter& to, const std::vector<Reached>& list) {
     }
 }
 
-void get_reached(CheckedReader& from, std::size_t nodes, std::vector<Reached>& list) {
+void get_reached(ByteReader& from, std::size_t nodes, std::vector<Reached>& list) {
     const std::size_t count = from.count(8, "a number of faces");
     if (count != list.size())
         return from.fail(fmt::format("a list of {}", count), fmt::format("one of {}", list.size()));
@@ -176,11 +190,11 @@ std::uint64_t ReachSearch::Impl::identity() const {
 }
 
 std::string ReachSearch::Impl::body() const {
-    ByteWriter to;
+    Writer to;
     to.put(world.options.seed);
     to.put(world.options.dt);
     to.put(world.options.cell_m);
-    put(to, start);
+    to.put(start);
     to.put(std::uint64_t{archive.presses.size()});
     for (const Press& press : archive.presses) {
         to.put(press.ticks);
@@ -202,8 +216,8 @@ std::string ReachSearch::Impl::body() const {
     put_reached(to, goals);
     to.put(std::uint64_t{exits.size()});
     for (const ReachExit& exit : exits) {
-        put(to, exit.from);
-        put(to, exit.hole);
+        to.put(exit.from);
+        to.put(exit.hole);
         to.put(exit.spot);
         for (const std::uint32_t part : {exit.face, exit.tick, exit.times, exit.node, exit.first_press})
             to.put(part);
@@ -236,7 +250,7 @@ std::string ReachSearch::Impl::body() const {
 
 // `prepare` has run: lists have their sizes.
 Status ReachSearch::Impl::read_body(std::string_view bytes, const std::string& location) {
-    CheckedReader from(bytes);
+    ByteReader from(bytes);
     const Level& level = *world.level;
     (void)from.get<std::uint64_t>();  // options and start, which resume() has read
     for (int i = 0; i < 5; ++i)
@@ -371,7 +385,7 @@ Result<ReachSearch> ReachSearch::resume(const Level& level, const std::filesyste
     if (!body || hasher.value() != *hash)
         return Error{location, "found damaged data, expected what its first line promises"};
 
-    CheckedReader head(*body);
+    ByteReader head(*body);
     ReachOptions options;
     options.seed = head.get<std::uint64_t>();
     options.dt = head.number("a step");

@@ -1,49 +1,81 @@
 #include "assimp/soup_bytes.h"
 
-#include "slipface/base/bytes.h"
+#include <cstring>
+#include <type_traits>
 
 namespace slipface {
 namespace {
 
-using Count = std::uint64_t;
-
 // One list of members serves both directions: Writer appends them, Reader takes them.
-struct Writer {
+class Writer {
+  public:
     template <typename T>
     void number(const T& value) {
-        to.put(value);
+        static_assert(std::is_trivially_copyable_v<T>);
+        bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
     }
-    void text(const std::string& value) { to.put_text<Count>(value); }
+    void text(const std::string& value) {
+        number(value.size());
+        bytes += value;
+    }
     template <typename T>
     void numbers(const std::vector<T>& values) {
-        to.put_list<Count>(values);
+        number(values.size());
+        bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
     }
     template <typename T, typename Each>
     void list(const std::vector<T>& values, Each each) {
-        to.put(Count{values.size()});
+        number(values.size());
         for (const T& value : values)
             each(value);
     }
-    ByteWriter to;
+    std::string bytes;
 };
 
-struct Reader {
+class Reader {
+  public:
+    explicit Reader(std::string_view bytes) : bytes_(bytes) {}
+
     template <typename T>
     void number(T& value) {
-        value = from.get<T>();
+        if (take(sizeof value)) std::memcpy(static_cast<void*>(&value), taken_, sizeof value);
     }
-    void text(std::string& value) { value = from.get_text<Count>(); }
+    void text(std::string& value) {
+        const std::size_t size = count(1);
+        if (take(size)) value.assign(taken_, size);
+    }
     template <typename T>
     void numbers(std::vector<T>& values) {
-        values = from.get_list<Count, T>();
+        values.resize(count(sizeof(T)));
+        if (take(values.size() * sizeof(T)) && !values.empty())
+            std::memcpy(static_cast<void*>(values.data()), taken_, values.size() * sizeof(T));
     }
     template <typename T, typename Each>
     void list(std::vector<T>& values, Each each) {
-        values.resize(from.get_count<Count>(sizeof(Count)));
+        values.resize(count(sizeof(std::size_t)));
         for (T& value : values)
             each(value);
     }
-    ByteReader from;
+    bool complete() const { return good_ && bytes_.empty(); }
+
+  private:
+    // A number of elements of at least `size` bytes each; 0 if so many bytes do not follow.
+    std::size_t count(std::size_t size) {
+        std::size_t elements = 0;
+        number(elements);
+        if (elements > bytes_.size() / size) good_ = false;
+        return good_ ? elements : 0;
+    }
+    bool take(std::size_t size) {
+        if (size > bytes_.size()) good_ = false;
+        if (!good_) return false;
+        taken_ = bytes_.data();
+        bytes_.remove_prefix(size);
+        return true;
+    }
+    std::string_view bytes_;
+    const char* taken_ = nullptr;
+    bool good_ = true;
 };
 
 template <typename Bytes, typename Answer>
@@ -89,11 +121,11 @@ std::string answer_to_bytes(const SceneAnswer& answer) {
     } else {
         members(writer, answer);
     }
-    return std::move(writer.to.bytes);
+    return std::move(writer.bytes);
 }
 
 std::optional<SceneAnswer> answer_from_bytes(std::string_view bytes) {
-    Reader reader{ByteReader(bytes)};
+    Reader reader(bytes);
     SceneAnswer answer;
     std::uint8_t failed = 2;
     reader.number(failed);
@@ -109,7 +141,7 @@ std::optional<SceneAnswer> answer_from_bytes(std::string_view bytes) {
             frame.scale_from > ImportSource::given)
             return std::nullopt;
     }
-    if (!reader.from.ok() || !reader.from.at_end()) return std::nullopt;
+    if (!reader.complete()) return std::nullopt;
     return answer;
 }
 
