@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <type_traits>
+#include <numeric>
 
 #include "goldens/numbers_json.h"
+#include "slipface/base/bytes.h"
 #include "slipface/base/hash.h"
 #include "slipface/base/pack.h"
 #include "slipface/level/level_file.h"
@@ -19,81 +20,20 @@ namespace {
 constexpr std::string_view magic = "slipface-digest 2\n";
 constexpr std::size_t largest_digest = std::size_t{256} << 20U;  // unpacked
 
-class Writer {
-  public:
-    template <class T>
-    void value(T v) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        bytes.append(reinterpret_cast<const char*>(&v), sizeof v);
-    }
-    template <class Range>
-    void list(const Range& range) {
-        value(static_cast<std::uint32_t>(range.size()));
-        for (const auto& item : range)
-            value(item);
-    }
-    void text(std::string_view t) {
-        value(static_cast<std::uint32_t>(t.size()));
-        bytes += t;
-    }
-    // Differences of neighbours compress better than the numbers.
-    void ascending(std::span<const std::uint32_t> numbers) {
-        value(static_cast<std::uint32_t>(numbers.size()));
-        std::uint32_t before = 0;
-        for (const std::uint32_t number : numbers) {
-            value(number - before);
-            before = number;
-        }
-    }
-    std::string bytes;
-};
+using Writer = ByteWriter<std::uint32_t>;
+using Reader = ByteReader<std::uint32_t>;
 
-class Reader {
-  public:
-    explicit Reader(std::string_view bytes) : bytes_(bytes) {}
-    template <class T>
-    T value() {
-        T v{};
-        if (bytes_.size() < sizeof v) {
-            ok = false;
-            return v;
-        }
-        std::memcpy(&v, bytes_.data(), sizeof v);
-        bytes_.remove_prefix(sizeof v);
-        return v;
-    }
-    template <class T>
-    std::vector<T> list() {
-        const auto count = value<std::uint32_t>();
-        std::vector<T> items;
-        if (count > bytes_.size() / sizeof(T)) ok = false;
-        if (!ok) return items;
-        items.resize(count);
-        for (T& item : items)
-            item = value<T>();
-        return items;
-    }
-    std::string text() {
-        const auto count = value<std::uint32_t>();
-        if (count > bytes_.size()) ok = false;
-        if (!ok) return {};
-        std::string t(bytes_.substr(0, count));
-        bytes_.remove_prefix(count);
-        return t;
-    }
-    std::vector<std::uint32_t> ascending() {
-        std::vector<std::uint32_t> numbers = list<std::uint32_t>();
-        std::uint32_t sum = 0;
-        for (std::uint32_t& number : numbers)
-            number = sum += number;
-        return numbers;
-    }
-    bool at_end() const { return bytes_.empty(); }
-    bool ok = true;
+// Differences of neighbours compress better than the numbers.
+void put_ascending(Writer& out, std::vector<std::uint32_t> numbers) {
+    std::adjacent_difference(numbers.begin(), numbers.end(), numbers.begin());
+    out.put_list(numbers);
+}
 
-  private:
-    std::string_view bytes_;
-};
+std::vector<std::uint32_t> get_ascending(Reader& in) {
+    std::vector<std::uint32_t> numbers = in.get_list<std::uint32_t>();
+    std::partial_sum(numbers.begin(), numbers.end(), numbers.begin());
+    return numbers;
+}
 
 // False if an index is out of range.
 bool consistent(const Mesh& mesh, std::size_t faces_with_surface) {
@@ -126,33 +66,33 @@ void write_mesh(Writer& out, const Mesh& mesh) {
         std::vector<float> values;
         for (const Vec3f& position : mesh.positions)
             values.push_back(position[axis]);
-        out.list(values);
+        out.put_list(values);
     }
     for (int axis = 0; axis < 2; ++axis) {
         std::vector<float> values;
         for (const Vec2f& uv : mesh.corner_uv)
             values.push_back(uv[axis]);
-        out.list(values);
+        out.put_list(values);
     }
-    out.list(mesh.corner_vertex);
-    out.ascending(mesh.face_first_corner);
-    out.list(mesh.face_material);
-    out.list(mesh.face_group);
-    out.ascending(mesh.face_first_triangle);
+    out.put_list(mesh.corner_vertex);
+    put_ascending(out, mesh.face_first_corner);
+    out.put_list(mesh.face_material);
+    out.put_list(mesh.face_group);
+    put_ascending(out, mesh.face_first_triangle);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         for (const std::uint32_t corner : mesh.triangles[i])
-            out.value(corner - mesh.face_first_corner[mesh.triangle_face[i]]);
-    out.value(static_cast<std::uint32_t>(mesh.materials.size()));
+            out.put(corner - mesh.face_first_corner[mesh.triangle_face[i]]);
+    out.put(static_cast<std::uint32_t>(mesh.materials.size()));
     for (const Material& material : mesh.materials) {
-        out.text(material.name);
-        out.text(material.texture);
+        out.put_text(material.name);
+        out.put_text(material.texture);
         for (int c = 0; c < 3; ++c)
-            out.value(material.diffuse[c]);
+            out.put(material.diffuse[c]);
     }
-    out.value(static_cast<std::uint32_t>(mesh.groups.size()));
+    out.put(static_cast<std::uint32_t>(mesh.groups.size()));
     for (const std::string& group : mesh.groups)
-        out.text(group);
-    out.value(mesh.fingerprint);
+        out.put_text(group);
+    out.put(mesh.fingerprint);
 }
 
 bool read_triangles(Reader& in, Mesh& mesh) {
@@ -165,7 +105,7 @@ bool read_triangles(Reader& in, Mesh& mesh) {
         for (std::uint32_t i = first; i < last; ++i) {
             std::array<std::uint32_t, 3> corners{};
             for (std::uint32_t& corner : corners)
-                corner = mesh.face_first_corner[face] + in.value<std::uint32_t>();
+                corner = mesh.face_first_corner[face] + in.get<std::uint32_t>();
             mesh.triangles.push_back(corners);
             mesh.triangle_face.push_back(face);
         }
@@ -176,33 +116,33 @@ bool read_triangles(Reader& in, Mesh& mesh) {
 bool read_mesh(Reader& in, Mesh& mesh) {
     std::array<std::vector<float>, 3> axes;
     for (auto& axis : axes)
-        axis = in.list<float>();
+        axis = in.get_list<float>();
     if (axes[1].size() != axes[0].size() || axes[2].size() != axes[0].size()) return false;
     for (std::size_t i = 0; i < axes[0].size(); ++i) {
         mesh.positions.emplace_back(axes[0][i], axes[1][i], axes[2][i]);
         mesh.bounds.add(mesh.positions.back().cast<double>());
     }
-    const std::vector<float> u = in.list<float>(), v = in.list<float>();
-    mesh.corner_vertex = in.list<std::uint32_t>();
+    const std::vector<float> u = in.get_list<float>(), v = in.get_list<float>();
+    mesh.corner_vertex = in.get_list<std::uint32_t>();
     if (u.size() != v.size() || u.size() != mesh.corner_vertex.size()) return false;
     for (std::size_t corner = 0; corner < u.size(); ++corner)
         mesh.corner_uv.emplace_back(u[corner], v[corner]);
-    mesh.face_first_corner = in.ascending();
-    mesh.face_material = in.list<std::uint32_t>();
-    mesh.face_group = in.list<std::uint32_t>();
-    mesh.face_first_triangle = in.ascending();
+    mesh.face_first_corner = get_ascending(in);
+    mesh.face_material = in.get_list<std::uint32_t>();
+    mesh.face_group = in.get_list<std::uint32_t>();
+    mesh.face_first_triangle = get_ascending(in);
     if (!read_triangles(in, mesh)) return false;
-    for (auto count = in.value<std::uint32_t>(); in.ok && count > 0; --count) {
+    for (auto count = in.get<std::uint32_t>(); in.ok && count > 0; --count) {
         Material material;
-        material.name = in.text();
-        material.texture = in.text();
+        material.name = in.get_text();
+        material.texture = in.get_text();
         for (int c = 0; c < 3; ++c)
-            material.diffuse[c] = in.value<float>();
+            material.diffuse[c] = in.get<float>();
         mesh.materials.push_back(std::move(material));
     }
-    for (auto count = in.value<std::uint32_t>(); in.ok && count > 0; --count)
-        mesh.groups.push_back(in.text());
-    mesh.fingerprint = in.value<std::uint64_t>();
+    for (auto count = in.get<std::uint32_t>(); in.ok && count > 0; --count)
+        mesh.groups.push_back(in.get_text());
+    mesh.fingerprint = in.get<std::uint64_t>();
     return in.ok;
 }
 
@@ -253,8 +193,8 @@ Result<std::string> encode_digest(const Level& level) {
         return Error{"digest", fmt::format("the level has {} triangles; a digest stores at most {}",
                                            level.mesh->triangle_count(), max_digest_triangles)};
     Writer out;
-    out.text(annotations_json(level));
-    out.list(resolve_surfaces(level).surface);
+    out.put_text(annotations_json(level));
+    out.put_list(resolve_surfaces(level).surface);
     write_mesh(out, *level.mesh);
     std::string bytes(magic);
     const auto size = static_cast<std::uint64_t>(out.bytes.size());
@@ -272,8 +212,8 @@ Result<Level> decode_digest(std::string_view bytes, const std::string& location)
     const auto unpacked = unpack(bytes.substr(magic.size() + sizeof size), static_cast<std::size_t>(size));
     if (!unpacked) return damaged;
     Reader in(*unpacked);
-    const std::string json = in.text();
-    const std::vector<SurfaceId> surfaces = in.list<SurfaceId>();
+    const std::string json = in.get_text();
+    const std::vector<SurfaceId> surfaces = in.get_list<SurfaceId>();
     auto mesh = std::make_shared<Mesh>();
     if (!read_mesh(in, *mesh) || !in.at_end() || !consistent(*mesh, surfaces.size())) return damaged;
     Result<LoadedLevel> loaded = level_from_json(json, location, mesh);

@@ -65,7 +65,7 @@ void decide(Editor& editor) {
 void modes(Review& review) {
     constexpr const char* names[review_mode_count] = {"Side by side", "Swipe", "Blink", "Heat map"};
     int mode = static_cast<int>(review.mode);
-    if (ui::combo("Pictures", &mode, names, static_cast<int>(review_mode_count),
+    if (ui::combo("Images", &mode, names, static_cast<int>(review_mode_count),
                   "How the two images are compared")) {
         review.mode = static_cast<ReviewMode>(mode);
         review.images = true;
@@ -208,7 +208,7 @@ bool review_view(Editor& editor, FrameContext& frame) {
         const auto at = static_cast<float>(review.swipe);
         ImGui::SetCursorScreenPos(box.min);
         ImGui::InvisibleButton("swipe", box.size);
-        ui::record_last_item("Pictures");
+        ui::record_last_item("Images");
         if (ImGui::IsItemActive() || ImGui::IsItemHovered())
             review.swipe = std::clamp(
                 static_cast<double>((ImGui::GetIO().MousePos.x - box.min.x) / box.size.x), 0.0, 1.0);

@@ -428,7 +428,7 @@ std::size_t pixels_of_light(const SceneComparison& comparison, std::vector<std::
 }  // namespace
 
 std::optional<Tape> recorded_tape(const Numbers& numbers) {
-    const Numbers::json_pointer pointer("/movement/tape/tape");
+    const Numbers::json_pointer pointer("/movement/tape/lines");
     if (!numbers.is_object() || !numbers.contains(pointer)) return std::nullopt;
     std::string text;
     for (const Numbers& line : numbers[pointer])

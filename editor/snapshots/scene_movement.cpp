@@ -118,7 +118,7 @@ Numbers tape_json(const SceneMovement& story, const SimulationReport& report) {
                     {"samples", samples},
                     {"hashes", hashes}};
     const std::vector<std::string_view> lines = split(text, '\n');
-    if (lines.size() <= max_tape_lines) json["tape"] = lines;
+    if (lines.size() <= max_tape_lines) json["lines"] = lines;
     return json;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rim.h"
 #include "slipface/base/parallel.h"
 #include "slipface/collision/collision_world.h"
 
@@ -110,15 +111,8 @@ Grades grade(const Level& level) {
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         const std::uint32_t region = regions.of_face[face];
         if (region == no_id) continue;
-        const Vec3 normal = face_normal(mesh, face);
-        const std::uint32_t first = mesh.face_first_corner[face], count = mesh.face_corner_count(face);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const Vec3 from = mesh.corner_position(first + i).cast<double>();
-            const Vec3 along = mesh.corner_position(first + (i + 1) % count).cast<double>() - from;
-            Vec3 out = along.cross(normal);
-            out.y() = 0.0;
-            if (along.norm() < radius || out.norm() < 1e-9) continue;
-            out.normalize();
+        for_each_rim(mesh, face, [&](const Vec3& from, const Vec3& along, const Vec3& out) {
+            if (along.norm() < radius) return;
             const Vec3 rim = from + 0.5 * along;
             const auto below = [&](double away) -> std::optional<std::pair<std::uint32_t, double>> {
                 const Vec3 at = rim + away * out + Vec3(0.0, grades.limits.step_m + 0.01, 0.0);
@@ -128,7 +122,7 @@ Grades grade(const Level& level) {
             };
             // A rim above other ground: a drop for those up here, a ledge for those down there.
             const auto ground = below(radius);
-            if (ground && ground->first == region) continue;
+            if (ground && ground->first == region) return;
             if (ground && ground->second > grades.limits.step_m) {
                 dropped[ground->first] = true;
                 if (ground->second <= highest)
@@ -149,7 +143,7 @@ Grades grade(const Level& level) {
                 offer(there->first, {far, far / grades.limits.gap_m, false, face, rim});
                 break;
             }
-        }
+        });
     }
     for (std::size_t region = 0; region < best.size(); ++region) {
         const Approach& one = best[region];

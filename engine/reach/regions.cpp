@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "rim.h"
 #include "slipface/collision/collision_world.h"
 #include "slipface/level/shown_mesh.h"
 #include "slipface/reach/links.h"
@@ -69,20 +70,12 @@ WalkRegions walk_regions(const Level& level) {
         for (const FaceId other : neighbours.of(face))
             if (walkable[other]) unions.join(face, other);
         if (!world) continue;
-        const Vec3 normal = face_normal(mesh, face);
-        const std::uint32_t first = mesh.face_first_corner[face], count = mesh.face_corner_count(face);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const Vec3 from = mesh.corner_position(first + i).cast<double>();
-            const Vec3 along = mesh.corner_position(first + (i + 1) % count).cast<double>() - from;
-            Vec3 out = along.cross(normal);
-            out.y() = 0.0;
-            if (out.norm() < 1e-9) continue;
-            out.normalize();
+        for_each_rim(mesh, face, [&](const Vec3& from, const Vec3& along, const Vec3& out) {
             const int places = std::clamp(static_cast<int>(along.norm() / (2.0 * radius)), 1, 16);
             for (int place = 0; place < places; ++place)
                 for (const double away : {0.02, 0.5, 1.0})
                     join_beside(face, from + along * ((place + 0.5) / places) + away * radius * out);
-        }
+        });
     }
 
     WalkRegions regions;

@@ -7,9 +7,9 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstring>
 
 #include "impl.h"
+#include "slipface/base/bytes.h"
 #include "slipface/base/files.h"
 #include "slipface/base/hash.h"
 #include "slipface/base/pack.h"
@@ -23,35 +23,24 @@ namespace {
 constexpr std::string_view magic = "slipface-reach 1";
 constexpr std::uint64_t max_body = std::uint64_t{16} << 30;
 
-class Writer {
-  public:
-    template <class T>
-    void put(T value) {
-        static_assert(std::is_arithmetic_v<T>);
-        const std::size_t at = bytes.size();
-        bytes.resize(at + sizeof(T));
-        std::memcpy(bytes.data() + at, &value, sizeof(T));
-    }
+struct Writer : ByteWriter<std::uint64_t> {
+    using ByteWriter::put;
     void put(const Vec3& vector) {
         for (int axis = 0; axis < 3; ++axis)
             put(vector[axis]);
     }
-    std::string bytes;
 };
 
-// Reads what Writer wrote; after the first value that is missing or not allowed nothing is read any more.
-class ByteReader {
+// Reads what Writer wrote; `problem` says which value is missing or not allowed, and nothing is read after
+// it.
+class Reader {
   public:
-    explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
+    explicit Reader(std::string_view bytes) : from_(bytes) {}
     template <class T>
     T get() {
-        T value{};
-        if (problem || bytes_.size() - at_ < sizeof(T)) {
-            fail("the end of the data", "more");
-            return value;
-        }
-        std::memcpy(&value, bytes_.data() + at_, sizeof(T));
-        at_ += sizeof(T);
+        if (problem) return T{};
+        const T value = from_.get<T>();
+        if (!from_.ok) fail("the end of the data", "more");
         return value;
     }
     // A whole number of at most `most`.
@@ -79,18 +68,16 @@ class ByteReader {
     }
     // How many items follow, each of at least `size` bytes: no more than there are bytes for.
     std::size_t count(std::size_t size, const char* what) {
-        return up_to<std::uint64_t>((bytes_.size() - at_) / size, what);
+        return up_to<std::uint64_t>(from_.left() / size, what);
     }
-    bool at_end() const { return at_ == bytes_.size(); }
-    std::size_t at() const { return at_; }
+    bool at_end() const { return from_.at_end(); }
     void fail(std::string found, std::string expected) {
-        if (!problem) problem = fmt::format("byte {}: found {}, expected {}", at_, found, expected);
+        if (!problem) problem = fmt::format("byte {}: found {}, expected {}", from_.at(), found, expected);
     }
     std::optional<std::string> problem;
 
   private:
-    std::string_view bytes_;
-    std::size_t at_ = 0;
+    ByteReader<std::uint64_t> from_;
 };
 
 void put_state(Writer& to, const PlayerState& state) {
@@ -109,7 +96,7 @@ void put_state(Writer& to, const PlayerState& state) {
         to.put(state.*member);
 }
 
-PlayerState get_state(ByteReader& from, const Level& level) {
+PlayerState get_state(Reader& from, const Level& level) {
     PlayerState state;
     for (const auto member : PlayerState::vectors)
         state.*member = from.vector("a coordinate of a state");
@@ -137,7 +124,7 @@ void put_reached(Writer& to, const std::vector<Reached>& list) {
     }
 }
 
-void get_reached(ByteReader& from, std::size_t nodes, std::vector<Reached>& list) {
+void get_reached(Reader& from, std::size_t nodes, std::vector<Reached>& list) {
     const std::size_t count = from.count(8, "a number of faces");
     if (count != list.size())
         return from.fail(fmt::format("a list of {}", count), fmt::format("one of {}", list.size()));
@@ -250,7 +237,7 @@ std::string ReachSearch::Impl::body() const {
 
 // `prepare` has run: lists have their sizes.
 Status ReachSearch::Impl::read_body(std::string_view bytes, const std::string& location) {
-    ByteReader from(bytes);
+    Reader from(bytes);
     const Level& level = *world.level;
     (void)from.get<std::uint64_t>();  // options and start, which resume() has read
     for (int i = 0; i < 5; ++i)
@@ -385,7 +372,7 @@ Result<ReachSearch> ReachSearch::resume(const Level& level, const std::filesyste
     if (!body || hasher.value() != *hash)
         return Error{location, "found damaged data, expected what its first line promises"};
 
-    ByteReader head(*body);
+    Reader head(*body);
     ReachOptions options;
     options.seed = head.get<std::uint64_t>();
     options.dt = head.number("a step");

@@ -1,81 +1,49 @@
 #include "assimp/soup_bytes.h"
 
-#include <cstring>
-#include <type_traits>
+#include "slipface/base/bytes.h"
 
 namespace slipface {
 namespace {
 
+using Count = std::uint64_t;
+
 // One list of members serves both directions: Writer appends them, Reader takes them.
-class Writer {
-  public:
+struct Writer {
     template <typename T>
     void number(const T& value) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+        to.put(value);
     }
-    void text(const std::string& value) {
-        number(value.size());
-        bytes += value;
-    }
+    void text(const std::string& value) { to.put_text(value); }
     template <typename T>
     void numbers(const std::vector<T>& values) {
-        number(values.size());
-        bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+        to.put_list(values);
     }
     template <typename T, typename Each>
     void list(const std::vector<T>& values, Each each) {
-        number(values.size());
+        to.put(Count{values.size()});
         for (const T& value : values)
             each(value);
     }
-    std::string bytes;
+    ByteWriter<Count> to;
 };
 
-class Reader {
-  public:
-    explicit Reader(std::string_view bytes) : bytes_(bytes) {}
-
+struct Reader {
     template <typename T>
     void number(T& value) {
-        if (take(sizeof value)) std::memcpy(static_cast<void*>(&value), taken_, sizeof value);
+        value = from.get<T>();
     }
-    void text(std::string& value) {
-        const std::size_t size = count(1);
-        if (take(size)) value.assign(taken_, size);
-    }
+    void text(std::string& value) { value = from.get_text(); }
     template <typename T>
     void numbers(std::vector<T>& values) {
-        values.resize(count(sizeof(T)));
-        if (take(values.size() * sizeof(T)) && !values.empty())
-            std::memcpy(static_cast<void*>(values.data()), taken_, values.size() * sizeof(T));
+        values = from.get_list<T>();
     }
     template <typename T, typename Each>
     void list(std::vector<T>& values, Each each) {
-        values.resize(count(sizeof(std::size_t)));
+        values.resize(from.get_count(sizeof(Count)));
         for (T& value : values)
             each(value);
     }
-    bool complete() const { return good_ && bytes_.empty(); }
-
-  private:
-    // A number of elements of at least `size` bytes each; 0 if so many bytes do not follow.
-    std::size_t count(std::size_t size) {
-        std::size_t elements = 0;
-        number(elements);
-        if (elements > bytes_.size() / size) good_ = false;
-        return good_ ? elements : 0;
-    }
-    bool take(std::size_t size) {
-        if (size > bytes_.size()) good_ = false;
-        if (!good_) return false;
-        taken_ = bytes_.data();
-        bytes_.remove_prefix(size);
-        return true;
-    }
-    std::string_view bytes_;
-    const char* taken_ = nullptr;
-    bool good_ = true;
+    ByteReader<Count> from;
 };
 
 template <typename Bytes, typename Answer>
@@ -121,15 +89,14 @@ std::string answer_to_bytes(const SceneAnswer& answer) {
     } else {
         members(writer, answer);
     }
-    return std::move(writer.bytes);
+    return std::move(writer.to.bytes);
 }
 
 std::optional<SceneAnswer> answer_from_bytes(std::string_view bytes) {
-    Reader reader(bytes);
+    Reader reader{ByteReader<Count>(bytes)};
     SceneAnswer answer;
-    std::uint8_t failed = 2;
-    reader.number(failed);
-    if (failed > 1) return std::nullopt;
+    const auto failed = reader.from.get<std::uint8_t>();
+    if (!reader.from.ok || failed > 1) return std::nullopt;
     if (failed == 1) {
         answer.error.emplace();
         reader.text(answer.error->location);
@@ -141,7 +108,7 @@ std::optional<SceneAnswer> answer_from_bytes(std::string_view bytes) {
             frame.scale_from > ImportSource::given)
             return std::nullopt;
     }
-    if (!reader.complete()) return std::nullopt;
+    if (!reader.from.ok || !reader.from.at_end()) return std::nullopt;
     return answer;
 }
 

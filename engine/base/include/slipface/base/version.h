@@ -1,7 +1,9 @@
+// The version of the program. Reports and files of searches name it, so that a reader knows their writer.
 #pragma once
 
 namespace slipface {
 
-const char* program_version();  // "0.1.0"
+// MAJOR.MINOR.PATCH of the build: "0.1.0".
+const char* program_version();
 
 }  // namespace slipface

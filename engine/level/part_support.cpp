@@ -1,0 +1,214 @@
+#include "part_support.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion_fit.h"
+#include "slipface/level/material_name.h"
+
+namespace slipface {
+namespace {
+
+constexpr std::size_t max_sampled_keys = 48;  // of a part
+
+}  // namespace
+
+PartSupport::PartSupport(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces,
+                         const PaintParts& parts, const std::vector<const FaceKey*>& keys)
+    : mesh_(mesh), index_(index), surfaces_(surfaces), stored_(parts), grid_(mesh) {
+    samples_.resize(parts.parts.size());
+    for (std::size_t part = 0; part < samples_.size(); ++part) {
+        std::vector<Vec3>& points = samples_[part].points;
+        for (const AnchorFace& anchor : parts.parts[part].anchors)
+            for (const Vec3f& corner : anchor.corners)
+                points.push_back(corner.cast<double>());
+        std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) {
+            return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+        });
+        points.erase(std::unique(points.begin(), points.end()), points.end());
+        // Neighbours one after another say the same; a large step lets a wrong motion fail early.
+        std::vector<Vec3> spread;
+        const std::size_t step = points.size() % 7 != 0 ? 7 : points.size() % 5 != 0 ? 5 : 1;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            spread.push_back(points[i * step % points.size()]);
+        points = std::move(spread);
+    }
+    for (std::size_t i = 0; i < keys.size() && i < parts.of.size(); ++i)
+        if (parts.of[i] > 0 && parts.of[i] <= samples_.size())
+            samples_[parts.of[i] - 1u].keys.push_back(keys[i]);
+    for (Sample& sample : samples_) {
+        const std::size_t step = (sample.keys.size() + max_sampled_keys - 1) / max_sampled_keys;
+        if (step < 2) continue;
+        for (std::size_t i = 0; i * step < sample.keys.size(); ++i)
+            sample.keys[i] = sample.keys[i * step];
+        sample.keys.resize(sample.keys.size() / step);
+    }
+}
+
+double PartSupport::tolerance(const Motion& motion, const Vec3& from, const Vec3& to) const {
+    return std::min(2.0 * position_tolerance(to) + scale_of(motion) * position_tolerance(from),
+                    grid_.widest());
+}
+
+// The fraction of the part's anchor corners that are vertices after the motion; 0 as soon as it must be
+// below `least`.
+double PartSupport::corners_hit(const Sample& sample, const Motion& motion, double least) const {
+    const auto allowed = static_cast<std::size_t>((1.0 - least) * static_cast<double>(sample.points.size()));
+    std::size_t misses = 0;
+    for (const Vec3& point : sample.points) {
+        const Vec3 to = motion(point);
+        if (grid_.nearest(to, tolerance(motion, point, to)) == no_id && ++misses > allowed) return 0.0;
+    }
+    return sample.points.empty()
+               ? 0.0
+               : 1.0 - static_cast<double>(misses) / static_cast<double>(sample.points.size());
+}
+
+// Whether the mesh has the painted face after the motion, and which way it looks.
+PartSupport::Side PartSupport::find_face(const FaceKey& key, const Motion& motion,
+                                         bool& same_material) const {
+    const FaceKey moved = moved_key(key, motion);
+    bool same = false, other = false;
+    const double reach =
+        std::min(4.0 * position_tolerance(moved.centroid), tolerance(motion, key.centroid, moved.centroid));
+    for (const FaceId face : index_.near(moved.centroid, reach)) {
+        const FaceKey& found = index_.key(face);
+        if (std::abs(found.area - moved.area) > 0.02 * std::max(found.area, moved.area)) continue;
+        const double along = found.normal.dot(moved.normal);
+        if (std::abs(along) < 0.998 && !moved.normal.isZero()) continue;
+        (along >= 0.0 ? same : other) = true;
+        same_material = same_material || index_.base(face) == base_material(key.material, surfaces_);
+    }
+    return same && other ? Side::both : same ? Side::same : other ? Side::other : Side::none;
+}
+
+const MeshParts& PartSupport::all() {
+    if (all_) return *all_;
+    all_ = mesh_parts(mesh_, surfaces_);
+    vertex_part_.assign(mesh_.positions.size(), no_id);
+    for (FaceId face = 0; face < mesh_.face_count(); ++face)
+        for (std::uint32_t c = mesh_.face_first_corner[face]; c < mesh_.face_first_corner[face + 1]; ++c)
+            vertex_part_[mesh_.corner_vertex[c]] = all_->of[face];
+    // Parts by the place of their box.
+    std::vector<std::pair<double, std::uint32_t>> stored;
+    for (std::size_t i = 0; i < stored_.parts.size(); ++i)
+        stored.push_back({stored_.parts[i].box.min.x(), static_cast<std::uint32_t>(i)});
+    std::sort(stored.begin(), stored.end());
+    owner_.assign(all_->parts.size(), no_id);
+    std::size_t visits = 0;
+    for (std::size_t part = 0; part < all_->parts.size(); ++part) {
+        const Aabb& box = all_->parts[part].box;
+        const double slack = 4.0 * position_tolerance(box.max) + 4.0 * position_tolerance(box.min);
+        auto at = std::lower_bound(stored.begin(), stored.end(),
+                                   std::pair<double, std::uint32_t>{box.min.x() - slack, 0});
+        for (; at != stored.end() && at->first <= box.min.x() + slack; ++at) {
+            const Aabb& old = stored_.parts[at->second].box;
+            if ((old.min - box.min).cwiseAbs().maxCoeff() <= slack &&
+                (old.max - box.max).cwiseAbs().maxCoeff() <= slack)
+                owner_[part] = at->second;
+        }
+        // What is left of a part that lost faces lies in its box.
+        const double size = box.size().norm();
+        for (std::size_t i = 0; i < stored_.parts.size() && owner_[part] == no_id && visits < 4'000'000;
+             ++i, ++visits) {
+            const Aabb& old = stored_.parts[i].box;
+            if (((box.min - old.min).array() >= -slack).all() &&
+                ((old.max - box.max).array() >= -slack).all() && size >= 0.5 * old.size().norm())
+                owner_[part] = static_cast<std::uint32_t>(i);
+        }
+    }
+    return *all_;
+}
+
+bool PartSupport::is_taken(std::size_t i, const Motion& motion) {
+    all();
+    std::size_t hits = 0, taken = 0;
+    for (const Vec3& point : samples_[i].points) {
+        const Vec3 to = motion(point);
+        const std::uint32_t vertex = grid_.nearest(to, tolerance(motion, point, to));
+        if (vertex == no_id || vertex_part_[vertex] == no_id) continue;
+        ++hits;
+        const std::uint32_t owner = owner_[vertex_part_[vertex]];
+        taken += owner != no_id && owner != i ? 1 : 0;
+    }
+    return 10 * taken > 3 * hits;
+}
+
+double PartSupport::ranks_kept(std::size_t i, const Motion& motion) {
+    const std::vector<AnchorFace>& anchors = stored_.parts[i].anchors;
+    std::size_t kept = 0;
+    for (const AnchorFace& anchor : anchors) {
+        Vec3 centroid = Vec3::Zero();
+        for (const Vec3f& corner : anchor.corners)
+            centroid += corner.cast<double>() / static_cast<double>(anchor.corners.size());
+        const Vec3 to = motion(centroid);
+        const double reach = std::min(4.0 * position_tolerance(to), tolerance(motion, centroid, to));
+        bool same = false;
+        for (const FaceId face : index_.near(to, reach))
+            same = same || all().rank[face] == anchor.rank;
+        kept += same ? 1 : 0;
+    }
+    return anchors.empty() ? 0.0 : static_cast<double>(kept) / static_cast<double>(anchors.size());
+}
+
+Support PartSupport::support(std::size_t part, const Motion& motion, double least) const {
+    const Sample& sample = samples_[part];
+    Support result;
+    result.corners = corners_hit(sample, motion, least);
+    if (result.corners < least || sample.keys.empty()) return result;
+    for (const FaceKey* key : sample.keys) {
+        bool same_material = false;
+        if (find_face(*key, motion, same_material) != Side::none) result.keys += same_material ? 1.0 : 0.5;
+    }
+    result.keys /= static_cast<double>(sample.keys.size());
+    return result;
+}
+
+bool PartSupport::is_flipped(std::size_t part, const Motion& motion) const {
+    std::size_t same = 0, other = 0;
+    for (const FaceKey* key : samples_[part].keys) {
+        bool same_material = false;
+        const Side side = find_face(*key, motion, same_material);
+        same += side == Side::same ? 1 : 0;
+        other += side == Side::other ? 1 : 0;
+    }
+    return other > same;
+}
+
+bool PartSupport::stays_inside(std::size_t i, const Motion& motion) const {
+    const Aabb& box = stored_.parts[i].box;
+    const Vec3 slack = Vec3::Constant(1e-3 * box.size().norm());
+    return std::all_of(samples_[i].points.begin(), samples_[i].points.end(), [&](const Vec3& point) {
+        const Vec3 to = motion(point);
+        if (grid_.nearest(to, tolerance(motion, point, to)) == no_id) return true;
+        return ((to - box.min + slack).array() >= 0.0).all() && ((box.max - to + slack).array() >= 0.0).all();
+    });
+}
+
+bool PartSupport::fills_box(std::size_t i, const Motion& motion) {
+    if ((motion.linear.transpose() * motion.linear).isIdentity(1e-3)) return true;
+    all();
+    Aabb moved;
+    std::uint32_t part = no_id;
+    for (const Vec3& point : samples_[i].points) {
+        const Vec3 to = motion(point);
+        moved.add(to);
+        if (part != no_id) continue;
+        const std::uint32_t vertex = grid_.nearest(to, tolerance(motion, point, to));
+        if (vertex != no_id) part = vertex_part_[vertex];
+    }
+    if (part == no_id) return false;
+    const Aabb& box = all_->parts[part].box;
+    const double slack = 0.2 * moved.size().norm();
+    return (moved.min - box.min).norm() <= slack && (moved.max - box.max).norm() <= slack;
+}
+
+bool PartSupport::has_similar_box(std::size_t i) {
+    const Aabb& old = stored_.parts[i].box;
+    const double slack = box_slack * old.size().norm();
+    return std::any_of(all().parts.begin(), all().parts.end(), [&](const PaintPart& part) {
+        return (part.box.min - old.min).norm() <= slack && (part.box.max - old.max).norm() <= slack;
+    });
+}
+
+}  // namespace slipface

@@ -1,0 +1,80 @@
+// How well motions of parts explain a mesh.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "face_index.h"
+#include "mesh_parts.h"
+#include "vertex_grid.h"
+
+namespace slipface {
+
+// The fraction of a box's diagonal by which edits in place change it.
+inline constexpr double box_slack = 0.05;
+
+struct Support {
+    double corners = 0.0, keys = 0.0;  // fractions
+    double ranks = 0.0;                // fraction of anchors with their place in the file's order
+    double sum() const { return corners + keys; }
+};
+
+class PartSupport {
+  public:
+    PartSupport(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces, const PaintParts& parts,
+                const std::vector<const FaceKey*>& keys);
+
+    const VertexGrid& grid() const { return grid_; }
+
+    // The parts of the mesh, found when they are first needed.
+    const MeshParts& all();
+
+    // The different corners of the part's anchors. Neighbours are not one after another.
+    const std::vector<Vec3>& points(std::size_t part) const { return samples_[part].points; }
+
+    // Without `ranks`; nothing as soon as the fraction of corners must be below `least`.
+    Support support(std::size_t part, const Motion& motion, double least) const;
+
+    // The fraction of the part's anchors with their place in the file's order.
+    double ranks_kept(std::size_t part, const Motion& motion);
+
+    // True if more of the painted faces look the other way than this way.
+    bool is_flipped(std::size_t part, const Motion& motion) const;
+
+    // True if the motion puts the part where another one stayed.
+    bool is_taken(std::size_t part, const Motion& motion);
+
+    // A part of equal tiles that lost some at its rim looks as if it had moved by a tile, but nothing of it
+    // is at a new place.
+    bool stays_inside(std::size_t part, const Motion& motion) const;
+
+    // Tiles may repeat at half their size in a subdivided part. So a part that was scaled must fill its new
+    // box.
+    bool fills_box(std::size_t part, const Motion& motion);
+
+    // Whether the mesh has a part that fills nearly the same box: an edited part.
+    bool has_similar_box(std::size_t part);
+
+  private:
+    struct Sample {
+        std::vector<Vec3> points;
+        std::vector<const FaceKey*> keys;
+    };
+    enum class Side { none, same, other, both };
+
+    double tolerance(const Motion& motion, const Vec3& from, const Vec3& to) const;
+    double corners_hit(const Sample& sample, const Motion& motion, double least) const;
+    Side find_face(const FaceKey& key, const Motion& motion, bool& same_material) const;
+
+    const Mesh& mesh_;
+    const FaceIndex& index_;
+    SurfaceTable surfaces_;
+    const PaintParts& stored_;
+    VertexGrid grid_;
+    std::vector<Sample> samples_;  // [part]
+    std::optional<MeshParts> all_;
+    std::vector<std::uint32_t> vertex_part_;  // [vertex] of the mesh
+    std::vector<std::uint32_t> owner_;        // [part of the mesh] the stored part with its box, or no_id
+};
+
+}  // namespace slipface
