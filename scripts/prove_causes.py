@@ -58,12 +58,6 @@ class Case:
         self.program, self.folder, self.rng = program, folder, rng
         folder.mkdir(parents=True)
         self.run("export", str(source), "--obj", str(folder / "level.obj"))
-        for line in (folder / "level.mtl").read_text().splitlines():
-            if line.startswith("map_Kd "):  # pictures of others stay where they are, unless there are none
-                found = (source.parent / line[7:].strip())
-                if found.is_file():
-                    (folder / line[7:].strip()).parent.mkdir(parents=True, exist_ok=True)
-                    shutil.copy(found, folder / line[7:].strip())
         obj = self.obj = Obj(folder / "level.obj")
         floors = [(obj.normal_and_area(f), f) for f in range(len(obj.of["f"]))]
         floors = sorted((area, f) for (normal, area), f in floors if normal[1] > 0.9)
@@ -207,7 +201,8 @@ def rule(case):
 
 def parameter(name):
     def change(case):
-        kind = next(s for s in case.level["surfaces"] if s["name"] == case.rng.choice(["ice", "default", "ladder", "bouncy"]))
+        which = case.rng.choice(["ice", "default", "ladder", "bouncy"])
+        kind = next(s for s in case.level["surfaces"] if s["name"] == which)
         old = kind[name]
         if isinstance(old, bool):
             kind[name] = not old

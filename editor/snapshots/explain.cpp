@@ -268,6 +268,10 @@ bool movement_code_changed(const SceneComparison& comparison) {
     const SceneMovement* const story = comparison.before.story;
     const Numbers golden = Numbers::parse(comparison.request.expected_numbers, nullptr, false);
     if (story == nullptr || !golden.contains("movement")) return false;
+    // The old level's probe ran with today's move, which says nothing if the golden's was another.
+    if (first_number(comparison.request, "/movement/probe/from") != nullptr ||
+        first_number(comparison.request, "/movement/probe/move") != nullptr)
+        return false;
     const auto path_of = [](const Numbers& movement) {
         Numbers path = {{"version", 1}};
         for (const auto& [part, members] :
