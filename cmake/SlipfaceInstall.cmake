@@ -4,12 +4,22 @@ include(CMakePackageConfigHelpers)
 
 get_property(modules GLOBAL PROPERTY SLIPFACE_MODULES)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Slipface)
-install(TARGETS ${modules} EXPORT SlipfaceTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(EXPORT SlipfaceTargets NAMESPACE Slipface:: DESTINATION ${package_folder})
+# A component and a file of targets for each module: `cmake --install build --component movement`, after those of the modules
+# below it, and find_package(Slipface COMPONENTS movement) meet nothing of the modules above.
+list(TRANSFORM modules REPLACE "^slipface_" "" OUTPUT_VARIABLE slipface_names)
+foreach(name IN LISTS slipface_names)
+    install(TARGETS slipface_${name} EXPORT Slipface_${name} COMPONENT ${name}
+        DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(EXPORT Slipface_${name} NAMESPACE Slipface:: DESTINATION ${package_folder} COMPONENT ${name})
+endforeach()
+list(JOIN slipface_names " " slipface_names)
+get_property(slipface_needs GLOBAL PROPERTY SLIPFACE_NEEDS)
+install(FILES LICENSE NOTICES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT base)
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN site EXCLUDE)
 configure_package_config_file(cmake/SlipfaceConfig.cmake.in SlipfaceConfig.cmake INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(SlipfaceConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/SlipfaceConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/SlipfaceConfigVersion.cmake"
-    cmake/SlipfaceLibraries.cmake DESTINATION ${package_folder})
+    cmake/SlipfaceLibraries.cmake DESTINATION ${package_folder} COMPONENT base)
 
 # Static libraries in an order that the linker resolves: those that use others first. The floors are listed ground first.
 list(REVERSE modules)
@@ -21,6 +31,9 @@ configure_file(cmake/slipface.pc.in slipface.pc @ONLY)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/slipface.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
 if(TARGET slipface)
+    if(BUILD_SHARED_LIBS)
+        set_target_properties(slipface PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+    endif()
     install(TARGETS slipface DESTINATION ${CMAKE_INSTALL_BINDIR})
     install(DIRECTORY assets/levels assets/presets assets/tapes DESTINATION ${CMAKE_INSTALL_DATADIR}/slipface)
     install(FILES editor/desktop/slipface.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)

@@ -2,9 +2,11 @@
 
 # Debian's assimp package asks every program to link what its shared library has linked already: libz, whose -dev package
 # it does not depend on, draco and minizip.
-get_target_property(assimp_type assimp::assimp TYPE)
-if(assimp_type STREQUAL SHARED_LIBRARY)
-    set_target_properties(assimp::assimp PROPERTIES INTERFACE_LINK_LIBRARIES "")
+if(TARGET assimp::assimp)
+    get_target_property(assimp_type assimp::assimp TYPE)
+    if(assimp_type STREQUAL SHARED_LIBRARY)
+        set_target_properties(assimp::assimp PROPERTIES INTERFACE_LINK_LIBRARIES "")
+    endif()
 endif()
 
 # slipface_find_library(NAME HEADER PACKAGE): the target Slipface::NAME, for libraries without a CMake package.
@@ -21,5 +23,9 @@ function(slipface_find_library name header package)
             INTERFACE_INCLUDE_DIRECTORIES "${SLIPFACE_${name}_INCLUDE_DIR}")
     endif()
 endfunction()
-slipface_find_library(deflate libdeflate.h libdeflate-dev)
-slipface_find_library(stb stb/stb_image.h libstb-dev)
+function(slipface_find_deflate)
+    slipface_find_library(deflate libdeflate.h libdeflate-dev)
+endfunction()
+function(slipface_find_stb)
+    slipface_find_library(stb stb/stb_image.h libstb-dev)
+endfunction()

@@ -1,6 +1,8 @@
 # Targets with the house's compile rules: warnings are errors, and floating point gives the same bits everywhere.
 
 function(slipface_compile_rules target)
+    # Every part formats text, and no public header needs fmt, so each links it for itself.
+    target_link_libraries(${target} PRIVATE fmt::fmt)
     target_compile_options(${target} PRIVATE
         $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror>
         -ffp-contract=off -fno-fast-math)
@@ -94,11 +96,14 @@ endfunction()
 # include from a floor above does not build.
 function(slipface_module name)
     cmake_parse_arguments(arg "" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+    # What only headers give is needed to build a module, not to link it.
+    list(TRANSFORM arg_PRIVATE_DEPENDS REPLACE "^nlohmann_json::.*" "$<BUILD_INTERFACE:\\0>")
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
     set(target slipface_${name})
-    add_library(${target} STATIC ${sources})
+    add_library(${target} ${sources})
     add_library(Slipface::${name} ALIAS ${target})
-    set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} VERSION ${PROJECT_VERSION}
+        SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} DEFINE_SYMBOL "" INSTALL_RPATH "$ORIGIN")
     target_compile_features(${target} PUBLIC cxx_std_20)
     target_include_directories(${target}
         PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
@@ -106,5 +111,16 @@ function(slipface_module name)
     target_link_libraries(${target} PUBLIC ${arg_DEPENDS} PRIVATE ${arg_PRIVATE_DEPENDS})
     slipface_compile_rules(${target})
     set_property(GLOBAL APPEND PROPERTY SLIPFACE_MODULES ${target})
-    install(DIRECTORY include/slipface DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    install(DIRECTORY include/slipface DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT ${name})
+
+    # What a program that links this module has to find: the names of SlipfaceConfig.cmake. A shared library has found its
+    # private ones itself.
+    set(needs ${arg_DEPENDS})
+    if(NOT BUILD_SHARED_LIBS)
+        list(APPEND needs ${arg_PRIVATE_DEPENDS} fmt::fmt)
+    endif()
+    list(FILTER needs INCLUDE REGEX "^[A-Za-z0-9_]+::")
+    list(TRANSFORM needs REPLACE "^Slipface::" "")
+    list(TRANSFORM needs REPLACE "::.*" "")
+    set_property(GLOBAL APPEND_STRING PROPERTY SLIPFACE_NEEDS "set(slipface_needs_${name} ${needs})\n")
 endfunction()

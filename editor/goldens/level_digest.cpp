@@ -10,7 +10,7 @@
 #include "goldens/numbers_json.h"
 #include "slipface/base/bytes.h"
 #include "slipface/base/hash.h"
-#include "slipface/base/pack.h"
+#include "slipface/image/pack.h"
 #include "slipface/level/level_file.h"
 
 namespace slipface {

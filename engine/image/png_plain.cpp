@@ -5,7 +5,7 @@
 #include "png_chunk.h"
 #include "png_limit.h"
 #include "png_rows.h"
-#include "slipface/base/pack.h"
+#include "slipface/image/pack.h"
 
 namespace slipface {
 

@@ -9,8 +9,8 @@
 #include "png_chunk.h"
 #include "png_rows.h"
 #include "slipface/base/files.h"
-#include "slipface/base/pack.h"
 #include "slipface/image/image.h"
+#include "slipface/image/pack.h"
 
 namespace slipface {
 

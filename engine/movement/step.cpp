@@ -17,7 +17,7 @@ bool usable(const MovementSettings& s) {
 bool usable(const PlayerState& state, const PlayerInput& input, double dt) {
     const auto finite = [&](auto... number) { return (std::isfinite(state.*number) && ...); };
     const auto all_finite = [&](auto... vector) { return ((state.*vector).allFinite() && ...); };
-    return dt >= 1e-4 && dt <= 0.25 && input.wish.allFinite() &&
+    return dt >= 1e-4 && std::isfinite(dt) && input.wish.allFinite() &&
            std::apply(all_finite, PlayerState::vectors) && std::apply(finite, PlayerState::numbers);
 }
 
@@ -27,10 +27,14 @@ Vec2 at_most_one(const Vec2& wish) {
     return {unit.x(), unit.y()};
 }
 
+// Bounded, so that no number that a game passes holds it for long.
+constexpr double longest_hitch_s = 60.0;
+
 int parts_of(const MovementSettings& settings, double dt) {
+    constexpr double longest_part_s = 0.25;
     constexpr double max_parts = 1000.0;
     const double wanted = settings.sub_step > 0.0 ? std::ceil(dt / settings.sub_step - 1e-6) : 1.0;
-    return static_cast<int>(std::clamp(wanted, 1.0, max_parts));
+    return static_cast<int>(std::clamp(wanted, std::ceil(dt / longest_part_s), max_parts));
 }
 
 void trace_sector(const MovementScene& scene, const PlayerState& before, const PlayerState& after,
@@ -48,6 +52,7 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
                 const PlayerInput& input, double dt, TraceSink* trace) {
     if (!usable(settings) || !usable(state, input, dt)) return {.state = state};
     const Vec2 wish = at_most_one(input.wish);
+    dt = std::min(dt, longest_hitch_s);
     const double walkable_cosine = slope_cosine(settings.max_slope);
     const int parts = parts_of(settings, dt);
 

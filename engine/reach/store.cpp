@@ -12,9 +12,9 @@
 #include "slipface/base/bytes.h"
 #include "slipface/base/files.h"
 #include "slipface/base/hash.h"
-#include "slipface/base/pack.h"
 #include "slipface/base/text.h"
 #include "slipface/base/version.h"
+#include "slipface/image/pack.h"
 #include "slipface/reach/report.h"
 
 namespace slipface {

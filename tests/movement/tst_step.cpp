@@ -187,7 +187,7 @@ TEST(BadInput, LeavesTheStateUnchanged) {
     const PlayerState start = at({0, 3, 0}, {1, 0, 0});
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double inf = std::numeric_limits<double>::infinity();
-    for (const double dt : {0.0, -0.1, 1e-5, 0.3, nan, inf}) {
+    for (const double dt : {0.0, -0.1, 1e-5, nan, inf}) {
         EXPECT_TRUE(step(lab.scene(), s, start, {}, dt).state == start) << dt;
     }
     EXPECT_FALSE(step(lab.scene(), s, start, {}, 0.25).state == start);

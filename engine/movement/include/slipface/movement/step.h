@@ -1,6 +1,8 @@
 // One fixed time step of a player: a pure function that explains itself.
 #pragma once
 
+#include <optional>
+
 #include "slipface/movement/scene.h"
 #include "slipface/movement/settings.h"
 #include "slipface/movement/trace.h"
@@ -66,10 +68,11 @@ struct StepResult {
     bool end_is_free = false;
 };
 
-// The state after `dt` seconds (1e-4..0.25 s). The same arguments give the same bits. `trace` may be null and
-// then costs nothing. No memory is allocated. Guarantee: a player that began outside all two-sided triangles
-// ends outside all of them, and the centre passes through none. Numbers that are not finite, radii or a skin
-// that are not positive, and a dt out of range return `state` unchanged.
+// The state after `dt` seconds, 1e-4 or more. A dt above 0.25 s, when the game itself was held up, is moved
+// in equal parts of at most that, under the same input; above 60 s it counts as 60 s. The same arguments give
+// the same bits. `trace` may be null and then costs nothing. No memory is allocated. Guarantee: a player that
+// began outside all two-sided triangles ends outside all of them, and the centre passes through none. Numbers
+// that are not finite, radii or a skin that are not positive, and a smaller dt return `state` unchanged.
 StepResult step(const MovementScene& scene, const MovementSettings& settings, const PlayerState& state,
                 const PlayerInput& input, double dt, TraceSink* trace = nullptr);
 
@@ -82,5 +85,13 @@ struct SlideResult {
 };
 SlideResult slide_move(const MovementScene& scene, const MovementSettings& settings, const Vec3& from,
                        const Vec3& move, TraceSink* trace = nullptr);
+
+// The player with the body `radii` (m, each above 0) in place of `settings.radii`: to crouch, to stand up, to
+// stretch for a run. The feet stay where they are, on a slope too. Nothing if there is no room for it, or if
+// a number is not finite: the player then keeps its body, and a game asks again at the next tick. Later steps
+// are given settings with the new radii. Guarantee: as that of step(). Several sweeps long; allocates
+// nothing.
+std::optional<PlayerState> change_body(const MovementScene& scene, const MovementSettings& settings,
+                                       const PlayerState& state, const Vec3& radii);
 
 }  // namespace slipface

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "slipface/base/pack.h"
+#include "slipface/image/pack.h"
 
 namespace slipface {
 namespace {

@@ -1,4 +1,4 @@
-#include "slipface/base/pack.h"
+#include "slipface/image/pack.h"
 
 #include <libdeflate.h>
 
