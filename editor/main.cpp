@@ -155,7 +155,8 @@ Status write_docs(const DocsArguments& arguments, const CLI::App& app) {
     if (!arguments.completion.empty()) files.emplace_back(arguments.completion, cli::bash_completion(app));
     if (files.empty()) {
         const fs::path folder = arguments.folder;
-        files = {{folder / "commands.md", commands_markdown()},
+        files = {{folder / "command-line.md", cli::command_line_markdown(app)},
+                 {folder / "commands.md", commands_markdown()},
                  {folder / "settings.md", settings_markdown()},
                  {folder / "scripting.md", script_verbs_markdown()}};
     }
@@ -168,7 +169,7 @@ Status write_docs(const DocsArguments& arguments, const CLI::App& app) {
 // installation.
 void add_docs_verb(CLI::App& app, int& exit_code) {
     auto arguments = std::make_shared<DocsArguments>();
-    CLI::App* const verb = app.add_subcommand("docs", "Write commands.md, settings.md and scripting.md");
+    CLI::App* const verb = app.add_subcommand("docs", "Write command-line.md, commands.md, settings.md and scripting.md");
     verb->add_option("folder", arguments->folder, "Where to")->capture_default_str();
     verb->add_option("--man", arguments->man, "Write manual pages to this folder instead")->type_name("DIR");
     verb->add_option("--completion", arguments->completion,

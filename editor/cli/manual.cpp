@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "tools/commands/markdown.h"
+
 namespace slipface::cli {
 namespace {
 
@@ -52,6 +54,13 @@ bool takes_value(const CLI::Option& option) {
     return option.get_items_expected_max() > 0;
 }
 
+// "-h, --help".
+std::string option_names(const CLI::Option& option) {
+    std::string names = option.get_name(false, true);
+    if (const auto comma = names.find(','); comma != std::string::npos) names.insert(comma + 1, " ");
+    return names;
+}
+
 // "LEVEL", "[LEVEL]", "LEVEL...".
 std::string positional(const CLI::Option& option) {
     std::string name = upper(option.get_name(true));
@@ -73,9 +82,7 @@ std::string options(const CLI::App& verb) {
         if (option->get_positional()) {
             text += ".I " + plain(upper(option->get_name(true))) + "\n";
         } else {
-            std::string names = option->get_name(false, true);  // "-h,--help"
-            if (const auto comma = names.find(','); comma != std::string::npos) names.insert(comma + 1, " ");
-            text += "\\fB" + plain(names) + "\\fR";
+            text += "\\fB" + plain(option_names(*option)) + "\\fR";
             if (takes_value(*option)) text += " \\fI" + plain(option->get_type_name()) + "\\fR";
             text += "\n";
         }
@@ -117,6 +124,38 @@ std::string program_page(const CLI::App& app, const std::string& version) {
     return text + ".SH NOTES\n" + plain(app.get_footer()) + "\n";
 }
 
+// "--out FILE", "LEVEL...".
+std::string shown_name(const CLI::Option& option) {
+    if (option.get_positional()) return positional(option);
+    const std::string names = option_names(option);
+    return takes_value(option) ? names + " " + option.get_type_name() : names;
+}
+
+std::string one_line(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+}
+
+std::string markdown_of(const CLI::App& verb, const std::string& command) {
+    std::string usage = command;
+    for (const CLI::Option* option : listed_options(verb))
+        if (option->get_positional()) usage += " " + positional(*option);
+    const bool alone = listed_verbs(verb).empty();
+    std::string text = fmt::format("\n## {}\n\n{}.\n\n    {}{}\n", command, verb.get_description(), usage,
+                                   alone ? " [options]" : "");
+    std::string rows;
+    for (const CLI::Option* option : listed_options(verb)) {
+        if (option->get_name(false, true) == "-h,--help") continue;
+        std::string what = one_line(option->get_description());
+        if (!option->get_default_str().empty()) what += fmt::format(" (default: `{}`)", option->get_default_str());
+        rows += markdown_row({markdown_code(shown_name(*option).c_str()), what});
+    }
+    if (!rows.empty()) text += "\n| Option | What it does |\n| --- | --- |\n" + rows;
+    for (const CLI::App* part : listed_verbs(verb))
+        text += markdown_of(*part, command + " " + part->get_name());
+    return text;
+}
+
 // One row of the completion's tables per verb: the words that lead to it, and the words that can follow.
 void completion_rows(const CLI::App& verb, const std::string& path, std::string& paths, std::string& follow) {
     std::string words;
@@ -140,6 +179,17 @@ std::vector<ManualPage> manual_pages(const CLI::App& app, const std::string& ver
     for (const CLI::App* verb : listed_verbs(app))
         pages.push_back({"slipface-" + verb->get_name() + ".1", verb_page(*verb, version)});
     return pages;
+}
+
+std::string command_line_markdown(const CLI::App& app) {
+    std::string text = "# The command line\n\nMade from the options that the program reads. `slipface VERB --help` prints the same.\n\n"
+                       "| Verb | What it does |\n| --- | --- |\n";
+    for (const CLI::App* verb : listed_verbs(app))
+        text += markdown_row({fmt::format("[`{0}`](#slipface-{0})", verb->get_name()), verb->get_description()});
+    text += "\n" + app.get_footer() + "\n";
+    for (const CLI::App* verb : listed_verbs(app))
+        text += markdown_of(*verb, "slipface " + verb->get_name());
+    return text;
 }
 
 std::string bash_completion(const CLI::App& app) {

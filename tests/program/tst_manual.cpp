@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "program/run_program.h"
+#include "slipface/base/files.h"
 
 namespace slipface::test {
 namespace {
@@ -52,6 +53,15 @@ TEST(Manual, NamesEachVerbAndOptionOfTheHelp) {
             for (const std::string& option : options_of_help(command))
                 EXPECT_NE(text.find(option), std::string::npos) << command << " " << option;
     }
+}
+
+TEST(Manual, CommandLinePageIsWhatTheProgramWrites) {
+    const ScratchFolder folder;
+    ASSERT_EQ(run_program("docs " + (folder / "").string()).exit_code, 0);
+    const Result<std::string> written = read_file(folder / "command-line.md");
+    const Result<std::string> page = read_file(SLIPFACE_SOURCE_DIR "/docs/command-line.md");
+    ASSERT_TRUE(written.ok() && page.ok());
+    EXPECT_EQ(*written, *page) << "run: slipface docs";
 }
 
 std::string completed(const std::string& script, const std::string& words, int current) {
