@@ -169,7 +169,8 @@ Status write_docs(const DocsArguments& arguments, const CLI::App& app) {
 // installation.
 void add_docs_verb(CLI::App& app, int& exit_code) {
     auto arguments = std::make_shared<DocsArguments>();
-    CLI::App* const verb = app.add_subcommand("docs", "Write command-line.md, commands.md, settings.md and scripting.md");
+    CLI::App* const verb =
+        app.add_subcommand("docs", "Write command-line.md, commands.md, settings.md and scripting.md");
     verb->add_option("folder", arguments->folder, "Where to")->capture_default_str();
     verb->add_option("--man", arguments->man, "Write manual pages to this folder instead")->type_name("DIR");
     verb->add_option("--completion", arguments->completion,

@@ -147,7 +147,8 @@ std::string markdown_of(const CLI::App& verb, const std::string& command) {
     for (const CLI::Option* option : listed_options(verb)) {
         if (option->get_name(false, true) == "-h,--help") continue;
         std::string what = one_line(option->get_description());
-        if (!option->get_default_str().empty()) what += fmt::format(" (default: `{}`)", option->get_default_str());
+        if (!option->get_default_str().empty())
+            what += fmt::format(" (default: `{}`)", option->get_default_str());
         rows += markdown_row({markdown_code(shown_name(*option).c_str()), what});
     }
     if (!rows.empty()) text += "\n| Option | What it does |\n| --- | --- |\n" + rows;
@@ -182,10 +183,13 @@ std::vector<ManualPage> manual_pages(const CLI::App& app, const std::string& ver
 }
 
 std::string command_line_markdown(const CLI::App& app) {
-    std::string text = "# The command line\n\nMade from the options that the program reads. `slipface VERB --help` prints the same.\n\n"
-                       "| Verb | What it does |\n| --- | --- |\n";
+    std::string text =
+        "# The command line\n\nMade from the options that the program reads. `slipface VERB --help` prints "
+        "the same.\n\n"
+        "| Verb | What it does |\n| --- | --- |\n";
     for (const CLI::App* verb : listed_verbs(app))
-        text += markdown_row({fmt::format("[`{0}`](#slipface-{0})", verb->get_name()), verb->get_description()});
+        text +=
+            markdown_row({fmt::format("[`{0}`](#slipface-{0})", verb->get_name()), verb->get_description()});
     text += "\n" + app.get_footer() + "\n";
     for (const CLI::App* verb : listed_verbs(app))
         text += markdown_of(*verb, "slipface " + verb->get_name());

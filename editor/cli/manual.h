@@ -1,4 +1,5 @@
-// Manual pages, docs/command-line.md and shell completion, made from the same table of verbs that parses the command line.
+// Manual pages, docs/command-line.md and shell completion, made from the same table of verbs that parses the
+// command line.
 #pragma once
 
 #include <string>
