@@ -12,6 +12,7 @@ foreach(name IN LISTS slipface_names)
         DESTINATION ${CMAKE_INSTALL_LIBDIR})
     install(EXPORT Slipface_${name} NAMESPACE Slipface:: DESTINATION ${package_folder} COMPONENT ${name})
 endforeach()
+list(APPEND slipface_names c)  # engine/c/CMakeLists.txt installs it
 list(JOIN slipface_names " " slipface_names)
 get_property(slipface_needs GLOBAL PROPERTY SLIPFACE_NEEDS)
 install(FILES LICENSE NOTICES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT base)

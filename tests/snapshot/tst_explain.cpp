@@ -300,6 +300,17 @@ TEST_F(ExplainTest, TheCameraStandsBeforeWhatItMoves) {
     EXPECT_EQ(slower.findings.back().cause, Cause::view) << text_of(slower);
 }
 
+TEST_F(ExplainTest, AProbeThatChangedIsNoChangeOfTheCode) {
+    const auto probe = [](const char* move) {
+        return std::string(with_tape) + R"(, "probe": {"from": [0, 1.2, 3], "move": )" + move + "}";
+    };
+    approve(probe("[0, -1, -3]"));
+    const GoldenResult result = check(probe("[0, -1, -4]"));
+    ASSERT_EQ(result.state, GoldenState::different);
+    EXPECT_NE(first_text(result).find("probe"), std::string::npos) << text_of(result);
+    EXPECT_EQ(text_of(result).find("the movement code"), std::string::npos) << text_of(result);
+}
+
 TEST_F(ExplainTest, SettingsYoungerThanTheGolden) {
     approve(with_tape);
     const fs::path file = folder_ / "goldens/a.json";

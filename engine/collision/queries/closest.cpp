@@ -1,6 +1,7 @@
 #include "impl.h"
 #include "queries/paths.h"
 #include "simd/kernels.h"
+#include "slipface/collision/filter.h"
 
 namespace slipface {
 namespace {
@@ -13,6 +14,7 @@ struct Search {
     double distance2;
     double rounding;  // error of distances, metres: a triangle this much further away may get the smaller
                       // distance
+    const QueryFilter* filter = nullptr;  // null: all triangles are seen
     Nearest nearest{};
     LeafTriangle triangle{{}, no_id};
 
@@ -20,6 +22,7 @@ struct Search {
         const Nearest other = kernels().nearest_part(leaf, query);
         if (!(other.distance2 < distance2 || (other.distance2 == distance2 && leaf.id < triangle.id))) return;
         if (!world.rule_of(leaf.id).solid) return;
+        if (filter != nullptr && !filter->sees(leaf.id, world.surface_of(leaf.id))) return;
         nearest = other;
         distance2 = other.distance2;
         triangle = leaf;
@@ -40,15 +43,13 @@ float consider_lane(void* context, const Leaf& leaf, std::uint32_t lane) {
     return distance_limit(search);
 }
 
-}  // namespace
-
-std::optional<ClosestPoint> closest_point(const CollisionWorld& world, const Vec3& point,
-                                          double max_distance) {
+std::optional<ClosestPoint> nearest_point(const CollisionWorld& world, const Vec3& point, double max_distance,
+                                          const QueryFilter* filter) {
     const CollisionWorld::Impl& impl = world.impl();
     if (impl.bvh.nodes.empty() || !point.allFinite() || !(max_distance >= 0.0)) return std::nullopt;
     const EllipsoidQuery query = ellipsoid_query(v3(point), V3{1.0, 1.0, 1.0}, V3{0.0, 0.0, 0.0});
     const double reach = larger(largest(query.centre), impl.extent.reach);
-    Search search{impl, query, max_distance * max_distance, 1e-14 * reach};
+    Search search{impl, query, max_distance * max_distance, 1e-14 * reach, filter};
     if (reach <= float_range) {
         kernels().closest(impl.bvh.view(), point_boxes(query, reach), distance_limit(search), consider_lane,
                           &search);
@@ -60,6 +61,18 @@ std::optional<ClosestPoint> closest_point(const CollisionWorld& world, const Vec
     if (leaf.id == no_id) return std::nullopt;
     const Touch touch = kernels().touch_of_nearest(leaf, query, search.nearest);
     return ClosestPoint{std::sqrt(search.distance2), vec(touch.point), leaf.id, impl.face_of(leaf.id)};
+}
+
+}  // namespace
+
+std::optional<ClosestPoint> closest_point(const CollisionWorld& world, const Vec3& point,
+                                          double max_distance) {
+    return nearest_point(world, point, max_distance, nullptr);
+}
+
+std::optional<ClosestPoint> closest_point(const CollisionWorld& world, const Vec3& point, double max_distance,
+                                          const QueryFilter& filter) {
+    return nearest_point(world, point, max_distance, &filter);
 }
 
 }  // namespace slipface

@@ -1,5 +1,6 @@
 #include "queries/near.h"
 #include "queries/search.h"
+#include "slipface/collision/filter.h"
 
 namespace slipface {
 namespace {
@@ -81,6 +82,16 @@ std::size_t find_overlaps(const CollisionWorld& world, const Vec3& radii, const 
     Overlaps found(world.impl(), out);
     visit_near(world.impl(), radii, centre, [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
         found.consider(query, leaf);
+        return true;
+    });
+    return found.finish();
+}
+
+std::size_t find_overlaps(const CollisionWorld& world, const Vec3& radii, const Vec3& centre,
+                          std::span<Overlap> out, const QueryFilter& filter) {
+    Overlaps found(world.impl(), out);
+    visit_near(world.impl(), radii, centre, [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
+        if (filter.sees(leaf.id, world.impl().surface_of(leaf.id))) found.consider(query, leaf);
         return true;
     });
     return found.finish();

@@ -1,6 +1,10 @@
+#include <algorithm>
+
 #include "impl.h"
+#include "queries/first_of.h"
 #include "queries/paths.h"
 #include "queries/sphere_triangle.h"
+#include "slipface/collision/filter.h"
 
 namespace slipface {
 namespace {
@@ -90,17 +94,21 @@ struct Search {
     const ShearedRay& ray;
     V3 direction;
     RayStops stops;
+    const QueryFilter* filter;  // null: all triangles are seen
     RayTouch touch;
     LeafTriangle triangle{{}, no_id};
 
+    bool stopped_by(const LeafTriangle& leaf) const {
+        if (filter != nullptr && !filter->sees(leaf.id, world.surface_of(leaf.id))) return false;
+        const SurfaceRule rule = world.rule_of(leaf.id);
+        return rule.solid && !(stops == RayStops::as_movement && rule.one_sided &&
+                               dot(winding_normal(leaf), direction) > 0.0);
+    }
     void consider(const LeafTriangle& leaf) {
         RayTouch other{};
         if (!intersect(ray, leaf, other)) return;
         if (!(other.t < touch.t || (other.t == touch.t && leaf.id < triangle.id))) return;
-        const SurfaceRule rule = world.rule_of(leaf.id);
-        if (!rule.solid) return;
-        if (stops == RayStops::as_movement && rule.one_sided && dot(winding_normal(leaf), direction) > 0.0)
-            return;
+        if (!stopped_by(leaf)) return;
         touch = other;
         triangle = leaf;
     }
@@ -126,47 +134,108 @@ RayPath ray_path(const ShearedRay& ray, const V3& origin, const V3& direction, d
     return path;
 }
 
-}  // namespace
+// A ray whose arguments are valid, at a scale without overflow.
+struct Ray {
+    V3 start, direction;
+    int exponent;  // direction = the caller's times 2 to the power of minus this
+    ShearedRay sheared;
+    double reach;  // of the ray's start and of the world
 
-std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
-                               double max_t, RayStops stops) {
-    const CollisionWorld::Impl& impl = world.impl();
-    if (impl.bvh.nodes.empty() || !origin.allFinite() || !direction.allFinite() || direction.isZero(0.0) ||
-        !(max_t >= 0.0)) {
-        return std::nullopt;
-    }
     // Scaling by a power of two brings the direction near unit size without rounding. For usual lengths it
     // would change no bit and is skipped.
-    V3 d = v3(direction);
-    int exponent = 0;
-    if (const double size = largest(d); !(size > 1e-6 && size < 1e6)) {
-        std::frexp(size, &exponent);
-        d = {std::ldexp(d.x, -exponent), std::ldexp(d.y, -exponent), std::ldexp(d.z, -exponent)};
+    static std::optional<Ray> of(const CollisionWorld::Impl& world, const Vec3& origin, const Vec3& direction,
+                                 double max_t) {
+        if (world.bvh.nodes.empty() || !origin.allFinite() || !direction.allFinite() ||
+            direction.isZero(0.0) || !(max_t >= 0.0))
+            return std::nullopt;
+        V3 d = v3(direction);
+        int exponent = 0;
+        if (const double size = largest(d); !(size > 1e-6 && size < 1e6)) {
+            std::frexp(size, &exponent);
+            d = {std::ldexp(d.x, -exponent), std::ldexp(d.y, -exponent), std::ldexp(d.z, -exponent)};
+        }
+        const V3 start = v3(origin);
+        return Ray{start, d, exponent, ShearedRay(start, d), larger(largest(start), world.extent.reach)};
     }
-    const V3 start = v3(origin);
-    const ShearedRay ray(start, d);
+    double scaled(double t) const { return exponent == 0 ? t : std::ldexp(t, exponent); }
+    double unscaled(double t) const { return exponent == 0 ? t : std::ldexp(t, -exponent); }
 
-    Search search{
-        impl, ray, d, stops, {exponent == 0 ? max_t : std::ldexp(max_t, exponent), {0.0, 0.0, 0.0}}};
-    const double reach = larger(largest(start), impl.extent.reach);
-    if (reach <= float_range) {
-        kernels().ray(impl.bvh.view(), ray_path(ray, start, d, reach), time_limit(search.touch.t),
-                      consider_lane, &search);
+    RayHit hit(const CollisionWorld::Impl& world, const LeafTriangle& leaf, const RayTouch& touch) const {
+        const V3& weights = touch.weights;
+        const V3 winding = winding_normal(leaf);
+        const bool back_face = dot(winding, direction) > 0.0;
+        V3 normal = back_face ? -winding : winding;
+        if (!(dot(normal, normal) > 0.0)) normal = unit(-direction);
+        const V3 point =
+            weights.x * corner(leaf, 0) + weights.y * corner(leaf, 1) + weights.z * corner(leaf, 2);
+        return {unscaled(touch.t), vec(point), vec(normal), leaf.id, world.face_of(leaf.id), back_face};
+    }
+};
+
+std::optional<RayHit> first_hit(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
+                                double max_t, RayStops stops, const QueryFilter* filter) {
+    const CollisionWorld::Impl& impl = world.impl();
+    const std::optional<Ray> ray = Ray::of(impl, origin, direction, max_t);
+    if (!ray) return std::nullopt;
+    Search search{impl, ray->sheared, ray->direction, stops, filter, {ray->scaled(max_t), {0.0, 0.0, 0.0}}};
+    if (ray->reach <= float_range) {
+        kernels().ray(impl.bvh.view(), ray_path(ray->sheared, ray->start, ray->direction, ray->reach),
+                      time_limit(search.touch.t), consider_lane, &search);
     } else {
         for (TriangleId id = 0; id < impl.triangle_count(); ++id)
             search.consider(impl.bvh.triangle(id));
     }
-    const double t = exponent == 0 ? search.touch.t : std::ldexp(search.touch.t, -exponent);
-    if (search.triangle.id == no_id || !std::isfinite(t)) return std::nullopt;
+    if (search.triangle.id == no_id || !std::isfinite(ray->unscaled(search.touch.t))) return std::nullopt;
+    return ray->hit(impl, search.triangle, search.touch);
+}
 
-    const LeafTriangle& leaf = search.triangle;
-    const V3& weights = search.touch.weights;
-    const V3 winding = winding_normal(leaf);
-    const bool back_face = dot(winding, d) > 0.0;
-    V3 normal = back_face ? -winding : winding;
-    if (!(dot(normal, normal) > 0.0)) normal = unit(-d);
-    const V3 point = weights.x * corner(leaf, 0) + weights.y * corner(leaf, 1) + weights.z * corner(leaf, 2);
-    return RayHit{t, vec(point), vec(normal), leaf.id, impl.face_of(leaf.id), back_face};
+}  // namespace
+
+std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
+                               double max_t, RayStops stops) {
+    return first_hit(world, origin, direction, max_t, stops, nullptr);
+}
+
+std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
+                               double max_t, RayStops stops, const QueryFilter& filter) {
+    return first_hit(world, origin, direction, max_t, stops, &filter);
+}
+
+std::size_t find_ray_hits(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
+                          double max_t, RayStops stops, std::span<RayHit> out, const QueryFilter& filter) {
+    const CollisionWorld::Impl& impl = world.impl();
+    const std::optional<Ray> ray = Ray::of(impl, origin, direction, max_t);
+    if (!ray) return 0;
+    struct All {
+        const Ray& ray;
+        Search rule;
+        FirstOf<RayHit> hits;
+        double limit;
+
+        void consider(const LeafTriangle& leaf) {
+            RayTouch touch{};
+            if (!intersect(ray.sheared, leaf, touch) || touch.t > limit || !rule.stopped_by(leaf)) return;
+            if (std::isfinite(ray.unscaled(touch.t))) hits.add(ray.hit(rule.world, leaf, touch));
+        }
+        static float consider_lane(void* context, const Leaf& leaf, std::uint32_t lane) {
+            All& all = *static_cast<All*>(context);
+            all.consider(leaf_triangle(leaf, lane));
+            return time_limit(all.limit);
+        }
+    };
+    const auto before = [](const RayHit& a, const RayHit& b) {
+        return a.t != b.t ? a.t < b.t : a.triangle < b.triangle;
+    };
+    All all{
+        *ray, {impl, ray->sheared, ray->direction, stops, &filter, {}}, {out, before}, ray->scaled(max_t)};
+    if (ray->reach <= float_range) {
+        kernels().ray(impl.bvh.view(), ray_path(ray->sheared, ray->start, ray->direction, ray->reach),
+                      time_limit(all.limit), All::consider_lane, &all);
+    } else {
+        for (TriangleId id = 0; id < impl.triangle_count(); ++id)
+            all.consider(impl.bvh.triangle(id));
+    }
+    return all.hits.finish();
 }
 
 }  // namespace slipface

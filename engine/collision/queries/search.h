@@ -29,21 +29,27 @@ struct Search {
     void consider(const LeafTriangle& leaf) {
         TriangleHit other{};
         if (!kernels.sweep_triangle(leaf, query, hit.t, other) || !beaten_by(other, leaf.id)) return;
-        if (!world.plain) {
-            const SurfaceRule& rule = world.rule_of(leaf.id);
-            if (!rule.solid || (rule.one_sided && kernels.passes_one_sided(leaf, query))) return;
-        }
-        if (!in_floats && !well_formed(kernels.touch_of_hit(leaf, query, other))) return;
+        if (!stopped_by(leaf, other)) return;
         hit = other;
         triangle = leaf;
     }
+    bool stopped_by(const LeafTriangle& leaf, const TriangleHit& other) const {
+        if (!world.plain) {
+            const SurfaceRule& rule = world.rule_of(leaf.id);
+            if (!rule.solid || (rule.one_sided && kernels.passes_one_sided(leaf, query))) return false;
+        }
+        return in_floats || well_formed(kernels.touch_of_hit(leaf, query, other));
+    }
 
+    Contact contact_of(const LeafTriangle& leaf, const TriangleHit& of) const {
+        const Touch touch = kernels.touch_of_hit(leaf, query, of);
+        return {of.t,      vec(touch.normal),      vec(touch.point),
+                leaf.id,   world.face_of(leaf.id), world.surface_of(leaf.id),
+                of.feature};
+    }
+    double limit() const { return hit.t; }
     std::optional<Contact> contact() const {
-        if (triangle.id == no_id) return std::nullopt;
-        const Touch touch = kernels.touch_of_hit(triangle, query, hit);
-        return Contact{hit.t,       vec(touch.normal),          vec(touch.point),
-                       triangle.id, world.face_of(triangle.id), world.surface_of(triangle.id),
-                       hit.feature};
+        return triangle.id == no_id ? std::nullopt : std::optional(contact_of(triangle, hit));
     }
 };
 

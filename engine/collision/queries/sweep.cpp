@@ -1,39 +1,101 @@
+#include "queries/first_of.h"
 #include "queries/near.h"
 #include "queries/paths.h"
 #include "queries/search.h"
+#include "slipface/collision/filter.h"
 
 namespace slipface {
 namespace {
 
 using namespace detail;
 
+// A search that sees only some triangles.
+struct FilteredSearch {
+    Search& search;
+    const QueryFilter& filter;
+
+    bool sees(const LeafTriangle& leaf) const {
+        return filter.sees(leaf.id, search.world.surface_of(leaf.id));
+    }
+    void consider(const LeafTriangle& leaf) {
+        if (sees(leaf)) search.consider(leaf);
+    }
+    double limit() const { return search.hit.t; }
+};
+
+// All hits: nothing that was found makes the rest of the way uninteresting.
+struct HitSearch {
+    FilteredSearch one;
+    FirstOf<Contact> hits;
+
+    void consider(const LeafTriangle& leaf) {
+        TriangleHit hit{};
+        const Search& search = one.search;
+        if (one.sees(leaf) && search.kernels.sweep_triangle(leaf, search.query, 1.0, hit) &&
+            search.stopped_by(leaf, hit))
+            hits.add(search.contact_of(leaf, hit));
+    }
+    double limit() const { return 1.0; }
+};
+
+bool comes_before(const Contact& a, const Contact& b) {
+    if (a.t != b.t) return a.t < b.t;
+    return a.feature != b.feature ? a.feature < b.feature : a.triangle < b.triangle;
+}
+
+template <class Considers>
 float consider_lane(void* context, const Leaf& leaf, std::uint32_t lane) {
-    Search& search = *static_cast<Search*>(context);
+    Considers& search = *static_cast<Considers*>(context);
     search.consider(leaf_triangle(leaf, lane));
-    return time_limit(search.hit.t);
+    return time_limit(search.limit());
+}
+
+// Offers the triangles along the sweep to `each`, which reads `query` and what `search` says of it. None if
+// the arguments are invalid.
+template <class Considers>
+void search_along(const Vec3& radii, const Vec3& from, const Vec3& move, EllipsoidQuery& query,
+                  Search& search, Considers& each) {
+    const CollisionWorld::Impl& impl = search.world;
+    const V3 start = v3(from), motion = v3(move), axes = v3(radii);
+    if (impl.bvh.nodes.empty() || is_zero(motion)) return;
+    SweepPath path;
+    const Prepared prepared = search.kernels.prepare_sweep(impl.extent, axes, start, motion, query, path);
+    if (prepared == Prepared::beside) return;
+    search.in_floats = prepared == Prepared::in_floats;
+    if (search.in_floats) {
+        search.kernels.sweep(impl.bvh.view(), path, time_limit(1.0), consider_lane<Considers>, &each);
+    } else if (!refused(axes, start, motion)) {
+        for (TriangleId id = 0; id < impl.triangle_count(); ++id)
+            each.consider(impl.bvh.triangle(id));
+    }
 }
 
 }  // namespace
 
 std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& radii, const Vec3& from,
                                        const Vec3& move) {
-    const CollisionWorld::Impl& impl = world.impl();
-    const V3 start = v3(from), motion = v3(move), axes = v3(radii);
-    if (impl.bvh.nodes.empty() || is_zero(motion)) return std::nullopt;
     EllipsoidQuery query;
-    SweepPath path;
-    const Prepared prepared = kernels().prepare_sweep(impl.extent, axes, start, motion, query, path);
-    if (prepared == Prepared::beside) return std::nullopt;
-    const bool in_floats = prepared == Prepared::in_floats;
-    if (!in_floats && refused(axes, start, motion)) return std::nullopt;
-    Search search{impl, query, in_floats};
-    if (in_floats) {
-        kernels().sweep(impl.bvh.view(), path, time_limit(1.0), consider_lane, &search);
-    } else {
-        for (TriangleId id = 0; id < impl.triangle_count(); ++id)
-            search.consider(impl.bvh.triangle(id));
-    }
+    Search search{world.impl(), query, true};
+    search_along(radii, from, move, query, search, search);
     return search.contact();
+}
+
+std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& radii, const Vec3& from,
+                                       const Vec3& move, const QueryFilter& filter) {
+    EllipsoidQuery query;
+    Search search{world.impl(), query, true};
+    FilteredSearch filtered{search, filter};
+    search_along(radii, from, move, query, search, filtered);
+    return search.contact();
+}
+
+std::size_t find_sweep_hits(const CollisionWorld& world, const Vec3& radii, const Vec3& from,
+                            const Vec3& move, std::span<Contact> out, const QueryFilter& filter) {
+    EllipsoidQuery query;
+    Search search{world.impl(), query, true};
+    HitSearch all{{search, filter}, {out, comes_before}};
+    search_along(radii, from, move, query, search, all);
+    return all.hits.finish();
 }
 
 std::optional<Contact> sweep_ellipsoid(const Neighbourhood& near, const Vec3& radii, const Vec3& from,

@@ -1,0 +1,208 @@
+#include "calls.h"
+#include "slipface/base/parallel.h"
+
+using namespace slipface;
+using namespace slipface::c;
+
+namespace {
+
+PlayerState state_of(const World& in, const slipface_player& player) {
+    PlayerState state;
+    state.position = finite(player.position, "position");
+    state.velocity = finite(player.velocity, "velocity");
+    state.ground_normal = finite(player.ground_normal, "ground_normal");
+    for (const double number : {player.ground_rise, player.coyote_s, player.jump_buffer_s})
+        if (!std::isfinite(number))
+            refuse(SLIPFACE_WRONG_ARGUMENT, "player: found {}, expected finite numbers", number);
+    state.ground_rise = player.ground_rise;
+    state.coyote_s = player.coyote_s;
+    state.jump_buffer_s = player.jump_buffer_s;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        state.sector[axis] = player.sector[axis];
+    state.ground_face = player.ground_face;
+    state.ground_platform = player.ground_platform;
+    if (player.ground_platform != SLIPFACE_NONE && player.ground_platform >= in.now->platforms.size())
+        refuse(SLIPFACE_WRONG_ARGUMENT, "ground_platform: found {}, expected one below {} or SLIPFACE_NONE",
+               player.ground_platform, in.now->platforms.size());
+    if (player.ground_type >= in.now->surfaces.size())
+        refuse(SLIPFACE_WRONG_ARGUMENT, "ground_type: found {}, expected one below {}", player.ground_type,
+               in.now->surfaces.size());
+    state.ground_surface = player.ground_type;
+    state.grounded = player.grounded != 0;
+    state.climbing = player.climbing != 0;
+    state.stuck = player.stuck != 0;
+    state.jump_held = player.jump_held != 0;
+    state.hazard = player.hazard != 0;
+    state.jumping = player.jumping != 0;
+    state.trapped = player.trapped != 0;
+    return state;
+}
+
+slipface_player player_of(const PlayerState& state) {
+    slipface_player player{};
+    player.position = vec(state.position);
+    player.velocity = vec(state.velocity);
+    player.ground_normal = vec(state.ground_normal);
+    player.ground_rise = state.ground_rise;
+    player.coyote_s = state.coyote_s;
+    player.jump_buffer_s = state.jump_buffer_s;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        player.sector[axis] = state.sector[axis];
+    player.ground_face = state.ground_face;
+    player.ground_platform = state.ground_platform;
+    player.ground_type = state.ground_surface;
+    player.grounded = state.grounded;
+    player.climbing = state.climbing;
+    player.stuck = state.stuck;
+    player.jump_held = state.jump_held;
+    player.hazard = state.hazard;
+    player.jumping = state.jumping;
+    player.trapped = state.trapped;
+    return player;
+}
+
+PlayerInput input_of(const slipface_input& input) {
+    if (!std::isfinite(input.wish_x) || !std::isfinite(input.wish_z))
+        refuse(SLIPFACE_WRONG_ARGUMENT, "wish: found ({}, {}), expected finite numbers", input.wish_x,
+               input.wish_z);
+    return {.wish = {input.wish_x, input.wish_z}, .jump = input.jump != 0};
+}
+
+void need_dt(double dt) {
+    if (!(dt >= 1e-4) || !std::isfinite(dt))
+        refuse(SLIPFACE_WRONG_ARGUMENT, "dt: found {}, expected 1e-4 or more", dt);
+}
+
+class Caller final : public TraceSink {
+  public:
+    Caller(slipface_trace trace, void* user, const MovementScene& scene)
+        : trace_(trace), user_(user), scene_(scene) {}
+
+    void add(const TraceRecord& record) override {
+        slipface_record made{};
+        made.name = made.text = "";
+        made.contact = no_contact();
+        made.face = SLIPFACE_NONE;
+        std::visit([&](const auto& one) { fill(made, one); }, record);
+        trace_(user_, &made);
+    }
+
+  private:
+    void fill(slipface_record& made, const SweepRecord& sweep) const {
+        made.kind = SLIPFACE_SWEEP;
+        made.name = pass_name(sweep.pass);
+        made.from = vec(sweep.from);
+        made.move = vec(sweep.move);
+        made.to = vec(sweep.reached);
+        if (!sweep.contact) return;
+        const bool moves = sweep.platform < scene_.platforms.size();
+        made.contact = contact_of(*sweep.contact, sweep.platform,
+                                  moves ? scene_.platforms[sweep.platform].triangles : scene_.triangles);
+        made.face = sweep.contact->face;
+    }
+    static void fill(slipface_record& made, const ResponseRecord& response) {
+        made.kind = SLIPFACE_RESPONSE;
+        made.name = rule_name(response.rule);
+        made.from = vec(response.remainder_before);
+        made.to = vec(response.remainder_after);
+        made.contact.normal = vec(response.normal);
+        made.contact.face = made.face = response.face;
+        made.contact.type = response.surface;
+    }
+    static void fill(slipface_record& made, const DecisionRecord& decision) {
+        const DecisionInfo& info = decision_info(decision.kind);
+        made.kind = SLIPFACE_DECISION;
+        made.name = info.hack;
+        made.text = info.sentence;
+        made.value = decision.value;
+        made.limit = decision.limit;
+        made.face = decision.face;
+    }
+    static void fill(slipface_record& made, const PushOutRecord& push) {
+        made.kind = SLIPFACE_PUSH_OUT;
+        made.name = "push_out";
+        made.from = vec(push.from);
+        made.to = vec(push.to);
+        made.value = push.planes;
+        made.limit = push.free ? 1.0 : 0.0;
+    }
+
+    slipface_trace trace_;
+    void* user_;
+    const MovementScene& scene_;
+};
+
+}  // namespace
+
+slipface_status slipface_player_at(slipface_world world, slipface_vec3 position, slipface_player* player,
+                                   slipface_error* error) {
+    return run(error, [&] {
+        need("player", player);
+        const SharedWorld in(world.id);
+        PlayerState state;
+        put_in_scene(*in->now, finite(position, "position"), state);
+        *player = player_of(state);
+    });
+}
+
+slipface_status slipface_step(slipface_world world, slipface_settings settings, const slipface_player* player,
+                              const slipface_input* input, double dt, slipface_trace trace, void* user,
+                              slipface_player* next, slipface_error* error) {
+    return run(error, [&] {
+        need("player, input and next", player, input, next);
+        need_dt(dt);
+        const SharedWorld in(world.id);
+        const SharedSettings with(settings.id);
+        Caller caller(trace, user, *in->now);
+        *next = player_of(step(*in->now, with->values, state_of(*in, *player), input_of(*input), dt,
+                               trace == nullptr ? nullptr : &caller)
+                              .state);
+    });
+}
+
+slipface_status slipface_step_many(slipface_world world, slipface_settings settings, slipface_player* players,
+                                   const slipface_input* inputs, size_t count, double dt, slipface_error* error) {
+    return run(error, [&] {
+        if (count > 0) need("players and inputs", players, inputs);
+        need_dt(dt);
+        const SharedWorld in(world.id);
+        const SharedSettings with(settings.id);
+        for (std::size_t i = 0; i < count; ++i)  // first, so that no player moves if one is wrong
+            (void)state_of(*in, players[i]), (void)input_of(inputs[i]);
+        parallel_for(count, 8, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                players[i] = player_of(
+                    step(*in->now, with->values, state_of(*in, players[i]), input_of(inputs[i]), dt).state);
+        });
+    });
+}
+
+slipface_status slipface_change_body(slipface_world world, slipface_settings settings,
+                                     const slipface_player* player, slipface_vec3 radii, slipface_player* next,
+                                     uint8_t* done, slipface_error* error) {
+    return run(error, [&] {
+        need("player, next and done", player, next, done);
+        if (!(finite(radii, "radii").minCoeff() > 0.0))
+            refuse(SLIPFACE_WRONG_ARGUMENT, "radii: found ({}, {}, {}), expected numbers above 0", radii.x,
+                   radii.y, radii.z);
+        const SharedWorld in(world.id);
+        const SharedSettings with(settings.id);
+        const auto changed = change_body(*in->now, with->values, state_of(*in, *player), vec(radii));
+        *next = changed ? player_of(*changed) : *player;
+        *done = changed ? 1 : 0;
+    });
+}
+
+slipface_status slipface_motion_velocity(const slipface_player* player, slipface_vec3* velocity,
+                                         slipface_error* error) {
+    return run(error, [&] {
+        need("player and velocity", player, velocity);
+        PlayerState state;
+        state.velocity = finite(player->velocity, "velocity");
+        state.ground_normal = finite(player->ground_normal, "ground_normal");
+        state.grounded = player->grounded != 0;
+        state.climbing = player->climbing != 0;
+        state.stuck = player->stuck != 0;
+        *velocity = vec(motion_velocity(state));
+    });
+}
