@@ -19,7 +19,8 @@ packages=(
     fonts-inter fonts-font-awesome
 )
 # What the tests need besides.
-test_packages=(libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev librecast-dev)
+test_packages=(libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev librecast-dev
+    pybind11-dev python3-dev python3-numpy)
 # What the checks of .ci/run need besides.
 check_packages=(clang clang-format clang-tidy libclang-rt-14-dev mmdebstrap)
 

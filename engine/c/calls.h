@@ -1,5 +1,5 @@
-// What every function of slipface.h does around its work: find the objects of handles, catch exceptions, say what
-// is wrong.
+// What every function of slipface.h does around its work: find the objects of handles, catch exceptions, say
+// what is wrong.
 #pragma once
 
 #include <fmt/format.h>
@@ -94,7 +94,8 @@ class Held {
     explicit Held(std::uint64_t id) : access_(kind, id, use) {
         constexpr const char* name = kind == Kind::world ? "world" : "settings";
         if (access_.status() == SLIPFACE_WRONG_HANDLE)
-            refuse(SLIPFACE_WRONG_HANDLE, "found {} with the handle {}, which was freed or never was one", name, id);
+            refuse(SLIPFACE_WRONG_HANDLE, "found {} with the handle {}, which was freed or never was one",
+                   name, id);
         if (access_.status() == SLIPFACE_IN_USE)
             refuse(SLIPFACE_IN_USE, "the {} {} in use by another thread", name,
                    kind == Kind::world ? "is" : "are");
@@ -123,11 +124,13 @@ inline slipface_vec3 vec(const Vec3& v) {
 }
 inline Vec3 finite(const slipface_vec3& v, const char* name) {
     if (!vec(v).allFinite())
-        refuse(SLIPFACE_WRONG_ARGUMENT, "{}: found ({}, {}, {}), expected finite numbers", name, v.x, v.y, v.z);
+        refuse(SLIPFACE_WRONG_ARGUMENT, "{}: found ({}, {}, {}), expected finite numbers", name, v.x, v.y,
+               v.z);
     return vec(v);
 }
 
-slipface_contact contact_of(const Contact& contact, std::uint32_t platform, std::span<const TriangleId> numbers);
+slipface_contact contact_of(const Contact& contact, std::uint32_t platform,
+                            std::span<const TriangleId> numbers);
 slipface_contact no_contact();
 
 }  // namespace slipface::c

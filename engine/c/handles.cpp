@@ -83,14 +83,14 @@ Access::Access(Kind kind, std::uint64_t id, Use use) : slot_(slot_of(id)), use_(
     }
     Slot& slot = table().slots[slot_];
     std::int32_t none = 0;
-    const bool entered = use == Use::shared ? slot.users.fetch_add(1) >= 0
-                                            : slot.users.compare_exchange_strong(none, alone);
+    const bool entered =
+        use == Use::shared ? slot.users.fetch_add(1) >= 0 : slot.users.compare_exchange_strong(none, alone);
     if (entered && slot.id.load() == id) {
         object_ = slot.object.get();
         return;
     }
-    // One that looks into a slot that is not its own leaves it at once; so a thread may be refused a free object
-    // for that moment, and is told that it is in use.
+    // One that looks into a slot that is not its own leaves it at once; so a thread may be refused a free
+    // object for that moment, and is told that it is in use.
     status_ = slot.id.load() == id ? SLIPFACE_IN_USE : SLIPFACE_WRONG_HANDLE;
     if (use == Use::shared)
         slot.users.fetch_sub(1);

@@ -161,7 +161,8 @@ slipface_status slipface_step(slipface_world world, slipface_settings settings, 
 }
 
 slipface_status slipface_step_many(slipface_world world, slipface_settings settings, slipface_player* players,
-                                   const slipface_input* inputs, size_t count, double dt, slipface_error* error) {
+                                   const slipface_input* inputs, size_t count, double dt,
+                                   slipface_error* error) {
     return run(error, [&] {
         if (count > 0) need("players and inputs", players, inputs);
         need_dt(dt);
@@ -178,8 +179,8 @@ slipface_status slipface_step_many(slipface_world world, slipface_settings setti
 }
 
 slipface_status slipface_change_body(slipface_world world, slipface_settings settings,
-                                     const slipface_player* player, slipface_vec3 radii, slipface_player* next,
-                                     uint8_t* done, slipface_error* error) {
+                                     const slipface_player* player, slipface_vec3 radii,
+                                     slipface_player* next, uint8_t* done, slipface_error* error) {
     return run(error, [&] {
         need("player, next and done", player, next, done);
         if (!(finite(radii, "radii").minCoeff() > 0.0))

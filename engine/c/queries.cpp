@@ -1,4 +1,5 @@
-// Queries of the static world and of its platforms: each collision world is asked, and the first answer counts.
+// Queries of the static world and of its platforms: each collision world is asked, and the first answer
+// counts.
 #include <algorithm>
 
 #include "calls.h"
@@ -16,7 +17,8 @@ slipface_contact no_contact() {
     return none;
 }
 
-slipface_contact contact_of(const Contact& contact, std::uint32_t platform, std::span<const TriangleId> numbers) {
+slipface_contact contact_of(const Contact& contact, std::uint32_t platform,
+                            std::span<const TriangleId> numbers) {
     slipface_contact made{};
     made.t = contact.t;
     made.normal = vec(contact.normal);
@@ -36,8 +38,8 @@ namespace {
 // A collision world among those that a query asks.
 struct Body {
     const CollisionWorld& world;
-    std::uint32_t platform;                // SLIPFACE_NONE: what does not move
-    std::span<const TriangleId> numbers;   // [triangle] its number in the level; empty: the same
+    std::uint32_t platform;               // SLIPFACE_NONE: what does not move
+    std::span<const TriangleId> numbers;  // [triangle] its number in the level; empty: the same
     QueryFilter filter;
 };
 
@@ -88,8 +90,8 @@ slipface_ray_hit hit_of(const RayHit& hit, const Body& body) {
     return {hit.t, vec(hit.normal), vec(hit.point), number, hit.face, body.platform, hit.back_face ? 1u : 0u};
 }
 
-// The first `room` of all that the bodies find, merged by `t`. Each body is asked twice: for how many, and for
-// as many as there is room for.
+// The first `room` of all that the bodies find, merged by `t`. Each body is asked twice: for how many, and
+// for as many as there is room for.
 template <class Found, class Made, class Ask, class Make>
 void find_all(const Bodies& bodies, Made* out, size_t room, size_t* found, const Ask& ask, const Make& make) {
     need("found", found);
@@ -138,7 +140,8 @@ slipface_status slipface_sweep_many(slipface_world world, const slipface_sweep* 
         for (std::size_t first = 0; bodies.plain() && first < count; first += portion) {
             const std::size_t many = std::min(portion, count - first);
             for (std::size_t i = 0; i < many; ++i)
-                some[i] = {vec(sweeps[first + i].radii), vec(sweeps[first + i].from), vec(sweeps[first + i].move)};
+                some[i] = {vec(sweeps[first + i].radii), vec(sweeps[first + i].from),
+                           vec(sweeps[first + i].move)};
             sweep_ellipsoids(in->now->collision, std::span(some).first(many), found);
             for (std::size_t i = 0; i < many; ++i)
                 contacts[first + i] =
@@ -164,12 +167,15 @@ slipface_status slipface_sweep_hits(slipface_world world, const slipface_sweep* 
                 return find_sweep_hits(body.world, vec(sweep->radii), vec(sweep->from), vec(sweep->move), out,
                                        body.filter);
             },
-            [](const Contact& one, const Body& body) { return contact_of(one, body.platform, body.numbers); });
+            [](const Contact& one, const Body& body) {
+                return contact_of(one, body.platform, body.numbers);
+            });
     });
 }
 
-slipface_status slipface_ray(slipface_world world, slipface_vec3 origin, slipface_vec3 direction, double max_t,
-                             const slipface_filter* filter, slipface_ray_hit* hit, slipface_error* error) {
+slipface_status slipface_ray(slipface_world world, slipface_vec3 origin, slipface_vec3 direction,
+                             double max_t, const slipface_filter* filter, slipface_ray_hit* hit,
+                             slipface_error* error) {
     return run(error, [&] {
         need("hit", hit);
         const SharedWorld in(world.id);
@@ -233,9 +239,14 @@ slipface_status slipface_overlaps(slipface_world world, slipface_vec3 radii, sli
             [](const Overlap& one, const Body& body) {
                 const std::uint32_t number =
                     one.triangle < body.numbers.size() ? body.numbers[one.triangle] : one.triangle;
-                return slipface_overlap{vec(one.point), vec(one.normal), one.depth_sphere_space,
-                                        number,         one.face,        one.surface,
-                                        body.platform,  static_cast<std::uint32_t>(one.feature)};
+                return slipface_overlap{vec(one.point),
+                                        vec(one.normal),
+                                        one.depth_sphere_space,
+                                        number,
+                                        one.face,
+                                        one.surface,
+                                        body.platform,
+                                        static_cast<std::uint32_t>(one.feature)};
             });
     });
 }

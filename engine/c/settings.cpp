@@ -13,7 +13,8 @@ const char* slipface_version(void) {
     return program_version();
 }
 
-slipface_status slipface_settings_new(const char* preset, slipface_settings* settings, slipface_error* error) {
+slipface_status slipface_settings_new(const char* preset, slipface_settings* settings,
+                                      slipface_error* error) {
     return run(error, [&] {
         need("settings", settings);
         auto made = std::make_unique<Settings>();
@@ -35,7 +36,8 @@ slipface_status slipface_settings_free(slipface_settings settings, slipface_erro
     });
 }
 
-slipface_status slipface_settings_set(slipface_settings settings, const char* assignment, slipface_error* error) {
+slipface_status slipface_settings_set(slipface_settings settings, const char* assignment,
+                                      slipface_error* error) {
     return run(error, [&] {
         need("assignment", assignment);
         const ChangedSettings changed(settings.id);

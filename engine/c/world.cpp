@@ -33,13 +33,14 @@ Corners corners_of(const slipface_triangles* from, const std::vector<SurfaceType
     Corners made;
     made.positions.reserve(from->position_count);
     for (std::size_t i = 0; i < from->position_count && from->positions != nullptr; ++i)
-        made.positions.emplace_back(from->positions[3 * i], from->positions[3 * i + 1], from->positions[3 * i + 2]);
+        made.positions.emplace_back(from->positions[3 * i], from->positions[3 * i + 1],
+                                    from->positions[3 * i + 2]);
     for (std::size_t i = 0; i < from->triangle_count; ++i) {
         const std::uint32_t* const at = from->indices + 3 * i;
         for (int k = 0; k < 3; ++k)
             if (at[k] >= made.positions.size())
-                refuse(SLIPFACE_WRONG_ARGUMENT, "triangle {}: found the position {}, expected one below {}", i,
-                       at[k], made.positions.size());
+                refuse(SLIPFACE_WRONG_ARGUMENT, "triangle {}: found the position {}, expected one below {}",
+                       i, at[k], made.positions.size());
         if (from->types != nullptr && from->types[i] >= types.size())
             refuse(SLIPFACE_WRONG_ARGUMENT, "triangle {}: found the type {}, expected one below {}", i,
                    from->types[i], types.size());
@@ -57,8 +58,9 @@ void paint(CollisionWorld& world, const slipface_triangles* from, const std::vec
 }
 
 std::vector<std::uint32_t> groups_of(const slipface_triangles* from) {
-    return from->groups == nullptr ? std::vector<std::uint32_t>{}
-                                   : std::vector<std::uint32_t>(from->groups, from->groups + from->triangle_count);
+    return from->groups == nullptr
+               ? std::vector<std::uint32_t>{}
+               : std::vector<std::uint32_t>(from->groups, from->groups + from->triangle_count);
 }
 
 std::vector<SurfaceType>& types_of(World& world) {
@@ -105,8 +107,8 @@ Pose pose_of(const slipface_vec3& position, const double* rotation) {
     for (int i = 0; i < 4; ++i)
         square += rotation[i] * rotation[i];
     if (!std::isfinite(square) || !(square > 1e-12))
-        refuse(SLIPFACE_WRONG_ARGUMENT, "rotation: found ({}, {}, {}, {}), expected a quaternion", rotation[0],
-               rotation[1], rotation[2], rotation[3]);
+        refuse(SLIPFACE_WRONG_ARGUMENT, "rotation: found ({}, {}, {}, {}), expected a quaternion",
+               rotation[0], rotation[1], rotation[2], rotation[3]);
     const double scale = 2.0 / square;
     const double x = rotation[0], y = rotation[1], z = rotation[2], w = rotation[3];
     pose.columns[0] = {1.0 - scale * (y * y + z * z), scale * (x * y + w * z), scale * (x * z - w * y)};
@@ -174,7 +176,8 @@ slipface_status slipface_world_bounds(slipface_world world, slipface_vec3* lowes
     });
 }
 
-slipface_status slipface_world_settings(slipface_world world, slipface_settings* settings, slipface_error* error) {
+slipface_status slipface_world_settings(slipface_world world, slipface_settings* settings,
+                                        slipface_error* error) {
     return run(error, [&] {
         need("settings", settings);
         auto made = std::make_unique<Settings>();
@@ -222,7 +225,8 @@ slipface_status slipface_world_add_type(slipface_world world, const char* name, 
         need("name and type", name, type);
         const ChangedWorld in(world.id);
         std::vector<SurfaceType>& types = types_of(*in);
-        if (*name == '\0' || std::ranges::find(types, std::string_view(name), &SurfaceType::name) != types.end())
+        if (*name == '\0' ||
+            std::ranges::find(types, std::string_view(name), &SurfaceType::name) != types.end())
             refuse(SLIPFACE_WRONG_ARGUMENT, "found the name \"{}\", expected one that no type has", name);
         if (types.size() >= max_surface_types)
             refuse(SLIPFACE_WRONG_ARGUMENT, "found {} types, expected at most {}", types.size() + 1,
@@ -342,8 +346,8 @@ slipface_status slipface_world_move_platform(slipface_world world, uint32_t plat
 slipface_status slipface_world_set_time(slipface_world world, double time, double dt, slipface_error* error) {
     return run(error, [&] {
         if (!std::isfinite(time) || !(dt >= 0.0) || !std::isfinite(dt))
-            refuse(SLIPFACE_WRONG_ARGUMENT, "found the time {} and dt {}, expected finite numbers, dt 0 or more",
-                   time, dt);
+            refuse(SLIPFACE_WRONG_ARGUMENT,
+                   "found the time {} and dt {}, expected finite numbers, dt 0 or more", time, dt);
         const ChangedWorld in(world.id);
         need_level(*in, "slipface_world_set_time");
         in->time = time;

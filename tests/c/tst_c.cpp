@@ -24,11 +24,11 @@ bool same(const slipface_vec3& a, const Vec3& b) {
     return a.x == b.x() && a.y == b.y() && a.z == b.z();
 }
 
-#define OK(call)                                                      \
-    do {                                                              \
-        slipface_error error;                                         \
-        ASSERT_EQ(call, SLIPFACE_OK) << error.text;                   \
-        ASSERT_STREQ(error.text, "");                                 \
+#define OK(call)                                    \
+    do {                                            \
+        slipface_error error;                       \
+        ASSERT_EQ(call, SLIPFACE_OK) << error.text; \
+        ASSERT_STREQ(error.text, "");               \
     } while (false)
 
 // Triangles of random types and groups, for both interfaces.
@@ -41,7 +41,8 @@ struct Twin {
     slipface_triangles view{};
 
     explicit Twin(Random& random) {
-        soup = random.below(2) == 0 ? scenes::random_soup(random, 200, 4, 1) : scenes::terrain(random, 9, 0.8);
+        soup =
+            random.below(2) == 0 ? scenes::random_soup(random, 200, 4, 1) : scenes::terrain(random, 9, 0.8);
         for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
             soup.faces[i] = static_cast<FaceId>(i);
             types.push_back(static_cast<std::uint8_t>(random.below(8)));
@@ -50,8 +51,8 @@ struct Twin {
         }
         for (const Vec3f& p : soup.positions)
             positions.insert(positions.end(), {p.x(), p.y(), p.z()});
-        view = {positions.data(), soup.positions.size(), indices.data(), soup.triangles.size(), types.data(),
-                groups.data()};
+        view = {positions.data(),      soup.positions.size(), indices.data(),
+                soup.triangles.size(), types.data(),          groups.data()};
     }
     CollisionWorld world(const std::vector<SurfaceType>& surfaces) const {
         CollisionWorld made = soup.world();
@@ -127,8 +128,8 @@ TEST(C, QueriesGiveTheBitsOfCpp) {
             EXPECT_EQ(closest.distance, near ? near->distance : -1.0);
             std::vector<Overlap> touched(all.size());
             std::vector<slipface_overlap> c_touched(all.size());
-            OK(slipface_overlaps(c, c_of(radii), c_of(from), nullptr, c_touched.data(), c_touched.size(), &found,
-                                 &error));
+            OK(slipface_overlaps(c, c_of(radii), c_of(from), nullptr, c_touched.data(), c_touched.size(),
+                                 &found, &error));
             ASSERT_EQ(found, find_overlaps(cpp, radii, from, touched));
             for (std::size_t k = 0; k < found; ++k)
                 EXPECT_TRUE(c_touched[k].depth == touched[k].depth_sphere_space &&
@@ -321,7 +322,8 @@ TEST(C, BadInputIsRefusedInWords) {
     expect(slipface_world_set_face_type(world, 2, 0, &error), SLIPFACE_WRONG_ARGUMENT, "below 2");
     expect(slipface_world_set_face_type(world, 0, 77, &error), SLIPFACE_WRONG_ARGUMENT, "type 77");
     const double two[] = {1, 2};
-    expect(slipface_world_set_type(world, 0, "friction", two, 2, &error), SLIPFACE_WRONG_ARGUMENT, "2 numbers");
+    expect(slipface_world_set_type(world, 0, "friction", two, 2, &error), SLIPFACE_WRONG_ARGUMENT,
+           "2 numbers");
     expect(slipface_world_set_type(world, 0, "friction", &nan, 1, &error), SLIPFACE_WRONG_ARGUMENT, "nan");
     expect(slipface_world_set_time(world, 0, 0.1, &error), SLIPFACE_WRONG_ARGUMENT, "triangles");
     expect(slipface_world_move_platform(world, 0, {0, 0, 0}, nullptr, 0.1, &error), SLIPFACE_WRONG_ARGUMENT,
@@ -339,7 +341,8 @@ TEST(C, BadInputIsRefusedInWords) {
            SLIPFACE_WRONG_ARGUMENT, "ground_platform");
     lost = player;
     lost.ground_type = 200;
-    expect(slipface_step_many(world, settings, &lost, &input, 1, 0.1, &error), SLIPFACE_WRONG_ARGUMENT, "ground_type");
+    expect(slipface_step_many(world, settings, &lost, &input, 1, 0.1, &error), SLIPFACE_WRONG_ARGUMENT,
+           "ground_type");
     EXPECT_EQ(std::memcmp(&next, &player, sizeof next), 0);
     // A handle of the other kind, one that was never given out, one that was freed, and one after another.
     expect(slipface_world_free({settings.id}, &error), SLIPFACE_WRONG_HANDLE, "world");
@@ -366,9 +369,9 @@ TEST(C, ThreadsAreToldWhenAWorldIsInUse) {
         slipface_world world{};
         OK(slipface_world_from_triangles(&twin.view, &world, &error));
         const auto tell = [&](slipface_status status) {
-            ++(status == SLIPFACE_OK                                               ? worked
-               : status == SLIPFACE_IN_USE || status == SLIPFACE_WRONG_HANDLE      ? refused
-                                                                                   : wrong);
+            ++(status == SLIPFACE_OK                                          ? worked
+               : status == SLIPFACE_IN_USE || status == SLIPFACE_WRONG_HANDLE ? refused
+                                                                              : wrong);
         };
         std::vector<std::thread> threads;
         for (int t = 0; t < 3; ++t)
@@ -383,7 +386,8 @@ TEST(C, ThreadsAreToldWhenAWorldIsInUse) {
         threads.emplace_back([&] {
             for (int i = 0; i < 300; ++i)
                 tell(slipface_world_set_face_type(world, 0, static_cast<std::uint32_t>(i % 8), nullptr));
-            while (slipface_world_free(world, nullptr) == SLIPFACE_IN_USE) {}
+            while (slipface_world_free(world, nullptr) == SLIPFACE_IN_USE) {
+            }
         });
         for (std::thread& thread : threads)
             thread.join();

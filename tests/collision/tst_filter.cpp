@@ -26,7 +26,8 @@ struct Case {
 
 Case random_case(Random& random) {
     Case made;
-    made.soup = random.below(2) == 0 ? scenes::random_soup(random, 150, 2.5, 1.5) : scenes::terrain(random, 8, 0.6);
+    made.soup =
+        random.below(2) == 0 ? scenes::random_soup(random, 150, 2.5, 1.5) : scenes::terrain(random, 8, 0.6);
     made.world = made.soup.world();
     made.world.set_surface_rule(3, {.solid = false});
     for (std::size_t i = 0; i < made.soup.triangles.size(); ++i) {
@@ -83,8 +84,8 @@ TEST_F(Filter, AnswersAsAWorldOfWhatItSees) {
             std::ranges::stable_sort(contacts, [](const Contact& a, const Contact& b) {
                 return a.t != b.t ? a.t < b.t : a.feature < b.feature;
             });
-            auto rays = alone(in, filter,
-                              [&](const CollisionWorld& single) { return cast_ray(single, from, move, 1.0); });
+            auto rays = alone(
+                in, filter, [&](const CollisionWorld& single) { return cast_ray(single, from, move, 1.0); });
             std::ranges::stable_sort(rays, {}, &RayHit::t);
             auto near = alone(in, filter,
                               [&](const CollisionWorld& single) { return closest_point(single, from, 2.0); });

@@ -3,9 +3,9 @@
  *
  * Space: metres, +Y up, right-handed. Angles in radians, time in seconds.
  *
- * Every function returns a slipface_status; results come through pointers, which must not be null unless said.
- * What is wrong is said in *error, which may be null. Nothing is thrown, nothing is printed, and a call that
- * fails leaves its results and its world as they were.
+ * Every function returns a slipface_status; results come through pointers, which must not be null unless
+ * said. What is wrong is said in *error, which may be null. Nothing is thrown, nothing is printed, and a call
+ * that fails leaves its results and its world as they were.
  *
  * Threads: any number of threads may query a world and step players in it at once. A function that changes a
  * world or settings ("changes") needs them for itself: if another thread is in them, one of the two calls
@@ -60,8 +60,8 @@ typedef struct slipface_settings {
     uint64_t id; /* 0 is never one */
 } slipface_settings;
 
-/* The defaults, or those of a preset: "platformer", "lecture", "precise-platformer", "momentum", "simulation",
- * or the path of a preset file. `preset` may be null. */
+/* The defaults, or those of a preset: "platformer", "lecture", "precise-platformer", "momentum",
+ * "simulation", or the path of a preset file. `preset` may be null. */
 SLIPFACE_API slipface_status slipface_settings_new(const char* preset, slipface_settings* settings,
                                                    slipface_error* error);
 SLIPFACE_API slipface_status slipface_settings_free(slipface_settings settings, slipface_error* error);
@@ -69,8 +69,8 @@ SLIPFACE_API slipface_status slipface_settings_free(slipface_settings settings, 
 SLIPFACE_API slipface_status slipface_settings_set(slipface_settings settings, const char* assignment,
                                                    slipface_error* error);
 /* A switch is 0 or 1, a choice its index. */
-SLIPFACE_API slipface_status slipface_settings_get(slipface_settings settings, const char* name, double* value,
-                                                   slipface_error* error);
+SLIPFACE_API slipface_status slipface_settings_get(slipface_settings settings, const char* name,
+                                                   double* value, slipface_error* error);
 
 /* ---- Worlds ------------------------------------------------------------------------------------------ */
 
@@ -87,8 +87,8 @@ typedef struct slipface_triangles {
     const uint32_t* groups; /* of each triangle, one bit per group; null: each is in all */
 } slipface_triangles;
 
-/* A world of triangles with the types default, ice, ladder, sticky, bouncy, conveyor, turntable and hazard, in
- * this order. Triangle i is face i. */
+/* A world of triangles with the types default, ice, ladder, sticky, bouncy, conveyor, turntable and hazard,
+ * in this order. Triangle i is face i. */
 SLIPFACE_API slipface_status slipface_world_from_triangles(const slipface_triangles* triangles,
                                                            slipface_world* world, slipface_error* error);
 /* A level: *.slipface.json, or geometry in any format that the editor opens. It has the level's types,
@@ -119,9 +119,9 @@ SLIPFACE_API slipface_status slipface_world_add_type(slipface_world world, const
                                                      slipface_error* error);
 /* Changes the world: one parameter of a type, by its name in docs/settings.md ("friction", "solid",
  * "velocity"): one number, three of a vector; a switch is 0 or not. */
-SLIPFACE_API slipface_status slipface_world_set_type(slipface_world world, uint32_t type, const char* parameter,
-                                                     const double* values, size_t value_count,
-                                                     slipface_error* error);
+SLIPFACE_API slipface_status slipface_world_set_type(slipface_world world, uint32_t type,
+                                                     const char* parameter, const double* values,
+                                                     size_t value_count, slipface_error* error);
 /* Changes the world: the type of a face of what does not move. */
 SLIPFACE_API slipface_status slipface_world_set_face_type(slipface_world world, uint32_t face, uint32_t type,
                                                           slipface_error* error);
@@ -131,9 +131,9 @@ SLIPFACE_API slipface_status slipface_world_set_face_type(slipface_world world, 
 SLIPFACE_API slipface_status slipface_world_add_platform(slipface_world world,
                                                          const slipface_triangles* triangles,
                                                          uint32_t* platform, slipface_error* error);
-/* Changes the world: the platform goes from where it is to `position` and `rotation` (a quaternion x, y, z, w;
- * null: not turned) within the next step of `dt`. Once that step was made, call it again, also for a platform
- * that stays. */
+/* Changes the world: the platform goes from where it is to `position` and `rotation` (a quaternion x, y, z,
+ * w; null: not turned) within the next step of `dt`. Once that step was made, call it again, also for a
+ * platform that stays. */
 SLIPFACE_API slipface_status slipface_world_move_platform(slipface_world world, uint32_t platform,
                                                           slipface_vec3 position, const double rotation[4],
                                                           double dt, slipface_error* error);
@@ -149,7 +149,11 @@ typedef struct slipface_filter {
     uint32_t groups; /* a triangle is seen if one of its groups is here; UINT32_MAX: all */
 } slipface_filter;   /* where a filter may be null, null sees everything */
 
-typedef enum slipface_feature { SLIPFACE_INTERIOR = 0, SLIPFACE_EDGE = 1, SLIPFACE_VERTEX = 2 } slipface_feature;
+typedef enum slipface_feature {
+    SLIPFACE_INTERIOR = 0,
+    SLIPFACE_EDGE = 1,
+    SLIPFACE_VERTEX = 2
+} slipface_feature;
 
 typedef struct slipface_sweep {
     slipface_vec3 radii; /* of the ellipsoid along X, Y and Z, each above 0 */
@@ -158,7 +162,7 @@ typedef struct slipface_sweep {
 } slipface_sweep;
 
 typedef struct slipface_contact {
-    double t;             /* fraction of the move, 0 to 1; 2: nothing was hit, and the rest is 0 or SLIPFACE_NONE */
+    double t; /* fraction of the move, 0 to 1; 2: nothing was hit, and the rest is 0 or SLIPFACE_NONE */
     slipface_vec3 normal; /* unit, towards the ellipsoid */
     slipface_vec3 point;
     uint32_t triangle, face, type;
@@ -182,7 +186,8 @@ typedef struct slipface_closest {
 } slipface_closest;
 
 typedef struct slipface_overlap {
-    slipface_vec3 point;  /* of the triangle, nearest to the centre in the space where the ellipsoid is a sphere */
+    slipface_vec3
+        point; /* of the triangle, nearest to the centre in the space where the ellipsoid is a sphere */
     slipface_vec3 normal; /* unit, towards the centre */
     double depth;         /* 1 - distance in that space, above 0 and up to 1 */
     uint32_t triangle, face, type, platform, feature;
@@ -194,9 +199,9 @@ SLIPFACE_API slipface_status slipface_sweep_one(slipface_world world, const slip
                                                 slipface_error* error);
 /* `count` sweeps on all processors, the same bits as one by one. With a filter or platforms, one after the
  * other on each processor; else many side by side, which is faster. */
-SLIPFACE_API slipface_status slipface_sweep_many(slipface_world world, const slipface_sweep* sweeps, size_t count,
-                                                 const slipface_filter* filter, slipface_contact* contacts,
-                                                 slipface_error* error);
+SLIPFACE_API slipface_status slipface_sweep_many(slipface_world world, const slipface_sweep* sweeps,
+                                                 size_t count, const slipface_filter* filter,
+                                                 slipface_contact* contacts, slipface_error* error);
 /* Each triangle's own contact, the earliest first. *found may be more than `room`, of which the first are
  * written. `contacts` may be null if `room` is 0. */
 SLIPFACE_API slipface_status slipface_sweep_hits(slipface_world world, const slipface_sweep* sweep,
@@ -208,16 +213,17 @@ SLIPFACE_API slipface_status slipface_ray(slipface_world world, slipface_vec3 or
                                           slipface_error* error);
 SLIPFACE_API slipface_status slipface_ray_hits(slipface_world world, slipface_vec3 origin,
                                                slipface_vec3 direction, double max_t,
-                                               const slipface_filter* filter, slipface_ray_hit* hits, size_t room,
-                                               size_t* found, slipface_error* error);
+                                               const slipface_filter* filter, slipface_ray_hit* hits,
+                                               size_t room, size_t* found, slipface_error* error);
 SLIPFACE_API slipface_status slipface_closest_point(slipface_world world, slipface_vec3 point,
                                                     double max_distance, const slipface_filter* filter,
                                                     slipface_closest* closest, slipface_error* error);
 /* The triangles that an ellipsoid at rest overlaps: those of the world in ascending order, then those of each
  * platform. */
-SLIPFACE_API slipface_status slipface_overlaps(slipface_world world, slipface_vec3 radii, slipface_vec3 centre,
-                                               const slipface_filter* filter, slipface_overlap* overlaps,
-                                               size_t room, size_t* found, slipface_error* error);
+SLIPFACE_API slipface_status slipface_overlaps(slipface_world world, slipface_vec3 radii,
+                                               slipface_vec3 centre, const slipface_filter* filter,
+                                               slipface_overlap* overlaps, size_t room, size_t* found,
+                                               slipface_error* error);
 
 /* ---- Players ----------------------------------------------------------------------------------------- */
 
@@ -241,8 +247,9 @@ typedef enum slipface_record_kind {
     SLIPFACE_SWEEP = 0,    /* name: the pass; from, move, to; contact.t is 2 if nothing was hit */
     SLIPFACE_RESPONSE = 1, /* name: the rule; from and to: the rest of the move before and after, m; move: 0;
                               contact: normal, face and type */
-    SLIPFACE_DECISION = 2, /* name: the setting; text: a sentence in which {value} and {limit} stand for those */
-    SLIPFACE_PUSH_OUT = 3  /* from, to; value: planes; limit: 1 if free at `to` */
+    SLIPFACE_DECISION =
+        2, /* name: the setting; text: a sentence in which {value} and {limit} stand for those */
+    SLIPFACE_PUSH_OUT = 3 /* from, to; value: planes; limit: 1 if free at `to` */
 } slipface_record_kind;
 
 typedef struct slipface_record {
@@ -264,8 +271,8 @@ SLIPFACE_API slipface_status slipface_player_at(slipface_world world, slipface_v
 /* The player `dt` seconds later (1e-4 and more; above 0.25 s it moves in parts). A player that began outside
  * all triangles ends outside all of them. `trace` may be null. `next` may be `player`. */
 SLIPFACE_API slipface_status slipface_step(slipface_world world, slipface_settings settings,
-                                           const slipface_player* player, const slipface_input* input, double dt,
-                                           slipface_trace trace, void* user, slipface_player* next,
+                                           const slipface_player* player, const slipface_input* input,
+                                           double dt, slipface_trace trace, void* user, slipface_player* next,
                                            slipface_error* error);
 /* `count` players, each with its input, on all processors; they do not meet each other. Changes `players`. */
 SLIPFACE_API slipface_status slipface_step_many(slipface_world world, slipface_settings settings,
@@ -275,7 +282,8 @@ SLIPFACE_API slipface_status slipface_step_many(slipface_world world, slipface_s
  * and *next is the player as it was. Later steps need settings with the new radii. */
 SLIPFACE_API slipface_status slipface_change_body(slipface_world world, slipface_settings settings,
                                                   const slipface_player* player, slipface_vec3 radii,
-                                                  slipface_player* next, uint8_t* done, slipface_error* error);
+                                                  slipface_player* next, uint8_t* done,
+                                                  slipface_error* error);
 /* Velocity of the player's own motion, without what presses it to the ground: for animation and displays. */
 SLIPFACE_API slipface_status slipface_motion_velocity(const slipface_player* player, slipface_vec3* velocity,
                                                       slipface_error* error);
