@@ -18,7 +18,9 @@ parts = re.findall(r"^\| `(\w+)` \| (.*) \|$", design, re.M)
 
 depends = {}  # "engine/level" or "editor/tools" -> what CMake links, in the same form
 for file in sorted(root.glob("engine/*/CMakeLists.txt")):
-    call = re.search(r"slipface_module\((\w+)(.*)\)", file.read_text())
+    # The interfaces for other languages are libraries of their own kind; of theirs counts what they link.
+    call = re.search(r"slipface_module\((\w+)(.*)\)", file.read_text()) or re.search(
+        r"target_link_libraries\(slipface_(\w+) PRIVATE(.*)\)", file.read_text())
     depends["engine/" + call[1]] = {"engine/" + name for name in re.findall(r"Slipface::(\w+)", call[2])}
 cmake = (root / "editor/CMakeLists.txt").read_text() + (root / "editor/cli/CMakeLists.txt").read_text()
 for name, _ in parts:

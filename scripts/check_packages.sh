@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # check_packages.sh: builds the Debian packages of the current commit in a Debian 12 that has nothing, asks lintian, installs
-# them in another one, and tries there what they are for: the program draws a sample level off-screen, and the README's game
-# builds against libslipface-dev with CMake and with pkg-config. The packages are left in out/packages. Needs what
-# scripts/check_bare.sh needs.
+# them in another one, and tries there what they are for: the program draws a sample level off-screen, the README's game
+# builds against libslipface-dev with CMake and with pkg-config, the example in C runs, and so do the tests of the Python
+# module. The packages are left in out/packages. Needs what scripts/check_bare.sh needs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/common.sh
@@ -29,7 +29,7 @@ apt="DEBIAN_FRONTEND=noninteractive apt-get -q -y"
     make_bare_system
     mkdir -p "$bare/debs" "$bare/game"
     cp "$packages_folder"/*.deb "$bare/debs"
-    cp tests/consumer/game.cpp tests/consumer/flat.cpp tests/consumer/CMakeLists.txt "$bare/game"
+    cp tests/consumer/game.cpp tests/consumer/flat.cpp tests/consumer/CMakeLists.txt examples/c/walk.c tests/python/test_slipface.py "$bare/game"
     in_bare root / "useradd --create-home stranger && chown stranger /game"
 
     say "Trying the program"
@@ -43,13 +43,16 @@ apt="DEBIAN_FRONTEND=noninteractive apt-get -q -y"
 
     say "Building the README's game"
     watch_bare "Installing libslipface-dev" root /debs \
-        "$apt install ./libslipface-dev_*.deb g++ cmake make pkg-config"
+        "$apt install ./libslipface-dev_*.deb ./libslipface1_*.deb g++ cmake make pkg-config"
     watch_bare "The game" stranger /game 'level=/usr/share/slipface/levels/easy.obj &&
         cmake -S . -B build -DCMAKE_BUILD_TYPE=Release && cmake --build build && build/game $level cmake.png &&
         c++ -std=c++20 -O1 game.cpp $(pkg-config --cflags --libs slipface) -o game && ./game $level pkgconfig.png &&
         cmp cmake.png pkgconfig.png && test $(stat -c %s cmake.png) -gt 30000 &&
         slipface export $level --flat level.flat && build/flat level.flat &&
         (cd /usr/include && find slipface -name "*.h" ! -path "*/glad/*" | sed "s/.*/#include <&>/") >all.cpp &&
-        c++ -std=c++20 -fsyntax-only all.cpp $(pkg-config --cflags slipface)'
+        c++ -std=c++20 -fsyntax-only all.cpp $(pkg-config --cflags slipface) &&
+        cc -std=c99 -pedantic -Wall -Werror walk.c -lslipface -lm -o walk && ./walk'
+    watch_bare "Installing python3-slipface" root /debs "$apt install ./python3-slipface_*.deb"
+    watch_bare "The Python module" stranger /game 'python3 test_slipface.py /usr/bin/slipface /usr/share/slipface/levels'
 )
 say "The packages are good: $packages_folder"

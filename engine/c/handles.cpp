@@ -20,7 +20,7 @@ struct Slot {
     std::uint64_t uses = 0;
 };
 
-// The only thing that all callers of the library share: without it a freed handle could not be told.
+// The only thing that all callers of the library share: without it nobody could know that a handle was freed.
 struct Table {
     std::array<Slot, slot_count> slots;
     std::mutex mutex;  // of the rest, and of `object` and `uses` of free slots

@@ -1,4 +1,4 @@
-// What callers hold instead of pointers. A handle that was freed is told from a live one, and what a handle
+// What callers hold instead of pointers. A handle that was freed is recognised, and what a handle
 // stands for is neither changed nor freed while another thread is in it.
 #pragma once
 

@@ -128,58 +128,66 @@ py::object reach(const World& world, double seconds, std::optional<std::uint64_t
 void add_level(py::module_& module) {
     py::class_<Run>(module, "Run", "The result of a tape, tick by tick.")
         .def_property_readonly("ticks", [](const Run& of) { return of.run->samples().size(); })
-        .def_property_readonly("hash", [](const Run& of) { return of.run->hash(); },
-                               "Of all states; the same in every build and language")
+        .def_property_readonly(
+            "hash", [](const Run& of) { return of.run->hash(); },
+            "Of all states; the same in every build and language")
         .def_property_readonly("final", [](const Run& of) { return of.final_state; })
-        .def_property_readonly("events",
-                               [](const Run& of) {
-                                   py::list list;
-                                   for (const SimulationEvent& event : of.run->events())
-                                       list.append(py::make_tuple(event.tick, event.kind, event.detail));
-                                   return list;
-                               },
-                               "(tick, kind, detail) of each")
+        .def_property_readonly(
+            "events",
+            [](const Run& of) {
+                py::list list;
+                for (const SimulationEvent& event : of.run->events())
+                    list.append(py::make_tuple(event.tick, event.kind, event.detail));
+                return list;
+            },
+            "(tick, kind, detail) of each")
         .def("columns", &columns, "Arrays with a number per tick, by name; position (ticks, 3)")
-        .def("frame",
-             [](const Run& of) {
-                 py::dict all = columns(of);
-                 all.attr("pop")("position");
-                 return py::module_::import("pandas").attr("DataFrame")(all);
-             },
-             "The same as a pandas.DataFrame")
+        .def(
+            "frame",
+            [](const Run& of) {
+                py::dict all = columns(of);
+                all.attr("pop")("position");
+                return py::module_::import("pandas").attr("DataFrame")(all);
+            },
+            "The same as a pandas.DataFrame")
         .def("trace", &trace_of, py::arg("tick"), "What happened in a tick, a dictionary for each record");
 
     using namespace py::literals;
     py::class_<OpenLevel, World, std::shared_ptr<OpenLevel>>(
         module, "Level", "A level file, or geometry in any format that the editor opens. It is a World, too.")
         .def(py::init(&open), "path"_a)
-        .def_property_readonly("settings", [](const OpenLevel& level) { return level.level->movement; },
-                               "A copy of the level's settings")
-        .def_property_readonly("face_count", [](const OpenLevel& level) { return level.level->mesh->face_count(); })
-        .def("face_type",
-             [](const OpenLevel& level, FaceId face) {
-                 if (face >= level.level->mesh->face_count()) throw py::index_error("found no such face");
-                 return level.level->surfaces[resolve_surfaces(*level.level).surface[face]].name;
-             },
-             "face"_a)
-        .def("spawn",
-             [](OpenLevel& level, const std::string& name) {
-                 const Start start =
-                     value_or_raise(find_start(*level.level, *level.scene, level.level->movement, name));
-                 return tuple(Vec3(start.position + level.scene->offset()));
-             },
-             "name"_a = "", "Where a player starts")
+        .def_property_readonly(
+            "settings", [](const OpenLevel& level) { return level.level->movement; },
+            "A copy of the level's settings")
+        .def_property_readonly("face_count",
+                               [](const OpenLevel& level) { return level.level->mesh->face_count(); })
+        .def(
+            "face_type",
+            [](const OpenLevel& level, FaceId face) {
+                if (face >= level.level->mesh->face_count()) throw py::index_error("found no such face");
+                return level.level->surfaces[resolve_surfaces(*level.level).surface[face]].name;
+            },
+            "face"_a)
+        .def(
+            "spawn",
+            [](OpenLevel& level, const std::string& name) {
+                const Start start =
+                    value_or_raise(find_start(*level.level, *level.scene, level.level->movement, name));
+                return tuple(Vec3(start.position + level.scene->offset()));
+            },
+            "name"_a = "", "Where a player starts")
         .def("run", &run_tape, "tape"_a, "settings"_a = py::none(),
              "Runs a tape, the path of one or its text, under its settings or under these")
         .def("audit", &audit, "walkers"_a = 100, "seconds"_a = 60.0, "seed"_a = 1, "settings"_a = py::none(),
              "Random walkers: the report as a dictionary")
         .def("reach", &reach, "seconds"_a = 10.0, "rounds"_a = py::none(), "seed"_a = 1,
              "settings"_a = py::none(), "Searches for what the player can reach: the report as a dictionary")
-        .def("save",
-             [](const OpenLevel& level, const std::string& path) {
-                 if (const Status status = save_level(*level.level, path); !status) raise(status.error());
-             },
-             "path"_a, "Writes the level file");
+        .def(
+            "save",
+            [](const OpenLevel& level, const std::string& path) {
+                if (const Status status = save_level(*level.level, path); !status) raise(status.error());
+            },
+            "path"_a, "Writes the level file");
 }
 
 }  // namespace slipface::python

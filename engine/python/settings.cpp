@@ -6,7 +6,8 @@ namespace {
 
 const SettingInfo& row_of(const std::string& name) {
     const SettingInfo* const info = find_setting(name);
-    if (info == nullptr) throw py::attribute_error("found no setting \"" + name + "\"; slipface.settings lists them");
+    if (info == nullptr)
+        throw py::attribute_error("found no setting \"" + name + "\"; slipface.settings lists them");
     return *info;
 }
 
@@ -15,7 +16,8 @@ py::object get(const MovementSettings& settings, const std::string& name) {
     const double value = get_setting(settings, info);
     if (is_switch(info)) return py::bool_(value != 0.0);
     if (is_choice(info)) return py::str(choices_of(info)[static_cast<std::size_t>(value)].name);
-    if (std::holds_alternative<int MovementSettings::*>(info.member)) return py::int_(static_cast<int>(value));
+    if (std::holds_alternative<int MovementSettings::*>(info.member))
+        return py::int_(static_cast<int>(value));
     return py::float_(value);
 }
 
@@ -45,10 +47,11 @@ py::list names() {
 }  // namespace
 
 void add_settings(py::module_& module) {
-    py::class_<MovementSettings>(module, "Settings",
-                                 "Settings of the movement: those of a preset (\"platformer\", \"lecture\", ...) "
-                                 "or of a preset file, with changes by name: Settings(\"lecture\", gravity=12). "
-                                 "Angles are radians, or text as \"50deg\".")
+    py::class_<MovementSettings>(
+        module, "Settings",
+        "Settings of the movement: those of a preset (\"platformer\", \"lecture\", ...) "
+        "or of a preset file, with changes by name: Settings(\"lecture\", gravity=12). "
+        "Angles are radians, or text as \"50deg\".")
         .def(py::init(&make), py::arg("preset") = py::none())
         .def("__getattr__", &get)
         .def("__setattr__", &set)
@@ -68,7 +71,8 @@ void add_settings(py::module_& module) {
         });
     py::dict meanings;
     for (const SettingInfo& info : settings_table())
-        meanings[info.name] = meaning_of(info) + (*info.unit == '\0' ? "" : " (" + std::string(info.unit) + ")");
+        meanings[info.name] =
+            meaning_of(info) + (*info.unit == '\0' ? "" : " (" + std::string(info.unit) + ")");
     module.attr("settings") = meanings;
 }
 

@@ -52,7 +52,8 @@ std::size_t common_count(const Rows& first, const More&... more) {
     }
     for (const Rows* rows : {&first, &more...})
         fits = fits && (rows->repeats() || rows->count() == count);
-    if (!fits) throw py::value_error("found arrays of different lengths, expected one length, or single rows");
+    if (!fits)
+        throw py::value_error("found arrays of different lengths, expected one length, or single rows");
     return count;
 }
 
@@ -89,8 +90,9 @@ std::shared_ptr<World> world_of(const Array& positions, const Indices& triangles
     for (std::size_t i = 0; i < count && types; ++i) {
         const std::uint32_t type = types->at(static_cast<py::ssize_t>(i));
         if (type >= made->types.size())
-            throw py::value_error("triangle " + std::to_string(i) + ": found the type " + std::to_string(type) +
-                                  ", expected one below " + std::to_string(made->types.size()));
+            throw py::value_error("triangle " + std::to_string(i) + ": found the type " +
+                                  std::to_string(type) + ", expected one below " +
+                                  std::to_string(made->types.size()));
         made->collision.set_face_surface(static_cast<FaceId>(i), static_cast<SurfaceId>(type));
     }
     if (groups) made->groups.assign(groups->data(), groups->data() + count);
@@ -151,8 +153,8 @@ py::dict sweeps(World& world, const Array& radii, const Array& starts, const Arr
         }
     }
     using namespace py::literals;
-    return py::dict("t"_a = t, "normal"_a = normal, "point"_a = point, "triangle"_a = triangle, "face"_a = face,
-                    "type"_a = type);
+    return py::dict("t"_a = t, "normal"_a = normal, "point"_a = point, "triangle"_a = triangle,
+                    "face"_a = face, "type"_a = type);
 }
 
 py::dict rays(World& world, const Array& origins, const Array& directions, double max_t) {
@@ -185,10 +187,12 @@ py::dict contact_dict(World& world, const Contact& contact) {
     using namespace py::literals;
     return py::dict("t"_a = contact.t, "normal"_a = tuple(contact.normal), "point"_a = tuple(contact.point),
                     "triangle"_a = contact.triangle, "face"_a = contact.face,
-                    "type"_a = world.surfaces()[contact.surface].name, "feature"_a = feature_name(contact.feature));
+                    "type"_a = world.surfaces()[contact.surface].name,
+                    "feature"_a = feature_name(contact.feature));
 }
 
-void set_parameter(World& world, const std::string& type, const std::string& parameter, const py::object& value) {
+void set_parameter(World& world, const std::string& type, const std::string& parameter,
+                   const py::object& value) {
     const auto found = std::ranges::find(world.surfaces(), type, &SurfaceType::name);
     if (found == world.surfaces().end()) throw py::value_error("found no type \"" + type + "\"");
     const auto fields = surface_fields();
@@ -226,7 +230,8 @@ void set_face_type(World& world, FaceId face, const std::string& type) {
     const auto found = std::ranges::find(world.surfaces(), type, &SurfaceType::name);
     if (found == world.surfaces().end()) throw py::value_error("found no type \"" + type + "\"");
     const auto id = static_cast<SurfaceId>(found - world.surfaces().begin());
-    const std::size_t faces = world.level ? world.level->mesh->face_count() : world.collision.triangle_count();
+    const std::size_t faces =
+        world.level ? world.level->mesh->face_count() : world.collision.triangle_count();
     if (face >= faces)
         throw py::index_error("found the face " + std::to_string(face) + ", expected one below " +
                               std::to_string(faces));
@@ -280,8 +285,9 @@ py::dict record_dict(const TraceRecord& record) {
                         "contact"_a = contact(sweep->contact));
     if (const auto* response = std::get_if<ResponseRecord>(&record))
         return py::dict("kind"_a = "response", "name"_a = rule_name(response->rule),
-                        "before"_a = tuple(response->remainder_before), "after"_a = tuple(response->remainder_after),
-                        "normal"_a = tuple(response->normal), "face"_a = response->face);
+                        "before"_a = tuple(response->remainder_before),
+                        "after"_a = tuple(response->remainder_after), "normal"_a = tuple(response->normal),
+                        "face"_a = response->face);
     if (const auto* decision = std::get_if<DecisionRecord>(&record)) {
         const DecisionInfo& info = decision_info(decision->kind);
         return py::dict("kind"_a = "decision", "name"_a = info.hack, "text"_a = info.sentence,
@@ -297,8 +303,9 @@ void add_world(py::module_& module) {
     py::class_<PlayerState>(module, "Player", "A player at one moment; step() makes the next one.")
         .def_property_readonly("position", [](const PlayerState& p) { return tuple(p.position); })
         .def_property_readonly("velocity", [](const PlayerState& p) { return tuple(p.velocity); })
-        .def_property_readonly("motion", [](const PlayerState& p) { return tuple(motion_velocity(p)); },
-                               "Velocity of its own motion, without what presses it to the ground")
+        .def_property_readonly(
+            "motion", [](const PlayerState& p) { return tuple(motion_velocity(p)); },
+            "Velocity of its own motion, without what presses it to the ground")
         .def_property_readonly("ground_normal", [](const PlayerState& p) { return tuple(p.ground_normal); })
         .def_property_readonly("ground_face",
                                [](const PlayerState& p) {
@@ -312,9 +319,10 @@ void add_world(py::module_& module) {
         .def_readonly("trapped", &PlayerState::trapped)
         .def("__eq__", [](const PlayerState& a, const PlayerState& b) { return a == b; });
 
-    py::class_<World, std::shared_ptr<World>>(module, "World",
-                      "Triangles to collide with: positions (n, 3) in metres, triangles (m, 3), and for each "
-                      "triangle a type (0 default, 1 ice, ... as in World.types) and bits of groups.")
+    py::class_<World, std::shared_ptr<World>>(
+        module, "World",
+        "Triangles to collide with: positions (n, 3) in metres, triangles (m, 3), and for each "
+        "triangle a type (0 default, 1 ice, ... as in World.types) and bits of groups.")
         .def(py::init(&world_of), py::arg("positions"), py::arg("triangles"), py::arg("types") = py::none(),
              py::arg("groups") = py::none())
         .def_property_readonly("types",
@@ -328,72 +336,85 @@ void add_world(py::module_& module) {
                                [](World& world) { return world.now().collision.triangle_count(); })
         .def("set_parameter", &set_parameter, py::arg("type"), py::arg("parameter"), py::arg("value"))
         .def("set_face_type", &set_face_type, py::arg("face"), py::arg("type"))
-        .def("set_time",
-             [](World& world, double time, double dt) {
-                 if (!std::isfinite(time) || !(dt >= 0.0) || !std::isfinite(dt))
-                     throw py::value_error("expected finite numbers, dt 0 or more");
-                 const Change change(world);
-                 world.time = time;
-                 world.dt = dt;
-             },
-             py::arg("time"), py::arg("dt") = 0.0, "Of a level: its platforms stand as in the step from time to time + dt")
-        .def("sweep",
-             [](World& world, const Triple& radii, const Triple& start, const Triple& move,
-                const std::vector<std::string>& ignore, std::uint32_t groups) -> py::object {
-                 const auto contact = sweep_ellipsoid(world.now().collision, vec(radii), vec(start), vec(move),
-                                                      filter_of(world, ignore, groups));
-                 return contact ? py::object(contact_dict(world, *contact)) : py::object(py::none());
-             },
-             py::arg("radii"), py::arg("start"), py::arg("move"), py::arg("ignore") = std::vector<std::string>{},
-             py::arg("groups") = ~std::uint32_t{0}, "The first contact, or None")
-        .def("hits",
-             [](World& world, const Triple& radii, const Triple& start, const Triple& move) {
-                 const CollisionWorld& in = world.now().collision;
-                 std::vector<Contact> all(find_sweep_hits(in, vec(radii), vec(start), vec(move), {}));
-                 find_sweep_hits(in, vec(radii), vec(start), vec(move), all);
-                 py::list list;
-                 for (const Contact& contact : all)
-                     list.append(contact_dict(world, contact));
-                 return list;
-             },
-             py::arg("radii"), py::arg("start"), py::arg("move"), "Each triangle's contact, the earliest first")
+        .def(
+            "set_time",
+            [](World& world, double time, double dt) {
+                if (!std::isfinite(time) || !(dt >= 0.0) || !std::isfinite(dt))
+                    throw py::value_error("expected finite numbers, dt 0 or more");
+                const Change change(world);
+                world.time = time;
+                world.dt = dt;
+            },
+            py::arg("time"), py::arg("dt") = 0.0,
+            "Of a level: its platforms stand as in the step from time to time + dt")
+        .def(
+            "sweep",
+            [](World& world, const Triple& radii, const Triple& start, const Triple& move,
+               const std::vector<std::string>& ignore, std::uint32_t groups) -> py::object {
+                const auto contact = sweep_ellipsoid(world.now().collision, vec(radii), vec(start), vec(move),
+                                                     filter_of(world, ignore, groups));
+                return contact ? py::object(contact_dict(world, *contact)) : py::object(py::none());
+            },
+            py::arg("radii"), py::arg("start"), py::arg("move"),
+            py::arg("ignore") = std::vector<std::string>{}, py::arg("groups") = ~std::uint32_t{0},
+            "The first contact, or None")
+        .def(
+            "hits",
+            [](World& world, const Triple& radii, const Triple& start, const Triple& move) {
+                const CollisionWorld& in = world.now().collision;
+                std::vector<Contact> all(find_sweep_hits(in, vec(radii), vec(start), vec(move), {}));
+                find_sweep_hits(in, vec(radii), vec(start), vec(move), all);
+                py::list list;
+                for (const Contact& contact : all)
+                    list.append(contact_dict(world, contact));
+                return list;
+            },
+            py::arg("radii"), py::arg("start"), py::arg("move"),
+            "Each triangle's contact, the earliest first")
         .def("sweeps", &sweeps, py::arg("radii"), py::arg("starts"), py::arg("moves"),
-             "Many sweeps at once: arrays t (2: nothing was hit), normal, point, triangle, face (-1), type. Arrays of "
+             "Many sweeps at once: arrays t (2: nothing was hit), normal, point, triangle, face (-1), type. "
+             "Arrays of "
              "float64 in rows are read where they are.")
         .def("rays", &rays, py::arg("origins"), py::arg("directions"),
              py::arg("max_t") = std::numeric_limits<double>::infinity(),
              "Many rays at once: arrays t (-1: nothing was hit), normal, face")
-        .def("closest",
-             [](World& world, const Triple& point, double max_distance) -> py::object {
-                 const auto found = closest_point(world.now().collision, vec(point), max_distance);
-                 if (!found) return py::none();
-                 using namespace py::literals;
-                 return py::dict("distance"_a = found->distance, "point"_a = tuple(found->point),
-                                 "face"_a = found->face);
-             },
-             py::arg("point"), py::arg("max_distance") = std::numeric_limits<double>::infinity())
-        .def("overlaps",
-             [](World& world, const Triple& radii, const Triple& centre) {
-                 std::vector<Overlap> all(find_overlaps(world.now().collision, vec(radii), vec(centre), {}));
-                 find_overlaps(world.now().collision, vec(radii), vec(centre), all);
-                 py::list faces;
-                 for (const Overlap& one : all)
-                     faces.append(one.face);
-                 return faces;
-             },
-             py::arg("radii"), py::arg("centre"), "The faces that an ellipsoid at rest overlaps")
+        .def(
+            "closest",
+            [](World& world, const Triple& point, double max_distance) -> py::object {
+                const auto found = closest_point(world.now().collision, vec(point), max_distance);
+                if (!found) return py::none();
+                using namespace py::literals;
+                return py::dict("distance"_a = found->distance, "point"_a = tuple(found->point),
+                                "face"_a = found->face);
+            },
+            py::arg("point"), py::arg("max_distance") = std::numeric_limits<double>::infinity())
+        .def(
+            "overlaps",
+            [](World& world, const Triple& radii, const Triple& centre) {
+                std::vector<Overlap> all(find_overlaps(world.now().collision, vec(radii), vec(centre), {}));
+                find_overlaps(world.now().collision, vec(radii), vec(centre), all);
+                py::list faces;
+                for (const Overlap& one : all)
+                    faces.append(one.face);
+                return faces;
+            },
+            py::arg("radii"), py::arg("centre"), "The faces that an ellipsoid at rest overlaps")
         .def("player", &player_at, py::arg("position"), "A player at rest with its centre there")
-        .def("step", &stepped, py::arg("player"), py::arg("settings"), py::arg("wish") = std::array<double, 2>{},
-             py::arg("jump") = false, py::arg("dt") = 1.0 / 60.0, py::arg("trace") = py::none(),
-             "The player dt seconds later. wish: (x, z), a fraction of the walking speed. trace: a list, to which "
+        .def("step", &stepped, py::arg("player"), py::arg("settings"),
+             py::arg("wish") = std::array<double, 2>{}, py::arg("jump") = false, py::arg("dt") = 1.0 / 60.0,
+             py::arg("trace") = py::none(),
+             "The player dt seconds later. wish: (x, z), a fraction of the walking speed. trace: a list, to "
+             "which "
              "what happened is appended")
-        .def("change_body",
-             [](World& world, const PlayerState& player, const MovementSettings& settings,
-                const Triple& radii) -> py::object {
-                 const auto changed = change_body(world.now(), settings, player, vec(radii));
-                 return changed ? py::cast(*changed) : py::object(py::none());
-             },
-             py::arg("player"), py::arg("settings"), py::arg("radii"), "The player with another body, or None");
+        .def(
+            "change_body",
+            [](World& world, const PlayerState& player, const MovementSettings& settings,
+               const Triple& radii) -> py::object {
+                const auto changed = change_body(world.now(), settings, player, vec(radii));
+                return changed ? py::cast(*changed) : py::object(py::none());
+            },
+            py::arg("player"), py::arg("settings"), py::arg("radii"),
+            "The player with another body, or None");
 }
 
 }  // namespace slipface::python

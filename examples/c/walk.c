@@ -1,5 +1,5 @@
 /* A game loop in C: a world of triangles with a lift, a player that walks, jumps and rides, and what stopped it.
- *     cc -std=c99 walk.c $(pkg-config --cflags slipface) -lslipface -lm -o walk && ./walk
+ *     cc -std=c99 walk.c -lslipface -lm -o walk && ./walk
  */
 #include <math.h>
 #include <slipface.h>
@@ -80,6 +80,6 @@ int main(void) {
     printf("rides at y = %.3f, platform %u\n", player.position.y, (unsigned)player.ground_platform);
     check(slipface_settings_free(settings, &error), &error);
     check(slipface_world_free(world, &error), &error);
-    /* A handle that was freed is told from a live one. */
+    /* A handle that was freed is recognised. */
     return slipface_world_free(world, &error) == SLIPFACE_WRONG_HANDLE ? 0 : 1;
 }

@@ -3,9 +3,12 @@
 
     PYTHONPATH=build/release/engine/python tests/python/test_slipface.py PROGRAM LEVELS
 """
+import contextlib
+import io
 import json
 import math
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -187,6 +190,20 @@ class BadInput(unittest.TestCase):
         self.assertTrue(all((answer == wanted).all() for answer in answers))
         self.assertEqual(len(answers), 4)
         self.assertLessEqual(set(refused), {"the world is in use by another thread"})
+
+
+class Documents(unittest.TestCase):
+    def test_examples_run(self):
+        page = LEVELS.parent.parent / "docs" / "c-and-python.md"
+        if not page.exists():
+            self.skipTest("no source tree")
+        names, printed = {}, io.StringIO()
+        with contextlib.chdir(page.parent.parent), contextlib.redirect_stdout(printed):
+            for text in re.findall(r"```python\n(.*?)```", page.read_text(), re.S):
+                exec(compile(text, str(page), "exec"), names)
+        self.assertEqual(len(printed.getvalue().splitlines()), 7, printed.getvalue())
+        self.assertGreater(names["height"](), names["height"](variable_jump=True) + 0.1)
+        self.assertGreater(names["floor"].mean(), 0.2)
 
 
 if __name__ == "__main__":
