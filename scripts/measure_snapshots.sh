@@ -15,5 +15,5 @@ JSON
 cd "$scratch"
 env -u CI -u GITHUB_ACTIONS "$program" snapshot approve --jobs "$jobs" --quick | tail -1
 for run in 1 2; do
-    "$program" snapshot check --jobs "$jobs" --quiet --timing | grep pictures
+    "$program" snapshot check --jobs "$jobs" --quiet --timing | grep rasteris
 done

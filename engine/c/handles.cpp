@@ -89,8 +89,8 @@ Access::Access(Kind kind, std::uint64_t id, Use use) : slot_(slot_of(id)), use_(
         object_ = slot.object.get();
         return;
     }
-    // A thread that looks into a slot of somebody else leaves it at once. If another one comes for the object at
-    // that moment, it is refused, although the object is free.
+    // A thread that looks into a slot of somebody else leaves it at once. If another one comes for the object
+    // at that moment, it is refused, although the object is free.
     status_ = slot.id.load() == id ? SLIPFACE_IN_USE : SLIPFACE_WRONG_HANDLE;
     if (use == Use::shared)
         slot.users.fetch_sub(1);
