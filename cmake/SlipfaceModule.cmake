@@ -27,8 +27,9 @@ function(slipface_compile_rules target)
         # Names of files' own meet in one translation unit; a build without SLIPFACE_UNITY is told of real shadows.
         target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-Wno-shadow -Wno-subobject-linkage>)
     endif()
-    # The program's own two files would wait longer for a header of their kind than they gain by it.
-    if(SLIPFACE_PCH AND NOT target MATCHES "^slipface$|slipface_pch_")
+    # The program's own two files would wait longer for a header of their kind than they gain by it; the libraries for C and
+    # Python hide their names, and a precompiled header has to agree in that.
+    if(SLIPFACE_PCH AND NOT target MATCHES "^slipface(_c|_python)?$|slipface_pch_")
         slipface_precompile(${target})
     endif()
 endfunction()
