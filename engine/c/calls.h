@@ -113,7 +113,7 @@ using ChangedSettings = Held<Settings, Kind::settings, Use::alone>;
 
 template <class... Pointers>
 void need(const char* names, Pointers... pointers) {
-    if (((pointers == nullptr) || ...)) refuse(SLIPFACE_WRONG_ARGUMENT, "found null, expected {}", names);
+    if ((!pointers || ...)) refuse(SLIPFACE_WRONG_ARGUMENT, "found null, expected {}", names);
 }
 
 inline Vec3 vec(const slipface_vec3& v) {
