@@ -1,9 +1,8 @@
-// voxels [STEPS [SEED [IMAGE]]]: walkers in a world of blocks without end and on a dome of triangles above it,
-// STEPS steps in all. Counts those that ended inside a block or fell through the rock, and draws the last sight.
-// Exit code 1 if there was one, or if nobody stood on the blocks or on the dome.
+// voxels [STEPS [SEED [IMAGE]]]: walkers in a world of blocks without end and on a dome of triangles above
+// it, STEPS steps in all. Counts those that ended inside a block or fell through the rock, and draws the last
+// sight. Exit code 1 if there was one, or if nobody stood on the blocks or on the dome.
 #include <slipface/mesh/build.h>
 #include <slipface/render/gl_graphics.h>
-
 
 #include <cmath>
 #include <cstdio>
@@ -40,7 +39,8 @@ static Level dome(const Vec3& top, float radius) {
         soup.corner_position.push_back(top.cast<float>());
         for (const int k : {i + 1, i}) {
             const float angle = static_cast<float>(k) * 0.2617994F;
-            soup.corner_position.emplace_back(top.cast<float>() + radius * Vec3f(std::cos(angle), -0.2F, std::sin(angle)));
+            soup.corner_position.emplace_back(top.cast<float>() +
+                                              radius * Vec3f(std::cos(angle), -0.2F, std::sin(angle)));
         }
         soup.face_first_corner.push_back(static_cast<std::uint32_t>(soup.corner_position.size()));
     }
@@ -83,11 +83,12 @@ int main(int count, char** words) {
             inside += overlaps;
         }
     }
-    std::printf("%llu steps, %llu on blocks, %llu on the dome, %llu inside a block, %llu lost; %zu chunks built, %zu there\n",
-                static_cast<unsigned long long>(steps), static_cast<unsigned long long>(on_blocks),
-                static_cast<unsigned long long>(on_dome), static_cast<unsigned long long>(inside),
-                static_cast<unsigned long long>(lost),
-                voxels.built_count(), voxels.chunk_count());
+    std::printf(
+        "%llu steps, %llu on blocks, %llu on the dome, %llu inside a block, %llu lost; %zu chunks built, %zu "
+        "there\n",
+        static_cast<unsigned long long>(steps), static_cast<unsigned long long>(on_blocks),
+        static_cast<unsigned long long>(on_dome), static_cast<unsigned long long>(inside),
+        static_cast<unsigned long long>(lost), voxels.built_count(), voxels.chunk_count());
     const bool bad = inside > 0 || lost > 0 || on_blocks == 0 || on_dome == 0;
     if (count > 3 && draw(world, walkers.front()->state.position, words[3]) != 0) return 2;
     return bad ? 1 : 0;

@@ -19,7 +19,8 @@ ChunkId chunk_of(const Vec3& point) {
 
 std::uint64_t mix(std::uint64_t seed, int x, int y, int z) {
     for (const int part : {x, y, z}) {
-        seed ^= static_cast<std::uint64_t>(static_cast<std::int64_t>(part)) + 0x9e3779b97f4a7c15ULL + (seed << 6);
+        seed ^=
+            static_cast<std::uint64_t>(static_cast<std::int64_t>(part)) + 0x9e3779b97f4a7c15ULL + (seed << 6);
         seed = (seed ^ (seed >> 30)) * 0xbf58476d1ce4e5b9ULL;
         seed ^= seed >> 27;
     }
@@ -35,7 +36,8 @@ double noise(std::uint64_t seed, int x, int z, int size) {
     const int i = floor_div(x, size), j = floor_div(z, size);
     const double u = static_cast<double>(x - i * size) / size, v = static_cast<double>(z - j * size) / size;
     const auto at = [&](int a, int b) { return static_cast<double>(mix(seed, a, 0, b) >> 11) * 0x1p-53; };
-    return (at(i, j) * (1 - u) + at(i + 1, j) * u) * (1 - v) + (at(i, j + 1) * (1 - u) + at(i + 1, j + 1) * u) * v;
+    return (at(i, j) * (1 - u) + at(i + 1, j) * u) * (1 - v) +
+           (at(i, j + 1) * (1 - u) + at(i + 1, j + 1) * u) * v;
 }
 
 }  // namespace
@@ -49,8 +51,8 @@ ChunkGenerator hills(std::uint64_t seed) {
     };
 }
 
-// A face for each side of a block that is open. A block's sides belong to its own chunk, so that neighbours need
-// not know each other's geometry.
+// A face for each side of a block that is open. A block's sides belong to its own chunk, so that neighbours
+// need not know each other's geometry.
 std::unique_ptr<VoxelManager::Chunk> VoxelManager::build(const ChunkId& id) const {
     PolygonSoup soup;
     soup.face_first_corner.push_back(0);
@@ -86,7 +88,8 @@ std::unique_ptr<VoxelManager::Chunk> VoxelManager::build(const ChunkId& id) cons
     Result<MeshPtr> mesh = build_mesh(std::move(soup));
     if (!mesh) return chunk;
     chunk->level.mesh = *mesh;
-    if (Result<CollisionWorld> world = build_collision_world(chunk->level)) chunk->collision = std::move(*world);
+    if (Result<CollisionWorld> world = build_collision_world(chunk->level))
+        chunk->collision = std::move(*world);
     return chunk;
 }
 
@@ -126,7 +129,8 @@ MovementScene VoxelManager::scene_at(const Vec3& centre) {
         near_.assign(platforms.begin(), platforms.end());
     }
     const double reach = 0.5 * edge;  // more than a walker moves in a tick
-    const ChunkId low = chunk_of(centre - Vec3::Constant(reach)), high = chunk_of(centre + Vec3::Constant(reach));
+    const ChunkId low = chunk_of(centre - Vec3::Constant(reach)),
+                  high = chunk_of(centre + Vec3::Constant(reach));
     for (int x = low[0]; x <= high[0]; ++x)
         for (int y = low[1]; y <= high[1]; ++y)
             for (int z = low[2]; z <= high[2]; ++z)
@@ -141,7 +145,9 @@ MovementScene VoxelManager::scene_at(const Vec3& centre) {
 void VoxelManager::on_tick(double seconds) {
     keep_around_walkers();
     for (Walker* walker : walkers_)
-        walker->state = step(scene_at(walker->state.position), walker->settings, walker->state, walker->input, seconds).state;
+        walker->state =
+            step(scene_at(walker->state.position), walker->settings, walker->state, walker->input, seconds)
+                .state;
 }
 
 void VoxelManager::on_draw(Graphics& graphics) {

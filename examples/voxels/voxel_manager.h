@@ -1,6 +1,6 @@
-// A second manager beside GeometricManager (lecture: "VoxelManager" with a "ChunkGenerator"): a world of blocks
-// in chunks that come and go as its walkers move. Each chunk is a level of its own; adding or removing one
-// rebuilds no other.
+// A second manager beside GeometricManager (lecture: "VoxelManager" with a "ChunkGenerator"): a world of
+// blocks in chunks that come and go as its walkers move. Each chunk is a level of its own; adding or removing
+// one rebuilds no other.
 #pragma once
 
 #include <slipface/level/level_scene.h>

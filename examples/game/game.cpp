@@ -1,0 +1,102 @@
+#include "game.h"
+
+#include <slipface/level/find_start.h>
+#include <slipface/level/level_file.h>
+#include <slipface/movement/first_contact.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace slipface;
+
+void Coin::on_draw(Graphics& graphics) const {
+    // An ellipsoid as thin as a coin that turns.
+    const double turn = std::abs(std::cos(3.0 * age_s));
+    graphics.draw_ellipsoid(position, {0.05 + 0.25 * turn, 0.3, 0.05 + 0.25 * (1.0 - turn)});
+}
+
+Result<std::unique_ptr<Game>> Game::open(const std::filesystem::path& path) {
+    Result<LoadedLevel> loaded = load_level(path);
+    if (!loaded) return loaded.error();
+    const Result<Start> start = settle_start(loaded->level);
+    if (!start) return start.error();
+    Result<std::unique_ptr<GeometricManager>> geometry = GeometricManager::make(std::move(loaded->level));
+    if (!geometry) return geometry.error();
+    std::unique_ptr<Game> game(new Game);
+    game->level_ = static_cast<GeometricManager*>(&game->world_.add_manager(std::move(*geometry)));
+    game->player_ = &game->world_.make_entity<Character>();
+    game->player_->settings = game->level_->level().movement;
+    game->player_->state = game->level_->player_at(start->position);
+    game->start_ = start->position;
+    game->yaw_ = start->yaw;
+    game->lowest_ = game->level_->level().fall_limit.value_or(start->position.y() - 40.0);
+    game->lay_coins();
+    return game;
+}
+
+// Rings around the start; a coin where a ray down finds a floor that one can stand on, as high as a head above it.
+void Game::lay_coins() {
+    const MovementScene scene = level_->scene();
+    const Vec3 offset = position_in_scene(scene, player_->state) - start_;
+    for (int ring = 1; ring <= 4; ++ring) {
+        for (int i = 0; i < 3 * ring; ++i) {
+            const double angle = 6.283185307179586 * i / (3 * ring);
+            const Vec3 above = start_ + Vec3(5.0 * ring * std::cos(angle), 3.0, 5.0 * ring * std::sin(angle));
+            // A terrain is no triangle: a body that falls finds both.
+            const Vec3 radii = player_->settings.radii;
+            const auto floor = first_contact(scene, radii, above + offset, {0.0, -8.0, 0.0});
+            if (!floor || floor->normal.y() < 0.8 || scene.surfaces[floor->surface].hazardous) continue;
+            const Vec3 centre = above + Vec3(0.0, -8.0 * floor->t, 0.0);
+            coins_.push_back(&world_.make_entity<Coin>(centre));
+        }
+    }
+}
+
+void Game::tick(const Buttons& buttons) {
+    yaw_ += buttons.turn;
+    tilt_ = std::clamp(tilt_ + buttons.tilt, -0.2, 1.2);
+    const Vec3 away(-std::sin(yaw_), 0.0, -std::cos(yaw_)), right(std::cos(yaw_), 0.0, -std::sin(yaw_));
+    const Vec3 wish = buttons.stick.x() * right + buttons.stick.y() * away;
+    player_->input = {.wish = {wish.x(), wish.z()}, .jump = buttons.jump};
+    world_.tick(dt);
+    time_s_ += dt;
+    collect();
+
+    const PlayerState& state = player_->state;
+    if (state.hazard || state.trapped || !(player_->position().y() > lowest_)) return respawn();
+    // A second of walking on what does not move is a safe place to come back to.
+    safe_s_ = state.grounded && state.ground_platform == no_id ? safe_s_ + dt : 0.0;
+    if (safe_s_ > 1.0) {
+        start_ = player_->position();
+        safe_s_ = 0.0;
+    }
+}
+
+void Game::collect() {
+    std::erase_if(coins_, [&](const Coin* coin) {
+        if ((coin->position - player_->position()).norm() > 1.2) return false;
+        world_.remove_entity(*coin);
+        ++collected_;
+        return true;
+    });
+}
+
+void Game::respawn() {
+    ++deaths_;
+    safe_s_ = 0.0;
+    player_->state = level_->player_at(start_);
+}
+
+// Five metres behind the player, nearer where something is in between: a ball is swept from the head.
+Camera Game::camera() const {
+    const Vec3 head = player_->position() + Vec3(0.0, 0.6 * player_->settings.radii.y(), 0.0);
+    const Vec3 back(std::sin(yaw_) * std::cos(tilt_), std::sin(tilt_), std::cos(yaw_) * std::cos(tilt_));
+    const MovementScene scene = level_->scene();
+    const Vec3 offset = position_in_scene(scene, player_->state) - player_->position();
+    const Vec3 ball = Vec3::Constant(0.2);
+    const auto wall = first_contact(scene, ball, head + offset, 5.0 * back);
+    Camera camera;
+    camera.target = head;
+    camera.eye = head + (wall ? std::max(0.4, 5.0 * wall->t) : 5.0) * back;
+    return camera;
+}
