@@ -34,7 +34,8 @@ Result<std::unique_ptr<Game>> Game::open(const std::filesystem::path& path) {
     return game;
 }
 
-// Rings around the start; a coin where a ray down finds a floor that one can stand on, as high as a head above it.
+// Rings around the start; a coin where a ray down finds a floor that one can stand on, as high as a head
+// above it.
 void Game::lay_coins() {
     const MovementScene scene = level_->scene();
     const Vec3 offset = position_in_scene(scene, player_->state) - start_;

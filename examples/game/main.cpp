@@ -1,5 +1,6 @@
 // game [LEVEL]: W A S D or the arrows walk, space jumps, the mouse turns the camera, Escape ends.
-// game LEVEL --seconds S [--image FILE]: without a window; somebody walks from coin to coin. Prints the score.
+// game LEVEL --seconds S [--image FILE]: without a window; somebody walks from coin to coin. Prints the
+// score.
 #include <slipface/render/gl_graphics.h>
 
 #define GLFW_INCLUDE_NONE
@@ -52,7 +53,8 @@ static int without_window(Game& game, double seconds, const char* image) {
     const std::size_t all = game.coins().size();
     while (game.time_s() < seconds)
         game.tick(walker(game, before));
-    std::printf("%d of %zu coins, %d deaths in %.0f s\n", game.collected(), all, game.deaths(), game.time_s());
+    std::printf("%d of %zu coins, %d deaths in %.0f s\n", game.collected(), all, game.deaths(),
+                game.time_s());
     if (image == nullptr) return 0;
     auto context = make_offscreen_context();
     if (!context) return complain(context.error().text());
@@ -91,7 +93,8 @@ static int in_window(Game& game) {
     if (window == nullptr) return glfwTerminate(), complain("no window with OpenGL 3.3");
     glfwMakeContextCurrent(window);
     glfwSetInputMode(window, GLFW_CURSOR, GLFW_CURSOR_DISABLED);
-    glfwSetInputMode(window, GLFW_STICKY_KEYS, GLFW_TRUE);  // a key that is pressed and released within a frame
+    glfwSetInputMode(window, GLFW_STICKY_KEYS,
+                     GLFW_TRUE);  // a key that is pressed and released within a frame
     const Result<GlTable> gl = load_gl_table(glfwGetProcAddress);
     if (gl) {
         GlGraphics graphics(*gl);

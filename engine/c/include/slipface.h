@@ -262,7 +262,7 @@ typedef struct slipface_record {
 } slipface_record;
 
 /* What happened within a step, in order. `record` lives only during the call; the callback must not throw or
- * jump out, and must not change or free the world. */
+ * jump out. It may query the world; changes give SLIPFACE_IN_USE there. */
 typedef void (*slipface_trace)(void* user, const slipface_record* record);
 
 /* A player at rest with its centre there. */
