@@ -12,15 +12,13 @@ class FirstOf {
     using Before = bool (*)(const T&, const T&);
     FirstOf(std::span<T> out, Before before) : out_(out), before_(before) {}
 
-    // Nothing that comes before another may be refused.
-    bool wanted(const T& one) const {
-        return stored_ < out_.size() || (stored_ > 0 && before_(one, out_[0]));
-    }
     // `out` is a heap with the last of them on top, so that the first ones stay, whatever the order.
     void add(const T& one) {
         ++found_;
-        if (!wanted(one)) return;
-        if (stored_ == out_.size()) std::ranges::pop_heap(out_.first(stored_--), before_);
+        if (stored_ == out_.size()) {
+            if (stored_ == 0 || !before_(one, out_[0])) return;
+            std::ranges::pop_heap(out_.first(stored_--), before_);
+        }
         out_[stored_++] = one;
         std::ranges::push_heap(out_.first(stored_), before_);
     }
