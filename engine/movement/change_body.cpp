@@ -43,7 +43,9 @@ std::optional<PlayerState> change_body(const MovementScene& scene, const Movemen
 
     PlayerState start = state;
     start.position = position_in_scene(scene, state);
-    const bool on_ground = state.grounded && state.ground_normal.y() > 0.1;
+    // Terrain carries the lowest point of the player, and no other: it has no faces that a body could touch.
+    const bool on_terrain = scene.heightfield != nullptr && state.ground_face == no_id;
+    const bool on_ground = state.grounded && !on_terrain && state.ground_normal.y() > 0.1;
     const Vec3 normal = on_ground ? state.ground_normal : Vec3::UnitY();
     const double lift = height_above(radii, normal) - height_above(settings.radii, normal);
     const Vec3 move(0.0, lift, 0.0);

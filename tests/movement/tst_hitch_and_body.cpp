@@ -123,6 +123,36 @@ TEST(Body, CrouchesAndStandsUpInTheOpen) {
     }
 }
 
+TEST(Body, CrouchesAndStandsUpOnTerrain) {
+    Heightfield hill{.columns = 2, .rows = 2, .heights = {0.0, 8.0, 0.0, 8.0}};
+    hill.origin = Vec3(-10, 0, -10);
+    hill.size = Vec2(20, 20);  // 22 degrees up along X
+    const CollisionWorld nothing;
+    const std::vector<SurfaceType> types = preset_surface_types();
+    const MovementScene scene{.collision = nothing, .surfaces = types, .heightfield = &hill};
+    MovementSettings tall = basic_settings();
+    tall.heightfield = true;
+    MovementSettings low = tall;
+    low.radii.y() *= 0.5;
+    PlayerState player = at({2, 7, 0});
+    const auto rest = [&](const MovementSettings& settings) {
+        for (int i = 0; i < 90; ++i)
+            player = step(scene, settings, player, {}, tick).state;
+        ASSERT_TRUE(player.grounded);
+        EXPECT_NEAR(player.position.y(), 4.0 + 0.4 * player.position.x() + settings.radii.y(), 1e-9);
+    };
+    rest(tall);
+    const double feet = player.position.y() - tall.radii.y();
+    for (const MovementSettings* next : {&low, &tall}) {
+        const auto changed = change_body(scene, next == &low ? tall : low, player, next->radii);
+        ASSERT_TRUE(changed);
+        EXPECT_NEAR(changed->position.y() - next->radii.y(), feet, 1e-12);
+        player = *changed;
+        rest(*next);
+        EXPECT_NEAR(player.position.y() - next->radii.y(), feet, 1e-9);
+    }
+}
+
 TEST(Body, DoesNotStandUpUnderACeiling) {
     const MovementSettings tall = basic_settings();
     MovementSettings low = tall;
