@@ -18,8 +18,8 @@ constexpr std::size_t place_of(std::uint64_t cell, std::size_t places) {
     return static_cast<std::size_t>(((cell >> 32) * places) >> 32);
 }
 
-// An edge that finds no room is found again by the next visit. With 32 instead, 1 in 300 nodes more returned
-// in a map of which nearly all did not, and twice the memory was used.
+// An edge that finds no room is found again by a later visit. docs/reach.md has what more of them cost and
+// give.
 constexpr std::size_t max_edges_per_node = 4;
 
 }  // namespace
