@@ -2,11 +2,16 @@
 
 say() { printf '\n\033[1m==> %s\033[0m\n' "$*"; }
 
-# step TEXT COMMAND...: says what it does, does it, and on failure names the command to run by hand.
+# step TEXT COMMAND...: says what it does, does it, and on failure names the command to run by hand. After half a minute or
+# more it says how long it took.
 step() {
     say "$1"
     shift
-    "$@" && return 0
+    local start=$SECONDS
+    if "$@"; then
+        [ $((SECONDS - start)) -lt 30 ] || echo "($((SECONDS - start)) s)"
+        return 0
+    fi
     printf '\nFailed. To see it again, run by hand:\n    %s\n' "$*" >&2
     exit 1
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # compare_bits.sh [BUILD...]: runs every demo and its walkers in each build under build/, on one thread and on four and with
-# each of the processor's kernels, and compares every hash. Without arguments: all that are built of release (gcc -O2), clang,
-# debug (-O0), o3, clang-o3, asan, scalar (Eigen without vector instructions) and arm64 (under qemu, see compare_arm64.sh).
+# each of the processor's kernels, and compares every hash. Without arguments: all that are built of release (gcc -O2), clang
+# (-O0), debug (gcc -O0), o3, clang-o3, asan, scalar (Eigen without vector instructions) and arm64 (under qemu, see compare_arm64.sh).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 builds=("$@")

@@ -13,7 +13,7 @@ void assert_no_gl_error([[maybe_unused]] const GladGLContext& gl, [[maybe_unused
     const GLenum error = gl.GetError();
     if (error != GL_NO_ERROR) {
         std::fprintf(stderr, "slipface: GL error 0x%04x in %s\n", error, where);
-        assert(!"GL error");
+        assert(error == GL_NO_ERROR);
     }
 #endif
 }
