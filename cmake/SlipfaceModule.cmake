@@ -25,7 +25,8 @@ function(slipface_compile_rules target)
     if(SLIPFACE_UNITY AND target MATCHES "${SLIPFACE_UNITY_TARGETS}")
         set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
         # Names of files' own meet in one translation unit; a build without SLIPFACE_UNITY is told of real shadows.
-        target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-Wno-shadow -Wno-subobject-linkage>)
+        target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-Wno-shadow>
+            $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
     endif()
     # The program's own two files would wait longer for a header of their kind than they gain by it; the libraries for C and
     # Python hide their names, and a precompiled header has to agree in that.
