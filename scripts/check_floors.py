@@ -3,11 +3,13 @@
 
 An engine module's floor in docs/design.md is above those of the modules that it depends on in CMake. The editor's parts stand in
 the table in the order of their floors. A file includes only its own module and those that CMake links to it; the parts that say so
-link neither ImGui nor OpenGL.
+link neither ImGui nor OpenGL. And no two files define a type of the same name: the linker keeps one of both types' inline
+functions, and what used the other one goes wrong without a warning.
 """
 import re
 import subprocess
 import sys
+from collections import defaultdict
 from pathlib import Path
 
 root = Path(__file__).resolve().parent.parent
@@ -54,6 +56,18 @@ def closure(name, seen):
     return seen
 
 
+def types_of(text):
+    """The types that a formatted file defines, as namespace::name, without those of anonymous namespaces."""
+    spaces = []
+    for line in text.splitlines():
+        if opened := re.match(r"(?:inline )?namespace ([\w:]*) ?{$", line):
+            spaces.append(opened[1])
+        elif re.match(r"}  // namespace", line) and spaces:
+            spaces.pop()
+        elif "" not in spaces and (named := re.match(r"(?:struct|class|union) (\w+)(?: final)?(?: :.*)? {", line)):
+            yield "::".join([*spaces, named[1]])
+
+
 below = {name: closure(name, {name}) for name in depends}
 for name, text in parts:
     promised = {"IMGUI_LIBRARY", "engine/render"} if "ImGui nor OpenGL" in text else \
@@ -62,14 +76,21 @@ for name, text in parts:
         bad.append(f"editor/CMakeLists.txt: {name} links {library}, which docs/design.md excludes")
 sources = subprocess.check_output(["git", "ls-files", "engine/*.h", "engine/*.cpp", "editor/*.h", "editor/*.cpp"],
                                   cwd=root, text=True).split()
+defined = defaultdict(set)  # type -> the files that define it
 for source in sources:
     module = "/".join(source.split("/")[:2])
-    if module not in depends or not (root / source).exists():
+    if not (root / source).exists():
+        continue
+    text = (root / source).read_text()
+    for name in types_of(text):
+        defined[name].add(source)
+    if module not in depends:
         continue  # editor/main.cpp links everything
-    for include in re.findall(r'^#include "([^"]+)"', (root / source).read_text(), re.M):
+    for include in re.findall(r'^#include "([^"]+)"', text, re.M):
         first, second = (include.split("/") + ["", ""])[:2]
         other = "engine/" + second if first == "slipface" else "editor/" + first
         if other in depends and other not in below[module]:
             bad.append(f"{source}: includes {include}, but {module} does not link {other}")
+bad += [f"{' and '.join(sorted(files))}: both define {name}" for name, files in sorted(defined.items()) if len(files) > 1]
 print("\n".join(bad))
 sys.exit(1 if bad else 0)

@@ -37,11 +37,11 @@ class Finder {
           similar_(mesh, index),
           parts_(parts.parts.size()) {}
 
-    std::vector<Motion> run() && {
+    std::vector<PartMotion> run() && {
         for (std::size_t part = 0; part < parts_.size(); ++part)
             find(part);
         vote();
-        std::vector<Motion> motions;
+        std::vector<PartMotion> motions;
         for (Part& part : parts_) {
             part.best.flipped = support_.is_flipped(motions.size(), part.best);
             part.best.lost = !support_.points(motions.size()).empty() &&
@@ -54,16 +54,16 @@ class Finder {
 
   private:
     struct Part {
-        Motion best;
-        Support best_support, staying;
+        PartMotion best;
+        MotionSupport best_support, staying;
         double best_rating = 0.0;
         bool searched = false;
     };
 
-    void consider(std::size_t i, const Motion& motion) {
+    void consider(std::size_t i, const PartMotion& motion) {
         Part& part = parts_[i];
         ++guesses_;
-        Support found = support_.support(i, motion, enough_anchors);
+        MotionSupport found = support_.support(i, motion, enough_anchors);
         if (found.corners < enough_anchors || found.sum() < part.best_support.sum() - vote_slack) return;
         found.ranks = support_.ranks_kept(i, motion);
         // What explains all needs to explain only a little more than staying does.
@@ -87,7 +87,7 @@ class Finder {
 
     void find(std::size_t i) {
         Part& part = parts_[i];
-        part.staying = support_.support(i, Motion{}, 0.0);
+        part.staying = support_.support(i, PartMotion{}, 0.0);
         part.best_support = part.staying;
         if (support_.points(i).size() < 3 || part.staying.corners >= in_place) return;
         part.searched = true;
@@ -134,7 +134,8 @@ class Finder {
             }
             if (!fits) continue;
             for (const bool mirrored : {false, true})
-                if (const std::optional<Motion> motion = fit_affine(from, to, mirrored)) consider(i, *motion);
+                if (const std::optional<PartMotion> motion = fit_affine(from, to, mirrored))
+                    consider(i, *motion);
         }
     }
 
@@ -158,7 +159,7 @@ class Finder {
     }
 
     void try_box(std::size_t i, const Aabb& from, const Aabb& to) {
-        for (const Motion& motion : box_motions(from, to))
+        for (const PartMotion& motion : box_motions(from, to))
             consider(i, motion);
     }
 
@@ -191,7 +192,7 @@ class Finder {
             if (++used > 3) break;
             for (std::size_t k = 0; k < anchor.faces.size() && k < max_candidates_per_anchor; ++k) {
                 if (guesses_ - begin > max_guesses_per_part || guesses_ > max_guesses) return;
-                for (const Motion& motion : similar_.motions(*anchor.corners, anchor.faces[k]))
+                for (const PartMotion& motion : similar_.motions(*anchor.corners, anchor.faces[k]))
                     refine_and_consider(i, motion);
             }
             if (parts_[i].best_support.sum() > 1.9 && !parts_[i].best.is_identity()) break;
@@ -200,7 +201,7 @@ class Finder {
 
     // A motion from one small face is not exact far from it: it is fitted again to all corners that it nearly
     // hits.
-    void refine_and_consider(std::size_t i, const Motion& rough) {
+    void refine_and_consider(std::size_t i, const PartMotion& rough) {
         const std::vector<Vec3>& points = support_.points(i);
         ++guesses_;
         std::vector<Vec3> from, to;
@@ -225,29 +226,29 @@ class Finder {
         const bool flat = (stored_.parts[i].box.size().minCoeff() <= 0.0);
         consider(i, rough);
         // A flat part's reflection is lost in a fit, so it is put back after it.
-        if (const std::optional<Motion> fitted =
+        if (const std::optional<PartMotion> fitted =
                 fit_similarity(old_points, columns(to), rough.linear.determinant() < 0.0);
             fitted && !flat)
             consider(i, *fitted);
         if (flat) {
-            if (const std::optional<Motion> fitted = fit_similarity(old_points, columns(to), false))
+            if (const std::optional<PartMotion> fitted = fit_similarity(old_points, columns(to), false))
                 consider(i, *fitted);
         }
     }
 
-    static bool same(const Motion& a, const Motion& b, const Aabb& box) {
+    static bool same(const PartMotion& a, const PartMotion& b, const Aabb& box) {
         const double size = 1e-4 * (box.size().norm() + 1.0);
         return (a(box.min) - b(box.min)).norm() < size && (a(box.max) - b(box.max)).norm() < size &&
                (a(box.centre()) - b(box.centre())).norm() < size &&
                (a.linear - b.linear).norm() < 1e-3 * (a.linear.norm() + b.linear.norm());
     }
 
-    void add_candidate(std::size_t i, const Motion& motion) {
+    void add_candidate(std::size_t i, const PartMotion& motion) {
         constexpr std::size_t max_of_part = 100;
         if (i != candidates_part_) candidates_of_part_ = 0;
         candidates_part_ = i;
         if (candidates_.size() == max_candidates || candidates_of_part_ == max_of_part) return;
-        for (const Motion& known : candidates_)
+        for (const PartMotion& known : candidates_)
             if (same(known, motion, stored_.parts[i].box)) return;
         candidates_.push_back(motion);
         ++candidates_of_part_;
@@ -266,7 +267,7 @@ class Finder {
             Voter voter{i, {}};
             for (std::size_t k = 0; k < candidates_.size() && votes_ < max_guesses; ++k) {
                 ++votes_;
-                const Support found = support_.support(i, candidates_[k], enough_anchors);
+                const MotionSupport found = support_.support(i, candidates_[k], enough_anchors);
                 if (found.corners >= enough_anchors &&
                     found.sum() >= parts_[i].best_support.sum() - vote_slack &&
                     !support_.is_taken(i, candidates_[k]) && support_.fills_box(i, candidates_[k]))
@@ -303,7 +304,7 @@ class Finder {
             const Aabb& box = stored_.parts[voter.part].box;
             const double moved = (part.best(box.centre()) - box.centre()).norm();
             if (moved <= box_slack * box.size().norm() || !support_.has_similar_box(voter.part)) continue;
-            part.best = Motion{};
+            part.best = PartMotion{};
             part.best_support = part.staying;
         }
     }
@@ -314,20 +315,20 @@ class Finder {
     PartSupport support_;
     SimilarFaces similar_;
     std::vector<Part> parts_;
-    std::vector<Motion> known_;       // the parts' best, to be tried with the next parts
-    std::vector<Motion> candidates_;  // all that nearly explain as much
+    std::vector<PartMotion> known_;       // the parts' best, to be tried with the next parts
+    std::vector<PartMotion> candidates_;  // all that nearly explain as much
     std::size_t candidates_part_ = 0, candidates_of_part_ = 0, votes_ = 0;
     std::size_t guesses_ = 0;
 };
 
 }  // namespace
 
-std::vector<Motion> find_motions(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces,
-                                 const PaintParts& parts, const std::vector<const FaceKey*>& keys) {
+std::vector<PartMotion> find_motions(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces,
+                                     const PaintParts& parts, const std::vector<const FaceKey*>& keys) {
     return Finder(mesh, index, surfaces, parts, keys).run();
 }
 
-FaceKey moved_key(const FaceKey& key, const Motion& motion) {
+FaceKey moved_key(const FaceKey& key, const PartMotion& motion) {
     if (motion.is_identity()) return key;
     FaceKey moved = key;
     moved.loop_hash = 0;
