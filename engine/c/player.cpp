@@ -1,5 +1,6 @@
 #include "calls.h"
 #include "slipface/base/parallel.h"
+#include "slipface/movement/crowd.h"
 
 using namespace slipface;
 using namespace slipface::c;
@@ -175,6 +176,25 @@ slipface_status slipface_step_many(slipface_world world, slipface_settings setti
                 players[i] = player_of(
                     step(*in->now, with->values, state_of(*in, players[i]), input_of(inputs[i]), dt).state);
         });
+    });
+}
+
+slipface_status slipface_step_crowd(slipface_world world, const slipface_settings* settings,
+                                    slipface_player* players, const slipface_input* inputs, size_t count,
+                                    double dt, slipface_error* error) {
+    return run(error, [&] {
+        if (count > 0) need("settings, players and inputs", settings, players, inputs);
+        need_dt(dt);
+        const SharedWorld in(world.id);
+        std::vector<MovementSettings> values(count);
+        std::vector<CrowdMember> crowd(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            values[i] = SharedSettings(settings[i].id)->values;
+            crowd[i] = {&values[i], state_of(*in, players[i]), input_of(inputs[i])};
+        }
+        step_crowd(*in->now, crowd, dt);
+        for (std::size_t i = 0; i < count; ++i)
+            players[i] = player_of(crowd[i].state);
     });
 }
 

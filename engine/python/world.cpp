@@ -4,6 +4,7 @@
 #include "module.h"
 #include "slipface/base/parallel.h"
 #include "slipface/collision/filter.h"
+#include "slipface/movement/crowd.h"
 
 namespace slipface::python {
 namespace {
@@ -252,15 +253,19 @@ PlayerState player_at(World& world, const Triple& position) {
     return state;
 }
 
-PlayerState stepped(World& world, const PlayerState& player, const MovementSettings& settings,
-                    const std::array<double, 2>& wish, bool jump, double dt, const py::object& trace) {
-    if (!(dt >= 1e-4) || !std::isfinite(dt)) throw py::value_error("dt: expected 1e-4 or more");
+void check_player(const MovementScene& now, const PlayerState& player, const std::array<double, 2>& wish) {
     if (!std::isfinite(wish[0]) || !std::isfinite(wish[1]))
         throw py::value_error("wish: expected finite numbers");
-    const MovementScene now = world.now();
     if (player.ground_surface >= now.surfaces.size() ||
         (player.ground_platform != no_id && player.ground_platform >= now.platforms.size()))
         throw py::value_error("the player comes from another world");
+}
+
+PlayerState stepped(World& world, const PlayerState& player, const MovementSettings& settings,
+                    const std::array<double, 2>& wish, bool jump, double dt, const py::object& trace) {
+    if (!(dt >= 1e-4) || !std::isfinite(dt)) throw py::value_error("dt: expected 1e-4 or more");
+    const MovementScene now = world.now();
+    check_player(now, player, wish);
     TraceRecorder recorder;
     const PlayerState next = step(now, settings, player, {.wish = {wish[0], wish[1]}, .jump = jump}, dt,
                                   trace.is_none() ? nullptr : &recorder)
@@ -268,6 +273,35 @@ PlayerState stepped(World& world, const PlayerState& player, const MovementSetti
     if (!trace.is_none())
         for (const TraceRecord& record : recorder.records)
             trace.attr("append")(record_dict(record));
+    return next;
+}
+
+std::vector<PlayerState> crowd_stepped(World& world, const std::vector<PlayerState>& players,
+                                       const std::vector<MovementSettings>& settings,
+                                       const std::vector<std::array<double, 2>>& wishes,
+                                       const std::vector<bool>& jumps, double dt) {
+    if (!(dt >= 1e-4) || !std::isfinite(dt)) throw py::value_error("dt: expected 1e-4 or more");
+    for (const std::size_t size :
+         {settings.size(), wishes.size(), jumps.empty() ? players.size() : jumps.size()})
+        if (size != players.size())
+            throw py::value_error("found " + std::to_string(size) + " for " + std::to_string(players.size()) +
+                                  " players, expected settings, wishes and jumps for each player");
+    const MovementScene now = world.now();
+    std::vector<CrowdMember> crowd;
+    for (std::size_t i = 0; i < players.size(); ++i) {
+        check_player(now, players[i], wishes[i]);
+        crowd.push_back({&settings[i],
+                         players[i],
+                         {.wish = {wishes[i][0], wishes[i][1]}, .jump = !jumps.empty() && jumps[i]}});
+    }
+    {
+        const std::shared_lock lock(world.in_use);
+        const py::gil_scoped_release others;
+        step_crowd(now, crowd, dt);
+    }
+    std::vector<PlayerState> next;
+    for (const CrowdMember& member : crowd)
+        next.push_back(member.state);
     return next;
 }
 
@@ -406,6 +440,10 @@ void add_world(py::module_& module) {
              "The player dt seconds later. wish: (x, z), a fraction of the walking speed. trace: a list, to "
              "which "
              "what happened is appended")
+        .def(
+            "step_crowd", &crowd_stepped, py::arg("players"), py::arg("settings"), py::arg("wishes"),
+            py::arg("jumps") = std::vector<bool>{}, py::arg("dt") = 1.0 / 60.0,
+            "The players dt seconds later; they push each other and stand on each other. Lists of one length")
         .def(
             "change_body",
             [](World& world, const PlayerState& player, const MovementSettings& settings,

@@ -23,10 +23,18 @@ Result<std::unique_ptr<GeometricManager>> GeometricManager::make(Level level) {
 void GeometricManager::on_tick(double seconds) {
     const MovementScene scene = scene_->at(time_s_, seconds);
     time_s_ += seconds;
+    crowd_.clear();
     for (Character* character : characters_) {
-        character->state =
-            step(scene, character->settings, character->state, character->input, seconds).state;
+        if (character->meets_others)
+            crowd_.push_back({&character->settings, character->state, character->input});
+        else
+            character->state =
+                step(scene, character->settings, character->state, character->input, seconds).state;
     }
+    step_crowd(scene, crowd_, seconds);
+    auto moved = crowd_.begin();
+    for (Character* character : characters_)
+        if (character->meets_others) character->state = (moved++)->state;
 }
 
 void GeometricManager::on_draw(Graphics& graphics) {

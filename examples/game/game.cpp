@@ -15,6 +15,17 @@ void Coin::on_draw(Graphics& graphics) const {
     graphics.draw_ellipsoid(position, {0.05 + 0.25 * turn, 0.3, 0.05 + 0.25 * (1.0 - turn)});
 }
 
+// Half the walking speed, in the direction in which there is floor a metre ahead.
+void Islander::on_tick(double) {
+    const MovementScene scene = level_.scene();
+    const Vec3 ahead(std::cos(heading_), 0.0, std::sin(heading_));
+    const Vec3 from = position_in_scene(scene, state) + ahead;
+    const auto floor = first_contact(scene, 0.9 * settings.radii, from, {0.0, -0.5, 0.0});
+    const bool free = floor && floor->t > 0.0 && floor->normal.y() > 0.8;
+    if (!free) heading_ += 0.7;
+    input.wish = free ? Vec2(0.5 * ahead.x(), 0.5 * ahead.z()) : Vec2::Zero();
+}
+
 Result<std::unique_ptr<Game>> Game::open(const std::filesystem::path& path) {
     Result<LoadedLevel> loaded = load_level(path);
     if (!loaded) return loaded.error();
@@ -30,13 +41,13 @@ Result<std::unique_ptr<Game>> Game::open(const std::filesystem::path& path) {
     game->start_ = start->position;
     game->yaw_ = start->yaw;
     game->lowest_ = game->level_->level().fall_limit.value_or(start->position.y() - 40.0);
-    game->lay_coins();
+    game->lay_coins_and_islanders();
     return game;
 }
 
 // Rings around the start; a coin where a ray down finds a floor that one can stand on, as high as a head
-// above it.
-void Game::lay_coins() {
+// above it. One islander per ring stands where a coin would.
+void Game::lay_coins_and_islanders() {
     const MovementScene scene = level_->scene();
     const Vec3 offset = position_in_scene(scene, player_->state) - start_;
     for (int ring = 1; ring <= 4; ++ring) {
@@ -48,7 +59,13 @@ void Game::lay_coins() {
             const auto floor = first_contact(scene, radii, above + offset, {0.0, -8.0, 0.0});
             if (!floor || floor->normal.y() < 0.8 || scene.surfaces[floor->surface].hazardous) continue;
             const Vec3 centre = above + Vec3(0.0, -8.0 * floor->t, 0.0);
-            coins_.push_back(&world_.make_entity<Coin>(centre));
+            if (i == ring) {
+                auto& islander = world_.make_entity<Islander>(*level_);
+                islander.settings = level_->level().movement;
+                islander.state = level_->player_at(centre + Vec3(0.0, 0.1, 0.0));
+            } else {
+                coins_.push_back(&world_.make_entity<Coin>(centre));
+            }
         }
     }
 }

@@ -1,5 +1,5 @@
-// A small game on Slipface::world: a level, coins to collect, platforms that move, death and respawn, and a
-// camera behind the player that no wall hides.
+// A small game on Slipface::world: a level, coins to collect, platforms that move, islanders to push and to
+// stand on, death and respawn, and a camera behind the player that no wall hides.
 #pragma once
 
 #include <slipface/view/camera.h>
@@ -15,6 +15,17 @@ class Coin : public slipface::Entity {
     double age_s = 0.0;
     void on_tick(double seconds) override { age_s += seconds; }
     void on_draw(slipface::Graphics& graphics) const override;
+};
+
+// An islander walks about, and turns where there is no floor ahead. The player can push it and stand on it.
+class Islander : public slipface::Character {
+  public:
+    explicit Islander(slipface::GeometricManager& level) : level_(level) {}
+    void on_tick(double seconds) override;
+
+  private:
+    slipface::GeometricManager& level_;
+    double heading_ = 0.0;
 };
 
 // What the player presses.
@@ -44,7 +55,7 @@ class Game {
 
   private:
     Game() = default;
-    void lay_coins();
+    void lay_coins_and_islanders();
     void collect();
     void respawn();
 

@@ -10,6 +10,7 @@
 #include "collision/scenes.h"
 #include "slipface/collision/filter.h"
 #include "slipface/level/level_file.h"
+#include "slipface/movement/crowd.h"
 
 namespace slipface {
 namespace {
@@ -223,6 +224,53 @@ TEST(C, ManyPlayersMoveAsEachAlone) {
     EXPECT_EQ(std::memcmp(many.data(), alone.data(), many.size() * sizeof many[0]), 0);
     OK(slipface_world_free(world, &error));
     OK(slipface_settings_free(settings, &error));
+}
+
+TEST(C, ACrowdMovesAsInCpp) {
+    Random random(17);
+    const Twin twin(random);
+    slipface_world world{};
+    slipface_settings settings[2] = {};
+    slipface_error error;
+    OK(slipface_world_from_triangles(&twin.view, &world, &error));
+    for (slipface_settings& one : settings)
+        OK(slipface_settings_new(nullptr, &one, &error));
+    OK(slipface_settings_set(settings[1], "radius_y=0.5", &error));
+    std::vector<MovementSettings> values(2);
+    values[1].radii.y() = 0.5;
+    const std::vector<SurfaceType> types = preset_surface_types();
+    const CollisionWorld twin_world = twin.world(types);
+    std::vector<slipface_settings> each;
+    std::vector<slipface_player> players(40);
+    std::vector<slipface_input> inputs;
+    std::vector<CrowdMember> crowd;
+    for (std::size_t i = 0; i < players.size(); ++i) {
+        const Vec3 position = Vec3(3, 4, 3) + random.in_box(2);
+        OK(slipface_player_at(world, c_of(position), &players[i], &error));
+        inputs.push_back({random.uniform(-1, 1), random.uniform(-1, 1), 0});
+        each.push_back(settings[i % 2]);
+        CrowdMember member;
+        member.settings = &values[i % 2];
+        member.state.position = position;
+        member.input.wish = {inputs[i].wish_x, inputs[i].wish_z};
+        crowd.push_back(member);
+    }
+    for (int tick = 0; tick < 60; ++tick) {
+        OK(slipface_step_crowd(world, each.data(), players.data(), inputs.data(), players.size(), 1.0 / 60,
+                               &error));
+        step_crowd({.collision = twin_world, .surfaces = types}, crowd, 1.0 / 60);
+    }
+    for (std::size_t i = 0; i < players.size(); ++i)
+        EXPECT_EQ(players[i].position.y, crowd[i].state.position.y()) << i;
+    each[3].id = 0;
+    const slipface_player before = players[0];
+    EXPECT_EQ(slipface_step_crowd(world, each.data(), players.data(), inputs.data(), players.size(), 1.0 / 60,
+                                  &error),
+              SLIPFACE_WRONG_HANDLE);
+    EXPECT_EQ(std::memcmp(&before, &players[0], sizeof before), 0);
+    OK(slipface_world_free(world, &error));
+    OK(slipface_settings_free(settings[0], &error));
+    OK(slipface_settings_free(settings[1], &error));
 }
 
 TEST(C, ALiftCarriesAPlayerAndTurns) {

@@ -33,6 +33,25 @@ def random_world(rng, count=300):
                           1 << rng.integers(0, 3, count))
 
 
+class Crowds(unittest.TestCase):
+    def test_one_stands_on_another_and_is_carried(self):
+        world, settings = slipface.World(*SQUARE), [slipface.Settings("platformer")] * 2
+        players = [world.player((0, 0.902, 0)), world.player((0, 3, 0))]
+        for tick in range(120):
+            players = world.step_crowd(players, settings, [(0, 0.5 if tick >= 60 else 0), (0, 0)])
+        self.assertTrue(players[1].grounded)
+        self.assertGreater(players[0].position[2], 1)
+        self.assertAlmostEqual(players[1].position[2], players[0].position[2], 6)
+        self.assertEqual(world.step_crowd(players[::-1], settings, [(0, 0)] * 2)[0].position,
+                         world.step_crowd(players, settings, [(0, 0)] * 2)[1].position)
+
+    def test_lists_of_different_lengths_are_refused(self):
+        world, settings = slipface.World(*SQUARE), slipface.Settings("platformer")
+        with self.assertRaisesRegex(ValueError, "found 1 for 2 players"):
+            world.step_crowd([world.player((0, 1, 0))] * 2, [settings], [(0, 0)] * 2)
+        self.assertEqual(world.step_crowd([], [], []), [])
+
+
 class Queries(unittest.TestCase):
     def test_many_sweeps_are_those_one_by_one(self):
         rng = numpy.random.default_rng(1)

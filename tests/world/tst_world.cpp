@@ -173,6 +173,23 @@ TEST(GeometricManager, MovesEachCharacterAsStepDoes) {
     EXPECT_NEAR(idler.state.position.y(), 0.902, 0.002);
 }
 
+TEST(GeometricManager, CharactersPushEachOtherUnlessTheyAreToldNotTo) {
+    for (const bool meets : {true, false}) {
+        World world;
+        add_floor(world);
+        auto& walker = world.make_entity<Character>();
+        auto& idler = world.make_entity<Character>();
+        walker.state.position = Vec3(0, 0.902, 0);
+        idler.state.position = Vec3(0, 0.902, -2);
+        walker.input.wish = Vec2(0, -1);
+        walker.meets_others = meets;
+        for (int i = 0; i < 60; ++i)
+            world.tick(1.0 / 60);
+        EXPECT_EQ(idler.state.position.z() < -2.5, meets);
+        EXPECT_EQ(walker.state.position.z() < idler.state.position.z(), !meets);
+    }
+}
+
 // Leaves in its first tick, before the manager's, and is destroyed after both.
 class LeavingCharacter : public Character {
   public:

@@ -274,10 +274,15 @@ SLIPFACE_API slipface_status slipface_step(slipface_world world, slipface_settin
                                            const slipface_player* player, const slipface_input* input,
                                            double dt, slipface_trace trace, void* user, slipface_player* next,
                                            slipface_error* error);
-/* `count` players, each with its input, on all processors; they do not meet each other. Changes `players`. */
+/* `count` players, each with its input, on all processors; they pass through each other. Changes `players`. */
 SLIPFACE_API slipface_status slipface_step_many(slipface_world world, slipface_settings settings,
                                                 slipface_player* players, const slipface_input* inputs,
                                                 size_t count, double dt, slipface_error* error);
+/* `count` players that push each other and stand on each other. `settings` has the settings of each player.
+ * The order of the players changes no bit. Changes `players`. */
+SLIPFACE_API slipface_status slipface_step_crowd(slipface_world world, const slipface_settings* settings,
+                                                 slipface_player* players, const slipface_input* inputs,
+                                                 size_t count, double dt, slipface_error* error);
 /* The player with another body, its feet where they are: to crouch, to stand up. *done 0: there is no room,
  * and *next is the player as it was. Later steps need settings with the new radii. */
 SLIPFACE_API slipface_status slipface_change_body(slipface_world world, slipface_settings settings,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "slipface/level/level_scene.h"
-#include "slipface/movement/step.h"
+#include "slipface/movement/crowd.h"
 #include "slipface/world/world.h"
 
 namespace slipface {
@@ -15,6 +15,7 @@ class Character : public Entity {
     PlayerState state;  // initialise with GeometricManager::player_at
     PlayerInput input;  // set by the game before each tick
     MovementSettings settings;
+    bool meets_others = true;  // false: other characters pass through it
     // The position in coordinates of the level, like the level's spawn and cameras: for drawing and for a
     // camera that follows. Without a GeometricManager in the world: state.position.
     Vec3 position() const;
@@ -30,8 +31,8 @@ class GeometricManager : public Manager {
     // Errors: a level without geometry, or with geometry that collision refuses.
     static Result<std::unique_ptr<GeometricManager>> make(Level level);
 
-    // Advances the platforms, then calls step() for each Character, in the order in which they were added.
-    // With `seconds` outside 1e-4 to 0.25 the characters do not move. A character that touched a hazard has
+    // Advances the platforms, then moves all characters together (step_crowd()); one that does not meet others
+    // moves by step() alone. With `seconds` below 1e-4 the characters do not move. A character that touched a hazard has
     // state.hazard set; the game decides what follows.
     void on_tick(double seconds) override;
     void on_draw(Graphics& graphics) override;  // draws the level at time_s(); the world draws the entities
@@ -54,6 +55,7 @@ class GeometricManager : public Manager {
     std::optional<LevelScene> scene_;  // of level_
     double time_s_ = 0.0;
     std::vector<Character*> characters_;
+    std::vector<CrowdMember> crowd_;  // of one tick
 };
 
 }  // namespace slipface
