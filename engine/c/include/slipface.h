@@ -274,7 +274,8 @@ SLIPFACE_API slipface_status slipface_step(slipface_world world, slipface_settin
                                            const slipface_player* player, const slipface_input* input,
                                            double dt, slipface_trace trace, void* user, slipface_player* next,
                                            slipface_error* error);
-/* `count` players, each with its input, on all processors; they pass through each other. Changes `players`. */
+/* `count` players, each with its input, on all processors; they pass through each other. Changes `players`.
+ */
 SLIPFACE_API slipface_status slipface_step_many(slipface_world world, slipface_settings settings,
                                                 slipface_player* players, const slipface_input* inputs,
                                                 size_t count, double dt, slipface_error* error);

@@ -31,9 +31,9 @@ class GeometricManager : public Manager {
     // Errors: a level without geometry, or with geometry that collision refuses.
     static Result<std::unique_ptr<GeometricManager>> make(Level level);
 
-    // Advances the platforms, then moves all characters together (step_crowd()); one that does not meet others
-    // moves by step() alone. With `seconds` below 1e-4 the characters do not move. A character that touched a hazard has
-    // state.hazard set; the game decides what follows.
+    // Advances the platforms, then moves all characters together (step_crowd()); one that does not meet
+    // others moves by step() alone. With `seconds` below 1e-4 the characters do not move. A character that
+    // touched a hazard has state.hazard set; the game decides what follows.
     void on_tick(double seconds) override;
     void on_draw(Graphics& graphics) override;  // draws the level at time_s(); the world draws the entities
     void on_entity_added(Entity& entity) override;
