@@ -46,7 +46,7 @@ set(SLIPFACE_PRECOMPILED
     "^tests_editor$|test_editor|precompiled_test_editor.h|slipface_editor_widgets slipface_editor_tools GTest::gmock"
     "^tests_(level|levels|c|doctor|exchange|world|sim|reach|recast|repair|scenes|render|snapshot|cli)$|test_level|precompiled_test_level.h|slipface_level GTest::gmock"
     "^tests_|test|precompiled_test.h|GTest::gmock"
-    "^slipface_(level|doctor|exchange|light|world|sim|reach|repair|scenes|render|editor_goldens|editor_snapshots|editor_document|editor_tools|cli)$|level|precompiled_level.h|slipface_level"
+    "^slipface_(level|doctor|exchange|light|world|sim|reach|repair|scenes|render|editor_goldens|editor_snapshots|editor_document|editor_tools|editor_nightly|cli)$|level|precompiled_level.h|slipface_level"
     "^slipface_editor_(panels|app|snapshot_verb)$|editor|precompiled_editor.h|slipface_editor_widgets slipface_editor_tools"
     "|library|precompiled.h|")
 

@@ -14,6 +14,7 @@
 #include "cli/manual.h"
 #include "cli/verbs.h"
 #include "document/folders.h"
+#include "nightly/nightly_verb.h"
 #include "slipface/base/files.h"
 #include "slipface/mesh/scene_child.h"
 #include "snapshot_verb/snapshot_verb.h"
@@ -214,6 +215,7 @@ int run(int argument_count, char** arguments) {
     int exit_code = cli::exit_fine;
     add_edit_verb(app, exit_code);
     add_snapshot_verb(app, exit_code);
+    add_nightly_verb(app, exit_code);
     add_samples_verb(app, exit_code);
     add_docs_verb(app, exit_code);
     cli::add_data_verbs(app, exit_code);

@@ -27,7 +27,7 @@ packages=(
 test_packages=(libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev librecast-dev
     pybind11-dev python3-dev python3-numpy)
 # What the checks of .ci/run need besides.
-check_packages=(clang clang-format clang-tidy libclang-rt-14-dev mmdebstrap)
+check_packages=(clang clang-format clang-tidy libclang-rt-14-dev mmdebstrap python3-yaml)
 
 # What the documents as a site need (scripts/build_docs.sh).
 docs_packages=(mkdocs mkdocs-material doxygen fonts-inter python3)

@@ -6,18 +6,13 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
-#include <mutex>
 
 #include "cli/format.h"
 #include "cli/guarded.h"
-#include "cli/options.h"
+#include "cli/play.h"
 #include "cli/verbs.h"
 #include "slipface/base/files.h"
-#include "slipface/base/parallel.h"
 #include "slipface/base/text.h"
-#include "slipface/level/find_start.h"
-#include "slipface/level/level_file.h"
-#include "slipface/level/preset.h"
 #include "slipface/reach/search.h"
 
 namespace slipface::cli {
@@ -52,23 +47,20 @@ Result<AuditOptions> audit_options(const AuditWords& words) {
             options.speeds.push_back(*speed);
         }
     }
-    if (!words.shard.empty()) {
-        const Result<Shard> shard = parse_shard(words.shard, "--shard");
-        if (!shard) return shard.error();
-        options.shard = *shard;
-    }
+    options.shard = shard_of(words.shard);
     return options;
 }
 
 // Places that a search reached: "reached", "reached:300" rounds, or a file of `slipface reach --out`.
 Result<std::vector<Vec3>> reached_starts(const Level& level, const Vec3& spawn, const AuditWords& words,
-                                         double dt) {
+                                         double dt, Team* team) {
     constexpr std::string_view reached = "reached";
     constexpr std::uint64_t usual_rounds = 200;
     const bool anew = words.starts.starts_with(reached) &&
                       (words.starts.size() == reached.size() || words.starts[reached.size()] == ':');
     ReachLimits limits;
     limits.rounds = usual_rounds;
+    limits.team = team;
     if (anew && words.starts.size() > reached.size()) {
         const auto rounds = parse_int(words.starts.substr(reached.size() + 1));
         if (!rounds || *rounds < 1)
@@ -147,39 +139,45 @@ int deliver(const AuditReport& report, bool json, const std::string& file, doubl
     return report.clean() ? exit_fine : exit_check_failed;
 }
 
-int run(const AuditWords& words) {
+// Each process runs a part of the walkers, as one of --shard would.
+Result<AuditReport> audit_in_team(const Level& level, AuditOptions options, Team& team) {
+    options.shard = {static_cast<std::uint32_t>(team.rank() + 1), static_cast<std::uint32_t>(team.size())};
+    const Result<AuditReport> mine = run_audit(level, options);
+    if (Status status = agree(team, mine ? Status() : mine.error()); !status) return status.error();
+    const std::vector<std::string> texts = team.gather(audit_to_json(*mine));
+    if (team.rank() != 0) return *mine;
+    std::vector<AuditPart> parts;
+    for (std::size_t rank = 0; rank < texts.size(); ++rank) {
+        Result<AuditReport> part = audit_from_json(texts[rank], team.name_of(rank));
+        if (!part) return part.error();
+        parts.push_back({team.name_of(rank), std::move(*part)});
+    }
+    return merge_audits(parts);
+}
+
+int run(const AuditWords& words, Team* team) {
     Result<AuditOptions> options = audit_options(words);
-    if (!options) return print_error(std::cerr, options.error()), exit_bad_usage;
-    Result<LoadedLevel> loaded = load_level(words.level);
-    if (!loaded) return print_error(std::cerr, loaded.error()), exit_bad_input;
-    print_warnings(std::cerr, loaded->warnings);
-    if (!words.preset.empty()) {
-        const Result<Preset> preset = find_preset(words.preset);
-        if (!preset) return print_error(std::cerr, {"--preset", preset.error().text()}), exit_bad_input;
-        loaded->level.movement = preset->settings;
-    }
-    for (const std::string& assignment : words.settings) {
-        if (const Status status = set_setting(loaded->level.movement, assignment); !status.ok())
-            return print_error(std::cerr, {"--set " + assignment, status.error().message}), exit_bad_input;
-    }
-    const Result<Start> start = settle_start(loaded->level, words.spawn);
-    if (!start) return print_error(std::cerr, {"--spawn", start.error().message}), exit_bad_input;
-    if (!start->stands)
-        return print_error(std::cerr, {loaded->level.mesh_path.string(), start->note}), exit_bad_input;
-    if (!start->note.empty()) print_warnings(std::cerr, {{loaded->level.mesh_path.string(), start->note}});
-    std::optional<ThreadLimit> limit;
-    if (words.threads > 0) limit.emplace(words.threads);
+    Status usable = options ? Status() : options.error();
+    if (team != nullptr) usable = agree(*team, usable);
+    if (!usable) return fail(usable.error(), team) == exit_fine ? exit_fine : exit_bad_usage;
+    const Result<std::unique_ptr<Play>> play = load_play(words, team);
+    if (!play) return fail(play.error(), team);
+    const Level& level = (*play)->level;
     if (!words.starts.empty()) {
-        auto starts = reached_starts(loaded->level, start->position, words, options->dt);
-        if (!starts) return print_error(std::cerr, starts.error()), exit_bad_input;
+        auto starts = reached_starts(level, (*play)->start, words, options->dt, team);
+        Status status = starts ? Status() : starts.error();
+        if (team != nullptr) status = agree(*team, status);
+        if (!status) return fail(status.error(), team);
         options->starts = std::move(*starts);
     }
     const auto begin = std::chrono::steady_clock::now();
-    const Result<AuditReport> report = run_audit(loaded->level, *options);
+    const Result<AuditReport> report =
+        team != nullptr ? audit_in_team(level, *options, *team) : run_audit(level, *options);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    if (!report) return print_error(std::cerr, report.error()), exit_bad_input;
+    if (!report) return fail(report.error(), team);
+    if (!is_first(team)) return exit_fine;
     if (!words.tapes.empty()) {
-        if (const Status status = write_tapes(words.tapes, loaded->level, *options, *report); !status.ok())
+        if (const Status status = write_tapes(words.tapes, level, *options, *report); !status.ok())
             return print_error(std::cerr, status.error()), exit_bad_input;
     }
     return deliver(*report, words.json, words.out, seconds);
@@ -206,7 +204,7 @@ void add_report_options(CLI::App& verb, AuditWords& words) {
 
 }  // namespace
 
-void add_audit_verb(CLI::App& app, int& exit_code) {
+void add_audit_verb(CLI::App& app, int& exit_code, Team* team) {
     CLI::App* verb = app.add_subcommand("audit", "Find gaps and traps in a level with random walkers");
     auto words = std::make_shared<AuditWords>();
     CLI::Option* level = add_play_options(*verb, *words);
@@ -218,11 +216,18 @@ void add_audit_verb(CLI::App& app, int& exit_code) {
     verb->add_option("--starts", words->starts,
                      "Start wherever a search gets in 200 or so many rounds, or got, instead of at a spawn")
         ->type_name("reached[:ROUNDS]|FILE");
-    verb->add_option("--shard", words->shard, "Run only this part of the walkers, 1/N to N/N")
-        ->type_name("I/N");
+    if (team == nullptr) add_shard_option(*verb, words->shard, "walkers");
     verb->add_option("--tapes", words->tapes, "Folder for a tape of each finding")->type_name("FOLDER");
     verb->add_flag("--heat", words->heat, "Also report totals per face");
     add_report_options(*verb, *words);
+
+    verb->callback([verb, level, words, team, &exit_code] {
+        if (!verb->get_subcommands().empty()) return;
+        if (level->count() == 0) throw CLI::RequiredError("LEVEL");
+        words->all_options = verb->config_to_str();
+        exit_code = guarded([&] { return run(*words, team); });
+    });
+    if (team != nullptr) return;
 
     CLI::App* merge_verb = verb->add_subcommand("merge", "Merge the reports of all shards");
     auto files = std::make_shared<std::vector<std::string>>();
@@ -232,11 +237,6 @@ void add_audit_verb(CLI::App& app, int& exit_code) {
 
     merge_verb->callback([files, merge_words, &exit_code] {
         exit_code = guarded([&] { return merge(*files, *merge_words); });
-    });
-    verb->callback([verb, level, words, &exit_code] {
-        if (!verb->get_subcommands().empty()) return;
-        if (level->count() == 0) throw CLI::RequiredError("LEVEL");
-        exit_code = guarded([&] { return run(*words); });
     });
 }
 

@@ -27,6 +27,20 @@ CLI::Option* add_play_options(CLI::App& verb, PlayWords& words) {
     return level;
 }
 
+CLI::Option* add_shard_option(CLI::App& verb, std::string& words, const std::string& of_what) {
+    return verb.add_option("--shard", words, "Only this part of the " + of_what + ", 1/N to N/N")
+        ->type_name("I/N")
+        ->check([](const std::string& text) {
+            const Result<Shard> shard = parse_shard(text, "");
+            return shard ? std::string() : shard.error().message;
+        });
+}
+
+Shard shard_of(const std::string& words) {
+    const Result<Shard> shard = parse_shard(words, "--shard");
+    return shard ? *shard : Shard{};
+}
+
 std::string whole_number(const std::string& text) {
     std::uint64_t number = 0;
     const char* const end = text.data() + text.size();

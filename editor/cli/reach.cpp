@@ -7,15 +7,11 @@
 
 #include "cli/format.h"
 #include "cli/guarded.h"
-#include "cli/options.h"
+#include "cli/play.h"
 #include "cli/verbs.h"
 #include "slipface/base/files.h"
-#include "slipface/base/parallel.h"
 #include "slipface/base/text.h"
 #include "slipface/exchange/export.h"
-#include "slipface/level/find_start.h"
-#include "slipface/level/level_file.h"
-#include "slipface/level/preset.h"
 #include "slipface/reach/links.h"
 #include "slipface/reach/report.h"
 
@@ -23,9 +19,9 @@ namespace slipface::cli {
 namespace {
 
 struct ReachWords : PlayWords {
-    std::string out, resume, how, tape, tapes, links, before;
+    std::string out, resume, checkpoint, how, tape, tapes, links, before;
     double seconds = 0.0, cell = 0.0;
-    std::uint64_t rounds = 0;
+    std::uint64_t rounds = 0, every = 20;
     bool json = false, check = false;
 };
 
@@ -166,12 +162,22 @@ Status write_links(const ReachSearch& search, const std::filesystem::path& file)
     return export_gltf(search.level(), file, nodes);
 }
 
-int check(const Level& level, const Level& before, const Vec3& start, const ReachWords& words,
-          const ReachOptions& options, const ReachLimits& limits) {
-    const auto answers = check_goals(level, start, options, limits);
-    if (!answers) return bad_input(answers.error());
+int check(const Play& play, const ReachWords& words, const ReachOptions& options, const ReachLimits& limits) {
+    const Level& level = play.level;
+    Level before = play.as_saved;
+    Status status;
+    if (!words.before.empty()) {
+        Result<LoadedLevel> other = load_level(words.before);
+        if (!other) status = other.error();
+        if (other && is_first(limits.team)) print_warnings(std::cerr, other->warnings);
+        if (other) before = std::move(other->level);
+    }
+    if (limits.team != nullptr) status = agree(*limits.team, status);
+    if (!status) return fail(status.error(), limits.team);
+    const auto answers = check_goals(level, play.start, options, limits);
+    if (!answers) return fail(answers.error(), limits.team);
     if (answers->empty())
-        return bad_input({level.file_path.string(), "found no goals, expected some to check"});
+        return fail({level.file_path.string(), "found no goals, expected some to check"}, limits.team);
     bool all = true;
     OutputJson json{{"goals", OutputJson::array()}};
     std::string text;
@@ -182,50 +188,101 @@ int check(const Level& level, const Level& before, const Vec3& start, const Reac
         text += fmt::format("{:<8}{}\n", answer.holds ? "holds" : "BROKEN", answer.text);
         if (!answer.holds) {
             all = false;
-            one["causes"] = causes_of(answer, before, level, start, options, limits);
+            one["causes"] = causes_of(answer, before, level, play.start, options, limits);
             for (const auto& cause : one["causes"])
                 text += fmt::format("        {}\n", cause.get<std::string>());
         }
-        if (answer.tape && !words.tapes.empty()) {
+        if (answer.tape && !words.tapes.empty() && is_first(limits.team)) {
             const std::filesystem::path file =
                 std::filesystem::path(words.tapes) / fmt::format("goal-{}.tape", answer.goal + 1);
-            if (const Status status = write_tape(file.string(), *answer.tape); !status)
-                return bad_input(status.error());
+            if (const Status written = write_tape(file.string(), *answer.tape); !written) status = written;
             one["tape"] = file.string();
         }
         json["goals"].push_back(std::move(one));
     }
+    if (!is_first(limits.team)) return exit_fine;
+    if (!status) return bad_input(status.error());
     json["all_hold"] = all;
     words.json ? print_json(std::cout, json) : void(std::cout << text);
     return all ? exit_fine : exit_check_failed;
 }
 
-int run(const ReachWords& words) {
-    Result<LoadedLevel> loaded = load_level(words.level);
-    if (!loaded) return bad_input(loaded.error());
-    print_warnings(std::cerr, loaded->warnings);
-    Level& level = loaded->level;
-    Level before = level;
-    if (!words.before.empty()) {
-        Result<LoadedLevel> other = load_level(words.before);
-        if (!other) return bad_input(other.error());
-        print_warnings(std::cerr, other->warnings);
-        before = std::move(other->level);
+// Writes the search every so many rounds, but no more often than that it costs a twentieth of the time.
+class Checkpoints {
+  public:
+    Checkpoints(std::string file, std::uint64_t every) : file_(std::move(file)), every_(every) {}
+    void after(const ReachSearch& search) {
+        if (file_.empty() || search.rounds().size() < stored_ + every_ || Clock::now() < next_) return;
+        write(search);
     }
-    if (!words.preset.empty()) {
-        const Result<Preset> preset = find_preset(words.preset);
-        if (!preset) return bad_input({"--preset", preset.error().text()});
-        level.movement = preset->settings;
+    // What was searched since the last one.
+    void finish(const ReachSearch& search) {
+        if (!file_.empty() && search.rounds().size() > stored_) write(search);
     }
-    for (const std::string& assignment : words.settings)
-        if (const Status status = set_setting(level.movement, assignment); !status)
-            return bad_input({"--set " + assignment, status.error().message});
-    const Result<Start> start = settle_start(level, words.spawn);
-    if (!start) return bad_input({"--spawn", start.error().message});
-    if (!start->stands) return bad_input({level.mesh_path.string(), start->note});
-    if (!start->note.empty()) print_warnings(std::cerr, {{level.mesh_path.string(), start->note}});
-    std::optional<ThreadLimit> limit;
-    if (words.threads > 0) limit.emplace(words.threads);
+    void begin_at(std::size_t rounds) { stored_ = rounds; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    // A disk that is full now may not be so later: the search goes on, and the file before it stays.
+    void write(const ReachSearch& search) {
+        const auto begin = Clock::now();
+        if (const Status status = search.store(file_); !status)
+            print_error(std::cerr,
+                        {"--checkpoint", fmt::format("{}; the search goes on, and could be resumed "
+                                                     "after round {}",
+                                                     status.error().text(), stored_)});
+        else
+            stored_ = search.rounds().size();
+        next_ = Clock::now() + 20 * (Clock::now() - begin);
+    }
+
+    std::string file_;
+    std::uint64_t every_;
+    std::size_t stored_ = 0;  // after so many rounds
+    Clock::time_point next_;
+};
+
+// A new search, or the one of --resume or --checkpoint. In a team rank 0 alone needs to have the file.
+Result<ReachSearch> begin_search(const Play& play, const ReachWords& words, const ReachOptions& options,
+                                 Team* team) {
+    const std::string& file = words.resume.empty() ? words.checkpoint : words.resume;
+    std::error_code error;
+    const bool there = !words.resume.empty() || (!file.empty() && std::filesystem::exists(file, error));
+    std::string text;
+    Status status;
+    if (is_first(team) && there) {
+        Result<std::string> read = read_file(file);
+        if (read)
+            text = std::move(*read);
+        else
+            status = read.error();
+        if (read && text.empty()) status = Error{file, "is empty, expected a search"};
+    }
+    if (team != nullptr) {
+        status = agree(*team, status);
+        text = team->from_first(text);
+    }
+    if (!status) return status.error();
+    Result<ReachSearch> search = text.empty() ? ReachSearch::begin(play.level, play.start, options)
+                                              : ReachSearch::resume_text(play.level, text, file);
+    status = search ? Status() : search.error();
+    if (search && !text.empty() && words.resume.empty()) {
+        const ReachOptions& stored = search->options();
+        if (stored.seed != options.seed || stored.cell_m != options.cell_m || search->start() != play.start)
+            status =
+                Error{file, fmt::format("found a search with --seed {} --cell {} from {}, expected --seed {} "
+                                        "--cell {} from {}",
+                                        stored.seed, stored.cell_m, vector_text(search->start()),
+                                        options.seed, options.cell_m, vector_text(play.start))};
+    }
+    if (team != nullptr) status = agree(*team, status);
+    if (!status) return status.error();
+    return search;
+}
+
+int run(const ReachWords& words, Team* team) {
+    const Result<std::unique_ptr<Play>> play = load_play(words, team);
+    if (!play) return fail(play.error(), team);
     ReachOptions options;
     options.seed = words.seed;
     options.cell_m = words.cell;
@@ -234,17 +291,22 @@ int run(const ReachWords& words) {
     if (words.rounds > 0) limits.rounds = words.rounds;
     if (words.seconds <= 0.0 && words.rounds == 0)
         limits.seconds = words.check ? check_seconds : usual_seconds;
-    if (words.check) return check(level, before, start->position, words, options, limits);
+    limits.team = team;
+    if (words.check) return check(**play, words, options, limits);
 
-    Result<ReachSearch> search = words.resume.empty() ? ReachSearch::begin(level, start->position, options)
-                                                      : ReachSearch::resume(level, words.resume);
-    if (!search) return bad_input(search.error());
+    Result<ReachSearch> search = begin_search(**play, words, options, team);
+    if (!search) return fail(search.error(), team);
+    Checkpoints checkpoints(words.checkpoint, words.every);
+    checkpoints.begin_at(search->rounds().size());
+    limits.after_round = [&](const ReachSearch& now) { checkpoints.after(now); };
     const std::uint64_t steps_before = search->steps();
     const auto begin = std::chrono::steady_clock::now();
     // Who only asks a stored search wants no further one.
     const bool asks = !words.how.empty() || !words.links.empty();
     const bool only_asks = asks && !words.resume.empty() && words.rounds == 0 && words.seconds <= 0.0;
     if (!only_asks) search->run(limits);
+    if (!is_first(team)) return exit_fine;
+    checkpoints.finish(*search);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (!words.out.empty())
         if (const Status status = search->store(words.out); !status) return bad_input(status.error());
@@ -311,7 +373,7 @@ std::string how_check(const std::string& text) {
 
 }  // namespace
 
-void add_reach_verb(CLI::App& app, int& exit_code) {
+void add_reach_verb(CLI::App& app, int& exit_code, Team* team) {
     CLI::App* verb = app.add_subcommand("reach", "Search for all that the player can reach, and how");
     auto words = std::make_shared<ReachWords>();
     CLI::Option* level = add_play_options(*verb, *words);
@@ -325,6 +387,15 @@ void add_reach_verb(CLI::App& app, int& exit_code) {
     verb->add_option("--out", words->out, "Write the search to a file, to go on or to compare")
         ->type_name("FILE");
     verb->add_option("--resume", words->resume, "Go on with a search from a file")->type_name("FILE");
+    CLI::Option* checkpoint =
+        verb->add_option("--checkpoint", words->checkpoint,
+                         "Go on with this file if it is there, and write it now and then")
+            ->type_name("FILE");
+    checkpoint->excludes("--resume");
+    verb->add_option("--every", words->every, "Rounds between writing --checkpoint")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1'000'000))
+        ->needs(checkpoint);
     CLI::Option* how =
         verb->add_option("--how", words->how, "Say how the player gets to a face or a point, or how near")
             ->type_name("face:N|x,y,z")
@@ -337,7 +408,7 @@ void add_reach_verb(CLI::App& app, int& exit_code) {
         ->check(links_check);
     CLI::Option* check_flag = verb->add_flag(
         "--check", words->check, "Check the level's goals; fails when one breaks, and says what broke it");
-    check_flag->excludes(how);
+    check_flag->excludes(how)->excludes(checkpoint);
     verb->add_option("--before", words->before, "The level before a change: names what of it broke a goal")
         ->type_name("LEVEL")
         ->needs(check_flag);
@@ -347,6 +418,14 @@ void add_reach_verb(CLI::App& app, int& exit_code) {
         ->check(CLI::ExistingDirectory);
     verb->add_flag("--json", words->json, "Print JSON");
 
+    verb->callback([verb, level, words, team, &exit_code] {
+        if (!verb->get_subcommands().empty()) return;
+        if (level->count() == 0) throw CLI::RequiredError("LEVEL");
+        words->all_options = verb->config_to_str();
+        exit_code = guarded([&] { return run(*words, team); });
+    });
+    if (team != nullptr) return;
+
     CLI::App* diff_verb = verb->add_subcommand("diff", "Say what the second of two searches gained and lost");
     auto files = std::make_shared<std::pair<std::string, std::string>>();
     auto diff_json = std::make_shared<bool>(false);
@@ -355,11 +434,6 @@ void add_reach_verb(CLI::App& app, int& exit_code) {
     diff_verb->add_flag("--json", *diff_json, "Print JSON");
     diff_verb->callback([files, diff_json, &exit_code] {
         exit_code = guarded([&] { return diff(files->first, files->second, *diff_json); });
-    });
-    verb->callback([verb, level, words, &exit_code] {
-        if (!verb->get_subcommands().empty()) return;
-        if (level->count() == 0) throw CLI::RequiredError("LEVEL");
-        exit_code = guarded([&] { return run(*words); });
     });
 }
 

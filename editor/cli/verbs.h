@@ -20,6 +20,10 @@ namespace CLI {
 class App;
 }
 
+namespace slipface {
+class Team;  // slipface/base/team.h
+}
+
 namespace slipface::cli {
 
 // The formats of LEVEL on the command line, for --help.
@@ -93,11 +97,12 @@ void add_why_verbs(CLI::App& app, int& exit_code);
 // slipface demo [NAME], slipface preset [NAME].
 void add_demo_verbs(CLI::App& app, int& exit_code);
 
-// slipface audit LEVEL, slipface audit merge REPORTS.
-void add_audit_verb(CLI::App& app, int& exit_code);
+// slipface audit LEVEL, slipface audit merge REPORTS. With a team only the former, divided among its
+// processes.
+void add_audit_verb(CLI::App& app, int& exit_code, Team* team = nullptr);
 
-// slipface reach LEVEL, slipface reach diff A B.
-void add_reach_verb(CLI::App& app, int& exit_code);
+// slipface reach LEVEL, slipface reach diff A B. With a team only the former, divided among its processes.
+void add_reach_verb(CLI::App& app, int& exit_code, Team* team = nullptr);
 
 struct DoctorOptions {
     std::filesystem::path level;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "goldens/junit.h"
 #include "goldens/numbers_json.h"
 #include "slipface/base/files.h"
 #include "slipface/base/hash.h"
@@ -106,23 +107,6 @@ std::string checksum_of(const Numbers& json) {
     return fmt::format("{:016x}", hasher.value());
 }
 
-std::string xml_text(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else if (c == '&')
-            out += "&amp;";
-        else if (c == '"')
-            out += "&quot;";
-        else if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t')
-            out += c;
-    }
-    return out;
-}
-
 // GitHub's escapes for the text after "::".
 std::string annotation_text(std::string_view text) {
     std::string out;
@@ -220,26 +204,20 @@ Result<Report> report_from_json(std::string_view text, const std::string& locati
 }
 
 std::string report_to_junit(const Report& report) {
-    std::string xml = fmt::format(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n<testsuite name=\"snapshots\" "
-        "tests=\"{}\" "
-        "failures=\"{}\" time=\"{:.3f}\">\n",
-        report.entries.size(), report.failed(), report.seconds);
+    std::vector<JunitCase> cases;
     for (const GoldenResult& entry : report.entries) {
-        xml += fmt::format("<testcase classname=\"snapshots\" name=\"{}\" time=\"{:.3f}\"",
-                           xml_text(entry.name), entry.seconds);
-        if (entry.state == GoldenState::same) {
-            xml += "/>\n";
-            continue;
-        }
-        std::string details = entry.message + "\n";
+        JunitCase& one = cases.emplace_back();
+        one.name = entry.name;
+        one.seconds = entry.seconds;
+        if (entry.state == GoldenState::same) continue;
+        one.failure = golden_state_name(entry.state);
+        one.message = entry.message;
+        one.details = entry.message + "\n";
         for (const Finding& finding : entry.findings)
-            details +=
+            one.details +=
                 fmt::format("{} px ({}): {}\n", finding.pixels, cause_name(finding.cause), finding.text);
-        xml += fmt::format("><failure type=\"{}\" message=\"{}\">{}</failure></testcase>\n",
-                           golden_state_name(entry.state), xml_text(entry.message), xml_text(details));
     }
-    return xml + "</testsuite>\n</testsuites>\n";
+    return junit_text("snapshots", cases, report.seconds);
 }
 
 std::string report_to_annotations(const Report& report) {
@@ -269,13 +247,14 @@ std::string approve_command(const Report& report, const fs::path& out) {
     return command;
 }
 
-std::string suite_fingerprint(const std::vector<std::string>& names) {
+std::string suite_fingerprint(const std::vector<std::string>& names, const std::vector<fs::path>& files) {
     Hasher hasher;
     hasher.text(program_version());
     for (const std::string& name : names) {
         hasher.u64(name.size());
         hasher.text(name);
     }
+    hasher.u64(fingerprint_of_files(files));
     return fmt::format("{:016x}", hasher.value());
 }
 
@@ -304,10 +283,11 @@ Result<Report> merge_reports(const std::vector<fs::path>& report_files, const fs
         parts.push_back(std::move(*part));
         const Report &first = parts.front(), &last = parts.back();
         if (last.suite != first.suite || last.goldens != first.goldens)
-            return Error{file.string(),
-                         fmt::format("is part of another check than {}: other goldens, another choice of "
-                                     "snapshots, or another version of the program",
-                                     shards.front().file)};
+            return Error{
+                file.string(),
+                fmt::format("is part of another check than {}: other goldens, levels or scripts, another "
+                            "choice of snapshots, or another version of the program",
+                            shards.front().file)};
     }
     if (Status status = check_shards_complete(shards, "snapshot merge"); !status) return status.error();
     for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -51,8 +51,10 @@ std::string approve_command(const Report& report, const std::filesystem::path& o
 // Writes report.json, report.html and junit.xml into `out`.
 Status write_report(const Report& report, const std::filesystem::path& out);
 
-// The fingerprint of a suite: of the program's version and the names of all requested snapshots of all parts.
-std::string suite_fingerprint(const std::vector<std::string>& names);
+// The fingerprint of a suite: of the program's version, the names of all requested snapshots of all parts,
+// and the files that they are made from.
+std::string suite_fingerprint(const std::vector<std::string>& names,
+                              const std::vector<std::filesystem::path>& files);
 
 // Merges the reports of all parts of one suite into `out`, with their images. Errors, which name the report:
 // parts of different suites, a part that is missing or there twice, a damaged report, an entry in several

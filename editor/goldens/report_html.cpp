@@ -86,8 +86,8 @@ std::string report_to_html(const Report& report, const fs::path& out) {
             entry["script"] = name + ".images.js";
         }
     }
-    return report_page_head + script_text(data.dump(-1, ' ', false, Numbers::error_handler_t::replace)) +
-           report_page_tail;
+    return std::string(report_page_head) + page_colours + report_page_style +
+           script_text(data.dump(-1, ' ', false, Numbers::error_handler_t::replace)) + report_page_tail;
 }
 
 Status write_report_images(const Report& report, const fs::path& out) {

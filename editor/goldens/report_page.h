@@ -3,13 +3,18 @@
 
 namespace slipface {
 
+// Colours of all reports, dark and light.
+inline constexpr const char* page_colours =
+    R"html(:root{--bg:#14171c;--panel:#1c2128;--line:#303740;--text:#e6e9ee;--muted:#98a2b0;--accent:#4aa3ff;--bad:#ff6b5e;--warn:#f5b942;--good:#4cc38a;--pick:#26303c}
+@media (prefers-color-scheme:light){:root{--bg:#f2f4f7;--panel:#fff;--line:#d5dae1;--text:#1b2129;--muted:#5d6875;--accent:#0b6bcb;--bad:#c62f22;--warn:#9a6700;--good:#1a7f4b;--pick:#e3edf9}}
+)html";
+
 inline constexpr const char* report_page_head = R"html(<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>Snapshots</title>
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <style>
-:root{--bg:#14171c;--panel:#1c2128;--line:#303740;--text:#e6e9ee;--muted:#98a2b0;--accent:#4aa3ff;--bad:#ff6b5e;--warn:#f5b942;--good:#4cc38a;--pick:#26303c}
-@media (prefers-color-scheme:light){:root{--bg:#f2f4f7;--panel:#fff;--line:#d5dae1;--text:#1b2129;--muted:#5d6875;--accent:#0b6bcb;--bad:#c62f22;--warn:#9a6700;--good:#1a7f4b;--pick:#e3edf9}}
-*{box-sizing:border-box}
+)html";
+inline constexpr const char* report_page_style = R"html(*{box-sizing:border-box}
 body{margin:0;height:100vh;display:grid;grid-template:auto 1fr auto/340px 1fr;background:var(--bg);color:var(--text);font:14px/1.45 Inter,system-ui,sans-serif}
 header{grid-column:1/3;display:flex;gap:16px;align-items:baseline;padding:12px 20px;border-bottom:1px solid var(--line);background:var(--panel)}
 h1{font-size:17px;margin:0}h2{font-size:16px;margin:0 0 4px;overflow-wrap:anywhere}h3{font-size:13px;margin:20px 0 6px;color:var(--muted);font-weight:600}

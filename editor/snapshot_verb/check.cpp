@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/exit_codes.h"
+#include "cli/options.h"
 #include "goldens/report.h"
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
@@ -33,10 +34,10 @@ struct Chosen {
     std::string suite;
 };
 
-// Fails if nothing is selected or the shard is invalid.
-Result<Chosen> chosen_names(const CheckArguments& arguments, const std::vector<std::string>& names) {
+// Fails if nothing is selected.
+Result<Chosen> chosen_names(const CheckArguments& arguments, const SuiteSet& set) {
     std::vector<std::string> chosen;
-    for (const std::string& name : names)
+    for (const std::string& name : set.names)
         if (is_wanted(arguments.only, name)) chosen.push_back(name);
     if (chosen.empty()) {
         std::string patterns;
@@ -45,12 +46,8 @@ Result<Chosen> chosen_names(const CheckArguments& arguments, const std::vector<s
         return Error{"", arguments.only.empty() ? "there are no snapshots: no scenes.json, no editor/*.script"
                                                 : "no snapshot matches" + patterns};
     }
-    Chosen mine{.names = {}, .shard = {}, .suite = suite_fingerprint(chosen)};
-    if (!arguments.shard.empty()) {
-        const Result<Shard> shard = parse_shard(arguments.shard, "--shard");
-        if (!shard) return shard.error();
-        mine.shard = *shard;
-    }
+    Chosen mine{
+        .names = {}, .shard = cli::shard_of(arguments.shard), .suite = suite_fingerprint(chosen, set.files)};
     for (std::size_t i = 0; i < chosen.size(); ++i)
         if (mine.shard.has(i)) mine.names.push_back(chosen[i]);
     return mine;
@@ -150,7 +147,7 @@ int snapshot_check(const CheckArguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
     const Result<SuiteSet> set = load_suite_set(arguments.work.suite);
     if (!set) return bad_input(set.error());
-    const auto chosen = chosen_names(arguments, set->names);
+    const auto chosen = chosen_names(arguments, *set);
     if (!chosen) return bad_input(chosen.error());
     Report report;
     report.goldens = arguments.work.suite.goldens;
@@ -171,7 +168,7 @@ int snapshot_check(const CheckArguments& arguments) {
 int snapshot_compare(const CheckArguments& arguments) {
     Result<SuiteSet> set = load_suite_set(arguments.work.suite);
     if (!set) return bad_input(set.error());
-    const auto chosen = chosen_names(arguments, set->names);
+    const auto chosen = chosen_names(arguments, *set);
     if (!chosen) return bad_input(chosen.error());
     Studio studio(*std::move(set));
     Report report;
@@ -199,7 +196,7 @@ int snapshot_compare(const CheckArguments& arguments) {
 int snapshot_render(const CheckArguments& arguments) {
     const Result<SuiteSet> set = load_suite_set(arguments.work.suite);
     if (!set) return bad_input(set.error());
-    const auto chosen = chosen_names(arguments, set->names);
+    const auto chosen = chosen_names(arguments, *set);
     if (!chosen) return bad_input(chosen.error());
     bool fine = true;
     const auto start = std::chrono::steady_clock::now();
@@ -243,6 +240,19 @@ int snapshot_list(const CheckArguments& arguments) {
     const fs::path goldens = arguments.work.suite.goldens;
     nlohmann::json rows = nlohmann::json::array();
     std::error_code error;
+    if (arguments.fingerprint) {
+        std::vector<fs::path> files;
+        for (fs::recursive_directory_iterator entry(goldens, error), end; !error && entry != end;
+             entry.increment(error))
+            if (entry->is_regular_file(error)) files.push_back(entry->path());
+        std::sort(files.begin(), files.end());
+        files.insert(files.end(), set->files.begin(), set->files.end());
+        std::vector<std::string> names;
+        std::copy_if(set->names.begin(), set->names.end(), std::back_inserter(names),
+                     [&](const std::string& name) { return is_wanted(arguments.only, name); });
+        fmt::print("{}\n", suite_fingerprint(names, files));
+        return cli::exit_fine;
+    }
     if (!arguments.orphans_only) {
         for (const std::string& name : set->names) {
             if (!is_wanted(arguments.only, name)) continue;

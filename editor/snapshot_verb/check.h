@@ -16,7 +16,7 @@ struct CheckArguments {
     bool timing = false, quiet = false;
     bool sheet = false;  // render: also write contact sheets
     bool prune = false, in_ci = false;
-    bool orphans_only = false, json = false;
+    bool orphans_only = false, json = false, fingerprint = false;
 };
 
 // The shell's exit code for a check. Detailed: 1 differences, 2 only missing goldens or orphans, 3 something

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/exit_codes.h"
+#include "cli/options.h"
 #include "snapshot_verb/check.h"
 #include "snapshot_verb/opengl_check.h"
 #include "snapshot_verb/review.h"
@@ -58,7 +59,7 @@ void add_choice(CLI::App& verb, const Shared& arguments) {
     verb.add_option("--jobs", arguments->work.jobs, "Processes at a time")
         ->capture_default_str()
         ->check(CLI::Range(1, 256));
-    verb.add_option("--shard", arguments->shard, "Only a part: 2/4 is the second of four");
+    cli::add_shard_option(verb, arguments->shard, "snapshots");
     verb.add_flag("--quiet", arguments->quiet, "Only what differs");
     verb.add_flag("--timing", arguments->timing, "Report how much of the time was rasterising");
 }
@@ -151,6 +152,8 @@ void add_report_verbs(CLI::App& group, int& exit_code) {
     list_verb->add_flag("--orphans", list->orphans_only,
                         "Only goldens that no snapshot makes; 2 if there are any");
     list_verb->add_flag("--json", list->json, "As JSON");
+    list_verb->add_flag("--fingerprint", list->fingerprint,
+                        "Only a hash of all that a check depends on: files, goldens, program");
     list_verb->callback([list, &exit_code] { exit_code = snapshot_list(*list); });
 
     const Shared merge = new_arguments(WorkKind::check);

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/screens.h"
 #include "slipface/base/text.h"
+#include "slipface/level/level_file.h"
 
 namespace slipface {
 
@@ -82,10 +84,22 @@ Result<SuiteSet> load_suite_set(const SuiteArguments& arguments) {
     set.scenes = *std::move(expanded);
     if (arguments.levels.empty() && arguments.suites.empty())
         set.screens = screen_snapshots(fs::path(arguments.goldens) / "editor");
-    for (const Scene& scene : set.scenes)
+    std::set<fs::path> files(arguments.suites.begin(), arguments.suites.end()), levels;
+    for (const Scene& scene : set.scenes) {
         set.names.push_back(scene.name);
-    for (const Snapshot& screen : set.screens)
+        levels.insert(scene.level);
+        if (scene.tape) files.insert(*scene.tape);
+    }
+    for (const Snapshot& screen : set.screens) {
         set.names.push_back(screen.name);
+        files.insert(fs::path(arguments.goldens) / (screen.name + ".script"));
+    }
+    if (arguments.levels.empty() && arguments.suites.empty())
+        files.insert(fs::path(arguments.goldens) / "scenes.json");
+    for (const fs::path& level : levels)
+        for (const fs::path& file : files_of_level(level).files)
+            files.insert(file);
+    set.files.assign(files.begin(), files.end());
     return set;
 }
 

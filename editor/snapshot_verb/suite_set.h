@@ -31,6 +31,8 @@ struct SuiteSet {
     std::vector<Scene> scenes;  // cameras expanded
     std::vector<Snapshot> screens;
     std::vector<std::string> names;  // scenes first, grouped by level
+    // What they are made from: suites, scripts, levels, tapes. Sorted.
+    std::vector<std::filesystem::path> files;
 };
 
 // True if a pattern matches the name, or if there are no patterns.

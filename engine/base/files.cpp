@@ -12,6 +12,9 @@
 #include <system_error>
 #include <utility>
 
+#include "slipface/base/hash.h"
+#include "slipface/base/types.h"
+
 namespace slipface {
 namespace {
 
@@ -169,8 +172,15 @@ Status write_file_atomic(const fs::path& path, std::string_view bytes) {
         return Error{location, "cannot be written: " + reason(errno)};
     }
 
-    const fs::path temporary = temporary_name(target);
-    int error = write_new(temporary, bytes, exists ? &status.st_mode : nullptr);
+    // In containers process numbers begin anew, so that a name may be left over from a process that was
+    // killed.
+    constexpr int max_tries = 100;
+    fs::path temporary;
+    int error = EEXIST;
+    for (int tries = 0; error == EEXIST && tries < max_tries; ++tries) {
+        temporary = temporary_name(target);
+        error = write_new(temporary, bytes, exists ? &status.st_mode : nullptr);
+    }
     if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
     if (error != 0) {
         if (error != EEXIST) ::unlink(temporary.c_str());
@@ -180,6 +190,17 @@ Status write_file_atomic(const fs::path& path, std::string_view bytes) {
         return Error{location, "is written, but its folder cannot be flushed to disk: " + reason(error)};
     }
     return {};
+}
+
+std::uint64_t fingerprint_of_files(std::span<const fs::path> files) {
+    Hasher hasher;
+    for (const fs::path& file : files) {
+        hasher.text(file.filename().string());
+        const Result<std::string> bytes = read_file(file);
+        hasher.u64(bytes ? bytes->size() : no_id);
+        if (bytes) hasher.u64(hash_blocks(bytes->data(), bytes->size()));
+    }
+    return hasher.value();
 }
 
 bool lies_within(const fs::path& file, const fs::path& folder) {

@@ -270,6 +270,35 @@ Result<LoadedLevel> load_level(const std::filesystem::path& path, Progress* prog
     }
 }
 
+LevelFiles files_of_level(const fs::path& path) {
+    LevelFiles found;
+    const fs::path file_path = is_level_file(path) ? path : level_file_for(path);
+    fs::path mesh = path;
+    found.files = {file_path};
+    if (const Result<Json> root = read_json(file_path); root) {
+        if (is_level_file(path))
+            if (const Result<fs::path> named = mesh_of_level_file(file_path, *root); named) mesh = *named;
+        if (const Json* goals = root->find("goals")) found.goals = goals->items.size();
+        const Json* field = root->find("heightfield");
+        const Json* image = field != nullptr ? field->find("file") : nullptr;
+        if (image != nullptr) found.files.push_back(file_path.parent_path() / image->text);
+    }
+    found.files.push_back(mesh);
+    const std::string ending = to_lower(mesh.extension().string());
+    const fs::path folder = mesh.parent_path().empty() ? fs::path(".") : mesh.parent_path();
+    std::error_code error;
+    fs::directory_iterator entry(folder, error);
+    for (; ending != ".obj" && ending != ".bsp" && !error && entry != fs::directory_iterator();
+         entry.increment(error)) {
+        const fs::path& other = entry->path();
+        if (other.stem() == mesh.stem() || to_lower(other.extension().string()) == ".bin")
+            found.files.push_back(mesh.parent_path() / other.filename());
+    }
+    std::sort(found.files.begin(), found.files.end());
+    found.files.erase(std::unique(found.files.begin(), found.files.end()), found.files.end());
+    return found;
+}
+
 Status save_level(const Level& level) {
     return save_level(level, level.file_path);
 }

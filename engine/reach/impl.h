@@ -2,9 +2,11 @@
 #pragma once
 
 #include <mutex>
+#include <span>
 #include <unordered_map>
 
 #include "roll_out.h"
+#include "slipface/base/team.h"
 #include "slipface/reach/search.h"
 
 namespace slipface {
@@ -12,8 +14,18 @@ namespace slipface {
 struct ReachSearch::Impl {
     explicit Impl(LevelScene built) : scene(std::move(built)) {}
 
+    struct Pick {
+        NodeId node;
+        std::uint32_t first, last;  // visits
+        std::size_t cost;
+    };
     Status prepare(const Level& level, const Vec3& start, const ReachOptions& options);
-    void round();
+    // One round. With a team, of its part of the roll-outs. False: rank 0's time is over (`time_is_over` of
+    // others is ignored).
+    bool round(Team* team, bool time_is_over);
+    std::vector<Pick> pick_nodes();
+    std::vector<Harvest> roll_out_all(std::span<const Pick> picks) const;
+    std::vector<Harvest> roll_out_in_team(std::span<const Pick> picks, Team& team, bool& time_is_over) const;
     void merge(const Harvest& harvest, NodeId from, ReachRound& news, bool& productive);
     void enqueue(NodeId node, std::size_t cost);
     std::size_t first_cost(const PlayerState& state) const;

@@ -199,12 +199,7 @@ void ReachSearch::Impl::merge(const Harvest& harvest, NodeId from, ReachRound& n
     }
 }
 
-void ReachSearch::Impl::round() {
-    struct Pick {
-        NodeId node;
-        std::uint32_t first, last;
-        std::size_t cost;
-    };
+std::vector<ReachSearch::Impl::Pick> ReachSearch::Impl::pick_nodes() {
     std::vector<Pick> picks;
     for (std::size_t cost = 0; cost < max_cost && picks.size() < picks_per_round; ++cost) {
         std::vector<NodeId>& waiting = queue[cost];
@@ -227,6 +222,10 @@ void ReachSearch::Impl::round() {
         std::clamp<std::size_t>(picks_per_round / std::max<std::size_t>(1, picks.size()), 1, 8));
     for (Pick& pick : picks)
         pick.last = pick.first + visits_per_pick * more;
+    return picks;
+}
+
+std::vector<Harvest> ReachSearch::Impl::roll_out_all(std::span<const Pick> picks) const {
     std::vector<Harvest> harvests(picks.size());
     parallel_for(picks.size(), 4, [&](std::size_t begin, std::size_t end) {
         Lease lease(*this);
@@ -234,6 +233,15 @@ void ReachSearch::Impl::round() {
             roll_out(world, lease.scenes(), known(), picks[i].node, picks[i].first, picks[i].last,
                      harvests[i]);
     });
+    return harvests;
+}
+
+bool ReachSearch::Impl::round(Team* team, bool time_is_over) {
+    const std::vector<Pick> picks = pick_nodes();
+    const std::vector<Harvest> harvests =
+        team != nullptr ? roll_out_in_team(picks, *team, time_is_over) : roll_out_all(picks);
+    const std::uint32_t visits = picks.empty() ? 0 : picks.front().last - picks.front().first;
+    const std::size_t more = visits / visits_per_pick;
     ReachRound& news = rounds.emplace_back();
     for (std::size_t i = 0; i < picks.size(); ++i) {
         const Pick& pick = picks[i];
@@ -244,6 +252,7 @@ void ReachSearch::Impl::round() {
         const std::uint32_t maximum = !held ? max_visits_in_air : productive ? 8000u : max_visits;
         if (pick.last < maximum) enqueue(pick.node, pick.cost + (productive ? 0 : more));
     }
+    return !time_is_over;
 }
 
 ReachSearch::ReachSearch(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -279,13 +288,16 @@ void ReachSearch::run(const ReachLimits& limits, Progress* progress) {
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         if (limits.rounds && impl_->rounds.size() >= *limits.rounds) break;
-        if (limits.seconds > 0.0 && seconds >= limits.seconds) break;
+        const bool time_is_over = limits.seconds > 0.0 && seconds >= limits.seconds;
+        if (time_is_over && limits.team == nullptr) break;
         if (limits.until_goals && impl_->goals_reached()) break;
         const double by_rounds =
             limits.rounds ? static_cast<double>(impl_->rounds.size()) / static_cast<double>(*limits.rounds)
                           : 0.0;
         advance(progress, std::max(by_rounds, limits.seconds > 0.0 ? seconds / limits.seconds : 0.0));
-        impl_->round();
+        if (!impl_->round(limits.team, time_is_over)) break;
+        if (limits.after_round && (limits.team == nullptr || limits.team->rank() == 0))
+            limits.after_round(*this);
     }
 }
 

@@ -6,16 +6,15 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <cmath>
 
 #include "impl.h"
-#include "slipface/base/bytes.h"
 #include "slipface/base/files.h"
 #include "slipface/base/hash.h"
 #include "slipface/base/text.h"
 #include "slipface/base/version.h"
 #include "slipface/image/pack.h"
 #include "slipface/reach/report.h"
+#include "state_bytes.h"
 
 namespace slipface {
 namespace {
@@ -23,100 +22,7 @@ namespace {
 constexpr std::string_view magic = "slipface-reach 1";
 constexpr std::uint64_t max_body = std::uint64_t{16} << 30;
 
-struct Writer : ByteWriter<std::uint64_t> {
-    using ByteWriter::put;
-    void put(const Vec3& vector) {
-        for (int axis = 0; axis < 3; ++axis)
-            put(vector[axis]);
-    }
-};
-
-// Reads what Writer wrote; `problem` says which value is missing or not allowed, and nothing is read after
-// it.
-class Reader {
-  public:
-    explicit Reader(std::string_view bytes) : from_(bytes) {}
-    template <class T>
-    T get() {
-        if (problem) return T{};
-        const T value = from_.get<T>();
-        if (!from_.ok) fail("the end of the data", "more");
-        return value;
-    }
-    // A whole number of at most `most`.
-    template <class T>
-    T up_to(std::uint64_t maximum, const char* what) {
-        const T value = get<T>();
-        if (value > maximum) fail(fmt::format("{} {}", what, value), fmt::format("at most {}", maximum));
-        return problem ? T{0} : value;
-    }
-    // An index below `count`, or no_id.
-    std::uint32_t index(std::size_t count, const char* what) {
-        const auto value = get<std::uint32_t>();
-        if (value != no_id && value >= count)
-            fail(fmt::format("{} {}", what, value), fmt::format("one below {}", count));
-        return problem ? no_id : value;
-    }
-    double number(const char* what) {
-        const auto value = get<double>();
-        if (!(std::abs(value) <= 1e12)) fail(fmt::format("{} {}", what, value), "a finite number");
-        return problem ? 0.0 : value;
-    }
-    Vec3 vector(const char* what) {
-        const double x = number(what), y = number(what), z = number(what);
-        return {x, y, z};
-    }
-    // How many items follow, each of at least `size` bytes: no more than there are bytes for.
-    std::size_t count(std::size_t size, const char* what) {
-        return up_to<std::uint64_t>(from_.left() / size, what);
-    }
-    bool at_end() const { return from_.at_end(); }
-    void fail(std::string found, std::string expected) {
-        if (!problem) problem = fmt::format("byte {}: found {}, expected {}", from_.at(), found, expected);
-    }
-    std::optional<std::string> problem;
-
-  private:
-    ByteReader<std::uint64_t> from_;
-};
-
-void put_state(Writer& to, const PlayerState& state) {
-    for (const auto member : PlayerState::vectors)
-        to.put(state.*member);
-    for (const std::int32_t number : state.sector)
-        to.put(number);
-    std::uint8_t flags = 0;
-    for (const auto member : PlayerState::flags)
-        flags = static_cast<std::uint8_t>(flags * 2 + (state.*member ? 1 : 0));
-    to.put(flags);
-    to.put(state.ground_face);
-    to.put(state.ground_surface);
-    to.put(state.ground_platform);
-    for (const auto member : PlayerState::numbers)
-        to.put(state.*member);
-}
-
-PlayerState get_state(Reader& from, const Level& level) {
-    PlayerState state;
-    for (const auto member : PlayerState::vectors)
-        state.*member = from.vector("a coordinate of a state");
-    for (std::int32_t& number : state.sector)
-        number = from.get<std::int32_t>();
-    static_assert(PlayerState::flags.size() <= 8, "a byte holds them");
-    auto flags = from.up_to<std::uint8_t>((1U << PlayerState::flags.size()) - 1, "the flags of a state");
-    for (auto member = PlayerState::flags.rbegin(); member != PlayerState::flags.rend(); ++member) {
-        state.*(*member) = flags % 2 != 0;
-        flags /= 2;
-    }
-    state.ground_face = from.index(level.mesh->face_count(), "a face");
-    state.ground_surface = from.up_to<SurfaceId>(level.surfaces.size() - 1, "a surface type");
-    state.ground_platform = from.index(level.platforms.size(), "a platform");
-    for (const auto member : PlayerState::numbers)
-        state.*member = from.number("a number of a state");
-    return state;
-}
-
-void put_reached(Writer& to, const std::vector<Reached>& list) {
+void put_reached(StateWriter& to, const std::vector<Reached>& list) {
     to.put(std::uint64_t{list.size()});
     for (const Reached& one : list) {
         to.put(one.node);
@@ -124,7 +30,7 @@ void put_reached(Writer& to, const std::vector<Reached>& list) {
     }
 }
 
-void get_reached(Reader& from, std::size_t nodes, std::vector<Reached>& list) {
+void get_reached(StateReader& from, std::size_t nodes, std::vector<Reached>& list) {
     const std::size_t count = from.count(8, "a number of faces");
     if (count != list.size())
         return from.fail(fmt::format("a list of {}", count), fmt::format("one of {}", list.size()));
@@ -177,7 +83,7 @@ std::uint64_t ReachSearch::Impl::identity() const {
 }
 
 std::string ReachSearch::Impl::body() const {
-    Writer to;
+    StateWriter to;
     to.put(world.options.seed);
     to.put(world.options.dt);
     to.put(world.options.cell_m);
@@ -237,7 +143,7 @@ std::string ReachSearch::Impl::body() const {
 
 // `prepare` has run: lists have their sizes.
 Status ReachSearch::Impl::read_body(std::string_view bytes, const std::string& location) {
-    Reader from(bytes);
+    StateReader from(bytes);
     const Level& level = *world.level;
     (void)from.get<std::uint64_t>();  // options and start, which resume() has read
     for (int i = 0; i < 5; ++i)
@@ -345,11 +251,18 @@ Status ReachSearch::store(const std::filesystem::path& path) const {
     return write_file_atomic(path, text);
 }
 
+std::uint64_t ReachSearch::identity() const {
+    return impl_->identity();
+}
+
 Result<ReachSearch> ReachSearch::resume(const Level& level, const std::filesystem::path& path) {
-    const std::string location = path.string();
-    Result<std::string> file = read_file(path);
+    const Result<std::string> file = read_file(path);
     if (!file) return file.error();
-    const std::string_view all = *file;
+    return resume_text(level, *file, path.string());
+}
+
+Result<ReachSearch> ReachSearch::resume_text(const Level& level, std::string_view all,
+                                             const std::string& location) {
     const std::size_t line = std::min(all.find('\n'), all.size());
     const std::vector<std::string_view> words = split(all.substr(0, std::min<std::size_t>(line, 200)), ' ');
     const auto hex = [](std::string_view text) -> std::optional<std::uint64_t> {
@@ -372,7 +285,7 @@ Result<ReachSearch> ReachSearch::resume(const Level& level, const std::filesyste
     if (!body || hasher.value() != *hash)
         return Error{location, "found damaged data, expected what its first line promises"};
 
-    Reader head(*body);
+    StateReader head(*body);
     ReachOptions options;
     options.seed = head.get<std::uint64_t>();
     options.dt = head.number("a step");

@@ -143,6 +143,32 @@ TEST_F(Files, WriteProtectedFilesAreLeftAlone) {
     EXPECT_EQ(*read_file(folder / "f"), "old");
 }
 
+// As in a container, where every process has the same number.
+TEST_F(Files, WritesBesideWhatAKilledProcessLeft) {
+    for (int i = 0; i < 50; ++i)
+        std::ofstream(folder / (".f." + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp"))
+            << "half";
+    const Status status = write_file_atomic(folder / "f", "whole");
+    ASSERT_TRUE(status) << status.error().text();
+    EXPECT_EQ(*read_file(folder / "f"), "whole");
+}
+
+TEST_F(Files, AFingerprintNoticesBytesNamesAndMissingFiles) {
+    ASSERT_TRUE(write_file_atomic(folder / "a", "1"));
+    ASSERT_TRUE(write_file_atomic(folder / "b", "1"));
+    const auto of = [&](std::vector<fs::path> names) {
+        for (fs::path& name : names)
+            name = folder / name;
+        return fingerprint_of_files(names);
+    };
+    const std::uint64_t before = of({"a", "b"});
+    EXPECT_EQ(of({"a", "b"}), before);
+    EXPECT_NE(of({"a"}), of({"b"}));
+    EXPECT_NE(of({"a", "c"}), before);
+    ASSERT_TRUE(write_file_atomic(folder / "b", "2"));
+    EXPECT_NE(of({"a", "b"}), before);
+}
+
 TEST_F(Files, TheLongestNamesCanBeWritten) {
     const std::string name(255, 'n');  // the limit of the usual Linux file systems
     ASSERT_TRUE(write_file_atomic(folder / name, "x"));

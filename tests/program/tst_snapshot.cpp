@@ -95,8 +95,21 @@ TEST_F(SnapshotVerb, ShardsComeTogether) {
     EXPECT_EQ(snapshot("list --orphans").exit_code, 2);
     EXPECT_EQ(snapshot("approve --prune a").exit_code, 0);
     EXPECT_FALSE(fs::exists(folder_ / "goldens/old.png"));
-    EXPECT_EQ(snapshot("check --shard 3/2").exit_code, 2);
-    EXPECT_EQ(snapshot("check --shard 0/2").exit_code, 2);
+    EXPECT_EQ(snapshot("check --shard 3/2").exit_code, 64);
+    const ProgramRun from_zero = snapshot("check --shard 0/2");
+    EXPECT_EQ(from_zero.exit_code, 64);
+    EXPECT_NE(from_zero.output.find("counted from 1"), std::string::npos) << from_zero.output;
+
+    // A part that rendered another level.
+    folder_.write("room.obj", room(2.5));
+    const std::string changed = (folder_ / "changed").string();
+    EXPECT_NE(snapshot("check --jobs 1 --shard 2/2 --out " + changed).exit_code, 64);
+    const ProgramRun mixed =
+        run_program("snapshot merge --out " + (folder_ / "all").string() + " " +
+                    (folder_ / "part1/report.json").string() + " " + changed + "/report.json");
+    EXPECT_EQ(mixed.exit_code, 2);
+    EXPECT_NE(mixed.output.find("other goldens, levels"), std::string::npos) << mixed.output;
+    folder_.write("room.obj", room(2.0));
 
     // A part that is missing, there twice, damaged, or of another choice of snapshots.
     const std::string first = (folder_ / "part1/report.json").string(),

@@ -165,6 +165,45 @@ TEST(Reach, ProvesItsYesAndSaysItsNo) {
     EXPECT_EQ(nlohmann::json::parse(diff.output).at("lost_faces"), nlohmann::json({1}));
 }
 
+TEST(Reach, GoesOnFromItsCheckpointAndRefusesOthers) {
+    const ScratchFolder folder;
+    const std::string level = folder.write("ledges.obj", ledges_obj);
+    folder.write("ledges.slipface.json",
+                 R"({"slipface": 1, "mesh": "ledges.obj", "spawn": {"position": [0, -0.05, 3]}})");
+    const auto bytes = [&](const char* name) {
+        std::ifstream stream(folder / name, std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(stream), {});
+    };
+    const auto search = [&](const std::string& rounds, const std::string& more, const char* out) {
+        return run_program("reach " + level + " --rounds " + rounds + more + " --out " +
+                           (folder / out).string());
+    };
+    const std::string checkpoint = " --checkpoint " + (folder / "checkpoint").string();
+    ASSERT_EQ(search("9", "", "whole").exit_code, 0);
+    ASSERT_EQ(search("5", checkpoint + " --every 2", "half").exit_code, 0);
+    EXPECT_EQ(bytes("checkpoint"), bytes("half"));
+    ASSERT_EQ(search("9", checkpoint, "rest").exit_code, 0);
+    EXPECT_TRUE(bytes("rest") == bytes("whole"));
+
+    const std::string before = bytes("checkpoint");
+    const auto refused = [&](const std::string& more, const char* why) {
+        const ProgramRun run = search("12", more, "other");
+        EXPECT_EQ(run.exit_code, 2) << run.output;
+        EXPECT_NE(run.output.find(why), std::string::npos) << run.output;
+    };
+    refused(checkpoint + " --seed 2", "expected --seed 2");
+    refused(checkpoint + " --cell 0.9", "expected --seed 1 --cell 0.9");
+    refused(checkpoint + " --set gravity=9", "of other settings");
+    EXPECT_TRUE(bytes("checkpoint") == before);
+    refused(" --checkpoint " + folder.write("short", before.substr(0, before.size() / 2)), "damaged data");
+    refused(" --checkpoint " + folder.write("empty", ""), "is empty");
+    // A folder that cannot be written: the search itself goes on.
+    const ProgramRun full = search("9", " --every 2 --checkpoint /proc/checkpoint", "despite");
+    EXPECT_EQ(full.exit_code, 0) << full.output;
+    EXPECT_NE(full.output.find("the search goes on"), std::string::npos) << full.output;
+    EXPECT_TRUE(bytes("despite") == bytes("whole"));
+}
+
 TEST(Reach, ChecksTheGoalsAndNamesTheSettingThatBreaksOne) {
     const ScratchFolder folder;
     const std::string level = folder.write("ledges.obj", ledges_obj);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,10 @@ Result<std::string> read_file(const std::filesystem::path& path,
 // and a machine after a power failure, see the old or the new file and never a mixture. Symbolic links are
 // followed and permissions are preserved. Errors: a write-protected or non-regular target, a failed write.
 Status write_file_atomic(const std::filesystem::path& path, std::string_view bytes);
+
+// A hash of the names and the bytes of files, in the given order. One that cannot be read counts as such. Not
+// for security.
+std::uint64_t fingerprint_of_files(std::span<const std::filesystem::path> files);
 
 // True if `file` is `folder` or lies below it. Symbolic links are followed as far as they exist.
 bool lies_within(const std::filesystem::path& file, const std::filesystem::path& folder);

@@ -31,6 +31,15 @@ struct LoadedLevel {
 // With `progress` another thread can watch and cancel; a cancelled load is an error.
 Result<LoadedLevel> load_level(const std::filesystem::path& path, Progress* progress = nullptr);
 
+// What load_level(path) would read, without loading it, for a job that is to know whether a level changed.
+struct LevelFiles {
+    // Level file, geometry, terrain, and what geometry of other formats than OBJ and BSP may refer to: files
+    // of its folder with its stem or the ending of glTF's buffers. Some may not exist. Sorted.
+    std::vector<std::filesystem::path> files;
+    std::size_t goals = 0;  // in the level file
+};
+LevelFiles files_of_level(const std::filesystem::path& path);
+
 // Reads the geometry of `level` again, after another program changed it. Finds the painted, hidden and
 // selected faces and the orphans again; all else is copied from `level`.
 Result<LoadedLevel> reload_mesh(const Level& level, Progress* progress = nullptr);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,7 @@
 namespace slipface {
 
 struct ReachLinks;  // slipface/reach/links.h
+class Team;         // slipface/base/team.h
 
 struct ReachOptions {
     std::uint64_t seed = 1;
@@ -53,10 +55,16 @@ struct ReachRound {
     std::uint32_t cells = 0, faces = 0;  // new ones
 };
 
+class ReachSearch;
 struct ReachLimits {
     std::optional<std::uint64_t> rounds;  // in all, those of a resumed search included
     double seconds = 0.0;                 // from now on; 0: no limit
     bool until_goals = false;             // ends when every goal to be reached is, and none must never be
+    // Processes that search together: each runs the same search and rolls out its part of every round. The
+    // bytes are those of one process; rank 0 decides when the seconds are over.
+    Team* team = nullptr;
+    // Called after each round: to store the search. In a team by rank 0 alone.
+    std::function<void(const ReachSearch&)> after_round = {};
 };
 
 class ReachSearch {
@@ -68,6 +76,12 @@ class ReachSearch {
     // file is checked; an error names what was found and what was expected.
     static Result<ReachSearch> resume(const Level& level, const std::filesystem::path& path);
     Status store(const std::filesystem::path& path) const;
+    // The same from the bytes of such a file. Errors name `location`.
+    static Result<ReachSearch> resume_text(const Level& level, std::string_view text,
+                                           const std::string& location);
+    // Of all that the search depends on: geometry, types, platforms, settings and program, but not start and
+    // options.
+    std::uint64_t identity() const;
 
     ReachSearch(ReachSearch&&) noexcept;
     ReachSearch& operator=(ReachSearch&&) noexcept;
