@@ -79,8 +79,9 @@ CONF
 slurmctld -c
 start_node() {
     mkdir -p "$dir/spool-$1"
-    unshare --pid --fork --kill-child --mount-proc slurmd -D -N "$1" -c &
+    unshare --pid --fork --kill-child --mount-proc slurmd -D -N "$1" -c >>"$dir/$1.out" 2>&1 &
     nodes[$1]=$!
+    disown $! # the shell need not say that it was killed
 }
 declare -A nodes
 for node in n1 n2 n3; do start_node $node; done
@@ -126,7 +127,7 @@ for part in snapshots snapshots-parts/whole; do
 import json, sys
 report = json.load(open(sys.argv[1]))
 for entry in report["entries"]:
-    entry.pop("seconds"), entry.pop("drawing_s")
+    del entry["seconds"], entry["drawing_s"]
 print(json.dumps([report["suite"], report["entries"]], indent=1))
 PYTHON
 done
