@@ -20,7 +20,7 @@ dir=$SLIPFACE_CLUSTER
 bin=$PWD/build/release/editor
 export SLIPFACE=$bin/slipface SLIPFACE_MPI=$bin/slipface-mpi SLURM_CONF=$dir/slurm.conf
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_btl=self,vader
-export OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_hwloc_base_binding_policy=none
+export OMPI_MCA_oob_tcp_if_include=lo OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_hwloc_base_binding_policy=none
 trap 'rm -rf "$dir"' EXIT  # all processes of the test end with this one: it is the first of their namespace
 failed=0
 good() { printf '  ok    %s\n' "$*"; }

@@ -93,7 +93,7 @@ Result<std::vector<Chosen>> checks_of(const ProjectJson& root, const std::string
         return Error{location, "expected an object of verbs with their options"};
     for (const auto& [verb, options] : checks->items()) {
         const auto check = std::find_if(night_checks().begin(), night_checks().end(),
-                                        [&](const NightCheck& one) { return verb == one.verb; });
+                                        [&name = verb](const NightCheck& one) { return name == one.verb; });
         if (check == night_checks().end() || !options.is_string())
             return Error{location + "/" + verb,
                          "expected audit, reach, doctor or snapshot, and options as a text"};
