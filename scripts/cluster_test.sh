@@ -20,7 +20,7 @@ dir=$SLIPFACE_CLUSTER
 bin=$PWD/build/release/editor
 export SLIPFACE=$bin/slipface SLIPFACE_MPI=$bin/slipface-mpi SLURM_CONF=$dir/slurm.conf
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_btl=self,vader
-export OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_hwloc_base_binding_policy=none
+export OMPI_MCA_oob_tcp_if_include=lo OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_hwloc_base_binding_policy=none
 trap 'rm -rf "$dir"' EXIT  # all processes of the test end with this one: it is the first of their namespace
 failed=0
 good() { printf '  ok    %s\n' "$*"; }
@@ -79,8 +79,9 @@ CONF
 slurmctld -c
 start_node() {
     mkdir -p "$dir/spool-$1"
-    unshare --pid --fork --kill-child --mount-proc slurmd -D -N "$1" -c &
+    unshare --pid --fork --kill-child --mount-proc slurmd -D -N "$1" -c >>"$dir/$1.out" 2>&1 &
     nodes[$1]=$!
+    disown $! # the shell need not say that it was killed
 }
 declare -A nodes
 for node in n1 n2 n3; do start_node $node; done
@@ -126,7 +127,7 @@ for part in snapshots snapshots-parts/whole; do
 import json, sys
 report = json.load(open(sys.argv[1]))
 for entry in report["entries"]:
-    entry.pop("seconds"), entry.pop("drawing_s")
+    del entry["seconds"], entry["drawing_s"]
 print(json.dumps([report["suite"], report["entries"]], indent=1))
 PYTHON
 done

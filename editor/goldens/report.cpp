@@ -290,6 +290,7 @@ Result<Report> merge_reports(const std::vector<fs::path>& report_files, const fs
                             shards.front().file)};
     }
     if (Status status = check_shards_complete(shards, "snapshot merge"); !status) return status.error();
+    merged.suite = parts.front().suite;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         Report* const part = &parts[i];
         const fs::path& file = report_files[i];

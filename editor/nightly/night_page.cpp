@@ -11,6 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t max_shown = 6;  // findings of an item; the others at a click
+
 constexpr const char* page_style = R"html(
 *{box-sizing:border-box}
 body{margin:0 auto;max-width:1100px;padding:20px;background:var(--bg);color:var(--text);font:14px/1.45 Inter,system-ui,sans-serif}
@@ -62,6 +64,9 @@ std::string section_of(const NightResult& result, const fs::path& to_report) {
     html += "</p>\n";
     if (!result.findings.empty()) html += "<table>\n";
     for (const NightFinding& finding : result.findings) {
+        if (static_cast<std::size_t>(&finding - result.findings.data()) == max_shown)
+            html += fmt::format("</table><details><summary>{} more</summary><table>\n",
+                                result.findings.size() - max_shown);
         html += fmt::format("<tr><td><span class=\"tag\">{}</span></td><td>{}", xml_text(finding.kind),
                             xml_text(finding.text));
         if (!finding.tape.empty())
@@ -71,6 +76,7 @@ std::string section_of(const NightResult& result, const fs::path& to_report) {
         html += "</td></tr>\n";
     }
     if (!result.findings.empty()) html += "</table>\n";
+    if (result.findings.size() > max_shown) html += "</details>\n";
     return html + "</section>\n";
 }
 

@@ -68,10 +68,11 @@ NightResult result_of(const NightJson& json) {
         result.findings.push_back({finding.at("kind").get<std::string>(),
                                    finding.at("text").get<std::string>(),
                                    finding.at("tape").get<std::string>()});
-    // What a report names lies below its own folder.
+    // What a report names lies below its own folder: merging replaces the whole of it.
     for (const fs::path& path : {fs::path(result.folder), fs::path(result.page)})
         if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end())
             throw std::runtime_error("found the path " + path.string());
+    if (!result.folder.starts_with("items/")) throw std::runtime_error("found the folder " + result.folder);
     return result;
 }
 

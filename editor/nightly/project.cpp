@@ -9,6 +9,7 @@
 #include "slipface/base/files.h"
 #include "slipface/base/hash.h"
 #include "slipface/base/text.h"
+#include "slipface/level/appearance_files.h"
 #include "slipface/level/level_file.h"
 #include "slipface/level/preset.h"
 
@@ -92,7 +93,7 @@ Result<std::vector<Chosen>> checks_of(const ProjectJson& root, const std::string
         return Error{location, "expected an object of verbs with their options"};
     for (const auto& [verb, options] : checks->items()) {
         const auto check = std::find_if(night_checks().begin(), night_checks().end(),
-                                        [&](const NightCheck& one) { return verb == one.verb; });
+                                        [&name = verb](const NightCheck& one) { return name == one.verb; });
         if (check == night_checks().end() || !options.is_string())
             return Error{location + "/" + verb,
                          "expected audit, reach, doctor or snapshot, and options as a text"};
@@ -219,15 +220,22 @@ Result<Project> load_project(const fs::path& file) {
 
 void find_keys(Project& project, const std::string& program) {
     std::map<std::string, std::uint64_t> of_level;
+    std::map<fs::path, std::uint64_t> of_folder;
     for (NightItem& item : project.items) {
         if (item.level.empty()) continue;
+        const fs::path level = project.folder / item.level;
         const auto [at, is_new] = of_level.try_emplace(item.level, 0);
-        if (is_new) at->second = fingerprint_of_files(files_of_level(project.folder / item.level).files);
+        if (is_new) at->second = fingerprint_of_files(files_of_level(level).files);
         const fs::path preset = project.folder / item.preset;
         Hasher hasher;
         hasher.text(program);
         hasher.text(shell_text(item.command()));
         hasher.u64(at->second);
+        if (!item.check->per_preset) {  // the doctor misses textures, too
+            const auto [folder, is_other] = of_folder.try_emplace(level.parent_path(), 0);
+            if (is_other) folder->second = fingerprint_of_files(appearance_files(level));
+            hasher.u64(folder->second);
+        }
         if (!item.preset.empty()) hasher.u64(fingerprint_of_files({&preset, 1}));
         item.key = hasher.value();
     }

@@ -179,6 +179,8 @@ NightResult read_result(std::size_t index, const NightItem& item, const ChildOut
         result.text = fmt::format("ended by signal {}", output.code - 128);
     } else {
         result.text = last_line(output.err);
+        if (const std::string prefix = "slipface: "; result.text.starts_with(prefix))
+            result.text.erase(0, prefix.size());
     }
     result.state = NightState::failed;
     return result;

@@ -6,6 +6,7 @@
 
 #include "app/screens.h"
 #include "slipface/base/text.h"
+#include "slipface/level/appearance_files.h"
 #include "slipface/level/level_file.h"
 
 namespace slipface {
@@ -96,9 +97,14 @@ Result<SuiteSet> load_suite_set(const SuiteArguments& arguments) {
     }
     if (arguments.levels.empty() && arguments.suites.empty())
         files.insert(fs::path(arguments.goldens) / "scenes.json");
-    for (const fs::path& level : levels)
+    std::set<fs::path> folders;
+    for (const fs::path& level : levels) {
         for (const fs::path& file : files_of_level(level).files)
             files.insert(file);
+        if (!folders.insert(level.parent_path()).second) continue;
+        for (const fs::path& file : appearance_files(level))
+            files.insert(file);
+    }
     set.files.assign(files.begin(), files.end());
     return set;
 }

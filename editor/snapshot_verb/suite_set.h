@@ -31,7 +31,7 @@ struct SuiteSet {
     std::vector<Scene> scenes;  // cameras expanded
     std::vector<Snapshot> screens;
     std::vector<std::string> names;  // scenes first, grouped by level
-    // What they are made from: suites, scripts, levels, tapes. Sorted.
+    // What they are made from: suites, scripts, levels with their textures, tapes. Sorted.
     std::vector<std::filesystem::path> files;
 };
 

@@ -31,7 +31,7 @@ class Nightly : public testing::Test {
         folder_.write("levels/b & c.slipface.json",
                       R"({"slipface": 1, "mesh": "b & c.obj", "spawn": {"position": [0, 1, 0]},
                           "goals": [{"name": "<roof>", "position": [0, 50, 0], "radius": 1}]})");
-        write_project(R"("audit": "--walkers 4 --seconds 2", "reach": "--rounds 3", "doctor": "")");
+        write_project(R"("audit": "--walkers 4 --seconds 2", "reach": "--rounds 1", "doctor": "")");
     }
     void write_project(const std::string& checks) {
         folder_.write("project.json", R"({"slipface_nightly": 1, "levels": ["levels/*.obj"],
@@ -95,7 +95,7 @@ TEST_F(Nightly, TakesWhatDidNotChangeFromTheLastReport) {
     // A level, then options, then a lost tape.
     folder_.write("levels/a.obj", floor_with(3.5));
     EXPECT_EQ(count(nightly("out").output, "unchanged"), 5u);
-    write_project(R"("audit": "--walkers 5 --seconds 2", "reach": "--rounds 3", "doctor": "")");
+    write_project(R"("audit": "--walkers 5 --seconds 2", "reach": "--rounds 1", "doctor": "")");
     EXPECT_EQ(count(nightly("out").output, "unchanged"), 4u);
     fs::remove(folder_ / "out/items/levels/b & c.obj/level/reach/goal-1.tape");
     EXPECT_EQ(count(nightly("out").output, "unchanged"), 7u);
@@ -132,6 +132,14 @@ TEST_F(Nightly, ShardsMergeToTheWholeOrNotAtAll) {
     refused(one + three, "damaged");
     EXPECT_EQ(nightly("out", "--shard 0/3").exit_code, 64);
     EXPECT_EQ(nightly("out", "--shard 4/3").exit_code, 64);
+}
+
+TEST_F(Nightly, ADoctorNoticesTextures) {
+    write_project(R"("doctor": "")");
+    EXPECT_LE(nightly("out").exit_code, 1);
+    folder_.write("levels/more.mtl", "newmtl floor\nmap_Kd gone.png\n");
+    EXPECT_EQ(nightly("out").output.find("unchanged"), std::string::npos);
+    EXPECT_NE(nightly("out").output.find("unchanged"), std::string::npos);
 }
 
 TEST_F(Nightly, NamesWhatCannotRunAndGoesOn) {
