@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,21 @@ Result<std::string> read_file(const std::filesystem::path& path,
 // and a machine after a power failure, see the old or the new file and never a mixture. Symbolic links are
 // followed and permissions are preserved. Errors: a write-protected or non-regular target, a failed write.
 Status write_file_atomic(const std::filesystem::path& path, std::string_view bytes);
+
+// Replaces several files that belong together, all or none: writes and flushes all temporary files and a list
+// of the renames in the first file's folder, renames one directly after the other, and removes the list. A
+// process killed before the list is there leaves the old files; one killed after it leaves the rest to the
+// next finish_interrupted_writes(). The list holds files of the first file's folder and below; others are
+// only renamed. Errors as above, before any file is replaced.
+struct FileToWrite {
+    std::filesystem::path path;
+    std::string_view bytes;
+};
+Status write_files_atomic(std::span<const FileToWrite> files);
+
+// Finishes what write_files_atomic() of a process that is gone had begun in `folder`, and removes temporary
+// files of such processes there. Writing does so itself; reading a level does so in the level's folder.
+void finish_interrupted_writes(const std::filesystem::path& folder);
 
 // True if `file` is `folder` or lies below it. Symbolic links are followed as far as they exist.
 bool lies_within(const std::filesystem::path& file, const std::filesystem::path& folder);
