@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -234,6 +235,9 @@ int run(int argument_count, char** arguments) {
 }  // namespace slipface
 
 int main(int argument_count, char** arguments) {
+    // A write beyond the limit on a file's size (ulimit -f) then fails with a reason, instead of ending the
+    // program.
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         const int code = slipface::run(argument_count, arguments);
         // With a full disk or a closed pipe the program must not report success.

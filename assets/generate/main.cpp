@@ -79,10 +79,7 @@ Status write_level(const Recipe& recipe, const Arguments& arguments) {
                level.mesh->triangle_count(), charts->width, charts->height);
     const bool named = arguments.names.empty() || std::find(arguments.names.begin(), arguments.names.end(),
                                                             recipe.name) != arguments.names.end();
-    if (arguments.bake && named) {
-        if (Status status = bake_level_light(level); !status.ok()) return status;
-    }
-    return save_level(level);
+    return arguments.bake && named ? bake_level_light(level) : save_level(level);
 }
 
 // Bakes every n-th face of a level again.

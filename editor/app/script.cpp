@@ -275,6 +275,16 @@ void run_line(ScriptContext& context, const ScriptLine& line) {
     context.fail("no verb \"" + line.words[0] + "\"; there are: " + all_verbs());
 }
 
+bool expects_message(const ScriptLine& line) {
+    return line.words.size() > 1 && line.words[0] == "expect" && line.words[1] == "message";
+}
+
+// A script that could not write a file has failed, unless it expects the message.
+void fail_at_refused_write(ScriptContext& context) {
+    const std::optional<MessageDialog>& message = context.editor().message;
+    if (message && message->of_refused_write) context.fail(message->title + ": " + message->text);
+}
+
 }  // namespace
 
 std::span<const ScriptVerb> script_verbs() {
@@ -288,7 +298,8 @@ std::string script_verbs_markdown() {
         "One verb a line; "
         "`#` begins a comment; words with spaces stand in double quotes. Widgets are named by their path; an "
         "error "
-        "lists the nearest ones.\n\n"
+        "lists the nearest ones. A line that cannot write what it should, such as a save on a full disk, "
+        "ends the script with exit code 2, unless the next line is `expect message`.\n\n"
         "| verb | arguments | what it does |\n|---|---|---|\n";
     for (const ScriptVerb& verb : verbs) {
         std::string arguments = verb.arguments;
@@ -339,9 +350,14 @@ ScriptResult run_script(OffscreenHost& host, std::string_view text, const std::s
     ScriptResult result;
     const Result<std::vector<ScriptLine>> lines = parse_script(text, location);
     if (!lines) return {ScriptFailure::bad_input, lines.error(), 0};
-    for (const ScriptLine& line : *lines) {
+    bool expected = false;  // the open message was, by a line `expect message`
+    for (std::size_t i = 0; i < lines->size(); ++i) {
+        const ScriptLine& line = (*lines)[i];
         ScriptContext context{host, folder, ScriptFailure::none, {}};
         run_line(context, line);
+        expected = host.editor().message && (expected || expects_message(line));
+        if (!expected && (i + 1 == lines->size() || !expects_message((*lines)[i + 1])))
+            fail_at_refused_write(context);
         if (context.failure != ScriptFailure::none) {
             result.failure = context.failure;
             result.error = {fmt::format("{}:{}", location, line.number), context.message};

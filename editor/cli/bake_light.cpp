@@ -23,7 +23,6 @@ Result<std::filesystem::path> bake(const BakeLightOptions& options, Warnings& wa
     if (!level.light) level.light = LevelLight{.sun_color = {1.0, 0.95, 0.85}};
     if (options.texel_m > 0.0) level.light->texel_m = options.texel_m;
     if (Status status = bake_level_light(level, {.sky_rays = options.rays}); !status) return status.error();
-    if (Status status = save_level(level); !status) return status.error();
     return level.file_path.parent_path() / level.light->image;
 }
 

@@ -93,10 +93,6 @@ int run_name_materials(const std::filesystem::path& path, std::ostream& out, std
     print_warnings(err, loaded->warnings);
     const Result<NamedMaterials> named = name_materials(loaded->level);
     if (!named) return bad_input(err, named.error());
-    if (named->faces > 0) {
-        if (const Status status = save_level(named->after.level); !status)
-            return bad_input(err, status.error());
-    }
     out << named->text() << '\n';
     return exit_fine;
 }

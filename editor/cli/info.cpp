@@ -18,7 +18,7 @@ namespace {
 
 struct LevelInfo {
     LoadedLevel loaded;
-    std::vector<std::size_t> faces_of_type;  // [SurfaceId]
+    std::vector<std::size_t> faces_of_type, triangles_of_type;  // [SurfaceId]
     double load_s = 0.0;
     double bvh_s = 0.0;
     BvhStatistics bvh;
@@ -29,7 +29,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Reports each missing image once, as the editor's drawing would.
+// Reports each image once that is missing or that the editor would not draw by its header. The pictures
+// themselves are not decoded, which would take most of the time.
 void add_texture_warnings(LoadedLevel& loaded) {
     constexpr std::size_t maximum = 100;
     Warnings found;
@@ -46,8 +47,8 @@ void add_texture_warnings(LoadedLevel& loaded) {
         } else if (!path) {
             found.push_back({location, fmt::format("found no texture \"{}\" in {}", material.texture,
                                                    folder.empty() ? "." : folder.string())});
-        } else if (const Result<Image> image = load_image(*path); !image) {
-            found.push_back({location, image.error().text()});
+        } else if (const Status status = check_image(*path); !status) {
+            found.push_back({location, status.error().text()});
         }
     }
     const std::optional<LevelLight>& light = loaded.level.light;
@@ -86,8 +87,13 @@ Result<LevelInfo> gather(const std::filesystem::path& path) {
     info.start = *begin;
 
     info.faces_of_type.resize(level.surfaces.size());
-    for (const SurfaceId surface : resolve_surfaces(level).surface)
+    info.triangles_of_type.resize(level.surfaces.size());
+    const ResolvedSurfaces resolved = resolve_surfaces(level);
+    for (FaceId face = 0; face < level.mesh->face_count(); ++face) {
+        const SurfaceId surface = resolved.surface[face];
         ++info.faces_of_type[surface];
+        info.triangles_of_type[surface] += level.mesh->face_corner_count(face) - 2;
+    }
     return info;
 }
 
@@ -96,6 +102,17 @@ std::size_t painted_count(const Level& level) {
     for (const auto& surface : level.overrides)
         count += surface ? 1 : 0;
     return count;
+}
+
+// The names of the objects or groups that have faces, in the order of the file.
+OutputJson objects_json(const Mesh& mesh) {
+    std::vector<bool> used(mesh.groups.size());
+    for (const std::uint32_t group : mesh.face_group)
+        used[group] = true;
+    OutputJson names = OutputJson::array();
+    for (std::size_t group = 0; group < used.size(); ++group)
+        if (used[group]) names.push_back(mesh.groups[group]);
+    return names;
 }
 
 double bytes_a_triangle(const LevelInfo& info) {
@@ -117,6 +134,10 @@ void print_info_json(const LevelInfo& info, std::ostream& out) {
     for (std::size_t i = 0; i < level.surfaces.size(); ++i) {
         json["faces_per_type"][level.surfaces[i].name] = info.faces_of_type[i];
     }
+    json["triangles_per_type"] = OutputJson::object();
+    for (std::size_t i = 0; i < level.surfaces.size(); ++i)
+        json["triangles_per_type"][level.surfaces[i].name] = info.triangles_of_type[i];
+    json["objects"] = objects_json(mesh);
     json["painted_faces"] = painted_count(level);
     json["orphans"] = level.orphans.size();
     json["bounds"] = {{"min", vector_json(mesh.bounds.min)}, {"max", vector_json(mesh.bounds.max)}};

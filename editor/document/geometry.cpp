@@ -103,7 +103,7 @@ Result<std::string> Document::name_materials() {
     if (named->faces == 0) return text;
     if (Status status = take_geometry(std::move(named->after), "Write types into material names"); !status)
         return status.error();
-    if (Status status = save(); !status) return status.error();
+    mark_saved();
     return text;
 }
 

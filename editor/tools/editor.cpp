@@ -145,7 +145,8 @@ void save_level_as(Editor& editor, const std::filesystem::path& level_file) {
         editor.message = MessageDialog{.title = "Cannot save " + file.filename().string(),
                                        .text = status.error().text(),
                                        .details = {},
-                                       .offers_save_as = true};
+                                       .offers_save_as = true,
+                                       .of_refused_write = true};
         return;
     }
     document_is_safe(editor);

@@ -41,8 +41,9 @@ struct MessageDialog {
     std::string title;
     std::string text;
     Warnings details;
-    bool of_broken_file = false;  // closes by itself when the file can be read again
-    bool offers_save_as = false;  // the level file could not be written where it was to go
+    bool of_broken_file = false;    // closes by itself when the file can be read again
+    bool offers_save_as = false;    // the level file could not be written where it was to go
+    bool of_refused_write = false;  // something was not written: a script must expect it, or it fails
 };
 struct DemoInfo;
 

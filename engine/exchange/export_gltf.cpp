@@ -1,44 +1,90 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
-#include <nlohmann/json.hpp>
+#include <limits>
+#include <map>
+#include <unordered_map>
 
 #include "export_parts.h"
+#include "gltf/buffer.h"
+#include "gltf/materials.h"
+#include "gltf/objects.h"
+#include "gltf/physics.h"
 #include "slipface/base/files.h"
+#include "slipface/base/hash.h"
 #include "slipface/base/text.h"
 
 namespace slipface {
 namespace {
 
-using GltfJson = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr int component_float = 5126, component_u32 = 5125;
-constexpr int target_vertices = 34962, target_indices = 34963;
+// The faces of an object in the order of its meshes, with their corners in the object's own coordinates.
+struct ObjectFaces {
+    std::vector<FaceId> faces;           // by type, then by material
+    std::vector<std::uint32_t> corners;  // of these faces; in a mirrored object backwards, as its mesh is
+    std::vector<Vec3f> positions;        // [corner of these faces]
+    bool mirrored = false;
+};
+
+// Meshes of one surface type each: engines make one body of each.
+struct TypedMesh {
+    SurfaceId surface = default_surface;
+    std::size_t mesh = 0;  // index in the file
+};
+
+using Corner = std::array<std::uint32_t, 3>;  // vertex, and the bits of U and V
+struct CornerHash {
+    std::size_t operator()(const Corner& corner) const {
+        Hasher hasher;
+        for (const std::uint32_t part : corner)
+            hasher.u64(part);
+        return static_cast<std::size_t>(hasher.value());
+    }
+};
+
+struct SharedMeshes {
+    ObjectFaces from;
+    std::vector<TypedMesh> meshes;
+};
 
 // Builds the scene's JSON and its binary buffer.
 class GltfWriter {
   public:
-    GltfWriter(const Level& level, const TypedMaterials& materials, fs::path folder)
-        : level_(level), mesh_(*level.mesh), materials_(materials), folder_(std::move(folder)) {}
+    GltfWriter(const Level& level, const TypedMaterials& materials)
+        : level_(level),
+          mesh_(*level.mesh),
+          materials_(materials),
+          surface_(resolve_surfaces(level).surface),
+          textured_(textured(mesh_)),
+          physics_(level.surfaces) {}
 
     void write(std::span<const GltfNode> nodes) {
+        const std::vector<GltfObject> objects = gltf_objects(mesh_, level_.mesh_path.stem().string());
+        std::vector<std::vector<FaceId>> faces(mesh_.groups.size());
+        for (FaceId face = 0; face < mesh_.face_count(); ++face)
+            faces[mesh_.face_group[face]].push_back(face);
+        for (const GltfObject& object : objects) {
+            add_object(object);
+            ++copies_[object.shape];
+        }
+        for (std::size_t i = 0; i < objects.size(); ++i)
+            if (objects[i].group != no_id) fill_object(i, objects[i], std::move(faces[objects[i].group]));
+        for (const GltfNode& node : nodes)
+            add_node(node);
         root_["asset"] = {{"version", "2.0"}, {"generator", "Slipface"}};
         root_["scene"] = 0;
-        root_["scenes"] = {{{"nodes", {0}}, {"extras", {{"slipface_types", types_json()}}}}};
-        root_["nodes"] = {{{"name", level_.mesh_path.stem().string()}, {"mesh", 0}}};
-        for (const GltfNode& node : nodes) {
-            const Vec3& at = node.position;
-            root_["scenes"][0]["nodes"].push_back(root_["nodes"].size());
-            root_["nodes"].push_back({{"name", node.name},
-                                      {"translation", {at.x(), at.y(), at.z()}},
-                                      {"extras", GltfJson::parse(node.extras, nullptr, false)}});
-        }
-        write_materials();
-        write_primitives();
+        root_["scenes"] = {{{"nodes", roots_}, {"extras", {{"slipface_types", types_json()}}}}};
+        for (std::size_t i = 0; i < nodes_.size(); ++i)
+            if (!children_[i].empty()) nodes_[i]["children"] = children_[i];
+        root_["nodes"] = std::move(nodes_);
+        root_["meshes"] = std::move(meshes_);
+        physics_.append_to(root_);
     }
 
     GltfJson root_ = GltfJson::object();
-    std::string bytes_;
+    GltfBuffer buffer_;
 
   private:
     GltfJson types_json() const {
@@ -63,122 +109,200 @@ class GltfWriter {
         return types;
     }
 
-    void write_materials() {
-        for (std::size_t i = 0; i < materials_.names.size(); ++i) {
-            const Material& base = mesh_.materials[materials_.base[i]];
-            const auto& type = materials_.of_type[i];
-            const Vec3f color = type ? tinted(base.diffuse, level_.surfaces[*type]) : base.diffuse;
-            GltfJson pbr{{"baseColorFactor", {color[0], color[1], color[2], 1.0}}, {"metallicFactor", 0.0}};
-            if (const std::string uri = texture_from(level_, base, folder_); !uri.empty())
-                pbr["baseColorTexture"] = {{"index", texture(uri)}};
-            GltfJson material{{"name", materials_.names[i]}, {"pbrMetallicRoughness", std::move(pbr)}};
-            if (type) material["extras"] = {{"slipface_type", level_.surfaces[*type].name}};
-            root_["materials"].push_back(std::move(material));
+    std::size_t append_node(GltfJson node, std::size_t parent) {
+        nodes_.push_back(std::move(node));
+        children_.push_back(GltfJson::array());
+        (parent == no_parent ? roots_ : children_[parent]).push_back(nodes_.size() - 1);
+        return nodes_.size() - 1;
+    }
+
+    // Before the objects below it, so that a reader meets the faces in the same order again.
+    std::size_t append_part(GltfJson node, std::size_t parent, std::ptrdiff_t place) {
+        nodes_.push_back(std::move(node));
+        children_.push_back(GltfJson::array());
+        children_[parent].insert(children_[parent].begin() + place, nodes_.size() - 1);
+        return nodes_.size() - 1;
+    }
+
+    void add_object(const GltfObject& object) {
+        GltfJson node{{"name", object.name}};
+        const Vec3f &at = object.translation, &scale = object.scale;
+        const Eigen::Quaternionf& turn = object.rotation;
+        if (!at.isZero(0.0F)) node["translation"] = {at.x(), at.y(), at.z()};
+        if (!turn.vec().isZero(0.0F)) node["rotation"] = {turn.x(), turn.y(), turn.z(), turn.w()};
+        if (scale != Vec3f::Ones()) node["scale"] = {scale.x(), scale.y(), scale.z()};
+        append_node(std::move(node), object.parent == no_id ? no_parent : object.parent);
+    }
+
+    void add_node(const GltfNode& node) {
+        const Vec3& at = node.position;
+        append_node({{"name", node.name},
+                     {"translation", {at.x(), at.y(), at.z()}},
+                     {"extras", GltfJson::parse(node.extras, nullptr, false)}},
+                    no_parent);
+    }
+
+    // An object of one type and without children has its mesh itself; another gets a node for each type.
+    void fill_object(std::size_t node, const GltfObject& object, std::vector<FaceId> faces) {
+        if (faces.empty()) return;
+        const std::vector<TypedMesh> meshes = meshes_of(object, std::move(faces));
+        const bool in_parts = meshes.size() > 1 || object.has_children;
+        std::ptrdiff_t part = 0;
+        for (const TypedMesh& one : meshes) {
+            const SurfaceType& type = level_.surfaces[one.surface];
+            std::size_t holder = node;
+            if (in_parts) {
+                const GltfJson extras{{"slipface_part", true}, {"slipface_type", type.name}};
+                holder =
+                    append_part({{"name", object.name + " " + type.name}, {"extras", extras}}, node, part++);
+            } else {
+                nodes_[node]["extras"] = {{"slipface_type", type.name}};
+            }
+            nodes_[holder]["mesh"] = one.mesh;
+            if (!type.solid) continue;
+            const std::string name = nodes_[holder]["name"].get<std::string>() + " collider";
+            append_node(physics_.collider(name, one.surface, one.mesh, holder), holder);
         }
     }
 
-    // The index of a texture, in the order of first use; each image once.
-    std::size_t texture(const std::string& uri) {
-        const auto known = std::find(uris_.begin(), uris_.end(), uri);
-        const auto index = static_cast<std::size_t>(known - uris_.begin());
-        if (known != uris_.end()) return index;
-        uris_.push_back(uri);
-        root_["images"].push_back({{"uri", uri}});
-        root_["textures"].push_back({{"source", index}});
-        return index;
+    // Copies of one object with the same types share their meshes.
+    std::vector<TypedMesh> meshes_of(const GltfObject& object, std::vector<FaceId> list) {
+        ObjectFaces faces = own_faces(object, std::move(list));
+        if (object.shape == no_id || copies_[object.shape] < 2) return make_meshes(object.name, faces);
+        std::vector<SharedMeshes>& known = shared_[object.shape];
+        for (const SharedMeshes& other : known)
+            if (same(other.from, faces)) return other.meshes;
+        std::vector<TypedMesh> made = make_meshes(object.name, faces);
+        known.push_back({std::move(faces), made});
+        return made;
     }
 
-    void write_primitives() {
-        const ResolvedSurfaces resolved = resolve_surfaces(level_);
-        std::vector<std::vector<FaceId>> faces(materials_.names.size());
-        for (FaceId face = 0; face < mesh_.face_count(); ++face)
-            faces[materials_.face_name[face]].push_back(face);
-        std::vector<std::uint32_t> number(mesh_.corner_vertex.size(), no_id);
-        GltfJson primitives = GltfJson::array();
-        for (std::size_t i = 0; i < faces.size(); ++i) {
-            // Faces with the same entry of `materials_` have the same type.
-            const std::string& type = level_.surfaces[resolved.surface[faces[i].front()]].name;
-            GltfJson primitive = primitive_of(faces[i], number);
-            primitive["material"] = i;
-            primitive["extras"] = {{"slipface_type", type}};
-            primitives.push_back(std::move(primitive));
-        }
-        root_["meshes"] = {{{"name", level_.mesh_path.stem().string()}, {"primitives", primitives}}};
-        root_["buffers"] = {{{"byteLength", bytes_.size()}}};
-    }
-
-    GltfJson primitive_of(const std::vector<FaceId>& faces, std::vector<std::uint32_t>& number) {
-        std::vector<std::uint32_t> corners, indices;
-        for (const FaceId face : faces) {
-            for (std::uint32_t t = mesh_.face_first_triangle[face]; t < mesh_.face_first_triangle[face + 1];
-                 ++t) {
-                for (const std::uint32_t corner : mesh_.triangles[t]) {
-                    if (number[corner] == no_id) {
-                        number[corner] = static_cast<std::uint32_t>(corners.size());
-                        corners.push_back(corner);
-                    }
-                    indices.push_back(number[corner]);
-                }
+    ObjectFaces own_faces(const GltfObject& object, std::vector<FaceId> list) const {
+        const auto key = [&](FaceId face) { return std::pair(surface_[face], materials_.face_name[face]); };
+        std::stable_sort(list.begin(), list.end(), [&](FaceId a, FaceId b) { return key(a) < key(b); });
+        const bool stays = object.world.isIdentity(0.0);
+        const Eigen::Matrix4d to_own = object.world.inverse();
+        ObjectFaces own;
+        own.faces = std::move(list);
+        own.mirrored = object.world.determinant() < 0.0;
+        for (const FaceId face : own.faces) {
+            const std::uint32_t first = mesh_.face_first_corner[face];
+            const std::uint32_t count = mesh_.face_corner_count(face);
+            for (std::uint32_t k = 0; k < count; ++k) {
+                const std::uint32_t corner = first + (own.mirrored ? count - 1 - k : k);
+                const Vec3f world = mesh_.corner_position(corner);
+                const Vec3 local = (to_own * world.cast<double>().homogeneous()).head<3>();
+                own.corners.push_back(corner);
+                own.positions.push_back(stays ? world : Vec3f(local.cast<float>()));
             }
         }
-        GltfJson attributes{{"POSITION", positions(corners)}, {"TEXCOORD_0", uvs(corners)}};
-        const std::size_t begin = bytes_.size();
-        for (const std::uint32_t index : indices)
-            put(index);
-        return {{"attributes", std::move(attributes)},
-                {"indices", accessor(begin, target_indices, component_u32, "SCALAR", indices.size())}};
+        return own;
     }
 
-    std::size_t positions(const std::vector<std::uint32_t>& corners) {
-        const std::size_t begin = bytes_.size();
-        Vec3f low = mesh_.corner_position(corners.front());
-        Vec3f high = low;
-        for (const std::uint32_t corner : corners) {
-            const Vec3f position = mesh_.corner_position(corner);
-            low = low.cwiseMin(position);
-            high = high.cwiseMax(position);
-            for (const float coordinate : position)
-                put(std::bit_cast<std::uint32_t>(coordinate));
+    bool same(const ObjectFaces& a, const ObjectFaces& b) const {
+        if (a.faces.size() != b.faces.size() || a.positions.size() != b.positions.size()) return false;
+        for (std::size_t i = 0; i < a.faces.size(); ++i) {
+            const FaceId one = a.faces[i], two = b.faces[i];
+            if (materials_.face_name[one] != materials_.face_name[two] || surface_[one] != surface_[two] ||
+                mesh_.face_corner_count(one) != mesh_.face_corner_count(two))
+                return false;
         }
-        const std::size_t index = accessor(begin, target_vertices, component_float, "VEC3", corners.size());
-        root_["accessors"][index]["min"] = {low[0], low[1], low[2]};
-        root_["accessors"][index]["max"] = {high[0], high[1], high[2]};
-        return index;
+        for (std::size_t i = 0; i < a.corners.size(); ++i)
+            if (mesh_.corner_uv[a.corners[i]] != mesh_.corner_uv[b.corners[i]]) return false;
+        // The positions went through the objects' transformations and back, in float.
+        constexpr float rounding = 2e-5F;
+        float largest = 1.0F;
+        for (const Vec3f& position : a.positions)
+            largest = std::max(largest, position.cwiseAbs().maxCoeff());
+        for (std::size_t i = 0; i < a.positions.size(); ++i)
+            if (!((a.positions[i] - b.positions[i]).cwiseAbs().maxCoeff() <= rounding * largest))
+                return false;
+        return true;
     }
 
-    // In glTF V points downwards.
-    std::size_t uvs(const std::vector<std::uint32_t>& corners) {
-        const std::size_t begin = bytes_.size();
-        for (const std::uint32_t corner : corners) {
-            put(std::bit_cast<std::uint32_t>(mesh_.corner_uv[corner].x()));
-            put(std::bit_cast<std::uint32_t>(1.0F - mesh_.corner_uv[corner].y()));
+    std::vector<TypedMesh> make_meshes(const std::string& name, const ObjectFaces& faces) {
+        std::vector<TypedMesh> made;
+        std::size_t corner = 0;
+        for (std::size_t begin = 0; begin < faces.faces.size();) {
+            const SurfaceId surface = surface_[faces.faces[begin]];
+            std::size_t end = begin;
+            while (end < faces.faces.size() && surface_[faces.faces[end]] == surface)
+                ++end;
+            std::size_t corners = 0;
+            for (std::size_t i = begin; i < end; ++i)
+                corners += mesh_.face_corner_count(faces.faces[i]);
+            made.push_back({surface, meshes_.size()});
+            add_mesh(name, faces, std::span(faces.faces).subspan(begin, end - begin), corner);
+            corner += corners;
+            begin = end;
         }
-        return accessor(begin, target_vertices, component_float, "VEC2", corners.size());
+        return made;
     }
 
-    std::size_t accessor(std::size_t begin, int target, int component, const char* type, std::size_t count) {
-        // One array after the other: adding a key invalidates references to others.
-        root_["bufferViews"].push_back({{"buffer", 0},
-                                        {"byteOffset", begin},
-                                        {"byteLength", bytes_.size() - begin},
-                                        {"target", target}});
-        const std::size_t view = root_["bufferViews"].size() - 1;
-        GltfJson& accessors = root_["accessors"];
-        accessors.push_back(
-            {{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}});
-        return accessors.size() - 1;
+    // One primitive for each material, all with the same vertices.
+    void add_mesh(const std::string& name, const ObjectFaces& object, std::span<const FaceId> faces,
+                  std::size_t corner) {
+        std::vector<Vec3f> vertices;
+        std::vector<Vec2f> uvs;
+        std::vector<std::uint32_t> vertex;  // [corner]
+        std::unordered_map<Corner, std::uint32_t, CornerHash> known;
+        std::vector<std::uint32_t> indices;
+        struct Range {
+            std::uint32_t material;
+            std::size_t first;
+        };
+        std::vector<Range> ranges;
+        for (const FaceId face : faces) {
+            const std::uint32_t first = mesh_.face_first_corner[face];
+            vertex.resize(mesh_.face_corner_count(face));
+            for (std::size_t k = 0; k < vertex.size(); ++k, ++corner) {
+                const std::uint32_t at = object.corners[corner];
+                const Vec2f& uv = mesh_.corner_uv[at];
+                const auto [entry, added] =
+                    known.try_emplace({mesh_.corner_vertex[at], std::bit_cast<std::uint32_t>(uv.x()),
+                                       std::bit_cast<std::uint32_t>(uv.y())},
+                                      static_cast<std::uint32_t>(vertices.size()));
+                if (added) {
+                    vertices.push_back(object.positions[corner]);
+                    uvs.push_back(uv);
+                }
+                vertex[at - first] = entry->second;
+            }
+            const std::uint32_t material = materials_.face_name[face];
+            if (ranges.empty() || ranges.back().material != material)
+                ranges.push_back({material, indices.size()});
+            for (std::uint32_t t = mesh_.face_first_triangle[face]; t < mesh_.face_first_triangle[face + 1];
+                 ++t)
+                for (const std::size_t side : {0, 1, 2})
+                    indices.push_back(vertex[mesh_.triangles[t][object.mirrored ? 2 - side : side] - first]);
+        }
+        GltfJson attributes{{"POSITION", buffer_.positions(vertices)}};
+        if (textured_) attributes["TEXCOORD_0"] = buffer_.uvs(uvs);
+        const std::size_t view = buffer_.index_view(indices);
+        const std::string& type = level_.surfaces[surface_[faces.front()]].name;
+        GltfJson primitives = GltfJson::array();
+        for (std::size_t i = 0; i < ranges.size(); ++i) {
+            const std::size_t end = i + 1 < ranges.size() ? ranges[i + 1].first : indices.size();
+            primitives.push_back({{"attributes", attributes},
+                                  {"indices", buffer_.indices(view, ranges[i].first, end - ranges[i].first)},
+                                  {"material", ranges[i].material},
+                                  {"extras", {{"slipface_type", type}}}});
+        }
+        meshes_.push_back({{"name", name}, {"primitives", std::move(primitives)}});
     }
 
-    void put(std::uint32_t value) {
-        for (int i = 0; i < 4; ++i)
-            bytes_.push_back(static_cast<char>(value >> (8 * i)));
-    }
+    static constexpr std::size_t no_parent = std::numeric_limits<std::size_t>::max();
 
     const Level& level_;
     const Mesh& mesh_;
     const TypedMaterials& materials_;
-    fs::path folder_;
-    std::vector<std::string> uris_;
+    const std::vector<SurfaceId> surface_;
+    const bool textured_;
+    GltfPhysics physics_;
+    std::map<std::uint32_t, std::vector<SharedMeshes>> shared_;  // by shape
+    std::map<std::uint32_t, std::size_t> copies_;                // likewise: how many objects
+    GltfJson nodes_ = GltfJson::array(), meshes_ = GltfJson::array(), roots_ = GltfJson::array();
+    std::vector<GltfJson> children_;  // [node]
 };
 
 std::string json_text(const GltfJson& root) {
@@ -193,11 +317,16 @@ std::string u32_text(std::size_t value) {
 }
 
 // Header, JSON chunk, binary chunk.
-std::string glb_bytes(const GltfJson& root, const std::string& binary) {
+Result<std::string> glb_bytes(const GltfJson& root, const std::string& binary, const fs::path& path) {
     std::string json = json_text(root);
     json.resize((json.size() + 3) / 4 * 4, ' ');
-    return "glTF" + u32_text(2) + u32_text(12 + 8 + json.size() + 8 + binary.size()) + u32_text(json.size()) +
-           "JSON" + json + u32_text(binary.size()) + std::string("BIN\0", 4) + binary;
+    const std::size_t size = 12 + 8 + json.size() + 8 + binary.size();
+    if (size > std::numeric_limits<std::uint32_t>::max())
+        return Error{path.string(), fmt::format("would be {} bytes long, but a .glb has at most 4 GiB; "
+                                                "expected a name that ends in .gltf",
+                                                size)};
+    return "glTF" + u32_text(2) + u32_text(size) + u32_text(json.size()) + "JSON" + json +
+           u32_text(binary.size()) + std::string("BIN\0", 4) + binary;
 }
 
 }  // namespace
@@ -210,15 +339,25 @@ Status export_gltf(const Level& level, const fs::path& path, std::span<const Glt
     if (Status status = check_target(level, path); !status) return status;
     const Result<TypedMaterials> materials = typed_materials(level, true);
     if (!materials) return materials.error();
-    GltfWriter writer(level, *materials, path.parent_path());
+    const bool one_file = to_lower(path.extension().string()) == ".glb";
+    GltfWriter writer(level, *materials);
     writer.write(nodes);
-    if (to_lower(path.extension().string()) == ".glb")
-        return write_file_atomic(path, glb_bytes(writer.root_, writer.bytes_));
+    const std::vector<GltfPicture> pictures =
+        add_gltf_materials(level, *materials, path, one_file, writer.buffer_, writer.root_);
     fs::path binary = path;
     binary.replace_extension(".bin");
-    writer.root_["buffers"][0]["uri"] = binary.filename().string();
-    if (Status status = write_file_atomic(binary, writer.bytes_); !status) return status;
-    return write_file_atomic(path, json_text(writer.root_) + "\n");
+    writer.buffer_.append_to(writer.root_, one_file ? std::string() : uri_text(binary.filename()));
+    if (one_file) {
+        const Result<std::string> bytes = glb_bytes(writer.root_, writer.buffer_.bytes(), path);
+        return bytes ? write_file_atomic(path, *bytes) : Status(bytes.error());
+    }
+    const std::string text = json_text(writer.root_) + "\n";
+    std::vector<FileToWrite> files;
+    for (const GltfPicture& picture : pictures)
+        files.push_back({picture.path, picture.bytes});
+    files.push_back({binary, writer.buffer_.bytes()});
+    files.push_back({path, text});
+    return write_files_atomic(files);
 }
 
 }  // namespace slipface

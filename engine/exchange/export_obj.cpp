@@ -29,6 +29,11 @@ Status check_target(const Level& level, const fs::path& path) {
     return {};
 }
 
+bool textured(const Mesh& mesh) {
+    return std::any_of(mesh.corner_uv.begin(), mesh.corner_uv.end(),
+                       [](const Vec2f& uv) { return !uv.isZero(0.0F); });
+}
+
 namespace {
 
 std::string mtl_text(const Level& level, const TypedMaterials& materials, const fs::path& folder) {
@@ -44,11 +49,6 @@ std::string mtl_text(const Level& level, const TypedMaterials& materials, const 
             text += "map_Kd " + texture + "\n";
     }
     return text;
-}
-
-bool textured(const Mesh& mesh) {
-    return std::any_of(mesh.corner_uv.begin(), mesh.corner_uv.end(),
-                       [](const Vec2f& uv) { return !uv.isZero(0.0F); });
 }
 
 void add_face(const Mesh& mesh, FaceId face, bool with_uv, std::string& text) {
@@ -101,9 +101,10 @@ Status export_obj(const Level& level, const fs::path& path) {
         if (fs::equivalent(library, own, error))
             return Error{library.string(), "is the level's own material library; expected another name"};
     }
-    if (Status status = write_file_atomic(library, mtl_text(level, *materials, path.parent_path())); !status)
-        return status;
-    return write_file_atomic(path, obj_text(level, *materials, library.filename().string()));
+    const std::string mtl = mtl_text(level, *materials, path.parent_path());
+    const std::string obj = obj_text(level, *materials, library.filename().string());
+    const FileToWrite files[] = {{library, mtl}, {path, obj}};
+    return write_files_atomic(files);
 }
 
 }  // namespace slipface

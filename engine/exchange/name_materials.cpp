@@ -111,19 +111,10 @@ class Patcher {
     NamedObj out_;
 };
 
-Status write_with_backup(const fs::path& path, std::string_view before, std::string_view after,
-                         NamedMaterials& named) {
-    const fs::path backup = path.string() + ".bak";
-    if (Status status = write_file_atomic(backup, before); !status) return status;
-    named.backups.push_back(backup);
-    if (Status status = write_file_atomic(path, after); !status) return status;
-    named.written.push_back(path);
-    return {};
-}
-
-// Reads the written geometry and clears the paint of faces whose material now gives their type.
-Result<LoadedLevel> read_baked(const Level& level) {
-    Result<LoadedLevel> loaded = reload_mesh(level);
+// Reads the geometry with its new names, from `obj` or from the file, and clears the paint of faces whose
+// material now gives their type.
+Result<LoadedLevel> read_named(const Level& level, const std::string* obj) {
+    Result<LoadedLevel> loaded = reload_mesh(level, nullptr, obj);
     if (!loaded) return loaded;
     Level& after = loaded->level;
     const ResolvedSurfaces plain = resolve_surfaces(without_paint(after));
@@ -131,6 +122,21 @@ Result<LoadedLevel> read_baked(const Level& level) {
         if (after.overrides[face] == plain.surface[face]) after.overrides[face].reset();
     }
     return loaded;
+}
+
+// The patched files and the level file, all or none.
+Status write_named(const std::vector<MaterialPatch>& patches, const Level& after, NamedMaterials& named) {
+    const std::string level_text = level_to_json(after);
+    std::vector<FileToWrite> files;
+    for (const MaterialPatch& patch : patches) {
+        named.backups.emplace_back(patch.path.string() + ".bak");
+        named.written.push_back(patch.path);
+        files.push_back({named.backups.back(), patch.before});
+    }
+    for (const MaterialPatch& patch : patches)
+        files.push_back({patch.path, patch.after});
+    files.push_back({after.file_path, level_text});
+    return write_files_atomic(files);
 }
 
 }  // namespace
@@ -195,15 +201,13 @@ Result<NamedMaterials> name_materials(const Level& level) {
     NamedMaterials named;
     named.faces = text->faces;
     if (text->faces > 0) {
-        // Materials first: if the OBJ cannot be written, unused materials do no harm.
-        for (const MaterialPatch& patch : patch_libraries(level, *bytes, text->materials)) {
-            if (Status status = write_with_backup(patch.path, patch.before, patch.after, named); !status)
-                return status.error();
-        }
-        if (Status status = write_with_backup(level.mesh_path, *bytes, text->obj, named); !status)
-            return status.error();
+        const Result<LoadedLevel> planned = read_named(level, &text->obj);
+        if (!planned) return planned.error();
+        std::vector<MaterialPatch> patches = patch_libraries(level, *bytes, text->materials);
+        patches.push_back({level.mesh_path, std::move(*bytes), std::move(text->obj)});
+        if (Status status = write_named(patches, planned->level, named); !status) return status.error();
     }
-    Result<LoadedLevel> after = read_baked(level);
+    Result<LoadedLevel> after = read_named(level, nullptr);
     if (!after) return after.error();
     named.after = std::move(*after);
     return named;

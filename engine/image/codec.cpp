@@ -29,7 +29,8 @@ std::string stb_reason() {
     return reason != nullptr ? reason : "unknown";
 }
 
-Result<Image> decode(std::string_view bytes, const std::string& location, int max_side) {
+// Checks the header: a format that is read, a size within the limit.
+Status check_header(std::string_view bytes, const std::string& location, int max_side) {
     if (bytes.empty()) return Error{location, "is empty; expected a PNG, JPEG, TGA or BMP image"};
     if (bytes.size() > largest_file)
         return Error{location, fmt::format("has {} bytes; too many for an image", bytes.size())};
@@ -45,7 +46,6 @@ Result<Image> decode(std::string_view bytes, const std::string& location, int ma
     if (const auto header = png_size(bytes); header && (header->width > limit || header->height > limit)) {
         return too_large(header->width, header->height);
     }
-    if (std::optional<Image> image = decode_plain_png(bytes)) return *std::move(image);
     int width = 0;
     int height = 0;
     int channels = 0;
@@ -53,8 +53,19 @@ Result<Image> decode(std::string_view bytes, const std::string& location, int ma
         return Error{location, "is no PNG, JPEG, TGA or BMP image"};
     }
     if (width < 1 || height < 1 || width > max_side || height > max_side) return too_large(width, height);
+    return {};
+}
+
+Result<Image> decode(std::string_view bytes, const std::string& location, int max_side) {
+    if (Status status = check_header(bytes, location, max_side); !status) return status.error();
+    if (std::optional<Image> image = decode_plain_png(bytes)) return *std::move(image);
     if (!png_data_fits_header(bytes)) return Error{location, "is corrupt: its data do not fit its size"};
 
+    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = static_cast<int>(bytes.size());
+    int width = 0;
+    int height = 0;
+    int channels = 0;
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
     if (!pixels) return Error{location, "is corrupt: " + stb_reason()};
@@ -71,6 +82,11 @@ Result<Image> decode_image(std::string_view bytes, const std::string& location, 
     } catch (const std::exception&) {
         return Error{location, "needs more memory than there is"};
     }
+}
+
+Status check_image(const std::filesystem::path& path, int max_side) {
+    const auto bytes = read_file(path, largest_file);
+    return bytes ? check_header(*bytes, path.string(), max_side) : Status(bytes.error());
 }
 
 Result<Image> load_image(const std::filesystem::path& path, int max_side) {

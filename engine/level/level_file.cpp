@@ -50,12 +50,13 @@ Result<fs::path> mesh_of_level_file(const fs::path& file_path, const Json& root)
     return file_path.parent_path() / normal;
 }
 
-Result<LoadedLevel> load_mesh(const fs::path& mesh_path, const ImportTransform& transform,
-                              Progress* progress) {
+Result<LoadedLevel> load_mesh(const fs::path& mesh_path, const ImportTransform& transform, Progress* progress,
+                              const std::string* content = nullptr) {
     const auto start = std::chrono::steady_clock::now();
     ImportOptions options;
     options.transform = transform;
     options.progress = progress;
+    options.content = content;
     Result<ImportedMesh> imported = import_mesh(mesh_path, options);
     if (!imported) return imported.error();
     LoadedLevel loaded;
@@ -193,9 +194,9 @@ std::vector<Spawn> moved_spawns(const Level& level, const ImportSummary& after) 
 
 }  // namespace
 
-Result<LoadedLevel> reload_mesh(const Level& level, Progress* progress) {
+Result<LoadedLevel> reload_mesh(const Level& level, Progress* progress, const std::string* content) {
     try {
-        Result<LoadedLevel> geometry = load_mesh(level.mesh_path, level.import_transform, progress);
+        Result<LoadedLevel> geometry = load_mesh(level.mesh_path, level.import_transform, progress, content);
         if (!geometry) return geometry;
         begin_stage(progress, "Finding painted faces", 1.0, 1.0);
         LoadedLevel loaded = with_geometry(level, std::move(*geometry));
@@ -255,6 +256,7 @@ std::filesystem::path level_file_for(const std::filesystem::path& mesh_path) {
 
 Result<LoadedLevel> load_level(const std::filesystem::path& path, Progress* progress) {
     try {
+        finish_interrupted_writes(path.parent_path());
         Result<LoadedLevel> loaded =
             is_level_file(path) ? load_from_level_file(path, progress) : load_from_mesh(path, progress);
         if (!loaded) return loaded;

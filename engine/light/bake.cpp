@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "lit_geometry.h"
+#include "slipface/base/files.h"
 #include "slipface/base/parallel.h"
+#include "slipface/level/level_file.h"
 
 namespace slipface {
 namespace {
@@ -257,11 +259,13 @@ Status bake_level_light(Level& level, const LightQuality& quality,
     const Result<LightBaker> baker = LightBaker::make(level, quality);
     if (!baker) return baker.error();
     const std::string name = level.mesh_path.stem().string() + ".light.png";
-    if (Status status = save_png(level.file_path.parent_path() / name, baker->bake(progress)); !status)
-        return status;
+    const Result<std::string> image = encode_png(baker->bake(progress));
+    if (!image) return image.error();
     level.light->image = name;
     level.light->geometry = baker->charts().geometry;
-    return {};
+    const std::string text = level_to_json(level);
+    const FileToWrite files[] = {{level.file_path.parent_path() / name, *image}, {level.file_path, text}};
+    return write_files_atomic(files);
 }
 
 }  // namespace slipface

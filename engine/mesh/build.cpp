@@ -58,6 +58,16 @@ Status check_positions(const std::vector<Vec3f>& positions, const char* what) {
     return unfit(fmt::format("{} {} is not finite", what, bad - positions.begin()));
 }
 
+Status check_nodes(const PolygonSoup& soup) {
+    for (std::size_t i = 0; i < soup.nodes.size(); ++i) {
+        const MeshNode& node = soup.nodes[i];
+        if ((node.parent != no_id && node.parent >= i) || (node.shape != no_id && node.shape > i) ||
+            (node.group != no_id && node.group >= soup.groups.size()))
+            return unfit(fmt::format("node {} names another node or a group that is not there", i));
+    }
+    return {};
+}
+
 Status check(const PolygonSoup& soup) {
     if (corner_count(soup) >= no_id) return unfit("has too many corners");
     const bool indexed = !soup.corner_vertex.empty() || !soup.vertex_position.empty();
@@ -72,6 +82,7 @@ Status check(const PolygonSoup& soup) {
     if (auto status = check_indices(soup.face_material, soup.materials.size(), "material"); !status)
         return status;
     if (auto status = check_indices(soup.face_group, soup.groups.size(), "group"); !status) return status;
+    if (const auto status = check_nodes(soup); !status) return status;
     if (const auto status = check_positions(soup.corner_position, "corner"); !status) return status;
     return check_positions(soup.vertex_position, "vertex");
 }
@@ -169,6 +180,7 @@ MeshPtr make(PolygonSoup soup) {
     mesh->corner_uv = std::move(soup.corner_uv);
     mesh->materials = std::move(soup.materials);
     mesh->groups = std::move(soup.groups);
+    mesh->nodes = std::move(soup.nodes);
     set_corners(soup, *mesh);
     cut_faces(*mesh);
     for (const Vec3f& position : mesh->positions)

@@ -62,6 +62,11 @@ ImportSummary transform(ImportedSoup& imported, const ImportTransform& how) {
         for (std::vector<Vec3f>* positions : {&imported.soup.corner_position, &imported.soup.vertex_position})
             for (Vec3f& p : *positions)
                 p = Vec3f(upright * p) * scale;
+        Eigen::Matrix4d turn = Eigen::Matrix4d::Identity();
+        turn.topLeftCorner<3, 3>() = upright.cast<double>() * static_cast<double>(scale);
+        const Eigen::Matrix4d back = turn.inverse();
+        for (MeshNode& node : imported.soup.nodes)
+            node.world = (turn * node.world.cast<double>() * back).cast<float>();
     }
     const Eigen::Matrix3d rotation = upright.cast<double>();
     const Eigen::Matrix3d turned = rotation * upright_rotation(frame.up).cast<double>().transpose();
@@ -86,7 +91,7 @@ Result<ImportedMesh> read_mesh(const std::filesystem::path& path, const ImportOp
     }
     if (auto status = check_transform(path, options.transform); !status) return status.error();
     begin_stage(options.progress, "Reading the file", 0.0, 0.1);
-    auto bytes = read_file(path);
+    auto bytes = options.content != nullptr ? Result<std::string>(*options.content) : read_file(path);
     if (!bytes) return bytes.error();
     ImportedMesh imported;
     imported.stamp = file_stamp(*bytes);

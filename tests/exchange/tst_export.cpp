@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "exchange/scratch_level.h"
 #include "slipface/exchange/export.h"
+#include "slipface/image/image.h"
 
 namespace slipface::test {
 namespace {
@@ -103,6 +105,148 @@ TEST_F(Export, NeverWritesOverTheLevelsMaterials) {
     EXPECT_EQ(read("stone.mtl"), "newmtl stone\n");
     EXPECT_FALSE(exists("stone.obj"));
     EXPECT_TRUE(export_obj(level, path("other.obj")));
+}
+
+// Objects, their tree, copies and colours of a glTF, read, painted, exported and read again.
+class GltfObjects : public Export {
+  protected:
+    // A table with two mugs on it, of which one is mirrored and turned, in a room; two quads each.
+    static std::string room() {
+        const float quads[] = {0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 0, 0, 0, 1, 0, 0, 1, 1, 1, 1, 1, 1, 1, 0};
+        const std::uint32_t indices[] = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
+        std::string bytes(sizeof quads + sizeof indices, '\0');
+        std::memcpy(bytes.data(), quads, sizeof quads);
+        std::memcpy(bytes.data() + sizeof quads, indices, sizeof indices);
+        return bytes;
+    }
+    Level open_room() const {
+        write("room.bin", room());
+        write("room.gltf", R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,5]}],"nodes":[
+            {"name":"room","children":[1,4]},{"name":"table","mesh":0,"children":[2,3],"translation":[2,1,0]},
+            {"name":"mug","mesh":1,"translation":[0,1,0],"scale":[0.25,0.5,0.25]},
+            {"name":"mug two","mesh":1,"translation":[1,1,0],"rotation":[0,0.6,0,0.8],"scale":[-1,1,1]},
+            {"name":"lamp without faces"},{"name":"room","mesh":0}],
+            "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0}]},
+                      {"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":1}]}],
+            "materials":[{"name":"wood","pbrMetallicRoughness":{"baseColorFactor":[0.25,0.5,1,1]}},
+                         {"name":"glass__ice","pbrMetallicRoughness":{"baseColorFactor":[0.03,0.9,0.1,1]}}],
+            "accessors":[{"bufferView":0,"componentType":5126,"count":8,"type":"VEC3","min":[0,0,0],"max":[1,1,1]},
+                         {"bufferView":1,"componentType":5125,"count":12,"type":"SCALAR"}],
+            "bufferViews":[{"buffer":0,"byteLength":96},{"buffer":0,"byteOffset":96,"byteLength":48}],
+            "buffers":[{"byteLength":144,"uri":"room.bin"}]})");
+        return open_path("room.gltf");
+    }
+    static std::vector<std::string> tree(const Mesh& mesh) {
+        std::vector<std::string> names;
+        for (const MeshNode& node : mesh.nodes) {
+            std::string name = node.name;
+            for (std::uint32_t up = node.parent; up != no_id; up = mesh.nodes[up].parent)
+                name = mesh.nodes[up].name + "/" + name;
+            names.push_back(name);
+        }
+        return names;
+    }
+    nlohmann::json exported(const Level& level) const {
+        EXPECT_TRUE(export_gltf(level, path("out.gltf")));
+        return nlohmann::json::parse(read("out.gltf"));
+    }
+};
+
+TEST_F(GltfObjects, TheTreeIsKept) {
+    const Level level = open_room();
+    EXPECT_THAT(tree(*level.mesh),
+                testing::ElementsAre("room", "room/table", "room/table/mug", "room/table/mug two", "room"));
+    const nlohmann::json json = exported(level);
+    EXPECT_THAT(tree(*open_path("out.gltf").mesh), testing::ElementsAreArray(tree(*level.mesh)));
+    const auto node = [&](const std::string& name) {
+        for (const auto& one : json["nodes"])
+            if (one["name"] == name) return one;
+        return nlohmann::json();
+    };
+    EXPECT_EQ(node("mug")["translation"], nlohmann::json({0, 1, 0}));
+    EXPECT_EQ(node("mug")["scale"], nlohmann::json({0.25, 0.5, 0.25}));
+    EXPECT_LT(node("mug two")["scale"][0], 0);
+    EXPECT_EQ(node("mug")["mesh"], node("mug two")["mesh"]) << "copies share a mesh";
+    EXPECT_EQ(open_path("out.gltf").mesh->positions, level.mesh->positions);
+    EXPECT_EQ(json["meshes"].size(), 2u) << "the table and the second room are copies, too";
+}
+
+TEST_F(GltfObjects, ReadBackEqual) {
+    Level level = open_room();
+    paint(level, 1, "ladder");  // of the table
+    paint(level, 4, "hazard");  // of a mug, which is no copy any more
+    const nlohmann::json json = exported(level);
+    const Level again = open_path("out.gltf");
+    EXPECT_EQ(types_by_place(again), types_by_place(level));
+    EXPECT_EQ(tree(*again.mesh), tree(*level.mesh)) << "parts of one object are read as one";
+    EXPECT_EQ(again.mesh->groups.size(), level.mesh->groups.size());
+    std::map<std::string, Vec3f> before, after;
+    for (const Material& material : level.mesh->materials)
+        before[material.name] = material.diffuse;
+    for (const Material& material : again.mesh->materials)
+        after[material.name] = material.diffuse;
+    EXPECT_LT((after["wood"] - before["wood"]).norm(), 1e-5F);
+    EXPECT_LT((after["glass__ice"] - before["glass__ice"]).norm(), 1e-5F);
+    EXPECT_NEAR(before["wood"].x(), 0.537F, 0.001F) << "linear 0.25 in sRGB";
+    EXPECT_EQ(json["meshes"].size(), 6u) << "table in two, mug in two, the other mug, the second room";
+}
+
+TEST_F(GltfObjects, BodiesInTheExtensionsOfEngines) {
+    Level level = open_room();
+    paint(level, 1, "ladder");
+    const auto no_body = find_surface(level, "conveyor").value();
+    level.surfaces[no_body].solid = false;
+    paint(level, 0, "conveyor");
+    const nlohmann::json json = exported(level);
+    const auto& nodes = json["nodes"];
+    const auto& shapes = json["extensions"]["OMI_physics_shape"]["shapes"];
+    const auto& materials = json["extensions"]["KHR_physics_rigid_bodies"]["physicsMaterials"];
+    std::map<std::string, std::string> type_of_mesh;
+    int bodies = 0;
+    for (const auto& node : nodes) {
+        if (node.contains("mesh")) {
+            EXPECT_FALSE(node.contains("extensions")) << "an engine makes either a mesh or a body of a node";
+        }
+        if (!node.contains("extensions")) continue;
+        ++bodies;
+        const auto& omi = node["extensions"]["OMI_physics_body"]["collider"];
+        const auto& khr = node["extensions"]["KHR_physics_rigid_bodies"]["collider"];
+        const auto& holder = nodes[khr["geometry"]["node"].get<std::size_t>()];
+        EXPECT_EQ(shapes[omi["shape"].get<std::size_t>()]["type"], "trimesh");
+        EXPECT_EQ(shapes[omi["shape"].get<std::size_t>()]["trimesh"]["mesh"], holder["mesh"]);
+        EXPECT_EQ(omi["physicsMaterial"], khr["physicsMaterial"]);
+        EXPECT_EQ(node["extras"]["slipface_type"], holder["extras"]["slipface_type"]);
+        for (const auto& child : holder["children"])
+            EXPECT_FALSE(nodes[child.get<std::size_t>()].contains("mesh")) << "would be part of the shape";
+        const double friction = materials[khr["physicsMaterial"].get<std::size_t>()]["dynamicFriction"];
+        const bool ice = node["extras"]["slipface_type"] == "ice";
+        EXPECT_EQ(friction, ice ? 0.0 : 1.0) << node["extras"]["slipface_type"];
+    }
+    EXPECT_EQ(bodies, 5) << "two types of the table, two mugs, the second room; the conveyor is not solid";
+}
+
+TEST_F(GltfObjects, PicturesGoWithTheFile) {
+    std::filesystem::create_directories(path("pictures"));
+    std::filesystem::create_directories(path("out"));
+    const Image picture = make_image(3, 2, 200, 100, 50);
+    ASSERT_TRUE(save_png(path("pictures/a b.png"), picture));
+    write("level.mtl", "newmtl stone\nmap_Kd pictures/a b.png\nnewmtl wood\nmap_Kd gone.png\n");
+    const Level level = open("mtllib level.mtl\nvt 0.25 0.75\n" + grid_obj(2, {"stone", "wood"}));
+    const std::string bytes = read("pictures/a b.png");
+
+    ASSERT_TRUE(export_gltf(level, path("one.glb")));
+    EXPECT_NE(read("one.glb").find(bytes), std::string::npos);
+    EXPECT_THAT(read("one.glb"), testing::HasSubstr(R"("mimeType":"image/png")"));
+    EXPECT_THAT(read("one.glb"), testing::Not(testing::HasSubstr("gone")));
+
+    ASSERT_TRUE(export_gltf(level, path("here.gltf")));
+    EXPECT_THAT(read("here.gltf"), testing::HasSubstr(R"("uri":"pictures/a%20b.png")"));
+
+    ASSERT_TRUE(export_gltf(level, path("out/there.gltf")));
+    EXPECT_THAT(read("out/there.gltf"), testing::HasSubstr(R"("uri":"there-a%20b.png")"));
+    EXPECT_EQ(read("out/there-a b.png"), bytes);
+    const Level again = open_path("out/there.gltf");
+    EXPECT_EQ(again.mesh->materials.front().texture, "there-a b.png");
 }
 
 }  // namespace

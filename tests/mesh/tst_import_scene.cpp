@@ -65,7 +65,11 @@ TEST_F(ImportScene, GltfNodesArePlacedInTheWorld) {
     EXPECT_EQ(face_normal(mesh, 1), Vec3(0, 1, 0));
     EXPECT_THAT(mesh.groups, ElementsAre("moved", "mirrored"));
     EXPECT_EQ(mesh.materials[mesh.face_material[0]].name, "ice");
-    EXPECT_EQ(mesh.materials[mesh.face_material[0]].diffuse, Vec3f(0.25F, 0.5F, 1));
+    const Vec3f srgb(0.5371F, 0.7354F, 1);  // the file's 0.25, 0.5 and 1 are linear
+    EXPECT_LT((mesh.materials[mesh.face_material[0]].diffuse - srgb).norm(), 1e-3F);
+    ASSERT_EQ(mesh.nodes.size(), 2U);
+    EXPECT_EQ(mesh.nodes[1].shape, 0U) << "a copy of the first";
+    EXPECT_EQ(mesh.nodes[0].world(0, 3), 10.0F);
 }
 
 TEST_F(ImportScene, FilesOutsideTheFolderAreNotRead) {
@@ -110,6 +114,17 @@ TEST_F(ImportScene, MoreElementsThanBytesAreRefused) {
         ASSERT_FALSE(result) << name;
         EXPECT_THAT(result.error().message, HasSubstr("declares")) << name;
     }
+}
+
+// A few bytes that stand for a polygon of millions of corners.
+TEST_F(ImportScene, APolygonHasNoMoreCornersThanItsMeshAllows) {
+    const auto result =
+        import_as("level.ply",
+                  "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                  "property float z\nelement face 1\nproperty list uint int vertex_indices\nend_header\n"
+                  "0 0 0\n0 0 1\n1 0 1\n1 0 0\n3000000 0 1 2 3\n");
+    ASSERT_FALSE(result);
+    EXPECT_THAT(result.error().message, HasSubstr("corners, but the mesh has 4 vertices"));
 }
 
 }  // namespace

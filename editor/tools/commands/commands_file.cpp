@@ -17,7 +17,10 @@ void name_materials_by_type(Editor& editor) {
     stop_playtest(editor);
     const Result<std::string> named = editor.document->name_materials();
     if (!named) {
-        editor.message = MessageDialog{"Cannot write the types", named.error().text(), {}};
+        editor.message = MessageDialog{.title = "Cannot write the types",
+                                       .text = named.error().text(),
+                                       .details = {},
+                                       .of_refused_write = true};
         return;
     }
     geometry_changed(editor);

@@ -23,7 +23,10 @@ void report_problem(Editor& editor, const std::string& title, const Error& error
 bool write_text(Editor& editor, const std::filesystem::path& path, const std::string& text) {
     const Status status = write_file_atomic(path, text);
     if (!status)
-        report_problem(editor, "Cannot save " + path.filename().string(), status.error());
+        editor.message = MessageDialog{.title = "Cannot save " + path.filename().string(),
+                                       .text = status.error().text(),
+                                       .details = {},
+                                       .of_refused_write = true};
     else
         editor.status = "Saved " + path.filename().string();
     return status.ok();

@@ -173,7 +173,10 @@ void review_mark(Editor& editor, ReviewMark mark) {
     if (mark == ReviewMark::approved) {
         if (!review_can_approve(editor)) return;
         if (const Status status = approve_by_program(review); !status) {
-            editor.message = MessageDialog{"Cannot approve", status.error().text(), {}};
+            editor.message = MessageDialog{.title = "Cannot approve",
+                                           .text = status.error().text(),
+                                           .details = {},
+                                           .of_refused_write = true};
             return;
         }
     }

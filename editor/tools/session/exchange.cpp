@@ -12,9 +12,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void report(Editor& editor, const char* what, const fs::path& path, const Error& error) {
-    editor.message =
-        MessageDialog{std::string("Cannot ") + what + " " + path.filename().string(), error.text(), {}};
+void report(Editor& editor, const char* what, const fs::path& path, const Error& error, bool written = true) {
+    editor.message = MessageDialog{.title = std::string("Cannot ") + what + " " + path.filename().string(),
+                                   .text = error.text(),
+                                   .details = {},
+                                   .of_refused_write = written};
 }
 
 // "precise-platformer.json" is the preset "Precise platformer".
@@ -69,7 +71,7 @@ void export_level(Editor& editor, FileDialogKind kind, const fs::path& path,
 void open_preset(Editor& editor, const fs::path& path) {
     if (!editor.document) return;
     Result<Preset> preset = load_preset(path);
-    if (!preset) return report(editor, "open", path, preset.error());
+    if (!preset) return report(editor, "open", path, preset.error(), false);
     if (preset->name.empty()) preset->name = name_of_file(path);
     use_preset(editor, *preset);
 }

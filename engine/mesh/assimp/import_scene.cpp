@@ -7,6 +7,7 @@
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "assimp/scene_child.h"
@@ -15,6 +16,7 @@
 #include "obj/declared_counts.h"
 #include "obj/obj_text.h"
 #include "slipface/mesh/import.h"
+#include "slipface/mesh/srgb.h"
 
 namespace slipface {
 namespace {
@@ -27,7 +29,25 @@ std::string text_of(const aiString& text) {
     return utf8_name({text.data, std::min<std::size_t>(text.length, MAXLEN - 1)}, converted);
 }
 
-Material material_of(const aiMaterial& source) {
+// glTF's names of files are URIs: "a%20b.png" is "a b.png".
+std::string without_escapes(std::string_view uri) {
+    const auto digit = [](char c) {
+        if (c >= '0' && c <= '9') return c - '0';
+        const char upper = static_cast<char>(c & ~0x20);
+        return upper >= 'A' && upper <= 'F' ? upper - 'A' + 10 : -1;
+    };
+    std::string name;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        const bool escape =
+            uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
+        name += escape ? static_cast<char>(16 * digit(uri[i + 1]) + digit(uri[i + 2])) : uri[i];
+        if (escape) i += 2;
+    }
+    bool converted = false;
+    return utf8_name(name, converted);
+}
+
+Material material_of(const aiMaterial& source, bool gltf) {
     Material material;
     material.name = text_of(const_cast<aiMaterial&>(source).GetName());
     if (material.name == AI_DEFAULT_MATERIAL_NAME) material.name.clear();
@@ -35,11 +55,13 @@ Material material_of(const aiMaterial& source) {
     if (source.Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS) {
         const Vec3f diffuse(color.r, color.g, color.b);
         if (diffuse.allFinite()) material.diffuse = diffuse.cwiseMax(0.0F).cwiseMin(1.0F);
+        if (gltf) material.diffuse = srgb_of_linear(material.diffuse);
     }
     for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
         aiString path;
         if (source.GetTexture(type, 0, &path) != aiReturn_SUCCESS) continue;
         material.texture = text_of(path);
+        if (gltf) material.texture = without_escapes(material.texture);
         // '*' stands for an image inside the file.
         if (material.texture.starts_with('*')) material.texture.clear();
         break;
@@ -47,37 +69,80 @@ Material material_of(const aiMaterial& source) {
     return material;
 }
 
+// Names that assimp makes up: of a root above the file's own objects, and of the steps of an FBX object's
+// transformation.
+bool is_made_up(const aiNode& node) {
+    const std::string_view name(node.mName.C_Str());
+    return (node.mParent == nullptr && (name == "ROOT" || name == "RootNode" || name.starts_with('<'))) ||
+           name.find("_$AssimpFbx$_") != std::string_view::npos;
+}
+
+// A part of its parent, which export_gltf() wrote apart because it has a surface type of its own.
+bool is_part(const aiNode& node) {
+    bool part = false;
+    return node.mMetaData != nullptr && node.mMetaData->Get("slipface_part", part) && part &&
+           node.mTransformation.IsIdentity();
+}
+
 class SceneReader {
   public:
-    SceneReader(const aiScene& scene, bool root_is_frame, const std::string& location, WarningList& warnings)
-        : scene_(scene), root_is_frame_(root_is_frame), location_(location), warnings_(warnings) {}
+    SceneReader(const aiScene& scene, const SceneFrame& frame, const std::string& location,
+                WarningList& warnings)
+        : scene_(scene),
+          root_is_frame_(frame.root_is_frame),
+          is_gltf_(frame.is_gltf),
+          location_(location),
+          warnings_(warnings) {}
 
     Result<PolygonSoup> run() {
         for (unsigned i = 0; i < scene_.mNumMaterials; ++i)
-            soup_.materials.push_back(material_of(*scene_.mMaterials[i]));
+            soup_.materials.push_back(material_of(*scene_.mMaterials[i], is_gltf_));
         soup_.face_first_corner.push_back(0);
 
         // Children before siblings, in the order of the file. Not recursive, because the file determines the
         // depth.
-        std::vector<std::pair<const aiNode*, aiMatrix4x4>> open{{scene_.mRootNode, aiMatrix4x4()}};
+        struct Open {
+            const aiNode* node;
+            aiMatrix4x4 parent_world;
+            std::uint32_t parent;  // of soup_.nodes
+        };
+        std::vector<Open> open{{scene_.mRootNode, aiMatrix4x4(), no_id}};
         while (!open.empty()) {
-            const auto [node, parent] = open.back();
+            const Open next = open.back();
             open.pop_back();
+            const aiNode* const node = next.node;
             if (node == nullptr) continue;
             const bool skipped = root_is_frame_ && node == scene_.mRootNode;
-            const aiMatrix4x4 world = skipped ? parent : parent * node->mTransformation;
-            if (auto status = add_node(*node, world); !status) return status.error();
+            const aiMatrix4x4 world = skipped ? next.parent_world : next.parent_world * node->mTransformation;
+            std::uint32_t number = next.parent;
+            const bool part = number != no_id && is_part(*node);
+            if (!part && (node->mNumMeshes > 0 || !(skipped || is_made_up(*node)))) {
+                number = static_cast<std::uint32_t>(soup_.nodes.size());
+                soup_.nodes.push_back({.name = text_of(node->mName), .parent = next.parent});
+                for (unsigned row = 0; row < 4; ++row)
+                    for (unsigned column = 0; column < 4; ++column)
+                        soup_.nodes.back().world(row, column) = world[row][column];
+            }
+            if (node->mNumMeshes > 0) {
+                if (auto status = add_node(*node, world, number); !status) return status.error();
+            }
             for (unsigned i = node->mNumChildren; i-- > 0;)
-                open.emplace_back(node->mChildren[i], world);
+                open.push_back({node->mChildren[i], world, number});
         }
         if (soup_.face_material.empty()) return Error{location_, "has no faces"};
+        drop_empty_nodes();
         return std::move(soup_);
     }
 
   private:
-    Status add_node(const aiNode& node, const aiMatrix4x4& world) {
-        if (node.mNumMeshes == 0) return {};
-        soup_.groups.push_back(text_of(node.mName));
+    Status add_node(const aiNode& node, const aiMatrix4x4& world, std::uint32_t number) {
+        MeshNode& object = soup_.nodes[number];
+        if (object.group == no_id) {
+            object.group = static_cast<std::uint32_t>(soup_.groups.size());
+            soup_.groups.push_back(object.name);
+        }
+        group_ = object.group;
+        shapes_[number].insert(shapes_[number].end(), node.mMeshes, node.mMeshes + node.mNumMeshes);
         for (unsigned i = 0; i < node.mNumMeshes; ++i) {
             if (node.mMeshes[i] >= scene_.mNumMeshes)
                 return Error{location_, "a node has a mesh that is not there"};
@@ -95,6 +160,12 @@ class SceneReader {
                 ++dropped;
                 continue;
             }
+            // A polygon may visit a vertex twice, where a bridge leads to a hole in it.
+            if (face.mNumIndices > 2 * std::uint64_t{mesh.mNumVertices})
+                return Error{
+                    location_,
+                    fmt::format("face {} of mesh {} has {} corners, but the mesh has {} vertices", i,
+                                in_quotes(text_of(mesh.mName)), face.mNumIndices, mesh.mNumVertices)};
             if (soup_.face_material.size() == max_faces)
                 return Error{location_, fmt::format("has more than {} faces", max_faces)};
             for (unsigned k = 0; k < face.mNumIndices; ++k) {
@@ -106,7 +177,7 @@ class SceneReader {
             soup_.face_first_corner.push_back(static_cast<std::uint32_t>(soup_.corner_position.size()));
             soup_.face_material.push_back(
                 std::min(mesh.mMaterialIndex, std::max(scene_.mNumMaterials, 1U) - 1));
-            soup_.face_group.push_back(static_cast<std::uint32_t>(soup_.groups.size() - 1));
+            soup_.face_group.push_back(group_);
         }
         if (dropped > 0) {
             warnings_.add(location_, fmt::format("dropped {} points and lines of mesh {}", dropped,
@@ -134,11 +205,36 @@ class SceneReader {
         return {};
     }
 
+    // Removes the nodes without faces in or below them, and finds the copies among the others.
+    void drop_empty_nodes() {
+        std::vector<bool> used(soup_.nodes.size());
+        for (std::size_t i = soup_.nodes.size(); i-- > 0;) {
+            used[i] = used[i] || soup_.nodes[i].group != no_id;
+            if (used[i] && soup_.nodes[i].parent != no_id) used[soup_.nodes[i].parent] = true;
+        }
+        std::map<std::vector<unsigned>, std::uint32_t> first;
+        std::vector<std::uint32_t> number(soup_.nodes.size(), no_id);
+        std::vector<MeshNode> kept;
+        for (std::size_t i = 0; i < soup_.nodes.size(); ++i) {
+            if (!used[i]) continue;
+            number[i] = static_cast<std::uint32_t>(kept.size());
+            MeshNode& node = kept.emplace_back(std::move(soup_.nodes[i]));
+            if (node.parent != no_id) node.parent = number[node.parent];
+            const auto shape = shapes_.find(static_cast<std::uint32_t>(i));
+            if (shape != shapes_.end())
+                node.shape = first.try_emplace(shape->second, number[i]).first->second;
+        }
+        soup_.nodes = std::move(kept);
+    }
+
     const aiScene& scene_;
     const bool root_is_frame_;  // assimp corrects axes and unit there; this code does so itself
+    const bool is_gltf_;        // its colours are linear, its names of files URIs
     const std::string& location_;
     WarningList& warnings_;
     PolygonSoup soup_;
+    std::uint32_t group_ = 0;                                // of the faces being added
+    std::map<std::uint32_t, std::vector<unsigned>> shapes_;  // meshes of each node
 };
 
 class CancelledByProgress final : public Assimp::ProgressHandler {
@@ -175,7 +271,7 @@ Result<ImportedSoup> read_scene(const std::filesystem::path& path, const std::st
         return Error{location, fmt::format("assimp cannot read it: {}", importer.GetErrorString())};
     const SceneFrame frame = scene_frame(*scene, extension, bytes);
     std::string().swap(bytes);
-    auto soup = SceneReader(*scene, frame.root_is_frame, location, warnings).run();
+    auto soup = SceneReader(*scene, frame, location, warnings).run();
     if (!soup) return soup.error();
     return ImportedSoup{.soup = std::move(*soup), .frame = frame.frame};
 }

@@ -76,6 +76,14 @@ void members(Bytes& bytes, Answer& answer) {
             bytes.number(material.diffuse.data()[i]);
     });
     bytes.list(soup.groups, [&](auto& group) { bytes.text(group); });
+    bytes.list(soup.nodes, [&](auto& node) {
+        bytes.text(node.name);
+        bytes.number(node.parent);
+        bytes.number(node.group);
+        bytes.number(node.shape);
+        for (int i = 0; i < 16; ++i)
+            bytes.number(node.world.data()[i]);
+    });
 }
 
 }  // namespace

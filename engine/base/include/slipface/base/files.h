@@ -25,6 +25,21 @@ Status write_file_atomic(const std::filesystem::path& path, std::string_view byt
 // for security.
 std::uint64_t fingerprint_of_files(std::span<const std::filesystem::path> files);
 
+// Replaces several files that belong together, all or none: writes and flushes all temporary files and a list
+// of the renames in the first file's folder, renames one directly after the other, and removes the list. A
+// process killed before the list is there leaves the old files; one killed after it leaves the rest to the
+// next finish_interrupted_writes(). The list holds files of the first file's folder and below; others are
+// only renamed. Errors as above, before any file is replaced.
+struct FileToWrite {
+    std::filesystem::path path;
+    std::string_view bytes;
+};
+Status write_files_atomic(std::span<const FileToWrite> files);
+
+// Finishes what write_files_atomic() of a process that is gone had begun in `folder`, and removes temporary
+// files of such processes there. Writing does so itself; reading a level does so in the level's folder.
+void finish_interrupted_writes(const std::filesystem::path& folder);
+
 // True if `file` is `folder` or lies below it. Symbolic links are followed as far as they exist.
 bool lies_within(const std::filesystem::path& file, const std::filesystem::path& folder);
 

@@ -38,8 +38,9 @@ struct NamedMaterials {
 
 // Writes obj_with_names() to the level's OBJ file and, to its material library, copies of the materials
 // tinted with the type's colour. Stores the previous bytes of a file as NAME.bak and replaces an older one.
-// Errors: geometry that is no OBJ; a file that another program has changed since it was read. Does not write
-// the level file: call save_level(after.level).
+// Saves the level file without the paint that is in the names now. All of these files are written or none;
+// none without painted faces. Errors: geometry that is no OBJ; a file that another program has changed since
+// it was read; those of write_files_atomic().
 Result<NamedMaterials> name_materials(const Level& level);
 
 // The colour of a material that carries a type: the mean of the material's own colour and the type's.

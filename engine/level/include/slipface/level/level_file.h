@@ -41,8 +41,10 @@ struct LevelFiles {
 LevelFiles files_of_level(const std::filesystem::path& path);
 
 // Reads the geometry of `level` again, after another program changed it. Finds the painted, hidden and
-// selected faces and the orphans again; all else is copied from `level`.
-Result<LoadedLevel> reload_mesh(const Level& level, Progress* progress = nullptr);
+// selected faces and the orphans again; all else is copied from `level`. `content`: bytes to read instead of
+// the geometry file's.
+Result<LoadedLevel> reload_mesh(const Level& level, Progress* progress = nullptr,
+                                const std::string* content = nullptr);
 // The same with another scale or upward axis. Faces keep their index, so painted faces keep their types; the
 // spawns move with the geometry. Error: the file changed on disk.
 Result<LoadedLevel> reload_mesh(const Level& level, const ImportTransform& transform,

@@ -44,9 +44,9 @@ class LightBaker {
     std::unique_ptr<Impl> impl_;
 };
 
-// Bakes the level's light into NAME.light.png beside its level file and records the image in `level.light` (a
-// sun and a sky are added if it has none). Does not save the level file. Errors: those of LightBaker::make()
-// and save_png().
+// Bakes the level's light into NAME.light.png beside its level file, records the image in `level.light` (a
+// sun and a sky are added if it has none) and saves the level file: both files or neither. Errors: those of
+// LightBaker::make(), encode_png() and write_files_atomic().
 Status bake_level_light(Level& level, const LightQuality& quality = {},
                         const std::function<void(double)>& progress = {});
 

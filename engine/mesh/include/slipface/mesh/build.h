@@ -19,6 +19,7 @@ struct PolygonSoup {
     std::vector<std::uint32_t> face_group;     // [face] index into groups; or empty: all of them 0
     std::vector<Material> materials;           // empty: one without a name
     std::vector<std::string> groups;           // empty: one without a name
+    std::vector<MeshNode> nodes;               // as in Mesh
 };
 
 // Builds a mesh. Welds corners at exactly the same position into one vertex (-0 counts as 0) and numbers

@@ -78,7 +78,8 @@ struct ImportedMesh {
 struct ImportOptions {
     ImportTransform transform;
     std::size_t max_warnings = 100;
-    Progress* progress = nullptr;  // null: no progress is reported
+    const std::string* content = nullptr;  // an OBJ's bytes to read instead of the file's; null: the file's
+    Progress* progress = nullptr;          // null: no progress is reported
 };
 
 // Reads an OBJ file: each polygon becomes one face, in the order of the file, and its group is the last `o`

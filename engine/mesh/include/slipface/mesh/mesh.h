@@ -18,6 +18,15 @@ struct Material {
     std::string texture;                    // image file, relative to the level's folder; empty: none
 };
 
+// An object of a file that places its objects in a tree (glTF, FBX, COLLADA and others).
+struct MeshNode {
+    std::string name;
+    std::uint32_t parent = no_id;  // index of a node before this one; no_id: none
+    std::uint32_t group = no_id;  // the faces of the object, already in the level's space; no_id: it has none
+    std::uint32_t shape = no_id;  // the first node with the same faces, of which this one is a copy
+    Eigen::Matrix4f world = Eigen::Matrix4f::Identity();  // from the object's own space to the level's
+};
+
 // A *face* is one polygon of the file, in the winding of the file (counter-clockwise seen from the front).
 // Its corners are consecutive in the corner arrays. A *triangle* is three corner indices of one face.
 struct Mesh {
@@ -32,6 +41,7 @@ struct Mesh {
     std::vector<std::uint32_t> face_first_triangle;       // [face + 1], ends with the number of triangles
     std::vector<Material> materials;                      // at least one
     std::vector<std::string> groups;                      // object and group names; at least one
+    std::vector<MeshNode> nodes;                          // parents first; empty if the file has no tree
     Aabb bounds;
     std::uint64_t fingerprint = 0;  // of positions, faces and material names
 

@@ -1,0 +1,192 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "descriptor.h"
+#include "interrupted_writes.h"
+#include "slipface/base/files.h"
+
+namespace slipface {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The end of a chain of symbolic links, whether or not a file is there.
+Result<fs::path> link_target(const fs::path& path) {
+    constexpr int longest_chain = 40;  // the limit in Linux
+    fs::path target = path;
+    for (int hop = 0; hop < longest_chain; ++hop) {
+        std::error_code error;
+        if (!fs::is_symlink(fs::symlink_status(target, error))) return target;
+        const fs::path next = fs::read_symlink(target, error);
+        if (error) return Error{path.string(), "cannot follow the symbolic link: " + error.message()};
+        target = next.is_absolute() ? next : target.parent_path() / next;
+    }
+    return Error{path.string(), "too many symbolic links, one after the other"};
+}
+
+int write_all(int handle, std::string_view bytes) {
+    constexpr std::size_t largest_write = std::size_t{1} << 30;  // Linux writes at most 2 GiB at once
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(handle, bytes.data(), std::min(bytes.size(), largest_write));
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return errno;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+fs::path folder_of(const fs::path& file) {
+    return file.parent_path().empty() ? fs::path(".") : file.parent_path();
+}
+
+// Flushes the folder, so that its renames survive a power failure. File systems that cannot flush a directory
+// return EINVAL.
+int flush_directory(const fs::path& folder) {
+    const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!directory.open()) return errno == EACCES ? 0 : errno;
+    return ::fsync(directory.get()) != 0 && errno != EINVAL ? errno : 0;
+}
+
+Error unwritable(const fs::path& path, int error) {
+    return {path.string(), "cannot be written: " + reason_of_errno(error)};
+}
+
+// A written and flushed file under a temporary name. It is removed unless it was renamed. Its lock is held
+// until then (interrupted_writes.h).
+class Staged {
+  public:
+    // Returns 0, or the errno that stopped it.
+    int write(std::string_view bytes, const mode_t* mode) {
+        file_.emplace(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+        if (!file_->open()) return errno;
+        made_ = true;
+        (void)take_lock(*file_);  // there are file systems without
+        if (mode != nullptr && ::fchmod(file_->get(), *mode & 07777) != 0) return errno;
+        if (const int error = write_all(file_->get(), bytes); error != 0) return error;
+        return ::fsync(file_->get()) != 0 ? errno : 0;
+    }
+    int rename_to(const fs::path& name) {
+        if (::rename(temporary_.c_str(), name.c_str()) != 0) return errno;
+        made_ = false;
+        return 0;
+    }
+
+    explicit Staged(fs::path target) : target_(std::move(target)), temporary_(temporary_name(target_)) {}
+    Staged(Staged&& other) noexcept
+        : target_(std::move(other.target_)),
+          temporary_(std::move(other.temporary_)),
+          file_(std::move(other.file_)),
+          made_(std::exchange(other.made_, false)) {}
+    Staged& operator=(Staged&&) = delete;
+    ~Staged() {
+        if (made_) ::unlink(temporary_.c_str());
+    }
+
+    const fs::path& target() const { return target_; }
+    const fs::path& temporary() const { return temporary_; }
+
+  private:
+    fs::path target_, temporary_;
+    std::optional<Descriptor> file_;
+    bool made_ = false;
+};
+
+// The place that `path` stands for, if it may be written.
+Result<fs::path> writable_target(const fs::path& path) {
+    if (path.filename().empty() || path.string().find('\0') != std::string::npos)
+        return Error{path.string(), "names no file to write"};
+    Result<fs::path> target = link_target(path);
+    if (!target) return target;
+    struct stat status {};
+    if (::stat(target->c_str(), &status) != 0) {
+        if (errno != ENOENT) return unwritable(path, errno);
+        return target;
+    }
+    if (!S_ISREG(status.st_mode))
+        return Error{path.string(), fmt::format("is {}; expected a file", kind_of_file(status.st_mode))};
+    // A rename would replace a write-protected file, against the wish of its owner.
+    if (::access(target->c_str(), W_OK) != 0) return unwritable(path, errno);
+    return target;
+}
+
+Result<Staged> stage(const fs::path& path, const fs::path& target, std::string_view bytes) {
+    struct stat status {};
+    const bool exists = ::stat(target.c_str(), &status) == 0;
+    Staged staged(target);
+    if (const int error = staged.write(bytes, exists ? &status.st_mode : nullptr); error != 0)
+        return unwritable(path, error);
+    return staged;
+}
+
+// The list of the renames, in place; nothing if no two files lie in the first one's folder or below.
+Result<std::optional<Staged>> write_rename_list(const std::vector<Staged>& files) {
+    const fs::path folder = folder_of(files.front().target());
+    Renames renames;
+    for (const Staged& file : files) {
+        const fs::path to = file.target().lexically_normal().lexically_relative(folder.lexically_normal());
+        if (to.empty() || *to.begin() == "..") continue;
+        renames.emplace_back(to.parent_path() / file.temporary().filename(), to);
+    }
+    if (renames.size() < 2) return std::optional<Staged>();
+    Staged list(rename_list_name(folder));
+    int error = list.write(rename_list_text(renames), nullptr);
+    if (error == 0) error = list.rename_to(list.target());
+    if (error == 0) error = flush_directory(folder);
+    if (error != 0) return unwritable(list.target(), error);
+    return std::optional<Staged>(std::move(list));
+}
+
+Status rename_all(std::span<const FileToWrite> files, std::vector<Staged>& staged,
+                  const std::set<fs::path>& folders) {
+    for (std::size_t i = 0; i < staged.size(); ++i)
+        if (const int error = staged[i].rename_to(staged[i].target()); error != 0)
+            return unwritable(files[i].path, error);
+    for (const fs::path& folder : folders)
+        if (const int error = flush_directory(folder); error != 0)
+            return Error{files.front().path.string(),
+                         "is written, but its folder cannot be flushed to disk: " + reason_of_errno(error)};
+    return {};
+}
+
+Status replace(std::span<const FileToWrite> files, std::vector<Staged>& staged) {
+    std::set<fs::path> folders;
+    std::vector<fs::path> targets;
+    for (const FileToWrite& file : files) {
+        const Result<fs::path> target = writable_target(file.path);
+        if (!target) return target.error();
+        targets.push_back(*target);
+        folders.insert(folder_of(*target));
+    }
+    for (const fs::path& folder : folders)
+        finish_interrupted_writes(folder);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        Result<Staged> one = stage(files[i].path, targets[i], files[i].bytes);
+        if (!one) return one.error();
+        staged.push_back(std::move(*one));
+    }
+    const Result<std::optional<Staged>> list = write_rename_list(staged);
+    if (!list) return list.error();
+    Status status = rename_all(files, staged, folders);
+    if (*list) ::unlink((*list)->target().c_str());
+    return status;
+}
+
+}  // namespace
+
+Status write_files_atomic(std::span<const FileToWrite> files) {
+    if (files.empty()) return {};
+    std::vector<Staged> staged;
+    staged.reserve(files.size());
+    return replace(files, staged);
+}
+
+Status write_file_atomic(const fs::path& path, std::string_view bytes) {
+    const FileToWrite file{path, bytes};
+    return write_files_atomic({&file, 1});
+}
+
+}  // namespace slipface
