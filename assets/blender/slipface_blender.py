@@ -1119,7 +1119,7 @@ class SLIPFACE_PT_types(bpy.types.Panel):
             layout.operator("slipface.import_level", icon="IMPORT")
             return
         line = layout.row()
-        line.template_list("SLIPFACE_UL_types", "", state, "types", state, "active", rows=8)
+        line.template_list("SLIPFACE_UL_types", "", state, "types", state, "active", rows=9)
         side = line.column(align=True)
         side.operator("slipface.add_type", text="", icon="ADD")
         side.operator("slipface.remove_type", text="", icon="REMOVE")
@@ -1132,8 +1132,8 @@ class SLIPFACE_PT_types(bpy.types.Panel):
         box.prop(state, "level_file", text="")
         box.operator("slipface.read", icon="FILE_REFRESH")
         line = layout.row(align=True)
-        line.operator("slipface.import_level", icon="IMPORT")
-        line.operator("slipface.export_level", icon="EXPORT")
+        line.operator("slipface.import_level", text="Import", icon="IMPORT")
+        line.operator("slipface.export_level", text="Export", icon="EXPORT")
 
 
 def import_entry(menu, context):

@@ -64,8 +64,8 @@ void add_gltf_types(std::string_view bytes, const std::string& location, std::ve
                 find_binary(found.get_ref<const std::string&>()) == std::string_view::npos)
                 type = found.get<std::string>();
             else
-                warnings.add(location, fmt::format("ignored \"{}\" of the material {}: expected a name", type_key,
-                                                   in_quotes(name)));
+                warnings.add(location, fmt::format("ignored \"{}\" of the material {}: expected a name",
+                                                   type_key, in_quotes(name)));
         }
         const auto [known, added] = type_of.emplace(name, type);
         if (!added && known->second != type) known->second.clear();
