@@ -17,7 +17,6 @@
 namespace slipface {
 namespace {
 
-constexpr std::size_t max_rules = 100'000;
 constexpr std::size_t max_cameras = 100'000;
 constexpr std::size_t max_platforms = 10'000;
 constexpr std::size_t max_warnings = 100;
@@ -86,7 +85,7 @@ class LevelReader {
         read_spawns(root);
         root["fall_limit"].number(-max_position, max_position, level_.fall_limit);
         read_surfaces(root["surfaces"]);
-        root["rules"].each(max_rules, [this](const JsonNode& node) { read_rule(node); });
+        root["rules"].each(max_material_rules, [this](const JsonNode& node) { read_rule(node); });
         read_faces(root["overrides"], "faces", true, stored_);
         painted_ = stored_.size();
         read_faces(root["orphans"], "faces", true, stored_);
