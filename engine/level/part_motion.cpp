@@ -120,12 +120,10 @@ class Finder {
     void try_order(std::size_t i) {
         Part& part = parts_[i];
         if (stored_.parts[i].anchors.size() < 4) return;
-        if (support_.in_order(i)) {
-            ++in_order_;
-            return;
-        }
-        ++out_of_order_;
-        if (part.staying.sum() < 2.0 - 1e-9) return;
+        const bool unclear = part.staying.sum() > 2.0 - 1e-9;  // else faces have other materials, or are gone
+        const bool in_order = support_.in_order(i);
+        ++(in_order ? in_order_ : out_of_order_);
+        if (in_order && unclear) return;
         for (const Motion& motion : rank_motions(i)) {
             // Not a reflection in a diagonal, which is what sorting along another axis looks like.
             const Eigen::Matrix3d turn = motion.linear.array().round();
@@ -135,8 +133,8 @@ class Finder {
                 support_.ranks_kept(i, motion) < 1.0 - 1e-9)
                 continue;
             part.best = motion;
-            part.best.guessed = true;
-            --out_of_order_;
+            part.best.guessed = unclear;
+            if (!in_order) --out_of_order_;
             return;
         }
     }
