@@ -24,8 +24,8 @@ constexpr std::size_t max_listed_orphans = 100;
 constexpr double part_fraction = 0.99;
 constexpr double whole_fraction = 1.01;
 
-constexpr double most_sideways = 0.45;  // of the nearest face's centre, as a fraction of the old face's size
-constexpr double most_bent_area = 1.2;  // of the parts of a bent face, as a fraction of its vector's length
+constexpr double max_sideways = 0.45;  // of the nearest face's centre, as a fraction of the old face's size
+constexpr double max_bent_area = 1.2;  // of the parts of a bent face, as a fraction of its vector's length
 
 // A face larger than this fraction of an old one was merged from several, if they make up so much of it.
 constexpr double merged_fraction = 1.5;
@@ -349,7 +349,7 @@ class Matcher {
             (bent_ ? has_area_vector(key, parts) : area <= whole_fraction * key.area) &&
             has_corner_mean(key, parts))
             return true;
-        if (area < (bent_ ? most_bent_area : part_fraction) * key.area) {
+        if (area < (bent_ ? max_bent_area : part_fraction) * key.area) {
             for (std::size_t k = 0; k < parts.size(); ++k) {
                 for (const FaceId next : lookup_.neighbours.of(parts[k])) {
                     if (std::find(parts.begin(), parts.end(), next) == parts.end() &&
@@ -415,7 +415,7 @@ class Matcher {
             const Vec3 offset = candidate.centroid - key.centroid;
             const double sideways = (offset - normal.dot(offset) * normal).norm();
             if (sideways > 0.02 * size && !index_.covers(face, key.centroid, normal)) continue;
-            if (sideways > most_sideways * size) continue;  // more of it is where a neighbour was
+            if (sideways > max_sideways * size) continue;  // more of it is where a neighbour was
             best = face;
             best_distance = distance;
         }

@@ -128,7 +128,11 @@ class Finder {
             // Not a reflection in a diagonal, which is what sorting along another axis looks like.
             const Eigen::Matrix3d turn = motion.linear.array().round();
             const bool quarter = turn.determinant() > 0.0 && turn.trace() == 1.0;
-            if (!motion.linear.isApprox(turn, 1e-4) || !(turn.isDiagonal() || quarter) || turn.isIdentity() ||
+            const Vec3 centre = stored_.parts[i].box.centre();
+            const bool in_its_place =
+                (motion(centre) - centre).norm() < box_slack * stored_.parts[i].box.size().norm();
+            if (!in_its_place || !turn.isUnitary() || !motion.linear.isApprox(turn, 1e-4) ||
+                !(turn.isDiagonal() || quarter) || turn.isIdentity() ||
                 support_.support(i, motion, 1.0 - 1e-9).sum() < 2.0 - 1e-9 ||
                 support_.ranks_kept(i, motion) < 1.0 - 1e-9)
                 continue;
