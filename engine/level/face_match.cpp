@@ -509,15 +509,15 @@ MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
     keys.reserve(stored.size());
     for (const StoredOverride& one : stored)
         keys.push_back(&one.key);
-    const std::vector<Motion> motions = find_motions(mesh, lookup.index, surfaces, parts, keys);
-    const auto stays = [](const Motion& motion) { return motion.is_identity() && !motion.lost; };
+    const std::vector<PartMotion> motions = find_motions(mesh, lookup.index, surfaces, parts, keys);
+    const auto stays = [](const PartMotion& motion) { return motion.is_identity() && !motion.lost; };
     if (std::all_of(motions.begin(), motions.end(), stays))
         return Matcher(mesh, surfaces, stored, lookup).run();
     std::vector<StoredOverride> moved = stored;
     std::vector<bool> lost(stored.size(), false), doubtful(stored.size(), false);
     for (std::size_t i = 0; i < parts.of.size() && i < stored.size(); ++i) {
         if (parts.of[i] == 0 || parts.of[i] > motions.size()) continue;
-        const Motion& motion = motions[parts.of[i] - 1u];
+        const PartMotion& motion = motions[parts.of[i] - 1u];
         if (motion.lost)
             lost[i] = true;
         else

@@ -23,11 +23,11 @@ std::vector<Eigen::Matrix3d> axis_turns() {
 
 }  // namespace
 
-double scale_of(const Motion& motion) {
+double scale_of(const PartMotion& motion) {
     return std::cbrt(std::abs(motion.linear.determinant()));
 }
 
-double effort(const Motion& motion, const Vec3& centre, double size) {
+double effort(const PartMotion& motion, const Vec3& centre, double size) {
     const double scale = std::max(1e-9, scale_of(motion));
     const double mirrored = motion.linear.determinant() < 0.0 ? 2.0 : 0.0;
     return mirrored + std::abs(std::log(scale)) +
@@ -35,7 +35,8 @@ double effort(const Motion& motion, const Vec3& centre, double size) {
            1e-3 * (motion(centre) - centre).norm() / (size + 1e-9);
 }
 
-std::optional<Motion> fit_affine(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to, bool mirrored) {
+std::optional<PartMotion> fit_affine(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
+                                     bool mirrored) {
     const Vec3 old_centre = from.rowwise().mean();
     const Vec3 new_centre = to.rowwise().mean();
     const Eigen::Matrix3Xd a = from.colwise() - old_centre;
@@ -54,18 +55,18 @@ std::optional<Motion> fit_affine(const Eigen::Matrix3Xd& from, const Eigen::Matr
         const double side = svd.matrixU().determinant() < 0.0 ? -1.0 : 1.0;
         moved.col(2) = (mirrored ? -side : side) * normal / std::sqrt(normal.norm());
     }
-    Motion motion;
+    PartMotion motion;
     motion.linear = moved * svd.matrixU().transpose();
     motion.offset = new_centre - motion.linear * old_centre;
     if (!motion.linear.allFinite() || std::abs(motion.linear.determinant()) < 1e-12) return std::nullopt;
     return motion;
 }
 
-std::optional<Motion> fit_similarity(Eigen::Matrix3Xd from, const Eigen::Matrix3Xd& to, bool mirrored) {
+std::optional<PartMotion> fit_similarity(Eigen::Matrix3Xd from, const Eigen::Matrix3Xd& to, bool mirrored) {
     if (mirrored) from.row(0) *= -1.0;
     const Eigen::Matrix4d fitted = Eigen::umeyama(from, to, true);
     if (!fitted.allFinite()) return std::nullopt;
-    Motion motion;
+    PartMotion motion;
     motion.linear = fitted.topLeftCorner<3, 3>();
     if (mirrored) motion.linear.col(0) *= -1.0;
     motion.offset = fitted.topRightCorner<3, 1>();
@@ -73,13 +74,13 @@ std::optional<Motion> fit_similarity(Eigen::Matrix3Xd from, const Eigen::Matrix3
     return motion;
 }
 
-std::vector<Motion> box_motions(const Aabb& from, const Aabb& to) {
+std::vector<PartMotion> box_motions(const Aabb& from, const Aabb& to) {
     static const std::vector<Eigen::Matrix3d> turns = axis_turns();
-    std::vector<Motion> motions;
+    std::vector<PartMotion> motions;
     const Vec3 old_size = from.size();
     const Vec3 new_size = to.size();
     for (const Eigen::Matrix3d& turn : turns) {
-        Motion motion;
+        PartMotion motion;
         const Vec3 turned = turn.cwiseAbs() * old_size;
         Vec3 scale = Vec3::Ones();
         bool possible = true;

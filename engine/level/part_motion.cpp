@@ -37,12 +37,12 @@ class Finder {
           similar_(mesh, index),
           parts_(parts.parts.size()) {}
 
-    std::vector<Motion> run() && {
+    std::vector<PartMotion> run() && {
         for (std::size_t part = 0; part < parts_.size(); ++part)
             find(part);
         trust_order();
         vote();
-        std::vector<Motion> motions;
+        std::vector<PartMotion> motions;
         for (Part& part : parts_) {
             part.best.flipped = support_.is_flipped(motions.size(), part.best);
             part.best.lost = !support_.points(motions.size()).empty() &&
@@ -55,16 +55,16 @@ class Finder {
 
   private:
     struct Part {
-        Motion best;
-        Support best_support, staying;
+        PartMotion best;
+        MotionSupport best_support, staying;
         double best_rating = 0.0;
         bool searched = false;
     };
 
-    void consider(std::size_t i, const Motion& motion) {
+    void consider(std::size_t i, const PartMotion& motion) {
         Part& part = parts_[i];
         ++guesses_;
-        Support found = support_.support(i, motion, enough_anchors);
+        MotionSupport found = support_.support(i, motion, enough_anchors);
         if (found.corners < enough_anchors || found.sum() < part.best_support.sum() - vote_slack) return;
         found.ranks = support_.ranks_kept(i, motion);
         // What explains all needs to explain only a little more than staying does.
@@ -88,7 +88,7 @@ class Finder {
 
     void find(std::size_t i) {
         Part& part = parts_[i];
-        part.staying = support_.support(i, Motion{}, 0.0);
+        part.staying = support_.support(i, PartMotion{}, 0.0);
         part.best_support = part.staying;
         if (support_.points(i).size() < 3) return;
         if (part.staying.corners >= in_place) return try_order(i);
@@ -111,7 +111,7 @@ class Finder {
     // A part with as many faces has them in the same order: any affine motion, even a shear, follows from the
     // anchors' centroids.
     void try_ranks(std::size_t i) {
-        for (const Motion& motion : rank_motions(i))
+        for (const PartMotion& motion : rank_motions(i))
             consider(i, motion);
     }
 
@@ -124,7 +124,7 @@ class Finder {
         const bool in_order = support_.in_order(i);
         ++(in_order ? in_order_ : out_of_order_);
         if (in_order && unclear) return;
-        for (const Motion& motion : rank_motions(i)) {
+        for (const PartMotion& motion : rank_motions(i)) {
             // Not a reflection in a diagonal, which is what sorting along another axis looks like.
             const Eigen::Matrix3d turn = motion.linear.array().round();
             const bool quarter = turn.determinant() > 0.0 && turn.trace() == 1.0;
@@ -151,12 +151,12 @@ class Finder {
             Part& part = parts_[i];
             if (!part.best.guessed) continue;
             const bool few = stored_.parts[i].anchors.size() < few_anchors;
-            if (out_of_order_ > 0 || (few && in_order_ == 0)) part.best = Motion{};
+            if (out_of_order_ > 0 || (few && in_order_ == 0)) part.best = PartMotion{};
         }
     }
 
-    std::vector<Motion> rank_motions(std::size_t i) {
-        std::vector<Motion> motions;
+    std::vector<PartMotion> rank_motions(std::size_t i) {
+        std::vector<PartMotion> motions;
         const PaintPart& old = stored_.parts[i];
         const MeshParts& all_parts = support_.all();
         const auto count = static_cast<Eigen::Index>(old.anchors.size());
@@ -182,7 +182,7 @@ class Finder {
             }
             if (!fits) continue;
             for (const bool mirrored : {false, true})
-                if (const std::optional<Motion> motion = fit_affine(from, to, mirrored))
+                if (const std::optional<PartMotion> motion = fit_affine(from, to, mirrored))
                     motions.push_back(*motion);
         }
         return motions;
@@ -208,7 +208,7 @@ class Finder {
     }
 
     void try_box(std::size_t i, const Aabb& from, const Aabb& to) {
-        for (const Motion& motion : box_motions(from, to))
+        for (const PartMotion& motion : box_motions(from, to))
             consider(i, motion);
     }
 
@@ -241,7 +241,7 @@ class Finder {
             if (++used > 3) break;
             for (std::size_t k = 0; k < anchor.faces.size() && k < max_candidates_per_anchor; ++k) {
                 if (guesses_ - begin > max_guesses_per_part || guesses_ > max_guesses) return;
-                for (const Motion& motion : similar_.motions(*anchor.corners, anchor.faces[k]))
+                for (const PartMotion& motion : similar_.motions(*anchor.corners, anchor.faces[k]))
                     refine_and_consider(i, motion);
             }
             if (parts_[i].best_support.sum() > 1.9 && !parts_[i].best.is_identity()) break;
@@ -250,7 +250,7 @@ class Finder {
 
     // A motion from one small face is not exact far from it: it is fitted again to all corners that it nearly
     // hits.
-    void refine_and_consider(std::size_t i, const Motion& rough) {
+    void refine_and_consider(std::size_t i, const PartMotion& rough) {
         ++guesses_;
         std::vector<Vec3> from, to;
         if (!near_vertices(i, rough, from, to) || from.size() < 3) return;
@@ -258,29 +258,29 @@ class Finder {
         const bool flat = (stored_.parts[i].box.size().minCoeff() <= 0.0);
         consider(i, rough);
         // A flat part's reflection is lost in a fit, so it is put back after it.
-        if (const std::optional<Motion> fitted =
+        if (const std::optional<PartMotion> fitted =
                 fit_similarity(old_points, columns(to), rough.linear.determinant() < 0.0);
             fitted && !flat)
             consider(i, *fitted);
         if (flat) {
-            if (const std::optional<Motion> fitted = fit_similarity(old_points, columns(to), false))
+            if (const std::optional<PartMotion> fitted = fit_similarity(old_points, columns(to), false))
                 consider(i, *fitted);
         }
     }
 
-    static bool same(const Motion& a, const Motion& b, const Aabb& box) {
+    static bool same(const PartMotion& a, const PartMotion& b, const Aabb& box) {
         const double size = 1e-4 * (box.size().norm() + 1.0);
         return (a(box.min) - b(box.min)).norm() < size && (a(box.max) - b(box.max)).norm() < size &&
                (a(box.centre()) - b(box.centre())).norm() < size &&
                (a.linear - b.linear).norm() < 1e-3 * (a.linear.norm() + b.linear.norm());
     }
 
-    void add_candidate(std::size_t i, const Motion& motion) {
+    void add_candidate(std::size_t i, const PartMotion& motion) {
         constexpr std::size_t max_of_part = 100;
         if (i != candidates_part_) candidates_of_part_ = 0;
         candidates_part_ = i;
         if (candidates_.size() == max_candidates || candidates_of_part_ == max_of_part) return;
-        for (const Motion& known : candidates_)
+        for (const PartMotion& known : candidates_)
             if (same(known, motion, stored_.parts[i].box)) return;
         candidates_.push_back(motion);
         ++candidates_of_part_;
@@ -288,14 +288,14 @@ class Finder {
 
     // `rough`, which was fitted to a part far away and is less exact here, fitted to this part. Nothing if it
     // does not put the part's corners near vertices.
-    std::optional<Motion> refitted(std::size_t i, const Motion& rough) const {
+    std::optional<PartMotion> refitted(std::size_t i, const PartMotion& rough) const {
         std::vector<Vec3> from, to;
         if (!near_vertices(i, rough, from, to) || from.size() < 4) return std::nullopt;
         return fit_affine(columns(from), columns(to), rough.linear.determinant() < 0.0);
     }
 
     // The part's corners that are near vertices after the motion; false if too few are.
-    bool near_vertices(std::size_t i, const Motion& rough, std::vector<Vec3>& from,
+    bool near_vertices(std::size_t i, const PartMotion& rough, std::vector<Vec3>& from,
                        std::vector<Vec3>& to) const {
         const std::vector<Vec3>& points = support_.points(i);
         const auto allowed =
@@ -324,7 +324,7 @@ class Finder {
         struct Voter {
             std::size_t part;
             std::vector<std::size_t> motions;
-            std::vector<Motion> exact;  // of `motions`, as they are for this part
+            std::vector<PartMotion> exact;  // of `motions`, as they are for this part
         };
         std::vector<Voter> voters;
         for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -332,15 +332,15 @@ class Finder {
             Voter voter{i, {}, {}};
             for (std::size_t k = 0; k < candidates_.size() && votes_ < max_guesses; ++k) {
                 ++votes_;
-                const auto allowed = [&](const Motion& motion) {
-                    const Support found = support_.support(i, motion, enough_anchors);
+                const auto allowed = [&](const PartMotion& motion) {
+                    const MotionSupport found = support_.support(i, motion, enough_anchors);
                     // What puts every corner in its place may miss faces: they were extruded or deleted.
                     const bool fits = found.sum() >= parts_[i].best_support.sum() - vote_slack ||
                                       found.corners > 1.0 - 1e-9;
                     return found.corners >= enough_anchors && fits && !support_.is_taken(i, motion) &&
                            support_.fills_box(i, motion);
                 };
-                std::optional<Motion> motion = candidates_[k];
+                std::optional<PartMotion> motion = candidates_[k];
                 if (!allowed(*motion)) motion = refitted(i, candidates_[k]);
                 if (!motion || !allowed(*motion)) continue;
                 voter.motions.push_back(k);
@@ -377,7 +377,7 @@ class Finder {
             const Aabb& box = stored_.parts[voter.part].box;
             const double moved = (part.best(box.centre()) - box.centre()).norm();
             if (moved <= box_slack * box.size().norm() || !support_.has_similar_box(voter.part)) continue;
-            part.best = Motion{};
+            part.best = PartMotion{};
             part.best_support = part.staying;
         }
     }
@@ -388,8 +388,8 @@ class Finder {
     PartSupport support_;
     SimilarFaces similar_;
     std::vector<Part> parts_;
-    std::vector<Motion> known_;       // the parts' best, to be tried with the next parts
-    std::vector<Motion> candidates_;  // all that nearly explain as much
+    std::vector<PartMotion> known_;       // the parts' best, to be tried with the next parts
+    std::vector<PartMotion> candidates_;  // all that nearly explain as much
     std::size_t candidates_part_ = 0, candidates_of_part_ = 0, votes_ = 0;
     std::size_t guesses_ = 0;
     std::size_t in_order_ = 0, out_of_order_ = 0;  // parts that stayed
@@ -397,12 +397,12 @@ class Finder {
 
 }  // namespace
 
-std::vector<Motion> find_motions(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces,
-                                 const PaintParts& parts, const std::vector<const FaceKey*>& keys) {
+std::vector<PartMotion> find_motions(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces,
+                                     const PaintParts& parts, const std::vector<const FaceKey*>& keys) {
     return Finder(mesh, index, surfaces, parts, keys).run();
 }
 
-FaceKey moved_key(const FaceKey& key, const Motion& motion) {
+FaceKey moved_key(const FaceKey& key, const PartMotion& motion) {
     if (motion.is_identity()) return key;
     FaceKey moved = key;
     moved.loop_hash = 0;

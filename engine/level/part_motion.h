@@ -42,7 +42,7 @@ std::string pack_part(const PaintPart& part);
 bool unpack_part(std::string_view text, PaintPart& part);
 
 // Where a part went: position p became linear * p + offset.
-struct Motion {
+struct PartMotion {
     Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
     Vec3 offset = Vec3::Zero();
     bool flipped = false;  // the faces look the other way
@@ -58,10 +58,10 @@ struct Motion {
 
 // [part] the motion that puts the most anchors and painted faces (`keys`) onto the mesh's. A part stays where
 // it is unless another motion explains clearly more. The work is bounded.
-std::vector<Motion> find_motions(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces,
-                                 const PaintParts& parts, const std::vector<const FaceKey*>& keys);
+std::vector<PartMotion> find_motions(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces,
+                                     const PaintParts& parts, const std::vector<const FaceKey*>& keys);
 
 // `key` after the motion. The loop hash, which cannot be moved, becomes 0.
-FaceKey moved_key(const FaceKey& key, const Motion& motion);
+FaceKey moved_key(const FaceKey& key, const PartMotion& motion);
 
 }  // namespace slipface

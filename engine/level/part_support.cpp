@@ -46,14 +46,14 @@ PartSupport::PartSupport(const Mesh& mesh, const FaceIndex& index, SurfaceTable 
     }
 }
 
-double PartSupport::tolerance(const Motion& motion, const Vec3& from, const Vec3& to) const {
+double PartSupport::tolerance(const PartMotion& motion, const Vec3& from, const Vec3& to) const {
     return std::min(2.0 * position_tolerance(to) + scale_of(motion) * position_tolerance(from),
                     grid_.widest());
 }
 
 // The fraction of the part's anchor corners that are vertices after the motion; 0 as soon as it must be
 // below `least`.
-double PartSupport::corners_hit(const Sample& sample, const Motion& motion, double least) const {
+double PartSupport::corners_hit(const Sample& sample, const PartMotion& motion, double least) const {
     const auto allowed = static_cast<std::size_t>((1.0 - least) * static_cast<double>(sample.points.size()));
     std::size_t misses = 0;
     for (const Vec3& point : sample.points) {
@@ -66,7 +66,7 @@ double PartSupport::corners_hit(const Sample& sample, const Motion& motion, doub
 }
 
 // Whether the mesh has the painted face after the motion, and which way it looks.
-PartSupport::Side PartSupport::find_face(const FaceKey& key, const Motion& motion,
+PartSupport::Side PartSupport::find_face(const FaceKey& key, const PartMotion& motion,
                                          bool& same_material) const {
     const FaceKey moved = moved_key(key, motion);
     bool same = false, other = false;
@@ -121,7 +121,7 @@ const MeshParts& PartSupport::all() {
     return *all_;
 }
 
-bool PartSupport::is_taken(std::size_t i, const Motion& motion) {
+bool PartSupport::is_taken(std::size_t i, const PartMotion& motion) {
     all();
     std::size_t hits = 0, taken = 0;
     for (const Vec3& point : samples_[i].points) {
@@ -135,7 +135,7 @@ bool PartSupport::is_taken(std::size_t i, const Motion& motion) {
     return 10 * taken > 3 * hits;
 }
 
-double PartSupport::ranks_kept(std::size_t i, const Motion& motion) {
+double PartSupport::ranks_kept(std::size_t i, const PartMotion& motion) {
     const std::vector<AnchorFace>& anchors = stored_.parts[i].anchors;
     std::size_t kept = 0;
     for (const AnchorFace& anchor : anchors) {
@@ -173,9 +173,9 @@ bool PartSupport::in_order(std::size_t i) const {
     return true;
 }
 
-Support PartSupport::support(std::size_t part, const Motion& motion, double least) const {
+MotionSupport PartSupport::support(std::size_t part, const PartMotion& motion, double least) const {
     const Sample& sample = samples_[part];
-    Support result;
+    MotionSupport result;
     result.corners = corners_hit(sample, motion, least);
     if (result.corners < least || sample.keys.empty()) return result;
     for (const FaceKey* key : sample.keys) {
@@ -186,7 +186,7 @@ Support PartSupport::support(std::size_t part, const Motion& motion, double leas
     return result;
 }
 
-bool PartSupport::is_flipped(std::size_t part, const Motion& motion) const {
+bool PartSupport::is_flipped(std::size_t part, const PartMotion& motion) const {
     std::size_t same = 0, other = 0;
     for (const FaceKey* key : samples_[part].keys) {
         bool same_material = false;
@@ -197,7 +197,7 @@ bool PartSupport::is_flipped(std::size_t part, const Motion& motion) const {
     return other > same;
 }
 
-bool PartSupport::stays_inside(std::size_t i, const Motion& motion) const {
+bool PartSupport::stays_inside(std::size_t i, const PartMotion& motion) const {
     const Aabb& box = stored_.parts[i].box;
     const Vec3 slack = Vec3::Constant(1e-3 * box.size().norm());
     return std::all_of(samples_[i].points.begin(), samples_[i].points.end(), [&](const Vec3& point) {
@@ -207,7 +207,7 @@ bool PartSupport::stays_inside(std::size_t i, const Motion& motion) const {
     });
 }
 
-bool PartSupport::fills_box(std::size_t i, const Motion& motion) {
+bool PartSupport::fills_box(std::size_t i, const PartMotion& motion) {
     if ((motion.linear.transpose() * motion.linear).isIdentity(1e-3)) return true;
     all();
     Aabb moved;

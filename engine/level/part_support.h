@@ -13,7 +13,7 @@ namespace slipface {
 // The fraction of a box's diagonal by which edits in place change it.
 inline constexpr double box_slack = 0.05;
 
-struct Support {
+struct MotionSupport {
     double corners = 0.0, keys = 0.0;  // fractions
     double ranks = 0.0;                // fraction of anchors with their place in the file's order
     double sum() const { return corners + keys; }
@@ -33,27 +33,27 @@ class PartSupport {
     const std::vector<Vec3>& points(std::size_t part) const { return samples_[part].points; }
 
     // Without `ranks`; nothing as soon as the fraction of corners must be below `least`.
-    Support support(std::size_t part, const Motion& motion, double least) const;
+    MotionSupport support(std::size_t part, const PartMotion& motion, double least) const;
 
     // The fraction of the part's anchors with their place in the file's order.
-    double ranks_kept(std::size_t part, const Motion& motion);
+    double ranks_kept(std::size_t part, const PartMotion& motion);
 
     // False if the faces at the places of the anchors come in another order than before.
     bool in_order(std::size_t part) const;
 
     // True if more of the painted faces look the other way than this way.
-    bool is_flipped(std::size_t part, const Motion& motion) const;
+    bool is_flipped(std::size_t part, const PartMotion& motion) const;
 
     // True if the motion puts the part where another one stayed.
-    bool is_taken(std::size_t part, const Motion& motion);
+    bool is_taken(std::size_t part, const PartMotion& motion);
 
     // A part of equal tiles that lost some at its rim looks as if it had moved by a tile, but nothing of it
     // is at a new place.
-    bool stays_inside(std::size_t part, const Motion& motion) const;
+    bool stays_inside(std::size_t part, const PartMotion& motion) const;
 
     // Tiles may repeat at half their size in a subdivided part. So a part that was scaled must fill its new
     // box.
-    bool fills_box(std::size_t part, const Motion& motion);
+    bool fills_box(std::size_t part, const PartMotion& motion);
 
     // Whether the mesh has a part that fills nearly the same box: an edited part.
     bool has_similar_box(std::size_t part);
@@ -65,9 +65,9 @@ class PartSupport {
     };
     enum class Side { none, same, other, both };
 
-    double tolerance(const Motion& motion, const Vec3& from, const Vec3& to) const;
-    double corners_hit(const Sample& sample, const Motion& motion, double least) const;
-    Side find_face(const FaceKey& key, const Motion& motion, bool& same_material) const;
+    double tolerance(const PartMotion& motion, const Vec3& from, const Vec3& to) const;
+    double corners_hit(const Sample& sample, const PartMotion& motion, double least) const;
+    Side find_face(const FaceKey& key, const PartMotion& motion, bool& same_material) const;
 
     const Mesh& mesh_;
     const FaceIndex& index_;

@@ -48,8 +48,8 @@ std::vector<FaceId> SimilarFaces::of(const std::vector<Vec3f>& polygon, double l
     return faces;
 }
 
-std::vector<Motion> SimilarFaces::motions(const std::vector<Vec3f>& polygon, FaceId face) const {
-    std::vector<Motion> motions;
+std::vector<PartMotion> SimilarFaces::motions(const std::vector<Vec3f>& polygon, FaceId face) const {
+    std::vector<PartMotion> motions;
     const std::size_t count = polygon.size();
     const std::uint32_t first = mesh_.face_first_corner[face];
     Eigen::Matrix3Xd from(3, count), to(3, count);
@@ -82,7 +82,7 @@ std::vector<Motion> SimilarFaces::motions(const std::vector<Vec3f>& polygon, Fac
             if (!fits) continue;
             for (std::size_t c = 0; c < count; ++c)
                 to.col(static_cast<Eigen::Index>(c)) = corner(partner(c)).cast<double>();
-            const std::optional<Motion> straight = fit_similarity(from, to, false);
+            const std::optional<PartMotion> straight = fit_similarity(from, to, false);
             if (!straight) continue;
             motions.push_back(*straight);
             // The polygon is flat: a reflection in its plane does not change it.
@@ -92,7 +92,7 @@ std::vector<Motion> SimilarFaces::motions(const std::vector<Vec3f>& polygon, Fac
                 normal += (from.col(c) - centre).cross(from.col((c + 1) % from.cols()) - centre);
             if (!(normal.norm() > 0.0)) continue;
             normal.normalize();
-            Motion mirrored = *straight;
+            PartMotion mirrored = *straight;
             mirrored.linear =
                 straight->linear * (Eigen::Matrix3d::Identity() - 2.0 * normal * normal.transpose());
             mirrored.offset = (*straight)(centre)-mirrored.linear * centre;

@@ -17,7 +17,7 @@ class SimilarFaces {
     std::vector<FaceId> of(const std::vector<Vec3f>& polygon, double length, double area);
 
     // The motions that turn, mirror and scale the polygon onto the face.
-    std::vector<Motion> motions(const std::vector<Vec3f>& polygon, FaceId face) const;
+    std::vector<PartMotion> motions(const std::vector<Vec3f>& polygon, FaceId face) const;
 
   private:
     struct Shape {
