@@ -199,8 +199,8 @@ void Document::remove_surface(SurfaceId surface) {
     transaction.commit();
 }
 
-void Document::set_rules(std::vector<MaterialRule> rules) {
-    change(RulesEdit{level_.rules, std::move(rules)}, "Change material rules");
+void Document::set_rules(std::vector<MaterialRule> rules, std::string step_name) {
+    change(RulesEdit{level_.rules, std::move(rules)}, std::move(step_name));
 }
 
 void Document::set_spawn(const Spawn& to) {
@@ -239,6 +239,12 @@ void Document::restore(Level level, std::string step_name, std::vector<FaceId> g
     transaction.commit();
     guessed_ = std::move(guessed);
     tidy(guessed_, mesh().face_count());
+}
+
+void Document::accept_guessed(std::span<const FaceId> faces) {
+    std::erase_if(guessed_,
+                  [&](FaceId face) { return std::binary_search(faces.begin(), faces.end(), face); });
+    ++revision_;
 }
 
 void Document::accept_guessed() {

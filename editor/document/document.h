@@ -107,7 +107,9 @@ class Document {
     // Faces whose paint was found by plane or by distance when the level was read, and which the user has not
     // accepted yet.
     std::span<const FaceId> guessed() const { return guessed_; }  // ascending
-    void accept_guessed();  // the user confirms them; no step of history
+    void accept_guessed(
+        std::span<const FaceId> faces);  // ascending; they leave guessed(); no step of history
+    void accept_guessed();               // the user confirms them; no step of history
     MovementScene scene() const { return {collision_, level_.surfaces}; }
     const FaceFacts& facts() const { return facts_; }
     std::span<const FaceId> selection() const { return selection_; }  // ascending
@@ -184,7 +186,7 @@ class Document {
     // Later ids move down by one. Ignored if removal_problem() gives a reason.
     void remove_surface(SurfaceId surface);
     std::string removal_problem(SurfaceId surface) const;
-    void set_rules(std::vector<MaterialRule> rules);
+    void set_rules(std::vector<MaterialRule> rules, std::string step_name = "Change material rules");
     // Changes position and yaw of the main spawn; its name stays.
     void set_spawn(const Spawn& spawn);
     // Replaces all spawns, the main one first. Ignored if spawns_problem() gives a reason.

@@ -51,6 +51,7 @@ void viewport_panel(Editor& editor, FrameContext& frame);
 // The card about unit, axis and size, if shown; in the view's upper left corner.
 void import_card(Editor& editor, const ImVec2& view_min, const ImVec2& view_size);
 void palette_panel(Editor& editor);     // surface types: choose, edit, counts
+void rules_panel(Editor& editor);       // types for materials by their names; the level's materials
 void spawns_panel(Editor& editor);      // spawns: add, rename, delete, choose; the fall limit
 void cameras_panel(Editor& editor);     // bookmarks: go there, add, rename, delete
 void selections_panel(Editor& editor);  // saved selections: recall, add, rename, delete

@@ -35,23 +35,52 @@ std::string short_location(const std::string& location) {
     return slash == std::string::npos ? location : location.substr(slash + 1);
 }
 
+// One line per guess: a click selects and frames it.
+void guess_rows(Editor& editor) {
+    const Document& document = *editor.document;
+    const std::size_t count = document.guessed().size();
+    const float height = ImGui::GetTextLineHeightWithSpacing();
+    ImGui::BeginChild("guesses", {0, height * static_cast<float>(std::min<std::size_t>(count, 8)) + 4});
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(count));
+    std::optional<std::size_t> chosen;
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const FaceId face = document.guessed()[static_cast<std::size_t>(i)];
+            const std::string& material = document.mesh().materials[document.mesh().face_material[face]].name;
+            const std::string name = "Face " + std::to_string(face) + ": " +
+                                     document.level().surfaces[document.resolved().surface[face]].name +
+                                     (material.empty() ? "" : ", " + material);
+            const std::span<const FaceId> selected = document.selection();
+            if (ImGui::Selectable(name.c_str(), std::binary_search(selected.begin(), selected.end(), face)))
+                chosen = static_cast<std::size_t>(i);
+            ui::record_last_item("Guess " + std::to_string(i + 1));
+        }
+    }
+    ImGui::EndChild();
+    if (chosen) go_to_guess(editor, *chosen);
+}
+
 void guessed_paint(Editor& editor) {
     const std::size_t count = editor.document->guessed().size();
     if (count == 0) return;
     ui::heading("Guessed paint");
-    entry("Step through them; repaint what is wrong",
+    entry("Step through them; drop what is wrong",
           std::to_string(count) + (count == 1 ? " face was" : " faces were") +
               " not found exactly in the geometry; the paint comes from a face in the same plane or nearby");
-    constexpr std::pair<const char*, const char*> buttons[] = {{"Select all", "select.guessed"},
-                                                               {"Previous", "select.previous_guessed"},
-                                                               {"Next", "select.next_guessed"},
-                                                               {"Accept", "select.accept_guessed"}};
+    constexpr std::pair<const char*, const char*> buttons[] = {
+        {"Select all", "select.guessed"},   {"Previous", "select.previous_guessed"},
+        {"Next", "select.next_guessed"},    {"Accept", "select.accept_guess"},
+        {"Drop", "select.drop_guess"},      {"Accept all", "select.accept_guessed"},
+        {"Drop all", "select.drop_guessed"}};
     for (const auto& [label, command] : buttons) {
         const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
         ImGui::SameLine();
         if (label == buttons[0].first || ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
-        if (ui::button(label, find_command(command)->description)) run_command(editor, command);
+        const Command& row = *find_command(command);
+        if (ui::button(label, row.description, row.enabled(editor))) run_command(editor, command);
     }
+    guess_rows(editor);
     ImGui::Spacing();
 }
 

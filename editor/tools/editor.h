@@ -97,6 +97,7 @@ struct Editor {
 
     Tool tool = Tool::select;
     std::optional<SurfaceId> brush = SurfaceId{1};  // nothing: unset
+    std::optional<std::size_t> rule;                // open in the Rules panel
     double brush_radius = 0.0;                      // metres; 0: single faces
     double fill_angle = 0.2617993877991494;         // radians, 15 degrees
     SelectShape select_shape = SelectShape::box;

@@ -24,6 +24,9 @@ constexpr std::size_t max_listed_orphans = 100;
 constexpr double part_fraction = 0.99;
 constexpr double whole_fraction = 1.01;
 
+constexpr double max_sideways = 0.45;  // of the nearest face's centre, as a fraction of the old face's size
+constexpr double max_bent_area = 1.2;  // of the parts of a bent face, as a fraction of its vector's length
+
 // A face larger than this fraction of an old one was merged from several, if they make up so much of it.
 constexpr double merged_fraction = 1.5;
 constexpr double merged_coverage = 0.9;
@@ -51,7 +54,7 @@ struct Lookup {
 class Matcher {
   public:
     Matcher(const Mesh& mesh, SurfaceTable surfaces, const std::vector<StoredOverride>& stored,
-            Lookup& lookup, std::vector<bool> lost = {})
+            Lookup& lookup, std::vector<bool> lost = {}, std::vector<bool> doubtful = {})
         : mesh_(mesh),
           surfaces_(surfaces),
           stored_(stored),
@@ -61,8 +64,10 @@ class Matcher {
           found_(stored.size(), Stage::none),
           types_(stored.size()),
           bases_(stored.size()),
-          lost_(std::move(lost)) {
+          lost_(std::move(lost)),
+          doubtful_(std::move(doubtful)) {
         lost_.resize(stored.size(), false);
+        doubtful_.resize(stored.size(), false);
         result_.overrides.resize(mesh.face_count());
         for (std::size_t i = 0; i < stored.size(); ++i) {
             types_[i] = type_of(stored[i].type);
@@ -76,7 +81,8 @@ class Matcher {
         if (has_unmatched() && build_tree()) {
             run_stage(Stage::plane, [this](std::size_t i) { return match_plane(i); });
             match_merged();
-            run_stage(Stage::plane, [this](std::size_t i) { return match_union(i); });
+            run_stage(Stage::plane, [this](std::size_t i) { return match_union(i, false); });
+            run_stage(Stage::plane, [this](std::size_t i) { return match_union(i, true); });
             run_stage(Stage::nearest, [this](std::size_t i) { return match_nearest(i); });
         }
         collect();
@@ -120,6 +126,7 @@ class Matcher {
 
     void claim(FaceId face, std::size_t i, Stage stage) {
         claims_[face] = stage;
+        if (doubtful_[i]) result_.guessed.push_back(face);
         result_.overrides[face] = types_[i];
     }
 
@@ -306,14 +313,16 @@ class Matcher {
 
     // A long face that was cut into parts, whose centres are too far away for match_plane(): connected faces
     // in its plane that together have its area and the mean of its corners. Starts at the faces at its
-    // centre; the number of attempts is limited.
-    bool match_union(std::size_t i) {
+    // centre; the number of attempts is limited. `bent`: the parts of a bent face, which lie near its plane
+    // and have its vector of area, because that depends on the outline alone.
+    bool match_union(std::size_t i, bool bent) {
         const FaceKey& key = stored_[i].key;
         const Vec3 normal = unit_or_zero(key.normal);
         if (normal.isZero() || !(key.area > 0.0)) return false;
         FaceNeighbours& neighbours = lookup_.neighbours;
         if (neighbours.first.empty()) neighbours = face_neighbours(mesh_);
-        const double reach = 1e-3 * std::sqrt(key.area) + position_tolerance(key.centroid);
+        bent_ = bent;
+        const double reach = plane_slack() * std::sqrt(key.area) + position_tolerance(key.centroid);
         union_visits_ = 0;
         for (const FaceId face : faces_around(i, reach)) {
             std::vector<FaceId> parts;
@@ -327,8 +336,8 @@ class Matcher {
 
     // Adds `face` and further neighbours to the parts until they are complete; if that fails, removes it.
     bool grow_union(const FaceKey& key, const Vec3& normal, FaceId face, std::vector<FaceId>& parts) {
-        constexpr std::size_t max_parts = 12;
-        constexpr std::size_t max_tries = 2000;
+        const std::size_t max_parts = bent_ ? 6 : 12;
+        const std::size_t max_tries = bent_ ? 300 : 2000;
         if (parts.size() == max_parts || ++union_visits_ > max_tries || !is_part(key, normal, face))
             return false;
         ++lookup_.visits;
@@ -336,9 +345,11 @@ class Matcher {
         double area = 0.0;
         for (const FaceId part : parts)
             area += index_.key(part).area;
-        if (area >= part_fraction * key.area) {
-            if (area <= whole_fraction * key.area && has_corner_mean(key, parts)) return true;
-        } else {
+        if (area >= part_fraction * key.area &&
+            (bent_ ? has_area_vector(key, parts) : area <= whole_fraction * key.area) &&
+            has_corner_mean(key, parts))
+            return true;
+        if (area < (bent_ ? max_bent_area : part_fraction) * key.area) {
             for (std::size_t k = 0; k < parts.size(); ++k) {
                 for (const FaceId next : lookup_.neighbours.of(parts[k])) {
                     if (std::find(parts.begin(), parts.end(), next) == parts.end() &&
@@ -353,10 +364,21 @@ class Matcher {
 
     bool is_part(const FaceKey& key, const Vec3& normal, FaceId face) const {
         const FaceKey& candidate = index_.key(face);
+        // Around a bent face nearly every neighbour could be a part; only near ones are tried.
+        if (bent_ && (candidate.centroid - key.centroid).norm() > 0.7 * std::sqrt(key.area)) return false;
         return is_free(face) && index_.base(face) == base_material(key.material, surfaces_) &&
-               candidate.normal.dot(normal) > 0.999 &&
+               candidate.normal.dot(normal) > (bent_ ? 0.8 : 0.999) &&
                std::abs(normal.dot(candidate.centroid - key.centroid)) <=
-                   1e-3 * std::sqrt(key.area) + position_tolerance(key.centroid);
+                   plane_slack() * std::sqrt(key.area) + position_tolerance(key.centroid);
+    }
+
+    double plane_slack() const { return bent_ ? 0.2 : 1e-3; }
+
+    bool has_area_vector(const FaceKey& key, const std::vector<FaceId>& parts) const {
+        Vec3 sum = -key.area * key.normal;
+        for (const FaceId part : parts)
+            sum += index_.key(part).area * index_.key(part).normal;
+        return sum.norm() <= 2e-3 * key.area;
     }
 
     // Cutting a face at its corners or halving its edges does not change the mean of its corners.
@@ -371,7 +393,9 @@ class Matcher {
         for (const std::uint32_t vertex : vertices)
             sum += mesh_.positions[vertex].cast<double>();
         const Vec3 mean = sum / static_cast<double>(vertices.size());
-        return (mean - key.centroid).norm() <= 1e-3 * std::sqrt(key.area) + position_tolerance(key.centroid);
+        // A tool puts a point into the middle of a bent face where it likes.
+        const double slack = bent_ ? 0.03 : 1e-3;
+        return (mean - key.centroid).norm() <= slack * std::sqrt(key.area) + position_tolerance(key.centroid);
     }
 
     bool match_nearest(std::size_t i) {
@@ -391,6 +415,7 @@ class Matcher {
             const Vec3 offset = candidate.centroid - key.centroid;
             const double sideways = (offset - normal.dot(offset) * normal).norm();
             if (sideways > 0.02 * size && !index_.covers(face, key.centroid, normal)) continue;
+            if (sideways > max_sideways * size) continue;  // more of it is where a neighbour was
             best = face;
             best_distance = distance;
         }
@@ -410,6 +435,9 @@ class Matcher {
         }
         for (FaceId face = 0; face < claims_.size(); ++face)
             if (claims_[face] > Stage::exact) result_.guessed.push_back(face);
+        std::sort(result_.guessed.begin(), result_.guessed.end());
+        result_.guessed.erase(std::unique(result_.guessed.begin(), result_.guessed.end()),
+                              result_.guessed.end());
         if (result_.summary.orphaned > max_listed_orphans) {
             result_.warnings.push_back({"", fmt::format("{} more painted faces were not found",
                                                         result_.summary.orphaned - max_listed_orphans)});
@@ -441,9 +469,11 @@ class Matcher {
     std::vector<Stage> found_;                     // [stored]
     std::vector<std::optional<SurfaceId>> types_;  // [stored]
     std::vector<std::string> bases_;               // [stored]
-    std::vector<bool> lost_;  // [stored] not to be searched: nothing found could be trusted
+    std::vector<bool> lost_;      // [stored] not to be searched: nothing found could be trusted
+    std::vector<bool> doubtful_;  // [stored] what is found is a guess
     std::vector<std::pair<FaceId, std::size_t>> merged_;  // a merged face, and a stored one in it
     std::size_t union_visits_ = 0;
+    bool bent_ = false;  // what match_union() looks for
     MatchedOverrides result_;
 };
 
@@ -484,7 +514,7 @@ MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
     if (std::all_of(motions.begin(), motions.end(), stays))
         return Matcher(mesh, surfaces, stored, lookup).run();
     std::vector<StoredOverride> moved = stored;
-    std::vector<bool> lost(stored.size(), false);
+    std::vector<bool> lost(stored.size(), false), doubtful(stored.size(), false);
     for (std::size_t i = 0; i < parts.of.size() && i < stored.size(); ++i) {
         if (parts.of[i] == 0 || parts.of[i] > motions.size()) continue;
         const PartMotion& motion = motions[parts.of[i] - 1u];
@@ -492,8 +522,9 @@ MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
             lost[i] = true;
         else
             moved[i].key = moved_key(moved[i].key, motion);
+        doubtful[i] = motion.guessed;
     }
-    return Matcher(mesh, surfaces, moved, lookup, std::move(lost)).run();
+    return Matcher(mesh, surfaces, moved, lookup, std::move(lost), std::move(doubtful)).run();
 }
 
 FaceKeySets stored_face_keys(const Level& level) {

@@ -44,7 +44,8 @@ struct MatchedOverrides {
 // 2. by plane: faces of the same material in the same plane that are parts of the old face (smaller, near its
 //    centre, together not larger) or that contain its centre (the old face was merged, or its outline moved).
 //    If the parts of a long face lie far from its centre: connected faces that together have the old area and
-//    the old mean of corners.
+//    the old mean of corners. Parts of a bent face also lie near its plane instead of in it; together they
+//    have its vector of area.
 // 3. nearest: the face of the same material with the nearest centroid, at most the old face's size away. Its
 //    normal differs by less than 26 degrees, its area by less than a factor of 4, and the line through the
 //    old centre along the old normal hits it (or the face only moved along that normal).

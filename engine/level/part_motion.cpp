@@ -40,6 +40,7 @@ class Finder {
     std::vector<PartMotion> run() && {
         for (std::size_t part = 0; part < parts_.size(); ++part)
             find(part);
+        trust_order();
         vote();
         std::vector<PartMotion> motions;
         for (Part& part : parts_) {
@@ -89,7 +90,8 @@ class Finder {
         Part& part = parts_[i];
         part.staying = support_.support(i, PartMotion{}, 0.0);
         part.best_support = part.staying;
-        if (support_.points(i).size() < 3 || part.staying.corners >= in_place) return;
+        if (support_.points(i).size() < 3) return;
+        if (part.staying.corners >= in_place) return try_order(i);
         part.searched = true;
         try_known(i);
         try_ranks(i);
@@ -109,6 +111,52 @@ class Finder {
     // A part with as many faces has them in the same order: any affine motion, even a shear, follows from the
     // anchors' centroids.
     void try_ranks(std::size_t i) {
+        for (const PartMotion& motion : rank_motions(i))
+            consider(i, motion);
+    }
+
+    // A symmetric part that was turned or mirrored in its own place looks as if nothing had happened, but its
+    // faces come in another order. A tool that sorts faces has the same effect, so this is a guess.
+    void try_order(std::size_t i) {
+        Part& part = parts_[i];
+        if (stored_.parts[i].anchors.size() < 4) return;
+        const bool unclear = part.staying.sum() > 2.0 - 1e-9;  // else faces have other materials, or are gone
+        const bool in_order = support_.in_order(i);
+        ++(in_order ? in_order_ : out_of_order_);
+        if (in_order && unclear) return;
+        for (const PartMotion& motion : rank_motions(i)) {
+            // Not a reflection in a diagonal, which is what sorting along another axis looks like.
+            const Eigen::Matrix3d turn = motion.linear.array().round();
+            const bool quarter = turn.determinant() > 0.0 && turn.trace() == 1.0;
+            const Vec3 centre = stored_.parts[i].box.centre();
+            const bool in_its_place =
+                (motion(centre) - centre).norm() < box_slack * stored_.parts[i].box.size().norm();
+            if (!in_its_place || !turn.isUnitary() || !motion.linear.isApprox(turn, 1e-4) ||
+                !(turn.isDiagonal() || quarter) || turn.isIdentity() ||
+                support_.support(i, motion, 1.0 - 1e-9).sum() < 2.0 - 1e-9 ||
+                support_.ranks_kept(i, motion) < 1.0 - 1e-9)
+                continue;
+            part.best = motion;
+            part.best.guessed = unclear;
+            if (!in_order) --out_of_order_;
+            return;
+        }
+    }
+
+    // Where other parts are out of order too, a tool sorted the faces. The few faces of a box can come into
+    // the order of a turned one by chance.
+    void trust_order() {
+        constexpr std::size_t few_anchors = 8;
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            Part& part = parts_[i];
+            if (!part.best.guessed) continue;
+            const bool few = stored_.parts[i].anchors.size() < few_anchors;
+            if (out_of_order_ > 0 || (few && in_order_ == 0)) part.best = PartMotion{};
+        }
+    }
+
+    std::vector<PartMotion> rank_motions(std::size_t i) {
+        std::vector<PartMotion> motions;
         const PaintPart& old = stored_.parts[i];
         const MeshParts& all_parts = support_.all();
         const auto count = static_cast<Eigen::Index>(old.anchors.size());
@@ -135,8 +183,9 @@ class Finder {
             if (!fits) continue;
             for (const bool mirrored : {false, true})
                 if (const std::optional<PartMotion> motion = fit_affine(from, to, mirrored))
-                    consider(i, *motion);
+                    motions.push_back(*motion);
         }
+        return motions;
     }
 
     // The part's box became the box of a part with as many faces, or of the same shape; or the whole level's
@@ -202,26 +251,9 @@ class Finder {
     // A motion from one small face is not exact far from it: it is fitted again to all corners that it nearly
     // hits.
     void refine_and_consider(std::size_t i, const PartMotion& rough) {
-        const std::vector<Vec3>& points = support_.points(i);
         ++guesses_;
         std::vector<Vec3> from, to;
-        const auto allowed =
-            static_cast<std::size_t>((1.0 - enough_anchors) * static_cast<double>(points.size()));
-        std::size_t misses = 0;
-        for (const Vec3& point : points) {
-            const std::uint32_t vertex = support_.grid().nearest(rough(point), support_.grid().widest());
-            if (vertex == no_id) {
-                if (++misses > allowed) return;
-                continue;
-            }
-            from.push_back(point);
-            to.push_back(mesh_.positions[vertex].cast<double>());
-        }
-        if (from.size() < 3) return;
-        const auto columns = [](const std::vector<Vec3>& corners) {
-            return Eigen::Matrix3Xd(Eigen::Map<const Eigen::Matrix3Xd>(
-                corners.front().data(), 3, static_cast<Eigen::Index>(corners.size())));
-        };
+        if (!near_vertices(i, rough, from, to) || from.size() < 3) return;
         const Eigen::Matrix3Xd old_points = columns(from);
         const bool flat = (stored_.parts[i].box.size().minCoeff() <= 0.0);
         consider(i, rough);
@@ -254,24 +286,65 @@ class Finder {
         ++candidates_of_part_;
     }
 
+    // `rough`, which was fitted to a part far away and is less exact here, fitted to this part. Nothing if it
+    // does not put the part's corners near vertices.
+    std::optional<PartMotion> refitted(std::size_t i, const PartMotion& rough) const {
+        std::vector<Vec3> from, to;
+        if (!near_vertices(i, rough, from, to) || from.size() < 4) return std::nullopt;
+        return fit_affine(columns(from), columns(to), rough.linear.determinant() < 0.0);
+    }
+
+    // The part's corners that are near vertices after the motion; false if too few are.
+    bool near_vertices(std::size_t i, const PartMotion& rough, std::vector<Vec3>& from,
+                       std::vector<Vec3>& to) const {
+        const std::vector<Vec3>& points = support_.points(i);
+        const auto allowed =
+            static_cast<std::size_t>((1.0 - enough_anchors) * static_cast<double>(points.size()));
+        std::size_t misses = 0;
+        for (const Vec3& point : points) {
+            const std::uint32_t vertex = support_.grid().nearest(rough(point), support_.grid().widest());
+            if (vertex == no_id) {
+                if (++misses > allowed) return false;
+                continue;
+            }
+            from.push_back(point);
+            to.push_back(mesh_.positions[vertex].cast<double>());
+        }
+        return true;
+    }
+
+    static Eigen::Matrix3Xd columns(const std::vector<Vec3>& corners) {
+        return Eigen::Map<const Eigen::Matrix3Xd>(corners.front().data(), 3,
+                                                  static_cast<Eigen::Index>(corners.size()));
+    }
+
     // Equal crates can go to each other's new places, and symmetric parts can turn. The motion that explains
     // the most parts is theirs, then the one that explains the most of the others.
     void vote() {
         struct Voter {
             std::size_t part;
             std::vector<std::size_t> motions;
+            std::vector<PartMotion> exact;  // of `motions`, as they are for this part
         };
         std::vector<Voter> voters;
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             if (!parts_[i].searched || parts_[i].best.is_identity()) continue;
-            Voter voter{i, {}};
+            Voter voter{i, {}, {}};
             for (std::size_t k = 0; k < candidates_.size() && votes_ < max_guesses; ++k) {
                 ++votes_;
-                const MotionSupport found = support_.support(i, candidates_[k], enough_anchors);
-                if (found.corners >= enough_anchors &&
-                    found.sum() >= parts_[i].best_support.sum() - vote_slack &&
-                    !support_.is_taken(i, candidates_[k]) && support_.fills_box(i, candidates_[k]))
-                    voter.motions.push_back(k);
+                const auto allowed = [&](const PartMotion& motion) {
+                    const MotionSupport found = support_.support(i, motion, enough_anchors);
+                    // What puts every corner in its place may miss faces: they were extruded or deleted.
+                    const bool fits = found.sum() >= parts_[i].best_support.sum() - vote_slack ||
+                                      found.corners > 1.0 - 1e-9;
+                    return found.corners >= enough_anchors && fits && !support_.is_taken(i, motion) &&
+                           support_.fills_box(i, motion);
+                };
+                std::optional<PartMotion> motion = candidates_[k];
+                if (!allowed(*motion)) motion = refitted(i, candidates_[k]);
+                if (!motion || !allowed(*motion)) continue;
+                voter.motions.push_back(k);
+                voter.exact.push_back(*motion);
             }
             voters.push_back(std::move(voter));
         }
@@ -290,10 +363,10 @@ class Finder {
                     most = k;
             if (most == no_id) break;
             std::erase_if(voters, [&](const Voter& voter) {
-                if (std::find(voter.motions.begin(), voter.motions.end(), most) == voter.motions.end())
-                    return false;
+                const auto own = std::find(voter.motions.begin(), voter.motions.end(), most);
+                if (own == voter.motions.end()) return false;
                 Part& part = parts_[voter.part];
-                part.best = candidates_[most];
+                part.best = voter.exact[static_cast<std::size_t>(own - voter.motions.begin())];
                 part.best_support = support_.support(voter.part, part.best, enough_anchors);
                 return true;
             });
@@ -319,6 +392,7 @@ class Finder {
     std::vector<PartMotion> candidates_;  // all that nearly explain as much
     std::size_t candidates_part_ = 0, candidates_of_part_ = 0, votes_ = 0;
     std::size_t guesses_ = 0;
+    std::size_t in_order_ = 0, out_of_order_ = 0;  // parts that stayed
 };
 
 }  // namespace

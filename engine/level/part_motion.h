@@ -49,6 +49,8 @@ struct PartMotion {
     // `lost`: nothing of the part is where it was, and no motion explains the new mesh. A face that looks
     // like one of its faces is another one.
     bool lost = false;
+    // Staying explains the mesh as well: the part is symmetric, and only its faces' order says that it moved.
+    bool guessed = false;
 
     bool is_identity() const { return linear.isIdentity(0.0) && offset.isZero(0.0) && !flipped; }
     Vec3 operator()(const Vec3& position) const { return linear * position + offset; }

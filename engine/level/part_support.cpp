@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "motion_fit.h"
 #include "slipface/level/material_name.h"
@@ -149,6 +150,27 @@ double PartSupport::ranks_kept(std::size_t i, const PartMotion& motion) {
         kept += same ? 1 : 0;
     }
     return anchors.empty() ? 0.0 : static_cast<double>(kept) / static_cast<double>(anchors.size());
+}
+
+bool PartSupport::in_order(std::size_t i) const {
+    std::vector<const AnchorFace*> anchors;
+    for (const AnchorFace& anchor : stored_.parts[i].anchors)
+        anchors.push_back(&anchor);
+    std::sort(anchors.begin(), anchors.end(),
+              [](const AnchorFace* a, const AnchorFace* b) { return a->rank < b->rank; });
+    std::map<std::string, FaceId> last;  // [base material]
+    for (const AnchorFace* anchor : anchors) {
+        Vec3 centroid = Vec3::Zero();
+        for (const Vec3f& corner : anchor->corners)
+            centroid += corner.cast<double>() / static_cast<double>(anchor->corners.size());
+        const double reach = std::min(4.0 * position_tolerance(centroid), grid_.widest());
+        const std::vector<FaceId> faces = index_.near(centroid, reach);
+        if (faces.size() != 1) continue;  // several faces at one place have no order
+        const auto [before, first] = last.emplace(index_.base(faces[0]), faces[0]);
+        if (!first && faces[0] < before->second) return false;
+        before->second = faces[0];
+    }
+    return true;
 }
 
 MotionSupport PartSupport::support(std::size_t part, const PartMotion& motion, double least) const {

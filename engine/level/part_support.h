@@ -38,6 +38,9 @@ class PartSupport {
     // The fraction of the part's anchors with their place in the file's order.
     double ranks_kept(std::size_t part, const PartMotion& motion);
 
+    // False if the faces at the places of the anchors come in another order than before.
+    bool in_order(std::size_t part) const;
+
     // True if more of the painted faces look the other way than this way.
     bool is_flipped(std::size_t part, const PartMotion& motion) const;
 

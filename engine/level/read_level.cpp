@@ -12,11 +12,11 @@
 #include "packed_faces.h"
 #include "slipface/base/text.h"
 #include "slipface/level/find_start.h"
+#include "slipface/level/preset.h"
 
 namespace slipface {
 namespace {
 
-constexpr std::size_t max_rules = 100'000;
 constexpr std::size_t max_cameras = 100'000;
 constexpr std::size_t max_platforms = 10'000;
 constexpr std::size_t max_warnings = 100;
@@ -85,7 +85,7 @@ class LevelReader {
         read_spawns(root);
         root["fall_limit"].number(-max_position, max_position, level_.fall_limit);
         read_surfaces(root["surfaces"]);
-        root["rules"].each(max_rules, [this](const JsonNode& node) { read_rule(node); });
+        root["rules"].each(max_material_rules, [this](const JsonNode& node) { read_rule(node); });
         read_faces(root["overrides"], "faces", true, stored_);
         painted_ = stored_.size();
         read_faces(root["orphans"], "faces", true, stored_);
@@ -95,10 +95,7 @@ class LevelReader {
         root["cameras"].each(max_cameras, [this](const JsonNode& node) { read_camera(node); });
         std::set<std::string> goals;
         root["goals"].each(max_goals, [&](const JsonNode& node) { read_goal(node, goals); });
-        if (const JsonNode movement = root["movement"]) {
-            read_settings(movement, level_.movement);
-            store_unknown(movement, "/movement");
-        }
+        read_movement(root["movement"]);
         root["platforms"].each(max_platforms, [this](const JsonNode& node) { add_platform(node); });
         if (const JsonNode heightfield = root["heightfield"]) {
             level_.heightfield = read_heightfield(heightfield);
@@ -113,6 +110,25 @@ class LevelReader {
             store_unknown(light, "/light");
         }
         store_unknown(root, "/");
+    }
+
+    // Settings, or a shipped preset's name, for programs that make level files without knowing every setting.
+    void read_movement(const JsonNode& node) {
+        std::string name;
+        if (!node) return;
+        if (node.json().kind != Json::Kind::string) {
+            read_settings(node, level_.movement);
+            store_unknown(node, "/movement");
+            return;
+        }
+        node.text(name);
+        const auto& presets = shipped_presets();
+        const auto found = std::find_if(presets.begin(), presets.end(),
+                                        [&](const ShippedPreset& one) { return one.id == name; });
+        if (found == presets.end())
+            node.fail(fmt::format("\"{}\"", json_excerpt(name)), "settings, or the id of a shipped preset");
+        else
+            level_.movement = found->preset.settings;
     }
 
     void store_unknown(const JsonNode& node, const std::string& location) {

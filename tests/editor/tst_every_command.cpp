@@ -51,6 +51,8 @@ const std::map<std::string_view, Case>& cases() {
         {"edit.redo_alternative", {"key Ctrl+Z", "expect history 1"}},
         {"edit.fill_selection", {"key 2", "expect count ice 2"}},
         {"edit.unset_selection", {"key 2\nkey L", "expect count ice 0"}},
+        {"edit.add_rule",
+         {"select faces 0\nkey 2", "expect status \"1 rule added: ice\"\nexpect count ice 62"}},
         {"edit.replace_type", {"select faces 0-5\nkey 2\nviewport hover @0.5,0,0.5", "expect count ice 6"}},
         {"edit.set_spawn", {"", "expect dirty yes"}},
         {"select.all", {"", "expect selected 72"}},
@@ -82,6 +84,13 @@ const std::map<std::string_view, Case>& cases() {
         {"select.next_guessed", {"open cut.obj", "expect status \"Guessed paint 1 of 2: ice\""}},
         {"select.previous_guessed", {"open cut.obj", "expect status \"Guessed paint 2 of 2: ice\""}},
         {"select.accept_guessed", {"open cut.obj", "expect status \"2 guesses accepted\""}},
+        {"select.accept_guess",
+         {"open cut.obj\ncommand select.next_guessed", "expect status \"1 guess accepted, 1 left\""}},
+        {"select.drop_guess",
+         {"open cut.obj\ncommand select.next_guessed",
+          "expect status \"1 guess dropped, 1 left\"\nexpect count ice 1"}},
+        {"select.drop_guessed",
+         {"open cut.obj", "expect status \"2 guesses dropped, 0 left\"\nexpect count ice 0"}},
         {"select.recall_",
          {"select save a\nselect save b\nselect save c\nselect save d\nselect save e\nselect save f\nselect "
           "save g\n"

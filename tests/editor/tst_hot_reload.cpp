@@ -156,6 +156,18 @@ TEST_F(HotReload, GuessedPaintIsListedAndCanBeSteppedThrough) {
     EXPECT_TRUE(document().guessed().empty());
     document().go_to(document().history().size());
     EXPECT_EQ(document().guessed().size(), 2u);
+
+    // One is accepted and one dropped; undo brings the paint of the dropped one back.
+    go_to_guess(editor, 0);
+    settle_guesses(editor, selected_guesses(document()), true);
+    EXPECT_EQ(document().guessed().size(), 1u);
+    EXPECT_EQ(document().selection()[0], 1u) << "goes on to the next";
+    settle_guesses(editor, selected_guesses(document()), false);
+    EXPECT_TRUE(document().guessed().empty());
+    EXPECT_EQ(document().resolved().surface[0], ice);
+    EXPECT_NE(document().resolved().surface[1], ice);
+    document().undo();
+    EXPECT_EQ(document().resolved().surface[1], ice);
     document().accept_guessed();
     EXPECT_TRUE(document().guessed().empty());
 }

@@ -117,6 +117,19 @@ TEST(LevelJson, TheSmallestFileGivesTheDefaultsAndBasicMovement) {
 }
 
 // Files were written before there were today's defaults, and before there were today's settings.
+TEST(LevelJson, MovementCanBeTheNameOfAShippedPreset) {
+    const auto movement = [](const std::string& json) {
+        return level_from_json(R"({"slipface": 2, "movement": )" + json + "}", level_place,
+                               mesh_of(tiles(2)));
+    };
+    const auto platformer = movement("\"platformer\"");
+    ASSERT_TRUE(platformer) << platformer.error().text();
+    EXPECT_EQ(platformer->level.movement, MovementSettings{});
+    const auto unknown = movement("\"swimmer\"");
+    ASSERT_FALSE(unknown);
+    EXPECT_THAT(unknown.error().text(), HasSubstr("easy.slipface.json:/movement: found \"swimmer\""));
+}
+
 TEST(LevelJson, ASettingThatIsNotNamedIsTheBasicOne) {
     for (const SettingInfo& info : settings_table()) {
         Level level = level_of(tiles(1));

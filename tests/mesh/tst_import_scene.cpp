@@ -53,6 +53,57 @@ std::string triangle_bytes() {
     return bytes;
 }
 
+// The name that the material of the triangles has after `"name":"ice"` and more members were written.
+TEST_F(ImportScene, GltfMaterialExtrasBecomeASuffix) {
+    write("data.bin", triangle_bytes());
+    const auto named = [&](const std::string& name, const std::string& members) {
+        std::string text = two_nodes("data.bin");
+        const std::string usual = R"("name":"ice")";
+        text.replace(text.find(usual), usual.size(), "\"name\":\"" + name + "\"" + members);
+        const auto result = import_as("level.gltf", text);
+        if (!result) return "error: " + result.error().text();
+        const std::string warning = result->warnings.empty() ? "" : " !" + result->warnings[0].message;
+        return result->mesh->materials[result->mesh->face_material[0]].name + warning;
+    };
+    EXPECT_EQ(named("stone", ""), "stone");
+    EXPECT_EQ(named("stone", R"(,"extras":{"slipface_type":"wet ice"})"), "stone__wet ice");
+    EXPECT_EQ(named("Stone__Wet_Ice", R"(,"extras":{"slipface_type":"wet ice"})"), "Stone__Wet_Ice");
+    EXPECT_EQ(named("stone__wall", R"(,"extras":{"slipface_type":"ice"})"), "stone__wall__ice");
+    EXPECT_EQ(named("stone", R"(,"extras":{"slipface_type":""})"), "stone");
+    for (const char* const extras : {"1", "\"ice\"", "[]", "null", R"({"other":1})"})
+        EXPECT_EQ(named("stone", std::string(R"(,"extras":)") + extras), "stone") << extras;
+    for (const std::string& hostile : {std::string("7"), std::string("{}"),
+                                       "\"" + std::string(300, 'x') + "\"", std::string(R"("a\u0000b")")})
+        EXPECT_THAT(named("stone", R"(,"extras":{"slipface_type":)" + hostile + "}"),
+                    HasSubstr("stone !ignored \"slipface_type\" of the material"))
+            << hostile;
+    // A name with two types says nothing.
+    EXPECT_EQ(named("stone", R"(,"extras":{"slipface_type":"ice"}},{"name":"stone")"), "stone");
+}
+
+TEST_F(ImportScene, ExtrasOfABinaryGltfCountToo) {
+    std::string json = two_nodes("data.bin");
+    json.insert(json.find(R"("name":"ice")"), R"("extras":{"slipface_type":"sticky"},)");
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    write("data.bin", triangle_bytes());
+    const auto number = [](std::size_t value) {
+        std::string bytes;
+        for (int i = 0; i < 4; ++i)
+            bytes.push_back(static_cast<char>(value >> (8 * i)));
+        return bytes;
+    };
+    const std::string head = "glTF" + number(2) + number(20 + json.size());
+    const auto result = import_as("level.glb", head + number(json.size()) + "JSON" + json);
+    ASSERT_TRUE(result) << result.error().text();
+    EXPECT_EQ(result->mesh->materials[result->mesh->face_material[0]].name, "ice__sticky");
+    // Lengths that lie.
+    for (const std::size_t length : {std::size_t{0}, std::size_t{8}, std::size_t{0xFFFFFFFF}}) {
+        const auto lying = import_as("lying.glb", head + number(length) + "JSON" + json);
+        EXPECT_TRUE(!lying || lying->mesh->materials[0].name.starts_with("ice")) << length;
+    }
+    EXPECT_FALSE(import_as("short.glb", "glTF slipface_type"));
+}
+
 TEST_F(ImportScene, GltfNodesArePlacedInTheWorld) {
     write("data.bin", triangle_bytes());
     const auto result = import_as("level.gltf", two_nodes("data.bin"));

@@ -4,6 +4,7 @@
 #include "tools/commands/command_actions.h"
 #include "tools/commands/command_rows.h"
 #include "tools/commands/icons.h"
+#include "tools/selection/material_rules.h"
 #include "tools/selection/selecting.h"
 
 namespace slipface {
@@ -66,6 +67,12 @@ std::vector<Command> paint_commands() {
         {"edit.unset_selection", icons::eraser, "Unset selection", "Edit",
          "Remove the paint of the selected faces; rules and suffixes decide their type again",
          "clear erase remove override", key("Backspace"), has_selection, nullptr, unset_selection},
+        {"edit.add_rule", icons::list, "Add rule for the material", "Edit",
+         "Give the brush's type to the materials of the selected faces, or of the face under the mouse, by a "
+         "rule for their names: new faces of these materials get it, too",
+         "material pattern wildcard", no_key(),
+         [](const Editor& e) { return e.brush && (has_selection(e) || has_hovered(e)); }, nullptr,
+         add_rules_for_faces},
         {"tools.pick_surface", icons::eyedropper, "Pick surface type", "Tools",
          "Use the surface type of the face under the mouse as the brush", "eyedropper pipette", key("I"),
          has_hovered, nullptr, pick_surface},

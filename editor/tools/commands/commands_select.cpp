@@ -172,6 +172,10 @@ bool has_guessed(const Editor& editor) {
     return editor.document && !editor.document->guessed().empty();
 }
 
+bool has_selected_guess(const Editor& editor) {
+    return editor.document && !selected_guesses(*editor.document).empty();
+}
+
 std::vector<Command> guessed_rows() {
     return {
         {"select.guessed", icons::all, "All of them", "Select/Guessed paint",
@@ -188,6 +192,20 @@ std::vector<Command> guessed_rows() {
         {"select.previous_guessed", icons::step_back, "Previous", "Select/Guessed paint",
          "Select and frame the previous face whose paint was guessed", "reload match step", no_key(),
          has_guessed, nullptr, [](Editor& e) { step_guessed(e, false); }},
+        {"select.accept_guess", icons::check, "Accept", "Select/Guessed paint",
+         "Accept the guessed paint of the selected faces and go on to the next guess", "reload match confirm",
+         no_key(), has_selected_guess, nullptr,
+         [](Editor& e) { settle_guesses(e, selected_guesses(*e.document), true); }},
+        {"select.drop_guess", icons::eraser, "Drop", "Select/Guessed paint",
+         "Remove the guessed paint of the selected faces and go on to the next guess", "reload match reject",
+         no_key(), has_selected_guess, nullptr,
+         [](Editor& e) { settle_guesses(e, selected_guesses(*e.document), false); }},
+        {"select.drop_guessed", icons::eraser, "Drop all", "Select/Guessed paint", "Remove all guessed paint",
+         "reload match reject", no_key(), has_guessed, nullptr,
+         [](Editor& e) {
+             const std::span<const FaceId> faces = e.document->guessed();
+             settle_guesses(e, {faces.begin(), faces.end()}, false);
+         }},
         {"select.accept_guessed", icons::check, "Accept all", "Select/Guessed paint",
          "Accept all guessed paint", "reload match confirm", no_key(), has_guessed, nullptr,
          [](Editor& e) {

@@ -1,5 +1,6 @@
 // Reading the open level's files again when another program has written them.
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -205,6 +206,36 @@ bool look_at_files(Editor& editor) {
     return true;
 }
 
+std::vector<FaceId> selected_guesses(const Document& document) {
+    std::vector<FaceId> faces;
+    std::set_intersection(document.guessed().begin(), document.guessed().end(), document.selection().begin(),
+                          document.selection().end(), std::back_inserter(faces));
+    return faces;
+}
+
+void settle_guesses(Editor& editor, const std::vector<FaceId>& faces, bool accept) {
+    if (!editor.document || faces.empty()) return;
+    Document& document = *editor.document;
+    if (!accept) document.paint(faces, std::nullopt);
+    document.accept_guessed(faces);
+    const std::string count = std::to_string(faces.size());
+    if (!document.guessed().empty() && document.selection().size() <= 1) step_guessed(editor, true);
+    editor.status = count + (faces.size() == 1 ? " guess " : " guesses ") +
+                    (accept ? "accepted" : "dropped") + ", " + std::to_string(document.guessed().size()) +
+                    " left";
+}
+
+void go_to_guess(Editor& editor, std::size_t index) {
+    Document& document = *editor.document;
+    const std::span<const FaceId> faces = document.guessed();
+    if (index >= faces.size()) return;
+    const SurfaceId surface = document.resolved().surface[faces[index]];
+    document.select({faces[index]}, "Select guessed paint");
+    frame_selected(editor, editor.view_aspect);
+    editor.status = "Guessed paint " + std::to_string(index + 1) + " of " + std::to_string(faces.size()) +
+                    ": " + document.level().surfaces[surface].name;
+}
+
 void step_guessed(Editor& editor, bool forward) {
     if (!editor.document || editor.document->guessed().empty()) return;
     Document& document = *editor.document;
@@ -219,11 +250,7 @@ void step_guessed(Editor& editor, bool forward) {
         next = (static_cast<std::size_t>(std::lower_bound(faces.begin(), faces.end(), from) - faces.begin()) +
                 faces.size() - 1) %
                faces.size();
-    document.select({faces[next]}, "Select guessed paint");
-    frame_selected(editor, editor.view_aspect);
-    const SurfaceId surface = document.resolved().surface[faces[next]];
-    editor.status = "Guessed paint " + std::to_string(next + 1) + " of " + std::to_string(faces.size()) +
-                    ": " + document.level().surfaces[surface].name;
+    go_to_guess(editor, next);
 }
 
 }  // namespace slipface

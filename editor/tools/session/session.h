@@ -104,7 +104,12 @@ void reload_geometry(Editor& editor);
 void watch_files(Editor& editor);    // from their present state on: after opening and saving
 bool look_at_files(Editor& editor);  // reads changed files again, unasked; true if something visible changed
 void finish_reload(Editor& editor, Loading loading);
-void await_loading(Editor& editor);               // waits for a moment: small levels need no progress bar
+void await_loading(Editor& editor);                   // waits for a moment: small levels need no progress bar
+void go_to_guess(Editor& editor, std::size_t index);  // selects and frames that face of Document::guessed()
+std::vector<FaceId> selected_guesses(const Document& document);  // ascending
+// Accepts the guessed paint of `faces` (ascending), or removes it as one step of history, and goes on to the
+// next guess.
+void settle_guesses(Editor& editor, const std::vector<FaceId>& faces, bool accept);
 void step_guessed(Editor& editor, bool forward);  // selects and frames the next face whose paint was guessed
 
 // What sessions that ended left behind (recovery.cpp).

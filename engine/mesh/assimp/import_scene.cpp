@@ -10,6 +10,7 @@
 #include <map>
 #include <utility>
 
+#include "assimp/gltf_types.h"
 #include "assimp/scene_child.h"
 #include "assimp/scene_frame.h"
 #include "folder_io.h"
@@ -270,9 +271,11 @@ Result<ImportedSoup> read_scene(const std::filesystem::path& path, const std::st
     if (scene == nullptr)
         return Error{location, fmt::format("assimp cannot read it: {}", importer.GetErrorString())};
     const SceneFrame frame = scene_frame(*scene, extension, bytes);
-    std::string().swap(bytes);
+    const bool is_gltf = extension == "gltf" || extension == "glb";
+    if (!is_gltf) std::string().swap(bytes);
     auto soup = SceneReader(*scene, frame, location, warnings).run();
     if (!soup) return soup.error();
+    if (is_gltf) add_gltf_types(bytes, location, soup->materials, warnings);
     return ImportedSoup{.soup = std::move(*soup), .frame = frame.frame};
 }
 

@@ -28,6 +28,8 @@ struct MaterialRule {
     friend bool operator==(const MaterialRule&, const MaterialRule&) = default;
 };
 
+inline constexpr std::size_t max_material_rules = 100'000;  // of a level
+
 struct CameraBookmark {
     std::string name;
     Vec3 eye = Vec3::Zero();
