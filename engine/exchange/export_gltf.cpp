@@ -273,7 +273,7 @@ class GltfWriter {
                 ranges.push_back({material, indices.size()});
             for (std::uint32_t t = mesh_.face_first_triangle[face]; t < mesh_.face_first_triangle[face + 1];
                  ++t)
-                for (const std::size_t side : {0, 1, 2})
+                for (std::size_t side = 0; side < 3; ++side)
                     indices.push_back(vertex[mesh_.triangles[t][object.mirrored ? 2 - side : side] - first]);
         }
         GltfJson attributes{{"POSITION", buffer_.positions(vertices)}};

@@ -278,8 +278,9 @@ TEST(Reach, WritesLinksForEngines) {
     EXPECT_EQ(nlohmann::json::parse(without_warnings(run.output)).at("final_state").at("ground_face"),
               links[0].at("to_face"));
     const auto gltf = nlohmann::json::parse(write("links.gltf"));
-    ASSERT_EQ(gltf.at("nodes").size(), 1 + links.size());
-    EXPECT_EQ(gltf.at("nodes")[1].at("extras").at("slipface_link"), links[0]);
+    // The level's object and its body come first.
+    ASSERT_EQ(gltf.at("nodes").size(), 2 + links.size());
+    EXPECT_EQ(gltf.at("nodes")[2].at("extras").at("slipface_link"), links[0]);
     EXPECT_EQ(gltf.at("scenes")[0].at("nodes").size(), 1 + links.size());
     const std::string gset = write("links.gset");
     EXPECT_EQ(gset.rfind("f ledges.obj\nc ", 0), 0u) << gset;
