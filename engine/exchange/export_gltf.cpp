@@ -20,6 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A material with a texture needs texture positions, be they all zero.
+bool has_textures(const Mesh& mesh) {
+    return std::any_of(mesh.materials.begin(), mesh.materials.end(),
+                       [](const Material& material) { return !material.texture.empty(); });
+}
+
 // The faces of an object in the order of its meshes, with their corners in the object's own coordinates.
 struct ObjectFaces {
     std::vector<FaceId> faces;           // by type, then by material
@@ -57,7 +63,7 @@ class GltfWriter {
           mesh_(*level.mesh),
           materials_(materials),
           surface_(resolve_surfaces(level).surface),
-          textured_(textured(mesh_)),
+          textured_(textured(mesh_) || has_textures(mesh_)),
           physics_(level.surfaces) {}
 
     void write(std::span<const GltfNode> nodes) {

@@ -242,6 +242,10 @@ TEST_F(GltfObjects, PicturesGoWithTheFile) {
     ASSERT_TRUE(export_gltf(level, path("here.gltf")));
     EXPECT_THAT(read("here.gltf"), testing::HasSubstr(R"("uri":"pictures/a%20b.png")"));
 
+    const Level flat = open("mtllib level.mtl\n" + grid_obj(2, {"stone", "wood"}));
+    ASSERT_TRUE(export_gltf(flat, path("flat.gltf")));
+    EXPECT_THAT(read("flat.gltf"), testing::HasSubstr("TEXCOORD_0")) << "a textured material needs them";
+
     ASSERT_TRUE(export_gltf(level, path("out/there.gltf")));
     EXPECT_THAT(read("out/there.gltf"), testing::HasSubstr(R"("uri":"there-a%20b.png")"));
     EXPECT_EQ(read("out/there-a b.png"), bytes);

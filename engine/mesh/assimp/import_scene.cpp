@@ -162,7 +162,7 @@ class SceneReader {
                 continue;
             }
             // A polygon may visit a vertex twice, where a bridge leads to a hole in it.
-            if (face.mNumIndices > 2 * std::uint64_t{mesh.mNumVertices})
+            if (face.mNumIndices > 3 + 2 * std::uint64_t{mesh.mNumVertices})
                 return Error{
                     location_,
                     fmt::format("face {} of mesh {} has {} corners, but the mesh has {} vertices", i,
