@@ -38,6 +38,10 @@ class Finder {
           parts_(parts.parts.size()) {}
 
     std::vector<PartMotion> run() && {
+        for (std::size_t part = 0; part < parts_.size(); ++part) {
+            parts_[part].staying = support_.support(part, PartMotion{}, 0.0);
+            if (parts_[part].staying.corners < lost_below) support_.set_gone(part);
+        }
         for (std::size_t part = 0; part < parts_.size(); ++part)
             find(part);
         trust_order();
@@ -88,7 +92,6 @@ class Finder {
 
     void find(std::size_t i) {
         Part& part = parts_[i];
-        part.staying = support_.support(i, PartMotion{}, 0.0);
         part.best_support = part.staying;
         if (support_.points(i).size() < 3) return;
         if (part.staying.corners >= in_place) return try_order(i);

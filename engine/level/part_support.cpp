@@ -130,7 +130,7 @@ bool PartSupport::is_taken(std::size_t i, const PartMotion& motion) {
         if (vertex == no_id || vertex_part_[vertex] == no_id) continue;
         ++hits;
         const std::uint32_t owner = owner_[vertex_part_[vertex]];
-        taken += owner != no_id && owner != i ? 1 : 0;
+        taken += owner != no_id && owner != i && !samples_[owner].gone ? 1 : 0;
     }
     return 10 * taken > 3 * hits;
 }

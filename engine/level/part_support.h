@@ -44,6 +44,9 @@ class PartSupport {
     // True if more of the painted faces look the other way than this way.
     bool is_flipped(std::size_t part, const PartMotion& motion) const;
 
+    // The part is not where it was: what lies in its box now is another one.
+    void set_gone(std::size_t part) { samples_[part].gone = true; }
+
     // True if the motion puts the part where another one stayed.
     bool is_taken(std::size_t part, const PartMotion& motion);
 
@@ -62,6 +65,7 @@ class PartSupport {
     struct Sample {
         std::vector<Vec3> points;
         std::vector<const FaceKey*> keys;
+        bool gone = false;
     };
     enum class Side { none, same, other, both };
 

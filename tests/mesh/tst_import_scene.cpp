@@ -70,8 +70,10 @@ TEST_F(ImportScene, GltfMaterialExtrasBecomeASuffix) {
     EXPECT_EQ(named("Stone__Wet_Ice", R"(,"extras":{"slipface_type":"wet ice"})"), "Stone__Wet_Ice");
     EXPECT_EQ(named("stone__wall", R"(,"extras":{"slipface_type":"ice"})"), "stone__wall__ice");
     EXPECT_EQ(named("stone", R"(,"extras":{"slipface_type":""})"), "stone");
-    for (const char* const extras : {"1", "\"ice\"", "[]", "null", R"({"other":1})"})
-        EXPECT_EQ(named("stone", std::string(R"(,"extras":)") + extras), "stone") << extras;
+    EXPECT_EQ(named("stone", R"(,"extras":{"other":1})"), "stone");
+    // What assimp refuses itself.
+    for (const char* const extras : {"1", "\"ice\"", "[]", "null"})
+        EXPECT_THAT(named("stone", std::string(R"(,"extras":)") + extras), HasSubstr("extras")) << extras;
     for (const std::string& hostile : {std::string("7"), std::string("{}"),
                                        "\"" + std::string(300, 'x') + "\"", std::string(R"("a\u0000b")")})
         EXPECT_THAT(named("stone", R"(,"extras":{"slipface_type":)" + hostile + "}"),
@@ -82,23 +84,25 @@ TEST_F(ImportScene, GltfMaterialExtrasBecomeASuffix) {
 }
 
 TEST_F(ImportScene, ExtrasOfABinaryGltfCountToo) {
-    std::string json = two_nodes("data.bin");
+    std::string json = two_nodes("");
+    const std::string uri = R"(,"uri":"")";
+    json.erase(json.find(uri), uri.size());  // the buffer is the file's second chunk
     json.insert(json.find(R"("name":"ice")"), R"("extras":{"slipface_type":"sticky"},)");
     json.resize((json.size() + 3) / 4 * 4, ' ');
-    write("data.bin", triangle_bytes());
     const auto number = [](std::size_t value) {
         std::string bytes;
         for (int i = 0; i < 4; ++i)
             bytes.push_back(static_cast<char>(value >> (8 * i)));
         return bytes;
     };
-    const std::string head = "glTF" + number(2) + number(20 + json.size());
-    const auto result = import_as("level.glb", head + number(json.size()) + "JSON" + json);
+    const std::string binary = number(36) + std::string("BIN\0", 4) + triangle_bytes();
+    const std::string head = "glTF" + number(2) + number(20 + json.size() + binary.size());
+    const auto result = import_as("level.glb", head + number(json.size()) + "JSON" + json + binary);
     ASSERT_TRUE(result) << result.error().text();
     EXPECT_EQ(result->mesh->materials[result->mesh->face_material[0]].name, "ice__sticky");
     // Lengths that lie.
     for (const std::size_t length : {std::size_t{0}, std::size_t{8}, std::size_t{0xFFFFFFFF}}) {
-        const auto lying = import_as("lying.glb", head + number(length) + "JSON" + json);
+        const auto lying = import_as("lying.glb", head + number(length) + "JSON" + json + binary);
         EXPECT_TRUE(!lying || lying->mesh->materials[0].name.starts_with("ice")) << length;
     }
     EXPECT_FALSE(import_as("short.glb", "glTF slipface_type"));
