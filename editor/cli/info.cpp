@@ -191,7 +191,8 @@ void print_info_text(const LevelInfo& info, std::ostream& out) {
     print_row(out, "triangles", std::to_string(mesh.triangle_count()));
     print_row(out, "materials", std::to_string(mesh.materials.size()));
     if (!level.props.empty())
-        print_row(out, "props", fmt::format("{} of {} meshes", level.props.size(), level.placed.meshes.size()));
+        print_row(out, "props",
+                  fmt::format("{} of {} meshes", level.props.size(), level.placed.meshes.size()));
     print_row(out, "bounds min", vector_text(mesh.bounds.min) + "  m");
     print_row(out, "bounds max", vector_text(mesh.bounds.max) + "  m");
     const std::vector<Spawn> spawns = all_spawns(level);

@@ -152,11 +152,11 @@ void chosen_prop_rows(Editor& editor, std::size_t prop) {
 
 // A list that scrolls by itself, so that the fields below stay where they are.
 void prop_list(Editor& editor, const std::vector<Prop>& props, std::optional<std::size_t> chosen) {
-    constexpr std::size_t most_rows = 200, shown_rows = 8;
+    constexpr std::size_t max_rows = 200, shown_rows = 8;
     const float row_height = ImGui::GetFrameHeightWithSpacing();
     const auto rows = static_cast<float>(std::min(props.size(), shown_rows));
     ImGui::BeginChild("list", {0.0f, rows * row_height});
-    for (std::size_t i = 0; i < std::min(props.size(), most_rows); ++i) {
+    for (std::size_t i = 0; i < std::min(props.size(), max_rows); ++i) {
         NamedRow row;
         row.name = props[i].name;
         row.detail = props[i].type.empty() ? props[i].mesh : props[i].type;
@@ -176,8 +176,8 @@ void prop_list(Editor& editor, const std::vector<Prop>& props, std::optional<std
         if (did.chosen) choose_prop(editor, i);
     }
     ImGui::EndChild();
-    if (props.size() > most_rows)
-        ui::muted_text(fmt::format("and {} more: click them in the view", props.size() - most_rows).c_str());
+    if (props.size() > max_rows)
+        ui::muted_text(fmt::format("and {} more: click them in the view", props.size() - max_rows).c_str());
 }
 
 }  // namespace
