@@ -51,6 +51,7 @@ void prop_handle_row(Editor& editor) {
         {"Move", PropHandles::move}, {"Turn", PropHandles::turn}, {"Scale", PropHandles::scale}};
     for (const auto& [label, handles] : all) {
         const bool on = editor.tool == Tool::props && tool.handles == handles;
+        if (handles != PropHandles::move) ui::flow(ui::button_width(label));
         ImGui::PushStyleColor(ImGuiCol_Button,
                               ImGui::GetStyleColorVec4(on ? ImGuiCol_ButtonActive : ImGuiCol_Button));
         if (ui::button(label, "Handles at the chosen prop, in the view")) {
@@ -58,8 +59,8 @@ void prop_handle_row(Editor& editor) {
             editor.tool = Tool::props;
         }
         ImGui::PopStyleColor();
-        ImGui::SameLine();
     }
+    ui::flow(ui::button_width("Snap") + ImGui::GetFrameHeight());
     ui::checkbox("Snap", &tool.snap, "Quarter metres, 15 degrees, tenths; Shift does the opposite");
 }
 
