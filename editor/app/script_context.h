@@ -43,6 +43,7 @@ void verb_camera(ScriptContext& context, const Words& words);
 bool camera_bookmark(ScriptContext& context, const Words& words);
 void verb_only(ScriptContext& context, const Words& words);
 void verb_select(ScriptContext& context, const Words& words);
+void verb_prop(ScriptContext& context, const Words& words);
 void verb_replace(ScriptContext& context, const Words& words);
 void verb_pane(ScriptContext& context, const Words& words);
 void verb_preset(ScriptContext& context, const Words& words);

@@ -130,7 +130,7 @@ void expect_brush(ScriptContext& c, const Words& w) {
         expect_text(c, "brush", c.editor().brush ? type_name(*d, *c.editor().brush) : "unset", w[2]);
 }
 void expect_tool(ScriptContext& c, const Words& w) {
-    static constexpr const char* names[] = {"select", "paint", "fill", "probe"};
+    static constexpr const char* names[] = {"select", "paint", "fill", "probe", "props"};
     static_assert(std::size(names) == tool_count);
     expect_text(c, "tool", names[static_cast<std::size_t>(c.editor().tool)], w[2]);
 }
@@ -149,6 +149,9 @@ void expect_hidden(ScriptContext& c, const Words& w) {
 }
 void expect_saved(ScriptContext& c, const Words& w) {
     if (const Document* const d = document(c)) expect_number(c, "saved", d->saved_selections().size(), w[2]);
+}
+void expect_props(ScriptContext& c, const Words& w) {
+    if (const Document* const d = document(c)) expect_number(c, "props", d->level().props.size(), w[2]);
 }
 void expect_cameras(ScriptContext& c, const Words& w) {
     if (const Document* const d = document(c)) expect_number(c, "cameras", d->level().cameras.size(), w[2]);
@@ -191,6 +194,7 @@ constexpr Expectation expectations[] = {
     {"hidden", "n", "So many faces are hidden", 3, expect_hidden},
     {"saved", "n", "n selections are saved", 3, expect_saved},
     {"cameras", "n", "The level has so many cameras", 3, expect_cameras},
+    {"props", "n", "The level has so many props", 3, expect_props},
     {"panes", "n", "So many views are shown", 3, expect_panes},
     {"view", "NAME", "The view is Perspective, Orthographic, Top, Bottom, Front, Back, Right or Left", 3,
      expect_view},

@@ -88,7 +88,8 @@ bool has_two_lines(const Editor& editor, float width) {
 // The options of the current tool.
 void tool_options(Editor& editor, bool own_line) {
     const float scale = ui::scale();
-    if (!editor.document || editor.playtest || editor.tool == Tool::probe) return;
+    if (!editor.document || editor.playtest || editor.tool == Tool::probe || editor.tool == Tool::props)
+        return;
     if (own_line)
         ImGui::SetCursorPos({window_padding * scale, (5 + line_height - 6) * scale});
     else

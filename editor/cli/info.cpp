@@ -130,6 +130,7 @@ void print_info_json(const LevelInfo& info, std::ostream& out) {
     json["triangles"] = mesh.triangle_count();
     json["vertices"] = mesh.positions.size();
     json["materials"] = mesh.materials.size();
+    json["props"] = level.props.size();
     json["faces_per_type"] = OutputJson::object();
     for (std::size_t i = 0; i < level.surfaces.size(); ++i) {
         json["faces_per_type"][level.surfaces[i].name] = info.faces_of_type[i];
@@ -210,6 +211,9 @@ void print_info_text(const LevelInfo& info, std::ostream& out) {
     print_row(out, "faces", std::to_string(mesh.face_count()));
     print_row(out, "triangles", std::to_string(mesh.triangle_count()));
     print_row(out, "materials", std::to_string(mesh.materials.size()));
+    if (!level.props.empty())
+        print_row(out, "props",
+                  fmt::format("{} of {} meshes", level.props.size(), level.placed.meshes.size()));
     print_row(out, "bounds min", vector_text(mesh.bounds.min) + "  m");
     print_row(out, "bounds max", vector_text(mesh.bounds.max) + "  m");
     const std::vector<Spawn> spawns = all_spawns(level);

@@ -395,7 +395,7 @@ Result<std::unique_ptr<Document>> open_recovered(const Autosave& autosave, Progr
     Result<std::unique_ptr<Document>> document = Document::open(info.mesh_path, progress);
     if (!document) return document.error();
     Result<LoadedLevel> level =
-        level_from_json(autosave.json, info.level_path.string(), (*document)->level().mesh);
+        level_from_json(autosave.json, info.level_path.string(), (*document)->level());
     if (!level) return level.error();
     (*document)->restore(std::move(level->level), "Recover " + info.mesh_path.filename().string());
     return document;

@@ -165,6 +165,10 @@ void Document::rename_surface(SurfaceId surface, const std::string& name) {
     change(SurfacesEdit{level_.surfaces, std::move(surfaces)}, {});
     change(RulesEdit{level_.rules, std::move(rules)}, {});
     change(OrphansEdit{level_.orphans, std::move(orphans)}, {});
+    std::vector<Prop> props = level_.props;
+    for (Prop& prop : props)
+        if (prop.type == old) prop.type = name;
+    set_props(std::move(props), every_prop(level_), {});
     transaction.commit();
 }
 
@@ -180,6 +184,7 @@ std::string Document::removal_problem(SurfaceId surface) const {
     if (std::any_of(level_.orphans.begin(), level_.orphans.end(),
                     [&](const Orphan& orphan) { return orphan.type == name; }))
         return "An orphaned face has this type";
+    if (std::ranges::count(level_.props, name, &Prop::type) > 0) return "A prop has this type";
     return {};
 }
 
@@ -230,8 +235,8 @@ void Document::set_goals(std::vector<Goal> goals, std::string step_name) {
 }
 
 void Document::restore(Level level, std::string step_name, std::vector<FaceId> guessed) {
-    if (in_transaction() || level.mesh != level_.mesh) return;
-    level.overrides.resize(mesh().face_count());
+    if (in_transaction() || own_mesh(level) != own_mesh(level_)) return;
+    level.overrides.resize(level.mesh->face_count());
     Transaction transaction(*this, std::move(step_name));
     perform({}, LevelEdit{std::make_shared<const Level>(level_),
                           std::make_shared<const Level>(std::move(level))});
@@ -309,6 +314,7 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
         void operator()(const GeometryEdit& one) const {
             const Geometry& geometry = side(one, forward);
             self.level_.mesh = geometry.mesh;
+            self.level_.placed = geometry.placed;
             self.level_.import_transform = geometry.import_transform;
             self.level_.import_summary = geometry.import_summary;
             self.level_.mesh_stamp = geometry.stamp;
@@ -322,6 +328,21 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
             self.guessed_ = geometry.guessed;
             touched.geometry = touched.types = true;
         }
+        void operator()(const PropsEdit& one) const {
+            const PropsState& state = *side(one, forward);
+            self.level_.props = state.props;
+            self.level_.platforms = state.platforms;
+            self.level_.overrides = state.overrides;
+            self.selection_ = state.selection;
+            self.level_.hidden = state.hidden;
+            self.level_.selections = state.saved_selections;
+            self.prop_warnings_ = place_props(self.level_);
+            // A mesh that was there before may be gone.
+            self.level_.overrides.resize(self.mesh().face_count());
+            for (auto* faces : {&self.selection_, &self.level_.hidden, &self.guessed_})
+                tidy(*faces, self.mesh().face_count());
+            touched.geometry = touched.types = true;
+        }
         void operator()(const LevelEdit& one) const {
             Level level = *side(one, forward);
             level.file_path = self.level_.file_path;
@@ -329,6 +350,7 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
             level.mesh_stamp = self.level_.mesh_stamp;
             level.import_transform = self.level_.import_transform;
             level.import_summary = self.level_.import_summary;
+            touched.geometry = level.mesh != self.level_.mesh;
             self.level_ = std::move(level);
             touched.types = touched.hidden = true;
         }

@@ -61,14 +61,25 @@ struct Geometry {
     Warnings warnings;
     MatchSummary match;
     std::vector<FaceId> guessed;
+    PlacedProps placed;
     friend bool operator==(const Geometry& a, const Geometry& b) { return a.mesh == b.mesh; }
 };
 using GeometryEdit = ValueEdit<Geometry>;
+// The props, and what refers to their faces, whose numbers change with the props.
+struct PropsState {
+    std::vector<Prop> props;
+    std::vector<Platform> platforms;
+    std::vector<std::optional<SurfaceId>> overrides;
+    std::vector<FaceId> selection, hidden;
+    std::vector<SavedSelection> saved_selections;
+    friend bool operator==(const PropsState&, const PropsState&) = default;
+};
+using PropsEdit = ValueEdit<std::shared_ptr<const PropsState>>;
 using SavedSelectionsEdit = ValueEdit<std::vector<SavedSelection>>;
 using LevelEdit = ValueEdit<std::shared_ptr<const Level>>;  // everything except the mesh: a recovery
 using Edit = std::variant<FaceEdit, SelectionEdit, HiddenEdit, SavedSelectionsEdit, MovementEdit,
                           SurfacesEdit, RulesEdit, SpawnsEdit, FallLimitEdit, CamerasEdit, GoalsEdit,
-                          OrphansEdit, GeometryEdit, LevelEdit>;
+                          OrphansEdit, GeometryEdit, PropsEdit, LevelEdit>;
 
 // Properties of faces that are used often, computed once per mesh.
 struct FaceFacts {
@@ -194,8 +205,15 @@ class Document {
     void set_fall_limit(std::optional<double> height);  // nothing: the default; ignored if not within 1e9 m
     void set_cameras(std::vector<CameraBookmark> cameras, std::string step_name = "Change cameras");
     void set_goals(std::vector<Goal> goals, std::string step_name);
-    // Replaces everything that the level adds to the mesh with that of `level`, which must have this
-    // document's mesh. The file names stay. Ignored during a transaction. `guessed`: the painted faces whose
+    // Replaces all props. `from[i]`: the present prop that prop i is, or is a copy of, so that paint and
+    // hidden faces follow it; no_id: it is new. Platforms follow a prop that has another name, and turn about
+    // the same point of one that moved. Ignored if props_problem() gives a reason. prop_warnings() says which
+    // meshes are missing.
+    void set_props(std::vector<Prop> props, std::span<const std::uint32_t> from, std::string step_name);
+    void set_platforms(std::vector<Platform> platforms, std::string step_name);
+    const Warnings& prop_warnings() const { return prop_warnings_; }  // of the last change of the props
+    // Replaces everything that the level adds to the OBJ's mesh with that of `level`, which must have this
+    // document's. The file names stay. Ignored during a transaction. `guessed`: the painted faces whose
     // paint was guessed.
     void restore(Level level, std::string step_name, std::vector<FaceId> guessed = {});
     // A copy of the current state that shares the mesh, for a thread that saves or examines it.
@@ -240,6 +258,7 @@ class Document {
     void count_face(FaceId face, bool in);
     template <class ValueOf>
     void change(ValueEdit<ValueOf> edit, std::string step_name);
+    PropsState props_state() const;
     void perform(std::string step_name, Edit edit);
     void push(HistoryStep step);
 
@@ -250,7 +269,7 @@ class Document {
     std::array<double, max_surface_types + 1> surface_areas_{};
     CollisionWorld collision_;
     FaceNeighbours neighbours_;
-    Warnings warnings_;
+    Warnings warnings_, prop_warnings_;
     MatchSummary match_;
     FaceFacts facts_;
     std::vector<FaceId> selection_, guessed_;
@@ -262,6 +281,9 @@ class Document {
     int depth_ = 0;
     std::uint64_t revision_, face_revision_;
 };
+
+// For set_props(): each prop is still itself.
+std::vector<std::uint32_t> every_prop(const Level& level);
 
 // begin() on construction, cancel() on destruction unless committed.
 class Transaction {

@@ -72,7 +72,8 @@ Status Document::take_geometry(LoadedLevel loaded, std::string step_name) {
                     level_.selections,
                     warnings_,
                     match_,
-                    guessed_};
+                    guessed_,
+                    level_.placed};
     const bool stays = annotations_stay(level_, loaded);
     // A selection is temporary: it stays only if the mesh is the same, and is never guessed.
     const bool same_faces = loaded.level.mesh->face_first_corner == level_.mesh->face_first_corner &&
@@ -88,7 +89,8 @@ Status Document::take_geometry(LoadedLevel loaded, std::string step_name) {
                    std::move(loaded.level.selections),
                    std::move(loaded.warnings),
                    loaded.match,
-                   std::move(loaded.guessed)};
+                   std::move(loaded.guessed),
+                   std::move(loaded.level.placed)};
     perform(std::move(step_name), GeometryEdit{std::move(before), std::move(after)});
     history_.back().keeps_file = stays;
     return {};

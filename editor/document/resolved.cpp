@@ -8,7 +8,7 @@ namespace slipface {
 
 void Document::refresh(const Touched& touched) {
     ++revision_;
-    if (touched.hidden) {
+    if (touched.hidden && !touched.geometry) {
         std::fill(hidden_flags_.begin(), hidden_flags_.end(), std::uint8_t{0});
         for (const FaceId face : level_.hidden)
             hidden_flags_[face] = 1;
@@ -55,8 +55,8 @@ void Document::resolve_again() {
     for (FaceId face = 0; face < resolved_.surface.size(); ++face) {
         resolve_face(face);
         count_face(face, true);
-        collision_.set_face_surface(face, resolved_.surface[face]);
     }
+    collision_.set_face_surfaces(resolved_.surface);
 }
 
 namespace {

@@ -149,7 +149,7 @@ bool read_mesh(Reader& in, Mesh& mesh) {
 }  // namespace
 
 std::string annotations_json(const Level& level) {
-    Level bare = level;
+    Level bare = with_flat_props(level);
     bare.overrides.assign(level.mesh ? level.mesh->face_count() : 0, std::nullopt);
     bare.orphans.clear();
     bare.unknown = {};

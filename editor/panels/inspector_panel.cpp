@@ -33,6 +33,7 @@ std::string source_text(SurfaceSource source) {
         case SurfaceSource::none: return "no rule, not painted";
         case SurfaceSource::rule: return "material rule";
         case SurfaceSource::suffix: return "material suffix";
+        case SurfaceSource::prop: return "its prop";
         case SurfaceSource::override_: return "painted";
     }
     return "";

@@ -54,6 +54,7 @@ void palette_panel(Editor& editor);     // surface types: choose, edit, counts
 void rules_panel(Editor& editor);       // types for materials by their names; the level's materials
 void spawns_panel(Editor& editor);      // spawns: add, rename, delete, choose; the fall limit
 void cameras_panel(Editor& editor);     // bookmarks: go there, add, rename, delete
+void props_panel(Editor& editor);       // instances of meshes: place, move, turn, scale, paint
 void selections_panel(Editor& editor);  // saved selections: recall, add, rename, delete
 void movement_panel(Editor& editor, FrameContext& frame);  // every hack and parameter, from settings_table()
 void probe_panel(Editor& editor);                          // numbers of the sweep probe

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "panels/viewport_panel.h"
+#include "tools/props/props.h"
 #include "tools/selection/selecting.h"
 #include "widgets/ui.h"
 
@@ -126,10 +127,24 @@ void end_click(Editor& editor, ViewportState& state) {
     state.clicked_revision = editor.document->revision();
 }
 
+void press_props(Editor& editor, ViewportState& state, ImVec2 mouse) {
+    const Vec2 pixel = view_pixel(state, mouse), size = to_vec(state.size);
+    const int axis = prop_handle_at(editor, shown_camera(editor), pixel, size);
+    if (axis >= 0) {
+        if (begin_prop_drag(editor, shown_camera(editor), pixel, size, axis, state.prop_drag))
+            begin(state, editor, Gesture::drag_prop, mouse);
+    } else if (!editor.props.file.empty() && editor.hovered != no_id) {
+        add_prop(editor, editor.props.file, editor.hovered_point);
+    } else {
+        choose_prop(editor, hovered_prop(editor));
+    }
+}
+
 void press_left(Editor& editor, ViewportState& state, ImVec2 mouse) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.KeyAlt) {
-        if (editor.tool != Tool::probe && editor.hovered != no_id) pick_surface(editor);
+        if (editor.tool != Tool::probe && editor.tool != Tool::props && editor.hovered != no_id)
+            pick_surface(editor);
         return;
     }
     switch (editor.tool) {
@@ -143,6 +158,7 @@ void press_left(Editor& editor, ViewportState& state, ImVec2 mouse) {
         case Tool::fill:
             if (editor.hovered != no_id) fill_hovered(editor);
             return;
+        case Tool::props: press_props(editor, state, mouse); return;
         case Tool::probe: break;
     }
     const Vec2 pixel = view_pixel(state, mouse);
@@ -192,6 +208,7 @@ void release(Editor& editor, ViewportState& state) {
     if (ended == Gesture::stroke || ended == Gesture::select_stroke) editor.document->commit();
     if (ended == Gesture::outline) end_outline(editor, state);
     if (ended == Gesture::click) end_click(editor, state);
+    if (ended == Gesture::drag_prop) end_prop_drag(editor, state.prop_drag);
 }
 
 // One frame of the gesture in progress.
@@ -242,6 +259,11 @@ void go_on(Editor& editor, FrameContext& frame, ViewportState& state, ImVec2 mou
             }
             break;
         }
+        case Gesture::drag_prop:
+            if (!still)
+                drag_prop(editor, shown_camera(editor), view_pixel(state, mouse), to_vec(state.size),
+                          io.KeyShift, state.prop_drag);
+            break;
         case Gesture::none: break;
     }
     state.last_mouse = mouse;

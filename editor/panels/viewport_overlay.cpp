@@ -18,13 +18,6 @@ Color faded(Color color, float alpha) {
     return {color.red, color.green, color.blue, color.alpha * alpha};
 }
 
-// Metres that one pixel covers at `point`.
-double metres_per_pixel(const Camera& camera, const Vec3& point, double viewport_height) {
-    if (camera.orthographic) return camera.ortho_height / std::max(1.0, viewport_height);
-    const double depth = std::max(0.01, (point - camera.eye).dot((camera.target - camera.eye).normalized()));
-    return 2.0 * depth * std::tan(0.5 * camera.fov_y) / std::max(1.0, viewport_height);
-}
-
 // The main spawn as the whole player, the others as the position of the feet.
 void add_spawns(Overlay& overlay, const Document& document) {
     const Level& level = document.level();
@@ -95,6 +88,12 @@ void add_player(Overlay& overlay, const Editor& editor) {
 
 }  // namespace
 
+double metres_per_pixel(const Camera& camera, const Vec3& point, double viewport_height) {
+    if (camera.orthographic) return camera.ortho_height / std::max(1.0, viewport_height);
+    const double depth = std::max(0.01, (point - camera.eye).dot((camera.target - camera.eye).normalized()));
+    return 2.0 * depth * std::tan(0.5 * camera.fov_y) / std::max(1.0, viewport_height);
+}
+
 Overlay viewport_overlay(const Editor& editor, const Camera& camera, double height) {
     Overlay overlay;
     if (editor.playtest) {
@@ -107,6 +106,7 @@ Overlay viewport_overlay(const Editor& editor, const Camera& camera, double heig
     add_heat(overlay, editor);
     add_reach(overlay, editor);
     add_lab(overlay, editor);
+    add_prop_handles(overlay, editor, camera, height);
     return overlay;
 }
 

@@ -64,6 +64,11 @@ std::string viewport_hint(const Editor& editor) {
                        ? "Drag a handle: change the sweep \u00b7 Shift: up and down \u00b7 Click: place again"
                        : "Press: place the ellipsoid \u00b7 Drag: set the displacement";
             break;
+        case Tool::props:
+            hint = editor.props.file.empty()
+                       ? "Click: choose a prop \u00b7 Drag a handle: change it \u00b7 Shift: without steps"
+                       : "Click: place " + editor.props.file;
+            break;
     }
     return hint + " \u00b7 RMB+WASD: fly \u00b7 MMB: orbit";
 }

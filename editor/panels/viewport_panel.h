@@ -23,7 +23,16 @@ enum class Gesture {
     select_stroke,  // the selecting brush
     place_probe,
     drag_probe_end,
-    drag_probe_start
+    drag_probe_start,
+    drag_prop
+};
+
+// A handle of the chosen prop in the mouse's hand.
+struct PropDrag {
+    std::size_t prop = 0;
+    int axis = 0;
+    Prop before, now;
+    double start = 0.0;  // where along the axis, or at which angle, the drag began
 };
 
 class AuditJob;
@@ -34,7 +43,8 @@ struct ViewportState {
     const Document* document = nullptr;  // the document in which the gesture began
     ImVec2 last_mouse{0, 0};
     ImVec2 pressed_at{0, 0};
-    Probe probe_before;         // restored when the gesture is cancelled
+    Probe probe_before;  // restored when the gesture is cancelled
+    PropDrag prop_drag;
     std::vector<Vec2> outline;  // of box and lasso, pixels of the view
     SelectBy stroke_by = SelectBy::add;
     // Where a face was selected last: the next click there selects the face behind it.
@@ -80,6 +90,18 @@ void draw_spawn_names(const Editor& editor, const ViewportState& state);  // onl
 std::string tool_preview(const Editor& editor);  // "Fill 766 faces with ice"; empty: none
 void draw_tool_preview(const Editor& editor, const ViewportState& state);  // beside the mouse
 void draw_triangle_ids(const Editor& editor, const ViewportState& state);
+
+// The axis of the chosen prop's handle under the mouse, or -1.
+int prop_handle_at(const Editor& editor, const Camera& camera, const Vec2& pixel, const Vec2& size);
+// False if the axis points at the eye.
+bool begin_prop_drag(const Editor& editor, const Camera& camera, const Vec2& pixel, const Vec2& size,
+                     int axis, PropDrag& drag);
+void drag_prop(const Editor& editor, const Camera& camera, const Vec2& pixel, const Vec2& size,
+               bool other_snap, PropDrag& drag);
+void end_prop_drag(Editor& editor, const PropDrag& drag);
+// Metres that one pixel covers at `point`; `viewport_height` in pixels.
+double metres_per_pixel(const Camera& camera, const Vec3& point, double viewport_height);
+void add_prop_handles(Overlay& overlay, const Editor& editor, const Camera& camera, double height);
 
 // The probe under the mouse: 0 none, 1 start, 2 end.
 int probe_handle_at(const Editor& editor, const Camera& camera, const Vec2& pixel, const Vec2& size);

@@ -63,6 +63,7 @@ void geometry_changed(Editor& editor) {
     forget_hover(editor);
     editor.tool_faces = {};
     editor.probe = {};
+    editor.props.file.clear();
     editor.session.report.reset();
     editor.session.problem.reset();
     make_brush_valid(editor);
@@ -231,7 +232,8 @@ const std::vector<FaceId>& tool_faces(const Editor& editor) {
     }
     found = {document, &document->mesh(), editor.tool, editor.hovered, editor.hovered_point, size, {}};
     switch (editor.tool) {
-        case Tool::probe: break;
+        case Tool::probe:
+        case Tool::props: break;
         case Tool::select:
             found.faces = {editor.hovered};
             if (selects_by_brush)

@@ -33,8 +33,22 @@ enum class BackFaces {
     never
 };
 
-enum class Tool { select, paint, fill, probe };
-inline constexpr std::size_t tool_count = 4;
+enum class Tool { select, paint, fill, probe, props };
+inline constexpr std::size_t tool_count = 5;
+
+// What the handles at the chosen prop do.
+enum class PropHandles { move, turn, scale };
+struct PropTool {
+    std::string chosen;  // name of a prop; empty, or of none that is there: none
+    std::string file;    // what a click with the tool places; empty: a click chooses
+    PropHandles handles = PropHandles::move;
+    bool snap = true;
+    double move_step = 0.25;                // metres
+    double turn_step = 0.2617993877991494;  // radians, 15 degrees
+    double scale_step = 0.1;
+    std::vector<std::string> files;  // that can be placed, of the document `files_of`
+    const Document* files_of = nullptr;
+};
 
 // A message that the user must close. One at a time, drawn over all windows.
 struct MessageDialog {
@@ -114,6 +128,7 @@ struct Editor {
     bool live_edit = false;
 
     Probe probe;
+    PropTool props;
     std::optional<Playtest> playtest;       // walking while set
     Lab lab;                                // the tape, and its runs under other settings
     CureJob cures;                          // of the stop at the lab's cursor

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "impl.h"
+#include "instance_list.h"
 #include "queries/sphere_triangle.h"
 
 namespace slipface {
@@ -67,15 +68,21 @@ void index_faces(const TriangleSoup& soup, CollisionWorld::Impl& impl) {
     }
 }
 
-// Extends the bounds by the box of the tree.
+// Extends the bounds by the boxes of the trees.
 void grow_bounds(CollisionWorld::Impl& impl) {
-    if (impl.triangle_count() == 0) return;
-    std::ranges::copy(impl.bvh.low, impl.extent.low);
-    std::ranges::copy(impl.bvh.high, impl.extent.high);
-    for (const auto& corner : {impl.bvh.low, impl.bvh.high}) {
-        impl.bounds.add(Vec3(double{corner[0]}, double{corner[1]}, double{corner[2]}));
-        for (const float coordinate : corner)
-            impl.extent.reach = std::max(impl.extent.reach, std::fabs(double{coordinate}));
+    std::ranges::fill(impl.extent.low, std::numeric_limits<float>::infinity());
+    std::ranges::fill(impl.extent.high, -std::numeric_limits<float>::infinity());
+    for (const detail::Bvh* bvh : {&impl.bvh, &impl.boxes}) {
+        if (bvh->nodes.empty()) continue;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            impl.extent.low[axis] = std::min(impl.extent.low[axis], bvh->low[axis]);
+            impl.extent.high[axis] = std::max(impl.extent.high[axis], bvh->high[axis]);
+        }
+        for (const auto& corner : {bvh->low, bvh->high}) {
+            impl.bounds.add(Vec3(double{corner[0]}, double{corner[1]}, double{corner[2]}));
+            for (const float coordinate : corner)
+                impl.extent.reach = std::max(impl.extent.reach, std::fabs(double{coordinate}));
+        }
     }
 }
 
@@ -95,12 +102,18 @@ CollisionWorld::CollisionWorld(CollisionWorld&& other) noexcept = default;
 CollisionWorld& CollisionWorld::operator=(CollisionWorld&& other) noexcept = default;
 
 Result<CollisionWorld> CollisionWorld::build(const TriangleSoup& soup) {
+    return build(soup, {});
+}
+
+Result<CollisionWorld> CollisionWorld::build(const TriangleSoup& soup, std::span<const Instance> instances) {
     try {
         if (const Status status = check(soup); !status) return status.error();
         CollisionWorld world;
         Impl& impl = *world.impl_;
         impl.bvh = detail::build_bvh(soup.positions, soup.triangles, soup.bodies);
         index_faces(soup, impl);
+        impl.triangles = soup.triangles.size();
+        if (const Status status = add_instances(impl, instances); !status) return status.error();
         grow_bounds(impl);
         return world;
     } catch (const std::bad_alloc&) {
@@ -117,10 +130,10 @@ Status CollisionWorld::move_triangles(std::span<const TriangleId> triangles,
                                             " triangles; expected one per triangle (twice)"};
     }
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        if (triangles[i] >= triangle_count()) {
+        if (triangles[i] >= impl_->own_triangles()) {
             return Error{"moved triangle " + std::to_string(i),
                          "number " + std::to_string(triangles[i]) + "; expected less than the " +
-                             std::to_string(triangle_count()) + " triangles"};
+                             std::to_string(impl_->own_triangles()) + " triangles"};
         }
         for (const Vec3f& corner : corners[i]) {
             if (!corner.allFinite()) {
@@ -135,12 +148,23 @@ Status CollisionWorld::move_triangles(std::span<const TriangleId> triangles,
 }
 
 void CollisionWorld::set_face_surface(FaceId face, SurfaceId surface) {
-    if (const auto index = find_face(*impl_, face)) impl_->surfaces[*index] = surface;
+    if (const auto index = find_face(*impl_, face))
+        impl_->surfaces[*index] = surface;
+    else
+        set_instance_surface(*impl_, face, surface);
+}
+
+void CollisionWorld::set_face_surfaces(std::span<const SurfaceId> surfaces) {
+    const std::size_t first_placed =
+        impl_->placed.empty() ? surfaces.size() : std::size_t{impl_->placed.front().first_face};
+    for (std::size_t face = 0; face < std::min(surfaces.size(), first_placed); ++face)
+        set_face_surface(static_cast<FaceId>(face), surfaces[face]);
+    set_instance_surfaces(*impl_, surfaces);
 }
 
 SurfaceId CollisionWorld::face_surface(FaceId face) const {
     const auto index = find_face(*impl_, face);
-    return index ? impl_->surfaces[*index] : default_surface;
+    return index ? impl_->surfaces[*index] : instance_surface(*impl_, face);
 }
 
 void CollisionWorld::set_surface_rule(SurfaceId surface, SurfaceRule rule) {
@@ -157,7 +181,7 @@ std::size_t CollisionWorld::triangle_count() const {
 }
 
 std::array<Vec3, 3> CollisionWorld::triangle(TriangleId triangle) const {
-    const detail::LeafTriangle leaf = impl_->bvh.triangle(triangle);
+    const detail::LeafTriangle leaf = impl_->triangle(triangle);
     return {vec(corner(leaf, 0)), vec(corner(leaf, 1)), vec(corner(leaf, 2))};
 }
 
@@ -166,7 +190,7 @@ FaceId CollisionWorld::triangle_face(TriangleId triangle) const {
 }
 
 Vec3 CollisionWorld::triangle_normal(TriangleId triangle) const {
-    return vec(detail::winding_normal(impl_->bvh.triangle(triangle)));
+    return vec(detail::winding_normal(impl_->triangle(triangle)));
 }
 
 Aabb CollisionWorld::bounds() const {
@@ -175,11 +199,15 @@ Aabb CollisionWorld::bounds() const {
 
 BvhStatistics CollisionWorld::statistics() const {
     const auto bytes = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-    const detail::Bvh& bvh = impl_->bvh;
-    return {triangle_count(), bvh.nodes.size(),
-            bytes(bvh.nodes) + bytes(bvh.parents) + bytes(bvh.leaves) + bytes(bvh.slots) +
-                bytes(impl_->faces) + bytes(impl_->face_index) + bytes(impl_->surfaces),
-            bvh.depth};
+    BvhStatistics all{triangle_count(), 0, 0, 0};
+    for (const detail::Bvh* bvh : {&impl_->bvh, &impl_->boxes}) {
+        all.nodes += bvh->nodes.size();
+        all.bytes += bytes(bvh->nodes) + bytes(bvh->parents) + bytes(bvh->leaves) + bytes(bvh->slots);
+    }
+    all.bytes += bytes(impl_->faces) + bytes(impl_->face_index) + bytes(impl_->surfaces) +
+                 bytes(impl_->views) + bytes(impl_->placed) + bytes_of_meshes(*impl_);
+    all.depth = impl_->bvh.depth + impl_->boxes.depth;
+    return all;
 }
 
 }  // namespace slipface

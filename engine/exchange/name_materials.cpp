@@ -22,6 +22,8 @@ constexpr const char* unnamed_material = "none";
 Level without_paint(const Level& level) {
     Level plain = level;
     plain.overrides.assign(level.mesh->face_count(), std::nullopt);
+    for (Prop& prop : plain.props)
+        prop.type.clear();
     return plain;
 }
 
@@ -118,7 +120,7 @@ Result<LoadedLevel> read_named(const Level& level, const std::string* obj) {
     if (!loaded) return loaded;
     Level& after = loaded->level;
     const ResolvedSurfaces plain = resolve_surfaces(without_paint(after));
-    for (std::size_t face = 0; face < after.overrides.size(); ++face) {
+    for (std::size_t face = 0; face < own_mesh(after)->face_count(); ++face) {
         if (after.overrides[face] == plain.surface[face]) after.overrides[face].reset();
     }
     return loaded;
@@ -178,7 +180,8 @@ Result<TypedMaterials> typed_materials(const Level& level, bool rules_too) {
     return result;
 }
 
-Result<NamedObj> obj_with_names(const Level& level, std::string_view obj) {
+Result<NamedObj> obj_with_names(const Level& any_level, std::string_view obj) {
+    const Level level = without_props(any_level);
     const std::string location = level.mesh_path.string();
     if (file_stamp(obj) != level.mesh_stamp)
         return Error{location, "was changed by another program since it was read; reload it first"};

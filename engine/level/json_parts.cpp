@@ -49,6 +49,23 @@ Platform read_platform(const JsonNode& node, std::vector<JsonNode>& parts) {
     return platform;
 }
 
+Prop read_prop(const JsonNode& node) {
+    Prop prop;
+    if (!node.object()) return prop;
+    const JsonNode name = node.need("name"), mesh = node.need("mesh"), scale = node["scale"];
+    name.text(prop.name);
+    if (mesh.text(prop.mesh) && prop.mesh.empty()) mesh.fail("an empty name", "a geometry file");
+    node["position"].vector(-farthest_prop, farthest_prop, prop.position);
+    node["rotation"].vector(-largest_prop_rotation, largest_prop_rotation, prop.rotation);
+    scale.vector(-largest_prop_scale, largest_prop_scale, prop.scale);
+    if (scale && prop.scale.cwiseAbs().minCoeff() < smallest_prop_scale)
+        scale.fail("a scale nearer to 0", fmt::format("at least {} along each axis, or at most -{}",
+                                                      smallest_prop_scale, smallest_prop_scale));
+    node["texture"].text(prop.texture);
+    node["type"].text(prop.type);
+    return prop;
+}
+
 HeightfieldSource read_heightfield(const JsonNode& node) {
     HeightfieldSource source;
     if (!node.object() || !node.need("file").text(source.file)) return source;
@@ -96,6 +113,17 @@ Json platform_json(const Platform& platform) {
                         {"group", json_string(platform.group)},
                         {"repeat", json_string(path_repeat_names[static_cast<std::size_t>(platform.repeat)])},
                         {"phase", json_number(platform.phase_s)}});
+}
+
+Json prop_json(const Prop& prop) {
+    Json json = json_object({{"name", json_string(prop.name)},
+                             {"mesh", json_string(prop.mesh)},
+                             {"position", vector_json(prop.position)}});
+    if (!prop.rotation.isZero(0.0)) json_add(json, "rotation", vector_json(prop.rotation));
+    if (prop.scale != Vec3::Ones()) json_add(json, "scale", vector_json(prop.scale));
+    if (!prop.texture.empty()) json_add(json, "texture", json_string(prop.texture));
+    if (!prop.type.empty()) json_add(json, "type", json_string(prop.type));
+    return json;
 }
 
 Json heightfield_json(const HeightfieldSource& source) {

@@ -4,6 +4,8 @@
 //   ...],
 //                  "repeat": "ping-pong", "spin": {"axis": [0, 1, 0], "pivot": [0, 0, 0], "rate": 1},
 //                  "phase": 0}]
+//   "props": [{"name": "crate", "mesh": "props/crate.obj", "position": [0, 0, 0], "rotation": [0, 0, 0],
+//              "scale": [1, 1, 1], "texture": "dark.png", "type": "ice"}]   (the last five: *)
 //   "heightfield": {"file": "terrain.png", "origin": [0, 0, 0], "size": [100, 100], "low": 0, "high": 10}
 //   "sectors": {"size": 1024, "placement": [1000000, 0, 0]}
 #pragma once
@@ -17,6 +19,7 @@ namespace slipface {
 
 // Adds the objects inside to `parts`: points of the path, spin.
 Platform read_platform(const JsonNode& node, std::vector<JsonNode>& parts);
+Prop read_prop(const JsonNode& node);
 HeightfieldSource read_heightfield(const JsonNode& node);
 SectorLayout read_sectors(const JsonNode& node);
 
@@ -25,6 +28,7 @@ Json vector_json(const Vec3& vector);
 Json platform_json(const Platform& platform);
 Json path_point_json(const PathPoint& point);
 Json spin_json(const Platform& platform);
+Json prop_json(const Prop& prop);
 Json heightfield_json(const HeightfieldSource& source);
 Json sectors_json(const SectorLayout& sectors);
 

@@ -32,6 +32,7 @@ const char* surface_source_name(SurfaceSource source) {
         case SurfaceSource::none: return "none";
         case SurfaceSource::rule: return "rule";
         case SurfaceSource::suffix: return "suffix";
+        case SurfaceSource::prop: return "prop";
         case SurfaceSource::override_: return "override";
     }
     return "none";
@@ -60,8 +61,13 @@ ResolvedSurfaces resolve_surfaces(const Level& level) {
 
     resolved.surface.resize(mesh.face_count());
     resolved.source.resize(mesh.face_count());
+    std::vector<std::optional<SurfaceId>> by_prop;
+    for (const Prop& prop : level.props)
+        by_prop.push_back(prop.type.empty() ? std::nullopt : find_surface(level, prop.type));
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {
         MaterialSurface found = by_material[mesh.face_material[face]];
+        const std::uint32_t prop = level.placed.prop_of(static_cast<FaceId>(face));
+        if (prop < by_prop.size() && by_prop[prop]) found = {*by_prop[prop], SurfaceSource::prop};
         if (face < level.overrides.size()) {
             const std::optional<SurfaceId>& painted = level.overrides[face];
             if (painted && *painted < level.surfaces.size()) found = {*painted, SurfaceSource::override_};
@@ -72,19 +78,33 @@ ResolvedSurfaces resolve_surfaces(const Level& level) {
     return resolved;
 }
 
-Result<CollisionWorld> build_mesh_collision(const Mesh& mesh) {
+namespace {
+
+std::vector<std::array<std::uint32_t, 3>> triangle_vertices(const Mesh& mesh) {
     std::vector<std::array<std::uint32_t, 3>> vertices;
     vertices.reserve(mesh.triangle_count());
     for (const auto& corner : mesh.triangles) {
         vertices.push_back(
             {mesh.corner_vertex[corner[0]], mesh.corner_vertex[corner[1]], mesh.corner_vertex[corner[2]]});
     }
-    return CollisionWorld::build({mesh.positions, vertices, mesh.triangle_face});
+    return vertices;
+}
+
+}  // namespace
+
+Result<CollisionWorld> build_mesh_collision(const Mesh& mesh, std::span<const Instance> props) {
+    return CollisionWorld::build({mesh.positions, triangle_vertices(mesh), mesh.triangle_face}, props);
+}
+
+Result<std::shared_ptr<const CollisionMesh>> build_shared_collision(const Mesh& mesh) {
+    return CollisionMesh::build({mesh.positions, triangle_vertices(mesh), mesh.triangle_face});
 }
 
 Result<CollisionWorld> build_collision_world(const Level& level) {
     if (!level.mesh) return Error{level.mesh_path.string(), "the level has no geometry"};
-    Result<CollisionWorld> world = build_mesh_collision(*level.mesh);
+    const std::vector<Instance> props = prop_instances(level, Vec3::Zero(), [](std::size_t) { return true; });
+    Result<CollisionWorld> world =
+        build_mesh_collision(has_instances(level) ? *own_mesh(level) : *level.mesh, props);
     if (!world) return Error{level.mesh_path.string(), world.error().text()};
     apply_surfaces(*world, level);
     return world;
@@ -92,10 +112,7 @@ Result<CollisionWorld> build_collision_world(const Level& level) {
 
 void apply_surfaces(CollisionWorld& world, const Level& level) {
     apply_surface_rules(world, level.surfaces);
-    const ResolvedSurfaces resolved = resolve_surfaces(level);
-    for (std::size_t face = 0; face < resolved.surface.size(); ++face) {
-        world.set_face_surface(static_cast<FaceId>(face), resolved.surface[face]);
-    }
+    world.set_face_surfaces(resolve_surfaces(level).surface);
 }
 
 }  // namespace slipface

@@ -84,7 +84,7 @@ Result<LoadedLevel> load_annotated(const fs::path& mesh_path, const fs::path& fi
     Result<LoadedLevel> geometry = load_mesh(mesh_path, *transform, progress);
     if (!geometry) return geometry;
     begin_stage(progress, "Finding painted faces", 1.0, 1.0);
-    Result<LoadedLevel> loaded = read_level(root, file_path.string(), geometry->level.mesh);
+    Result<LoadedLevel> loaded = read_level(root, file_path.string(), geometry->level.mesh, {mesh_path, {}});
     if (!loaded) return loaded;
     const fs::path named = loaded->level.mesh_path;
     loaded->level.mesh_path = mesh_path;
@@ -173,9 +173,12 @@ Result<LoadedLevel> load_from_mesh(const fs::path& mesh_path, Progress* progress
 LoadedLevel with_geometry(const Level& level, LoadedLevel geometry) {
     Level copy = level;
     copy.mesh = std::move(geometry.level.mesh);
+    copy.placed = {};  // what another program changed may be a prop's mesh
     copy.mesh_stamp = geometry.level.mesh_stamp;
     copy.import_transform = geometry.level.import_transform;
     copy.import_summary = std::move(geometry.level.import_summary);
+    Warnings warnings = place_props(copy);
+    geometry.warnings.insert(geometry.warnings.end(), warnings.begin(), warnings.end());
     geometry.level = std::move(copy);
     return geometry;
 }

@@ -22,7 +22,7 @@
 //   "movement": {...one key per settings_table() row; a missing one has its value of basic_settings()},
 //   "light": {"image": "easy.light.png", "geometry": "HASH", "texel": 0.25, "sun_direction": [...], ...,
 //             "emitters": [{"pattern": "lava*", "color": [...]}]},                     (*)
-//   "platforms", "heightfield", "sectors": see json_parts.h                            (*)
+//   "platforms", "props", "heightfield", "sectors": see json_parts.h                   (*)
 // }
 #pragma once
 
@@ -42,8 +42,15 @@ inline constexpr int level_file_version = 2, plain_level_file_version = 1;
 // The text of the level's file. `file_path` decides how the text names the mesh: relative or absolute.
 std::string level_text(const Level& level, const std::filesystem::path& file_path);
 
-// The level in a file's JSON, applied to `mesh`. `location` names the file in errors and warnings.
-Result<LoadedLevel> read_level(const Json& root, const std::string& location, MeshPtr mesh);
+// The level in a file's JSON, applied to `mesh`. `location` names the file in errors and warnings. The meshes
+// of its props are those of `known`, or read from the folder of `mesh_path`; without one, of the mesh that
+// the file names.
+struct PropSource {
+    std::filesystem::path mesh_path;
+    std::vector<PropMesh> known;
+};
+Result<LoadedLevel> read_level(const Json& root, const std::string& location, MeshPtr mesh,
+                               PropSource props = {});
 Result<ImportTransform> read_import_transform(const Json& root, const std::string& location);
 
 // Error: `root` is no level file of level_file_version.

@@ -42,12 +42,13 @@ Part part_of(const Mesh& mesh, const Belongs& belongs) {
     return part;
 }
 
-Result<CollisionWorld> collision_at(const Part& part, const Pose& pose) {
+Result<CollisionWorld> collision_at(const Part& part, const Pose& pose,
+                                    std::span<const Instance> instances = {}) {
     std::vector<Vec3f> positions;
     positions.reserve(part.rest.size());
     for (const Vec3f& rest : part.rest)
         positions.push_back(pose == Pose{} ? rest : Vec3f(pose.apply(rest.cast<double>()).cast<float>()));
-    return CollisionWorld::build({positions, part.corners, part.faces});
+    return CollisionWorld::build({positions, part.corners, part.faces}, instances);
 }
 
 }  // namespace
@@ -122,12 +123,21 @@ Status LevelScene::Impl::build(const CollisionWorld* whole) {
         fixed = whole;
         return {};
     }
-    Part still =
-        part_of(mesh, [&](FaceId face) { return !something_moves || face_platforms[face] == no_id; });
-    Result<CollisionWorld> built = collision_at(still, Pose{.offset = offset});
+    const auto rests = [&](FaceId face) { return !something_moves || face_platforms[face] == no_id; };
+    const std::size_t own_faces = has_instances(*level) ? own_mesh(*level)->face_count() : mesh.face_count();
+    Part still = part_of(mesh, [&](FaceId face) { return face < own_faces && rests(face); });
+    const std::vector<Instance> props = prop_instances(
+        *level, offset, [&](std::size_t prop) { return rests(level->placed.first_face[prop]); });
+    Result<CollisionWorld> built = collision_at(still, Pose{.offset = offset}, props);
     if (!built) return Error{level->mesh_path.string(), built.error().text()};
     own = std::move(*built);
-    paint(own, still);
+    apply_surface_rules(own, level->surfaces);
+    own.set_face_surfaces(surfaces);
+    for (const Instance& prop : props) {
+        const TriangleId first = mesh.face_first_triangle[prop.first_face];
+        for (TriangleId i = 0; i < prop.mesh->triangle_count(); ++i)
+            still.triangles.push_back(first + i);
+    }
     if (something_moves) own_triangles = std::move(still.triangles);
     triangles = own_triangles;
 
@@ -246,8 +256,7 @@ void LevelScene::apply_surfaces() {
     impl.surfaces = resolve_surfaces(*impl.level).surface;
     if (impl.fixed == nullptr) {
         apply_surface_rules(impl.own, impl.level->surfaces);
-        for (std::size_t face = 0; face < impl.surfaces.size(); ++face)
-            impl.own.set_face_surface(static_cast<FaceId>(face), impl.surfaces[face]);
+        impl.own.set_face_surfaces(impl.surfaces);
     }
     for (Impl::Moving& part : impl.moving)
         impl.paint(part.collision, part.part);

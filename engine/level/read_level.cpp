@@ -57,8 +57,10 @@ void read_name(const JsonNode& node, std::set<std::string>& names, std::string& 
 
 class LevelReader {
   public:
-    LevelReader(const std::string& location, MeshPtr mesh) : reader_(location) {
+    LevelReader(const std::string& location, MeshPtr mesh, PropSource props)
+        : reader_(location), props_mesh_path_(std::move(props.mesh_path)) {
         level_.mesh = std::move(mesh);
+        level_.placed.meshes = std::move(props.known);
         level_.file_path = location;
         level_.movement = basic_settings();
         level_.spawn_is_set = false;
@@ -96,6 +98,9 @@ class LevelReader {
         std::set<std::string> goals;
         root["goals"].each(max_goals, [&](const JsonNode& node) { read_goal(node, goals); });
         read_movement(root["movement"]);
+        std::set<std::string> props;
+        root["props"].each(max_props, [&](const JsonNode& node) { add_prop(node, props); });
+        if (reader_.ok()) place();
         root["platforms"].each(max_platforms, [this](const JsonNode& node) { add_platform(node); });
         if (const JsonNode heightfield = root["heightfield"]) {
             level_.heightfield = read_heightfield(heightfield);
@@ -359,6 +364,28 @@ class LevelReader {
         level_.goals.push_back(std::move(goal));
     }
 
+    void add_prop(const JsonNode& node, std::set<std::string>& names) {
+        Prop prop = read_prop(node);
+        if (!node) return;
+        read_name(node["name"], names, prop.name);
+        if (!prop.type.empty() && !find_surface(level_, prop.type))
+            warn(node["type"],
+                 fmt::format("found no surface type \"{}\"; it has no effect", json_excerpt(prop.type)));
+        store_unknown(node, unknown_.location("props", prop.name));
+        level_.props.push_back(std::move(prop));
+    }
+
+    // Before the painted faces are found, because those of props can be painted, too.
+    void place() {
+        if (level_.props.empty()) return;
+        const std::filesystem::path named = level_.mesh_path;
+        if (!props_mesh_path_.empty()) level_.mesh_path = props_mesh_path_;
+        Warnings warnings = place_props(level_);
+        level_.mesh_path = named;
+        for (Diagnostic& warning : warnings)
+            if (++warnings_ <= max_warnings) loaded_.warnings.push_back(std::move(warning));
+    }
+
     void add_platform(const JsonNode& node) {
         std::vector<JsonNode> parts;
         Platform platform = read_platform(node, parts);
@@ -392,6 +419,7 @@ class LevelReader {
     }
 
     JsonReader reader_;
+    std::filesystem::path props_mesh_path_;
     int version_ = level_file_version;
     LoadedLevel loaded_;
     Level& level_ = loaded_.level;
@@ -405,9 +433,10 @@ class LevelReader {
 
 }  // namespace
 
-Result<LoadedLevel> read_level(const Json& root, const std::string& location, MeshPtr mesh) {
+Result<LoadedLevel> read_level(const Json& root, const std::string& location, MeshPtr mesh,
+                               PropSource props) {
     if (!mesh) return Error{location, "the level file has no geometry"};
-    return LevelReader(location, std::move(mesh)).read(root);
+    return LevelReader(location, std::move(mesh), std::move(props)).read(root);
 }
 
 Status check_level_version(const Json& json, const std::string& location) {
@@ -430,6 +459,12 @@ Result<LoadedLevel> level_from_json(std::string_view json, const std::string& lo
     const Result<Json> root = parse_json(json, location);
     if (!root) return root.error();
     return read_level(*root, location, std::move(mesh));
+}
+
+Result<LoadedLevel> level_from_json(std::string_view json, const std::string& location, const Level& base) {
+    const Result<Json> root = parse_json(json, location);
+    if (!root) return root.error();
+    return read_level(*root, location, own_mesh(base), {base.mesh_path, base.placed.meshes});
 }
 
 }  // namespace slipface

@@ -282,6 +282,7 @@ Json camera_json(const CameraBookmark& camera) {
 void append_parts(Json& root, const Level& level, UnknownMembers& unknown) {
     if (!level.goals.empty()) json_add(root, "goals", named_json(level.goals, unknown, "goals", goal_json));
     if (!level.platforms.empty()) json_add(root, "platforms", platforms_json(level, unknown));
+    if (!level.props.empty()) json_add(root, "props", named_json(level.props, unknown, "props", prop_json));
     if (level.heightfield)
         json_add(root, "heightfield",
                  with_unknown(heightfield_json(*level.heightfield), unknown, "/heightfield"));

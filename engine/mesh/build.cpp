@@ -154,7 +154,26 @@ void cut_faces(Mesh& mesh) {
     });
 }
 
-std::uint64_t fingerprint(const Mesh& mesh) {
+MeshPtr make(PolygonSoup soup) {
+    auto mesh = std::make_shared<Mesh>();
+    mesh->face_first_corner = std::move(soup.face_first_corner);
+    mesh->face_material = std::move(soup.face_material);
+    mesh->face_group = std::move(soup.face_group);
+    mesh->corner_uv = std::move(soup.corner_uv);
+    mesh->materials = std::move(soup.materials);
+    mesh->groups = std::move(soup.groups);
+    mesh->nodes = std::move(soup.nodes);
+    set_corners(soup, *mesh);
+    cut_faces(*mesh);
+    for (const Vec3f& position : mesh->positions)
+        mesh->bounds.add(position.cast<double>());
+    mesh->fingerprint = mesh_fingerprint(*mesh);
+    return mesh;
+}
+
+}  // namespace
+
+std::uint64_t mesh_fingerprint(const Mesh& mesh) {
     static_assert(sizeof(Vec3f) == 3 * sizeof(float));
     Hasher hasher;
     const auto add = [&](const auto& values) {
@@ -171,25 +190,6 @@ std::uint64_t fingerprint(const Mesh& mesh) {
     }
     return hasher.value();
 }
-
-MeshPtr make(PolygonSoup soup) {
-    auto mesh = std::make_shared<Mesh>();
-    mesh->face_first_corner = std::move(soup.face_first_corner);
-    mesh->face_material = std::move(soup.face_material);
-    mesh->face_group = std::move(soup.face_group);
-    mesh->corner_uv = std::move(soup.corner_uv);
-    mesh->materials = std::move(soup.materials);
-    mesh->groups = std::move(soup.groups);
-    mesh->nodes = std::move(soup.nodes);
-    set_corners(soup, *mesh);
-    cut_faces(*mesh);
-    for (const Vec3f& position : mesh->positions)
-        mesh->bounds.add(position.cast<double>());
-    mesh->fingerprint = fingerprint(*mesh);
-    return mesh;
-}
-
-}  // namespace
 
 Result<MeshPtr> build_mesh(PolygonSoup soup) {
     try {

@@ -30,6 +30,24 @@ struct ShownLevel {
     }
 };
 
+// A mesh on the graphics card, and where the current frame draws it.
+struct ShownMesh {
+    MeshPtr mesh;
+    std::filesystem::path folder, texture;
+    std::unique_ptr<LevelRenderer> renderer;
+    std::vector<Placement> at;
+};
+
+// The same mesh with one image on all its faces.
+MeshPtr with_texture(const Mesh& mesh, const std::string& texture) {
+    auto other = std::make_shared<Mesh>(mesh);
+    for (Material& material : other->materials) {
+        material.texture = texture;
+        material.diffuse = Vec3f::Ones();
+    }
+    return other;
+}
+
 }  // namespace
 
 struct GlGraphics::Impl {
@@ -38,6 +56,7 @@ struct GlGraphics::Impl {
     GlTable gl;
     OverlayRenderer overlay_renderer;
     std::vector<ShownLevel> levels;                 // in the order in which they were first drawn
+    std::vector<ShownMesh> meshes;                  // likewise
     std::unique_ptr<LevelRenderer> empty_renderer;  // for frames without a level; made at the first one
     Overlay overlay;
     Warnings warnings;
@@ -77,6 +96,8 @@ void GlGraphics::begin_frame(const Camera& camera, int width, int height) {
     impl_->overlay = {};
     for (ShownLevel& shown : impl_->levels)
         shown.wanted = false;
+    for (ShownMesh& shown : impl_->meshes)
+        shown.at.clear();
     impl_->in_frame = true;
 }
 
@@ -87,6 +108,24 @@ void GlGraphics::draw_level(const Level& level, double time_s) {
     if (shown.parts.empty() || shown.placed_s == time_s) return;
     shown.renderer->move_faces(shown.parts, platform_poses(level, time_s));
     shown.placed_s = time_s;
+}
+
+void GlGraphics::draw_mesh(const MeshPtr& mesh, const Placement& at, const std::filesystem::path& folder,
+                           const std::filesystem::path& texture) {
+    if (!impl_->in_frame || !mesh) return;
+    auto known = std::find_if(impl_->meshes.begin(), impl_->meshes.end(), [&](const ShownMesh& shown) {
+        return shown.mesh == mesh && shown.texture == texture && shown.folder == folder;
+    });
+    if (known == impl_->meshes.end()) {
+        ShownMesh shown{mesh, folder, texture, std::make_unique<LevelRenderer>(impl_->gl), {}};
+        Warnings found = texture.empty()
+                             ? shown.renderer->set_mesh(mesh, folder)
+                             : shown.renderer->set_mesh(with_texture(*mesh, texture.filename().string()),
+                                                        texture.parent_path());
+        std::move(found.begin(), found.end(), std::back_inserter(impl_->warnings));
+        known = impl_->meshes.insert(impl_->meshes.end(), std::move(shown));
+    }
+    known->at.push_back(at);
 }
 
 void GlGraphics::draw_ellipsoid(const Vec3& centre, const Vec3& radii) {
@@ -102,6 +141,7 @@ Status GlGraphics::end_frame() {
     if (!std::exchange(impl.in_frame, false))
         return Error{"GlGraphics::end_frame", "found no frame in progress, expected begin_frame() before it"};
     std::erase_if(impl.levels, [](const ShownLevel& shown) { return !shown.wanted; });
+    std::erase_if(impl.meshes, [](const ShownMesh& shown) { return shown.at.empty(); });
     if (impl.levels.empty() && !impl.empty_renderer)
         impl.empty_renderer = std::make_unique<LevelRenderer>(impl.gl);
     LevelRenderer& first = impl.levels.empty() ? *impl.empty_renderer : *impl.levels.front().renderer;
@@ -109,6 +149,12 @@ Status GlGraphics::end_frame() {
     first.draw(impl.camera, impl.width, impl.height, style);
     for (std::size_t i = 1; i < impl.levels.size(); ++i)
         impl.levels[i].renderer->draw_over(impl.camera, impl.width, impl.height, style);
+    double extent = 0.0;
+    for (const ShownLevel& shown : impl.levels)
+        if (shown.mesh) extent = std::max(extent, shown.mesh->bounds.size().norm());
+    for (ShownMesh& shown : impl.meshes)
+        for (const Placement& at : shown.at)
+            shown.renderer->draw_placed(impl.camera, impl.width, impl.height, style, at, extent);
     if (Status status = impl.overlay_renderer.status(); !status) return status;
     impl.overlay_renderer.draw(impl.overlay, impl.camera, impl.width, impl.height);
     return {};

@@ -65,6 +65,9 @@ Result<unsigned> link_program(const GladGLContext& gl, const char* name, const s
     return Error{std::string("shader ") + name, "the graphics driver does not link it: " + log};
 }
 
+void set_uniform(const GladGLContext& gl, unsigned program, const char* name, const Eigen::Matrix3f& value) {
+    gl.UniformMatrix3fv(gl.GetUniformLocation(program, name), 1, GL_FALSE, value.data());
+}
 void set_uniform(const GladGLContext& gl, unsigned program, const char* name, const Mat4f& value) {
     gl.UniformMatrix4fv(gl.GetUniformLocation(program, name), 1, GL_FALSE, value.data());
 }

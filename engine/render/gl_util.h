@@ -23,6 +23,7 @@ Result<unsigned> link_program(const GladGLContext& gl, const char* name, const s
                               const std::string& fragment);
 
 void set_uniform(const GladGLContext& gl, unsigned program, const char* name, const Mat4f& value);
+void set_uniform(const GladGLContext& gl, unsigned program, const char* name, const Eigen::Matrix3f& value);
 void set_uniform(const GladGLContext& gl, unsigned program, const char* name, const Eigen::Vector4f& value);
 void set_uniform(const GladGLContext& gl, unsigned program, const char* name, const Vec3f& value);
 void set_uniform(const GladGLContext& gl, unsigned program, const char* name, const Vec2f& value);

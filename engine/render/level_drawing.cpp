@@ -58,9 +58,18 @@ Eigen::Vector4f LevelRenderer::Impl::eye_uniform(const Camera& camera) const {
 
 void LevelRenderer::Impl::set_level_uniforms(unsigned program, const Camera& camera, int height,
                                              const Mat4f& clip, const LevelStyle& style) {
-    const double extent = mesh->bounds.empty() ? 1.0 : mesh->bounds.size().norm();
+    const double own_extent = mesh->bounds.empty() ? 1.0 : mesh->bounds.size().norm();
+    const double extent = at != nullptr ? std::max(extent_around, own_extent) : own_extent;
     gl->UseProgram(program);
     set_uniform(*gl, program, "clip_from_local", clip);
+    if (at != nullptr) {
+        Eigen::Matrix3d linear;
+        for (int column = 0; column < 3; ++column)
+            linear.col(column) = at->columns[static_cast<std::size_t>(column)];
+        set_uniform(*gl, program, "world_from_mesh", Eigen::Matrix3f(linear.cast<float>()));
+        set_uniform(*gl, program, "normal_from_mesh",
+                    Eigen::Matrix3f(linear.inverse().transpose().cast<float>()));
+    }
     set_uniform(*gl, program, "overlay", std::clamp(style.overlay, 0.0f, 1.0f));
     set_uniform(*gl, program, "face_colors", static_cast<int>(style.colors));
     set_uniform(*gl, program, "slope_cosine", static_cast<float>(std::cos(style.max_slope)));
@@ -98,8 +107,8 @@ void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat
     } else {
         gl->Enable(GL_CULL_FACE);
         gl->CullFace(GL_BACK);
-        gl->FrontFace(GL_CCW);
     }
+    gl->FrontFace(at != nullptr && at->mirrors() ? GL_CW : GL_CCW);
     gl->BindVertexArray(level_array);
     const bool painted =
         highlights_shown || style.colors != FaceColors::types || (surfaces_shown && style.overlay > 0.0f);
@@ -107,6 +116,7 @@ void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat
     for (const DrawBatch& batch : batches) {
         const bool textured = style.textured && batch.texture != LevelTextures::none;
         unsigned variant = painted ? LevelPrograms::painted : 0;
+        if (at != nullptr) variant |= LevelPrograms::placed;
         if (lit(style)) variant |= LevelPrograms::lit;
         if (textured) variant |= LevelPrograms::textured;
         if (textured && !textures.opaque(batch.texture)) variant |= LevelPrograms::cutout;
@@ -121,6 +131,7 @@ void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat
         draw_in_pieces(batch);
     }
     gl->Disable(GL_CULL_FACE);
+    gl->FrontFace(GL_CCW);
 }
 
 // A software rasteriser stores its commands, some hundred bytes per triangle, until it has drawn them. So at

@@ -185,4 +185,20 @@ void LevelRenderer::draw_over(const Camera& camera, int width, int height, const
     assert_no_gl_error(gl, "LevelRenderer::draw");
 }
 
+void LevelRenderer::draw_placed(const Camera& camera, int width, int height, const LevelStyle& style,
+                                const Placement& at, double extent_around) {
+    if (width <= 0 || height <= 0 || !impl_->status || !impl_->mesh) return;
+    const Vec3 own_origin = impl_->origin;
+    // The vertices are relative to the mesh's drawing origin.
+    impl_->at = &at;
+    impl_->extent_around = extent_around;
+    impl_->origin = at.columns[0] * own_origin.x() + at.columns[1] * own_origin.y() +
+                    at.columns[2] * own_origin.z() + at.offset;
+    LevelStyle plain = style;
+    plain.wireframe = false;
+    draw_over(camera, width, height, plain);
+    impl_->origin = own_origin;
+    impl_->at = nullptr;
+}
+
 }  // namespace slipface

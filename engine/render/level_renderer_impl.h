@@ -40,6 +40,9 @@ struct LevelRenderer::Impl {
     std::vector<std::uint8_t> highlights;  // [face]
     std::vector<std::uint32_t> parts;      // [face] its moving part, or no_id; empty: none moves
     std::vector<MovingRun> moving;         // of parts, in drawing order
+    // While draw_placed() draws: where, and how large the level around is, metres.
+    const Placement* at = nullptr;
+    double extent_around = 0.0;
 
     bool surfaces_shown = false;  // some face has a type other than `default`
     bool highlights_shown = false;

@@ -5,6 +5,7 @@
 //   LIT       by the baked light
 //   TEXTURED  with the material's texture
 //   CUTOUT    which may be transparent
+//   PLACED    an instance of a mesh
 #pragma once
 
 namespace slipface {
@@ -58,6 +59,10 @@ layout(location = 2) in vec2 uv;
 layout(location = 3) in uint face;
 layout(location = 4) in vec4 color;
 uniform mat4 clip_from_local;
+#ifdef PLACED
+uniform mat3 world_from_mesh;     // of an instance
+uniform mat3 normal_from_mesh;
+#endif
 uniform usampler2D face_state;
 uniform sampler2D light_charts;
 uniform vec4 eye;                 // w 1: position; w 0: direction towards an orthographic camera
@@ -83,13 +88,18 @@ void main() {
     light_chart = texelFetch(light_charts, at + ivec2(2, 0), 0);
     light_texel = vec2(dot(u.xyz, position) + u.w, dot(v.xyz, position) + v.w);
 #endif
+#ifdef PLACED
+    world_position = world_from_mesh * position;
+    face_normal = normalize(normal_from_mesh * normal.xyz);
+#else
     world_position = position;
-    texture_position = uv;
     face_normal = normal.xyz;
+#endif
+    texture_position = uv;
     face_color = color.rgb;
-    gl_Position = clip_from_local * vec4(position, 1.0);
+    gl_Position = clip_from_local * vec4(world_position, 1.0);
     // Where two faces lie back to back at one position, the front is shown.
-    if (dot(normal.xyz, eye.xyz - eye.w * position) < 0.0) gl_Position.z -= depth_bias;
+    if (dot(face_normal, eye.xyz - eye.w * world_position) < 0.0) gl_Position.z -= depth_bias;
 #ifdef PAINTED
     int row = textureSize(face_state, 0).x;
     state = texelFetch(face_state, ivec2(int(face) % row, int(face) / row), 0).rg;

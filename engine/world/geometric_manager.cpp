@@ -17,6 +17,8 @@ Result<std::unique_ptr<GeometricManager>> GeometricManager::make(Level level) {
     Result<LevelScene> scene = LevelScene::build(manager->level_);
     if (!scene) return scene.error();
     manager->scene_ = std::move(*scene);
+    if (has_instances(manager->level_) && !manager->level_.light)
+        manager->own_ = without_props(manager->level_);
     return manager;
 }
 
@@ -38,7 +40,18 @@ void GeometricManager::on_tick(double seconds) {
 }
 
 void GeometricManager::on_draw(Graphics& graphics) {
-    graphics.draw_level(level_, time_s_);
+    if (!own_.mesh) return graphics.draw_level(level_, time_s_);
+    graphics.draw_level(own_, time_s_);
+    const std::filesystem::path folder = level_.mesh_path.parent_path();
+    for (const Prop& prop : level_.props) {
+        const PropMesh* mesh = find_prop_mesh(level_, prop.mesh);
+        if (mesh == nullptr || !mesh->mesh) continue;
+        const auto platform = std::ranges::find(level_.platforms, prop.name, &Platform::group);
+        Placement at = prop.placement();
+        if (platform != level_.platforms.end()) at = moved(at, platform_pose(*platform, time_s_));
+        graphics.draw_mesh(mesh->mesh, at, (folder / prop.mesh).parent_path(),
+                           prop.texture.empty() ? std::filesystem::path() : folder / prop.texture);
+    }
 }
 
 Vec3 GeometricManager::position_of(const PlayerState& state) const {

@@ -1,4 +1,6 @@
 // A World drawn through GlGraphics: the picture that LevelRenderer makes of the level, and the players in it.
+#include <functional>
+
 #include "drawing.h"
 #include "slipface/level/shown_mesh.h"
 #include "slipface/render/gl_graphics.h"
@@ -199,6 +201,54 @@ TEST_F(GlGraphicsTest, NothingIsDrawnOutsideAFrame) {
     target.bind();
     EXPECT_TRUE(graphics.end_frame().ok());
     EXPECT_FALSE(graphics.end_frame().ok()) << "one end a frame";
+}
+
+// As the same faces in the level's own mesh, also turned, scaled and mirrored.
+TEST_F(GlGraphicsTest, AMeshIsDrawnWhereItIsPlaced) {
+    Level level = courtyard();
+    const MeshPtr mesh = level.mesh;
+    LevelStyle style;
+    style.overlay = 0.0f;
+    style.wireframe = false;
+    Camera camera;
+    camera.eye = Vec3(9, 14, 18);
+    Level merged = level;
+    merged.placed.meshes = {{"yard.obj", mesh, nullptr, ""}};
+    GlGraphics graphics(gl());
+    graphics.style = style;
+    Framebuffer target(gl(), width, height);
+    const auto picture = [&](const std::function<void()>& draw_all) {
+        target.bind();
+        graphics.begin_frame(camera, width, height);
+        draw_all();
+        EXPECT_TRUE(graphics.end_frame().ok());
+        return target.read();
+    };
+    for (const Vec3& scale : {Vec3(0.4, 0.5, 0.3), Vec3(-0.4, 0.5, 0.3)}) {
+        Prop prop;
+        prop.name = "yard";
+        prop.mesh = "yard.obj";
+        prop.position = Vec3(1, 3, 2);
+        prop.rotation = Vec3(0.3, 0.8, -0.2);
+        prop.scale = scale;
+        merged.props = {prop};
+        ASSERT_TRUE(place_props(merged).empty());
+        const Image alone = picture([&] { graphics.draw_level(level, 0.0); });
+        const Image placed = picture([&] {
+            graphics.draw_level(level, 0.0);
+            graphics.draw_mesh(mesh, prop.placement(), {});
+        });
+        const Image flat = picture([&] { graphics.draw_level(merged, 0.0); });
+        int seen = 0, other = 0;
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                seen += test::delta(alone, placed, x, y) > 8;
+                other += test::delta(flat, placed, x, y) > 8;
+            }
+        }
+        EXPECT_GT(seen, 1000);
+        EXPECT_LT(other, seen / 50);
+    }
 }
 
 TEST_F(GlGraphicsTest, TexturesThatAreNotThereAreReportedOnce) {

@@ -19,11 +19,20 @@ class CountingGraphics final : public Graphics {
         levels.push_back(&drawn);
         last_time_s = time_s;
     }
+    void draw_mesh(const MeshPtr& mesh, const Placement& at, const std::filesystem::path& folder,
+                   const std::filesystem::path& texture) override {
+        meshes.push_back(mesh);
+        places.push_back(at);
+        files = {folder.generic_string(), texture.generic_string()};
+    }
     void draw_ellipsoid(const Vec3& centre, const Vec3& radii) override {
         centres.push_back(centre);
         last_radii = radii;
     }
     std::vector<const Level*> levels;
+    std::vector<MeshPtr> meshes;
+    std::vector<Placement> places;
+    std::vector<std::string> files;  // of the last mesh: folder, texture
     double last_time_s = -1.0;
     std::vector<Vec3> centres;
     Vec3 last_radii = Vec3::Zero();
@@ -188,6 +197,47 @@ TEST(GeometricManager, CharactersPushEachOtherUnlessTheyAreToldNotTo) {
         EXPECT_EQ(idler.state.position.z() < -2.5, meets);
         EXPECT_EQ(walker.state.position.z() < idler.state.position.z(), !meets);
     }
+}
+
+TEST(GeometricManager, DrawsAMeshForEachPropAndCollidesWithIt) {
+    Level level = floor_level();
+    level.mesh_path = "yard/yard.obj";
+    PolygonSoup soup;
+    soup.corner_position = {Vec3f(-1, 0, -1), Vec3f(-1, 0, 1), Vec3f(1, 0, 1), Vec3f(1, 0, -1)};
+    soup.face_first_corner = {0, 4};
+    const MeshPtr tile = build_mesh(std::move(soup)).value();
+    const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {0, 2, 3}};
+    const std::vector<FaceId> faces{0, 0};
+    level.placed.meshes = {
+        {"parts/tile.obj", tile, CollisionMesh::build({tile->positions, triangles, faces}).value(), ""}};
+    level.props.resize(2);
+    for (Prop& prop : level.props)
+        prop.mesh = "parts/tile.obj";
+    level.props[0].name = "step";
+    level.props[0].position = Vec3(0, 0.5, 0);
+    level.props[1].name = "lift";
+    level.props[1].texture = "parts/iron.png";
+    level.platforms = {{.name = "lift", .group = "lift", .path = {{}, {.offset = Vec3(0, 2, 0)}}}};
+    ASSERT_TRUE(place_props(level).empty());
+
+    World world;
+    auto manager = GeometricManager::make(std::move(level));
+    ASSERT_TRUE(manager.ok());
+    world.add_manager(std::move(*manager));
+    auto& walker = world.make_entity<Character>();
+    walker.state.position = Vec3(0, 3, 0);
+    for (int i = 0; i < 30; ++i)
+        world.tick(1.0 / 60);
+    CountingGraphics graphics;
+    world.draw(graphics);
+    ASSERT_EQ(graphics.levels.size(), 1U);
+    EXPECT_EQ(graphics.levels[0]->mesh->face_count(), 1U) << "the props are drawn once";
+    ASSERT_EQ(graphics.meshes.size(), 2U);
+    EXPECT_EQ(graphics.meshes[0], tile);
+    EXPECT_EQ(graphics.places[0].offset, Vec3(0, 0.5, 0));
+    EXPECT_NEAR(graphics.places[1].offset.y(), 1.0, 1e-9);  // half a second at 2 m/s
+    EXPECT_THAT(graphics.files, ElementsAre("yard/parts", "yard/parts/iron.png"));
+    EXPECT_GT(walker.state.position.y(), 1.0 + 0.9) << "on the lift";
 }
 
 // Leaves in its first tick, before the manager's, and is destroyed after both.

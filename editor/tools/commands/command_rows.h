@@ -16,6 +16,7 @@ std::vector<Command> select_commands();
 std::vector<Command> view_commands();
 std::vector<Command> tool_commands();
 std::vector<Command> paint_commands();
+std::vector<Command> prop_commands();
 std::vector<Command> play_commands();
 std::vector<Command> lab_commands();
 std::vector<Command> review_commands();

@@ -12,9 +12,9 @@ namespace slipface {
 namespace {
 
 // The order of the menus and of the rows in them.
-constexpr std::array<std::vector<Command> (*)(), 10> fragments{
-    file_commands,  edit_commands, select_commands, view_commands,   tool_commands,
-    paint_commands, play_commands, lab_commands,    review_commands, help_commands,
+constexpr std::array<std::vector<Command> (*)(), 11> fragments{
+    file_commands, edit_commands, select_commands, view_commands,   tool_commands, paint_commands,
+    prop_commands, play_commands, lab_commands,    review_commands, help_commands,
 };
 
 std::vector<Command> make_commands() {

@@ -61,8 +61,8 @@ bool reload_annotations(Editor& editor) {
     const fs::path file = document.level().file_path;
     const std::string name = file.filename().string();
     const Result<std::string> text = read_file(file, max_level_file_bytes);
-    const Result<LoadedLevel> loaded = text ? level_from_json(*text, file.string(), document.level().mesh)
-                                            : Result<LoadedLevel>(text.error());
+    const Result<LoadedLevel> loaded =
+        text ? level_from_json(*text, file.string(), document.level()) : Result<LoadedLevel>(text.error());
     if (!loaded) {
         read_failed(editor, file, loaded.error(), true);
         return false;

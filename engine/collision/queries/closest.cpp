@@ -46,16 +46,16 @@ float consider_lane(void* context, const Leaf& leaf, std::uint32_t lane) {
 std::optional<ClosestPoint> nearest_point(const CollisionWorld& world, const Vec3& point, double max_distance,
                                           const QueryFilter* filter) {
     const CollisionWorld::Impl& impl = world.impl();
-    if (impl.bvh.nodes.empty() || !point.allFinite() || !(max_distance >= 0.0)) return std::nullopt;
+    if (impl.empty() || !point.allFinite() || !(max_distance >= 0.0)) return std::nullopt;
     const EllipsoidQuery query = ellipsoid_query(v3(point), V3{1.0, 1.0, 1.0}, V3{0.0, 0.0, 0.0});
     const double reach = larger(largest(query.centre), impl.extent.reach);
     Search search{impl, query, max_distance * max_distance, 1e-14 * reach, filter};
     if (reach <= float_range) {
-        kernels().closest(impl.bvh.view(), point_boxes(query, reach), distance_limit(search), consider_lane,
-                          &search);
+        kernels().closest(impl.view(), query.centre, point_boxes(query, reach), distance_limit(search),
+                          consider_lane, &search);
     } else {
         for (TriangleId id = 0; id < impl.triangle_count(); ++id)
-            search.consider(impl.bvh.triangle(id));
+            search.consider(impl.triangle(id));
     }
     const LeafTriangle& leaf = search.triangle;
     if (leaf.id == no_id) return std::nullopt;

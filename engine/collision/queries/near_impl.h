@@ -1,8 +1,8 @@
 // Collecting the triangles around a body, and sweeps that stay among them. Part of the kernels: see lanes.h.
 #pragma once
 
+#include "queries/instance_paths.h"
 #include "queries/leaf_filter.h"
-#include "queries/paths.h"
 
 namespace slipface::detail {
 namespace {
@@ -73,14 +73,15 @@ inline Three three_at(const double (&v)[4]) {
     return Three(V3{v[0], v[1], v[2]});
 }
 
-// Copies the triangles whose boxes touch `box` from the tree; false if they are too many.
-bool gather(const TreeView& tree, const LaneBox& box, NearTriangles& out) {
+// Calls visit(leaf) for the leaves that the box touches, until it returns false; false if there are too many.
+template <class Visit>
+bool visit_leaves(const TreeView& tree, const LaneBox& box, const Visit& visit) {
+    if (tree.nodes == nullptr) return true;
     std::uint32_t nodes[near_nodes + 8];
     std::uint32_t leaves[near_capacity + 8];
     std::uint32_t node_count = 1;
     std::uint32_t leaf_count = 0;
     nodes[0] = 0;
-    out.count = 0;
     // Breadth first: the test of the next box does not wait for the children of this one.
     for (std::uint32_t i = 0; i < node_count; ++i) {
         const BvhNode& node = tree.nodes[nodes[i]];
@@ -90,25 +91,56 @@ bool gather(const TreeView& tree, const LaneBox& box, NearTriangles& out) {
         node_count = append_children(node, hit & ~ends, nodes, node_count);
         if (leaf_count > near_capacity || node_count > near_nodes) return false;
     }
-    for (std::uint32_t i = 0; i < leaf_count; ++i) {
-        const Leaf& leaf = leaf_at(tree, leaves[i] & leaf_index_mask);
+    for (std::uint32_t i = 0; i < leaf_count; ++i)
+        if (!visit(leaf_at(tree, leaves[i] & leaf_index_mask))) return false;
+    return true;
+}
+
+// Copies the triangles of a leaf whose boxes touch `box`; false if they are too many.
+bool gather_leaf(const Leaf& leaf, const LaneBox& box, NearTriangles& out) {
+    Lanes v[9];
+    lanes_of_leaf(leaf, v);
+    const std::uint32_t mask = box.intersect(LeafRows(v)) & present(leaf);
+    const auto more = static_cast<std::uint32_t>(__builtin_popcount(mask));
+    if (out.count + more > near_capacity) return false;
+    const auto* ids = reinterpret_cast<const std::uint32_t*>(&leaf + 1) + std::size_t{3} * leaf.vertices;
+    for (int row = 0; row < 9; ++row)
+        append(v[row], mask, out.corner[row] + out.count);
+    append(ids, mask, out.id + out.count);
+    out.count += more;
+    return true;
+}
+
+// Copies the triangles whose boxes touch `box` from the world; false if they are too many.
+bool gather(const WorldView& world, const Three& centre, const Three& half, NearTriangles& out) {
+    const LaneBox box(centre, half);
+    out.count = 0;
+    if (!visit_leaves(world.own, box, [&](const Leaf& leaf) { return gather_leaf(leaf, box, out); }))
+        return false;
+    const auto of_instance = [&](const InstanceView& in, float) {
+        const V3 at = point_in_mesh(in, centre.vec());
+        const V3 wide = half.vec() + placing_slack(in, centre.vec(), V3{0.0, 0.0, 0.0}, world.reach);
+        const V3 size = box_in_mesh(in, wide);
+        PlacedLeaf placed;
+        const bool fits = visit_leaves(in.tree, LaneBox(Three(at), Three(size)), [&](const Leaf& leaf) {
+            place_leaf(in, leaf, placed);
+            return gather_leaf(placed.leaf(), box, out);
+        });
+        return fits ? 0.0F : -1.0F;
+    };
+    const bool fits = visit_leaves(world.boxes, box, [&](const Leaf& leaf) {
         Lanes v[9];
         lanes_of_leaf(leaf, v);
         const std::uint32_t mask = box.intersect(LeafRows(v)) & present(leaf);
-        const auto more = static_cast<std::uint32_t>(__builtin_popcount(mask));
-        if (out.count + more > near_capacity) return false;
-        const auto* ids = reinterpret_cast<const std::uint32_t*>(&leaf + 1) + std::size_t{3} * leaf.vertices;
-        for (int row = 0; row < 9; ++row)
-            append(v[row], mask, out.corner[row] + out.count);
-        append(ids, mask, out.id + out.count);
-        out.count += more;
-    }
+        return visit_instances(world, mask, Lanes::all(0.0F), leaf, 0.0F, of_instance) >= 0.0F;
+    });
+    if (!fits) return false;
     for (auto& row : out.corner)
         Lanes::all(0.0F).store(row + out.count);
     return true;
 }
 
-void near_kernel(const TreeView& tree, const WorldExtent& world, const V3& radii, const V3& centre,
+void near_kernel(const WorldView& view, const WorldExtent& world, const V3& radii, const V3& centre,
                  const V3& reach, NearTriangles& out) {
     const Three at(centre), axes(radii), around(reach);
     const ThreeMask fair =
@@ -120,7 +152,7 @@ void near_kernel(const TreeView& tree, const WorldExtent& world, const V3& radii
     if (!sphere.usable) return;
     // No move within the neighbourhood is longer than twice the reach.
     const Three half = box_half_extents(axes, around + around, coordinate) + around;
-    if (!gather(tree, LaneBox(at, half), out)) {
+    if (!gather(view, at, half, out)) {
         out.count = 0;
         return;
     }

@@ -10,8 +10,8 @@ Neighbourhood::Neighbourhood(const CollisionWorld& world, const Vec3& radii, con
                              const Vec3& reach)
     : world_(&world) {
     const CollisionWorld::Impl& impl = world.impl();
-    if (impl.bvh.nodes.empty()) return;
-    kernels().near(impl.bvh.view(), impl.extent, v3(radii), v3(centre), v3(reach), triangles_);
+    if (impl.empty()) return;
+    kernels().near(impl.view(), impl.extent, v3(radii), v3(centre), v3(reach), triangles_);
 }
 
 bool Neighbourhood::holds(const Vec3& radii, const Vec3& from, const Vec3& move) const {

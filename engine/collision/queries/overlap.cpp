@@ -11,7 +11,7 @@ using namespace detail;
 // false.
 template <class Visit>
 void visit_near(const CollisionWorld::Impl& world, const Vec3& radii, const Vec3& centre, Visit decide) {
-    if (world.bvh.nodes.empty()) return;
+    if (world.empty()) return;
     EllipsoidQuery query;
     SweepPath path;
     const Prepared prepared =
@@ -23,12 +23,12 @@ void visit_near(const CollisionWorld::Impl& world, const Vec3& radii, const Vec3
         const auto consider = [](void* context, const Leaf& leaf, std::uint32_t lane) {
             return (*static_cast<Bound*>(context))(leaf_triangle(leaf, lane)) ? 1.0F : -1.0F;
         };
-        kernels().sweep(world.bvh.view(), path, 1.0F, consider, &visit);
+        kernels().sweep(world.view(), query, path, 1.0F, consider, &visit);
         return;
     }
     if (refused(v3(radii), v3(centre), V3{0.0, 0.0, 0.0})) return;
     for (TriangleId id = 0; id < world.triangle_count(); ++id) {
-        if (!visit(world.bvh.triangle(id))) return;
+        if (!visit(world.triangle(id))) return;
     }
 }
 
@@ -128,23 +128,24 @@ bool overlaps_any(const Neighbourhood& near, const Vec3& radii, const Vec3& cent
 
 std::vector<TriangleId> CollisionWorld::triangles_in(const Aabb& box) const {
     std::vector<TriangleId> found;
-    if (impl_->bvh.nodes.empty()) return found;
     const auto intersects = [&box](int axis, float low, float high) {
         return double{low} <= box.max[axis] && double{high} >= box.min[axis];
     };
-    const auto search_leaf = [&](const Leaf& leaf) {
-        for (std::size_t lane = 0; lane < leaf.count; ++lane) {
-            const LeafTriangle triangle = leaf_triangle(leaf, lane);
-            bool hit = true;
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const auto& at = triangle.at[axis];
-                const auto [low, high] = std::minmax({at[0], at[1], at[2]});
-                hit = hit && intersects(static_cast<int>(axis), low, high);
-            }
-            if (hit) found.push_back(triangle.id);
+    const auto test = [&](const LeafTriangle& triangle) {
+        bool hit = true;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto& at = triangle.at[axis];
+            const auto [low, high] = std::minmax({at[0], at[1], at[2]});
+            hit = hit && intersects(static_cast<int>(axis), low, high);
         }
+        if (hit) found.push_back(triangle.id);
     };
-    std::vector<std::uint32_t> open{0};
+    const auto search_leaf = [&](const Leaf& leaf) {
+        for (std::size_t lane = 0; lane < leaf.count; ++lane)
+            test(leaf_triangle(leaf, lane));
+    };
+    std::vector<std::uint32_t> open;
+    if (!impl_->bvh.nodes.empty()) open.push_back(0);
     while (!open.empty()) {
         const BvhNode& node = impl_->bvh.nodes[open.back()];
         open.pop_back();
@@ -159,6 +160,16 @@ std::vector<TriangleId> CollisionWorld::triangles_in(const Aabb& box) const {
                 open.push_back(node.child[k]);
             }
         }
+    }
+    // Of an instance every triangle is tested if its box touches.
+    for (std::size_t i = 0; i < impl_->views.size(); ++i) {
+        const LeafTriangle bounds = impl_->boxes.triangle(static_cast<TriangleId>(i));
+        bool hit = true;
+        for (int axis = 0; axis < 3; ++axis)
+            hit = hit && intersects(axis, bounds.at[axis][0], bounds.at[axis][1]);
+        const InstanceView& view = impl_->views[i];
+        for (TriangleId t = 0; hit && t < impl_->placed[i].mesh->triangle_count(); ++t)
+            test(impl_->triangle(view.first + t));
     }
     std::sort(found.begin(), found.end());
     return found;

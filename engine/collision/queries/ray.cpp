@@ -145,8 +145,8 @@ struct Ray {
     // would change no bit and is skipped.
     static std::optional<Ray> of(const CollisionWorld::Impl& world, const Vec3& origin, const Vec3& direction,
                                  double max_t) {
-        if (world.bvh.nodes.empty() || !origin.allFinite() || !direction.allFinite() ||
-            direction.isZero(0.0) || !(max_t >= 0.0))
+        if (world.empty() || !origin.allFinite() || !direction.allFinite() || direction.isZero(0.0) ||
+            !(max_t >= 0.0))
             return std::nullopt;
         V3 d = v3(direction);
         int exponent = 0;
@@ -179,11 +179,12 @@ std::optional<RayHit> first_hit(const CollisionWorld& world, const Vec3& origin,
     if (!ray) return std::nullopt;
     Search search{impl, ray->sheared, ray->direction, stops, filter, {ray->scaled(max_t), {0.0, 0.0, 0.0}}};
     if (ray->reach <= float_range) {
-        kernels().ray(impl.bvh.view(), ray_path(ray->sheared, ray->start, ray->direction, ray->reach),
+        kernels().ray(impl.view(), ray->start, ray->direction,
+                      ray_path(ray->sheared, ray->start, ray->direction, ray->reach),
                       time_limit(search.touch.t), consider_lane, &search);
     } else {
         for (TriangleId id = 0; id < impl.triangle_count(); ++id)
-            search.consider(impl.bvh.triangle(id));
+            search.consider(impl.triangle(id));
     }
     if (search.triangle.id == no_id || !std::isfinite(ray->unscaled(search.touch.t))) return std::nullopt;
     return ray->hit(impl, search.triangle, search.touch);
@@ -229,11 +230,12 @@ std::size_t find_ray_hits(const CollisionWorld& world, const Vec3& origin, const
     All all{
         *ray, {impl, ray->sheared, ray->direction, stops, &filter, {}}, {out, before}, ray->scaled(max_t)};
     if (ray->reach <= float_range) {
-        kernels().ray(impl.bvh.view(), ray_path(ray->sheared, ray->start, ray->direction, ray->reach),
-                      time_limit(all.limit), All::consider_lane, &all);
+        kernels().ray(impl.view(), ray->start, ray->direction,
+                      ray_path(ray->sheared, ray->start, ray->direction, ray->reach), time_limit(all.limit),
+                      All::consider_lane, &all);
     } else {
         for (TriangleId id = 0; id < impl.triangle_count(); ++id)
-            all.consider(impl.bvh.triangle(id));
+            all.consider(impl.triangle(id));
     }
     return all.hits.finish();
 }

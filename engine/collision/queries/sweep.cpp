@@ -57,16 +57,16 @@ void search_along(const Vec3& radii, const Vec3& from, const Vec3& move, Ellipso
                   Search& search, Considers& each) {
     const CollisionWorld::Impl& impl = search.world;
     const V3 start = v3(from), motion = v3(move), axes = v3(radii);
-    if (impl.bvh.nodes.empty() || is_zero(motion)) return;
+    if (impl.empty() || is_zero(motion)) return;
     SweepPath path;
     const Prepared prepared = search.kernels.prepare_sweep(impl.extent, axes, start, motion, query, path);
     if (prepared == Prepared::beside) return;
     search.in_floats = prepared == Prepared::in_floats;
     if (search.in_floats) {
-        search.kernels.sweep(impl.bvh.view(), path, time_limit(1.0), consider_lane<Considers>, &each);
+        search.kernels.sweep(impl.view(), query, path, time_limit(1.0), consider_lane<Considers>, &each);
     } else if (!refused(axes, start, motion)) {
         for (TriangleId id = 0; id < impl.triangle_count(); ++id)
-            each.consider(impl.bvh.triangle(id));
+            each.consider(impl.triangle(id));
     }
 }
 

@@ -36,12 +36,13 @@ class Wave {
         const V3 radii = v3(sweep.radii), from = v3(sweep.from), move = v3(sweep.move);
         const CollisionWorld::Impl& world = world_.impl();
         out_[number].reset();
-        if (world.bvh.nodes.empty() || is_zero(move)) return;
+        if (world.empty() || is_zero(move)) return;
         WaveSweep& part = parts_[count_];
         EllipsoidQuery query;
         const Prepared prepared = kernels().prepare_sweep(world.extent, radii, from, move, query, part.path);
         if (prepared == Prepared::beside) return;
-        if (prepared != Prepared::in_floats || !part.path.sphere.usable) {
+        // Instances have trees of their own, which a wave cannot follow.
+        if (prepared != Prepared::in_floats || !part.path.sphere.usable || !world.placed.empty()) {
             out_[number] = sweep_alone(number);
             return;
         }

@@ -110,20 +110,22 @@ struct Kernels {
     Prepared (*prepare_sweep)(const WorldExtent& world, const V3& radii, const V3& from, const V3& move,
                               EllipsoidQuery& query, SweepPath& path);
     // Finds triangles that the sphere may touch no later than `limit`, roughly the nearer ones first.
-    void (*sweep)(const TreeView& tree, const SweepPath& path, float limit, Consider consider, void* context);
-    // The same for up to wave_sweeps sweeps side by side, all usable: while one waits for memory, the others
-    // proceed. Returns the number of triangles in `out`, in no order, or a number above wave_candidates if
-    // they do not fit.
+    void (*sweep)(const WorldView& world, const EllipsoidQuery& query, const SweepPath& path, float limit,
+                  Consider consider, void* context);
+    // The same for up to wave_sweeps sweeps side by side in one tree, all usable: while one waits for memory,
+    // the others proceed. Returns the number of triangles in `out`, in no order, or a number above
+    // wave_candidates if they do not fit.
     std::uint32_t (*wave)(const TreeView& tree, const WaveSweep* sweeps, std::uint32_t count, Candidate* out);
     // Finds triangles that the ray may cross no later than `limit`.
-    void (*ray)(const TreeView& tree, const RayPath& path, float limit, Consider consider, void* context);
+    void (*ray)(const WorldView& world, const V3& origin, const V3& direction, const RayPath& path,
+                float limit, Consider consider, void* context);
     // Finds triangles whose squared distance may be at most `limit`.
-    void (*closest)(const TreeView& tree, const PointBoxes& point, float limit, Consider consider,
-                    void* context);
+    void (*closest)(const WorldView& world, const V3& at, const PointBoxes& point, float limit,
+                    Consider consider, void* context);
     // Collects the triangles that a body can touch while its centre is at most `reach` from `centre` along
     // each axis. If an argument is out of range or they are too many, `out` stays empty with a negative
     // reach.
-    void (*near)(const TreeView& tree, const WorldExtent& world, const V3& radii, const V3& centre,
+    void (*near)(const WorldView& view, const WorldExtent& world, const V3& radii, const V3& centre,
                  const V3& reach, NearTriangles& out);
     // Prepares the query of a sweep (`move` may be 0) and finds the triangles of the neighbourhood that it
     // may touch. Returns their number, or leads_out.

@@ -2,8 +2,8 @@
 // no function that another file could share: see lanes.h.
 #pragma once
 
+#include "queries/instance_paths.h"
 #include "queries/leaf_filter.h"
-#include "queries/paths.h"
 
 namespace slipface::detail {
 namespace {
@@ -14,9 +14,10 @@ struct StackEntry {
 };
 
 // Visits leaves in the order of the keys of their boxes. `test(node, limit, keys)` returns the mask of
-// children to visit; `visit(leaf, limit)` returns the new limit, negative to stop.
+// children to visit; `visit(leaf, limit)` returns the new limit, negative to stop. Returns the last limit.
 template <class Test, class Visit>
-inline void walk(const TreeView& tree, float limit, Test&& test, Visit&& visit) {
+inline float walk(const TreeView& tree, float limit, Test&& test, Visit&& visit) {
+    if (tree.nodes == nullptr) return limit;
     StackEntry stack[traversal_stack];
     std::size_t size = 0;
     std::uint32_t current = 0;
@@ -24,7 +25,7 @@ inline void walk(const TreeView& tree, float limit, Test&& test, Visit&& visit) 
     while (true) {
         if ((current & leaf_bit) != 0) {
             limit = visit(leaf_at(tree, current & leaf_index_mask), limit);
-            if (limit < 0.0F) return;
+            if (limit < 0.0F) return limit;
         } else {
             const BvhNode& node = tree.nodes[current];
             std::uint32_t mask = test(node, limit, keys);
@@ -47,7 +48,7 @@ inline void walk(const TreeView& tree, float limit, Test&& test, Visit&& visit) 
             }
         }
         do {
-            if (size == 0) return;
+            if (size == 0) return limit;
             --size;
         } while (!(stack[size].key <= limit));
         current = stack[size].child;
@@ -95,11 +96,10 @@ float sweep_leaf(const LaneBoxPath& box, const LaneSpherePath& sphere, bool usab
     }
 }
 
-void sweep_kernel(const TreeView& tree, const SweepPath& path, float limit, Consider consider,
-                  void* context) {
-    const LaneBoxPath box(path.box);
-    const LaneSpherePath sphere(path.sphere);
-    walk(
+// Visits the leaves whose boxes the path touches.
+template <class Visit>
+inline float walk_path(const TreeView& tree, const LaneBoxPath& box, float limit, const Visit& visit) {
+    return walk(
         tree, limit,
         [&](const BvhNode& node, float now, float* keys) {
             Lanes enter;
@@ -107,9 +107,39 @@ void sweep_kernel(const TreeView& tree, const SweepPath& path, float limit, Cons
             enter.store(keys);
             return mask;
         },
-        [&](const Leaf& leaf, float now) {
-            return sweep_leaf(box, sphere, path.sphere.usable, leaf, now, consider, context);
+        visit);
+}
+
+// The same in a whole world: leaves of instances are placed first. `half` is half the size of what moves.
+template <class Visit>
+inline void walk_world(const WorldView& world, const V3& from, const V3& move, const V3& half,
+                       const LaneBoxPath& box, float limit, const Visit& visit) {
+    limit = walk_path(world.own, box, limit, visit);
+    if (limit < 0.0F || world.boxes.nodes == nullptr) return;
+    walk_path(world.boxes, box, limit, [&](const Leaf& boxes, float now) {
+        Lanes v[9];
+        lanes_of_leaf(boxes, v);
+        Lanes enter;
+        const std::uint32_t mask = box.intersect(LeafRows(v), 0.0F, now, enter) & present(boxes);
+        return visit_instances(world, mask, enter, boxes, now, [&](const InstanceView& in, float until) {
+            const BoxPath path = path_in_mesh(in, from, move, half, world.reach);
+            const LaneBoxPath local(path);
+            PlacedLeaf placed;
+            return walk_path(in.tree, local, until, [&](const Leaf& leaf, float at) {
+                place_leaf(in, leaf, placed);
+                return visit(placed.leaf(), at);
+            });
         });
+    });
+}
+
+void sweep_kernel(const WorldView& world, const EllipsoidQuery& query, const SweepPath& path, float limit,
+                  Consider consider, void* context) {
+    const LaneBoxPath box(path.box);
+    const LaneSpherePath sphere(path.sphere);
+    walk_world(world, query.centre, query.move, query.radii, box, limit, [&](const Leaf& leaf, float now) {
+        return sweep_leaf(box, sphere, path.sphere.usable, leaf, now, consider, context);
+    });
 }
 
 // Bit k is set where the ray's line certainly misses triangle k, in the sheared coordinates of the ray
@@ -148,30 +178,23 @@ inline std::uint32_t ray_misses(const RayPath& path, const Lanes (&v)[9]) {
     return lanes_above(Lanes::all(0.0F) - low, slack) & lanes_above(high, slack);
 }
 
-void ray_kernel(const TreeView& tree, const RayPath& path, float limit, Consider consider, void* context) {
+void ray_kernel(const WorldView& world, const V3& origin, const V3& direction, const RayPath& path,
+                float limit, Consider consider, void* context) {
     const LaneBoxPath box(path.box);
-    walk(
-        tree, limit,
-        [&](const BvhNode& node, float now, float* keys) {
-            Lanes enter;
-            const std::uint32_t mask = box.intersect(NodeRows{node}, 0.0F, now, enter);
-            enter.store(keys);
-            return mask;
-        },
-        [&](const Leaf& leaf, float now) {
-            Lanes v[9];
-            lanes_of_leaf(leaf, v);
-            std::uint32_t mask = present(leaf);
-            if (path.usable) {
-                mask &= ~ray_misses(path, v);
-                if (mask == 0) return now;
-            }
-            Lanes enter;
-            mask &= box.intersect(LeafRows(v), 0.0F, now, enter);
-            for (; mask != 0 && now >= 0.0F; mask &= mask - 1)
-                now = consider(context, leaf, first_lane(mask));
-            return now;
-        });
+    walk_world(world, origin, direction, V3{0.0, 0.0, 0.0}, box, limit, [&](const Leaf& leaf, float now) {
+        Lanes v[9];
+        lanes_of_leaf(leaf, v);
+        std::uint32_t mask = present(leaf);
+        if (path.usable) {
+            mask &= ~ray_misses(path, v);
+            if (mask == 0) return now;
+        }
+        Lanes enter;
+        mask &= box.intersect(LeafRows(v), 0.0F, now, enter);
+        for (; mask != 0 && now >= 0.0F; mask &= mask - 1)
+            now = consider(context, leaf, first_lane(mask));
+        return now;
+    });
 }
 
 struct LanePoint {
@@ -200,11 +223,10 @@ struct LanePoint {
     }
 };
 
-void closest_kernel(const TreeView& tree, const PointBoxes& point, float limit, Consider consider,
-                    void* context) {
-    const LanePoint boxes(point);
-    const LaneSpherePath sphere(point.sphere);
-    walk(
+// Visits the leaves within the limit.
+template <class Visit>
+inline float walk_point(const TreeView& tree, const LanePoint& boxes, float limit, const Visit& visit) {
+    return walk(
         tree, limit,
         [&](const BvhNode& node, float now, float* keys) {
             Lanes square;
@@ -212,32 +234,79 @@ void closest_kernel(const TreeView& tree, const PointBoxes& point, float limit, 
             square.store(keys);
             return mask;
         },
-        [&](const Leaf& leaf, float now) {
-            Lanes v[9];
-            lanes_of_leaf(leaf, v);
-            Lanes square;
-            std::uint32_t mask = boxes.within(LeafRows(v), now, square) & present(leaf);
-            if (mask == 0) return now;
-            if (!point.sphere.usable) {
-                for (; mask != 0 && now >= 0.0F; mask &= mask - 1)
-                    now = consider(context, leaf, first_lane(mask));
-                return now;
+        visit);
+}
+
+// The squared distance in the mesh of what is at most at the squared distance `limit` in the world.
+inline float limit_in_mesh(const InstanceView& in, double slack, float limit) {
+    if (limit < 0.0F) return limit;
+    constexpr float most = 3e38F;
+    const double distance = (std::sqrt(double{limit}) + slack) / in.least_scale;
+    const double square = distance * distance * (1.0 + 1e-6) + 1e-30;
+    return square < double{most} ? round_up(square) : most;
+}
+
+float closest_in_leaf(const LanePoint& boxes, const LaneSpherePath& sphere, bool usable, const Leaf& leaf,
+                      float now, Consider consider, void* context) {
+    Lanes v[9];
+    lanes_of_leaf(leaf, v);
+    Lanes square;
+    std::uint32_t mask = boxes.within(LeafRows(v), now, square) & present(leaf);
+    if (mask == 0) return now;
+    if (!usable) {
+        for (; mask != 0 && now >= 0.0F; mask &= mask - 1)
+            now = consider(context, leaf, first_lane(mask));
+        return now;
+    }
+    const LeafFilter filter(sphere, v);
+    const Lanes order = filter.border_distance();
+    for (float tested = -1.0F; mask != 0 && now >= 0.0F;) {
+        if (now != tested && now < 1e12F) {
+            const float radius = __builtin_sqrtf(now) * (1.0F + time_slack) + least_time;
+            mask &= ~filter.apart_at_rest(mask, radius);
+            tested = now;
+            continue;
+        }
+        const unsigned lane = least_lane(mask, order);
+        now = consider(context, leaf, lane);
+        mask &= ~(1U << lane);
+    }
+    return now;
+}
+
+void closest_kernel(const WorldView& world, const V3& at, const PointBoxes& point, float limit,
+                    Consider consider, void* context) {
+    const LanePoint boxes(point);
+    const LaneSpherePath sphere(point.sphere);
+    const auto visit = [&](const Leaf& leaf, float now) {
+        return closest_in_leaf(boxes, sphere, point.sphere.usable, leaf, now, consider, context);
+    };
+    limit = walk_point(world.own, boxes, limit, visit);
+    if (limit < 0.0F || world.boxes.nodes == nullptr) return;
+    walk_point(world.boxes, boxes, limit, [&](const Leaf& leaf, float now) {
+        Lanes v[9];
+        lanes_of_leaf(leaf, v);
+        Lanes square;
+        const std::uint32_t mask = boxes.within(LeafRows(v), now, square) & present(leaf);
+        return visit_instances(world, mask, square, leaf, now, [&](const InstanceView& in, float until) {
+            const double slack = placing_slack(in, at, V3{0.0, 0.0, 0.0}, world.reach).x * 2.0;
+            PointBoxes local = point;
+            const V3 there = point_in_mesh(in, at);
+            const double there_at[3] = {there.x, there.y, there.z};
+            for (int axis = 0; axis < 3; ++axis) {
+                local.up[axis] = round_up(there_at[axis]);
+                local.down[axis] = round_down(there_at[axis]);
             }
-            const LeafFilter filter(sphere, v);
-            const Lanes order = filter.border_distance();
-            for (float tested = -1.0F; mask != 0 && now >= 0.0F;) {
-                if (now != tested && now < 1e12F) {
-                    const float radius = __builtin_sqrtf(now) * (1.0F + time_slack) + least_time;
-                    mask &= ~filter.apart_at_rest(mask, radius);
-                    tested = now;
-                    continue;
-                }
-                const unsigned lane = least_lane(mask, order);
-                now = consider(context, leaf, lane);
-                mask &= ~(1U << lane);
-            }
-            return now;
+            PlacedLeaf placed;
+            walk_point(in.tree, LanePoint(local), limit_in_mesh(in, slack, until),
+                       [&](const Leaf& mesh_leaf, float) {
+                           place_leaf(in, mesh_leaf, placed);
+                           until = visit(placed.leaf(), until);
+                           return limit_in_mesh(in, slack, until);
+                       });
+            return until;
         });
+    });
 }
 
 }  // namespace

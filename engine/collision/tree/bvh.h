@@ -53,7 +53,7 @@ struct Bvh {
     LeafTriangle triangle(TriangleId id) const {
         return leaf_triangle(leaf_at(slots[id] / leaf_capacity), slots[id] % leaf_capacity);
     }
-    TreeView view() const { return {nodes.data(), leaves.data()}; }
+    TreeView view() const { return {nodes.empty() ? nullptr : nodes.data(), leaves.data()}; }
 };
 
 // Builds the tree over at most max_triangles triangles with finite coordinates. `bodies`:

@@ -43,8 +43,30 @@ inline constexpr std::size_t traversal_stack = std::size_t{max_depth} * 7 + 8;
 
 // The part of a tree that a kernel needs.
 struct TreeView {
-    const BvhNode* nodes;  // the root first
+    const BvhNode* nodes;  // the root first; null: no triangles
     const std::byte* leaves;
+};
+
+// One placement of a mesh. `inverse` maps the world to the mesh, for boxes alone: the corners that count are
+// placed = linear * rest + offset, rounded to float.
+struct InstanceView {
+    TreeView tree;         // of the mesh, in its own space
+    double linear[3][3];   // [column][axis]
+    double offset[3];      // [axis]
+    double inverse[3][3];  // [axis of the mesh][axis of the world]
+    double slack;          // metres: a placed corner is at most this far from the exact one
+    double least_scale;    // no distance shrinks to less than this part when placed
+    std::uint32_t first;   // number of the mesh's first triangle
+    bool mirrors;          // the second and third corner of a triangle are exchanged
+};
+
+// The triangles of a world: a tree of its own, and instances under a tree over their boxes. In that tree each
+// instance is a triangle with the corners min, max, max of its box, and numbered like the list.
+struct WorldView {
+    TreeView own;
+    TreeView boxes;  // of instances; no nodes: there are none
+    const InstanceView* instances;
+    double reach;  // WorldExtent::reach
 };
 
 }  // namespace slipface::detail

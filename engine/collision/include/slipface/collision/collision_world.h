@@ -34,10 +34,12 @@ struct TriangleSoup {
     std::span<const std::uint32_t> bodies = {};
 };
 
+struct Instance;  // instances.h
+
 struct BvhStatistics {
-    std::size_t triangles = 0;
+    std::size_t triangles = 0;  // those of instances, too
     std::size_t nodes = 0;
-    std::size_t bytes = 0;  // BVH and collision triangles together
+    std::size_t bytes = 0;  // BVH and collision triangles together; a mesh of several instances counts once
     int depth = 0;
 };
 
@@ -80,16 +82,22 @@ class CollisionWorld {
     // edges and points that they are. Errors: more than 2^25 triangles, an index out of range, the wrong
     // number of `faces` or `bodies`, a coordinate that is not finite, too little memory.
     static Result<CollisionWorld> build(const TriangleSoup& soup);
+    // The same with instances of meshes: every query gives the same bits as in a world of all their placed
+    // triangles. Further errors: an instance without a mesh, a placement that is not finite or flattens the
+    // mesh, faces that are not ascending.
+    static Result<CollisionWorld> build(const TriangleSoup& soup, std::span<const Instance> instances);
 
     // Moves triangles[i] to the corners corners[i], world space, and refits the tree (moving platforms).
     // Queries then give the same answers as a new world with these corners; they only get slower if triangles
     // of one body drift apart. bounds() still includes the old positions. Must not run during queries.
-    // Errors: spans of unequal length, triangles that do not exist, coordinates that are not finite; then
-    // nothing is moved.
+    // Errors: spans of unequal length, triangles that do not exist or belong to instances, coordinates that
+    // are not finite; then nothing is moved.
     Status move_triangles(std::span<const TriangleId> triangles,
                           std::span<const std::array<Vec3f, 3>> corners);
 
-    void set_face_surface(FaceId face, SurfaceId surface);       // faces outside the soup are ignored
+    void set_face_surface(FaceId face, SurfaceId surface);  // faces outside the soup are ignored
+    // The same for the faces 0, 1, 2, ...; instances with the same types then share them.
+    void set_face_surfaces(std::span<const SurfaceId> surfaces);
     SurfaceId face_surface(FaceId face) const;                   // default_surface outside the soup
     void set_surface_rule(SurfaceId surface, SurfaceRule rule);  // at first all are solid and two-sided
     SurfaceRule surface_rule(SurfaceId surface) const;

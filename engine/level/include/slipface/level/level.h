@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "slipface/level/goal.h"
 #include "slipface/level/level_light.h"
 #include "slipface/level/platform.h"
+#include "slipface/level/prop.h"
 #include "slipface/mesh/import.h"
 #include "slipface/movement/heightfield.h"
 #include "slipface/movement/settings.h"
@@ -79,7 +81,7 @@ struct SavedSelection {
 inline constexpr std::size_t max_saved_selections = 1000;  // of a level
 
 // Why a face has its type.
-enum class SurfaceSource : std::uint8_t { none, rule, suffix, override_ };
+enum class SurfaceSource : std::uint8_t { none, rule, suffix, prop, override_ };
 const char* surface_source_name(SurfaceSource source);
 
 // Terrain from a 16-bit greyscale PNG: columns of pixels run along +X, rows along +Z.
@@ -106,9 +108,20 @@ struct UnknownKeys {
     friend bool operator==(const UnknownKeys&, const UnknownKeys&) = default;
 };
 
+// The props of a level as part of its geometry.
+struct PlacedProps {
+    MeshPtr own, all;  // the OBJ's faces alone, and with those of the props; null: the level has no props
+    std::vector<PropMesh> meshes;    // each file once, in alphabetical order
+    std::vector<FaceId> first_face;  // [prop + 1] in Level::mesh; a missing mesh has no faces
+    // The prop that a face belongs to, or no_id.
+    std::uint32_t prop_of(FaceId face) const;
+};
+
 struct Level {
     std::filesystem::path mesh_path;  // the OBJ
     std::filesystem::path file_path;  // NAME.slipface.json beside it, whether it exists or not
+    // All geometry: the faces of the OBJ, and after them those of the props (place_props()). Faces of props
+    // can be painted, hidden and selected like all others.
     MeshPtr mesh;
     ImportTransform import_transform;  // the user's choice of scale and upward axis
     ImportSummary import_summary;      // how the mesh was made from the file's coordinates; not stored
@@ -135,6 +148,8 @@ struct Level {
     std::vector<Goal> goals;
     MovementSettings movement;
     std::vector<Platform> platforms;
+    std::vector<Prop> props;
+    PlacedProps placed;  // made from `props` by place_props(); not stored
     std::optional<HeightfieldSource> heightfield;
     std::shared_ptr<const Heightfield> terrain;  // made from `heightfield` by load_terrain(); may be null
     SectorLayout sectors;
@@ -142,10 +157,29 @@ struct Level {
     UnknownKeys unknown;
 };
 
+// Reads the meshes of the level's props, unless level.placed has them, and makes level.mesh of the OBJ's
+// faces and theirs. A mesh that is missing, outside the folder of the level's geometry or damaged, and props
+// that would exceed the triangles that collision takes, are warnings: the props stay in the list without
+// faces.
+Warnings place_props(Level& level);
+// The instances of the props whose faces fulfil `wanted(prop)`, for a collision world that has the OBJ's
+// triangles first; `offset` moves them. None if level.mesh is another than place_props() made: then its faces
+// count.
+std::vector<Instance> prop_instances(const Level& level, const Vec3& offset,
+                                     const std::function<bool(std::size_t)>& wanted);
+bool has_instances(const Level& level);
+const PropMesh* find_prop_mesh(const Level& level, std::string_view file);  // null: no prop names it
+// The geometry without the props.
+const MeshPtr& own_mesh(const Level& level);
+// The same level whose OBJ alone is its geometry, without the props and what belongs to their faces.
+Level without_props(const Level& level);
+// The same level whose props are faces of its geometry like all others: for other programs.
+Level with_flat_props(const Level& level);
+
 // The type of each face, and its source. An override out of range of Level::surfaces counts as unset. Empty
 // for a level without a mesh.
 struct ResolvedSurfaces {
-    std::vector<SurfaceId> surface;     // [face] override, else suffix, else rule, else default
+    std::vector<SurfaceId> surface;     // [face] override, else its prop's, suffix, rule, default
     std::vector<SurfaceSource> source;  // [face]
 };
 ResolvedSurfaces resolve_surfaces(const Level& level);

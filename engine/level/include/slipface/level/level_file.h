@@ -63,6 +63,8 @@ Status save_level(const Level& level, const std::filesystem::path& file_path);
 std::string level_to_json(const Level& level);
 // Applies the annotations of a level file's text to `mesh`. `location` names the text in errors.
 Result<LoadedLevel> level_from_json(std::string_view json, const std::string& location, MeshPtr mesh);
+// The same for the geometry of an open level; the meshes of its props are not read again.
+Result<LoadedLevel> level_from_json(std::string_view json, const std::string& location, const Level& base);
 
 // Makes level.terrain from level.heightfield; without a heightfield, or after an error, it is null.
 // load_level() does this, level_from_json() does not. Errors name the image file.

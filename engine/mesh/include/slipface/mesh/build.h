@@ -28,4 +28,7 @@ struct PolygonSoup {
 // three corners, coordinates that are not finite, too little memory.
 Result<MeshPtr> build_mesh(PolygonSoup soup);
 
+// Mesh::fingerprint of what else is in the mesh.
+std::uint64_t mesh_fingerprint(const Mesh& mesh);
+
 }  // namespace slipface

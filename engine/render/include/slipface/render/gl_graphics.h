@@ -38,6 +38,10 @@ class GlGraphics final : public Graphics {
     // draws it, with the textures of the mesh file's folder, and again when it has another mesh, terrain or
     // light. A frame that does not draw it frees it.
     void draw_level(const Level& level, double time_s) override;
+    // A mesh is uploaded in the first frame that draws it, once for each texture, and freed like a level. It
+    // is drawn without borders and surface types.
+    void draw_mesh(const MeshPtr& mesh, const Placement& at, const std::filesystem::path& folder,
+                   const std::filesystem::path& texture = {}) override;
     void draw_ellipsoid(const Vec3& centre, const Vec3& radii) override;
 
     // The game's own lines, arrows and discs over the frame. begin_frame() clears it.

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "slipface/base/pose.h"
+#include "slipface/base/placement.h"
 #include "slipface/level/level_light.h"
 #include "slipface/mesh/mesh.h"
 #include "slipface/mesh/texture_file.h"
@@ -60,6 +60,10 @@ class LevelRenderer {
     void draw(const Camera& camera, int width, int height, const LevelStyle& style);
     // Draws the level alone, with depth test, over what is already drawn: another level of the same world.
     void draw_over(const Camera& camera, int width, int height, const LevelStyle& style);
+    // The same where `at` places the mesh, without borders. `extent_around`: the size of the level around it,
+    // metres, from which follows what is far away.
+    void draw_placed(const Camera& camera, int width, int height, const LevelStyle& style,
+                     const Placement& at, double extent_around);
 
   private:
     struct Impl;

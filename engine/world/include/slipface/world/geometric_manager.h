@@ -35,7 +35,9 @@ class GeometricManager : public Manager {
     // others moves by step() alone. With `seconds` below 1e-4 the characters do not move. A character that
     // touched a hazard has state.hazard set; the game decides what follows.
     void on_tick(double seconds) override;
-    void on_draw(Graphics& graphics) override;  // draws the level at time_s(); the world draws the entities
+    // Draws the level at time_s(), and its props by Graphics::draw_mesh(), unless the light of both was baked
+    // into one image. The world draws the entities.
+    void on_draw(Graphics& graphics) override;
     void on_entity_added(Entity& entity) override;
     void on_entity_removed(Entity& entity) override;
 
@@ -52,6 +54,7 @@ class GeometricManager : public Manager {
   private:
     explicit GeometricManager(Level level) : level_(std::move(level)) {}
     Level level_;
+    Level own_;                        // level_ without props, for drawing; only if props are drawn alone
     std::optional<LevelScene> scene_;  // of level_
     double time_s_ = 0.0;
     std::vector<Character*> characters_;

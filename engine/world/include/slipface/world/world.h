@@ -2,10 +2,12 @@
 // game adds the managers that it needs (lecture: Brown University CS1950u, "Review of Managers").
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <vector>
 
-#include "slipface/base/types.h"
+#include "slipface/base/placement.h"
+#include "slipface/mesh/mesh.h"
 
 namespace slipface {
 
@@ -20,6 +22,12 @@ class Graphics {
     // Draws all faces of `level`, with its platforms at their positions `time_s` seconds after the start. The
     // caller must not move or destroy `level` until the frame is drawn.
     virtual void draw_level(const Level& level, double time_s) = 0;
+    // Draws a mesh where `at` places it: a prop, or what a game adds. However often it is drawn, it is loaded
+    // once. The textures of its materials are read from `folder`; `texture`, an image file, replaces them
+    // all. By default nothing is drawn.
+    virtual void draw_mesh(const MeshPtr& /*mesh*/, const Placement& /*at*/,
+                           const std::filesystem::path& /*folder*/,
+                           const std::filesystem::path& /*texture*/ = {}) {}
     // Draws an ellipsoid with axes parallel to the world's, such as a character; `radii` > 0.
     virtual void draw_ellipsoid(const Vec3& centre, const Vec3& radii) = 0;
 };

@@ -1,0 +1,222 @@
+#include "slipface/collision/instances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "instance_list.h"
+
+namespace slipface {
+
+CollisionMesh::CollisionMesh() : impl_(std::make_unique<Impl>()) {}
+CollisionMesh::~CollisionMesh() = default;
+
+Result<std::shared_ptr<const CollisionMesh>> CollisionMesh::build(const TriangleSoup& soup) {
+    Result<CollisionWorld> world = CollisionWorld::build({soup.positions, soup.triangles, soup.faces});
+    if (!world) return world.error();
+    std::shared_ptr<CollisionMesh> mesh(new CollisionMesh);
+    mesh->impl_->world = std::move(*world);
+    const CollisionWorld::Impl& impl = mesh->impl_->world.impl();
+    if (!impl.faces.empty() || !std::is_sorted(impl.face_index.begin(), impl.face_index.end()))
+        return Error{"collision soup", "faces that are not 0, 1, 2, ... in ascending order"};
+    return std::shared_ptr<const CollisionMesh>(std::move(mesh));
+}
+
+std::size_t CollisionMesh::triangle_count() const {
+    return impl_->world.triangle_count();
+}
+std::size_t CollisionMesh::face_count() const {
+    return impl_->world.impl().surfaces.size();
+}
+std::size_t CollisionMesh::bytes() const {
+    return impl_->world.statistics().bytes;
+}
+
+using namespace detail;
+
+namespace {
+
+using Impl = CollisionWorld::Impl;
+
+const Impl& impl_of(const CollisionMesh& mesh) {
+    return mesh.impl().world.impl();
+}
+
+Status check(const Instance& instance, FaceId least_face, std::size_t number) {
+    const std::string location = "instance " + std::to_string(number);
+    if (!instance.mesh) return Error{location, "has no mesh"};
+    if (instance.first_face < least_face)
+        return Error{location, "its faces are not above those before: face " +
+                                   std::to_string(instance.first_face) + "; expected at least " +
+                                   std::to_string(least_face)};
+    if (instance.mesh->face_count() > no_id - 1 - std::size_t{instance.first_face})
+        return Error{location, "has too many faces"};
+    return {};
+}
+
+bool invert(const Placement& placement, InstanceView& view) {
+    const auto& [x, y, z] = placement.columns;
+    const Vec3 rows[3] = {y.cross(z), z.cross(x), x.cross(y)};
+    const double determinant = x.dot(rows[0]);
+    bool finite = std::isfinite(determinant) && determinant != 0.0;
+    double norm2 = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const double one = rows[i][axis] / determinant;
+            view.inverse[i][axis] = one;
+            norm2 += one * one;
+            finite = finite && std::isfinite(one);
+        }
+    }
+    // Along the axes of the mesh if these stay at right angles, else the bound that holds for every map.
+    const double longest = std::max({x.squaredNorm(), y.squaredNorm(), z.squaredNorm()});
+    const double skew = std::max({std::fabs(x.dot(y)), std::fabs(y.dot(z)), std::fabs(z.dot(x))});
+    const double shortest = std::min({x.norm(), y.norm(), z.norm()});
+    view.least_scale = skew <= 1e-9 * shortest * shortest ? shortest * (1.0 - 1e-6) : 1.0 / std::sqrt(norm2);
+    return finite && std::isfinite(longest) && view.least_scale > 0.0 && placement.offset.allFinite();
+}
+
+// The box of the placed corners, exactly; false if one of them is not finite.
+bool box_of(const Bvh& bvh, const Placement& placement, std::array<Vec3f, 2>& box) {
+    box = {Vec3f::Constant(std::numeric_limits<float>::infinity()),
+           Vec3f::Constant(-std::numeric_limits<float>::infinity())};
+    bool finite = true;
+    for (const BvhNode& node : bvh.nodes) {
+        for (std::size_t k = 0; k < 8; ++k) {
+            if (node.bound[0][k] > node.bound[3][k] || (node.child[k] & leaf_bit) == 0) continue;
+            const Leaf& leaf = bvh.leaf_at(node.child[k] & leaf_index_mask);
+            const float* at = leaf_coordinates(leaf);
+            for (std::size_t i = 0; i < leaf.vertices; ++i) {
+                const Vec3f placed =
+                    placement.apply({at[i], at[i + leaf.vertices], at[i + 2 * leaf.vertices]});
+                finite = finite && placed.allFinite();
+                box[0] = box[0].cwiseMin(placed);
+                box[1] = box[1].cwiseMax(placed);
+            }
+        }
+    }
+    return finite;
+}
+
+}  // namespace
+
+LeafTriangle place_triangle(const InstanceView& in, const LeafTriangle& rest) {
+    LeafTriangle placed{};
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int k = 0; k < 3; ++k) {
+            const int to = in.mirrors && k > 0 ? 3 - k : k;
+            placed.at[axis][to] = static_cast<float>(
+                in.linear[0][axis] * double{rest.at[0][k]} + in.linear[1][axis] * double{rest.at[1][k]} +
+                in.linear[2][axis] * double{rest.at[2][k]} + in.offset[axis]);
+        }
+    }
+    placed.id = in.first + rest.id;
+    return placed;
+}
+
+Status add_instances(Impl& impl, std::span<const Instance> instances) {
+    std::vector<Vec3f> corners;
+    std::vector<std::array<std::uint32_t, 3>> boxes;
+    std::map<const CollisionMesh*, std::shared_ptr<std::vector<SurfaceId>>> surfaces;
+    FaceId least_face =
+        impl.faces.empty() ? static_cast<FaceId>(impl.surfaces.size()) : impl.faces.back() + 1;
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        const Instance& instance = instances[i];
+        const std::string location = "instance " + std::to_string(i);
+        if (const Status status = check(instance, least_face, i); !status) return status;
+        const Impl& mesh = impl_of(*instance.mesh);
+        if (impl.triangles + mesh.triangle_count() >= no_id)
+            return Error{location, "its triangles are more than there are numbers"};
+        InstanceView view{.tree = mesh.bvh.view(),
+                          .linear = {},
+                          .offset = {},
+                          .inverse = {},
+                          .slack = 0.0,
+                          .least_scale = 1.0,
+                          .first = static_cast<std::uint32_t>(impl.triangles),
+                          .mirrors = instance.placement.mirrors()};
+        std::array<Vec3f, 2> box;
+        if (!invert(instance.placement, view) || !box_of(mesh.bvh, instance.placement, box))
+            return Error{location, "its placement is not finite or flattens the mesh"};
+        double reach = 0.0;
+        for (int axis = 0; axis < 3; ++axis) {
+            double most = std::fabs(instance.placement.offset[axis]);
+            for (int column = 0; column < 3; ++column) {
+                view.linear[column][axis] =
+                    instance.placement.columns[static_cast<std::size_t>(column)][axis];
+                most += std::fabs(view.linear[column][axis]) * mesh.extent.reach;
+            }
+            view.offset[axis] = instance.placement.offset[axis];
+            reach = std::max(reach, most);
+        }
+        view.slack = 0x1p-23 * reach + 1e-37;
+        auto& shared = surfaces[instance.mesh.get()];
+        if (!shared) shared = std::make_shared<std::vector<SurfaceId>>(instance.mesh->face_count());
+        impl.views.push_back(view);
+        impl.placed.push_back({instance.mesh, instance.first_face, shared});
+        impl.triangles += mesh.triangle_count();
+        least_face = instance.first_face + static_cast<FaceId>(instance.mesh->face_count());
+        if (mesh.empty()) continue;
+        const auto first = static_cast<std::uint32_t>(corners.size());
+        corners.insert(corners.end(), box.begin(), box.end());
+        boxes.push_back({first, first + 1, first + 1});
+    }
+    if (boxes.size() != impl.views.size()) return Error{"instances", "a mesh has no triangles"};
+    impl.boxes = build_bvh(corners, boxes, {});
+    return {};
+}
+
+namespace {
+
+// The instance with that face, or nothing.
+std::optional<std::size_t> instance_with(const Impl& impl, FaceId face) {
+    const auto after = std::ranges::upper_bound(impl.placed, face, {}, &PlacedMesh::first_face);
+    if (after == impl.placed.begin()) return std::nullopt;
+    const auto i = static_cast<std::size_t>(after - impl.placed.begin() - 1);
+    if (face - impl.placed[i].first_face >= impl.placed[i].surfaces->size()) return std::nullopt;
+    return i;
+}
+
+}  // namespace
+
+void set_instance_surface(Impl& impl, FaceId face, SurfaceId surface) {
+    const std::optional<std::size_t> i = instance_with(impl, face);
+    if (!i) return;
+    PlacedMesh& placed = impl.placed[*i];
+    const std::size_t index = face - placed.first_face;
+    if ((*placed.surfaces)[index] == surface) return;
+    if (placed.surfaces.use_count() > 1)
+        placed.surfaces = std::make_shared<std::vector<SurfaceId>>(*placed.surfaces);
+    (*placed.surfaces)[index] = surface;
+}
+
+SurfaceId instance_surface(const Impl& impl, FaceId face) {
+    const std::optional<std::size_t> i = instance_with(impl, face);
+    return i ? (*impl.placed[*i].surfaces)[face - impl.placed[*i].first_face] : default_surface;
+}
+
+void set_instance_surfaces(Impl& impl, std::span<const SurfaceId> surfaces) {
+    using List = std::vector<SurfaceId>;
+    std::map<std::pair<const CollisionMesh*, List>, std::shared_ptr<List>> known;
+    for (PlacedMesh& placed : impl.placed) {
+        List list = *placed.surfaces;
+        for (std::size_t i = 0; i < list.size() && placed.first_face + i < surfaces.size(); ++i)
+            list[i] = surfaces[placed.first_face + i];
+        auto& shared = known[{placed.mesh.get(), list}];
+        if (!shared) shared = std::make_shared<List>(std::move(list));
+        placed.surfaces = shared;
+    }
+}
+
+std::size_t bytes_of_meshes(const Impl& impl) {
+    std::set<const void*> known;
+    std::size_t bytes = 0;
+    for (const PlacedMesh& placed : impl.placed) {
+        if (known.insert(placed.mesh.get()).second) bytes += placed.mesh->bytes();
+        if (known.insert(placed.surfaces.get()).second) bytes += placed.surfaces->size();
+    }
+    return bytes;
+}
+
+}  // namespace slipface
