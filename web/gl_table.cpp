@@ -21,9 +21,9 @@ void replace_all(std::string& text, std::string_view before, std::string_view af
 // GLSL 3.30 as GLSL ES 3.00. There everything that a fragment reads is interpolated in perspective: what
 // should not be is multiplied by w before and divided by it afterwards.
 std::string as_es(std::string text) {
-    replace_all(
-        text, "#version 330 core\n",
-        "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n");
+    replace_all(text, "#version 330 core\n",
+                "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
+                "precision highp usampler2D;\n");
     constexpr std::string_view out = "noperspective out vec2 ", in = "noperspective in vec2 ";
     if (const std::size_t at = text.find(out); at != std::string::npos) {
         const std::size_t end = text.find(';', at);

@@ -303,8 +303,10 @@ Status start_page(const PageOptions& options) {
     AppOptions app;
     app.gl = std::move(gl).value();
     app.scale = options.scale;
-    app.config = options.home / ".config";
-    app.state = options.home / ".state";
+    if (!options.home.empty()) {
+        app.config = options.home / ".config";
+        app.state = options.home / ".state";
+    }
     self.scale = options.scale;
     self.app = std::make_unique<App>(app);  // without `wake`: work is done at once, on the page's one thread
     ui::fill_key_map();

@@ -6,8 +6,9 @@
 namespace slipface {
 
 struct PageOptions {
-    float scale = 1.0f;          // the screen's pixels per CSS pixel
-    std::filesystem::path home;  // the folder that the page stores: levels, preferences, autosaves
+    float scale = 1.0f;  // the screen's pixels per CSS pixel
+    std::filesystem::path
+        home;  // the folder that the page stores: levels, preferences, autosaves; empty: none
 };
 
 // Makes the context and the app, and asks the browser to call for frames. Fails if there is no WebGL 2.

@@ -92,6 +92,7 @@ EMSCRIPTEN_KEEPALIVE const char* slipface_open_link(const char* text) {
     slipface::App* const app = slipface::page_app();
     if (app == nullptr) return nullptr;
     slipface::page_needs_frames();
+    app->editor().session.tour = -1;  // who follows a link wants to see what it shows
     const slipface::Status opened = slipface::open_link(app->editor(), text);
     return opened ? nullptr : slipface::answer(opened.error().text());
 }

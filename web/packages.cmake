@@ -18,17 +18,17 @@ function(slipface_web_package package target)
 endfunction()
 slipface_web_package(Eigen3 Eigen3::Eigen /usr/include/eigen3)
 slipface_web_package(fmt fmt::fmt "${headers}")
-target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
 slipface_web_package(TBB TBB::tbb)
 slipface_web_package(nlohmann_json nlohmann_json::nlohmann_json "${headers}")
 slipface_web_package(assimp assimp::assimp "${headers}")
 slipface_web_package(CLI11 CLI11::CLI11 "${headers}")
 
-# Compression by stb, under libdeflate's names.
-add_library(slipface_web_stand_ins STATIC "${CMAKE_CURRENT_LIST_DIR}/deflate.cpp" "${CMAKE_CURRENT_LIST_DIR}/one_thread.cpp"
-    "${CMAKE_CURRENT_LIST_DIR}/stb.c")
+# The compiled parts: fmt's, stb's, and compression by stb under libdeflate's names.
+add_library(slipface_web_stand_ins STATIC "${CMAKE_CURRENT_LIST_DIR}/deflate.cpp" "${CMAKE_CURRENT_LIST_DIR}/fmt.cpp"
+    "${CMAKE_CURRENT_LIST_DIR}/one_thread.cpp" "${CMAKE_CURRENT_LIST_DIR}/stb.c")
 target_compile_features(slipface_web_stand_ins PUBLIC cxx_std_20)
 target_include_directories(slipface_web_stand_ins SYSTEM PUBLIC "${headers}")
+target_link_libraries(fmt::fmt INTERFACE slipface_web_stand_ins)
 foreach(name deflate stb)
     add_library(Slipface::${name} INTERFACE IMPORTED GLOBAL)
     target_link_libraries(Slipface::${name} INTERFACE slipface_web_stand_ins)

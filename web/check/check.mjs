@@ -41,7 +41,7 @@ function check(name, holds, found) {
   console.log(`${holds ? "ok  " : "FAIL"} ${name}${holds || found === undefined ? "" : ": found " + JSON.stringify(found)}`);
   if (!holds) failures += 1;
 }
-const state = () => page.evaluate(() => JSON.parse(window.state()));
+const state = () => page.evaluate(() => JSON.parse(state()));
 const note = () => page.textContent("#note");
 async function until(name, holds, seconds = 60) {
   const end = Date.now() + 1000 * seconds;
@@ -114,6 +114,7 @@ try {
   await page.waitForTimeout(1500);
   await picture("1-welcome");
   await open("easy");
+  await page.keyboard.press("Escape"); // the tour
   await picture("2-level");
 
   await paint();

@@ -243,7 +243,7 @@ async function start() {
   } catch (error) {
     say(error.message, true);
   }
-  const problem = ccall("slipface_start", "string", ["string", "number"], [home, devicePixelRatio]);
+  const problem = ccall("slipface_start", "string", ["string", "number"], [embedded ? "" : home, devicePixelRatio]);
   if (problem) return cover("Slipface cannot draw here: " + problem);
   setInterval(() => store.write(), 1000);
 }
