@@ -12,6 +12,12 @@ function(slipface_compile_rules target)
         target_compile_options(${target} PRIVATE
             $<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -fno-tree-slp-vectorize>)
     endif()
+    if(EMSCRIPTEN)
+        # Its std::size_t has 32 bits, as what indexes have, which on the desktop are shorter; files as large as that do not
+        # fit into its memory.
+        target_compile_options(${target} PRIVATE
+            $<$<COMPILE_LANGUAGE:CXX>:-Wno-shorten-64-to-32 -Wno-sign-conversion>)
+    endif()
     if(SLIPFACE_SANITIZE)
         # Instrumented code makes GCC warn of what is not there; the plain builds keep warnings out.
         target_compile_options(${target} PRIVATE -fsanitize=${SLIPFACE_SANITIZE} -fno-omit-frame-pointer

@@ -18,7 +18,7 @@ trap 'rm -rf "$pages"' EXIT
 mkdir -p "$pages/docs/site/fonts"
 ln -s "$PWD"/README.md "$PWD"/screenshots "$pages"
 find "$PWD/docs" -mindepth 1 -maxdepth 1 ! -name site -exec ln -s -t "$pages/docs" {} +
-ln -s "$PWD"/docs/site/{style.css,offline_search.js} "$PWD/editor/desktop/slipface.svg" "$pages/docs/site"
+ln -s "$PWD"/docs/site/{style.css,offline_search.js,try.js} "$PWD/editor/desktop/slipface.svg" "$pages/docs/site"
 ln -s /usr/share/fonts/opentype/inter/Inter-{Regular,Italic,SemiBold}.otf "$pages/docs/site/fonts"
 { printf '# Licence\n\n'; cat LICENSE; } >"$pages/LICENSE.md"
 ln -s "$PWD/NOTICES" "$pages/NOTICES.md"
@@ -28,4 +28,6 @@ ln -s "$PWD/NOTICES" "$pages/NOTICES.md"
 python3 docs/site/headers.py "$pages/doxygen/xml" "$pages"
 rm -r "$pages/doxygen"
 SLIPFACE_PAGES=$pages mkdocs build --quiet --clean --config-file docs/site/mkdocs.yml --site-dir "$out"
+# With Slipface as a page (scripts/build_web.sh) the demos run beside their pictures.
+[ ! -f out/web/index.html ] || cp -r out/web "$out/web"
 scripts/check_links.py "$out"

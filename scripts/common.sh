@@ -29,6 +29,10 @@ test_packages=(libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libr
 # What the checks of .ci/run need besides.
 check_packages=(clang clang-format clang-tidy libclang-rt-14-dev mmdebstrap python3-yaml)
 
+# What the editor as a page needs (scripts/build_web.sh), and its test in a browser (scripts/check_web.sh).
+web_packages=(emscripten brotli libfast-float-dev)
+web_check_packages=(chromium npm)
+
 # What the documents as a site need (scripts/build_docs.sh).
 docs_packages=(mkdocs mkdocs-material doxygen fonts-inter python3)
 

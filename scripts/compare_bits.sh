@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # compare_bits.sh [BUILD...]: runs every demo and its walkers in each build under build/, on one thread and on four and with
 # each of the processor's kernels, and compares every hash. Without arguments: all that are built of release (gcc -O2), clang
-# (-O0), debug (gcc -O0), o3, clang-o3, asan, scalar (Eigen without vector instructions) and arm64 (under qemu, see compare_arm64.sh).
+# (-O0), debug (gcc -O0), o3, clang-o3, asan, scalar (Eigen without vector instructions), arm64 (under qemu, see compare_arm64.sh),
+# web and web-plain (WebAssembly with and without vector instructions, in node, see compare_web.sh).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 builds=("$@")
 if [ ${#builds[@]} -eq 0 ]; then
-    for build in release clang debug o3 clang-o3 asan scalar arm64; do
-        if [ -x "build/$build/tests/slipface_bits" ]; then builds+=("$build"); fi
+    for build in release clang debug o3 clang-o3 asan scalar arm64 web web-plain; do
+        if [ -e "build/$build/tests/slipface_bits" ] || [ -e "build/$build/tests/slipface_bits.js" ]; then builds+=("$build"); fi
     done
 fi
 if [ ${#builds[@]} -eq 0 ]; then
@@ -16,10 +17,14 @@ if [ ${#builds[@]} -eq 0 ]; then
 fi
 first=""
 compare() { # compare BUILD THREADS [KERNELS]: kernels that the processor lacks are its best ones again
-    local runner=()
-    if [ "$1" = arm64 ]; then runner=(qemu-aarch64 -L build/arm64-root); fi
+    local runner=() program=build/$1/tests/slipface_bits
+    case $1 in
+        arm64) runner=(qemu-aarch64 -L build/arm64-root) ;;
+        # emscripten's files are older than node's fetch, and take it for a browser's.
+        web*) runner=(node --no-experimental-fetch) program+=.js ;;
+    esac
     local name="$1, $2 threads${3:+, $3}" hashes
-    hashes=$(SLIPFACE_SIMD=${3:-} "${runner[@]}" "build/$1/tests/slipface_bits" "$2")
+    hashes=$(SLIPFACE_SIMD=${3:-} "${runner[@]}" "$program" "$2")
     if [ -z "$first" ]; then
         first=$hashes
         first_name=$name
@@ -32,6 +37,6 @@ compare() { # compare BUILD THREADS [KERNELS]: kernels that the processor lacks 
 }
 for build in "${builds[@]}"; do
     compare "$build" 1
-    compare "$build" 4
+    [[ $build == web* ]] || compare "$build" 4
 done
 for kernels in baseline avx2 avx512; do compare "${builds[0]}" 4 "$kernels"; done

@@ -176,6 +176,10 @@ void App::focus_lost() {
     cancel_viewport_gesture(impl_->editor);
 }
 
+void App::set_scale(float scale) {
+    impl_->options.scale = scale;
+}
+
 void App::build_frame(int width, int height, double seconds) {
     Impl& self = *impl_;
     ImGui::SetCurrentContext(self.context);

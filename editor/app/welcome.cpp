@@ -6,6 +6,7 @@
 #include "app/parts.h"
 #include "document/folders.h"
 #include "document/path_text.h"
+#include "slipface/mesh/formats.h"
 #include "tools/commands/icons.h"
 #include "widgets/imgui_compat.h"
 #include "widgets/theme.h"
@@ -131,9 +132,14 @@ void welcome(Parts& parts) {
     if (ui::primary_button("\uf07c  Open a level\u2026###Open", true, {180 * scale, 34 * scale}))
         run_command(parts.editor, "file.open");
     const Command& open = *find_command("file.open");
+    // A program that lacks the formats of other programs is the page in a browser.
+    const bool page = mesh_format_of("level.gltf") == nullptr;
     ui::muted_text(
-        ("Your own level: drop its file onto this window, press " + shortcut_text(parts.editor, open) +
-         ", or name it on the command line. OBJ, glTF, FBX, COLLADA, Quake 3 maps and more are read.")
+        (page ? "Your own level: drop its OBJ or Quake 3 map onto this page, with its MTL, textures and "
+                "level file at once. They are stored in this browser and sent nowhere."
+              : "Your own level: drop its file onto this window, press " + shortcut_text(parts.editor, open) +
+                    ", or name it on the command line. OBJ, glTF, FBX, COLLADA, Quake 3 maps and more are "
+                    "read.")
             .c_str());
     ImGui::Dummy({0, 6 * scale});
     unsaved_rows(parts);

@@ -2,11 +2,13 @@
 
 #include <array>
 
+#include "assimp/import_scene.h"
 #include "slipface/base/text.h"
 
 namespace slipface {
 namespace {
 
+constexpr std::size_t own_readers = 2;  // the first formats; assimp reads the others
 constexpr std::array<MeshFormat, 13> formats{{
     {"obj", "Wavefront OBJ"},
     {"bsp", "Quake 3 map"},
@@ -26,22 +28,23 @@ constexpr std::array<MeshFormat, 13> formats{{
 }  // namespace
 
 std::span<const MeshFormat> mesh_formats() {
-    return formats;
+    return std::span(formats).first(reads_scenes() ? formats.size() : own_readers);
 }
 
 const MeshFormat* mesh_format_of(const std::filesystem::path& path) {
     const std::string extension = to_lower(path.extension().string());
-    for (const MeshFormat& format : formats)
+    for (const MeshFormat& format : mesh_formats())
         if (extension.size() == format.ending.size() + 1 && extension.ends_with(format.ending))
             return &format;
     return nullptr;
 }
 
 std::string mesh_formats_text() {
+    const std::span<const MeshFormat> readable = mesh_formats();
     std::string text;
-    for (std::size_t i = 0; i < formats.size(); ++i) {
-        if (i > 0) text += i + 1 == formats.size() ? " or " : ", ";
-        text += "*." + std::string(formats[i].ending);
+    for (std::size_t i = 0; i < readable.size(); ++i) {
+        if (i > 0) text += i + 1 == readable.size() ? " or " : ", ";
+        text += "*." + std::string(readable[i].ending);
     }
     return text;
 }

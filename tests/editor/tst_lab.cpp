@@ -8,6 +8,7 @@
 #include "tools/commands/commands.h"
 #include "tools/lab/audit_job.h"
 #include "tools/lab/lab_actions.h"
+#include "tools/lab/run_link.h"
 
 namespace slipface {
 namespace {
@@ -51,6 +52,33 @@ TEST_F(LabTest, EveryPlaytestBecomesATapeThatRepeats) {
     EXPECT_EQ(lab.doubt(), "");
     EXPECT_TRUE(editor.layout.shown(PanelId::timeline));
     EXPECT_FALSE(lab.divergence(1)) << "the settings are those that were recorded";
+}
+
+// The level's changes travel with the run, as a step that can be undone.
+TEST_F(LabTest, ALinkOpensTheSameTickInTheSameLevelElsewhere) {
+    set("walk_speed=5.123456789");
+    record();
+    lab.seek(57);
+    const std::uint64_t hash = lab.runs()[0].run.hash();
+    const std::string link = link_to_run(editor);
+    ASSERT_FALSE(link.empty());
+
+    Editor other;
+    EXPECT_THAT(open_link(other, link).error().text(), HasSubstr("grid.obj, which is not here"));
+    open_level(other, obj);
+    const Status opened = open_link(other, "#" + link);
+    ASSERT_TRUE(opened) << opened.error().text();
+    EXPECT_EQ(other.lab.cursor(), 57u);
+    EXPECT_EQ(other.lab.repeats(), true);
+    EXPECT_EQ(other.lab.runs()[0].run.hash(), hash);
+    EXPECT_TRUE(other.layout.shown(PanelId::why));
+    EXPECT_EQ(other.document->level().movement.walk_speed, 5.123456789);
+    other.document->undo();
+    EXPECT_NE(other.document->level().movement.walk_speed, 5.123456789);
+    other.document->redo();
+    EXPECT_THAT(open_link(other, link).error().text(), HasSubstr("unsaved changes"));
+    EXPECT_THAT(open_link(other, "demo=none").error().text(), HasSubstr("no demo \"none\""));
+    EXPECT_EQ(other.lab.cursor(), 57u) << "what fails changes nothing";
 }
 
 TEST_F(LabTest, ATapeIsSavedAndOpenedAgainWithTheSameBits) {

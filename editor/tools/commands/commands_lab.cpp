@@ -38,6 +38,9 @@ std::vector<Command> lab_commands() {
         {"lab.copy_story", icons::copy, "Copy story", "Lab",
          "Copy the story of the tick to the clipboard, one line per record", "why trace explain", no_key(),
          can_use_tape, nullptr, copy_story},
+        {"lab.copy_link", icons::share, "Copy link", "Lab",
+         "Copy the run, its tick and the level's changes as the end of an address for Slipface as a page",
+         "url share capsule bug report send", no_key(), can_use_tape, nullptr, copy_link},
         {"lab.close_tape", icons::trash, "Close tape", "Lab", "Close the tape and its ghosts",
          "remove forget", no_key(), can_use_tape, nullptr, close_tape},
 

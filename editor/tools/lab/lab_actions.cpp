@@ -7,6 +7,7 @@
 #include "slipface/level/preset.h"
 #include "slipface/sim/channels.h"
 #include "tools/lab/audit_job.h"
+#include "tools/lab/run_link.h"
 
 namespace slipface {
 namespace {
@@ -274,6 +275,10 @@ void copy_tape(Editor& editor) {
 void copy_story(Editor& editor) {
     editor.clipboard = story_text(editor.lab.story(*editor.document));
     editor.status = "Story copied";
+}
+void copy_link(Editor& editor) {
+    editor.clipboard = "#" + link_to_run(editor);
+    editor.status = "Copied the link: append it to the address of Slipface as a page (docs/web.md)";
 }
 
 void copy_probe_command(Editor& editor) {

@@ -73,6 +73,7 @@ void toggle_loop(Editor& editor);
 void pin_now(Editor& editor);
 void copy_tape(Editor& editor);
 void copy_story(Editor& editor);
+void copy_link(Editor& editor);
 void copy_probe_command(Editor& editor);
 void copy_probe_test(Editor& editor);
 void toggle_reach(Editor& editor);

@@ -260,6 +260,10 @@ Result<ImportedSoup> import_scene(const std::filesystem::path& path, const std::
                     : read_scene(path, extension, std::move(bytes), warnings, progress);
 }
 
+bool reads_scenes() {
+    return true;
+}
+
 Result<ImportedSoup> read_scene(const std::filesystem::path& path, const std::string& extension,
                                 std::string bytes, WarningList& warnings, Progress* progress) {
     const std::string location = path.string();

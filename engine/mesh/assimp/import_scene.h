@@ -9,6 +9,9 @@
 
 namespace slipface {
 
+// Whether this program has assimp: the page in a browser has not.
+bool reads_scenes();
+
 // Reads a file of another format than OBJ through assimp: the polygons of all nodes, in the world space of
 // the file, and the frame that it declares. Files that it refers to are read only in its folder or below.
 // Cancelling through `progress` gives an error. `bytes`: the content; `extension`: lower case. In a child

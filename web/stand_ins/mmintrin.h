@@ -1,0 +1,1 @@
+// Included by <xmmintrin.h> of compilers that know MMX; WebAssembly has none.
