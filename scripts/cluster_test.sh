@@ -20,7 +20,7 @@ dir=$SLIPFACE_CLUSTER
 bin=$PWD/build/release/editor
 export SLIPFACE=$bin/slipface SLIPFACE_MPI=$bin/slipface-mpi SLURM_CONF=$dir/slurm.conf
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_btl=self,vader,tcp
-export OMPI_MCA_btl_tcp_if_include=10.77.0.0/16
+export OMPI_MCA_btl_tcp_if_include=wire0
 export OMPI_MCA_oob_tcp_if_include=lo OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_hwloc_base_binding_policy=none
 trap 'rm -rf "$dir"' EXIT  # all processes of the test end with this one: it is the first of their namespace
 failed=0
@@ -47,7 +47,12 @@ wait_for() { # wait_for SECONDS COMMAND...
 
 say "Starting the cluster"
 ip link set lo up
-ip addr add 10.77.0.1/32 dev lo # names are looked up only on a machine that has an address
+# Names are looked up, and ranks of several nodes meet, only where there is an address beside the loopback's. Both ends of this
+# wire are here.
+ip link add wire0 type veth peer name wire1
+ip addr add 10.77.0.1/24 dev wire0
+ip link set wire0 up
+ip link set wire1 up
 mkdir -p "$dir"/{munge,state,out}
 chmod 700 "$dir/munge"
 head -c 1024 /dev/urandom >"$dir/munge/key"
