@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Audits, snapshot checks and searches as a cluster runs them: a slurmctld with three slurmd on this machine, a node that dies,
 # an MPI rank that is killed, and what must be refused. Compares bytes with those of one process. As root; installs Open MPI and
-# Slurm. The cluster lives in a network of its own that has only a loopback, and each node in processes of its own, so that
+# Slurm. The cluster lives in a network of its own that leads nowhere, and each node in processes of its own, so that
 # killing a node's slurmd takes with it all that runs there.
 #
 #   scripts/cluster_test.sh            # about ten minutes on two cores
