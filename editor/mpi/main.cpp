@@ -25,17 +25,17 @@ void print_traffic(const MpiTeam& team) {
     const auto seconds = [](const timeval& time) {
         return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
     };
-    fmt::print(
-        stderr,
-        "{}: {:.2f} s of processors, {:.1f} MB of memory at most; {} exchanges, {:.1f} kB sent and {:.1f} kB "
-        "received in each, {:.2f} s in them\n",
-        team.name_of(team.rank()), seconds(used.ru_utime) + seconds(used.ru_stime),
-        static_cast<double>(used.ru_maxrss) / 1024.0, team.traffic().calls,
-        1e-3 * static_cast<double>(team.traffic().sent) /
-            static_cast<double>(std::max<std::uint64_t>(1, team.traffic().calls)),
-        1e-3 * static_cast<double>(team.traffic().received) /
-            static_cast<double>(std::max<std::uint64_t>(1, team.traffic().calls)),
-        team.traffic().seconds);
+    const MpiTeam::Traffic& traffic = team.traffic();
+    const double calls = static_cast<double>(std::max<std::uint64_t>(1, traffic.calls));
+    const double all_s = seconds(used.ru_utime) + seconds(used.ru_stime);
+    fmt::print(stderr,
+               "{}: {:.2f} s of processors beside exchanges, {:.1f} MB of memory at most; {} exchanges, "
+               "{:.1f} kB sent "
+               "and {:.1f} kB received in each, {:.2f} s in them\n",
+               team.name_of(team.rank()), all_s - traffic.processor_s,
+               static_cast<double>(used.ru_maxrss) / 1024.0, traffic.calls,
+               1e-3 * static_cast<double>(traffic.sent) / calls,
+               1e-3 * static_cast<double>(traffic.received) / calls, traffic.seconds);
 }
 
 int run(int argument_count, char** arguments) {

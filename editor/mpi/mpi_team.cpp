@@ -6,12 +6,19 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <ctime>
 
 namespace slipface {
 namespace {
 
 // MPI counts bytes with an int, over all ranks.
 constexpr std::size_t max_bytes_at_once = std::size_t{1} << 30;
+
+double thread_seconds() {
+    timespec time{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
 
 }  // namespace
 
@@ -33,7 +40,7 @@ std::string MpiTeam::name_of(std::size_t rank) const {
 }
 
 std::vector<std::string> MpiTeam::gather(const std::string& mine) {
-    const double begin = MPI_Wtime();
+    const double begin = MPI_Wtime(), processor_begin = thread_seconds();
     const std::uint64_t size = mine.size();
     std::vector<std::uint64_t> sizes(size_);
     MPI_Allgather(&size, 1, MPI_UINT64_T, sizes.data(), 1, MPI_UINT64_T, MPI_COMM_WORLD);
@@ -64,6 +71,7 @@ std::vector<std::string> MpiTeam::gather(const std::string& mine) {
     for (const std::uint64_t bytes : sizes)
         traffic_.received += bytes;
     traffic_.seconds += MPI_Wtime() - begin;
+    traffic_.processor_s += thread_seconds() - processor_begin;
     return all;
 }
 

@@ -18,10 +18,11 @@ class MpiTeam : public Team {
     std::string from_first(const std::string& bytes) override;
     [[noreturn]] void stop(const std::string& why) override;
 
-    // What gather() moved and how long this rank was in it, waiting included.
+    // What gather() moved and how long this rank was in it, waiting included; MPI may spend processor time on
+    // waiting.
     struct Traffic {
         std::uint64_t calls = 0, sent = 0, received = 0;  // bytes
-        double seconds = 0.0;
+        double seconds = 0.0, processor_s = 0.0;
     };
     const Traffic& traffic() const { return traffic_; }
 
