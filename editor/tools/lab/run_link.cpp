@@ -30,9 +30,11 @@ fs::path find_level(const Editor& editor, const std::string& name) {
     return {};
 }
 
-// The document with what the capsule says about it, as one step that can be undone.
+// The document with what the capsule says about it, as one step that can be undone; none if it says the same.
 Result<std::unique_ptr<Document>> open_of(const fs::path& mesh, const Capsule& capsule) {
-    if (capsule.level_file.empty()) return Document::open(mesh);
+    Result<std::unique_ptr<Document>> known = Document::open(mesh);
+    if (capsule.level_file.empty() || (known && level_to_json((*known)->level()) == capsule.level_file))
+        return known;
     Autosave from_link;
     from_link.info.mesh_path = mesh;
     from_link.info.level_path = "link";
@@ -50,11 +52,7 @@ std::string link_to_run(Editor& editor) {
     capsule.level = level.mesh_path.filename().string();
     capsule.tick = editor.lab.cursor();
     capsule.tape = tape_to_text(editor.lab.sealed_tape());
-    const fs::path shipped = shipped_level(capsule.level);
-    const std::string json = level_to_json(level);
-    const Result<std::unique_ptr<Document>> known =
-        shipped.empty() ? Result<std::unique_ptr<Document>>(Error{"", ""}) : Document::open(shipped);
-    if (!known || level_to_json((*known)->level()) != json) capsule.level_file = json;
+    capsule.level_file = level_to_json(level);
     return capsule_text(capsule);
 }
 

@@ -11,8 +11,7 @@ namespace slipface {
 struct Editor;
 
 // "capsule=...", to be put behind the '#' of a page's address (capsule.h): the tape, the tick at the cursor,
-// and the level's types, paint and settings if they differ from those of the level that ships with the
-// program. Empty: there is no tape.
+// and the level's types, paint and settings. Empty: there is no tape.
 std::string link_to_run(Editor& editor);
 
 // Opens "capsule=..." or "demo=NAME" (a hack's demo scene); a '#' before it is ignored. A capsule's level is
