@@ -56,12 +56,12 @@ def on_config(config):
 
 
 def on_files(files, config):
-    """Of the images only those that a page shows."""
+    """Of the images and other files only those that a page shows or links to."""
     pages = pathlib.Path(config["docs_dir"])
     wanted = {f.src_path for f in files if f.src_path.startswith("docs/site/")}
     for file in files.documentation_pages():
         folder = posixpath.dirname(file.src_path)
-        for image in re.findall(r"!\[[^\]]*\]\(([^)\s]+)", (pages / file.src_path).read_text()):
+        for image in re.findall(r"\]\(([^)\s#]+)", (pages / file.src_path).read_text()):
             wanted.add(posixpath.normpath(posixpath.join(folder, image)))
     for file in list(files):
         if not (file.is_documentation_page() or file.src_path in wanted or file.src_path.startswith("assets/")):
