@@ -61,7 +61,14 @@ class Staged {
   public:
     // Returns 0, or the errno that stopped it.
     int write(std::string_view bytes, const mode_t* mode) {
-        file_.emplace(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+        // In containers process numbers begin anew, so that a killed process may have left a file of this
+        // name.
+        constexpr int max_tries = 100;
+        for (int tries = 0; tries < max_tries; ++tries) {
+            file_.emplace(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+            if (file_->open() || errno != EEXIST) break;
+            temporary_ = temporary_name(target_);
+        }
         if (!file_->open()) return errno;
         made_ = true;
         (void)take_lock(*file_);  // there are file systems without

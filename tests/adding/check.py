@@ -102,7 +102,8 @@ files = [[copy / path.relative_to(source) for path in old[i:i + BATCH]] for i in
 files += [[path] for path in (copy / "engine/movement").rglob("*.cpp") if not (source / path.relative_to(copy)).exists()]
 files += [sorted((copy / "engine/scenes").glob("demo*.cpp")) + [copy / "engine/scenes/shapes.cpp"]]
 files += [[source / f"engine/level/{name}.cpp" for name in
-           ("level", "level_scene", "material_name", "platform", "preset", "shown_mesh", "terrain", "json_movement", "json_parts", "json_reader", "json_text")]]
+           ("level", "level_scene", "material_name", "platform", "preset", "props", "shown_mesh", "terrain", "json_movement", "json_parts",
+            "json_reader", "json_text")]]
 files += [[source / f"engine/sim/{name}.cpp" for name in ("simulate", "run", "tape", "story", "story_words")]]
 files += [[source / "editor/tools/commands/settings_docs.cpp"]]
 files += [[source / "tests/movement/tst_settings.cpp"],
