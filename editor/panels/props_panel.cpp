@@ -48,7 +48,7 @@ void prop_file_row(Editor& editor) {
 void prop_handle_row(Editor& editor) {
     PropTool& tool = editor.props;
     static constexpr std::pair<const char*, PropHandles> all[] = {
-        {"Move", PropHandles::move}, {"Turn", PropHandles::turn}, {"Scale", PropHandles::scale}};
+        {"Move", PropHandles::move}, {"Rotate", PropHandles::rotate}, {"Scale", PropHandles::scale}};
     for (const auto& [label, handles] : all) {
         const bool on = editor.tool == Tool::props && tool.handles == handles;
         if (handles != PropHandles::move) ui::flow(ui::button_width(label));
@@ -107,16 +107,16 @@ void prop_motion_rows(const PropTarget& target) {
     Editor& editor = target.editor;
     PropMotion motion = prop_motion(editor.document->level(), target.now());
     const PropMotion before = motion;
-    property_row("Way", "It moves to there and back by itself, metres; all 0: it rests");
+    property_row("Path", "It moves to there and back by itself, metres; all 0: it rests");
     ImGui::SetNextItemWidth(-1.0f);
-    bool changed = ui::drag_vec3("##Way", motion.way.data(), 0.05f, "%.2f", nullptr);
+    bool changed = ui::drag_vec3("##Path", motion.way.data(), 0.05f, "%.2f", nullptr);
     if (!motion.way.isZero(0.0)) {
         property_row("Speed", "Along the way");
         changed = number_slider("Speed", &motion.speed, 0.1, 20.0, "m/s", nullptr) || changed;
     }
     double turn = motion.turn * prop_degrees;
-    property_row("Turning", "It turns about its own vertical axis");
-    if (number_slider("Turning", &turn, -360.0, 360.0, "\u00b0/s", nullptr)) {
+    property_row("Spin", "It turns about its own vertical axis");
+    if (number_slider("Spin", &turn, -360.0, 360.0, "\u00b0/s", nullptr)) {
         motion.turn = turn / prop_degrees;
         changed = true;
     }

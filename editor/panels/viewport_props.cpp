@@ -51,7 +51,7 @@ std::optional<double> about_axis(const Ray& ray, const Vec3& origin, int axis) {
 }
 
 std::optional<double> parameter(const Editor& editor, const Prop& prop, const Ray& ray, int axis) {
-    if (editor.props.handles == PropHandles::turn) return about_axis(ray, prop.position, axis);
+    if (editor.props.handles == PropHandles::rotate) return about_axis(ray, prop.position, axis);
     return along_axis(ray, prop.position, axis_of(prop, editor.props.handles, axis));
 }
 
@@ -65,7 +65,7 @@ double distance_to(const Vec2& point, const Vec2& a, const Vec2& b) {
 
 // The handle as a chain of points: an axis, or a ring around it.
 std::vector<Vec3> handle_points(const Prop& prop, PropHandles handles, int axis, double length) {
-    if (handles != PropHandles::turn)
+    if (handles != PropHandles::rotate)
         return {prop.position, prop.position + length * axis_of(prop, handles, axis)};
     constexpr int sides = 48;
     const auto [u, v] = across(axis);
@@ -141,7 +141,7 @@ void drag_prop(const Editor& editor, const Camera& camera, const Vec2& pixel, co
             drag.now = moved_prop(drag.before, drag.axis, moved,
                                   snap ? std::optional(tool.move_step) : std::nullopt);
             break;
-        case PropHandles::turn:
+        case PropHandles::rotate:
             drag.now = turned_prop(drag.before, drag.axis, snap ? snapped(moved, tool.turn_step) : moved);
             break;
         case PropHandles::scale:
@@ -153,7 +153,7 @@ void drag_prop(const Editor& editor, const Camera& camera, const Vec2& pixel, co
 }
 
 void end_prop_drag(Editor& editor, const PropDrag& drag) {
-    static constexpr const char* verbs[] = {"Move ", "Turn ", "Scale "};
+    static constexpr const char* verbs[] = {"Move ", "Rotate ", "Scale "};
     if (drag.now != drag.before)
         change_prop(editor, drag.prop, drag.now,
                     verbs[static_cast<std::size_t>(editor.props.handles)] + drag.before.name);

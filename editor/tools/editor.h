@@ -37,7 +37,7 @@ enum class Tool { select, paint, fill, probe, props };
 inline constexpr std::size_t tool_count = 5;
 
 // What the handles at the chosen prop do.
-enum class PropHandles { move, turn, scale };
+enum class PropHandles { move, rotate, scale };
 struct PropTool {
     std::string chosen;  // name of a prop; empty, or of none that is there: none
     std::string file;    // what a click with the tool places; empty: a click chooses

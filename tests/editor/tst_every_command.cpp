@@ -147,7 +147,7 @@ const std::map<std::string_view, Case>& cases() {
         {"tools.copy_probe_command", {"key T\nviewport click @4.5,0,4.5", "expect status \"*copied*\""}},
         {"tools.copy_probe_test", {"key T\nviewport click @4.5,0,4.5", "expect status \"*copied*\""}},
         {"tools.props", {"", "expect tool props"}},
-        {"props.move", {"command props.turn", ""}},
+        {"props.move", {"command props.rotate", ""}},
         {"props.place", {"prop file grid.obj", "expect props 1"}},
         {"props.duplicate", {"prop place grid.obj 0,3,0", "expect props 2"}},
         {"props.delete", {"prop place grid.obj 0,3,0", "expect props 0"}},

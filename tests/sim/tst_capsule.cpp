@@ -46,7 +46,7 @@ TEST(Capsule, RefusesWhatIsAlteredOrCutOff) {
         if (i % 2 == 0)
             text.resize(at);
         else
-            text[at] = static_cast<char>(text[at] ^ (1 + random() % 127));
+            text[at] = static_cast<char>(text[at] ^ static_cast<char>(1 + random() % 127));
         const Result<Capsule> read = parse_capsule(text);
         // Bits of the last character that no byte needs may change.
         EXPECT_TRUE(!read || (*read == capsule && at + 1 == text.size())) << i;

@@ -41,7 +41,7 @@ struct PropMotion {
 PropMotion prop_motion(const Level& level, const Prop& prop);
 void set_prop_motion(Editor& editor, std::size_t prop, const PropMotion& motion);
 
-// What the mouse does to the chosen prop: one axis of the world (`turn` and `move`), or of the prop
+// What the mouse does to the chosen prop: one axis of the world (`rotate` and `move`), or of the prop
 // (`scale`).
 double snapped(double value, double step);
 Prop moved_prop(const Prop& from, int axis, double metres, std::optional<double> step);
