@@ -124,7 +124,7 @@ Status add_instances(Impl& impl, std::span<const Instance> instances) {
     for (std::size_t i = 0; i < instances.size(); ++i) {
         const Instance& instance = instances[i];
         const std::string location = "instance " + std::to_string(i);
-        if (const Status status = check(instance, least_face, i); !status) return status;
+        if (Status status = check(instance, least_face, i); !status) return status;
         const Impl& mesh = impl_of(*instance.mesh);
         if (impl.triangles + mesh.triangle_count() >= no_id)
             return Error{location, "its triangles are more than there are numbers"};
