@@ -215,9 +215,11 @@ void step_crowd(const MovementScene& scene, std::span<CrowdMember> members, doub
             bodies.push_back(body);
     }
     // All that follows goes in this order, whatever that of the members is.
-    std::stable_sort(bodies.begin(), bodies.end(), [](const Body& a, const Body& b) {
-        return std::tuple(a.begin.y(), a.begin.x(), a.begin.z()) <
-               std::tuple(b.begin.y(), b.begin.x(), b.begin.z());
+    std::sort(bodies.begin(), bodies.end(), [](const Body& a, const Body& b) {
+        const auto key = [](const Body& body) {
+            return std::tuple(body.begin.y(), body.begin.x(), body.begin.z(), body.member);
+        };
+        return key(a) < key(b);
     });
     parallel_for(bodies.size(), 16, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
