@@ -1,7 +1,7 @@
 // A capsule: a run as one line of text, to be sent as part of a page's address.
 //
-// It holds the tape, the tick to look at, and what the level's file says if that differs from the level as it
-// is known elsewhere. The geometry is not in it: `level` names it, and the tape has its fingerprint.
+// It holds the tape, the tick to look at, and the text of the level file: types, paint and settings. The
+// geometry is not in it: `level` names it, and the tape has its fingerprint.
 #pragma once
 
 #include <string>
