@@ -39,6 +39,11 @@ void add_texture_warnings(LoadedLevel& loaded) {
     for (const Material& material : loaded.level.mesh->materials) {
         if (material.texture.empty() || !known.insert(material.texture).second) continue;
         const std::string location = fmt::format("material \"{}\"", material.name);
+        if (material.picture) {
+            const Status status = check_image_header(*material.picture, "picture " + material.texture);
+            if (!status) found.push_back({location, status.error().text()});
+            continue;
+        }
         const auto [path, refused] = find_texture(material.texture, folder, TextureAccess::folder);
         if (refused) {
             found.push_back(

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "goldens/level_digest.h"
 #include "slipface/base/files.h"
@@ -15,21 +14,28 @@ namespace slipface {
 
 namespace {
 
-std::uint64_t file_hash(const std::filesystem::path& path) {
+std::uint64_t text_hash(const std::string& text) {
     Hasher hasher;
-    if (const Result<std::string> bytes = read_file(path)) hasher.text(*bytes);
+    hasher.text(text);
     return hasher.value();
 }
 
 // Hashes of all image files that the level is drawn with, including the baked light.
 Numbers textures_json(const Level& level) {
-    std::set<std::string> names;
-    if (level.light && !level.light->image.empty()) names.insert(level.light->image);
-    for (const Material& material : level.mesh->materials)
-        if (!material.texture.empty()) names.insert(material.texture);
     Numbers textures = Numbers::object();
-    for (const std::string& name : names)
-        textures[name] = hex_text(file_hash(level.mesh_path.parent_path() / name));
+    const auto add_file = [&](const std::string& name) {
+        const Result<std::string> bytes = read_file(level.mesh_path.parent_path() / name);
+        textures[name] = hex_text(text_hash(bytes ? *bytes : std::string()));
+    };
+    if (level.light && !level.light->image.empty()) add_file(level.light->image);
+    for (const Material& material : level.mesh->materials) {
+        if (material.texture.empty() || textures.contains(material.texture)) continue;
+        if (material.picture) {
+            textures[material.texture] = hex_text(text_hash(*material.picture));
+        } else {
+            add_file(material.texture);
+        }
+    }
     return textures;
 }
 

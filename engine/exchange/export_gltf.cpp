@@ -93,26 +93,11 @@ class GltfWriter {
     GltfBuffer buffer_;
 
   private:
+    // The types as a level file has them, so that reading the exported file gives them again.
     GltfJson types_json() const {
-        GltfJson types = GltfJson::array();
-        for (const SurfaceType& type : level_.surfaces) {
-            GltfJson json{{"name", type.name}};
-            for (const SurfaceField& field : surface_fields()) {
-                if (const auto* flag = std::get_if<bool SurfaceType::*>(&field.member)) {
-                    json[field.name] = type.**flag;
-                } else if (const auto* value = std::get_if<double SurfaceType::*>(&field.member)) {
-                    json[field.name] = type.**value;
-                } else if (const auto* vector = std::get_if<Vec3 SurfaceType::*>(&field.member)) {
-                    const Vec3& v = type.**vector;
-                    json[field.name] = {v.x(), v.y(), v.z()};
-                } else if (const auto* maybe =
-                               std::get_if<std::optional<double> SurfaceType::*>(&field.member)) {
-                    if (type.**maybe) json[field.name] = *(type.**maybe);
-                }
-            }
-            types.push_back(std::move(json));
-        }
-        return types;
+        Level bare;
+        bare.surfaces = level_.surfaces;
+        return GltfJson::parse(level_to_json(bare))["surfaces"];
     }
 
     std::size_t append_node(GltfJson node, std::size_t parent) {
@@ -348,7 +333,7 @@ Status export_gltf(const Level& level, const fs::path& path, std::span<const Glt
     const bool one_file = to_lower(path.extension().string()) == ".glb";
     GltfWriter writer(level, *materials);
     writer.write(nodes);
-    const std::vector<GltfPicture> pictures =
+    const std::vector<PictureFile> pictures =
         add_gltf_materials(level, *materials, path, one_file, writer.buffer_, writer.root_);
     fs::path binary = path;
     binary.replace_extension(".bin");
@@ -359,7 +344,7 @@ Status export_gltf(const Level& level, const fs::path& path, std::span<const Glt
     }
     const std::string text = json_text(writer.root_) + "\n";
     std::vector<FileToWrite> files;
-    for (const GltfPicture& picture : pictures)
+    for (const PictureFile& picture : pictures)
         files.push_back({picture.path, picture.bytes});
     files.push_back({binary, writer.buffer_.bytes()});
     files.push_back({path, text});

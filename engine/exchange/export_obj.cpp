@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
 
 #include "export_parts.h"
 #include "material_blocks.h"
+#include "pictures_beside.h"
 #include "slipface/base/files.h"
 #include "slipface/base/parallel.h"
 
@@ -36,7 +38,8 @@ bool textured(const Mesh& mesh) {
 
 namespace {
 
-std::string mtl_text(const Level& level, const TypedMaterials& materials, const fs::path& folder) {
+std::string mtl_text(const Level& level, const TypedMaterials& materials, PicturesBeside& beside) {
+    std::map<const std::string*, std::string> written;
     std::string text = "# materials of the level, named MATERIAL__TYPE\n";
     for (std::size_t i = 0; i < materials.names.size(); ++i) {
         if (materials.names[i].empty()) continue;
@@ -45,8 +48,15 @@ std::string mtl_text(const Level& level, const TypedMaterials& materials, const 
             materials.of_type[i] ? tinted(base.diffuse, level.surfaces[*materials.of_type[i]]) : base.diffuse;
         text += fmt::format("\nnewmtl {}\nKd {:.4f} {:.4f} {:.4f}\n", materials.names[i], color[0], color[1],
                             color[2]);
-        if (const std::string texture = texture_from(level, base, folder); !texture.empty())
-            text += "map_Kd " + texture + "\n";
+        std::string texture;
+        if (base.picture) {
+            const auto [name, added] = written.try_emplace(base.picture.get());
+            if (added) name->second = beside.add(base.texture, *base.picture).string();
+            texture = name->second;
+        } else {
+            texture = texture_from(level, base, beside.folder());
+        }
+        if (!texture.empty()) text += "map_Kd " + texture + "\n";
     }
     return text;
 }
@@ -101,9 +111,13 @@ Status export_obj(const Level& level, const fs::path& path) {
         if (fs::equivalent(library, own, error))
             return Error{library.string(), "is the level's own material library; expected another name"};
     }
-    const std::string mtl = mtl_text(level, *materials, path.parent_path());
+    PicturesBeside beside(path);
+    const std::string mtl = mtl_text(level, *materials, beside);
     const std::string obj = obj_text(level, *materials, library.filename().string());
-    const FileToWrite files[] = {{library, mtl}, {path, obj}};
+    const std::vector<PictureFile> pictures = beside.take();
+    std::vector<FileToWrite> files{{library, mtl}, {path, obj}};
+    for (const PictureFile& picture : pictures)
+        files.push_back({picture.path, picture.bytes});
     return write_files_atomic(files);
 }
 

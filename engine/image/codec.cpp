@@ -29,8 +29,9 @@ std::string stb_reason() {
     return reason != nullptr ? reason : "unknown";
 }
 
-// Checks the header: a format that is read, a size within the limit.
-Status check_header(std::string_view bytes, const std::string& location, int max_side) {
+}  // namespace
+
+Status check_image_header(std::string_view bytes, const std::string& location, int max_side) {
     if (bytes.empty()) return Error{location, "is empty; expected a PNG, JPEG, TGA or BMP image"};
     if (bytes.size() > largest_file)
         return Error{location, fmt::format("has {} bytes; too many for an image", bytes.size())};
@@ -56,8 +57,10 @@ Status check_header(std::string_view bytes, const std::string& location, int max
     return {};
 }
 
+namespace {
+
 Result<Image> decode(std::string_view bytes, const std::string& location, int max_side) {
-    if (Status status = check_header(bytes, location, max_side); !status) return status.error();
+    if (Status status = check_image_header(bytes, location, max_side); !status) return status.error();
     if (std::optional<Image> image = decode_plain_png(bytes)) return *std::move(image);
     if (!png_data_fits_header(bytes)) return Error{location, "is corrupt: its data do not fit its size"};
 
@@ -86,7 +89,7 @@ Result<Image> decode_image(std::string_view bytes, const std::string& location, 
 
 Status check_image(const std::filesystem::path& path, int max_side) {
     const auto bytes = read_file(path, largest_file);
-    return bytes ? check_header(*bytes, path.string(), max_side) : Status(bytes.error());
+    return bytes ? check_image_header(*bytes, path.string(), max_side) : Status(bytes.error());
 }
 
 Result<Image> load_image(const std::filesystem::path& path, int max_side) {

@@ -69,6 +69,7 @@ Result<LoadedLevel> load_mesh(const fs::path& mesh_path, const ImportTransform& 
     loaded.level.import_summary = std::move(imported->summary);
     loaded.found_spawns = std::move(imported->spawns);
     loaded.found_types = std::move(imported->types);
+    loaded.type_table = std::move(imported->type_table);
     loaded.undrawn = std::move(imported->undrawn);
     loaded.level.file_path = level_file_for(mesh_path);
     loaded.level.spawn_is_set = false;
@@ -146,10 +147,29 @@ Result<LoadedLevel> load_from_level_file(const fs::path& file_path, Progress* pr
     return load_annotated(*mesh_path, file_path, *root, progress);
 }
 
-// A level without a level file: rules and hidden faces of the geometry's file.
+// The types of a table in the geometry's file. It is read as a level file that has nothing else, so it is
+// checked like one; a bad table is a warning.
+void take_type_table(LoadedLevel& loaded) {
+    const std::string location = loaded.level.mesh_path.string() + ":slipface_types";
+    const Result<Json> root =
+        parse_json(fmt::format("{{\"slipface\": {}, \"mesh\": {}, \"surfaces\": {}}}", level_file_version,
+                               json_quoted(loaded.level.mesh_path.filename().string()), loaded.type_table),
+                   location);
+    Result<LoadedLevel> read =
+        root ? read_level(*root, location, loaded.level.mesh) : Result<LoadedLevel>(root.error());
+    if (read) {
+        loaded.level.surfaces = std::move(read->level.surfaces);
+    } else {
+        loaded.warnings.push_back(
+            {read.error().location, "the file's types are ignored: " + read.error().message});
+    }
+}
+
+// A level without a level file: types, rules and hidden faces of the geometry's file.
 Result<LoadedLevel> load_fresh(const fs::path& mesh_path, Progress* progress) {
     Result<LoadedLevel> loaded = load_mesh(mesh_path, {}, progress);
     if (!loaded) return loaded;
+    if (!loaded->type_table.empty()) take_type_table(*loaded);
     add_found_types(loaded->level, loaded->found_types);
     loaded->level.hidden = loaded->undrawn;
     return loaded;

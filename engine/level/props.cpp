@@ -142,8 +142,9 @@ class Placer {
         for (Material material : from.materials) {
             if (!prop.texture.empty()) {
                 material.texture = prop.texture;
+                material.picture = nullptr;
                 material.diffuse = Vec3f::Ones();
-            } else if (!material.texture.empty()) {
+            } else if (!material.texture.empty() && !material.picture) {
                 material.texture = (folder / material.texture).generic_string();
             }
             name_by_look(material);
@@ -160,7 +161,8 @@ class Placer {
             if (number > 0) material.name = fmt::format("{}.{:03}", name, number);
             const auto [known, added] = looks_.try_emplace(material.name, material);
             if (added ||
-                (known->second.diffuse == material.diffuse && known->second.texture == material.texture))
+                (known->second.diffuse == material.diffuse && known->second.texture == material.texture &&
+                 known->second.picture == material.picture))
                 return;
         }
     }

@@ -15,13 +15,18 @@ Vec3 squared(const Vec3& color) {
     return color.cwiseProduct(color);
 }
 
+Result<Image> material_image(const Material& material, const std::filesystem::path& folder) {
+    if (material.picture) return decode_image(*material.picture, material.texture);
+    const FoundTexture file = find_texture(material.texture, folder, TextureAccess::folder);
+    if (!file.path) return Error{material.texture, "was not found"};
+    return load_image(*file.path);
+}
+
 // The mean colour of a material's texture, linear; the material's own colour if there is no texture.
 Vec3 mean_color(const Material& material, const std::filesystem::path& folder) {
     const Vec3 own = squared(material.diffuse.cast<double>());
     if (material.texture.empty()) return own;
-    const FoundTexture file = find_texture(material.texture, folder, TextureAccess::folder);
-    if (!file.path) return own;
-    const Result<Image> image = load_image(*file.path);
+    const Result<Image> image = material_image(material, folder);
     if (!image) return own;
     Vec3 sum = Vec3::Zero();
     for (std::size_t i = 0; i < image->pixel_count(); ++i) {

@@ -28,7 +28,7 @@ FoundTexture find_texture(const std::string& authored, const std::filesystem::pa
 std::vector<std::string> outside_textures(const Mesh& mesh, const std::filesystem::path& folder) {
     std::vector<std::string> textures;
     for (const Material& material : mesh.materials) {
-        if (material.texture.empty() ||
+        if (material.texture.empty() || material.picture ||
             !find_texture(material.texture, folder, TextureAccess::folder).refused ||
             std::find(textures.begin(), textures.end(), material.texture) != textures.end())
             continue;

@@ -43,6 +43,7 @@ MeshPtr with_texture(const Mesh& mesh, const std::string& texture) {
     auto other = std::make_shared<Mesh>(mesh);
     for (Material& material : other->materials) {
         material.texture = texture;
+        material.picture = nullptr;
         material.diffuse = Vec3f::Ones();
     }
     return other;

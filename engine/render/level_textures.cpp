@@ -65,7 +65,7 @@ Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& fold
     GLint driver_side = 0;
     gl_->GetIntegerv(GL_MAX_TEXTURE_SIZE, &driver_side);
 
-    std::map<std::string, std::uint32_t> known;
+    std::map<std::pair<const std::string*, std::string>, std::uint32_t> known;  // by picture and name
     std::uint32_t checker_texture = none;
     std::uint64_t total_bytes = 0;
     const auto use_checker = [&] {
@@ -77,19 +77,22 @@ Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& fold
     };
     const auto load_one = [&](const Material& material) -> std::uint32_t {
         const std::string position = "material \"" + material.name + "\"";
-        const auto [path, refused] = find_texture(material.texture, folder, access);
+        const auto [path, refused] =
+            material.picture ? FoundTexture{} : find_texture(material.texture, folder, access);
         if (refused)
             warn(position, "the texture \"" + material.texture +
                                "\" lies outside the level's folder: not read" +
                                (path ? "; the image with that name in the level's folder is used"
                                      : "; drawn as a checker"));
         if (!path && refused) return use_checker();
-        if (!path) {
+        if (!path && !material.picture) {
             warn(position, "found no texture \"" + material.texture + "\" in " +
                                (folder.empty() ? "." : folder.string()) + "; drawn as a checker");
             return use_checker();
         }
-        Result<Image> image = load_image(*path, max_file_side);
+        Result<Image> image =
+            path ? load_image(*path, max_file_side)
+                 : decode_image(*material.picture, "picture " + material.texture, max_file_side);
         if (!image) {
             warn(position, image.error().text() + "; drawn as a checker");
             return use_checker();
@@ -112,9 +115,10 @@ Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& fold
             material_texture_.push_back(none);
             continue;
         }
-        const auto found = known.find(material.texture);
+        const std::pair key(material.picture.get(), material.texture);
+        const auto found = known.find(key);
         const std::uint32_t texture = found != known.end() ? found->second : load_one(material);
-        known.emplace(material.texture, texture);
+        known.emplace(key, texture);
         material_texture_.push_back(texture);
     }
     if (unlisted > 0) {

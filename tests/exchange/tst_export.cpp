@@ -67,6 +67,44 @@ TEST_F(Export, GltfBringsTypesInNamesAndExtras) {
     }
 }
 
+// A type that no preset has, and one that was changed.
+TEST_F(Export, GltfBringsTheLevelsOwnTypes) {
+    Level level = painted();
+    SurfaceType own;
+    own.name = "wet moss";
+    own.color = {0.25F, 0.5F, 0.125F};
+    own.friction = 0.35;
+    own.solid = false;
+    level.surfaces.push_back(own);
+    level.surfaces[find_surface(level, "ice").value()].friction = 0.07;
+    for (FaceId face = 20; face < 25; ++face)
+        paint(level, face, "wet moss");
+    for (const char* name : {"own.gltf", "own.glb"}) {
+        ASSERT_TRUE(export_gltf(level, path(name)));
+        const Level again = open_path(name);
+        EXPECT_EQ(again.surfaces, level.surfaces) << name;
+        EXPECT_EQ(types_by_place(again), types_by_place(level)) << name;
+    }
+}
+
+TEST_F(Export, ABadTableOfTypesIsAWarning) {
+    ASSERT_TRUE(export_gltf(painted(), path("good.gltf")));
+    const std::string good = read("good.gltf");
+    const std::size_t at = good.find(R"("slipface_types":[)");
+    ASSERT_NE(at, std::string::npos);
+    for (const char* bad : {R"("slipface_types":7,"was":[)", R"("slipface_types":[7],"was":[)",
+                            R"("slipface_types":[{"name":"first"}],"was":[)",
+                            R"("slipface_types":[{"name":"default","friction":"wet"}],"was":[)"}) {
+        std::string text = good;
+        write("bad.gltf", text.replace(at, 18, bad));
+        const Result<LoadedLevel> loaded = load_level(path("bad.gltf"));
+        ASSERT_TRUE(loaded) << loaded.error().text();
+        ASSERT_EQ(loaded->warnings.size(), 1U) << bad;
+        EXPECT_THAT(loaded->warnings[0].text(), testing::HasSubstr("the file's types are ignored")) << bad;
+        EXPECT_EQ(loaded->level.surfaces, preset_surface_types()) << bad;
+    }
+}
+
 TEST_F(Export, FlatFileHasAByteATriangle) {
     const Level level = painted();
     ASSERT_TRUE(export_flat(level, path("game.flat")));
@@ -238,6 +276,18 @@ TEST_F(GltfObjects, PicturesGoWithTheFile) {
     EXPECT_NE(read("one.glb").find(bytes), std::string::npos);
     EXPECT_THAT(read("one.glb"), testing::HasSubstr(R"("mimeType":"image/png")"));
     EXPECT_THAT(read("one.glb"), testing::Not(testing::HasSubstr("gone")));
+    const Level embedded = open_path("one.glb");
+    const Material& stone = embedded.mesh->materials.front();
+    ASSERT_TRUE(stone.picture);
+    EXPECT_EQ(*stone.picture, bytes);
+    EXPECT_EQ(stone.texture, "a b.png");
+    ASSERT_TRUE(export_gltf(embedded, path("two.glb")));
+    EXPECT_NE(read("two.glb").find(bytes), std::string::npos) << "from file to file";
+    ASSERT_TRUE(export_gltf(embedded, path("two.gltf")));
+    EXPECT_EQ(read("two-a b.png"), bytes);
+    ASSERT_TRUE(export_obj(embedded, path("three.obj")));
+    EXPECT_EQ(read("three-a b.png"), bytes);
+    EXPECT_EQ(open_path("three.obj").mesh->materials.front().texture, "three-a b.png");
 
     ASSERT_TRUE(export_gltf(level, path("here.gltf")));
     EXPECT_THAT(read("here.gltf"), testing::HasSubstr(R"("uri":"pictures/a%20b.png")"));

@@ -1,6 +1,10 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <array>
+#include <cmath>
 #include <cstring>
+#include <random>
 
 #include "mesh_test_tools.h"
 
@@ -125,6 +129,83 @@ TEST_F(ImportScene, GltfNodesArePlacedInTheWorld) {
     ASSERT_EQ(mesh.nodes.size(), 2U);
     EXPECT_EQ(mesh.nodes[1].shape, 0U) << "a copy of the first";
     EXPECT_EQ(mesh.nodes[0].world(0, 3), 10.0F);
+}
+
+std::string base64(std::string_view bytes) {
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t three = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            three = three << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+        for (std::size_t k = 0; k < 4; ++k)
+            text += i + k > bytes.size() ? '=' : digits[three >> (18U - 6U * k) & 63U];
+    }
+    return text;
+}
+
+// One textured triangle: positions, two sets of texture positions, and what the material says of its texture.
+std::string textured_triangle(const std::array<float, 6>& uv, const std::string& texture_members,
+                              const std::string& image) {
+    std::string bytes = triangle_bytes();
+    const std::array<float, 6> others{9, 9, 9, 9, 9, 9};
+    bytes.append(reinterpret_cast<const char*>(uv.data()), sizeof uv);
+    bytes.append(reinterpret_cast<const char*>(others.data()), sizeof others);
+    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+        "extensionsUsed":["KHR_texture_transform"],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":2,"TEXCOORD_1":1},"material":0}]}],
+        "materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0)" +
+           texture_members + R"(}}}],"textures":[{"source":0}],"images":[)" + image + R"(],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,0,1]},
+            {"bufferView":1,"componentType":5126,"count":3,"type":"VEC2"},
+            {"bufferView":2,"componentType":5126,"count":3,"type":"VEC2"}],
+        "bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":24},
+            {"buffer":0,"byteOffset":60,"byteLength":24}],
+        "buffers":[{"byteLength":84,"uri":"data:application/octet-stream;base64,)" +
+           base64(bytes) + "\"}]}";
+}
+
+// The extension's definition: scale, then rotation counter-clockwise as seen with V down, then offset.
+TEST_F(ImportScene, GltfTextureTransformsAreApplied) {
+    std::mt19937 draw(5);
+    std::uniform_real_distribution<float> number(-3, 3);
+    for (int round = 0; round < 40; ++round) {
+        std::array<float, 6> uv{};
+        for (float& value : uv)
+            value = number(draw);
+        const double x = number(draw), y = number(draw), angle = number(draw), sx = number(draw),
+                     sy = number(draw);
+        const std::string members = fmt::format(
+            R"(,"texCoord":1,"extensions":{{"KHR_texture_transform":{{"offset":[{},{}],"rotation":{},"scale":[{},{}]}}}})",
+            x, y, angle, sx, sy);
+        const auto result =
+            import_as("level.gltf", textured_triangle(uv, members, R"({"uri":"wall%20a.png"})"));
+        ASSERT_TRUE(result) << result.error().text();
+        EXPECT_EQ(result->mesh->materials[0].texture, "wall a.png");
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double u = sx * uv[2 * i], v = sy * uv[2 * i + 1];
+            const double right = std::cos(angle) * u + std::sin(angle) * v + x;
+            const double down = -std::sin(angle) * u + std::cos(angle) * v + y;
+            EXPECT_NEAR(result->mesh->corner_uv[i].x(), right, 2e-5) << round;
+            EXPECT_NEAR(result->mesh->corner_uv[i].y(), 1 - down, 2e-5) << round;
+        }
+    }
+}
+
+TEST_F(ImportScene, PicturesInTheFileComeWithTheMesh) {
+    const std::string picture = "any bytes \x01\x02\xff", uri = "data:image/png;base64," + base64(picture);
+    const auto material = [&](const std::string& image) {
+        const auto result = import_as("level.gltf", textured_triangle({0, 0, 1, 0, 0, 1}, "", image));
+        return result ? result->mesh->materials[0] : Material{.name = result.error().text(), .texture = {}};
+    };
+    const Material named = material(R"({"name":"../brick","uri":")" + uri + "\"}");
+    ASSERT_TRUE(named.picture) << named.name;
+    EXPECT_EQ(*named.picture, picture);
+    EXPECT_EQ(named.texture, "brick.png");
+    EXPECT_EQ(material(R"({"uri":")" + uri + "\"}").texture, "picture-1.png");
+    EXPECT_FALSE(material(R"({"uri":"wall.png"})").picture);
+    const Material gone = material(R"({"bufferView":7,"mimeType":"image/png"})");
+    EXPECT_FALSE(gone.picture);
 }
 
 TEST_F(ImportScene, FilesOutsideTheFolderAreNotRead) {

@@ -315,6 +315,33 @@ TEST_F(TextureTest, IsDrawnTheRightWayUp) {
     EXPECT_LT(shown.pixel(80, 90)[0], 60);
 }
 
+// Two files may give their pictures one name. A picture that is no image is reported and drawn as a checker.
+TEST_F(TextureTest, OnesInTheMeshAreDrawn) {
+    auto mesh = std::make_shared<Mesh>(*four_tiles("paint.png"));
+    std::vector<Material> others(3, mesh->materials[0]);
+    others[0].picture = std::make_shared<std::string>(*encode_png(make_image(4, 4, 200, 0, 0)));
+    others[1].picture = std::make_shared<std::string>(*encode_png(make_image(4, 4, 0, 0, 200)));
+    others[2].picture = std::make_shared<std::string>("junk");
+    mesh->materials = others;
+    for (FaceId face = 0; face < 4; ++face)
+        mesh->face_material[face] = std::min(face, FaceId{2});
+    LevelRenderer renderer(gl());
+    const Warnings warnings = renderer.set_mesh(mesh, folder_);
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_NE(warnings[0].message.find("picture paint.png"), std::string::npos) << warnings[0].message;
+    const Image shown = draw(renderer, tile_camera, side, side, {});
+    int red = 0, blue = 0;
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const std::uint8_t* pixel = shown.pixel(x, y);
+            red += pixel[0] > 120 && pixel[1] < 40 && pixel[2] < 40 ? 1 : 0;
+            blue += pixel[2] > 120 && pixel[1] < 40 && pixel[0] < 40 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(red, 1000);
+    EXPECT_GT(blue, 1000);
+}
+
 TEST_F(TextureTest, MissingOneIsReportedAndAChecker) {
     MeshBuilder builder;
     builder.material("a", {0.5f, 0.5f, 0.5f}, "gone.png");

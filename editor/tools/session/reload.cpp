@@ -109,7 +109,7 @@ std::vector<fs::path> texture_files(const Level& level) {
     const fs::path folder = level.mesh_path.parent_path();
     std::vector<fs::path> files;
     for (const Material& material : level.mesh->materials) {
-        if (material.texture.empty() || files.size() >= max_watched) continue;
+        if (material.texture.empty() || material.picture || files.size() >= max_watched) continue;
         const FoundTexture found = find_texture(material.texture, folder, TextureAccess::folder);
         if (!found.refused) files.push_back(found.path.value_or(folder / material.texture));
     }

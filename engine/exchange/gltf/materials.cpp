@@ -26,17 +26,17 @@ bool has_alpha(std::string_view png) {
 class PictureWriter {
   public:
     PictureWriter(const Level& level, const fs::path& file, bool embed, GltfBuffer& buffer)
-        : level_folder_(level.mesh_path.parent_path()), file_(file), embed_(embed), buffer_(buffer) {}
+        : level_folder_(level.mesh_path.parent_path()), embed_(embed), buffer_(buffer), beside_(file) {}
 
     struct Texture {
         std::size_t index = 0;
         bool alpha = false;
     };
-    // The texture of an image file; each file once. Nothing if it cannot be read.
-    std::optional<Texture> texture(const std::string& authored) {
-        if (authored.empty()) return std::nullopt;
-        const auto [entry, added] = known_.try_emplace(authored);
-        if (added) entry->second = make(authored);
+    // The texture of a material's image file; each file once. Nothing if it cannot be read.
+    std::optional<Texture> texture(const Material& material) {
+        if (material.texture.empty()) return std::nullopt;
+        const auto [entry, added] = known_.try_emplace({material.picture.get(), material.texture});
+        if (added) entry->second = make(material);
         return entry->second;
     }
 
@@ -45,62 +45,64 @@ class PictureWriter {
         root["textures"] = textures_;
         root["images"] = images_;
     }
-    std::vector<GltfPicture> take() { return std::move(beside_); }
+    std::vector<PictureFile> take() { return beside_.take(); }
 
   private:
-    std::optional<Texture> make(const std::string& authored) {
-        const FoundTexture found = find_texture(authored, level_folder_, TextureAccess::folder);
-        if (!found.path) return std::nullopt;
-        Result<std::string> bytes = read_file(*found.path, std::uint64_t{1} << 30);
-        if (!bytes) return std::nullopt;
+    std::optional<Texture> make(const Material& material) {
+        fs::path file = material.texture;
+        Result<std::string> bytes = std::string();
+        if (material.picture) {
+            bytes = *material.picture;
+        } else {
+            const FoundTexture found = find_texture(material.texture, level_folder_, TextureAccess::folder);
+            if (!found.path) return std::nullopt;
+            file = *found.path;
+            bytes = read_file(file, std::uint64_t{1} << 30);
+            if (!bytes) return std::nullopt;
+        }
         const bool converted = !bytes->starts_with(png_head) && !bytes->starts_with(jpeg_head);
         if (converted) {
-            const Result<Image> image = decode_image(*bytes, found.path->string());
+            const Result<Image> image = decode_image(*bytes, file.string());
             if (!image) return std::nullopt;
             bytes = encode_png(*image);
             if (!bytes) return std::nullopt;
+            file.replace_extension(".png");
         }
         const Texture texture{textures_.size(), has_alpha(*bytes)};
         textures_.push_back({{"source", images_.size()}});
-        const std::string name = found.path->stem().string();
+        const std::string name = file.stem().string();
         if (embed_) {
             const char* type = bytes->starts_with(png_head) ? "image/png" : "image/jpeg";
             images_.push_back(
                 {{"name", name}, {"mimeType", type}, {"bufferView", buffer_.bytes_view(*bytes)}});
         } else {
-            images_.push_back({{"uri", uri_text(place(*found.path, converted, std::move(*bytes)))}});
+            images_.push_back(
+                {{"uri", uri_text(place(file, !converted && !material.picture, std::move(*bytes)))}});
         }
         return texture;
     }
 
-    // The picture's name as seen from the file.
-    fs::path place(const fs::path& picture, bool converted, std::string bytes) {
-        const fs::path folder = file_.parent_path().empty() ? fs::path(".") : file_.parent_path();
-        if (!converted && lies_within(picture, folder)) {
+    // The picture's name as seen from the file. `in_place`: there is a file of these bytes.
+    fs::path place(const fs::path& picture, bool in_place, std::string bytes) {
+        if (in_place && lies_within(picture, beside_.folder())) {
             std::error_code error;
-            const fs::path seen = fs::relative(picture, folder, error);
+            const fs::path seen = fs::relative(picture, beside_.folder(), error);
             if (!error && !seen.empty()) return seen;
         }
-        fs::path name = file_.stem().string() + "-" + picture.filename().string();
-        if (converted) name.replace_extension(".png");
-        const auto taken = [&](const GltfPicture& other) { return other.path == folder / name; };
-        for (int number = 2; std::any_of(beside_.begin(), beside_.end(), taken); ++number)
-            name = fmt::format("{}-{}-{}", file_.stem().string(), number, picture.filename().string());
-        beside_.push_back({folder / name, std::move(bytes)});
-        return name;
+        return beside_.add(picture, std::move(bytes));
     }
 
-    fs::path level_folder_, file_;
+    fs::path level_folder_;
     bool embed_;
     GltfBuffer& buffer_;
-    std::map<std::string, std::optional<Texture>> known_;
+    std::map<std::pair<const std::string*, std::string>, std::optional<Texture>> known_;  // by picture, name
     GltfJson textures_ = GltfJson::array(), images_ = GltfJson::array();
-    std::vector<GltfPicture> beside_;
+    PicturesBeside beside_;
 };
 
 }  // namespace
 
-std::vector<GltfPicture> add_gltf_materials(const Level& level, const TypedMaterials& materials,
+std::vector<PictureFile> add_gltf_materials(const Level& level, const TypedMaterials& materials,
                                             const fs::path& file, bool embed, GltfBuffer& buffer,
                                             GltfJson& root) {
     PictureWriter pictures(level, file, embed, buffer);
@@ -110,7 +112,7 @@ std::vector<GltfPicture> add_gltf_materials(const Level& level, const TypedMater
         const auto& type = materials.of_type[i];
         const Vec3f color = linear_of_srgb(type ? tinted(base.diffuse, level.surfaces[*type]) : base.diffuse);
         GltfJson pbr{{"baseColorFactor", {color[0], color[1], color[2], 1.0}}, {"metallicFactor", 0.0}};
-        const auto texture = pictures.texture(base.texture);
+        const auto texture = pictures.texture(base);
         if (texture) pbr["baseColorTexture"] = {{"index", texture->index}};
         GltfJson material = GltfJson::object();
         if (!materials.names[i].empty()) material["name"] = materials.names[i];

@@ -13,8 +13,9 @@
 namespace slipface {
 namespace {
 
-constexpr std::string_view type_key = "slipface_type";
-constexpr std::size_t longest_type = 255;  // bytes
+constexpr std::string_view type_key = "slipface_type";    // of a material
+constexpr std::string_view table_key = "slipface_types";  // of the scene
+constexpr std::size_t longest_type = 255;                 // bytes
 
 std::size_t length_at(std::string_view bytes, std::size_t at) {
     std::size_t value = 0;
@@ -29,15 +30,32 @@ std::string_view json_of(std::string_view bytes) {
     return bytes.substr(20, length_at(bytes, 12));
 }
 
-// The members that have to be in memory: materials, without what is large elsewhere.
-nlohmann::json materials_of(std::string_view text) {
+// The members that have to be in memory: not what is large elsewhere.
+nlohmann::json members_of(std::string_view text) {
     const auto keep = [](int depth, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
-        return depth != 1 || event != nlohmann::json::parse_event_t::key || parsed == "materials";
+        return depth != 1 || event != nlohmann::json::parse_event_t::key || parsed == "materials" ||
+               parsed == "scene" || parsed == "scenes";
     };
-    const nlohmann::json root = nlohmann::json::parse(text, keep, false);
-    return root.is_object() && root.contains("materials") && root["materials"].is_array()
-               ? root["materials"]
-               : nlohmann::json::array();
+    nlohmann::json root = nlohmann::json::parse(text, keep, false);
+    return root.is_object() ? std::move(root) : nlohmann::json::object();
+}
+
+nlohmann::json materials_of(const nlohmann::json& root) {
+    return root.contains("materials") && root["materials"].is_array() ? root["materials"]
+                                                                      : nlohmann::json::array();
+}
+
+// The table of types in the extras of the scene that is shown; null if there is none.
+nlohmann::json table_of(const nlohmann::json& root) {
+    if (!root.contains("scenes") || !root["scenes"].is_array()) return {};
+    const nlohmann::json& scenes = root["scenes"];
+    const bool named = root.contains("scene") && root["scene"].is_number_unsigned();
+    const std::size_t scene = named ? root["scene"].get<std::size_t>() : 0;
+    if (scene >= scenes.size() || !scenes[scene].is_object()) return {};
+    const auto extras = scenes[scene].find("extras");
+    if (extras == scenes[scene].end() || !extras->is_object()) return {};
+    const auto table = extras->find(table_key);
+    return table == extras->end() ? nlohmann::json() : *table;
 }
 
 std::string plain(std::string_view text) {
@@ -48,12 +66,13 @@ std::string plain(std::string_view text) {
 
 }  // namespace
 
-void add_gltf_types(std::string_view bytes, const std::string& location, std::vector<Material>& materials,
-                    WarningList& warnings) {
+std::string add_gltf_types(std::string_view bytes, const std::string& location,
+                           std::vector<Material>& materials, WarningList& warnings) {
     const std::string_view text = json_of(bytes);
-    if (text.find(type_key) == std::string_view::npos) return;
+    if (text.find(type_key) == std::string_view::npos) return {};
+    const nlohmann::json root = members_of(text);
     std::map<std::string, std::string> type_of;  // [name of a material] empty: none, or several
-    for (const nlohmann::json& material : materials_of(text)) {
+    for (const nlohmann::json& material : materials_of(root)) {
         if (!material.is_object() || !material.contains("name") || !material["name"].is_string()) continue;
         const std::string name = material["name"].get<std::string>();
         std::string type;
@@ -76,6 +95,8 @@ void add_gltf_types(std::string_view bytes, const std::string& location, std::ve
         const std::string suffix = "__" + found->second;
         if (!plain(material.name).ends_with(plain(suffix))) material.name += suffix;
     }
+    const nlohmann::json table = table_of(root);
+    return table.is_null() ? std::string() : table.dump();
 }
 
 }  // namespace slipface

@@ -14,7 +14,8 @@ namespace slipface {
 // counts like a suffix that a user typed. Blender writes custom properties there. `bytes`: a .gltf or .glb
 // file; anything else changes nothing. Materials are found by their names; one without a name, or one whose
 // name has two types, stays as it is.
-void add_gltf_types(std::string_view bytes, const std::string& location, std::vector<Material>& materials,
-                    WarningList& warnings);
+// Returns the scene's table of types, ImportedMesh::type_table.
+std::string add_gltf_types(std::string_view bytes, const std::string& location,
+                           std::vector<Material>& materials, WarningList& warnings);
 
 }  // namespace slipface

@@ -13,62 +13,17 @@
 #include "assimp/gltf_types.h"
 #include "assimp/scene_child.h"
 #include "assimp/scene_frame.h"
+#include "assimp/scene_materials.h"
 #include "folder_io.h"
 #include "obj/declared_counts.h"
 #include "obj/obj_text.h"
 #include "slipface/mesh/import.h"
-#include "slipface/mesh/srgb.h"
 
 namespace slipface {
 namespace {
 
 constexpr std::size_t max_faces = std::size_t{1} << 26;
 constexpr float largest_coordinate = 1e7F;  // metres
-
-std::string text_of(const aiString& text) {
-    bool converted = false;
-    return utf8_name({text.data, std::min<std::size_t>(text.length, MAXLEN - 1)}, converted);
-}
-
-// glTF's names of files are URIs: "a%20b.png" is "a b.png".
-std::string without_escapes(std::string_view uri) {
-    const auto digit = [](char c) {
-        if (c >= '0' && c <= '9') return c - '0';
-        const char upper = static_cast<char>(c & ~0x20);
-        return upper >= 'A' && upper <= 'F' ? upper - 'A' + 10 : -1;
-    };
-    std::string name;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        const bool escape =
-            uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
-        name += escape ? static_cast<char>(16 * digit(uri[i + 1]) + digit(uri[i + 2])) : uri[i];
-        if (escape) i += 2;
-    }
-    bool converted = false;
-    return utf8_name(name, converted);
-}
-
-Material material_of(const aiMaterial& source, bool gltf) {
-    Material material;
-    material.name = text_of(const_cast<aiMaterial&>(source).GetName());
-    if (material.name == AI_DEFAULT_MATERIAL_NAME) material.name.clear();
-    aiColor3D color;
-    if (source.Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS) {
-        const Vec3f diffuse(color.r, color.g, color.b);
-        if (diffuse.allFinite()) material.diffuse = diffuse.cwiseMax(0.0F).cwiseMin(1.0F);
-        if (gltf) material.diffuse = srgb_of_linear(material.diffuse);
-    }
-    for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
-        aiString path;
-        if (source.GetTexture(type, 0, &path) != aiReturn_SUCCESS) continue;
-        material.texture = text_of(path);
-        if (gltf) material.texture = without_escapes(material.texture);
-        // '*' stands for an image inside the file.
-        if (material.texture.starts_with('*')) material.texture.clear();
-        break;
-    }
-    return material;
-}
 
 // Names that assimp makes up: of a root above the file's own objects, and of the steps of an FBX object's
 // transformation.
@@ -96,8 +51,9 @@ class SceneReader {
           warnings_(warnings) {}
 
     Result<PolygonSoup> run() {
-        for (unsigned i = 0; i < scene_.mNumMaterials; ++i)
-            soup_.materials.push_back(material_of(*scene_.mMaterials[i], is_gltf_));
+        materials_ = scene_materials(scene_, is_gltf_);
+        for (const SceneMaterial& material : materials_)
+            soup_.materials.push_back(material.material);
         soup_.face_first_corner.push_back(0);
 
         // Children before siblings, in the order of the file. Not recursive, because the file determines the
@@ -154,6 +110,9 @@ class SceneReader {
 
     Status add_mesh(const aiMesh& mesh, const aiMatrix4x4& world) {
         const bool mirrored = world.Determinant() < 0.0F;
+        const unsigned number = std::min(mesh.mMaterialIndex, std::max(scene_.mNumMaterials, 1U) - 1);
+        static const SceneMaterial none;
+        const SceneMaterial& material = number < materials_.size() ? materials_[number] : none;
         std::size_t dropped = 0;
         for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
             const aiFace& face = mesh.mFaces[i];
@@ -173,11 +132,10 @@ class SceneReader {
                 // A mirroring transformation reverses the winding; reading the polygon backwards preserves
                 // its front.
                 const unsigned vertex = face.mIndices[mirrored ? face.mNumIndices - 1 - k : k];
-                if (auto status = add_corner(mesh, vertex, world); !status) return status;
+                if (auto status = add_corner(mesh, vertex, world, material); !status) return status;
             }
             soup_.face_first_corner.push_back(static_cast<std::uint32_t>(soup_.corner_position.size()));
-            soup_.face_material.push_back(
-                std::min(mesh.mMaterialIndex, std::max(scene_.mNumMaterials, 1U) - 1));
+            soup_.face_material.push_back(number);
             soup_.face_group.push_back(group_);
         }
         if (dropped > 0) {
@@ -187,7 +145,8 @@ class SceneReader {
         return {};
     }
 
-    Status add_corner(const aiMesh& mesh, unsigned vertex, const aiMatrix4x4& world) {
+    Status add_corner(const aiMesh& mesh, unsigned vertex, const aiMatrix4x4& world,
+                      const SceneMaterial& material) {
         if (vertex >= mesh.mNumVertices) {
             return Error{location_, fmt::format("index {} is out of range; mesh {} has {} vertices", vertex,
                                                 in_quotes(text_of(mesh.mName)), mesh.mNumVertices)};
@@ -199,9 +158,12 @@ class SceneReader {
             return Error{location_, fmt::format("vertex {} of mesh {} is not within {} m of the origin",
                                                 vertex, in_quotes(text_of(mesh.mName)), largest_coordinate)};
         }
-        const bool has_uv = mesh.HasTextureCoords(0);
-        const Vec2f uv =
-            has_uv ? Vec2f(mesh.mTextureCoords[0][vertex].x, mesh.mTextureCoords[0][vertex].y) : Vec2f(0, 0);
+        const unsigned set = mesh.HasTextureCoords(material.uv_set) ? material.uv_set : 0;
+        Vec2f uv = Vec2f::Zero();
+        if (mesh.HasTextureCoords(set)) {
+            const aiVector3D& at = mesh.mTextureCoords[set][vertex];
+            uv = material.uv_transform * Vec3f(at.x, at.y, 1.0F);
+        }
         soup_.corner_uv.push_back(uv.allFinite() ? uv : Vec2f(0, 0));
         return {};
     }
@@ -230,9 +192,10 @@ class SceneReader {
 
     const aiScene& scene_;
     const bool root_is_frame_;  // assimp corrects axes and unit there; this code does so itself
-    const bool is_gltf_;        // its colours are linear, its names of files URIs
+    const bool is_gltf_;
     const std::string& location_;
     WarningList& warnings_;
+    std::vector<SceneMaterial> materials_;
     PolygonSoup soup_;
     std::uint32_t group_ = 0;                                // of the faces being added
     std::map<std::uint32_t, std::vector<unsigned>> shapes_;  // meshes of each node
@@ -279,8 +242,9 @@ Result<ImportedSoup> read_scene(const std::filesystem::path& path, const std::st
     if (!is_gltf) std::string().swap(bytes);
     auto soup = SceneReader(*scene, frame, location, warnings).run();
     if (!soup) return soup.error();
-    if (is_gltf) add_gltf_types(bytes, location, soup->materials, warnings);
-    return ImportedSoup{.soup = std::move(*soup), .frame = frame.frame};
+    ImportedSoup imported{.soup = std::move(*soup), .frame = frame.frame};
+    if (is_gltf) imported.type_table = add_gltf_types(bytes, location, imported.soup.materials, warnings);
+    return imported;
 }
 
 }  // namespace slipface

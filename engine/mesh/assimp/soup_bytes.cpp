@@ -1,5 +1,7 @@
 #include "assimp/soup_bytes.h"
 
+#include <algorithm>
+
 #include "slipface/base/bytes.h"
 
 namespace slipface {
@@ -63,6 +65,7 @@ void members(Bytes& bytes, Answer& answer) {
     bytes.text(frame.up_reason);
     for (int i = 0; i < 9; ++i)
         bytes.number(frame.upright.data()[i]);
+    bytes.text(answer.scene.type_table);
     auto& soup = answer.scene.soup;
     bytes.numbers(soup.corner_position);
     bytes.numbers(soup.corner_uv);
@@ -86,6 +89,35 @@ void members(Bytes& bytes, Answer& answer) {
     });
 }
 
+// Pictures that several materials have are written once.
+void put_pictures(Writer& writer, const std::vector<Material>& materials) {
+    std::vector<const std::string*> pictures;
+    std::vector<std::uint32_t> picture_of;
+    for (const Material& material : materials) {
+        const auto known = std::find(pictures.begin(), pictures.end(), material.picture.get());
+        picture_of.push_back(material.picture ? static_cast<std::uint32_t>(known - pictures.begin()) : no_id);
+        if (material.picture && known == pictures.end()) pictures.push_back(material.picture.get());
+    }
+    writer.list(pictures, [&](const std::string* picture) { writer.text(*picture); });
+    writer.numbers(picture_of);
+}
+
+bool get_pictures(Reader& reader, std::vector<Material>& materials) {
+    std::vector<std::shared_ptr<const std::string>> pictures;
+    reader.list(pictures, [&](auto& picture) {
+        picture = std::make_shared<const std::string>(reader.from.get_text());
+    });
+    std::vector<std::uint32_t> picture_of;
+    reader.numbers(picture_of);
+    if (picture_of.size() != materials.size()) return false;
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        if (picture_of[i] == no_id) continue;
+        if (picture_of[i] >= pictures.size()) return false;
+        materials[i].picture = pictures[picture_of[i]];
+    }
+    return true;
+}
+
 }  // namespace
 
 std::string answer_to_bytes(const SceneAnswer& answer) {
@@ -96,6 +128,7 @@ std::string answer_to_bytes(const SceneAnswer& answer) {
         writer.text(answer.error->message);
     } else {
         members(writer, answer);
+        put_pictures(writer, answer.scene.soup.materials);
     }
     return std::move(writer.to.bytes);
 }
@@ -111,6 +144,7 @@ std::optional<SceneAnswer> answer_from_bytes(std::string_view bytes) {
         reader.text(answer.error->message);
     } else {
         members(reader, answer);
+        if (!get_pictures(reader, answer.scene.soup.materials)) return std::nullopt;
         const FileFrame& frame = answer.scene.frame;
         if (frame.up > UpAxis::minus_x || frame.up_from > ImportSource::given ||
             frame.scale_from > ImportSource::given)

@@ -38,8 +38,9 @@ Image make_image(int width, int height, std::uint8_t red, std::uint8_t green, st
 Result<Image> load_image(const std::filesystem::path& path, int max_side = 8192);
 Result<Image> decode_image(std::string_view bytes, const std::string& location, int max_side = 8192);
 
-// The errors that the file's header shows already, without decoding the image.
+// The errors that the header shows already, without decoding the image.
 Status check_image(const std::filesystem::path& path, int max_side = 8192);
+Status check_image_header(std::string_view bytes, const std::string& location, int max_side = 8192);
 
 // How much time compression may take. `fast` keeps up with rasterising. `small` tries several row filters,
 // for images that are stored: about a second per million pixels.

@@ -18,6 +18,7 @@ struct LoadedLevel {
     Warnings warnings;                     // of the OBJ and of the level file
     std::vector<FoundSpawn> found_spawns;  // of the geometry's file, even if the level file has spawns
     std::vector<FoundType> found_types;    // likewise
+    std::string type_table;                // likewise, ImportedMesh::type_table
     std::vector<FaceId> undrawn;           // likewise; hidden in a level without a level file
     MatchSummary match;
     std::vector<FaceId> guessed;  // faces whose type was found by plane or by nearest, ascending
@@ -25,10 +26,11 @@ struct LoadedLevel {
 };
 
 // Loads `path`: a geometry file (and its level file, if there is one) or a level file (and its "mesh").
-// Without a level file, the rules and hidden faces come from the geometry's file (Quake maps); so do the
-// spawns of a level that has none. Errors of the level file name the JSON path. Unknown keys are preserved;
-// unknown versions, wrong types and duplicate keys are errors. Terrain that cannot be read is a warning.
-// With `progress` another thread can watch and cancel; a cancelled load is an error.
+// Without a level file, the rules and hidden faces come from the geometry's file (Quake maps), and the types
+// (glTF that this program exported); so do the spawns of a level that has none. Errors of the level file name
+// the JSON path. Unknown keys are preserved; unknown versions, wrong types and duplicate keys are errors.
+// Terrain that cannot be read is a warning. With `progress` another thread can watch and cancel; a cancelled
+// load is an error.
 Result<LoadedLevel> load_level(const std::filesystem::path& path, Progress* progress = nullptr);
 
 // What load_level(path) would read, without loading it, for a job that is to know whether a level changed.

@@ -70,8 +70,11 @@ struct ImportedMesh {
     ImportSummary summary;
     std::vector<FoundSpawn> spawns;  // in the order of the file; empty if the format has none
     std::vector<FoundType> types;    // from the flags of a Quake map's textures
-    std::vector<FaceId> undrawn;     // ascending: faces that stop a player but are not drawn in the game
-    Warnings warnings;               // parts that were dropped or repaired, with their line
+    // The JSON text that glTF's scene has as "slipface_types", not checked: the types with their parameters
+    // as a level file has them; empty: none.
+    std::string type_table;
+    std::vector<FaceId> undrawn;  // ascending: faces that stop a player but are not drawn in the game
+    Warnings warnings;            // parts that were dropped or repaired, with their line
     FileStamp stamp;
 };
 

@@ -16,6 +16,8 @@ struct Material {
     std::string name;                       // as in `newmtl`; empty for faces without a material
     Vec3f diffuse = Vec3f::Constant(0.8f);  // Kd, 0..1, sRGB as authored
     std::string texture;                    // image file, relative to the level's folder; empty: none
+    // The image file's content if the mesh's own file contains it (glTF, FBX); then `texture` is only a name.
+    std::shared_ptr<const std::string> picture = nullptr;
 };
 
 // An object of a file that places its objects in a tree (glTF, FBX, COLLADA and others).

@@ -1,0 +1,138 @@
+// Source of the texture transform: glTF extension KHR_texture_transform.
+#include "assimp/scene_materials.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "obj/obj_text.h"
+#include "slipface/mesh/srgb.h"
+
+namespace slipface {
+
+std::string text_of(const aiString& text) {
+    bool converted = false;
+    return utf8_name({text.data, std::min<std::size_t>(text.length, MAXLEN - 1)}, converted);
+}
+
+namespace {
+
+// glTF's names of files are URIs: "a%20b.png" is "a b.png".
+std::string without_escapes(std::string_view uri) {
+    const auto digit = [](char c) {
+        if (c >= '0' && c <= '9') return c - '0';
+        const char upper = static_cast<char>(c & ~0x20);
+        return upper >= 'A' && upper <= 'F' ? upper - 'A' + 10 : -1;
+    };
+    std::string name;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        const bool escape =
+            uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
+        name += escape ? static_cast<char>(16 * digit(uri[i + 1]) + digit(uri[i + 2])) : uri[i];
+        if (escape) i += 2;
+    }
+    bool converted = false;
+    return utf8_name(name, converted);
+}
+
+struct Picture {
+    std::string name;  // of a file; no other picture's
+    std::shared_ptr<const std::string> bytes;
+};
+
+// The name in the file without folders, or "picture-N", with the ending of the format.
+std::string picture_name(const aiTexture& texture, std::size_t number, std::set<std::string>& taken) {
+    const std::string whole = text_of(texture.mFilename);
+    std::string stem = whole.substr(whole.find_last_of("/\\") + 1);
+    std::string ending = "." + std::string(texture.achFormatHint,
+                                           strnlen(texture.achFormatHint, sizeof texture.achFormatHint));
+    if (const std::size_t dot = stem.rfind('.'); dot != std::string::npos && dot > 0) {
+        ending = stem.substr(dot);
+        stem.resize(dot);
+    }
+    if (stem.empty()) stem = fmt::format("picture-{}", number + 1);
+    std::string name = stem + ending;
+    for (std::size_t next = 2; !taken.insert(name).second; ++next)
+        name = fmt::format("{}-{}{}", stem, next, ending);
+    return name;
+}
+
+// The image files in the scene's file. A picture of plain texels, which no format that is read has, is left
+// out.
+std::vector<Picture> pictures_of(const aiScene& scene) {
+    std::vector<Picture> pictures(scene.mNumTextures);
+    std::set<std::string> taken;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        const aiTexture* const texture = scene.mTextures[i];
+        if (texture == nullptr || texture->mHeight != 0 || texture->pcData == nullptr) continue;
+        pictures[i] = {picture_name(*texture, i, taken),
+                       std::make_shared<const std::string>(reinterpret_cast<const char*>(texture->pcData),
+                                                           texture->mWidth)};
+    }
+    return pictures;
+}
+
+// The extension gives offset, scale and a rotation about the picture's upper left corner; assimp composes
+// them to a rotation about the centre and a translation, in another order. So take that apart again.
+Eigen::Matrix<float, 2, 3> gltf_transform(const aiUVTransform& from) {
+    const double sx = from.mScaling.x, sy = from.mScaling.y, angle = -from.mRotation;
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double x = from.mTranslation.x - 0.5 * sx * (1 + s - c);
+    const double y = 1 - sy + 0.5 * sy * (s + c - 1) - from.mTranslation.y;
+    // With V down: u' = c sx u + s sy v + x, v' = -s sx u + c sy v + y.
+    Eigen::Matrix<double, 2, 3> up;
+    up << c * sx, -s * sy, s * sy + x, s * sx, c * sy, 1 - c * sy - y;
+    return up.cast<float>();
+}
+
+SceneMaterial material_of(const aiScene& scene, const aiMaterial& source,
+                          const std::vector<Picture>& pictures, bool gltf) {
+    SceneMaterial made;
+    Material& material = made.material;
+    material.name = text_of(const_cast<aiMaterial&>(source).GetName());
+    if (material.name == AI_DEFAULT_MATERIAL_NAME) material.name.clear();
+    aiColor3D color;
+    if (source.Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS) {
+        const Vec3f diffuse(color.r, color.g, color.b);
+        if (diffuse.allFinite()) material.diffuse = diffuse.cwiseMax(0.0F).cwiseMin(1.0F);
+        if (gltf) material.diffuse = srgb_of_linear(material.diffuse);
+    }
+    for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
+        aiString path;
+        if (source.GetTexture(type, 0, &path) != aiReturn_SUCCESS) continue;
+        const aiTexture* const embedded = scene.GetEmbeddedTexture(path.C_Str());
+        const auto found = std::find(scene.mTextures, scene.mTextures + scene.mNumTextures, embedded);
+        if (embedded != nullptr) {
+            const Picture& picture = pictures[static_cast<std::size_t>(found - scene.mTextures)];
+            material.texture = picture.name;
+            material.picture = picture.bytes;
+        } else if (path.length > 0 && path.data[0] != '*') {  // '*' stands for a picture in the file
+            material.texture = gltf ? without_escapes(text_of(path)) : text_of(path);
+        }
+        int uv_set = 0;
+        if (source.Get(AI_MATKEY_UVWSRC(type, 0), uv_set) == aiReturn_SUCCESS && uv_set >= 0 &&
+            uv_set < AI_MAX_NUMBER_OF_TEXTURECOORDS)
+            made.uv_set = static_cast<unsigned>(uv_set);
+        aiUVTransform transform;
+        if (gltf && source.Get(AI_MATKEY_UVTRANSFORM(type, 0), transform) == aiReturn_SUCCESS) {
+            made.uv_transform = gltf_transform(transform);
+            if (!made.uv_transform.allFinite()) made.uv_transform.setIdentity();
+        }
+        break;
+    }
+    return made;
+}
+
+}  // namespace
+
+std::vector<SceneMaterial> scene_materials(const aiScene& scene, bool gltf) {
+    const std::vector<Picture> pictures = pictures_of(scene);
+    std::vector<SceneMaterial> materials;
+    for (unsigned i = 0; i < scene.mNumMaterials; ++i)
+        materials.push_back(material_of(scene, *scene.mMaterials[i], pictures, gltf));
+    return materials;
+}
+
+}  // namespace slipface
