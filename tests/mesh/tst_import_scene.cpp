@@ -105,7 +105,7 @@ TEST_F(ImportScene, ExtrasOfABinaryGltfCountToo) {
     ASSERT_TRUE(result) << result.error().text();
     EXPECT_EQ(result->mesh->materials[result->mesh->face_material[0]].name, "ice__sticky");
     // Lengths that lie.
-    for (const std::size_t length : {std::size_t{0}, std::size_t{8}, std::size_t{0xFFFFFFFF}}) {
+    for (const std::size_t length : {0U, 8U, 1000000U}) {
         const auto lying = import_as("lying.glb", head + number(length) + "JSON" + json + binary);
         EXPECT_TRUE(!lying || lying->mesh->materials[0].name.starts_with("ice")) << length;
     }
