@@ -9,7 +9,11 @@
 namespace slipface {
 
 struct PlacedGeometry {
-    std::vector<Prop> props;
+    struct One {  // what counts of a Prop
+        std::string name, texture;
+        Vec3 position, rotation, scale;
+    };
+    std::vector<One> props;
     std::vector<PropMesh> files;         // PlacedProps::meshes
     std::vector<std::uint32_t> file_of;  // [prop] in `files`; no_id: it has no faces
     std::vector<Placement> places;       // [prop]

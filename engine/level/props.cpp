@@ -94,14 +94,15 @@ class Placer {
             looks_.try_emplace(material.name, material);
     }
 
-    void place(const Prop& prop, const Mesh& from) {
-        const Placement placement = prop.placement();
+    // `file`: of the mesh.
+    void place(const PlacedGeometry::One& prop, const std::string& file, const Placement& placement,
+               const Mesh& from) {
         const auto group = static_cast<std::uint32_t>(to_.groups.size());
         const auto first_vertex = static_cast<std::uint32_t>(to_.positions.size());
         const auto first_face = static_cast<FaceId>(to_.face_count());
         const auto first_corner = static_cast<std::uint32_t>(to_.corner_vertex.size());
         const auto first_triangle = static_cast<std::uint32_t>(to_.triangles.size());
-        const std::uint32_t first_material = materials_of(prop, from);
+        const std::uint32_t first_material = materials_of(file, prop.texture, from);
         const bool mirrors = placement.mirrors();
         to_.groups.push_back(prop.name);
         for (const Vec3f& rest : from.positions) {
@@ -136,14 +137,14 @@ class Placer {
 
   private:
     // The materials of a mesh are added once, and once more for each other texture.
-    std::uint32_t materials_of(const Prop& prop, const Mesh& from) {
-        const auto [entry, added] = materials_.try_emplace({prop.mesh, prop.texture},
-                                                           static_cast<std::uint32_t>(to_.materials.size()));
+    std::uint32_t materials_of(const std::string& file, const std::string& texture, const Mesh& from) {
+        const auto [entry, added] =
+            materials_.try_emplace({file, texture}, static_cast<std::uint32_t>(to_.materials.size()));
         if (!added) return entry->second;
-        const fs::path folder = fs::path(prop.mesh).parent_path();
+        const fs::path folder = fs::path(file).parent_path();
         for (Material material : from.materials) {
-            if (!prop.texture.empty()) {
-                material.texture = prop.texture;
+            if (!texture.empty()) {
+                material.texture = texture;
                 material.diffuse = Vec3f::Ones();
             } else if (!material.texture.empty()) {
                 material.texture = (folder / material.texture).generic_string();
@@ -203,7 +204,7 @@ Aabb box_of(const Mesh& mesh, const Placement& placement) {
 
 bool stands_there(const PlacedGeometry& before, std::size_t prop, const Prop& now, const Mesh* mesh) {
     if (prop >= before.props.size() || before.mesh(prop) != mesh) return false;
-    const Prop& was = before.props[prop];
+    const PlacedGeometry::One& was = before.props[prop];
     return was.position == now.position && was.rotation == now.rotation && was.scale == now.scale;
 }
 
@@ -221,11 +222,16 @@ std::uint64_t fingerprint_of(const PlacedGeometry& placed, const Mesh& own) {
     return hasher.value();
 }
 
+void place(const PlacedGeometry& placed, std::size_t prop, Placer& placer) {
+    placer.place(placed.props[prop], placed.files[placed.file_of[prop]].file, placed.places[prop],
+                 *placed.mesh(prop));
+}
+
 MeshPtr make_whole(const PlacedGeometry& placed, const Mesh& own) {
     auto all = std::make_shared<Mesh>(own);
     Placer placer(*all);
     for (std::size_t i = 0; i < placed.props.size(); ++i)
-        if (placed.mesh(i) != nullptr) placer.place(placed.props[i], *placed.mesh(i));
+        if (placed.mesh(i) != nullptr) place(placed, i, placer);
     all->fingerprint = placed.fingerprint;
     return all;
 }
@@ -296,7 +302,9 @@ Warnings place_props(Level& level) {
     if (level.props.empty() || !level.mesh) return warnings;
     const Mesh& own = *level.mesh.own();
     auto placed = std::make_shared<PlacedGeometry>();
-    placed->props = level.props;
+    placed->props.reserve(level.props.size());
+    for (const Prop& prop : level.props)
+        placed->props.push_back({prop.name, prop.texture, prop.position, prop.rotation, prop.scale});
     placed->triangles = own.triangle_count();
     placed->bounds = own.bounds;
     placed->files = level.placed.meshes;
@@ -361,7 +369,8 @@ MeshPtr prop_mesh(const Level& level, std::size_t prop) {
     if (placed == nullptr || prop >= placed->props.size() || placed->mesh(prop) == nullptr) return nullptr;
     auto alone = std::make_shared<Mesh>();
     alone->face_first_corner = alone->face_first_triangle = {0};
-    Placer(*alone).place(placed->props[prop], *placed->mesh(prop));
+    Placer placer(*alone);
+    place(*placed, prop, placer);
     return alone;
 }
 
@@ -383,7 +392,7 @@ bool has_group(const Level& level, std::string_view group) {
     if (std::ranges::count(level.mesh.own()->groups, group) > 0) return true;
     const PlacedGeometry* const placed = level.mesh.placed().get();
     if (placed == nullptr) return false;
-    const auto found = std::ranges::find(placed->props, group, &Prop::name);
+    const auto found = std::ranges::find(placed->props, group, &PlacedGeometry::One::name);
     return found != placed->props.end() &&
            placed->mesh(static_cast<std::size_t>(found - placed->props.begin())) != nullptr;
 }

@@ -185,7 +185,7 @@ void LevelRenderer::Impl::draw_level(const Camera& camera, int width, int height
     gl->DepthFunc(GL_LEQUAL);
     const Mat4f clip = clip_from_local(camera, width, height, origin);
     draw_faces(camera, height, clip, style);
-    if (props) props->draw_faces(camera, width, height, clip, style, origin, extent_around);
+    if (props) props->draw_faces(camera, width, height, clip, style, origin, extent_around, table_texture);
     if (style.wireframe && !borders_built) {
         std::vector<LineInstance> lines =
             face_border_lines(*mesh, highlights, origin, border_color, border_width);

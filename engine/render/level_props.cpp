@@ -48,41 +48,55 @@ class Frustum {
 
 struct LevelProps::Shown {
     MeshPtr mesh;
-    std::string texture;  // Prop::texture
+    std::string file, texture;  // of its props
     std::unique_ptr<LevelRenderer> renderer;
     std::vector<std::uint32_t> props;
-    bool used = false;
+    bool current = true;  // the file has this mesh
 };
 
 struct LevelProps::Placed {
     Shown* shown = nullptr;  // null: it has no faces
     Vec3 position, rotation, scale;
     Placement rest, at;
-
-    bool stands(const Prop& prop) const {
-        return shown != nullptr && position == prop.position && rotation == prop.rotation &&
-               scale == prop.scale;
-    }
     Vec3 centre = Vec3::Zero();  // of a sphere around it, at rest
     double radius = 0.0;
     int first_state = 0;
+
+    bool stands(const Prop& prop) const {
+        return shown != nullptr && shown->current && position == prop.position && rotation == prop.rotation &&
+               scale == prop.scale && shown->file == prop.mesh && shown->texture == prop.texture;
+    }
 };
 
 LevelProps::LevelProps(GlTable gl, std::shared_ptr<LevelPrograms> programs)
     : gl_(std::move(gl)), programs_(std::move(programs)) {}
 LevelProps::~LevelProps() = default;
 
+LevelProps::Shown* LevelProps::upload(const Level& level, const Prop& prop, Warnings& warnings) {
+    const std::filesystem::path folder = level.mesh_path.parent_path(), texture = folder / prop.texture;
+    shown_.push_back(std::make_unique<Shown>());
+    Shown& shown = *shown_.back();
+    shown.mesh = find_prop_mesh(level, prop.mesh)->mesh;
+    shown.file = prop.mesh;
+    shown.texture = prop.texture;
+    shown.renderer.reset(new LevelRenderer(std::make_unique<LevelRenderer::Impl>(gl_, programs_)));
+    const Warnings found =
+        prop.texture.empty()
+            ? shown.renderer->set_mesh(shown.mesh, (folder / prop.mesh).parent_path())
+            : shown.renderer->set_mesh(with_texture(*shown.mesh, texture.filename().string()),
+                                       texture.parent_path());
+    warnings.insert(warnings.end(), found.begin(), found.end());
+    return &shown;
+}
+
 void LevelProps::set(const Level& level, const PropSurfaces& types, Warnings& warnings) {
-    const std::filesystem::path folder = level.mesh_path.parent_path();
+    std::map<std::pair<std::string_view, std::string_view>, Shown*> known;  // by file and texture
     for (const auto& shown : shown_) {
-        shown->used = false;
         shown->props.clear();
+        const PropMesh* const now = find_prop_mesh(level, shown->file);
+        shown->current = now != nullptr && now->mesh == shown->mesh;
+        if (shown->current) known[{shown->file, shown->texture}] = shown.get();
     }
-    // By file and texture.
-    std::map<std::pair<std::string_view, std::string_view>, Shown*> known;
-    for (const PropMesh& file : level.placed.meshes)
-        for (const auto& shown : shown_)
-            if (shown->mesh == file.mesh) known[{file.file, shown->texture}] = shown.get();
     types_ = types;
     types_.resize(level.props.size());
     highlights_.clear();
@@ -92,40 +106,26 @@ void LevelProps::set(const Level& level, const PropSurfaces& types, Warnings& wa
     for (std::size_t i = 0; i < level.props.size(); ++i) {
         if (!types_[i]) continue;
         const Prop& prop = level.props[i];
-        Shown*& shown = known[{prop.mesh, prop.texture}];
-        if (shown == nullptr) {
-            const MeshPtr& mesh = find_prop_mesh(level, prop.mesh)->mesh;
-            shown_.push_back(std::make_unique<Shown>());
-            shown = shown_.back().get();
-            shown->mesh = mesh;
-            shown->texture = prop.texture;
-            shown->renderer.reset(new LevelRenderer(std::make_unique<LevelRenderer::Impl>(gl_, programs_)));
-            const std::filesystem::path texture = folder / prop.texture;
-            const Warnings found =
-                prop.texture.empty()
-                    ? shown->renderer->set_mesh(mesh, (folder / prop.mesh).parent_path())
-                    : shown->renderer->set_mesh(with_texture(*mesh, texture.filename().string()),
-                                                texture.parent_path());
-            warnings.insert(warnings.end(), found.begin(), found.end());
-        }
-        shown->used = true;
-        shown->props.push_back(static_cast<std::uint32_t>(i));
-        Placed& placed = props_[i];
         const auto stood = [&](std::size_t k) { return k < was.size() && was[k].stands(prop); };
         if (!stood(next)) next = stood(next + 1) ? next + 1 : next > 0 && stood(next - 1) ? next - 1 : next;
-        placed.rest = stood(next) ? was[next].rest : prop.placement();
+        Placed& placed = props_[i];
+        if (stood(next)) {
+            placed = was[next];
+            placed.at = placed.rest;
+        } else {
+            Shown*& shown = known[{prop.mesh, prop.texture}];
+            if (shown == nullptr) shown = upload(level, prop, warnings);
+            const Aabb& box = shown->mesh->bounds;
+            const Placement at = prop.placement();
+            const Vec3 centre = at.columns[0] * box.centre().x() + at.columns[1] * box.centre().y() +
+                                at.columns[2] * box.centre().z() + at.offset;
+            const double radius = 0.5 * box.size().norm() * prop.scale.cwiseAbs().maxCoeff();
+            placed = {shown, prop.position, prop.rotation, prop.scale, at, at, centre, radius, 0};
+        }
         ++next;
-        placed.shown = shown;
-        placed.position = prop.position;
-        placed.rotation = prop.rotation;
-        placed.scale = prop.scale;
-        placed.at = placed.rest;
-        const Aabb& box = shown->mesh->bounds;
-        placed.centre = placed.rest.columns[0] * box.centre().x() + placed.rest.columns[1] * box.centre().y() +
-                        placed.rest.columns[2] * box.centre().z() + placed.rest.offset;
-        placed.radius = 0.5 * box.size().norm() * prop.scale.cwiseAbs().maxCoeff();
+        placed.shown->props.push_back(static_cast<std::uint32_t>(i));
     }
-    std::erase_if(shown_, [](const std::unique_ptr<Shown>& shown) { return !shown->used; });
+    std::erase_if(shown_, [](const std::unique_ptr<Shown>& shown) { return shown->props.empty(); });
     send_states();
 }
 
@@ -179,7 +179,8 @@ void LevelProps::move(const std::map<std::uint32_t, Pose>& poses) {
 }
 
 void LevelProps::draw_faces(const Camera& camera, int width, int height, const Mat4f& clip,
-                            const LevelStyle& style, const Vec3& origin, double extent_around) {
+                            const LevelStyle& style, const Vec3& origin, double extent_around,
+                            unsigned surface_table) {
     const Frustum frustum(camera, width, height);
     std::vector<LevelRenderer::Impl::Place> places;
     for (const auto& shown : shown_) {
@@ -197,8 +198,9 @@ void LevelProps::draw_faces(const Camera& camera, int width, int height, const M
         impl.mesh_origin = impl.origin;
         impl.extent_around = extent_around;
         impl.origin = origin;
-        gl_->BindTexture(GL_TEXTURE_2D, 0);
+        const unsigned own_table = std::exchange(impl.table_texture, surface_table);
         impl.draw_faces(camera, height, clip, style);
+        impl.table_texture = own_table;
         impl.origin = impl.mesh_origin;
         impl.places = {};
     }

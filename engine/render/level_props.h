@@ -23,9 +23,10 @@ class LevelProps {
     void highlight(const std::map<std::uint32_t, std::vector<std::uint8_t>>& highlights);
     void move(const std::map<std::uint32_t, Pose>& poses);
 
-    // Relative to `origin`, with depth test. Props outside the picture are left out.
+    // Relative to `origin`, with depth test. Props outside the picture are left out. `surface_table`: the
+    // texture of the types.
     void draw_faces(const Camera& camera, int width, int height, const Mat4f& clip, const LevelStyle& style,
-                    const Vec3& origin, double extent_around);
+                    const Vec3& origin, double extent_around, unsigned surface_table);
     // Borders of all props, if they are not too many; outlines of the first props with the highlight `bit`.
     void add_borders(const Vec3& origin, const std::uint8_t (&color)[4], float width,
                      std::vector<LineInstance>& lines) const;
@@ -36,6 +37,7 @@ class LevelProps {
     struct Shown;  // a mesh with a texture
     struct Placed;
 
+    Shown* upload(const Level& level, const Prop& prop, Warnings& warnings);
     void send_states();
     Mesh mesh_of(const Placed& prop) const;
 

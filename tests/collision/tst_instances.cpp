@@ -167,7 +167,7 @@ TEST(InstancesTogether, SweepInBatches) {
 // Replacing the instances gives the world that is built with them.
 TEST(InstancesTogether, CanBeReplaced) {
     Random random(76);
-    const std::vector<Soup> soups{scenes::dense(quads(random)), scenes::terrain(random, 5, 0.5)};
+    const std::vector<Soup> soups{scenes::dense(quads(random)), scenes::dense(scenes::terrain(random, 5, 0.5))};
     std::vector<std::shared_ptr<const CollisionMesh>> meshes;
     for (const Soup& soup : soups)
         meshes.push_back(scenes::shared_mesh(soup));
@@ -224,7 +224,7 @@ TEST(InstancesTogether, CanBeReplaced) {
         EXPECT_FALSE(world.set_instances(bad).ok());
         ASSERT_EQ(world.triangle_count(), fresh.triangle_count());
     }
-    EXPECT_GT(hits, 2000U);
+    EXPECT_GT(hits, 1000U);
 }
 
 // A query that floats cannot hold, or a world.

@@ -58,7 +58,7 @@ TEST_F(EditorProps, ArePlacedChangedAndUndone) {
     const auto again = load_level(level_file);
     ASSERT_TRUE(again.ok());
     EXPECT_EQ(again->level.props, props());
-    EXPECT_EQ(again->level.overrides, document().level().overrides);
+    EXPECT_EQ(resolve_surfaces(again->level).source, document().resolved().source);
 }
 
 // A change of the props is made in the present state; a new document computes all of it.

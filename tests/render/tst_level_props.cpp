@@ -11,12 +11,12 @@ namespace {
 
 class LevelPropsTest : public test::DrawingTest {};
 
-constexpr int width = 320, height = 220;
+constexpr int props_wide = 320, props_high = 220;
 
 int differing(const Image& a, const Image& b) {
     int count = 0;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
+    for (int y = 0; y < props_high; ++y)
+        for (int x = 0; x < props_wide; ++x)
             count += test::delta(a, b, x, y) > 8;
     return count;
 }
@@ -71,17 +71,17 @@ TEST_F(LevelPropsTest, LookLikeTheirFaces) {
         (void)apart.set_props(level, parts.props);
         LevelStyle style;
         style.wireframe = round % 2 == 1;
-        const Image before = draw(apart, camera, width, height, style);
+        const Image before = draw(apart, camera, props_wide, props_high, style);
         apart.set_prop_highlights(of_props);
-        const Image a = draw(whole, camera, width, height, style);
-        const Image b = draw(apart, camera, width, height, style);
+        const Image a = draw(whole, camera, props_wide, props_high, style);
+        const Image b = draw(apart, camera, props_wide, props_high, style);
         EXPECT_GT(differing(before, b), 100) << "the highlights";
         EXPECT_LT(differing(a, b), differing(before, b) / 10);
         // A prop that moves is elsewhere, and at rest again.
         apart.move_props({{0U, Pose{.offset = Vec3(0, 2, 0)}}});
-        EXPECT_GT(differing(draw(apart, camera, width, height, style), b), 20);
+        EXPECT_GT(differing(draw(apart, camera, props_wide, props_high, style), b), 20);
         apart.move_props({});
-        EXPECT_EQ(draw(apart, camera, width, height, style), b);
+        EXPECT_EQ(draw(apart, camera, props_wide, props_high, style), b);
     }
 }
 
