@@ -213,7 +213,7 @@ int run(const char* path) {
     if (!built) return 1;
     const MovementScene scene = built->at(0.0, dt);
     fmt::print("{}: {} triangles\n", std::filesystem::path(path).filename().string(),
-               loaded->level.mesh->triangle_count());
+               loaded->level.mesh.triangle_count());
     for (const bool sphere : {true, false}) {
         MovementSettings plain = loaded->level.movement;
         all.radii = plain.radii = sphere ? Vec3(0.5, 0.5, 0.5) : Vec3(0.4, 0.9, 0.4);

@@ -113,7 +113,7 @@ int run(const std::filesystem::path& folder, int side, bool quads) {
     Result<CollisionWorld> world = build_collision_world(level);
     if (!world) return 2;
     table.row("BVH");
-    const Aabb& bounds = level.mesh->bounds;
+    const Aabb& bounds = level.mesh.bounds();
     Camera camera;
     camera.eye = bounds.max + Vec3(0, 50, 0);
     camera.target = (bounds.min + bounds.max) / 2;
@@ -134,12 +134,12 @@ int run(const std::filesystem::path& folder, int side, bool quads) {
     fmt::print("level file: {:.1f} MB, {:.1f} bytes per face\n",
                static_cast<double>(std::filesystem::file_size(level.file_path)) / 1e6,
                static_cast<double>(std::filesystem::file_size(level.file_path)) /
-                   static_cast<double>(level.mesh->face_count()));
+                   static_cast<double>(level.mesh.face_count()));
     const Result<LoadedLevel> again = load_level(obj);
     if (!again) return fmt::print("{}\n", again.error().text()), 2;
     table.row("opening it again, painted");
     fmt::print("{}\n", again->match.text());
-    return again->match.exact == level.mesh->face_count() ? 0 : 1;
+    return again->match.exact == level.mesh.face_count() ? 0 : 1;
 }
 
 }  // namespace

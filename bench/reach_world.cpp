@@ -113,7 +113,7 @@ int measure(double duration, double edge, std::uint64_t seed) {
     for (const FaceId face : walkable)
         area += face_area(*level.mesh, face);
     fmt::print("{} triangles, {} walkable faces, {:.0f} m2 of them, cells of {:.2f} m\n",
-               level.mesh->triangle_count(), walkable.size(), area, search->cell_m());
+               level.mesh.triangle_count(), walkable.size(), area, search->cell_m());
     fmt::print("| processor, s | steps, M | cells | walkable faces | of the area | memory, MB |\n");
     fmt::print("|---:|---:|---:|---:|---:|---:|\n");
     const double begin = process_seconds();

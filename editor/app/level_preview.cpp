@@ -17,7 +17,7 @@ std::string facts_of(const LoadedLevel& loaded) {
     std::size_t painted = 0;
     for (const auto& surface : loaded.level.overrides)
         painted += surface ? 1 : 0;
-    const std::size_t faces = loaded.level.mesh->face_count();
+    const std::size_t faces = loaded.level.mesh.face_count();
     std::string text = fmt::format("{} face{}", faces, faces == 1 ? "" : "s");
     if (painted > 0) text += fmt::format(", {} painted", painted);
     if (!loaded.level.orphans.empty()) text += fmt::format(", {} orphaned", loaded.level.orphans.size());
@@ -42,7 +42,7 @@ void LevelPreview::take(Result<LoadedLevel> loaded) {
     // Rooms are viewed from inside.
     const Result<CollisionWorld> world = build_collision_world(level);
     back_faces_ = !world || !is_made_of_rooms(*world);
-    camera_ = named_view("iso", level.mesh->bounds, 1.5);
+    camera_ = named_view("iso", level.mesh.bounds(), 1.5);
     drawn_ = false;
     ++images_;
 }

@@ -46,7 +46,7 @@ void LevelThumbnails::draw() {
         renderer.set_surface_types(level.surfaces);
         renderer.set_face_surfaces(resolve_surfaces(level).surface);
         const double aspect = static_cast<double>(image.target->width()) / image.target->height();
-        Camera camera = named_view("iso", level.mesh->bounds, aspect).value_or(Camera());
+        Camera camera = named_view("iso", level.mesh.bounds(), aspect).value_or(Camera());
         if (!level.cameras.empty()) {
             camera.orthographic = false;
             camera.eye = level.cameras.front().eye;

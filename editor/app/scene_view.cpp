@@ -19,36 +19,56 @@ SceneView::SceneView(GlTable gl, Editor& editor)
 
 void SceneView::upload() {
     const Document& document = *editor_.document;
-    const bool other_mesh = mesh_ != document.level().mesh || texture_revision_ != editor_.texture_revision;
+    const Level& level = document.level();
+    // Baked light is that of faces, so props that it lights are faces, too.
+    const bool apart = has_instances(level) && !level.light;
+    const MeshPtr& mesh = apart ? own_mesh(level) : level.mesh.whole();
+    const bool other_mesh = mesh_ != mesh || texture_revision_ != editor_.texture_revision;
     if (other_mesh) {
         texture_revision_ = editor_.texture_revision;
-        mesh_ = document.level().mesh;
-        texture_warnings_ =
-            level_.set_mesh(shown_mesh(document.level()), document.level().mesh_path.parent_path());
+        mesh_ = mesh;
+        props_ = nullptr;
+        texture_warnings_ = level_.set_mesh(shown_mesh(level, !apart), level.mesh_path.parent_path());
         level_.prepare_outlines();
         ++uploads_;
     }
-    if (other_mesh || document.level().light != light_) {
-        light_ = document.level().light;
-        for (Diagnostic& warning : level_.set_light(light_, mesh_, document.level().file_path.parent_path()))
+    if (other_mesh || level.light != light_) {
+        light_ = level.light;
+        for (Diagnostic& warning : level_.set_light(light_, mesh_, level.file_path.parent_path()))
             texture_warnings_.push_back(std::move(warning));
         ++uploads_;
     }
-    if (other_mesh || document.face_revision() != face_revision_) {
+    const bool other_types = other_mesh || document.face_revision() != face_revision_;
+    if (other_types) {
         face_revision_ = document.face_revision();
-        level_.set_surface_types(document.level().surfaces);
-        level_.set_face_surfaces(document.resolved().surface);
+        level_.set_surface_types(level.surfaces);
+        level_.set_face_surfaces(apart ? document.resolved_parts().own.surface : document.resolved().surface);
+        ++uploads_;
+    }
+    const bool other_props = (apart || props_) && (other_types || props_ != level.mesh.placed());
+    if (other_props) {
+        props_ = level.mesh.placed();
+        for (Diagnostic& warning : level_.set_props(level, document.resolved_parts().props))
+            texture_warnings_.push_back(std::move(warning));
         ++uploads_;
     }
 
     // Platforms are where the playtest's last tick left them; while editing, at the level's start.
-    const std::vector<std::uint32_t> parts = face_platforms(document.level());
+    const std::vector<std::uint32_t> parts = face_platforms(level);
     if (!parts.empty() || moved_) {
         const double time_s =
             editor_.playtest ? static_cast<double>(editor_.playtest->tape().tick_count()) * Playtest::tick_s
                              : 0.0;
-        if (other_mesh || !moved_ || *moved_ != time_s) {
-            level_.move_faces(parts, platform_poses(document.level(), time_s));
+        if (other_mesh || other_props || !moved_ || *moved_ != time_s) {
+            const std::vector<Pose> poses = platform_poses(level, time_s);
+            level_.move_faces(std::span(parts).first(std::min(parts.size(), mesh_->face_count())), poses);
+            std::map<std::uint32_t, Pose> props;
+            for (std::uint32_t i = 0; apart && !parts.empty() && i < level.props.size(); ++i) {
+                const FaceId first = level.placed.first_face[i];
+                if (first < level.placed.first_face[i + 1] && parts[first] != no_id)
+                    props[i] = poses[parts[first]];
+            }
+            level_.move_props(props);
             moved_ = parts.empty() ? std::optional<double>() : time_s;
             ++uploads_;
         }
@@ -68,11 +88,12 @@ void SceneView::upload() {
         (editor_.select_radius > 0.0 && editor_.tool == Tool::select))
         for (int i = 0; i < 3; ++i)
             highlights.f64(editor_.hovered_point[i]);
-    if (other_mesh || highlights.value() != highlights_hash_) {
+    if (other_mesh || other_props || highlights.value() != highlights_hash_) {
         highlights_hash_ = highlights.value();
-        std::vector<std::uint8_t> flags = face_highlights(editor_);
-        if (other_mesh || flags != highlights_) {
-            level_.set_face_highlights(flags);
+        FaceHighlights flags = face_highlights(editor_, mesh_->face_count());
+        if (other_mesh || other_props || flags != highlights_) {
+            level_.set_face_highlights(flags.own);
+            if (other_props || flags.props != highlights_.props) level_.set_prop_highlights(flags.props);
             highlights_ = std::move(flags);
             ++uploads_;
         }

@@ -34,10 +34,11 @@ class SceneView final : public ViewportServices {
     Editor& editor_;
     LevelRenderer level_;
     OverlayRenderer overlay_renderer_;
-    MeshPtr mesh_;  // uploaded
+    MeshPtr mesh_;                   // uploaded
+    std::shared_ptr<const PlacedGeometry> props_;  // likewise, beside mesh_
     std::optional<LevelLight> light_;
     std::uint64_t face_revision_ = 0, highlights_hash_ = 0, texture_revision_ = 0;
-    std::vector<std::uint8_t> highlights_;
+    FaceHighlights highlights_;
     std::optional<double> moved_;  // the time of the platforms' positions; nothing: nothing moves
     std::uint64_t uploads_ = 0;    // grows whenever the GPU's copy changed
     Warnings texture_warnings_;

@@ -106,9 +106,9 @@ void expect_surface(ScriptContext& c, const Words& w) {
     const Document* const d = document(c);
     if (!d) return;
     const std::optional<std::int64_t> face = parse_int(w[2]);
-    if (!face || *face < 0 || static_cast<std::size_t>(*face) >= d->mesh().face_count())
-        return c.fail(fmt::format("expected a face 0..{}, found \"{}\"", d->mesh().face_count() - 1, w[2]));
-    expect_text(c, "surface", type_name(*d, d->resolved().surface[static_cast<std::size_t>(*face)]), w[3]);
+    if (!face || *face < 0 || static_cast<std::size_t>(*face) >= d->face_count())
+        return c.fail(fmt::format("expected a face 0..{}, found \"{}\"", d->face_count() - 1, w[2]));
+    expect_text(c, "surface", type_name(*d, d->surface_of(static_cast<FaceId>(*face))), w[3]);
 }
 void expect_count(ScriptContext& c, const Words& w) {
     const Document* const d = document(c);

@@ -32,7 +32,7 @@ std::optional<std::size_t> saved_named(ScriptContext& context, const std::string
 // "3", "3,4,9" or "3-7,12".
 std::optional<std::vector<FaceId>> face_list(ScriptContext& context, const std::string& text) {
     std::vector<FaceId> faces;
-    const auto count = static_cast<std::int64_t>(context.editor().document->mesh().face_count());
+    const auto count = static_cast<std::int64_t>(context.editor().document->face_count());
     for (const std::string_view part : split(text, ',')) {
         const std::size_t dash = part.find('-');
         const std::optional<std::int64_t> first = parse_int(part.substr(0, dash));

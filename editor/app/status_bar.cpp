@@ -22,7 +22,7 @@ std::string right_side(const Parts& parts) {
         text =
             fmt::format("\uf071 {} texture{} missing   ", textures.size(), textures.size() == 1 ? "" : "s");
     if (!document.selection().empty()) text += fmt::format("{} selected   ", document.selection().size());
-    text += fmt::format("{} faces", document.mesh().face_count());
+    text += fmt::format("{} faces", document.face_count());
     return text;
 }
 

@@ -94,7 +94,7 @@ Result<LevelInfo> gather(const std::filesystem::path& path) {
     info.faces_of_type.resize(level.surfaces.size());
     info.triangles_of_type.resize(level.surfaces.size());
     const ResolvedSurfaces resolved = resolve_surfaces(level);
-    for (FaceId face = 0; face < level.mesh->face_count(); ++face) {
+    for (FaceId face = 0; face < level.mesh.face_count(); ++face) {
         const SurfaceId surface = resolved.surface[face];
         ++info.faces_of_type[surface];
         info.triangles_of_type[surface] += level.mesh->face_corner_count(face) - 2;
@@ -121,7 +121,7 @@ OutputJson objects_json(const Mesh& mesh) {
 }
 
 double bytes_a_triangle(const LevelInfo& info) {
-    const std::size_t triangles = info.loaded.level.mesh->triangle_count();
+    const std::size_t triangles = info.loaded.level.mesh.triangle_count();
     return triangles == 0 ? 0.0 : static_cast<double>(info.bvh.bytes) / static_cast<double>(triangles);
 }
 

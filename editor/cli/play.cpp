@@ -51,7 +51,7 @@ Status agree_on_play(Team& team, const Play& play, const PlayWords& words) {
     return agree_on(
         team,
         {{"program", fmt::format("{} {}", program_version(), hash_text(fingerprint_of_files({&program, 1})))},
-         {"geometry", hash_text(play.level.mesh->fingerprint)},
+         {"geometry", hash_text(play.level.mesh.fingerprint())},
          {"level file, settings or start",
           fmt::format("{} at {}", hash_text(search->identity()), vector_text(play.start))},
          {"result of the first steps, and so a processor with other bits,", hash_text(search->hash())},

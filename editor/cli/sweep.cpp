@@ -144,7 +144,7 @@ int run_sweep_test(const std::filesystem::path& level, const std::filesystem::pa
     const Result<LoadedLevel> loaded = load_level(level);
     if (!loaded) return bad_input(err, loaded.error());
     print_warnings(err, loaded->warnings);
-    if (test->level_fingerprint && *test->level_fingerprint != loaded->level.mesh->fingerprint)
+    if (test->level_fingerprint && *test->level_fingerprint != loaded->level.mesh.fingerprint())
         print_warnings(err, {{file.string(), "was written for other geometry"}});
     const Result<CollisionWorld> world = build_collision_world(loaded->level);
     if (!world) return bad_input(err, world.error());

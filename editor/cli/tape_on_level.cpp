@@ -31,10 +31,10 @@ Result<TapeOnLevel> load_tape_on_level(const TapeOptions& options) {
     if (!scene) return scene.error();
     Warnings warnings = owned->warnings;
     const auto& recorded = tape->level_fingerprint;
-    if (recorded && *recorded != owned->level.mesh->fingerprint) {
+    if (recorded && *recorded != owned->level.mesh.fingerprint()) {
         warnings.push_back({options.tape.string(),
                             fmt::format("was recorded on geometry {}, found {}; the run may differ",
-                                        hash_text(*recorded), hash_text(owned->level.mesh->fingerprint))});
+                                        hash_text(*recorded), hash_text(owned->level.mesh.fingerprint()))});
     }
     const auto& surfaces = tape->surfaces_fingerprint;
     if (surfaces && *surfaces != scene_fingerprint(scene->at(0.0))) {

@@ -44,7 +44,7 @@ Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& pa
         document->warnings_ = std::move(loaded->warnings);
         document->match_ = loaded->match;
         document->guessed_ = std::move(loaded->guessed);
-        document->level_.overrides.resize(document->mesh().face_count());
+        document->level_.overrides.resize(std::max(document->level_.overrides.size(), own_mesh(document->level_)->face_count()));
         begin_stage(progress, "Building the collision world", 1.0, 1.0);
         if (const Status status = document->rebuild_geometry(); !status) return status.error();
         document->resolve_again();
@@ -85,8 +85,8 @@ std::size_t Document::paint(std::span<const FaceId> faces, std::optional<Surface
     if (surface && *surface >= level_.surfaces.size()) return 0;
     FaceEdit edit;
     for (const FaceId face : faces)
-        if (face < level_.overrides.size() && level_.overrides[face] != surface)
-            edit.faces.push_back({face, level_.overrides[face], surface});
+        if (face < face_count() && paint_of(face) != surface)
+            edit.faces.push_back({face, paint_of(face), surface});
     const auto earlier = [](const FaceEdit::Face& a, const FaceEdit::Face& b) { return a.face < b.face; };
     if (!std::is_sorted(edit.faces.begin(), edit.faces.end(), earlier))
         std::sort(edit.faces.begin(), edit.faces.end(), earlier);
@@ -105,7 +105,7 @@ void Document::change(ValueEdit<ValueOf> edit, std::string step_name) {
 }
 
 void Document::select(std::vector<FaceId> faces, std::string step_name) {
-    tidy(faces, mesh().face_count());
+    tidy(faces, face_count());
     if (!level_.hidden.empty()) std::erase_if(faces, [this](FaceId face) { return is_hidden(face); });
     if (faces == selection_) return;
     if (step_name.empty()) step_name = faces.empty() ? "Select nothing" : "Select faces";
@@ -113,7 +113,7 @@ void Document::select(std::vector<FaceId> faces, std::string step_name) {
 }
 
 void Document::hide(std::vector<FaceId> faces, std::string step_name) {
-    tidy(faces, mesh().face_count());
+    tidy(faces, face_count());
     if (faces == level_.hidden) return;
     Transaction transaction(*this, std::move(step_name));
     perform({}, HiddenEdit{level_.hidden, std::move(faces)});
@@ -124,7 +124,7 @@ void Document::hide(std::vector<FaceId> faces, std::string step_name) {
 void Document::set_saved_selections(std::vector<SavedSelection> selections, std::string step_name) {
     if (selections.size() > max_saved_selections) return;
     for (SavedSelection& saved : selections)
-        tidy(saved.faces, mesh().face_count());
+        tidy(saved.faces, face_count());
     change(SavedSelectionsEdit{level_.selections, std::move(selections)}, std::move(step_name));
 }
 
@@ -236,14 +236,14 @@ void Document::set_goals(std::vector<Goal> goals, std::string step_name) {
 
 void Document::restore(Level level, std::string step_name, std::vector<FaceId> guessed) {
     if (in_transaction() || own_mesh(level) != own_mesh(level_)) return;
-    level.overrides.resize(level.mesh->face_count());
+    level.overrides.resize(std::max(level.overrides.size(), own_mesh(level)->face_count()));
     Transaction transaction(*this, std::move(step_name));
     perform({}, LevelEdit{std::make_shared<const Level>(level_),
                           std::make_shared<const Level>(std::move(level))});
     select({selection_.begin(), selection_.end()});  // drops faces that are hidden now
     transaction.commit();
     guessed_ = std::move(guessed);
-    tidy(guessed_, mesh().face_count());
+    tidy(guessed_, face_count());
 }
 
 void Document::accept_guessed(std::span<const FaceId> faces) {
@@ -274,7 +274,9 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
         void operator()(const FaceEdit& one) const {
             // Backwards, so that a face listed twice ends with its first `before`.
             const auto put = [&](const FaceEdit::Face& change, std::optional<SurfaceId> surface) {
-                self.level_.overrides[change.face] = surface;
+                std::vector<std::optional<SurfaceId>>& overrides = self.level_.overrides;
+                if (change.face >= overrides.size()) overrides.resize(change.face + 1);
+                overrides[change.face] = surface;
                 touched.faces.push_back(change.face);
             };
             if (forward)
@@ -329,19 +331,14 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
             touched.geometry = touched.types = true;
         }
         void operator()(const PropsEdit& one) const {
-            const PropsState& state = *side(one, forward);
-            self.level_.props = state.props;
-            self.level_.platforms = state.platforms;
-            self.level_.overrides = state.overrides;
-            self.selection_ = state.selection;
-            self.level_.hidden = state.hidden;
-            self.level_.selections = state.saved_selections;
+            put_props(one, forward, self.level_.props);
             self.prop_warnings_ = place_props(self.level_);
+            self.take(forward ? one.after : one.before);
             // A mesh that was there before may be gone.
-            self.level_.overrides.resize(self.mesh().face_count());
+            self.level_.overrides.resize(std::min(self.level_.overrides.size(), self.face_count()));
             for (auto* faces : {&self.selection_, &self.level_.hidden, &self.guessed_})
-                tidy(*faces, self.mesh().face_count());
-            touched.geometry = touched.types = true;
+                tidy(*faces, self.face_count());
+            touched.props = touched.hidden = true;
         }
         void operator()(const LevelEdit& one) const {
             Level level = *side(one, forward);

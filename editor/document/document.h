@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -50,7 +51,7 @@ using GoalsEdit = ValueEdit<std::vector<Goal>>;
 using OrphansEdit = ValueEdit<std::vector<Orphan>>;
 // What reading the geometry file again replaces.
 struct Geometry {
-    MeshPtr mesh;
+    LevelMesh mesh;
     ImportTransform import_transform;
     ImportSummary import_summary;
     FileStamp stamp;
@@ -65,16 +66,20 @@ struct Geometry {
     friend bool operator==(const Geometry& a, const Geometry& b) { return a.mesh == b.mesh; }
 };
 using GeometryEdit = ValueEdit<Geometry>;
-// The props, and what refers to their faces, whose numbers change with the props.
+// Some props, and what refers to the faces of all, whose numbers change with the props.
 struct PropsState {
     std::vector<Prop> props;
     std::vector<Platform> platforms;
-    std::vector<std::optional<SurfaceId>> overrides;
+    std::vector<std::optional<SurfaceId>> paint;  // Level::overrides beyond the level's own faces
     std::vector<FaceId> selection, hidden;
     std::vector<SavedSelection> saved_selections;
     friend bool operator==(const PropsState&, const PropsState&) = default;
 };
-using PropsEdit = ValueEdit<std::shared_ptr<const PropsState>>;
+// Only the props that differ, so that a step of a level of many props is small.
+struct PropsEdit {
+    std::size_t first = 0;  // in the list: of those before, and of those after
+    PropsState before, after;
+};
 using SavedSelectionsEdit = ValueEdit<std::vector<SavedSelection>>;
 using LevelEdit = ValueEdit<std::shared_ptr<const Level>>;  // everything except the mesh: a recovery
 using Edit = std::variant<FaceEdit, SelectionEdit, HiddenEdit, SavedSelectionsEdit, MovementEdit,
@@ -85,6 +90,15 @@ using Edit = std::variant<FaceEdit, SelectionEdit, HiddenEdit, SavedSelectionsEd
 struct FaceFacts {
     std::vector<Vec3f> normal;  // [face] unit, or zero without area
     std::vector<float> area;    // [face] square metres
+};
+
+// A part of the geometry in which tools look for connected faces: the level's own faces, or those of a prop.
+struct FacePart {
+    MeshPtr mesh;
+    FaceNeighbours neighbours;
+    FaceFacts facts;
+    FaceId first = 0;  // the level's number of its face 0
+    TriangleId first_triangle = 0;
 };
 
 // A ray for Document::pick_faces.
@@ -109,10 +123,25 @@ class Document {
                                                   Progress* progress = nullptr);
 
     const Level& level() const { return level_; }
+    // All faces in one mesh, and what belongs to it. With many props this takes a second and much memory at
+    // the first call after a change of them: what runs in every frame or stroke uses face_count(), bounds(),
+    // surface_of() and part_with().
     const Mesh& mesh() const { return *level_.mesh; }
-    const ResolvedSurfaces& resolved() const { return resolved_; }
+    const FaceNeighbours& neighbours() const { return whole_part().neighbours; }
+    const FaceFacts& facts() const { return whole_part().facts; }
+    std::size_t face_count() const { return level_.mesh.face_count(); }
+    Aabb bounds() const { return level_.mesh.bounds(); }
+    // The part that has `face`, which must be below face_count(). Valid until the next call.
+    const FacePart& part_with(FaceId face) const;
+    // Of a face below face_count().
+    SurfaceId surface_of(FaceId face) const { return in(resolved_, face, &ResolvedSurfaces::surface); }
+    SurfaceSource source_of(FaceId face) const { return in(resolved_, face, &ResolvedSurfaces::source); }
+    std::optional<SurfaceId> paint_of(FaceId face) const {
+        return face < level_.overrides.size() ? level_.overrides[face] : std::nullopt;
+    }
+    const SurfaceParts& resolved_parts() const { return resolved_; }
+    ResolvedSurfaces resolved() const { return joined(resolved_); }  // of all faces
     const CollisionWorld& collision() const { return collision_; }
-    const FaceNeighbours& neighbours() const { return neighbours_; }
     const Warnings& warnings() const { return warnings_; }
     const MatchSummary& match() const { return match_; }
     // Faces whose paint was found by plane or by distance when the level was read, and which the user has not
@@ -122,14 +151,15 @@ class Document {
         std::span<const FaceId> faces);  // ascending; they leave guessed(); no step of history
     void accept_guessed();               // the user confirms them; no step of history
     MovementScene scene() const { return {collision_, level_.surfaces}; }
-    const FaceFacts& facts() const { return facts_; }
     std::span<const FaceId> selection() const { return selection_; }  // ascending
     std::span<const FaceId> hidden() const { return level_.hidden; }  // ascending; neither drawn nor picked
-    bool is_hidden(FaceId face) const { return !level_.hidden.empty() && hidden_flags_[face] != 0; }
+    bool is_hidden(FaceId face) const { return face < hidden_flags_.size() && hidden_flags_[face] != 0; }
     std::span<const SavedSelection> saved_selections() const { return level_.selections; }
     // The type that the face would have without its override.
-    SurfaceId unpainted(FaceId face) const { return unpainted_.surface[face]; }
-    SurfaceSource unpainted_source(FaceId face) const { return unpainted_.source[face]; }
+    SurfaceId unpainted(FaceId face) const { return in(unpainted_, face, &ResolvedSurfaces::surface); }
+    SurfaceSource unpainted_source(FaceId face) const {
+        return in(unpainted_, face, &ResolvedSurfaces::source);
+    }
 
     std::size_t face_count_of(SurfaceId surface) const { return surface_counts_[surface]; }
     // Square metres.
@@ -246,6 +276,18 @@ class Document {
         bool types = false;  // a name, the number of types, or a rule
         bool parameters = false;
         bool geometry = false;
+        bool props = false;  // and the own faces are the same
+    };
+    // The faces of one prop by type.
+    struct PropFaces {
+        std::string mesh, type;  // of the prop
+        Vec3 scale = Vec3::Zero();
+        bool painted = false;
+        struct Sum {
+            std::size_t faces = 0;
+            double area = 0.0;
+        };
+        std::vector<std::pair<SurfaceId, Sum>> sums;
     };
 
     Document();
@@ -253,25 +295,41 @@ class Document {
     void apply(const HistoryStep& step, bool forward);
     void refresh(const Touched& touched);
     Status rebuild_geometry();  // the collision world and the neighbours
+    void mark_hidden();
     void resolve_again();
-    void resolve_face(FaceId face);
-    void count_face(FaceId face, bool in);
+    void resolve_props();  // the types of their faces, and the instances in the collision world
+    void repaint(std::span<const FaceId> faces);
+    PropFaces count_prop(std::size_t prop);
+    void count(const PropFaces& prop, bool in);
+    const FacePart& whole_part() const;
+    template <class T>
+    T in(const SurfaceParts& parts, FaceId face, std::vector<T> ResolvedSurfaces::*list) const {
+        if (face < parts.own.surface.size()) return (parts.own.*list)[face];
+        const std::uint32_t prop = level_.placed.prop_of(face);
+        return ((*parts.props[prop]).*list)[face - level_.placed.first_face[prop]];
+    }
     template <class ValueOf>
     void change(ValueEdit<ValueOf> edit, std::string step_name);
-    PropsState props_state() const;
+    PropsState props_state() const;  // without the props
+    void take(const PropsState& state);
     void perform(std::string step_name, Edit edit);
+    void record(std::string step_name, Edit edit);
     void push(HistoryStep step);
 
     Level level_;
-    ResolvedSurfaces unpainted_;  // as if there were no overrides
-    ResolvedSurfaces resolved_;
+    SurfaceParts unpainted_;  // as if there were no overrides
+    SurfaceParts resolved_;
+    std::vector<PropFaces> prop_faces_;                        // [prop]
+    std::map<MeshPtr, std::vector<Vec3>> prop_area_vectors_;  // [mesh of props][face] its normal times its area
     std::array<std::size_t, max_surface_types + 1> surface_counts_{};
     std::array<double, max_surface_types + 1> surface_areas_{};
     CollisionWorld collision_;
-    FaceNeighbours neighbours_;
+    FacePart own_part_;
+    mutable std::unique_ptr<FacePart> whole_part_;  // null: not asked for since the last change
+    mutable FacePart prop_part_;                    // the last that part_with() made
+    mutable const void* prop_part_of_ = nullptr;    // LevelMesh::id()
     Warnings warnings_, prop_warnings_;
     MatchSummary match_;
-    FaceFacts facts_;
     std::vector<FaceId> selection_, guessed_;
     std::vector<std::uint8_t> hidden_flags_;  // [face]; of level_.hidden
     std::vector<HistoryStep> history_;
@@ -281,6 +339,11 @@ class Document {
     int depth_ = 0;
     std::uint64_t revision_, face_revision_;
 };
+
+// Reverts or repeats an edit in the list of props.
+void put_props(const PropsEdit& edit, bool forward, std::vector<Prop>& props);
+// The same edit as `earlier` and then `later`, after which the props are `now`.
+void merge_into(PropsEdit& earlier, PropsEdit&& later, std::vector<Prop> now);
 
 // For set_props(): each prop is still itself.
 std::vector<std::uint32_t> every_prop(const Level& level);

@@ -118,11 +118,39 @@ std::vector<FaceId> brush_faces(const Mesh& mesh, const FaceNeighbours& neighbou
     return result;
 }
 
-Aabb faces_bounds(const Mesh& mesh, std::span<const FaceId> faces) {
+namespace {
+
+std::vector<FaceId> numbered_from(FaceId first, std::vector<FaceId> faces) {
+    for (FaceId& face : faces)
+        face += first;
+    return faces;
+}
+
+}  // namespace
+
+std::vector<FaceId> flood_by_angle(const Document& document, FaceId start, double max_angle) {
+    if (start >= document.face_count()) return {};
+    const FacePart& part = document.part_with(start);
+    const FaceId face = start - part.first;
+    return numbered_from(part.first,
+                         flood_by_angle(part.facts, part.neighbours, std::span(&face, 1), max_angle));
+}
+
+std::vector<FaceId> brush_faces(const Document& document, FaceId start, const Vec3& centre, double radius) {
+    if (start >= document.face_count()) return {};
+    const FacePart& part = document.part_with(start);
+    return numbered_from(part.first,
+                         brush_faces(*part.mesh, part.neighbours, start - part.first, centre, radius));
+}
+
+Aabb faces_bounds(const Document& document, std::span<const FaceId> faces) {
     Aabb bounds;
     for (const FaceId face : faces) {
-        if (face >= mesh.face_count()) continue;
-        for (std::uint32_t corner = mesh.face_first_corner[face]; corner < mesh.face_first_corner[face + 1];
+        if (face >= document.face_count()) continue;
+        const FacePart& part = document.part_with(face);
+        const Mesh& mesh = *part.mesh;
+        const FaceId at = face - part.first;
+        for (std::uint32_t corner = mesh.face_first_corner[at]; corner < mesh.face_first_corner[at + 1];
              ++corner)
             bounds.add(mesh.corner_position(corner).cast<double>());
     }

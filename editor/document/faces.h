@@ -37,7 +37,11 @@ std::vector<FaceId> flood_by_angle(const FaceFacts& facts, const FaceNeighbours&
 std::vector<FaceId> brush_faces(const Mesh& mesh, const FaceNeighbours& neighbours, FaceId start,
                                 const Vec3& centre, double radius);
 
+// The same in a level; each prop is a part of its own.
+std::vector<FaceId> flood_by_angle(const Document& document, FaceId start, double max_angle);
+std::vector<FaceId> brush_faces(const Document& document, FaceId start, const Vec3& centre, double radius);
+
 // The bounding box of `faces`.
-Aabb faces_bounds(const Mesh& mesh, std::span<const FaceId> faces);
+Aabb faces_bounds(const Document& document, std::span<const FaceId> faces);
 
 }  // namespace slipface

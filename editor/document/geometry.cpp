@@ -8,16 +8,42 @@
 
 namespace slipface {
 
+static FacePart part_of(const MeshPtr& mesh, FaceId first) {
+    return {mesh, face_neighbours(*mesh), face_facts(*mesh), first, 0};
+}
+
 Status Document::rebuild_geometry() {
     Result<CollisionWorld> collision = build_collision_world(level_);
     if (!collision) return collision.error();
     collision_ = std::move(collision).value();
-    neighbours_ = face_neighbours(mesh());
-    facts_ = face_facts(mesh());
-    hidden_flags_.assign(mesh().face_count(), 0);
+    if (own_part_.mesh != own_mesh(level_)) own_part_ = part_of(own_mesh(level_), 0);
+    whole_part_.reset();
+    mark_hidden();
+    return {};
+}
+
+void Document::mark_hidden() {
+    hidden_flags_.assign(level_.hidden.empty() ? 0 : level_.hidden.back() + 1, 0);
     for (const FaceId face : level_.hidden)
         hidden_flags_[face] = 1;
-    return {};
+}
+
+const FacePart& Document::whole_part() const {
+    if (!has_instances(level_)) return own_part_;
+    if (!whole_part_) whole_part_ = std::make_unique<FacePart>(part_of(level_.mesh, 0));
+    return *whole_part_;
+}
+
+const FacePart& Document::part_with(FaceId face) const {
+    const std::uint32_t prop = level_.placed.prop_of(face);
+    if (prop == no_id) return own_part_;
+    const FaceId first = level_.placed.first_face[prop];
+    if (prop_part_of_ != level_.mesh.id() || prop_part_.first != first) {
+        prop_part_ = part_of(prop_mesh(level_, prop), first);
+        prop_part_.first_triangle = prop_first_triangle(level_, prop);
+        prop_part_of_ = level_.mesh.id();
+    }
+    return prop_part_;
 }
 
 Status Document::reload(Progress* progress) {
@@ -76,8 +102,10 @@ Status Document::take_geometry(LoadedLevel loaded, std::string step_name) {
                     level_.placed};
     const bool stays = annotations_stay(level_, loaded);
     // A selection is temporary: it stays only if the mesh is the same, and is never guessed.
-    const bool same_faces = loaded.level.mesh->face_first_corner == level_.mesh->face_first_corner &&
-                            loaded.level.mesh_stamp == level_.mesh_stamp;
+    const bool same_faces =
+        own_mesh(loaded.level)->face_first_corner == own_mesh(level_)->face_first_corner &&
+        loaded.level.placed.first_face == level_.placed.first_face &&
+        loaded.level.mesh_stamp == level_.mesh_stamp;
     Geometry after{std::move(loaded.level.mesh),
                    loaded.level.import_transform,
                    std::move(loaded.level.import_summary),

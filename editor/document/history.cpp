@@ -33,11 +33,13 @@ void compact(FaceEdit& edit) {
     edit.faces.resize(kept);
 }
 
-void merge_into(Edit& earlier, Edit&& later) {
+void merge_into(Edit& earlier, Edit&& later, const Level& now) {
     std::visit(
         [&](auto& one) {
             auto& other = std::get<std::remove_reference_t<decltype(one)>>(later);
-            if constexpr (requires { one.faces; })
+            if constexpr (std::is_same_v<decltype(one), PropsEdit&>)
+                slipface::merge_into(one, std::move(other), now.props);
+            else if constexpr (requires { one.faces; })
                 one.faces.insert(one.faces.end(), other.faces.begin(), other.faces.end());
             else
                 one.after = std::move(other.after);
@@ -57,6 +59,10 @@ void Document::perform(std::string step_name, Edit edit) {
     Touched touched;
     apply(edit, true, touched);
     refresh(touched);
+    record(std::move(step_name), std::move(edit));
+}
+
+void Document::record(std::string step_name, Edit edit) {
     if (depth_ == 0) {
         HistoryStep step{std::move(step_name), {}, false};
         step.edits.push_back(std::move(edit));
@@ -68,7 +74,7 @@ void Document::perform(std::string step_name, Edit edit) {
     if (same_kind == open_step_.edits.end())
         open_step_.edits.push_back(std::move(edit));
     else
-        merge_into(*same_kind, std::move(edit));
+        merge_into(*same_kind, std::move(edit), level_);
 }
 
 void Document::push(HistoryStep step) {

@@ -1,5 +1,6 @@
 // Changing the props, and what refers to their faces.
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -11,14 +12,15 @@ namespace {
 // [face before] the faces after that it became: none if its prop is gone, several if its prop was copied.
 class FaceMap {
   public:
-    FaceMap(const Level& before, const Level& after, std::span<const std::uint32_t> from) {
-        ranges_.push_back({0, 0, static_cast<FaceId>(own_mesh(before)->face_count())});
-        const std::vector<FaceId>&was = before.placed.first_face, &is = after.placed.first_face;
+    // `was`, `is`: PlacedProps::first_face before and after.
+    FaceMap(std::size_t own, std::span<const Prop> before, std::span<const FaceId> was,
+            std::span<const Prop> after, std::span<const FaceId> is, std::span<const std::uint32_t> from) {
+        ranges_.push_back({0, 0, static_cast<FaceId>(own)});
         for (std::size_t prop = 0; prop + 1 < is.size(); ++prop) {
             const std::uint32_t source = from[prop];
-            if (source >= before.props.size()) continue;
+            if (source >= before.size() || source + 1 >= was.size()) continue;
             // With another mesh the faces are others.
-            if (before.props[source].mesh != after.props[prop].mesh) continue;
+            if (before[source].mesh != after[prop].mesh) continue;
             const FaceId count = is[prop + 1] - is[prop];
             if (count == was[source + 1] - was[source]) ranges_.push_back({was[source], is[prop], count});
         }
@@ -34,11 +36,18 @@ class FaceMap {
         std::sort(moved.begin(), moved.end());
         return moved;
     }
-    template <class T>
-    std::vector<T> moved_values(const std::vector<T>& values, std::size_t face_count) const {
-        std::vector<T> moved(face_count);
-        for (const Range& range : ranges_)
-            std::copy_n(values.begin() + range.before, range.count, moved.begin() + range.after);
+    // `paint` and the result: of the faces from `own` on.
+    std::vector<std::optional<SurfaceId>> moved_paint(std::span<const std::optional<SurfaceId>> paint,
+                                                      std::size_t own) const {
+        std::vector<std::optional<SurfaceId>> moved;
+        for (const Range& range : ranges_) {
+            for (FaceId i = 0; range.before >= own && i < range.count; ++i) {
+                if (range.before - own + i >= paint.size()) break;
+                if (!paint[range.before - own + i]) continue;
+                moved.resize(std::max(moved.size(), range.after - own + i + 1));
+                moved[range.after - own + i] = paint[range.before - own + i];
+            }
+        }
         return moved;
     }
 
@@ -50,13 +59,13 @@ class FaceMap {
 };
 
 // Platforms of props that are gone go with them.
-std::vector<Platform> moved_platforms(const Level& before, std::span<const Prop> after,
-                                      std::span<const std::uint32_t> from) {
+std::vector<Platform> moved_platforms(const std::vector<Platform>& all, std::span<const Prop> before,
+                                      std::span<const Prop> after, std::span<const std::uint32_t> from) {
     std::vector<Platform> platforms;
-    for (Platform platform : before.platforms) {
-        const auto prop = std::ranges::find(before.props, platform.group, &Prop::name);
-        if (prop != before.props.end()) {
-            const auto index = static_cast<std::uint32_t>(prop - before.props.begin());
+    for (Platform platform : all) {
+        const auto prop = std::ranges::find(before, platform.group, &Prop::name);
+        if (prop != before.end()) {
+            const auto index = static_cast<std::uint32_t>(prop - before.begin());
             const auto is = std::ranges::find(from, index);
             if (is == from.end()) continue;
             const Prop& now = after[static_cast<std::size_t>(is - from.begin())];
@@ -76,36 +85,86 @@ std::vector<std::uint32_t> every_prop(const Level& level) {
     return from;
 }
 
+void put_props(const PropsEdit& edit, bool forward, std::vector<Prop>& props) {
+    const std::vector<Prop>& from = forward ? edit.before.props : edit.after.props;
+    const std::vector<Prop>& to = forward ? edit.after.props : edit.before.props;
+    const std::size_t same = std::min(from.size(), to.size());
+    const auto first = props.begin() + static_cast<std::ptrdiff_t>(edit.first);
+    const auto rest = std::copy_n(to.begin(), same, first);
+    if (from.size() > same)
+        props.erase(rest, rest + static_cast<std::ptrdiff_t>(from.size() - same));
+    else
+        props.insert(rest, to.begin() + static_cast<std::ptrdiff_t>(same), to.end());
+}
+
+// Keeps of two lists what lies between their common beginning and their common end.
+static void keep_difference(PropsEdit& edit, std::span<const Prop> before, std::span<const Prop> after) {
+    const auto [a, b] = std::ranges::mismatch(before, after);
+    const auto [c, d] = std::mismatch(before.rbegin(), std::make_reverse_iterator(a), after.rbegin(),
+                                      std::make_reverse_iterator(b));
+    edit.first = static_cast<std::size_t>(a - before.begin());
+    edit.before.props.assign(a, c.base());
+    edit.after.props.assign(b, d.base());
+}
+
+void merge_into(PropsEdit& earlier, PropsEdit&& later, std::vector<Prop> now) {
+    std::vector<Prop> before = now;
+    put_props(later, false, before);
+    put_props(earlier, false, before);
+    earlier.after = std::move(later.after);
+    keep_difference(earlier, before, now);
+}
+
 PropsState Document::props_state() const {
-    return {level_.props, level_.platforms, level_.overrides, selection_, level_.hidden, level_.selections};
+    const std::size_t own = own_mesh(level_)->face_count();
+    PropsState state{{}, level_.platforms, {}, selection_, level_.hidden, level_.selections};
+    if (level_.overrides.size() > own)
+        state.paint.assign(level_.overrides.begin() + static_cast<std::ptrdiff_t>(own),
+                           level_.overrides.end());
+    return state;
+}
+
+void Document::take(const PropsState& state) {
+    const std::size_t own = own_mesh(level_)->face_count();
+    level_.platforms = state.platforms;
+    level_.overrides.resize(own);
+    level_.overrides.insert(level_.overrides.end(), state.paint.begin(), state.paint.end());
+    selection_ = state.selection;
+    level_.hidden = state.hidden;
+    level_.selections = state.saved_selections;
 }
 
 void Document::set_props(std::vector<Prop> props, std::span<const std::uint32_t> from,
                          std::string step_name) {
     if (props == level_.props || from.size() != props.size() || !props_problem(props).empty()) return;
-    Level after = level_;
-    after.props = std::move(props);
-    after.platforms = moved_platforms(level_, after.props, from);
-    (void)place_props(after);
-    const FaceMap map(level_, after, from);
-    PropsState state{std::move(after.props),
-                     std::move(after.platforms),
-                     map.moved_values(level_.overrides, after.mesh->face_count()),
-                     map.moved(selection_),
-                     map.moved(level_.hidden),
-                     level_.selections};
-    for (SavedSelection& saved : state.saved_selections)
-        saved.faces = map.moved(saved.faces);
-    perform(std::move(step_name), PropsEdit{std::make_shared<const PropsState>(props_state()),
-                                            std::make_shared<const PropsState>(std::move(state))});
+    PropsEdit edit{0, props_state(), {}};
+    const std::vector<FaceId> was = level_.placed.first_face;
+    std::swap(props, level_.props);
+    prop_warnings_ = place_props(level_);
+    edit.after = edit.before;
+    edit.after.platforms = moved_platforms(level_.platforms, props, level_.props, from);
+    if (was != level_.placed.first_face || !std::ranges::equal(from, every_prop(level_))) {
+        const std::size_t own = own_mesh(level_)->face_count();
+        const FaceMap map(own, props, was, level_.props, level_.placed.first_face, from);
+        edit.after.paint = map.moved_paint(edit.before.paint, own);
+        edit.after.selection = map.moved(selection_);
+        edit.after.hidden = map.moved(level_.hidden);
+        for (SavedSelection& saved : edit.after.saved_selections)
+            saved.faces = map.moved(saved.faces);
+    }
+    take(edit.after);
+    Touched touched;
+    touched.hidden = touched.props = true;
+    refresh(touched);
+    keep_difference(edit, props, level_.props);
+    record(std::move(step_name), std::move(edit));
 }
 
 void Document::set_platforms(std::vector<Platform> platforms, std::string step_name) {
     if (platforms == level_.platforms) return;
-    PropsState state = props_state();
-    state.platforms = std::move(platforms);
-    perform(std::move(step_name), PropsEdit{std::make_shared<const PropsState>(props_state()),
-                                            std::make_shared<const PropsState>(std::move(state))});
+    PropsEdit edit{0, props_state(), props_state()};
+    edit.after.platforms = std::move(platforms);
+    perform(std::move(step_name), std::move(edit));
 }
 
 }  // namespace slipface

@@ -8,12 +8,8 @@ namespace slipface {
 
 void Document::refresh(const Touched& touched) {
     ++revision_;
-    if (touched.hidden && !touched.geometry) {
-        std::fill(hidden_flags_.begin(), hidden_flags_.end(), std::uint8_t{0});
-        for (const FaceId face : level_.hidden)
-            hidden_flags_[face] = 1;
-    }
-    if (touched.types || touched.parameters || !touched.faces.empty()) ++face_revision_;
+    if (touched.hidden && !touched.geometry) mark_hidden();
+    if (touched.types || touched.parameters || touched.props || !touched.faces.empty()) ++face_revision_;
     // Building succeeded before, so it fails only if memory has run out since.
     if (touched.geometry)
         if (const Status status = rebuild_geometry(); !status) warnings_.push_back(status.error());
@@ -21,42 +17,110 @@ void Document::refresh(const Touched& touched) {
         resolve_again();
         return;
     }
+    if (touched.props) resolve_props();
     if (touched.parameters) apply_surface_rules(collision_, level_.surfaces);
-    for (const FaceId face : touched.faces) {
-        count_face(face, false);
-        resolve_face(face);
-        count_face(face, true);
-        collision_.set_face_surface(face, resolved_.surface[face]);
+    if (!touched.faces.empty()) repaint(touched.faces);
+}
+
+void Document::repaint(std::span<const FaceId> faces) {
+    bool in_props = false;
+    for (const FaceId face : faces) {
+        if (face >= resolved_.own.surface.size()) {
+            in_props = true;
+            continue;
+        }
+        const std::optional<SurfaceId> painted = paint_of(face);
+        const SurfaceId after = painted ? *painted : unpainted_.own.surface[face];
+        const SurfaceId before = std::exchange(resolved_.own.surface[face], after);
+        resolved_.own.source[face] = painted ? SurfaceSource::override_ : unpainted_.own.source[face];
+        const double area = static_cast<double>(own_part_.facts.area[face]);
+        --surface_counts_[before];
+        surface_areas_[before] -= area;
+        ++surface_counts_[after];
+        surface_areas_[after] += area;
+        collision_.set_face_surface(face, after);
+    }
+    if (in_props) resolve_props();
+}
+
+void Document::count(const PropFaces& prop, bool in) {
+    for (const auto& [surface, sum] : prop.sums) {
+        surface_counts_[surface] += in ? sum.faces : ~sum.faces + 1;
+        surface_areas_[surface] += in ? sum.area : -sum.area;
     }
 }
 
-void Document::resolve_face(FaceId face) {
-    const std::optional<SurfaceId> painted = level_.overrides[face];
-    resolved_.surface[face] = painted ? *painted : unpainted_.surface[face];
-    resolved_.source[face] = painted ? SurfaceSource::override_ : unpainted_.source[face];
+Document::PropFaces Document::count_prop(std::size_t prop) {
+    const Prop& placed = level_.props[prop];
+    PropFaces faces{placed.mesh, placed.type, placed.scale, resolved_.props[prop] != unpainted_.props[prop], {}};
+    if (!resolved_.props[prop]) return faces;
+    const MeshPtr& mesh = find_prop_mesh(level_, placed.mesh)->mesh;
+    std::vector<Vec3>& vectors = prop_area_vectors_[mesh];
+    for (FaceId face = static_cast<FaceId>(vectors.size()); face < mesh->face_count(); ++face)
+        vectors.emplace_back(face_area(*mesh, face) * face_normal(*mesh, face));
+    const Vec3& s = placed.scale;
+    const Vec3 stretch(s.y() * s.z(), s.x() * s.z(), s.x() * s.y());
+    std::array<PropFaces::Sum, max_surface_types + 1> sums{};
+    for (std::size_t face = 0; face < vectors.size(); ++face) {
+        PropFaces::Sum& sum = sums[resolved_.props[prop]->surface[face]];
+        ++sum.faces;
+        sum.area += vectors[face].cwiseProduct(stretch).norm();
+    }
+    for (std::size_t surface = 0; surface < sums.size(); ++surface)
+        if (sums[surface].faces > 0) faces.sums.emplace_back(static_cast<SurfaceId>(surface), sums[surface]);
+    return faces;
 }
 
-void Document::count_face(FaceId face, bool in) {
-    const SurfaceId surface = resolved_.surface[face];
-    surface_counts_[surface] += in ? std::size_t{1} : ~std::size_t{0};
-    surface_areas_[surface] += static_cast<double>(in ? facts_.area[face] : -facts_.area[face]);
+void Document::resolve_props() {
+    unpainted_.props = slipface::resolve_props(level_);
+    resolved_.props = unpainted_.props;
+    paint_props(level_, resolved_.props);
+    std::vector<PropFaces> was = std::exchange(prop_faces_, {});
+    prop_faces_.reserve(resolved_.props.size());
+    std::size_t next = 0;  // that which is probably the same prop among those before
+    for (std::size_t i = 0; i < resolved_.props.size(); ++i) {
+        const Prop& prop = level_.props[i];
+        const bool painted = resolved_.props[i] != unpainted_.props[i];
+        const auto same = [&](std::size_t k) {
+            return !painted && k < was.size() && !was[k].painted && was[k].mesh == prop.mesh &&
+                   was[k].type == prop.type && was[k].scale == prop.scale &&
+                   was[k].sums.empty() == !resolved_.props[i];
+        };
+        // One may have gone, or come.
+        if (!same(next)) next = same(next + 1) ? next + 1 : next > 0 && same(next - 1) ? next - 1 : next;
+        if (same(next)) {
+            prop_faces_.push_back(std::exchange(was[next], {}));
+        } else {
+            prop_faces_.push_back(count_prop(i));
+            count(prop_faces_.back(), true);
+        }
+        ++next;
+    }
+    for (const PropFaces& gone : was)
+        count(gone, false);
+    whole_part_.reset();
+    const std::vector<Instance> instances =
+        prop_instances(level_, resolved_, Vec3::Zero(), [](std::size_t) { return true; });
+    if (const Status status = collision_.set_instances(instances); !status)
+        warnings_.push_back(status.error());
 }
 
 void Document::resolve_again() {
-    std::vector<std::optional<SurfaceId>> overrides(level_.overrides.size());
+    std::vector<std::optional<SurfaceId>> overrides;
     std::swap(overrides, level_.overrides);
-    unpainted_ = resolve_surfaces(level_);
+    unpainted_ = resolve_parts(level_);
     std::swap(overrides, level_.overrides);
-
-    resolved_ = unpainted_;
+    resolved_ = resolve_parts(level_);
     surface_counts_.fill(0);
     surface_areas_.fill(0.0);
+    prop_faces_.clear();
     apply_surface_rules(collision_, level_.surfaces);
-    for (FaceId face = 0; face < resolved_.surface.size(); ++face) {
-        resolve_face(face);
-        count_face(face, true);
+    for (FaceId face = 0; face < resolved_.own.surface.size(); ++face) {
+        ++surface_counts_[resolved_.own.surface[face]];
+        surface_areas_[resolved_.own.surface[face]] += static_cast<double>(own_part_.facts.area[face]);
     }
-    collision_.set_face_surfaces(resolved_.surface);
+    collision_.set_face_surfaces(resolved_.own.surface);
+    if (has_instances(level_)) resolve_props();
 }
 
 namespace {

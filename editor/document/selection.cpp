@@ -22,14 +22,14 @@ constexpr double like_area = 0.05;  // fraction
 template <class Keep>
 std::vector<FaceId> faces_where(const Document& document, const Keep& keep) {
     std::vector<FaceId> faces;
-    for (FaceId face = 0; face < document.mesh().face_count(); ++face)
+    for (FaceId face = 0; face < document.face_count(); ++face)
         if (keep(face)) faces.push_back(face);
     return faces;
 }
 
 // One flag per face, set for `faces`.
 std::vector<std::uint8_t> marks(const Document& document, std::span<const FaceId> faces) {
-    std::vector<std::uint8_t> marked(document.mesh().face_count(), 0);
+    std::vector<std::uint8_t> marked(document.face_count(), 0);
     for (const FaceId face : faces)
         if (face < marked.size()) marked[face] = 1;
     return marked;
@@ -40,7 +40,7 @@ std::vector<std::uint8_t> marks(const Document& document, std::span<const FaceId
 template <class Crosses>
 std::vector<FaceId> connected(const Document& document, std::span<const FaceId> start,
                               const Crosses& crosses) {
-    std::vector<std::uint8_t> reached(document.mesh().face_count(), 0);
+    std::vector<std::uint8_t> reached(document.face_count(), 0);
     struct Open {
         FaceId face, origin;
     };
@@ -101,9 +101,9 @@ std::vector<FaceId> connected_within_material(const Document& document, std::spa
 }
 
 std::vector<FaceId> connected_within_type(const Document& document, std::span<const FaceId> start) {
-    const std::vector<SurfaceId>& surface = document.resolved().surface;
-    return connected(document, start,
-                     [&](FaceId from, FaceId to, FaceId) { return surface[from] == surface[to]; });
+    return connected(document, start, [&](FaceId from, FaceId to, FaceId) {
+        return document.surface_of(from) == document.surface_of(to);
+    });
 }
 
 std::vector<FaceId> grown(const Document& document, std::span<const FaceId> faces) {
@@ -130,7 +130,7 @@ std::vector<FaceId> inverted(const Document& document, std::span<const FaceId> f
 }
 
 std::vector<FaceId> every_face(const Document& document) {
-    std::vector<FaceId> faces(document.mesh().face_count());
+    std::vector<FaceId> faces(document.face_count());
     std::iota(faces.begin(), faces.end(), FaceId{0});
     return faces;
 }
@@ -146,7 +146,7 @@ SlopeClass slope_class(const Document& document, FaceId face) {
     if (normal.isZero(0.0f)) return SlopeClass::none;
     constexpr float flat = 1e-6f;  // of a float normal
     const double up = static_cast<double>(normal.y());
-    if (up + static_cast<double>(flat) >= slope_limit_cosine(document, document.resolved().surface[face]))
+    if (up + static_cast<double>(flat) >= slope_limit_cosine(document, document.surface_of(face)))
         return SlopeClass::walkable;
     return normal.y() >= -flat ? SlopeClass::steep : SlopeClass::overhang;
 }
@@ -160,7 +160,7 @@ const SlopeCounts& slope_counts(const Document& document) {
     faces_seen = document.face_revision();
     limit = limit_now;
     counts = {};
-    for (FaceId face = 0; face < document.mesh().face_count(); ++face) {
+    for (FaceId face = 0; face < document.face_count(); ++face) {
         const auto slope = static_cast<std::size_t>(slope_class(document, face));
         ++counts.faces[slope];
         counts.area[slope] += static_cast<double>(document.facts().area[face]);
@@ -274,7 +274,7 @@ std::vector<FaceId> similar_faces(const Document& document, std::span<const Face
             return by([&](FaceId face) -> std::size_t { return mesh.face_material[face]; });
         case Likeness::group: return by([&](FaceId face) -> std::size_t { return mesh.face_group[face]; });
         case Likeness::type:
-            return by([&](FaceId face) -> std::size_t { return document.resolved().surface[face]; });
+            return by([&](FaceId face) -> std::size_t { return document.surface_of(face); });
         case Likeness::slope:
             return by([&](FaceId face) { return static_cast<std::size_t>(slope_class(document, face)); });
         case Likeness::normal: return with_normals(document, known);
@@ -284,15 +284,15 @@ std::vector<FaceId> similar_faces(const Document& document, std::span<const Face
 }
 
 std::vector<FaceId> faces_of_type(const Document& document, SurfaceId surface) {
-    return faces_where(document, [&](FaceId face) { return document.resolved().surface[face] == surface; });
+    return faces_where(document, [&](FaceId face) { return document.surface_of(face) == surface; });
 }
 
 std::vector<FaceId> painted_faces(const Document& document) {
-    return faces_where(document, [&](FaceId face) { return document.level().overrides[face].has_value(); });
+    return faces_where(document, [&](FaceId face) { return document.paint_of(face).has_value(); });
 }
 
 std::vector<FaceId> unpainted_faces(const Document& document) {
-    return faces_where(document, [&](FaceId face) { return !document.level().overrides[face].has_value(); });
+    return faces_where(document, [&](FaceId face) { return !document.paint_of(face).has_value(); });
 }
 
 std::vector<FaceId> faces_steeper_than_limit(const Document& document) {

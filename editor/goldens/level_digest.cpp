@@ -150,7 +150,7 @@ bool read_mesh(Reader& in, Mesh& mesh) {
 
 std::string annotations_json(const Level& level) {
     Level bare = with_flat_props(level);
-    bare.overrides.assign(level.mesh ? level.mesh->face_count() : 0, std::nullopt);
+    bare.overrides.assign(level.mesh.face_count(), std::nullopt);
     bare.orphans.clear();
     bare.unknown = {};
     return level_to_json(bare);
@@ -172,7 +172,7 @@ std::uint64_t appearance_hash(const Mesh& mesh) {
 std::string digest_name(const Level& level) {
     Hasher hasher;
     if (level.mesh) {
-        hasher.u64(level.mesh->fingerprint);
+        hasher.u64(level.mesh.fingerprint());
         hasher.u64(appearance_hash(*level.mesh));
     }
     const std::vector<SurfaceId> surfaces = resolve_surfaces(level).surface;
@@ -189,9 +189,9 @@ std::string digest_name(const Level& level) {
 
 Result<std::string> encode_digest(const Level& level) {
     if (!level.mesh) return Error{"digest", "the level has no geometry"};
-    if (level.mesh->triangle_count() > max_digest_triangles)
+    if (level.mesh.triangle_count() > max_digest_triangles)
         return Error{"digest", fmt::format("the level has {} triangles; a digest stores at most {}",
-                                           level.mesh->triangle_count(), max_digest_triangles)};
+                                           level.mesh.triangle_count(), max_digest_triangles)};
     Writer out;
     out.put_text(annotations_json(level));
     out.put_list(resolve_surfaces(level).surface);

@@ -119,7 +119,7 @@ void inspector_panel(Editor& editor) {
     const Document& document = *editor.document;
     const std::size_t selected = document.selection().size();
     if (selected == 0) {
-        if (editor.hovered >= document.mesh().face_count()) {
+        if (editor.hovered >= document.face_count()) {
             ui::heading("Faces");
             ui::muted_text("Move the mouse over a face, or select faces");
             return;

@@ -108,7 +108,8 @@ std::size_t unset_faces(const Document& document) {
     if (revision != document.face_revision()) {
         revision = document.face_revision();
         const auto& overrides = document.level().overrides;
-        count = static_cast<std::size_t>(std::count(overrides.begin(), overrides.end(), std::nullopt));
+        const std::ptrdiff_t unset = std::count(overrides.begin(), overrides.end(), std::nullopt);
+        count = document.face_count() - (overrides.size() - static_cast<std::size_t>(unset));
     }
     return count;
 }

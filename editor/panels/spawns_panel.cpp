@@ -13,7 +13,7 @@ namespace {
 
 void fall_limit_row(Editor& editor) {
     const Level& level = editor.document->level();
-    const double lowest = level.mesh->bounds.min.y();
+    const double lowest = level.mesh.bounds().min.y();
     double height = level.fall_limit.value_or(lowest - 60.0);
     const bool own = level.fall_limit.has_value();
     const char* const tooltip =
@@ -22,7 +22,7 @@ void fall_limit_row(Editor& editor) {
     ImGui::Spacing();
     if (!begin_property_rows("limit", label_width_of("Fall limit"))) return;
     property_row("Fall limit", tooltip, own);
-    if (number_slider("Fall limit", &height, lowest - 200.0, level.mesh->bounds.max.y(), "m", tooltip)) {
+    if (number_slider("Fall limit", &height, lowest - 200.0, level.mesh.bounds().max.y(), "m", tooltip)) {
         live_edit(editor, "Set fall limit");
         editor.document->set_fall_limit(height);
     }

@@ -163,12 +163,12 @@ namespace {
 constexpr float ids_reach = 150.0f;  // design pixels around the mouse
 constexpr std::size_t max_id_faces = 600;
 
-// The faces around the hovered one, nearest first, counted in steps across edges.
-std::vector<FaceId> faces_around(const Document& document, FaceId start) {
+// The faces around one, nearest first, counted in steps across edges.
+std::vector<FaceId> faces_around(const FaceNeighbours& neighbours, FaceId start) {
     std::vector<FaceId> faces{start};
     std::set<FaceId> seen{start};
     for (std::size_t i = 0; i < faces.size() && faces.size() < max_id_faces; ++i)
-        for (const FaceId next : document.neighbours().of(faces[i]))
+        for (const FaceId next : neighbours.of(faces[i]))
             if (seen.insert(next).second) faces.push_back(next);
     return faces;
 }
@@ -178,15 +178,16 @@ std::vector<FaceId> faces_around(const Document& document, FaceId start) {
 void draw_triangle_ids(const Editor& editor, const ViewportState& state) {
     if (!editor.show_triangle_ids || editor.hovered == no_id) return;
     const Document& document = *editor.document;
-    const Mesh& mesh = document.mesh();
+    const FacePart& part = document.part_with(editor.hovered);
+    const Mesh& mesh = *part.mesh;
     const Camera camera = shown_camera(editor);
     const Vec2 size{static_cast<double>(state.size.x), static_cast<double>(state.size.y)};
     const Vec2 mouse = project(camera, editor.hovered_point, size).head<2>();
     const double reach = static_cast<double>(ids_reach * ui::scale());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImFont* const font = ui::fonts().small;
-    for (const FaceId face : faces_around(document, editor.hovered)) {
-        if (document.is_hidden(face)) continue;
+    for (const FaceId face : faces_around(part.neighbours, editor.hovered - part.first)) {
+        if (document.is_hidden(face + part.first)) continue;
         for (std::uint32_t t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1]; ++t) {
             std::array<Vec2, 3> corners;
             Vec3 centre = Vec3::Zero();
@@ -198,7 +199,7 @@ void draw_triangle_ids(const Editor& editor, const ViewportState& state) {
             const Vec3 at = project(camera, centre, size);
             if (at.z() <= 0.0 && !camera.orthographic) continue;
             if ((at.head<2>() - mouse).norm() > reach) continue;
-            const std::string text = std::to_string(t);
+            const std::string text = std::to_string(t + part.first_triangle);
             const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0.0f, text.c_str());
             // A number that does not fit its triangle would only hide the others.
             const Vec2 a = corners[1] - corners[0], b = corners[2] - corners[0];
@@ -211,7 +212,7 @@ void draw_triangle_ids(const Editor& editor, const ViewportState& state) {
                                IM_COL32(14, 16, 20, 190), 3 * ui::scale());
             list.AddText(
                 font, font->FontSize, min,
-                face == editor.hovered ? ui::packed(ui::palette().accent) : IM_COL32(235, 238, 242, 255),
+                face + part.first == editor.hovered ? ui::packed(ui::palette().accent) : IM_COL32(235, 238, 242, 255),
                 text.c_str());
         }
     }

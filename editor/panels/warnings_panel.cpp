@@ -47,9 +47,9 @@ void guess_rows(Editor& editor) {
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const FaceId face = document.guessed()[static_cast<std::size_t>(i)];
-            const std::string& material = document.mesh().materials[document.mesh().face_material[face]].name;
+            const std::string& material = document.level().mesh.material_of(face);
             const std::string name = "Face " + std::to_string(face) + ": " +
-                                     document.level().surfaces[document.resolved().surface[face]].name +
+                                     document.level().surfaces[document.surface_of(face)].name +
                                      (material.empty() ? "" : ", " + material);
             const std::span<const FaceId> selected = document.selection();
             if (ImGui::Selectable(name.c_str(), std::binary_search(selected.begin(), selected.end(), face)))

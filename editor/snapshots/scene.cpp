@@ -139,7 +139,7 @@ struct SceneStage::Impl {
     Result<Image> draw(const Scene& scene, const OnStage& on_stage, Camera camera, Overlay overlay) {
         const double aspect = static_cast<double>(scene.width) / scene.height;
         fit_depth_range(camera, *on_stage.staged, overlay, aspect);
-        if (wants_grid(scene)) draw_grid(overlay, on_stage.staged->level.mesh->bounds);
+        if (wants_grid(scene)) draw_grid(overlay, on_stage.staged->level.mesh.bounds());
         return on_stage.painter->image(camera, scene.width, scene.height, scene.style, &overlay);
     }
 

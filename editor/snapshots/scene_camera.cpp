@@ -60,7 +60,7 @@ std::optional<Camera> contact_camera(const CameraName& name, const StagedLevel& 
 std::optional<Camera> find_camera(const CameraName& name, const Scene& scene, const StagedLevel& staged,
                                   const SceneMovement& story) {
     const double aspect = static_cast<double>(scene.width) / scene.height;
-    const Aabb& bounds = staged.level.mesh->bounds;
+    const Aabb& bounds = staged.level.mesh.bounds();
     const double turn = 2.0 * std::numbers::pi * (name.index - 1) / name.count;
     switch (name.kind) {
         case CameraKind::named_view:
@@ -117,7 +117,7 @@ void fit_depth_range(Camera& camera, const StagedLevel& staged, const Overlay& o
         nearest = std::min(nearest, distance - radius);
         farthest = std::max(farthest, distance + radius);
     };
-    const Aabb& bounds = staged.level.mesh->bounds;
+    const Aabb& bounds = staged.level.mesh.bounds();
     for (unsigned corner = 0; corner < 8; ++corner) {
         const Vec3 location((corner & 1U) != 0 ? bounds.max.x() : bounds.min.x(),
                             (corner & 2U) != 0 ? bounds.max.y() : bounds.min.y(),

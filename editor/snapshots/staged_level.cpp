@@ -72,11 +72,11 @@ void add_file(Numbers& numbers, const Level& level) {
 Numbers level_numbers(const Level& level) {
     Numbers numbers;
     numbers["name"] = level.mesh_path.stem().string();
-    numbers["mesh"] = hex_text(level.mesh->fingerprint);
+    numbers["mesh"] = hex_text(level.mesh.fingerprint());
     numbers["digest"] = "";
-    numbers["faces"] = level.mesh->face_count();
-    numbers["triangles"] = level.mesh->triangle_count();
-    numbers["bounds"] = Numbers::array({json_of(level.mesh->bounds.min), json_of(level.mesh->bounds.max)});
+    numbers["faces"] = level.mesh.face_count();
+    numbers["triangles"] = level.mesh.triangle_count();
+    numbers["bounds"] = Numbers::array({json_of(level.mesh.bounds().min), json_of(level.mesh->bounds.max)});
     std::vector<std::size_t> counts(level.surfaces.size(), 0);
     for (const SurfaceId surface : resolve_surfaces(level).surface)
         if (surface < counts.size()) ++counts[surface];
@@ -119,7 +119,7 @@ Result<std::unique_ptr<StagedLevel>> stage_level(Level level) {
         staged->geometry = *std::move(geometry);
     }
     staged->numbers = level_numbers(staged->level);
-    if (staged->level.mesh->triangle_count() <= max_digest_triangles)
+    if (staged->level.mesh.triangle_count() <= max_digest_triangles)
         staged->digest = digest_name(staged->level);
     staged->numbers["digest"] = staged->digest;
     return staged;

@@ -96,10 +96,10 @@ void adopt_document(Editor& editor, std::unique_ptr<Document> opened, const std:
         const ViewCamera usual;
         editor.view.yaw = usual.yaw;
         editor.view.pitch = usual.pitch;
-        editor.view.frame(document.mesh().bounds, opening_aspect);
+        editor.view.frame(document.bounds(), opening_aspect);
     }
     editor.status = "Opened " + path.filename().string() + ", " +
-                    count_text(document.mesh().face_count(), "face", "faces");
+                    count_text(document.face_count(), "face", "faces");
     if (const std::size_t hidden = document.hidden().size(); hidden > 0)
         editor.status += ", " + std::to_string(hidden) + " hidden";
     offer_import_card(editor);
@@ -175,8 +175,8 @@ bool draws_back_faces(const Editor& editor, const Camera& camera) {
     if (editor.back_faces != BackFaces::automatic) return editor.back_faces == BackFaces::always;
     if (!editor.document || editor.playtest) return true;
     const CollisionWorld& world = editor.document->collision();
-    if (editor.rooms.mesh != &editor.document->mesh())
-        editor.rooms = {&editor.document->mesh(), is_made_of_rooms(world)};
+    if (editor.rooms.mesh != editor.document->level().mesh.id())
+        editor.rooms = {editor.document->level().mesh.id(), is_made_of_rooms(world)};
     return !editor.rooms.made_of || !(camera.orthographic || is_outside_rooms(world, camera.eye));
 }
 
@@ -209,7 +209,7 @@ void hover(Editor& editor, const Ray& ray) {
 const std::vector<FaceId>& tool_faces(const Editor& editor) {
     Editor::ToolFaces& found = editor.tool_faces;
     const Document* document = editor.document.get();
-    if (!document || editor.hovered >= document->mesh().face_count() || editor.playtest) {
+    if (!document || editor.hovered >= document->face_count() || editor.playtest) {
         found = {};
         return found.faces;
     }
@@ -218,35 +218,32 @@ const std::vector<FaceId>& tool_faces(const Editor& editor) {
                         : selects_by_brush        ? editor.select_radius
                                                   : editor.brush_radius;
     const bool by_point = (editor.tool == Tool::paint || selects_by_brush) && size > 0.0;
-    if (found.document == document && found.mesh == &document->mesh() && found.tool == editor.tool &&
+    if (found.document == document && found.mesh == document->level().mesh.id() && found.tool == editor.tool &&
         found.hovered == editor.hovered && found.size == size &&
         (!by_point || found.point == editor.hovered_point))
         return found.faces;
 
     // Every face of a flood fill has the same flood fill.
-    if (editor.tool == Tool::fill && found.document == document && found.mesh == &document->mesh() &&
+    if (editor.tool == Tool::fill && found.document == document && found.mesh == document->level().mesh.id() &&
         found.tool == editor.tool && found.size == size &&
         std::binary_search(found.faces.begin(), found.faces.end(), editor.hovered)) {
         found.hovered = editor.hovered;
         return found.faces;
     }
-    found = {document, &document->mesh(), editor.tool, editor.hovered, editor.hovered_point, size, {}};
+    found = {document, document->level().mesh.id(), editor.tool, editor.hovered, editor.hovered_point, size, {}};
     switch (editor.tool) {
         case Tool::probe:
         case Tool::props: break;
         case Tool::select:
             found.faces = {editor.hovered};
             if (selects_by_brush)
-                found.faces = brush_faces(document->mesh(), document->neighbours(), editor.hovered,
-                                          editor.hovered_point, size);
+                found.faces = brush_faces(*document, editor.hovered, editor.hovered_point, size);
             break;
         case Tool::paint:
-            found.faces = brush_faces(document->mesh(), document->neighbours(), editor.hovered,
-                                      editor.hovered_point, size);
+            found.faces = brush_faces(*document, editor.hovered, editor.hovered_point, size);
             break;
         case Tool::fill:
-            found.faces = flood_by_angle(document->facts(), document->neighbours(),
-                                         std::span(&editor.hovered, 1), size);
+            found.faces = flood_by_angle(*document, editor.hovered, size);
             break;
     }
     return found.faces;
@@ -262,32 +259,28 @@ void paint_faces(Editor& editor, std::span<const FaceId> faces, std::optional<Su
 }
 
 void paint_hovered(Editor& editor) {
-    if (!editor.document || editor.hovered >= editor.document->mesh().face_count()) return;
+    if (!editor.document || editor.hovered >= editor.document->face_count()) return;
     paint_faces(editor,
-                brush_faces(editor.document->mesh(), editor.document->neighbours(), editor.hovered,
-                            editor.hovered_point, editor.brush_radius),
+                brush_faces(*editor.document, editor.hovered, editor.hovered_point, editor.brush_radius),
                 editor.brush);
 }
 
 void fill_hovered(Editor& editor) {
-    if (!editor.document || editor.hovered >= editor.document->mesh().face_count()) return;
-    paint_faces(editor,
-                flood_by_angle(editor.document->facts(), editor.document->neighbours(),
-                               std::span(&editor.hovered, 1), editor.fill_angle),
-                editor.brush);
+    if (!editor.document || editor.hovered >= editor.document->face_count()) return;
+    paint_faces(editor, flood_by_angle(*editor.document, editor.hovered, editor.fill_angle), editor.brush);
 }
 
 void pick_surface(Editor& editor) {
-    if (!editor.document || editor.hovered >= editor.document->mesh().face_count()) return;
-    editor.brush = editor.document->resolved().surface[editor.hovered];
+    if (!editor.document || editor.hovered >= editor.document->face_count()) return;
+    editor.brush = editor.document->surface_of(editor.hovered);
     editor.status = "Brush: " + brush_name(editor);
 }
 
 void frame_selected(Editor& editor, double aspect) {
     if (!editor.document) return;
     const Document& document = *editor.document;
-    editor.view.frame(document.selection().empty() ? document.mesh().bounds
-                                                   : faces_bounds(document.mesh(), document.selection()),
+    editor.view.frame(document.selection().empty() ? document.bounds()
+                                                   : faces_bounds(document, document.selection()),
                       aspect);
 }
 
@@ -327,7 +320,7 @@ void begin_playtest(Editor& editor, const Vec3 position, double yaw, std::string
     editor.playtest.emplace();
     editor.playtest->first_person = first_person;
     editor.playtest->start(position, yaw);
-    editor.playtest->name_level(document.level().mesh_path.filename().string(), document.mesh().fingerprint,
+    editor.playtest->name_level(document.level().mesh_path.filename().string(), document.level().mesh.fingerprint(),
                                 scene_fingerprint(editor.lab.scene(document).at(0, 0.0)));
     editor.status = std::move(note);
 }
@@ -368,16 +361,29 @@ void stop_playtest(Editor& editor) {
     editor.playtest.reset();
 }
 
-std::vector<std::uint8_t> face_highlights(const Editor& editor) {
-    if (!editor.document) return {};
-    std::vector<std::uint8_t> highlights(editor.document->mesh().face_count(), 0);
+FaceHighlights face_highlights(const Editor& editor, std::size_t own) {
+    FaceHighlights highlights;
+    if (!editor.document) return highlights;
+    const PlacedProps& placed = editor.document->level().placed;
+    highlights.own.resize(own);
+    std::uint32_t prop = no_id;
+    std::vector<std::uint8_t>* of_prop = nullptr;
+    const auto flags_of = [&](FaceId face) -> std::uint8_t& {
+        if (face < own) return highlights.own[face];
+        if (prop == no_id || face < placed.first_face[prop] || face >= placed.first_face[prop + 1]) {
+            prop = placed.prop_of(face);
+            of_prop = &highlights.props[prop];
+            of_prop->resize(placed.first_face[prop + 1] - placed.first_face[prop]);
+        }
+        return (*of_prop)[face - placed.first_face[prop]];
+    };
     for (const FaceId face : tool_faces(editor))
-        highlights[face] = 1;
+        flags_of(face) = 1;
     if (!editor.playtest)  // the player sees the paint, not the selection
         for (const FaceId face : editor.document->selection())
-            highlights[face] = static_cast<std::uint8_t>(highlights[face] | 2);
+            flags_of(face) = static_cast<std::uint8_t>(flags_of(face) | 2);
     for (const FaceId face : editor.document->hidden())
-        highlights[face] = 4;
+        flags_of(face) = 4;
     return highlights;
 }
 

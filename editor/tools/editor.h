@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -154,7 +155,7 @@ struct Editor {
     // The last result of tool_faces(), valid until one of its inputs changes.
     struct ToolFaces {
         const Document* document = nullptr;
-        const Mesh* mesh = nullptr;
+        const void* mesh = nullptr;  // LevelMesh::id()
         Tool tool = Tool::select;
         FaceId hovered = no_id;
         Vec3 point = Vec3::Zero();
@@ -164,7 +165,7 @@ struct Editor {
     mutable ToolFaces tool_faces;
     // The result of is_made_of_rooms() for this mesh.
     struct Rooms {
-        const Mesh* mesh = nullptr;
+        const void* mesh = nullptr;  // LevelMesh::id()
         bool made_of = false;
     };
     mutable Rooms rooms;
@@ -215,6 +216,12 @@ void stop_playtest(Editor& editor);
 
 // Faces for LevelRenderer::set_face_highlights: bit 0 hovered (all faces that the tool would touch), bit 1
 // selected, bit 2 hidden.
-std::vector<std::uint8_t> face_highlights(const Editor& editor);
+// `own`: how many of the first faces are listed one by one; the others belong to props.
+struct FaceHighlights {
+    std::vector<std::uint8_t> own;                            // [face]
+    std::map<std::uint32_t, std::vector<std::uint8_t>> props;  // [prop] of its faces; those that have some
+    friend bool operator==(const FaceHighlights&, const FaceHighlights&) = default;
+};
+FaceHighlights face_highlights(const Editor& editor, std::size_t own);
 
 }  // namespace slipface

@@ -276,11 +276,11 @@ slipface_status slipface_world_set_face_type(slipface_world world, uint32_t face
     return run(error, [&] {
         const ChangedWorld in(world.id);
         need_type(*in, type);
-        const std::size_t faces = in->level ? in->level->mesh->face_count() : in->collision.triangle_count();
+        const std::size_t faces = in->level ? in->level->mesh.face_count() : in->collision.triangle_count();
         if (face >= faces)
             refuse(SLIPFACE_WRONG_ARGUMENT, "found the face {}, expected one below {}", face, faces);
         if (in->level) {
-            in->level->overrides.resize(faces);
+            in->level->overrides.resize(std::max<std::size_t>(in->level->overrides.size(), face + 1));
             in->level->overrides[face] = static_cast<SurfaceId>(type);
             in->scene->apply_surfaces();
             in->see_level();

@@ -113,13 +113,26 @@ Result<CollisionWorld> CollisionWorld::build(const TriangleSoup& soup, std::span
         impl.bvh = detail::build_bvh(soup.positions, soup.triangles, soup.bodies);
         index_faces(soup, impl);
         impl.triangles = soup.triangles.size();
-        if (const Status status = add_instances(impl, instances); !status) return status.error();
+        if (const Status status = replace_instances(impl, instances); !status) return status.error();
         grow_bounds(impl);
         return world;
     } catch (const std::bad_alloc&) {
         return Error{"collision soup", "not enough memory for " + std::to_string(soup.triangles.size()) +
                                            " triangles; expected a smaller mesh"};
     }
+}
+
+Status CollisionWorld::set_instances(std::span<const Instance> instances) {
+    try {
+        if (Status status = replace_instances(*impl_, instances); !status) return status;
+    } catch (const std::bad_alloc&) {
+        return Error{"instances", "not enough memory for " + std::to_string(instances.size()) +
+                                      " instances; expected fewer"};
+    }
+    impl_->bounds = {};
+    impl_->extent = {};
+    grow_bounds(*impl_);
+    return {};
 }
 
 Status CollisionWorld::move_triangles(std::span<const TriangleId> triangles,
@@ -159,7 +172,7 @@ void CollisionWorld::set_face_surfaces(std::span<const SurfaceId> surfaces) {
         impl_->placed.empty() ? surfaces.size() : std::size_t{impl_->placed.front().first_face};
     for (std::size_t face = 0; face < std::min(surfaces.size(), first_placed); ++face)
         set_face_surface(static_cast<FaceId>(face), surfaces[face]);
-    set_instance_surfaces(*impl_, surfaces);
+    if (surfaces.size() > first_placed) set_instance_surfaces(*impl_, surfaces);
 }
 
 SurfaceId CollisionWorld::face_surface(FaceId face) const {

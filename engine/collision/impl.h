@@ -20,8 +20,9 @@ detail::LeafTriangle place_triangle(const detail::InstanceView& in, const detail
 struct PlacedMesh {
     std::shared_ptr<const CollisionMesh> mesh;
     FaceId first_face;
-    std::shared_ptr<std::vector<SurfaceId>>
-        surfaces;  // [face of the mesh]; instances with the same types share
+    // [face of the mesh]; instances with the same types share, and one that is alone may change its list
+    std::shared_ptr<const std::vector<SurfaceId>> surfaces;
+    std::array<Vec3f, 2> box;  // of the placed corners
 };
 
 struct CollisionWorld::Impl {

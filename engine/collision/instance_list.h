@@ -5,8 +5,9 @@
 
 namespace slipface {
 
-// Errors: see CollisionWorld::build(). The soup's triangles and faces are there already.
-Status add_instances(CollisionWorld::Impl& impl, std::span<const Instance> instances);
+// Replaces the instances of a world that has its soup. Errors: see CollisionWorld::build(); then nothing
+// changes.
+Status replace_instances(CollisionWorld::Impl& impl, std::span<const Instance> instances);
 
 // Faces that belong to no instance are ignored, and have the default type.
 void set_instance_surface(CollisionWorld::Impl& impl, FaceId face, SurfaceId surface);

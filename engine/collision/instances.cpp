@@ -43,15 +43,18 @@ const Impl& impl_of(const CollisionMesh& mesh) {
     return mesh.impl().world.impl();
 }
 
-Status check(const Instance& instance, FaceId least_face, std::size_t number) {
-    const std::string location = "instance " + std::to_string(number);
+Status check(const Instance& instance, FaceId least_face, const std::string& location) {
     if (!instance.mesh) return Error{location, "has no mesh"};
+    if (instance.mesh->triangle_count() == 0) return Error{location, "its mesh has no triangles"};
     if (instance.first_face < least_face)
         return Error{location, "its faces are not above those before: face " +
                                    std::to_string(instance.first_face) + "; expected at least " +
                                    std::to_string(least_face)};
     if (instance.mesh->face_count() > no_id - 1 - std::size_t{instance.first_face})
         return Error{location, "has too many faces"};
+    if (instance.surfaces && instance.surfaces->size() != instance.mesh->face_count())
+        return Error{location, "has types of " + std::to_string(instance.surfaces->size()) +
+                                   " faces; expected " + std::to_string(instance.mesh->face_count())};
     return {};
 }
 
@@ -115,55 +118,93 @@ LeafTriangle place_triangle(const InstanceView& in, const LeafTriangle& rest) {
     return placed;
 }
 
-Status add_instances(Impl& impl, std::span<const Instance> instances) {
+namespace {
+
+// How queries see an instance, and its box. False: its placement is not finite or flattens the mesh.
+bool look_at(const Instance& instance, InstanceView& view, std::array<Vec3f, 2>& box) {
+    const Impl& mesh = impl_of(*instance.mesh);
+    view.tree = mesh.bvh.view();
+    view.mirrors = instance.placement.mirrors();
+    if (!invert(instance.placement, view) || !box_of(mesh.bvh, instance.placement, box)) return false;
+    double reach = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        double most = std::fabs(instance.placement.offset[axis]);
+        for (int column = 0; column < 3; ++column) {
+            view.linear[column][axis] = instance.placement.columns[static_cast<std::size_t>(column)][axis];
+            most += std::fabs(view.linear[column][axis]) * mesh.extent.reach;
+        }
+        view.offset[axis] = instance.placement.offset[axis];
+        reach = std::max(reach, most);
+    }
+    view.slack = 0x1p-23 * reach + 1e-37;
+    return true;
+}
+
+bool stands_there(const InstanceView& view, const Placement& placement) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (view.offset[axis] != placement.offset[axis]) return false;
+        for (int column = 0; column < 3; ++column)
+            if (view.linear[column][axis] != placement.columns[static_cast<std::size_t>(column)][axis])
+                return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+Status replace_instances(Impl& impl, std::span<const Instance> instances) {
+    std::vector<InstanceView> views;
+    std::vector<PlacedMesh> placed;
     std::vector<Vec3f> corners;
     std::vector<std::array<std::uint32_t, 3>> boxes;
-    std::map<const CollisionMesh*, std::shared_ptr<std::vector<SurfaceId>>> surfaces;
+    views.reserve(instances.size());
+    placed.reserve(instances.size());
+    std::map<const CollisionMesh*, std::shared_ptr<const std::vector<SurfaceId>>> defaults;
+    std::size_t triangles = impl.own_triangles();
     FaceId least_face =
         impl.faces.empty() ? static_cast<FaceId>(impl.surfaces.size()) : impl.faces.back() + 1;
+    std::size_t next = 0;  // that which is probably the same instance among those before
     for (std::size_t i = 0; i < instances.size(); ++i) {
         const Instance& instance = instances[i];
         const std::string location = "instance " + std::to_string(i);
-        if (Status status = check(instance, least_face, i); !status) return status;
-        const Impl& mesh = impl_of(*instance.mesh);
-        if (impl.triangles + mesh.triangle_count() >= no_id)
+        if (Status status = check(instance, least_face, location); !status) return status;
+        if (triangles + instance.mesh->triangle_count() >= no_id)
             return Error{location, "its triangles are more than there are numbers"};
-        InstanceView view{.tree = mesh.bvh.view(),
-                          .linear = {},
-                          .offset = {},
-                          .inverse = {},
-                          .slack = 0.0,
-                          .least_scale = 1.0,
-                          .first = static_cast<std::uint32_t>(impl.triangles),
-                          .mirrors = instance.placement.mirrors()};
+        const auto was = [&](std::size_t k) {
+            return k < impl.placed.size() && impl.placed[k].mesh == instance.mesh &&
+                   stands_there(impl.views[k], instance.placement);
+        };
+        // One may have gone, or come.
+        if (!was(next)) next = was(next + 1) ? next + 1 : next > 0 && was(next - 1) ? next - 1 : next;
+        InstanceView view{};
         std::array<Vec3f, 2> box;
-        if (!invert(instance.placement, view) || !box_of(mesh.bvh, instance.placement, box))
+        if (was(next)) {
+            view = impl.views[next];
+            box = impl.placed[next].box;
+        } else if (!look_at(instance, view, box)) {
             return Error{location, "its placement is not finite or flattens the mesh"};
-        double reach = 0.0;
-        for (int axis = 0; axis < 3; ++axis) {
-            double most = std::fabs(instance.placement.offset[axis]);
-            for (int column = 0; column < 3; ++column) {
-                view.linear[column][axis] =
-                    instance.placement.columns[static_cast<std::size_t>(column)][axis];
-                most += std::fabs(view.linear[column][axis]) * mesh.extent.reach;
-            }
-            view.offset[axis] = instance.placement.offset[axis];
-            reach = std::max(reach, most);
         }
-        view.slack = 0x1p-23 * reach + 1e-37;
-        auto& shared = surfaces[instance.mesh.get()];
-        if (!shared) shared = std::make_shared<std::vector<SurfaceId>>(instance.mesh->face_count());
-        impl.views.push_back(view);
-        impl.placed.push_back({instance.mesh, instance.first_face, shared});
-        impl.triangles += mesh.triangle_count();
+        ++next;
+        view.first = static_cast<std::uint32_t>(triangles);
+        std::shared_ptr<const std::vector<SurfaceId>> surfaces = instance.surfaces;
+        if (!surfaces) {
+            auto& shared = defaults[instance.mesh.get()];
+            if (!shared)
+                shared = std::make_shared<std::vector<SurfaceId>>(instance.mesh->face_count());
+            surfaces = shared;
+        }
+        views.push_back(view);
+        placed.push_back({instance.mesh, instance.first_face, std::move(surfaces), box});
+        triangles += instance.mesh->triangle_count();
         least_face = instance.first_face + static_cast<FaceId>(instance.mesh->face_count());
-        if (mesh.empty()) continue;
         const auto first = static_cast<std::uint32_t>(corners.size());
         corners.insert(corners.end(), box.begin(), box.end());
         boxes.push_back({first, first + 1, first + 1});
     }
-    if (boxes.size() != impl.views.size()) return Error{"instances", "a mesh has no triangles"};
     impl.boxes = build_bvh(corners, boxes, {});
+    impl.views = std::move(views);
+    impl.placed = std::move(placed);
+    impl.triangles = triangles;
     return {};
 }
 
@@ -186,9 +227,11 @@ void set_instance_surface(Impl& impl, FaceId face, SurfaceId surface) {
     PlacedMesh& placed = impl.placed[*i];
     const std::size_t index = face - placed.first_face;
     if ((*placed.surfaces)[index] == surface) return;
-    if (placed.surfaces.use_count() > 1)
-        placed.surfaces = std::make_shared<std::vector<SurfaceId>>(*placed.surfaces);
-    (*placed.surfaces)[index] = surface;
+    auto own = placed.surfaces.use_count() == 1
+                   ? std::const_pointer_cast<std::vector<SurfaceId>>(placed.surfaces)
+                   : std::make_shared<std::vector<SurfaceId>>(*placed.surfaces);
+    (*own)[index] = surface;
+    placed.surfaces = std::move(own);
 }
 
 SurfaceId instance_surface(const Impl& impl, FaceId face) {

@@ -67,7 +67,7 @@ class GltfWriter {
           physics_(level.surfaces) {}
 
     void write(std::span<const GltfNode> nodes) {
-        const std::vector<GltfObject> objects = gltf_objects(mesh_, level_.mesh_path.stem().string());
+        const std::vector<GltfObject> objects = gltf_objects(level_);
         std::vector<std::vector<FaceId>> faces(mesh_.groups.size());
         for (FaceId face = 0; face < mesh_.face_count(); ++face)
             faces[mesh_.face_group[face]].push_back(face);
@@ -181,6 +181,13 @@ class GltfWriter {
             const std::uint32_t count = mesh_.face_corner_count(face);
             for (std::uint32_t k = 0; k < count; ++k) {
                 const std::uint32_t corner = first + (own.mirrored ? count - 1 - k : k);
+                if (object.rest) {
+                    const Mesh& rest = *object.rest;
+                    own.corners.push_back(corner);
+                    own.positions.push_back(
+                        rest.corner_position(rest.face_first_corner[face - object.first_face] + k));
+                    continue;
+                }
                 const Vec3f world = mesh_.corner_position(corner);
                 const Vec3 local = (to_own * world.cast<double>().homogeneous()).head<3>();
                 own.corners.push_back(corner);

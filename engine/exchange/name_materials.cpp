@@ -21,7 +21,7 @@ constexpr const char* unnamed_material = "none";
 
 Level without_paint(const Level& level) {
     Level plain = level;
-    plain.overrides.assign(level.mesh->face_count(), std::nullopt);
+    plain.overrides.assign(level.mesh.face_count(), std::nullopt);
     for (Prop& prop : plain.props)
         prop.type.clear();
     return plain;

@@ -485,15 +485,31 @@ std::vector<StoredOverride> stored_overrides(const Level& level, PaintParts& par
         const std::optional<SurfaceId>& surface = level.overrides[face];
         if (surface && *surface < level.surfaces.size()) faces.push_back(static_cast<FaceId>(face));
     }
-    parts = paint_parts(*level.mesh, level.surfaces, faces);
+    const Mesh& mesh = mesh_with(level, faces);
+    parts = paint_parts(mesh, level.surfaces, faces);
     std::vector<StoredOverride> stored;
     stored.reserve(faces.size() + level.orphans.size());
-    std::vector<FaceKey> keys = face_keys(*level.mesh, faces);
+    std::vector<FaceKey> keys = face_keys(mesh, faces);
     for (std::size_t i = 0; i < faces.size(); ++i)
         stored.push_back({std::move(keys[i]), level.surfaces[*level.overrides[faces[i]]].name, {}});
     for (const Orphan& orphan : level.orphans)
         stored.push_back({orphan.key, orphan.type, {}});
     return stored;
+}
+
+const Mesh& mesh_with(const Level& level, std::span<const FaceId> faces) {
+    const Mesh& own = *own_mesh(level);
+    return faces.empty() || faces.back() < own.face_count() ? own : *level.mesh;
+}
+
+MatchedOverrides match_overrides(const Level& level, const std::vector<StoredOverride>& stored,
+                                 const PaintParts& parts) {
+    MatchedOverrides own = match_overrides(*own_mesh(level), level.surfaces, stored, parts);
+    if (!has_instances(level) || own.summary.exact == stored.size()) return own;
+    MatchedOverrides all = match_overrides(*level.mesh, level.surfaces, stored, parts);
+    while (all.overrides.size() > own_mesh(level)->face_count() && !all.overrides.back())
+        all.overrides.pop_back();
+    return all;
 }
 
 MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
@@ -534,9 +550,9 @@ FaceKeySets stored_face_keys(const Level& level) {
         faces.insert(faces.end(), saved.faces.begin(), saved.faces.end());
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    faces.erase(std::lower_bound(faces.begin(), faces.end(), level.mesh ? level.mesh->face_count() : 0),
-                faces.end());
-    const std::vector<FaceKey> keys = faces.empty() ? std::vector<FaceKey>() : face_keys(*level.mesh, faces);
+    faces.erase(std::lower_bound(faces.begin(), faces.end(), level.mesh.face_count()), faces.end());
+    const std::vector<FaceKey> keys =
+        faces.empty() ? std::vector<FaceKey>() : face_keys(mesh_with(level, faces), faces);
     const auto of = [&](const std::vector<FaceId>& set) {
         std::vector<FaceKey> result;
         result.reserve(set.size());
@@ -558,15 +574,21 @@ Warnings match_stored_faces(Level& level, const FaceKeySets& sets) {
     for (SavedSelection& saved : level.selections)
         saved.faces.clear();
     Warnings warnings;
-    std::optional<Lookup> lookup;
+    std::optional<Lookup> in_own, in_whole;
+    const auto find = [&](const Mesh& mesh, std::optional<Lookup>& lookup,
+                          const std::vector<StoredOverride>& stored) {
+        if (!lookup) lookup.emplace(mesh, level.surfaces);
+        return Matcher(mesh, level.surfaces, stored, *lookup).run();
+    };
     for (std::size_t i = 0; i < sets.size() && i <= level.selections.size(); ++i) {
         if (sets[i].empty()) continue;
-        if (!lookup) lookup.emplace(*level.mesh, level.surfaces);
         std::vector<StoredOverride> stored;
         stored.reserve(sets[i].size());
         for (const FaceKey& key : sets[i])
             stored.push_back({key, level.surfaces.front().name, {}});  // any type, the same for all
-        const MatchedOverrides matched = Matcher(*level.mesh, level.surfaces, stored, *lookup).run();
+        MatchedOverrides matched = find(*own_mesh(level), in_own, stored);
+        if (has_instances(level) && matched.summary.exact < stored.size())
+            matched = find(*level.mesh, in_whole, stored);
         std::vector<FaceId>& faces = i == 0 ? level.hidden : level.selections[i - 1].faces;
         for (FaceId face = 0; face < matched.overrides.size(); ++face)
             if (matched.overrides[face]) faces.push_back(face);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,12 @@ struct MatchedOverrides {
 // becomes an orphan.
 MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
                                  const std::vector<StoredOverride>& stored, const PaintParts& parts = {});
+// The same in the level's own faces; if some are not exactly there, in those of its props, too.
+MatchedOverrides match_overrides(const Level& level, const std::vector<StoredOverride>& stored,
+                                 const PaintParts& parts);
+// The mesh of the level's own faces if it has all of `faces` (ascending), else the whole one. The keys of the
+// faces are the same in both.
+const Mesh& mesh_with(const Level& level, std::span<const FaceId> faces);
 
 // The keys of a level's hidden faces (first) and of its selections (in their order), as in a level file.
 using FaceKeySets = std::vector<std::vector<FaceKey>>;

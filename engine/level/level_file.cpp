@@ -73,7 +73,7 @@ Result<LoadedLevel> load_mesh(const fs::path& mesh_path, const ImportTransform& 
     loaded.undrawn = std::move(imported->undrawn);
     loaded.level.file_path = level_file_for(mesh_path);
     loaded.level.spawn_is_set = false;
-    loaded.level.overrides.resize(loaded.level.mesh->face_count());
+    loaded.level.overrides.resize(loaded.level.mesh.face_count());
     return loaded;
 }
 
@@ -85,7 +85,7 @@ Result<LoadedLevel> load_annotated(const fs::path& mesh_path, const fs::path& fi
     Result<LoadedLevel> geometry = load_mesh(mesh_path, *transform, progress);
     if (!geometry) return geometry;
     begin_stage(progress, "Finding painted faces", 1.0, 1.0);
-    Result<LoadedLevel> loaded = read_level(root, file_path.string(), geometry->level.mesh, {mesh_path, {}});
+    Result<LoadedLevel> loaded = read_level(root, file_path.string(), geometry->level.mesh.own(), {mesh_path, {}});
     if (!loaded) return loaded;
     const fs::path named = loaded->level.mesh_path;
     loaded->level.mesh_path = mesh_path;
@@ -156,7 +156,7 @@ void take_type_table(LoadedLevel& loaded) {
                                json_quoted(loaded.level.mesh_path.filename().string()), loaded.type_table),
                    location);
     Result<LoadedLevel> read =
-        root ? read_level(*root, location, loaded.level.mesh) : Result<LoadedLevel>(root.error());
+        root ? read_level(*root, location, loaded.level.mesh.own()) : Result<LoadedLevel>(root.error());
     if (read) {
         loaded.level.surfaces = std::move(read->level.surfaces);
     } else {
@@ -225,7 +225,7 @@ Result<LoadedLevel> reload_mesh(const Level& level, Progress* progress, const st
         LoadedLevel loaded = with_geometry(level, std::move(*geometry));
         PaintParts parts;
         const std::vector<StoredOverride> stored = stored_overrides(level, parts);
-        MatchedOverrides matched = match_overrides(*loaded.level.mesh, level.surfaces, stored, parts);
+        MatchedOverrides matched = match_overrides(loaded.level, stored, parts);
         loaded.level.overrides = std::move(matched.overrides);
         loaded.level.orphans = std::move(matched.orphans);
         loaded.match = matched.summary;

@@ -113,36 +113,37 @@ void LevelScene::Impl::choose_origin(const MovementSettings& settings) {
 
 Status LevelScene::Impl::build(const CollisionWorld* whole) {
     if (!level->mesh) return Error{level->mesh_path.string(), "the level has no geometry"};
-    const Mesh& mesh = *level->mesh;
     const std::vector<Platform>& platforms = level->platforms;
     face_platforms = slipface::face_platforms(*level);
     const bool something_moves = !face_platforms.empty();
-    surfaces = resolve_surfaces(*level).surface;
-
     if (whole != nullptr && !something_moves && offset.isZero(0.0)) {
         fixed = whole;
         return {};
     }
+    if (something_moves) surfaces = resolve_surfaces(*level).surface;
     const auto rests = [&](FaceId face) { return !something_moves || face_platforms[face] == no_id; };
-    const std::size_t own_faces = has_instances(*level) ? own_mesh(*level)->face_count() : mesh.face_count();
-    Part still = part_of(mesh, [&](FaceId face) { return face < own_faces && rests(face); });
+    Part still = part_of(*own_mesh(*level), rests);
+    const SurfaceParts types = resolve_parts(*level);
     const std::vector<Instance> props = prop_instances(
-        *level, offset, [&](std::size_t prop) { return rests(level->placed.first_face[prop]); });
+        *level, types, offset, [&](std::size_t prop) { return rests(level->placed.first_face[prop]); });
     Result<CollisionWorld> built = collision_at(still, Pose{.offset = offset}, props);
     if (!built) return Error{level->mesh_path.string(), built.error().text()};
     own = std::move(*built);
     apply_surface_rules(own, level->surfaces);
-    own.set_face_surfaces(surfaces);
-    for (const Instance& prop : props) {
-        const TriangleId first = mesh.face_first_triangle[prop.first_face];
-        for (TriangleId i = 0; i < prop.mesh->triangle_count(); ++i)
-            still.triangles.push_back(first + i);
+    own.set_face_surfaces(types.own.surface);
+    if (something_moves) {
+        const Mesh& mesh = *level->mesh;
+        for (const Instance& prop : props) {
+            const TriangleId first = mesh.face_first_triangle[prop.first_face];
+            for (TriangleId i = 0; i < prop.mesh->triangle_count(); ++i)
+                still.triangles.push_back(first + i);
+        }
+        own_triangles = std::move(still.triangles);
     }
-    if (something_moves) own_triangles = std::move(still.triangles);
     triangles = own_triangles;
 
     for (std::size_t i = 0; something_moves && i < platforms.size(); ++i) {
-        Part part = part_of(mesh, [&](FaceId face) { return face_platforms[face] == i; });
+        Part part = part_of(*level->mesh, [&](FaceId face) { return face_platforms[face] == i; });
         if (const Status status = add_moving(i, std::move(part)); !status) return status;
     }
     parts.resize(moving.size());
@@ -253,11 +254,8 @@ MovementScene LevelScene::at(double time_s, double dt) {
 
 void LevelScene::apply_surfaces() {
     Impl& impl = *impl_;
-    impl.surfaces = resolve_surfaces(*impl.level).surface;
-    if (impl.fixed == nullptr) {
-        apply_surface_rules(impl.own, impl.level->surfaces);
-        impl.own.set_face_surfaces(impl.surfaces);
-    }
+    if (impl.fixed == nullptr) slipface::apply_surfaces(impl.own, *impl.level);
+    if (!impl.moving.empty()) impl.surfaces = resolve_surfaces(*impl.level).surface;
     for (Impl::Moving& part : impl.moving)
         impl.paint(part.collision, part.part);
 }

@@ -5,14 +5,19 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "json_text.h"
 #include "mesh_collision.h"
+#include "placed_geometry.h"
 #include "slipface/base/files.h"
+#include "slipface/base/hash.h"
 #include "slipface/level/level.h"
 #include "slipface/mesh/build.h"
 
 namespace slipface {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -63,11 +68,12 @@ PropMesh read_mesh(const fs::path& folder, const std::string& file, Warnings& wa
 
 // The meshes that the props name. Those that are known are not read again.
 std::vector<PropMesh> read_meshes(const Level& level, Warnings& warnings) {
-    std::set<std::string> files;
+    std::unordered_set<std::string_view> named;
     for (const Prop& prop : level.props)
-        files.insert(prop.mesh);
+        named.insert(prop.mesh);
     std::vector<PropMesh> meshes;
-    for (const std::string& file : files) {
+    for (const std::string_view name : std::set(named.begin(), named.end())) {
+        const std::string file(name);
         const auto known = std::ranges::find(level.placed.meshes, file, &PropMesh::file);
         if (known != level.placed.meshes.end() && known->mesh)
             meshes.push_back(*known);
@@ -88,18 +94,15 @@ class Placer {
             looks_.try_emplace(material.name, material);
     }
 
-    bool has_room(const Mesh& from) const {
-        return from.triangle_count() <= max_triangles - std::min(max_triangles, to_.triangle_count());
-    }
-
-    void place(const Prop& prop, const Mesh& from) {
-        const Placement placement = prop.placement();
+    // `file`: of the mesh.
+    void place(const PlacedGeometry::One& prop, const std::string& file, const Placement& placement,
+               const Mesh& from) {
         const auto group = static_cast<std::uint32_t>(to_.groups.size());
         const auto first_vertex = static_cast<std::uint32_t>(to_.positions.size());
         const auto first_face = static_cast<FaceId>(to_.face_count());
         const auto first_corner = static_cast<std::uint32_t>(to_.corner_vertex.size());
         const auto first_triangle = static_cast<std::uint32_t>(to_.triangles.size());
-        const std::uint32_t first_material = materials_of(prop, from);
+        const std::uint32_t first_material = materials_of(file, prop.texture, from);
         const bool mirrors = placement.mirrors();
         to_.groups.push_back(prop.name);
         for (const Vec3f& rest : from.positions) {
@@ -134,14 +137,14 @@ class Placer {
 
   private:
     // The materials of a mesh are added once, and once more for each other texture.
-    std::uint32_t materials_of(const Prop& prop, const Mesh& from) {
-        const auto [entry, added] = materials_.try_emplace({prop.mesh, prop.texture},
-                                                           static_cast<std::uint32_t>(to_.materials.size()));
+    std::uint32_t materials_of(const std::string& file, const std::string& texture, const Mesh& from) {
+        const auto [entry, added] =
+            materials_.try_emplace({file, texture}, static_cast<std::uint32_t>(to_.materials.size()));
         if (!added) return entry->second;
-        const fs::path folder = fs::path(prop.mesh).parent_path();
+        const fs::path folder = fs::path(file).parent_path();
         for (Material material : from.materials) {
-            if (!prop.texture.empty()) {
-                material.texture = prop.texture;
+            if (!texture.empty()) {
+                material.texture = texture;
                 material.picture = nullptr;
                 material.diffuse = Vec3f::Ones();
             } else if (!material.texture.empty() && !material.picture) {
@@ -178,7 +181,7 @@ class Placer {
 
 std::string props_problem(std::span<const Prop> props) {
     if (props.size() > max_props) return fmt::format("A level has at most {} props", max_props);
-    std::set<std::string_view> names;
+    std::unordered_set<std::string_view> names(2 * props.size());
     for (const Prop& prop : props) {
         if (std::string problem = prop_problem(prop); !problem.empty()) return problem;
         if (!names.insert(prop.name).second) return "Another prop has this name";
@@ -192,40 +195,165 @@ std::uint32_t PlacedProps::prop_of(FaceId face) const {
     return static_cast<std::uint32_t>(after - first_face.begin() - 1);
 }
 
+namespace {
+
+Aabb box_of(const Mesh& mesh, const Placement& placement) {
+    Aabb box;
+    for (const Vec3f& rest : mesh.positions)
+        box.add(placement.apply(rest).cast<double>());
+    return box;
+}
+
+bool stands_there(const PlacedGeometry& before, std::size_t prop, const Prop& now, const Mesh* mesh) {
+    if (prop >= before.props.size() || before.mesh(prop) != mesh) return false;
+    const PlacedGeometry::One& was = before.props[prop];
+    return was.position == now.position && was.rotation == now.rotation && was.scale == now.scale;
+}
+
+std::uint64_t fingerprint_of(const PlacedGeometry& placed, const Mesh& own) {
+    Hasher hasher;
+    hasher.u64(own.fingerprint);
+    for (std::size_t i = 0; i < placed.props.size(); ++i) {
+        if (placed.mesh(i) == nullptr) continue;
+        hasher.u64(placed.mesh(i)->fingerprint);
+        for (const Vec3* numbers :
+             {&placed.props[i].position, &placed.props[i].rotation, &placed.props[i].scale})
+            for (int axis = 0; axis < 3; ++axis)
+                hasher.f64((*numbers)[axis]);
+    }
+    return hasher.value();
+}
+
+void place(const PlacedGeometry& placed, std::size_t prop, Placer& placer) {
+    placer.place(placed.props[prop], placed.files[placed.file_of[prop]].file, placed.places[prop],
+                 *placed.mesh(prop));
+}
+
+MeshPtr make_whole(const PlacedGeometry& placed, const Mesh& own) {
+    auto all = std::make_shared<Mesh>(own);
+    Placer placer(*all);
+    for (std::size_t i = 0; i < placed.props.size(); ++i)
+        if (placed.mesh(i) != nullptr) place(placed, i, placer);
+    all->fingerprint = placed.fingerprint;
+    return all;
+}
+
+}  // namespace
+
+const MeshPtr& LevelMesh::whole() const {
+    if (!placed_) return own_;
+    std::call_once(placed_->once, [this] { placed_->whole = make_whole(*placed_, *own_); });
+    return placed_->whole;
+}
+
+std::size_t LevelMesh::face_count() const {
+    if (placed_) return placed_->first_face.back();
+    return own_ ? own_->face_count() : 0;
+}
+
+std::size_t LevelMesh::triangle_count() const {
+    if (placed_) return placed_->triangles;
+    return own_ ? own_->triangle_count() : 0;
+}
+
+Aabb LevelMesh::bounds() const {
+    if (placed_) return placed_->bounds;
+    return own_ ? own_->bounds : Aabb();
+}
+
+std::uint64_t LevelMesh::fingerprint() const {
+    if (placed_) return placed_->fingerprint;
+    return own_ ? own_->fingerprint : 0;
+}
+
+namespace {
+
+std::size_t prop_of(const PlacedGeometry& placed, FaceId face) {
+    const auto after = std::ranges::upper_bound(placed.first_face, face);
+    return static_cast<std::size_t>(after - placed.first_face.begin() - 1);
+}
+
+}  // namespace
+
+const std::string& LevelMesh::group_of(FaceId face) const {
+    if (placed_ && face >= placed_->first_face.front()) return placed_->props[prop_of(*placed_, face)].name;
+    return own_->groups[own_->face_group[face]];
+}
+
+const std::string& LevelMesh::material_of(FaceId face) const {
+    const bool is_own = !placed_ || face < placed_->first_face.front();
+    const std::size_t prop = is_own ? 0 : prop_of(*placed_, face);
+    const Mesh& mesh = is_own ? *own_ : *placed_->mesh(prop);
+    return mesh.materials[mesh.face_material[is_own ? face : face - placed_->first_face[prop]]].name;
+}
+
 const MeshPtr& own_mesh(const Level& level) {
-    return level.placed.own ? level.placed.own : level.mesh;
+    return level.mesh.own();
 }
 
 Warnings place_props(Level& level) {
     Warnings warnings;
-    level.mesh = own_mesh(level);
+    const std::shared_ptr<const PlacedGeometry> before = level.mesh.placed();
+    level.mesh = LevelMesh(level.mesh.own());
     level.placed.meshes = read_meshes(level, warnings);
     level.placed.first_face.clear();
-    level.placed.own = level.placed.all = nullptr;
     const std::string location = level.file_path.string() + ":/props";
     for (const PropMesh& mesh : level.placed.meshes)
         if (!mesh.mesh)
             warnings.push_back({location, fmt::format("\"{}\": {}", json_excerpt(mesh.file), mesh.problem)});
     if (level.props.empty() || !level.mesh) return warnings;
-    auto all = std::make_shared<Mesh>(*level.mesh);
-    Placer placer(*all);
-    std::size_t left_out = 0;
+    const Mesh& own = *level.mesh.own();
+    auto placed = std::make_shared<PlacedGeometry>();
+    placed->props.reserve(level.props.size());
+    for (const Prop& prop : level.props)
+        placed->props.push_back({prop.name, prop.texture, prop.position, prop.rotation, prop.scale});
+    placed->triangles = own.triangle_count();
+    placed->bounds = own.bounds;
+    placed->files = level.placed.meshes;
+    placed->file_of.reserve(level.props.size());
+    placed->places.reserve(level.props.size());
+    placed->boxes.reserve(level.props.size());
+    std::unordered_map<std::string_view, std::uint32_t> file_of;
+    for (std::uint32_t i = 0; i < placed->files.size(); ++i)
+        file_of[placed->files[i].file] = i;
+    std::size_t left_out = 0, faces = own.face_count();
+    std::size_t next = 0;  // that which is probably the same prop among those before
     for (const Prop& prop : level.props) {
-        level.placed.first_face.push_back(static_cast<FaceId>(all->face_count()));
-        const PropMesh* const mesh = find_prop_mesh(level, prop.mesh);
-        if (!mesh->mesh) continue;
-        if (placer.has_room(*mesh->mesh))
-            placer.place(prop, *mesh->mesh);
-        else
+        placed->first_face.push_back(static_cast<FaceId>(faces));
+        const std::uint32_t file = file_of.at(prop.mesh);
+        const Mesh* mesh = placed->files[file].mesh.get();
+        if (mesh != nullptr &&
+            mesh->triangle_count() > max_triangles - std::min(max_triangles, placed->triangles)) {
             ++left_out;
+            mesh = nullptr;
+        }
+        placed->file_of.push_back(mesh != nullptr ? file : no_id);
+        placed->places.emplace_back();
+        placed->boxes.emplace_back();
+        if (mesh == nullptr) continue;
+        const auto was = [&](std::size_t k) { return before && stands_there(*before, k, prop, mesh); };
+        // One may have gone, or come.
+        if (!was(next)) next = was(next + 1) ? next + 1 : next > 0 && was(next - 1) ? next - 1 : next;
+        Aabb& box = placed->boxes.back();
+        Placement& place = placed->places.back();
+        const bool stays = was(next);
+        place = stays ? before->places[next] : prop.placement();
+        box = stays ? before->boxes[next] : box_of(*mesh, place);
+        ++next;
+        if (!box.empty()) {
+            placed->bounds.add(box.min);
+            placed->bounds.add(box.max);
+        }
+        placed->triangles += mesh->triangle_count();
+        faces += mesh->face_count();
     }
-    level.placed.first_face.push_back(static_cast<FaceId>(all->face_count()));
+    placed->first_face.push_back(static_cast<FaceId>(faces));
     if (left_out > 0)
         warnings.push_back({location, fmt::format("{} props are left out: a level has at most {} triangles",
                                                   left_out, max_triangles)});
-    all->fingerprint = mesh_fingerprint(*all);
-    level.placed.own = std::exchange(level.mesh, std::move(all));
-    level.placed.all = level.mesh;
+    placed->fingerprint = fingerprint_of(*placed, own);
+    level.placed.first_face = placed->first_face;
+    level.mesh = LevelMesh(level.mesh.own(), std::move(placed));
     return warnings;
 }
 
@@ -235,20 +363,55 @@ const PropMesh* find_prop_mesh(const Level& level, std::string_view file) {
 }
 
 bool has_instances(const Level& level) {
-    return level.placed.all && level.placed.all == level.mesh;
+    return level.mesh.placed() != nullptr;
 }
 
-std::vector<Instance> prop_instances(const Level& level, const Vec3& offset,
+MeshPtr prop_mesh(const Level& level, std::size_t prop) {
+    const PlacedGeometry* const placed = level.mesh.placed().get();
+    if (placed == nullptr || prop >= placed->props.size() || placed->mesh(prop) == nullptr) return nullptr;
+    auto alone = std::make_shared<Mesh>();
+    alone->face_first_corner = alone->face_first_triangle = {0};
+    Placer placer(*alone);
+    place(*placed, prop, placer);
+    return alone;
+}
+
+TriangleId prop_first_triangle(const Level& level, std::size_t prop) {
+    std::size_t first = own_mesh(level)->triangle_count();
+    const PlacedGeometry* const placed = level.mesh.placed().get();
+    for (std::size_t i = 0; placed != nullptr && i < std::min(prop, placed->props.size()); ++i)
+        if (placed->mesh(i) != nullptr) first += placed->mesh(i)->triangle_count();
+    return static_cast<TriangleId>(first);
+}
+
+Aabb prop_bounds(const Level& level, std::size_t prop) {
+    const PlacedGeometry* const placed = level.mesh.placed().get();
+    return placed != nullptr && prop < placed->boxes.size() ? placed->boxes[prop] : Aabb();
+}
+
+bool has_group(const Level& level, std::string_view group) {
+    if (!level.mesh) return false;
+    if (std::ranges::count(level.mesh.own()->groups, group) > 0) return true;
+    const PlacedGeometry* const placed = level.mesh.placed().get();
+    if (placed == nullptr) return false;
+    const auto found = std::ranges::find(placed->props, group, &PlacedGeometry::One::name);
+    return found != placed->props.end() &&
+           placed->mesh(static_cast<std::size_t>(found - placed->props.begin())) != nullptr;
+}
+
+std::vector<Instance> prop_instances(const Level& level, const SurfaceParts& types, const Vec3& offset,
                                      const std::function<bool(std::size_t)>& wanted) {
     std::vector<Instance> instances;
-    if (!has_instances(level)) return instances;
-    for (std::size_t i = 0; i < level.props.size(); ++i) {
-        const FaceId first = level.placed.first_face[i];
-        if (first == level.placed.first_face[i + 1] || !wanted(i)) continue;
-        const PropMesh* const mesh = find_prop_mesh(level, level.props[i].mesh);
-        Placement placement = level.props[i].placement();
+    const PlacedGeometry* const placed = level.mesh.placed().get();
+    if (placed == nullptr) return instances;
+    for (std::size_t i = 0; i < placed->props.size(); ++i) {
+        if (placed->mesh(i) == nullptr || placed->mesh(i)->triangle_count() == 0 || !wanted(i)) continue;
+        Placement placement = placed->places[i];
         placement.offset += offset;
-        instances.push_back({mesh->collision, placement, first});
+        Instance instance{placed->files[placed->file_of[i]].collision, placement, placed->first_face[i], nullptr};
+        if (i < types.props.size() && types.props[i])
+            instance.surfaces = {types.props[i], &types.props[i]->surface};
+        instances.push_back(std::move(instance));
     }
     return instances;
 }
@@ -258,7 +421,7 @@ Level without_props(const Level& level) {
     own.mesh = own_mesh(level);
     own.props.clear();
     own.placed = {};
-    const std::size_t faces = own.mesh ? own.mesh->face_count() : 0;
+    const std::size_t faces = own.mesh.face_count();
     own.overrides.resize(faces);
     const auto keep_own = [&](std::vector<FaceId>& list) {
         std::erase_if(list, [&](FaceId face) { return face >= faces; });
@@ -276,6 +439,7 @@ Level with_flat_props(const Level& level) {
     flat.overrides.resize(resolved.surface.size());
     for (std::size_t face = 0; face < resolved.surface.size(); ++face)
         if (resolved.source[face] == SurfaceSource::prop) flat.overrides[face] = resolved.surface[face];
+    flat.mesh = level.mesh.whole();
     flat.props.clear();
     flat.placed = {};
     return flat;

@@ -394,8 +394,7 @@ class LevelReader {
         store_unknown(node, location);
         for (const JsonNode& part : parts)
             store_unknown(part, location + part.path().substr(node.path().size()));
-        const std::vector<std::string>& groups = level_.mesh->groups;
-        if (std::find(groups.begin(), groups.end(), platform.group) == groups.end())
+        if (!has_group(level_, platform.group))
             warn(node["group"],
                  fmt::format("found no group or object \"{}\" in the mesh; the platform does not move",
                              json_excerpt(platform.group)));
@@ -403,7 +402,7 @@ class LevelReader {
     }
 
     void match() {
-        MatchedOverrides matched = match_overrides(*level_.mesh, level_.surfaces, stored_, parts_);
+        MatchedOverrides matched = match_overrides(level_, stored_, parts_);
         level_.overrides = std::move(matched.overrides);
         level_.orphans = std::move(matched.orphans);
         loaded_.match = matched.summary;

@@ -35,10 +35,11 @@ void append_triangle(PolygonSoup& soup, const std::array<Vec3, 3>& corners, std:
 
 }  // namespace
 
-MeshPtr shown_mesh(const Level& level) {
-    if (!level.mesh || !level.terrain) return level.mesh;
+MeshPtr shown_mesh(const Level& level, bool with_props) {
+    const MeshPtr& faces = with_props ? level.mesh.whole() : level.mesh.own();
+    if (!faces || !level.terrain) return faces;
     const Heightfield& field = *level.terrain;
-    PolygonSoup soup = soup_of(*level.mesh);
+    PolygonSoup soup = soup_of(*faces);
     const auto material = static_cast<std::uint32_t>(soup.materials.size());
     const auto group = static_cast<std::uint32_t>(soup.groups.size());
     soup.materials.push_back({.name = "terrain", .diffuse = {0.56F, 0.60F, 0.45F}, .texture = {}});
@@ -52,12 +53,14 @@ MeshPtr shown_mesh(const Level& level) {
         }
     }
     Result<MeshPtr> mesh = build_mesh(std::move(soup));
-    return mesh ? *mesh : level.mesh;
+    return mesh ? *mesh : faces;
 }
 
 std::vector<std::uint32_t> face_platforms(const Level& level) {
     std::vector<std::uint32_t> platforms;
     if (!level.mesh || level.platforms.empty()) return platforms;
+    if (std::ranges::none_of(level.platforms, [&](const Platform& p) { return has_group(level, p.group); }))
+        return platforms;
     const Mesh& mesh = *level.mesh;
     // [group] the first platform with this group.
     std::vector<std::uint32_t> by_group(mesh.groups.size(), no_id);

@@ -125,7 +125,7 @@ Json groups_json(const PaintedFaces& faces, bool packed, UnknownMembers& unknown
 PaintedFaces painted_faces(const Level& level) {
     std::vector<FaceId> faces;
     if (level.mesh) {
-        const std::size_t count = std::min(level.overrides.size(), level.mesh->face_count());
+        const std::size_t count = std::min(level.overrides.size(), level.mesh.face_count());
         for (std::size_t face = 0; face < count; ++face) {
             const std::optional<SurfaceId>& surface = level.overrides[face];
             if (surface && *surface < level.surfaces.size()) faces.push_back(static_cast<FaceId>(face));
@@ -133,8 +133,9 @@ PaintedFaces painted_faces(const Level& level) {
     }
     PaintedFaces painted;
     if (faces.empty()) return painted;
-    painted.keys = face_keys(*level.mesh, faces);
-    painted.parts = paint_parts(*level.mesh, level.surfaces, faces);
+    const Mesh& mesh = mesh_with(level, faces);
+    painted.keys = face_keys(mesh, faces);
+    painted.parts = paint_parts(mesh, level.surfaces, faces);
     for (const FaceId face : faces) {
         const SurfaceId surface = *level.overrides[face];
         painted.types.push_back(&level.surfaces[surface].name);

@@ -95,7 +95,7 @@ Vec3 LitGeometry::sky(const Vec3& direction) const {
 
 Result<LitGeometry> make_lit_geometry(const Level& level) {
     const std::string location = level.file_path.string();
-    if (!level.mesh || level.mesh->triangle_count() == 0) return Error{location, "has no geometry to light"};
+    if (!level.mesh || level.mesh.triangle_count() == 0) return Error{location, "has no geometry to light"};
     if (!level.light) return Error{location + ":/light", "found nothing, expected what to bake from"};
     LitGeometry lit;
     lit.mesh = level.mesh;
@@ -115,7 +115,7 @@ Result<LitGeometry> make_lit_geometry(const Level& level) {
         lit.emission.push_back(emitter.color);
         lit.window.push_back(emitter.window);
     }
-    for (FaceId face = 0; face < level.mesh->face_count(); ++face) {
+    for (FaceId face = 0; face < level.mesh.face_count(); ++face) {
         lit.normal.push_back(face_normal(*level.mesh, face));
         if (!lit.glows(face) || lit.normal.back().squaredNorm() < 0.5) continue;
         const Vec3 front = face_centroid(*level.mesh, face) + 2.0 * lift * lit.normal.back();

@@ -160,11 +160,11 @@ void add_level(py::module_& module) {
             "settings", [](const OpenLevel& level) { return level.level->movement; },
             "A copy of the level's settings")
         .def_property_readonly("face_count",
-                               [](const OpenLevel& level) { return level.level->mesh->face_count(); })
+                               [](const OpenLevel& level) { return level.level->mesh.face_count(); })
         .def(
             "face_type",
             [](const OpenLevel& level, FaceId face) {
-                if (face >= level.level->mesh->face_count()) throw py::index_error("found no such face");
+                if (face >= level.level->mesh.face_count()) throw py::index_error("found no such face");
                 return level.level->surfaces[resolve_surfaces(*level.level).surface[face]].name;
             },
             "face"_a)

@@ -232,13 +232,13 @@ void set_face_type(World& world, FaceId face, const std::string& type) {
     if (found == world.surfaces().end()) throw py::value_error("found no type \"" + type + "\"");
     const auto id = static_cast<SurfaceId>(found - world.surfaces().begin());
     const std::size_t faces =
-        world.level ? world.level->mesh->face_count() : world.collision.triangle_count();
+        world.level ? world.level->mesh.face_count() : world.collision.triangle_count();
     if (face >= faces)
         throw py::index_error("found the face " + std::to_string(face) + ", expected one below " +
                               std::to_string(faces));
     const Change change(world);
     if (world.level) {
-        world.level->overrides.resize(faces);
+        world.level->overrides.resize(std::max<std::size_t>(world.level->overrides.size(), face + 1));
         world.level->overrides[face] = id;
         world.scene->apply_surfaces();
     } else {

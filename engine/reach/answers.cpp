@@ -60,7 +60,7 @@ Tape ReachSearch::Impl::empty_tape() const {
     const Level& level = *world.level;
     Tape tape;
     tape.level_name = level.mesh_path.filename().string();
-    tape.level_fingerprint = level.mesh->fingerprint;
+    tape.level_fingerprint = level.mesh.fingerprint();
     tape.dt = world.options.dt;
     tape.dt_text = world.options.dt_text;
     tape.start = start;

@@ -56,7 +56,7 @@ std::string links_to_json(const ReachSearch& search, const ReachLinks& links) {
     std::string text = fmt::format(
         "{{\"slipface_links\": 1,\n\"level\": {},\n\"geometry\": \"{:016x}\",\n\"settings\": "
         "{},\n\"regions\": [",
-        line_of(level.mesh_path.filename().string()), level.mesh->fingerprint,
+        line_of(level.mesh_path.filename().string()), level.mesh.fingerprint(),
         line_of(setting_changes(basic_settings(), level.movement)));
     const char* between = "\n";
     for (const WalkRegions::Region& region : links.regions.regions) {

@@ -60,11 +60,11 @@ ReachReport make_reach_report(const ReachSearch& search) {
     const ReachArchive& archive = search.archive();
     ReachReport report;
     report.level_name = level.mesh_path.filename().string();
-    report.level_fingerprint = level.mesh->fingerprint;
+    report.level_fingerprint = level.mesh.fingerprint();
     report.settings = setting_changes(basic_settings(), level.movement);
     report.start = search.start();
     report.seed = search.options().seed;
-    report.face_count = level.mesh->face_count();
+    report.face_count = level.mesh.face_count();
     report.walkable = walkable_faces(level);
     const std::vector<Reached>& faces = search.faces();
     for (FaceId face = 0; face < faces.size(); ++face)

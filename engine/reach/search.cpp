@@ -94,7 +94,7 @@ ReachSearch::Impl::Lease::~Lease() {
 }
 
 Status ReachSearch::Impl::prepare(const Level& level, const Vec3& from, const ReachOptions& options) {
-    if (level.mesh->triangle_count() == 0) return Error{"reach", "the level has no triangles"};
+    if (level.mesh.triangle_count() == 0) return Error{"reach", "the level has no triangles"};
     if (!(options.dt >= 1e-4 && options.dt <= 0.25))
         return Error{"reach", fmt::format("found a step of {} s, expected 0.0001 to 0.25", options.dt)};
     if (!(options.cell_m == 0.0 || (options.cell_m >= 0.05 && options.cell_m <= 100.0)))
@@ -118,7 +118,7 @@ Status ReachSearch::Impl::prepare(const Level& level, const Vec3& from, const Re
         rest = result.state;
     }
     world.home = position_in_scene(ticks.at(0, options.dt), rest);
-    faces.assign(level.mesh->face_count(), {});
+    faces.assign(level.mesh.face_count(), {});
     goals.assign(level.goals.size(), {});
     face_cells.assign(faces.size() + 1, 0);
     queue.resize(max_cost);
@@ -356,7 +356,7 @@ std::uint64_t ReachSearch::hash() const {
 std::vector<FaceId> walkable_faces(const Level& level) {
     const ResolvedSurfaces surfaces = resolve_surfaces(level);
     std::vector<FaceId> walkable;
-    for (FaceId face = 0; face < level.mesh->face_count(); ++face) {
+    for (FaceId face = 0; face < level.mesh.face_count(); ++face) {
         const SurfaceType& type = level.surfaces[surfaces.surface[face]];
         if (!type.solid || type.hazardous) continue;
         const double slope = type.max_slope.value_or(level.movement.max_slope);

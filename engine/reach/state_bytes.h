@@ -97,7 +97,7 @@ inline PlayerState get_state(StateReader& from, const Level& level) {
         state.*(*member) = flags % 2 != 0;
         flags /= 2;
     }
-    state.ground_face = from.index(level.mesh->face_count(), "a face");
+    state.ground_face = from.index(level.mesh.face_count(), "a face");
     state.ground_surface = from.up_to<SurfaceId>(level.surfaces.size() - 1, "a surface type");
     state.ground_platform = from.index(level.platforms.size(), "a platform");
     for (const auto member : PlayerState::numbers)

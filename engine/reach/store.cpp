@@ -50,7 +50,7 @@ std::uint64_t ReachSearch::Impl::identity() const {
             hasher.f64(vector[axis]);
     };
     hasher.text(program_version());
-    hasher.u64(level.mesh->fingerprint);
+    hasher.u64(level.mesh.fingerprint());
     hasher.u64(scene_fingerprint(scene.at(0.0, world.options.dt)));
     for (const SettingInfo& info : settings_table()) {
         hasher.text(info.name);
@@ -184,7 +184,7 @@ Status ReachSearch::Impl::read_body(std::string_view bytes, const std::string& l
         exit.from = from.vector("an exit");
         exit.hole = from.vector("an exit");
         exit.spot = from.get<std::uint64_t>();
-        exit.face = from.index(level.mesh->face_count(), "a face");
+        exit.face = from.index(level.mesh.face_count(), "a face");
         exit.tick = from.get<std::uint32_t>();
         exit.times = from.get<std::uint32_t>();
         exit.node = from.index(count, "a node");

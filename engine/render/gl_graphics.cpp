@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "level_textures.h"
 #include "show_level.h"
 #include "slipface/level/shown_mesh.h"
 
@@ -37,17 +38,6 @@ struct ShownMesh {
     std::unique_ptr<LevelRenderer> renderer;
     std::vector<Placement> at;
 };
-
-// The same mesh with one image on all its faces.
-MeshPtr with_texture(const Mesh& mesh, const std::string& texture) {
-    auto other = std::make_shared<Mesh>(mesh);
-    for (Material& material : other->materials) {
-        material.texture = texture;
-        material.picture = nullptr;
-        material.diffuse = Vec3f::Ones();
-    }
-    return other;
-}
 
 }  // namespace
 

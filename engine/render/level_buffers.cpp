@@ -23,8 +23,9 @@ void LevelRenderer::Impl::build_programs() {
         if (status) status = program.error();
         return 0U;
     };
+    if (only_faces) return;
     background_program = link("background", background_vertex_shader, background_fragment_shader);
-    if (const Result<unsigned> plain = level_programs.get(0); !plain && status) status = plain.error();
+    if (const Result<unsigned> plain = level_programs->get(0); !plain && status) status = plain.error();
     line_program = link("line", line_vertex_shader, line_fragment_shader);
 }
 

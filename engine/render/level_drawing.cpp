@@ -59,17 +59,9 @@ Eigen::Vector4f LevelRenderer::Impl::eye_uniform(const Camera& camera) const {
 void LevelRenderer::Impl::set_level_uniforms(unsigned program, const Camera& camera, int height,
                                              const Mat4f& clip, const LevelStyle& style) {
     const double own_extent = mesh->bounds.empty() ? 1.0 : mesh->bounds.size().norm();
-    const double extent = at != nullptr ? std::max(extent_around, own_extent) : own_extent;
+    const double extent = std::max(extent_around, own_extent);
     gl->UseProgram(program);
     set_uniform(*gl, program, "clip_from_local", clip);
-    if (at != nullptr) {
-        Eigen::Matrix3d linear;
-        for (int column = 0; column < 3; ++column)
-            linear.col(column) = at->columns[static_cast<std::size_t>(column)];
-        set_uniform(*gl, program, "world_from_mesh", Eigen::Matrix3f(linear.cast<float>()));
-        set_uniform(*gl, program, "normal_from_mesh",
-                    Eigen::Matrix3f(linear.inverse().transpose().cast<float>()));
-    }
     set_uniform(*gl, program, "overlay", std::clamp(style.overlay, 0.0f, 1.0f));
     set_uniform(*gl, program, "face_colors", static_cast<int>(style.colors));
     set_uniform(*gl, program, "slope_cosine", static_cast<float>(std::cos(style.max_slope)));
@@ -90,6 +82,19 @@ void LevelRenderer::Impl::set_level_uniforms(unsigned program, const Camera& cam
     set_uniform(*gl, program, "light_charts", 4);
 }
 
+void LevelRenderer::Impl::set_place(unsigned program, const Place& place) {
+    Eigen::Matrix3d linear;
+    for (int column = 0; column < 3; ++column)
+        linear.col(column) = place.at.columns[static_cast<std::size_t>(column)];
+    const Vec3 offset = linear * mesh_origin + place.at.offset - origin;
+    set_uniform(*gl, program, "world_from_mesh", Eigen::Matrix3f(linear.cast<float>()));
+    set_uniform(*gl, program, "normal_from_mesh",
+                Eigen::Matrix3f(linear.inverse().transpose().cast<float>()));
+    set_uniform(*gl, program, "mesh_offset", Vec3f(offset.cast<float>()));
+    set_uniform(*gl, program, "first_state", place.first_state);
+    gl->FrontFace(place.at.mirrors() ? GL_CW : GL_CCW);
+}
+
 void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat4f& clip,
                                      const LevelStyle& style) {
     gl->ActiveTexture(GL_TEXTURE1);
@@ -108,7 +113,6 @@ void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat
         gl->Enable(GL_CULL_FACE);
         gl->CullFace(GL_BACK);
     }
-    gl->FrontFace(at != nullptr && at->mirrors() ? GL_CW : GL_CCW);
     gl->BindVertexArray(level_array);
     const bool painted =
         highlights_shown || style.colors != FaceColors::types || (surfaces_shown && style.overlay > 0.0f);
@@ -116,11 +120,11 @@ void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat
     for (const DrawBatch& batch : batches) {
         const bool textured = style.textured && batch.texture != LevelTextures::none;
         unsigned variant = painted ? LevelPrograms::painted : 0;
-        if (at != nullptr) variant |= LevelPrograms::placed;
+        if (!places.empty()) variant |= LevelPrograms::placed;
         if (lit(style)) variant |= LevelPrograms::lit;
         if (textured) variant |= LevelPrograms::textured;
         if (textured && !textures.opaque(batch.texture)) variant |= LevelPrograms::cutout;
-        const Result<unsigned> wanted = level_programs.get(variant);
+        const Result<unsigned> wanted = level_programs->get(variant);
         if (!wanted) {
             if (status) status = wanted.error();
             continue;
@@ -128,7 +132,11 @@ void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat
         if (*wanted != program) set_level_uniforms(*wanted, camera, height, clip, style);
         program = *wanted;
         gl->BindTexture(GL_TEXTURE_2D, textured ? textures.name(batch.texture) : white_texture);
-        draw_in_pieces(batch);
+        if (places.empty()) draw_in_pieces(batch);
+        for (const Place& place : places) {
+            set_place(program, place);
+            draw_in_pieces(batch);
+        }
     }
     gl->Disable(GL_CULL_FACE);
     gl->FrontFace(GL_CCW);
@@ -177,8 +185,12 @@ void LevelRenderer::Impl::draw_level(const Camera& camera, int width, int height
     gl->DepthFunc(GL_LEQUAL);
     const Mat4f clip = clip_from_local(camera, width, height, origin);
     draw_faces(camera, height, clip, style);
+    if (props) props->draw_faces(camera, width, height, clip, style, origin, extent_around, table_texture);
     if (style.wireframe && !borders_built) {
-        upload_lines(borders, face_border_lines(*mesh, highlights, origin, border_color, border_width));
+        std::vector<LineInstance> lines =
+            face_border_lines(*mesh, highlights, origin, border_color, border_width);
+        if (props) props->add_borders(origin, border_color, border_width, lines);
+        upload_lines(borders, lines);
         borders_built = true;
     }
     gl->Enable(GL_BLEND);

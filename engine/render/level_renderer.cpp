@@ -15,9 +15,26 @@ constexpr std::uint8_t selected_color[4] = {255, 166, 64, 255};
 constexpr std::uint8_t hovered_color[4] = {255, 255, 255, 235};
 constexpr float outline_width = 2.2f;
 
+// Of the faces, and of the highlighted faces of props. `bits`: which outlines changed.
+template <class Renderer, class Impl>
+void upload_outlines(Renderer& renderer, Impl& impl, unsigned bits) {
+    const auto outline = [&](std::uint8_t bit, const std::uint8_t(&color)[4], auto& buffer) {
+        if ((bits & bit) == 0 || !impl.mesh) return;
+        renderer.prepare_outlines();
+        std::vector<LineInstance> lines =
+            impl.outlines->lines(*impl.mesh, impl.highlights, bit, impl.origin, color, outline_width);
+        if (impl.props) impl.props->add_outlines(bit, impl.origin, color, outline_width, lines);
+        impl.upload_lines(buffer, lines);
+    };
+    outline(2, selected_color, impl.selected_outline);
+    outline(1, hovered_color, impl.hovered_outline);
+}
+
 }  // namespace
 
-LevelRenderer::LevelRenderer(GlTable gl) : impl_(std::make_unique<Impl>(std::move(gl))) {
+LevelRenderer::LevelRenderer(GlTable gl) : LevelRenderer(std::make_unique<Impl>(std::move(gl))) {}
+
+LevelRenderer::LevelRenderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {
     impl_->build_programs();
     impl_->build_objects();
     impl_->reset_faces();
@@ -61,6 +78,8 @@ Warnings LevelRenderer::set_mesh(MeshPtr mesh, const std::filesystem::path& fold
     impl_->textures.clear();
     impl_->light_map.clear();
     impl_->outlines.reset();
+    impl_->props.reset();
+    impl_->extent_around = 0.0;
     if (impl_->mesh) {
         impl_->origin = drawing_origin(*impl_->mesh);
         warnings = impl_->textures.load(*impl_->mesh, folder, textures);
@@ -120,16 +139,33 @@ void LevelRenderer::set_face_highlights(std::span<const std::uint8_t> highlights
     impl_->highlights_shown = std::any_of(impl_->highlights.begin(), impl_->highlights.end(),
                                           [](std::uint8_t bits) { return bits != 0; });
     impl_->face_state.change(impl_->highlights, FaceState::Channel::highlight);
-    const auto outline = [&](std::uint8_t bit, const std::uint8_t(&color)[4], Impl::LineBuffer& lines) {
-        if ((changed & bit) == 0) return;
-        prepare_outlines();
-        impl_->upload_lines(lines, impl_->outlines->lines(*impl_->mesh, impl_->highlights, bit, impl_->origin,
-                                                          color, outline_width));
-    };
     if ((changed & 4) != 0) impl_->borders_built = false;
-    outline(2, selected_color, impl_->selected_outline);
-    outline(1, hovered_color, impl_->hovered_outline);
+    upload_outlines(*this, *impl_, changed);
     assert_no_gl_error(*impl_->gl, "LevelRenderer::set_face_highlights");
+}
+
+Warnings LevelRenderer::set_props(const Level& level, const PropSurfaces& types) {
+    Warnings warnings;
+    if (!impl_->props) impl_->props = std::make_unique<LevelProps>(impl_->gl, impl_->level_programs);
+    const Aabb bounds = level.mesh.bounds();
+    impl_->extent_around = bounds.empty() ? 0.0 : bounds.size().norm();
+    impl_->borders_built = false;
+    impl_->props->set(level, types, warnings);
+    assert_no_gl_error(*impl_->gl, "LevelRenderer::set_props");
+    return warnings;
+}
+
+void LevelRenderer::set_prop_highlights(
+    const std::map<std::uint32_t, std::vector<std::uint8_t>>& highlights) {
+    if (!impl_->props) return;
+    impl_->props->highlight(highlights);
+    impl_->borders_built = false;
+    upload_outlines(*this, *impl_, 3);
+    assert_no_gl_error(*impl_->gl, "LevelRenderer::set_prop_highlights");
+}
+
+void LevelRenderer::move_props(const std::map<std::uint32_t, Pose>& poses) {
+    if (impl_->props) impl_->props->move(poses);
 }
 
 void LevelRenderer::prepare_outlines() {
@@ -190,7 +226,9 @@ void LevelRenderer::draw_placed(const Camera& camera, int width, int height, con
     if (width <= 0 || height <= 0 || !impl_->status || !impl_->mesh) return;
     const Vec3 own_origin = impl_->origin;
     // The vertices are relative to the mesh's drawing origin.
-    impl_->at = &at;
+    const Impl::Place place{at, 0};
+    impl_->places = {&place, 1};
+    impl_->mesh_origin = own_origin;
     impl_->extent_around = extent_around;
     impl_->origin = at.columns[0] * own_origin.x() + at.columns[1] * own_origin.y() +
                     at.columns[2] * own_origin.z() + at.offset;
@@ -198,7 +236,8 @@ void LevelRenderer::draw_placed(const Camera& camera, int width, int height, con
     plain.wireframe = false;
     draw_over(camera, width, height, plain);
     impl_->origin = own_origin;
-    impl_->at = nullptr;
+    impl_->places = {};
+    impl_->extent_around = 0.0;
 }
 
 }  // namespace slipface

@@ -6,6 +6,7 @@
 #include "face_state.h"
 #include "level_geometry.h"
 #include "level_programs.h"
+#include "level_props.h"
 #include "level_textures.h"
 #include "light_map.h"
 #include "slipface/render/level_renderer.h"
@@ -24,14 +25,21 @@ struct LevelRenderer::Impl {
         std::vector<TriangleId> triangles;
     };
 
-    explicit Impl(GlTable table)
-        : gl(std::move(table)), textures(gl), face_state(gl), light_map(gl), level_programs(gl) {}
+    // `programs`: those of another renderer of this context, for one that draws only faces.
+    explicit Impl(GlTable table, std::shared_ptr<LevelPrograms> programs = nullptr)
+        : gl(std::move(table)),
+          textures(gl),
+          face_state(gl),
+          light_map(gl),
+          only_faces(programs != nullptr),
+          level_programs(programs ? std::move(programs) : std::make_shared<LevelPrograms>(gl)) {}
 
     GlTable gl;
     LevelTextures textures;
     FaceState face_state;
     LightMap light_map;
-    LevelPrograms level_programs;
+    bool only_faces;
+    std::shared_ptr<LevelPrograms> level_programs;
     std::optional<LevelLight> light;
     Status status;
     MeshPtr mesh;
@@ -40,9 +48,16 @@ struct LevelRenderer::Impl {
     std::vector<std::uint8_t> highlights;  // [face]
     std::vector<std::uint32_t> parts;      // [face] its moving part, or no_id; empty: none moves
     std::vector<MovingRun> moving;         // of parts, in drawing order
-    // While draw_placed() draws: where, and how large the level around is, metres.
-    const Placement* at = nullptr;
-    double extent_around = 0.0;
+    // An instance of the mesh: where, and which of several states of all faces it has.
+    struct Place {
+        Placement at;
+        int first_state = 0;  // face 0 in face_state
+    };
+    // While instances are drawn: where, and the origin of the vertices.
+    std::span<const Place> places;
+    Vec3 mesh_origin = Vec3::Zero();
+    double extent_around = 0.0;  // of the level around, metres
+    std::unique_ptr<LevelProps> props;
 
     bool surfaces_shown = false;  // some face has a type other than `default`
     bool highlights_shown = false;
@@ -72,6 +87,7 @@ struct LevelRenderer::Impl {
                             const LevelStyle& style);
     void draw_faces(const Camera& camera, int height, const Mat4f& clip, const LevelStyle& style);
     void draw_in_pieces(const DrawBatch& batch);
+    void set_place(unsigned program, const Place& place);
     void draw_lines(const LineBuffer& lines, float shortest);
     void reset_state(int width, int height);
     void draw_level(const Camera& camera, int width, int height, const LevelStyle& style);

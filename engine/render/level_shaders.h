@@ -62,6 +62,8 @@ uniform mat4 clip_from_local;
 #ifdef PLACED
 uniform mat3 world_from_mesh;     // of an instance
 uniform mat3 normal_from_mesh;
+uniform vec3 mesh_offset;
+uniform int first_state;          // of the instance, in face_state
 #endif
 uniform usampler2D face_state;
 uniform sampler2D light_charts;
@@ -89,7 +91,7 @@ void main() {
     light_texel = vec2(dot(u.xyz, position) + u.w, dot(v.xyz, position) + v.w);
 #endif
 #ifdef PLACED
-    world_position = world_from_mesh * position;
+    world_position = world_from_mesh * position + mesh_offset;
     face_normal = normalize(normal_from_mesh * normal.xyz);
 #else
     world_position = position;
@@ -102,7 +104,11 @@ void main() {
     if (dot(face_normal, eye.xyz - eye.w * world_position) < 0.0) gl_Position.z -= depth_bias;
 #ifdef PAINTED
     int row = textureSize(face_state, 0).x;
-    state = texelFetch(face_state, ivec2(int(face) % row, int(face) / row), 0).rg;
+    int at_state = int(face);
+#ifdef PLACED
+    at_state += first_state;
+#endif
+    state = texelFetch(face_state, ivec2(at_state % row, at_state / row), 0).rg;
     // A hidden face has all its corners at one position outside the picture.
     if ((state.y & 4u) != 0u) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 #endif

@@ -127,6 +127,16 @@ Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& fold
     return warnings;
 }
 
+MeshPtr with_texture(const Mesh& mesh, const std::string& texture) {
+    auto other = std::make_shared<Mesh>(mesh);
+    for (Material& material : other->materials) {
+        material.texture = texture;
+        material.picture = nullptr;
+        material.diffuse = Vec3f::Ones();
+    }
+    return other;
+}
+
 void LevelTextures::add(const Image& image) {
     const std::size_t row_bytes = 4 * static_cast<std::size_t>(image.width);
     std::vector<std::uint8_t> from_bottom(image.rgba.size());

@@ -39,4 +39,7 @@ class LevelTextures {
     std::vector<bool> opaque_;
 };
 
+// The same mesh with one image on all its faces.
+MeshPtr with_texture(const Mesh& mesh, const std::string& texture);
+
 }  // namespace slipface

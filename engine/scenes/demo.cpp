@@ -34,7 +34,7 @@ Demo make_demo(const DemoInfo& info) {
     demo.camera.name = info.title;
     demo.level.cameras = {demo.camera};
     demo.tape.level_name = name + ".obj";
-    demo.tape.level_fingerprint = demo.level.mesh->fingerprint;
+    demo.tape.level_fingerprint = demo.level.mesh.fingerprint();
     return demo;
 }
 

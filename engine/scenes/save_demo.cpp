@@ -75,7 +75,7 @@ Result<std::filesystem::path> save_demo(const DemoInfo& info, const std::filesys
     // digit.
     const Result<LoadedLevel> loaded = load_level(demo.level.mesh_path);
     if (!loaded) return loaded.error();
-    demo.tape.level_fingerprint = loaded->level.mesh->fingerprint;
+    demo.tape.level_fingerprint = loaded->level.mesh.fingerprint();
     if (const Status status = write(".tape", tape_to_text(demo.tape)); !status) return status.error();
     return demo.level.mesh_path;
 }

@@ -105,7 +105,7 @@ Level Shapes::level() const {
     Level level;
     // The shapes in this module always fit together.
     level.mesh = build_mesh(soup_).value();
-    level.overrides.resize(level.mesh->face_count());
+    level.overrides.resize(level.mesh.face_count());
     return level;
 }
 

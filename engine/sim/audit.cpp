@@ -35,7 +35,7 @@ double speed_of(const AuditOptions& options, const MovementSettings& settings, s
 
 Status check_options(const Level& level, const AuditOptions& options) {
     const std::string location = "audit";
-    if (level.mesh->triangle_count() == 0) return Error{location, "the level has no triangles"};
+    if (level.mesh.triangle_count() == 0) return Error{location, "the level has no triangles"};
     if (options.walkers < 1 || options.walkers > 10'000'000)
         return Error{location, fmt::format("found {} walkers, expected 1 to 10000000", options.walkers)};
     if (!(options.dt >= 1e-4 && options.dt <= 0.25))
@@ -113,9 +113,10 @@ std::uint64_t starts_hash_of(const std::vector<Vec3>& starts) {
 Aabb level_bounds(const Level& level, const TickScene& scene) {
     Aabb bounds = scene.at(0, 0.0).collision.bounds();
     const std::vector<std::uint32_t> platforms = face_platforms(level);
-    std::vector<Aabb> rest(platforms.empty() ? 0 : level.platforms.size());
+    std::vector<Aabb> rest(level.platforms.size());
+    if (platforms.empty()) return bounds;
     const Mesh& mesh = *level.mesh;
-    for (std::size_t t = 0; !platforms.empty() && t < mesh.triangle_count(); ++t) {
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
         const std::uint32_t platform = platforms[mesh.triangle_face[t]];
         for (std::size_t k = 0; platform != no_id && k < 3; ++k)
             rest[platform].add(mesh.positions[mesh.corner_vertex[mesh.triangles[t][k]]].cast<double>());
@@ -172,7 +173,7 @@ Result<AuditReport> run_audit(const Level& level, const AuditOptions& options) {
 
     AuditReport report;
     report.level_name = level.mesh_path.filename().string();
-    report.level_fingerprint = level.mesh->fingerprint;
+    report.level_fingerprint = level.mesh.fingerprint();
     report.scene_fingerprint = fingerprint;
     report.program = program_version();
     report.settings_hash = settings_hash_of(level.movement);
@@ -212,7 +213,7 @@ Result<AuditReport> run_audit(const Level& level, const AuditOptions& options) {
             LevelScene own = level_scene->for_another_thread();
             const TickScene scene(own);
             std::vector<FaceHeat>* heat = options.heat ? &heats[block] : nullptr;
-            if (heat) heat->resize(level.mesh->face_count());
+            if (heat) heat->resize(level.mesh.face_count());
             const std::size_t last = count * (block + 1) / blocks;
             for (std::size_t i = count * block / blocks; i < last; i += side_by_side) {
                 const std::size_t together = std::min(side_by_side, last - i);
@@ -223,7 +224,7 @@ Result<AuditReport> run_audit(const Level& level, const AuditOptions& options) {
 
     for (const AuditRun& run : runs)
         run.add_to(report);
-    if (options.heat) report.heat.resize(level.mesh->face_count());
+    if (options.heat) report.heat.resize(level.mesh.face_count());
     for (const std::vector<FaceHeat>& heat : heats) {
         for (std::size_t face = 0; face < heat.size(); ++face)
             report.heat[face] += heat[face];
@@ -247,7 +248,7 @@ Result<std::vector<Vec3>> usable_starts(const Level& level, const std::vector<Ve
 Tape audit_tape(const Level& level, const AuditOptions& options, const AuditFinding& finding) {
     Tape tape;
     tape.level_name = level.mesh_path.filename().string();
-    tape.level_fingerprint = level.mesh->fingerprint;
+    tape.level_fingerprint = level.mesh.fingerprint();
     tape.dt = options.dt;
     tape.dt_text = options.dt_text;
     tape.start = options.starts.empty()

@@ -126,7 +126,7 @@ bool is_special(const SurfaceType& type) {
 }
 
 void add_types(std::vector<CureCandidate>& all, const Level& level, const Loss& loss) {
-    if (loss.face == no_id || loss.face >= level.mesh->face_count()) return;
+    if (loss.face == no_id || loss.face >= level.mesh.face_count()) return;
     const ResolvedSurfaces resolved = resolve_surfaces(level);
     const SurfaceId now = resolved.surface[loss.face];
     const std::string face = "face " + std::to_string(loss.face);

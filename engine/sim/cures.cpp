@@ -164,6 +164,7 @@ struct CureSearch::Impl {
         }
         if (cure->face == no_id) return true;
         painted = cure->face;
+        level.overrides.resize(std::max<std::size_t>(level.overrides.size(), painted + 1));
         painted_over = level.overrides[painted];
         original_types = level.surfaces.size();
         (void)apply_cure(level, *cure);
@@ -171,7 +172,7 @@ struct CureSearch::Impl {
         return true;
     }
     std::size_t original_types = 0;
-    MeshPtr original_mesh;  // while a repaired one is tried
+    LevelMesh original_mesh;  // while a repaired one is tried
     bool build() {
         Result<LevelScene> result = LevelScene::build(level, run.settings());
         if (!result) return false;
@@ -351,12 +352,12 @@ Status apply_cure(Level& level, const Cure& cure) {
     for (const std::string& setting : cure.settings)
         if (Status status = set_setting(level.movement, setting); !status) return status;
     if (cure.mesh) {
-        if (!level.mesh || cure.mesh->face_count() != level.mesh->face_count())
+        if (!level.mesh || cure.mesh->face_count() != level.mesh.face_count())
             return Error{"cure", "found a level with other faces than those that were repaired"};
         level.mesh = cure.mesh;
     }
     if (cure.face == no_id) return {};
-    if (!level.mesh || cure.face >= level.mesh->face_count())
+    if (!level.mesh || cure.face >= level.mesh.face_count())
         return Error{"cure", fmt::format("found face {}, which the level does not have", cure.face)};
     auto type = std::find(level.surfaces.begin(), level.surfaces.end(), cure.type);
     if (type == level.surfaces.end()) {
@@ -365,7 +366,7 @@ Status apply_cure(Level& level, const Cure& cure) {
         level.surfaces.push_back(cure.type);
         type = level.surfaces.end() - 1;
     }
-    level.overrides.resize(level.mesh->face_count());
+    level.overrides.resize(std::max<std::size_t>(level.overrides.size(), cure.face + 1));
     level.overrides[cure.face] = static_cast<SurfaceId>(type - level.surfaces.begin());
     return {};
 }

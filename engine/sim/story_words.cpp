@@ -64,14 +64,12 @@ std::string quoted(const std::string& name) {
     return name.empty() ? name : "`" + name + "`";
 }
 
-std::string group_of(const Mesh* mesh, FaceId face) {
-    if (mesh == nullptr || face >= mesh->face_count() || mesh->groups.size() < 2) return {};
-    return mesh->groups[mesh->face_group[face]];
+std::string group_of(const LevelMesh& mesh, FaceId face) {
+    return face < mesh.face_count() && mesh.has_many_groups() ? mesh.group_of(face) : std::string();
 }
 
-std::string material_of(const Mesh* mesh, FaceId face) {
-    if (mesh == nullptr || face >= mesh->face_count()) return {};
-    return mesh->materials[mesh->face_material[face]].name;
+std::string material_of(const LevelMesh& mesh, FaceId face) {
+    return face < mesh.face_count() ? mesh.material_of(face) : std::string();
 }
 
 }  // namespace

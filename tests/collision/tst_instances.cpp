@@ -150,15 +150,81 @@ TEST_F(Instances, AnswerAsTheirTriangles) {
 
 TEST(InstancesTogether, SweepInBatches) {
     Random random(72);
-    const Pair pair = random_pair(random, 0);
-    std::vector<Sweep> sweeps;
-    for (int i = 0; i < 1000; ++i)
-        sweeps.push_back({Vec3(0.4, 0.9, 0.4), random.in_box(6), 5 * random.direction()});
-    std::vector<std::optional<Contact>> a(sweeps.size()), b(sweeps.size());
-    sweep_ellipsoids(pair.shared, sweeps, a);
-    sweep_ellipsoids(pair.flat, sweeps, b);
-    for (std::size_t i = 0; i < sweeps.size(); ++i)
-        ASSERT_TRUE(same(a[i], b[i])) << i;
+    for (int round = 0; round < 12; ++round) {  // with and without a soup
+        const Pair pair = random_pair(random, round % 3);
+        std::vector<Sweep> sweeps;
+        for (int i = 0; i < 400; ++i)
+            sweeps.push_back(
+                {Vec3(0.4, 0.9, 0.4), pair.middle + random.in_box(6), 5 * random.direction()});
+        std::vector<std::optional<Contact>> a(sweeps.size()), b(sweeps.size());
+        sweep_ellipsoids(pair.shared, sweeps, a);
+        sweep_ellipsoids(pair.flat, sweeps, b);
+        for (std::size_t i = 0; i < sweeps.size(); ++i)
+            ASSERT_TRUE(same(a[i], b[i])) << i;
+    }
+}
+
+// Replacing the instances gives the world that is built with them.
+TEST(InstancesTogether, CanBeReplaced) {
+    Random random(76);
+    const std::vector<Soup> soups{scenes::dense(quads(random)), scenes::dense(scenes::terrain(random, 5, 0.5))};
+    std::vector<std::shared_ptr<const CollisionMesh>> meshes;
+    for (const Soup& soup : soups)
+        meshes.push_back(scenes::shared_mesh(soup));
+    const Soup ground = scenes::dense(scenes::terrain(random, 6, 1.0));
+    CollisionWorld world = std::move(CollisionWorld::build(ground.view()).value());
+    std::vector<Instance> list;
+    const auto random_one = [&] {
+        Instance one{meshes[random.below(2)], random_placement(random, 0), 0, nullptr};
+        auto types = std::make_shared<std::vector<SurfaceId>>(one.mesh->face_count());
+        for (SurfaceId& type : *types)
+            type = static_cast<SurfaceId>(random.below(4));
+        if (random.below(2) == 0) one.surfaces = types;
+        return one;
+    };
+    std::size_t hits = 0;
+    for (int round = 0; round < 60; ++round) {
+        SCOPED_TRACE(round);
+        const auto any = [&] { return list.begin() + static_cast<std::ptrdiff_t>(random.below(list.size())); };
+        for (std::size_t change = 1 + random.below(3); change > 0; --change) {
+            const std::size_t kind = list.empty() ? 0 : random.below(5);
+            if (kind <= 1) list.insert(list.empty() ? list.end() : any(), random_one());
+            if (kind == 2) list.erase(any());
+            if (kind == 3) *any() = random_one();
+            if (kind == 4) std::swap(*any(), list.front());
+        }
+        if (round % 20 == 19) list.clear();
+        FaceId face = ground.faces.back() + 1;
+        for (Instance& one : list) {
+            one.first_face = face;
+            face += static_cast<FaceId>(one.mesh->face_count());
+        }
+        ASSERT_TRUE(world.set_instances(list).ok());
+        const CollisionWorld fresh = std::move(CollisionWorld::build(ground.view(), list).value());
+        ASSERT_EQ(world.triangle_count(), fresh.triangle_count());
+        ASSERT_EQ(world.bounds().min, fresh.bounds().min);
+        ASSERT_EQ(world.bounds().max, fresh.bounds().max);
+        for (TriangleId t = 0; t < fresh.triangle_count(); ++t) {
+            ASSERT_EQ(world.triangle(t), fresh.triangle(t));
+            ASSERT_EQ(world.triangle_face(t), fresh.triangle_face(t));
+        }
+        for (FaceId f = 0; f < face; ++f)
+            ASSERT_EQ(world.face_surface(f), fresh.face_surface(f));
+        for (int i = 0; i < 100; ++i) {
+            const Vec3 from = random.in_box(6), move = 4 * random.direction();
+            const auto hit = sweep_ellipsoid(fresh, {0.4, 0.9, 0.4}, from, move);
+            hits += hit.has_value();
+            ASSERT_TRUE(same(sweep_ellipsoid(world, {0.4, 0.9, 0.4}, from, move), hit));
+        }
+        // A list that cannot be taken changes nothing.
+        std::vector<Instance> bad = list;
+        bad.push_back({nullptr, {}, face, nullptr});
+        EXPECT_FALSE(world.set_instances(bad).ok());
+        bad.back() = {meshes[0], {}, face, std::make_shared<std::vector<SurfaceId>>(3)};
+        EXPECT_FALSE(world.set_instances(bad).ok());
+        ASSERT_EQ(world.triangle_count(), fresh.triangle_count());
+    }
+    EXPECT_GT(hits, 1000U);
 }
 
 // A query that floats cannot hold, or a world.
@@ -206,7 +272,7 @@ TEST(InstancesTogether, RefuseWhatCannotStand) {
         return world ? std::string() : world.error().text();
     };
     const FaceId first = mesh.faces.back() + 1;
-    EXPECT_EQ(error({{shared, {}, first}}), "");
+    EXPECT_EQ(error({{shared, {}, first, nullptr}}), "");
     EXPECT_THAT(error({{shared, {}, first - 1}}), testing::HasSubstr("not above those before"));
     EXPECT_THAT(error({{nullptr, {}, first}}), testing::HasSubstr("has no mesh"));
     EXPECT_THAT(error({{shared, placement({0, 0, 0}, {0, 0, 0}, {1, 0, 1}), first}}),

@@ -18,7 +18,7 @@ TEST_F(Beside, AnotherThreadOpensAndCanBeStopped) {
                            [&] { explained = true; });
     Opened document = job.take();
     ASSERT_TRUE(document.ok());
-    EXPECT_EQ((*document)->mesh().face_count(), face_count);
+    EXPECT_EQ((*document)->face_count(), face_count);
     EXPECT_TRUE(job.ready());
     EXPECT_TRUE(explained);
 

@@ -37,7 +37,7 @@ class CommandFuzz : public LevelFixture {
 
     // What the mouse would point at, now and then.
     void move_mouse(Editor& editor) {
-        const auto faces = static_cast<std::uint32_t>(editor.document->mesh().face_count());
+        const auto faces = static_cast<std::uint32_t>(editor.document->face_count());
         editor.hovered = below(5) == 0 ? no_id : below(faces);
         if (editor.hovered == no_id) return;
         editor.hovered_point = face_centroid(editor.document->mesh(), editor.hovered);

@@ -223,7 +223,7 @@ TEST_F(EditorTest, HighlightsWhatTheToolWouldTouch) {
     editor.document->select({1});
     const auto count = [&](std::uint8_t bit) {
         std::size_t lit = 0;
-        for (const std::uint8_t face : face_highlights(editor))
+        for (const std::uint8_t face : face_highlights(editor, editor.document->face_count()).own)
             lit += (face & bit) != 0 ? 1 : 0;
         return lit;
     };
@@ -380,7 +380,7 @@ TEST_F(EditorTest, AsksBeforeLosingChanges) {
     request_open(editor, folder / "other.obj");
     ASSERT_TRUE(editor.unsaved.has_value());
     answer_unsaved(editor, UnsavedChoice::save);
-    EXPECT_EQ(document().mesh().face_count(), 6u);
+    EXPECT_EQ(document().face_count(), 6u);
     EXPECT_THAT(read_text(level_file), HasSubstr("ice"));
 
     editor.document->paint(std::vector<FaceId>{1}, ice);

@@ -29,10 +29,10 @@ void expect_consistent(const Document& document) {
 
 TEST_F(DocumentTest, OpensWithTheSuffixesTypes) {
     const auto document = open();
-    ASSERT_EQ(document->mesh().face_count(), face_count);
-    EXPECT_EQ(document->resolved().surface[0], default_surface);
-    EXPECT_EQ(document->resolved().surface[wall], ladder);
-    EXPECT_EQ(document->resolved().source[wall], SurfaceSource::suffix);
+    ASSERT_EQ(document->face_count(), face_count);
+    EXPECT_EQ(document->surface_of(0), default_surface);
+    EXPECT_EQ(document->surface_of(wall), ladder);
+    EXPECT_EQ(document->source_of(wall), SurfaceSource::suffix);
     EXPECT_FALSE(document->dirty());
     EXPECT_FALSE(document->can_undo());
     EXPECT_FALSE(document->can_redo());
@@ -52,7 +52,7 @@ TEST_F(DocumentTest, PaintsUndoesAndRedoes) {
     const auto document = open();
     document->paint(std::vector<FaceId>{5, 3, 5, 4}, ice);
     EXPECT_EQ(document->face_count_of(ice), 3u);
-    EXPECT_EQ(document->resolved().source[4], SurfaceSource::override_);
+    EXPECT_EQ(document->source_of(4), SurfaceSource::override_);
     ASSERT_EQ(document->history().size(), 1u);
     EXPECT_EQ(document->history()[0].name, "Paint ice");
     EXPECT_EQ(std::get<FaceEdit>(document->history()[0].edits[0]).faces.size(), 3u);  // 5 was given twice
@@ -60,7 +60,7 @@ TEST_F(DocumentTest, PaintsUndoesAndRedoes) {
 
     document->undo();
     EXPECT_EQ(document->face_count_of(ice), 0u);
-    EXPECT_EQ(document->level().overrides[4], std::nullopt);
+    EXPECT_EQ(document->paint_of(4), std::nullopt);
     expect_consistent(*document);
     document->redo();
     EXPECT_EQ(document->face_count_of(ice), 3u);
@@ -71,11 +71,11 @@ TEST_F(DocumentTest, UnsetIsNotDefault) {
     const auto document = open();
     const std::vector<FaceId> faces{wall};
     document->paint(faces, default_surface);
-    EXPECT_EQ(document->resolved().surface[wall], default_surface);
-    EXPECT_EQ(document->resolved().source[wall], SurfaceSource::override_);
+    EXPECT_EQ(document->surface_of(wall), default_surface);
+    EXPECT_EQ(document->source_of(wall), SurfaceSource::override_);
     document->paint(faces, std::nullopt);
-    EXPECT_EQ(document->resolved().surface[wall], ladder);
-    EXPECT_EQ(document->resolved().source[wall], SurfaceSource::suffix);
+    EXPECT_EQ(document->surface_of(wall), ladder);
+    EXPECT_EQ(document->source_of(wall), SurfaceSource::suffix);
     expect_consistent(*document);
 }
 
@@ -166,7 +166,7 @@ TEST_F(DocumentTest, NestedTransactionsAreOneStepUnderTheOuterName) {
     ASSERT_EQ(document->history().size(), 1u);
     EXPECT_EQ(document->history()[0].name, "Outer");
     document->undo();
-    EXPECT_EQ(document->level().overrides[1], std::nullopt);
+    EXPECT_EQ(document->paint_of(1), std::nullopt);
 }
 
 TEST_F(DocumentTest, SliderDragIsOneEdit) {
@@ -282,11 +282,11 @@ TEST_F(DocumentTest, SaveAsMovesOn) {
 TEST_F(DocumentTest, RenamingTakesRulesAlong) {
     const auto document = open();
     document->set_rules({{"floor", "ice"}});
-    EXPECT_EQ(document->resolved().surface[0], ice);
+    EXPECT_EQ(document->surface_of(0), ice);
     document->rename_surface(ice, "slick");
     EXPECT_EQ(document->level().surfaces[ice].name, "slick");
     EXPECT_EQ(document->level().rules[0].type, "slick");
-    EXPECT_EQ(document->resolved().surface[0], ice);
+    EXPECT_EQ(document->surface_of(0), ice);
     EXPECT_EQ(document->history().size(), 2u);
     expect_consistent(*document);
     document->undo();
@@ -321,10 +321,10 @@ TEST_F(DocumentTest, RemovesOnlyUnusedTypesAndMovesTheRest) {
     document->remove_surface(sticky);
     EXPECT_EQ(document->history().size(), before + 1);
     EXPECT_EQ(document->level().surfaces[3].name, "bouncy");
-    EXPECT_EQ(document->level().overrides[1], SurfaceId{3});
+    EXPECT_EQ(document->paint_of(1), SurfaceId{3});
     expect_consistent(*document);
     document->undo();
-    EXPECT_EQ(document->level().overrides[1], bouncy);
+    EXPECT_EQ(document->paint_of(1), bouncy);
     EXPECT_EQ(document->level().surfaces[3].name, "sticky");
     expect_consistent(*document);
     document->redo();

@@ -84,7 +84,7 @@ std::string sliver_obj(double turn) {
 
 TEST_F(FacesTest, FacesWithoutAreaAreCrossedButDoNotHideTheAngle) {
     load(sliver_obj(5));
-    ASSERT_EQ(document->mesh().face_count(), 4u);
+    ASSERT_EQ(document->face_count(), 4u);
     EXPECT_THAT(flood(0, 15), ElementsAre(0, 1, 2, 3));
     load(sliver_obj(60));
     EXPECT_THAT(flood(0, 15), ElementsAre(0, 1));
@@ -127,10 +127,10 @@ TEST_F(FacesTest, BrushDoesNotJumpAGap) {
 
 TEST_F(FacesTest, BoundsAreOfTheGivenFaces) {
     document = open();
-    const Aabb box = faces_bounds(document->mesh(), std::vector<FaceId>{0, n + 1, no_id});
+    const Aabb box = faces_bounds(*document, std::vector<FaceId>{0, n + 1, no_id});
     EXPECT_EQ(box.min, Vec3(0, 0, 0));
     EXPECT_EQ(box.max, Vec3(2, 0, 2));
-    EXPECT_TRUE(faces_bounds(document->mesh(), {}).empty());
+    EXPECT_TRUE(faces_bounds(*document, {}).empty());
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ TEST_F(HotReload, AnErrorThatStaysIsSaidAndClosesByItself) {
     seconds(10);
     ASSERT_TRUE(editor.message);
     EXPECT_NE(editor.message->text.find("grid.obj:2"), std::string::npos) << editor.message->text;
-    EXPECT_EQ(document().mesh().face_count(), face_count) << "the level stays as it was";
+    EXPECT_EQ(document().face_count(), face_count) << "the level stays as it was";
     write_text(obj, "v 0 0 0\nf 1 2 3 4\n");
     seconds(3);
     ASSERT_TRUE(editor.message);
@@ -102,7 +102,7 @@ TEST_F(HotReload, AnErrorThatStaysIsSaidAndClosesByItself) {
     write_text(obj, floor_and_wall_obj(n - 1));
     seconds(3);
     EXPECT_TRUE(editor.message) << "of something else";
-    EXPECT_EQ(document().mesh().face_count(), static_cast<std::size_t>((n - 1) * n));
+    EXPECT_EQ(document().face_count(), static_cast<std::size_t>((n - 1) * n));
 }
 
 // However a writer dawdles: in the end the level is what the file is, the paint is on it, and nobody was
@@ -121,7 +121,7 @@ TEST_F(HotReload, AWriterThatDawdlesLosesNothing) {
             ASSERT_FALSE(editor.message) << editor.message->text;
         }
         seconds(3);
-        ASSERT_EQ(document().mesh().face_count(), face_count) << "round " << round;
+        ASSERT_EQ(document().face_count(), face_count) << "round " << round;
         ASSERT_EQ(document().resolved().surface[5], ice) << "round " << round;
         ASSERT_EQ(document().resolved().surface[wall + 3], ice) << "round " << round;
         ASSERT_TRUE(document().level().orphans.empty());
@@ -134,7 +134,7 @@ TEST_F(HotReload, GuessedPaintIsListedAndCanBeSteppedThrough) {
     paint(9, ladder);
     write_text(obj, obj_with_cut_face(n));
     seconds(3);
-    ASSERT_EQ(document().mesh().face_count(), face_count + 1);
+    ASSERT_EQ(document().face_count(), face_count + 1);
     ASSERT_EQ(std::vector<FaceId>(document().guessed().begin(), document().guessed().end()),
               (std::vector<FaceId>{0, 1}));
     EXPECT_TRUE(document().dirty()) << "saving writes where the paint is now";
@@ -151,7 +151,7 @@ TEST_F(HotReload, GuessedPaintIsListedAndCanBeSteppedThrough) {
     EXPECT_EQ(document().selection()[0], 1u);
 
     // It is known again when the level is opened before it was saved, and not when undo brings the old one.
-    while (document().mesh().face_count() != face_count)
+    while (document().face_count() != face_count)
         document().undo();
     EXPECT_TRUE(document().guessed().empty());
     document().go_to(document().history().size());

@@ -36,7 +36,7 @@ TEST_F(MaterialRules, TheLastRuleThatMatchesCountsAfterSuffixAndPaint) {
     EXPECT_TRUE(report.materials[1].suffix);
     // It says what the level says.
     for (const MaterialUse& use : report.materials)
-        for (FaceId face = 0; face < document().mesh().face_count(); ++face)
+        for (FaceId face = 0; face < document().face_count(); ++face)
             if (document().mesh().face_material[face] == use.material) {
                 EXPECT_EQ(document().unpainted(face), use.type) << face;
             }

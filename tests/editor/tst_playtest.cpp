@@ -131,7 +131,7 @@ TEST_F(PlaytestTest, TapeRepeatsTheRunExactly) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> fraction(0.0, 1.0);
     playtest.start(start, 0.3);
-    playtest.name_level("grid.obj", document->mesh().fingerprint, scene_fingerprint(scene()));
+    playtest.name_level("grid.obj", document->level().mesh.fingerprint(), scene_fingerprint(scene()));
     std::size_t ticks = 0;
     int respawns = 0;
     PlaytestInput input;

@@ -1,4 +1,6 @@
 // Props in the editor: placed by clicks and scripts, changed by handles, undone step by step.
+#include <random>
+
 #include "app_fixture.h"
 #include "slipface/level/level_file.h"
 #include "tools/props/props.h"
@@ -27,7 +29,7 @@ TEST_F(EditorProps, ArePlacedChangedAndUndone) {
     ASSERT_EQ(props().size(), 2U);
     EXPECT_EQ(props()[0].name, "box");
     EXPECT_EQ(props()[1].name, "box 2");
-    EXPECT_EQ(document().mesh().face_count(), face_count + 12);
+    EXPECT_EQ(document().face_count(), face_count + 12);
     EXPECT_EQ(document().selection().size(), 6U);
     EXPECT_EQ(run("prop set \"box 2\" scale 1,-2,1\nprop set box rotation 0,90,0\nprop set box type ice"),
               "");
@@ -37,18 +39,18 @@ TEST_F(EditorProps, ArePlacedChangedAndUndone) {
     const FaceId top = static_cast<FaceId>(face_count);
     editor().document->paint(std::array{top + 6}, ladder);
     EXPECT_EQ(run("prop delete box"), "");
-    EXPECT_EQ(document().level().overrides[top], ladder);
+    EXPECT_EQ(document().paint_of(top), ladder);
     EXPECT_EQ(run("command edit.undo"), "");
-    EXPECT_EQ(document().level().overrides[top + 6], ladder);
-    EXPECT_EQ(document().level().overrides[top], std::nullopt);
+    EXPECT_EQ(document().paint_of(top + 6), ladder);
+    EXPECT_EQ(document().paint_of(top), std::nullopt);
     EXPECT_EQ(run("prop duplicate \"box 2\""), "");
     ASSERT_EQ(props().size(), 3U);
     EXPECT_EQ(props()[2].name, "box 3");
-    EXPECT_EQ(document().level().overrides[top + 12], ladder);
+    EXPECT_EQ(document().paint_of(top + 12), ladder);
     while (document().can_undo())
         editor().document->undo();
     EXPECT_TRUE(props().empty());
-    EXPECT_EQ(document().mesh().face_count(), face_count);
+    EXPECT_EQ(document().face_count(), face_count);
     while (document().can_redo())
         editor().document->redo();
     EXPECT_EQ(props().size(), 3U);
@@ -56,7 +58,112 @@ TEST_F(EditorProps, ArePlacedChangedAndUndone) {
     const auto again = load_level(level_file);
     ASSERT_TRUE(again.ok());
     EXPECT_EQ(again->level.props, props());
-    EXPECT_EQ(again->level.overrides, document().level().overrides);
+    EXPECT_EQ(resolve_surfaces(again->level).source, document().resolved().source);
+}
+
+// A change of the props is made in the present state; a new document computes all of it.
+TEST_F(EditorProps, EditedAtRandomAreAsReadAnew) {
+    write_text(folder / "parts/post.obj", "v 0 0 0\nv 0.3 0 0\nv 0.3 2 0\nv 0 2 0.1\nusemtl post\nf 1 2 3 4\nf 1 4 2\n");
+    std::mt19937 random(11);
+    const auto below = [&](std::size_t n) { return random() % n; };
+    const auto number = [&](double size) { return size * (static_cast<double>(random()) / 4294967296.0 - 0.5); };
+    std::size_t most = 0;
+    for (int round = 0; round < 300; ++round) {
+        SCOPED_TRACE(round);
+        const std::size_t kind = below(12), count = props().size();
+        const std::size_t prop = count == 0 ? 0 : below(count);
+        if (kind <= 2 || count == 0) {
+            const char* const files[] = {"parts/box.obj", "parts/post.obj", "parts/missing.obj"};
+            add_prop(editor(), files[below(8) == 0 ? 2 : below(2)], {number(9), 0, number(9)});
+        } else if (kind == 3) {
+            duplicate_prop(editor(), prop);
+        } else if (kind == 4) {
+            remove_prop(editor(), prop);
+        } else if (kind <= 6) {
+            Prop to = props()[prop];
+            to.position = {number(9), number(3), number(9)};
+            to.rotation = {number(6), number(6), number(6)};
+            if (below(2) == 0) to.scale = {number(3) + 2, -1 - number(1), 1};
+            change_prop(editor(), prop, to, "Move");
+        } else if (kind == 7) {
+            paint_prop(editor(), prop, below(2) == 0 ? std::optional<SurfaceId>() : ice);
+        } else if (kind == 8) {
+            const auto face = static_cast<FaceId>(below(document().face_count()));
+            editor().document->paint(std::array{face}, below(3) == 0 ? std::optional<SurfaceId>() : ladder);
+        } else if (kind == 9) {
+            editor().document->hide({static_cast<FaceId>(below(document().face_count()))}, "Hide");
+        } else if (kind == 10) {
+            for (std::size_t i = below(6); i > 0; --i)
+                editor().document->undo();
+        } else {
+            for (std::size_t i = below(6); i > 0; --i)
+                editor().document->redo();
+        }
+        most = std::max(most, props().size());
+        const Level& level = document().level();
+        const ResolvedSurfaces fresh = resolve_surfaces(level), now = document().resolved();
+        ASSERT_EQ(now.surface, fresh.surface);
+        ASSERT_EQ(now.source, fresh.source);
+        std::vector<std::size_t> faces(level.surfaces.size());
+        std::vector<double> areas(level.surfaces.size());
+        for (FaceId face = 0; face < document().face_count(); ++face) {
+            ASSERT_EQ(document().surface_of(face), fresh.surface[face]);
+            ++faces[fresh.surface[face]];
+            areas[fresh.surface[face]] += face_area(*level.mesh, face);
+        }
+        for (SurfaceId type = 0; type < faces.size(); ++type) {
+            ASSERT_EQ(document().face_count_of(type), faces[type]) << int{type};
+            ASSERT_NEAR(document().area_of(type), areas[type], 1e-3);
+        }
+        if (round % 10 != 9) continue;
+        const CollisionWorld world = std::move(build_collision_world(level).value());
+        ASSERT_EQ(world.triangle_count(), document().collision().triangle_count());
+        for (TriangleId triangle = 0; triangle < world.triangle_count(); ++triangle) {
+            ASSERT_EQ(world.triangle(triangle), document().collision().triangle(triangle));
+            const FaceId face = world.triangle_face(triangle);
+            ASSERT_EQ(face, document().collision().triangle_face(triangle));
+            ASSERT_EQ(document().collision().face_surface(face), fresh.surface[face]);
+        }
+        ASSERT_TRUE(editor().document->save());
+        const auto again = load_level(level_file);
+        ASSERT_TRUE(again.ok());
+        EXPECT_EQ(again->level.props, props());
+        EXPECT_EQ(resolve_surfaces(again->level).surface, fresh.surface);
+        EXPECT_EQ(again->level.hidden, level.hidden);
+        EXPECT_EQ(again->level.mesh.fingerprint(), level.mesh.fingerprint());
+    }
+    EXPECT_GT(most, 20U);
+}
+
+// Other programs write the mesh of a prop, or one that was missing.
+TEST_F(EditorProps, AreReadAgainWhenTheirMeshChanges) {
+    EXPECT_EQ(run("prop place parts/box.obj 2,0,2\nprop place parts/late.obj 4,0,2"), "");
+    EXPECT_EQ(document().face_count(), face_count + 6);
+    bool shown_changed = false;
+    double now = 100.0;
+    const auto seconds = [&](int count) {
+        for (int i = 0; i < count; ++i)
+            tick_session(editor(), now += 1.0, shown_changed);
+    };
+    seconds(3);
+    const std::string box = read_text(folder / "parts/box.obj");
+    write_text(folder / "parts/box.obj", box + "v 9 9 9\nv 8 9 9\nv 8 9 8\nf 9 10 11\n");
+    seconds(4);
+    EXPECT_EQ(document().face_count(), face_count + 7) << editor().status;
+    write_text(folder / "parts/late.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    seconds(4);
+    EXPECT_EQ(document().face_count(), face_count + 8) << editor().status;
+    const std::size_t steps = document().history().size();
+    write_text(folder / "parts/late.obj", read_text(folder / "parts/late.obj"));
+    seconds(4);
+    EXPECT_EQ(document().history().size(), steps) << "the same bytes";
+    write_text(folder / "parts/box.obj", "v 0 0 0\nf 1 2 3\n");
+    seconds(4);
+    EXPECT_EQ(document().face_count(), face_count + 1) << "of the other";
+    EXPECT_EQ(props().size(), 2U);
+    write_text(folder / "parts/box.obj", box);
+    seconds(4);
+    EXPECT_EQ(document().face_count(), face_count + 7);
 }
 
 TEST_F(EditorProps, StandWhereTheMouseClicksAndFollowTheirHandles) {
@@ -118,9 +225,9 @@ TEST_F(EditorProps, MistakesAreNamedAndChangeNothing) {
     // A mesh that is not there: the prop is listed and can be mended.
     EXPECT_EQ(run("prop set a mesh nowhere.obj"), "");
     EXPECT_NE(editor().status.find("there is no such file"), std::string::npos);
-    EXPECT_EQ(document().mesh().face_count(), face_count + 6);
+    EXPECT_EQ(document().face_count(), face_count + 6);
     EXPECT_EQ(run("only props\nprop choose a\nprop set a mesh parts/box.obj"), "");
-    EXPECT_EQ(document().mesh().face_count(), face_count + 12);
+    EXPECT_EQ(document().face_count(), face_count + 12);
 }
 
 }  // namespace

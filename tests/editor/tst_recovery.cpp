@@ -53,7 +53,7 @@ TEST_F(Recovery, IsOfferedWithItsOwnLevelOnly) {
     recover(*editor, AutosaveInfo(editor->session.recoverable[0]));
     ASSERT_FALSE(editor->message) << editor->message->text;
     EXPECT_TRUE(editor->session.recoverable.empty());
-    EXPECT_EQ(editor->document->resolved().surface[3], ice);
+    EXPECT_EQ(editor->document->surface_of(3), ice);
     EXPECT_TRUE(editor->document->dirty());
     save_level(*editor);
     look_for_autosaves(*editor);
@@ -80,10 +80,10 @@ TEST_F(Recovery, WhatOneEditorRecoveredIsNotOfferedToAnother) {
 
     open_level(*first, obj);
     recover(*first, row);
-    EXPECT_EQ(first->document->resolved().surface[3], ice);
+    EXPECT_EQ(first->document->surface_of(3), ice);
     recover(*second, row);
     ASSERT_TRUE(second->message) << "the first has it";
-    EXPECT_NE(second->document->resolved().surface[3], ice);
+    EXPECT_NE(second->document->surface_of(3), ice);
     EXPECT_TRUE(second->session.recoverable.empty());
     const auto third = start();
     EXPECT_TRUE(third->session.left_behind.empty());
@@ -138,7 +138,7 @@ TEST_F(Recovery, AKilledProcessLeavesItsChangesAndItsLock) {
     open_level(*editor, obj);
     ASSERT_EQ(editor->session.recoverable.size(), 1u);
     recover(*editor, AutosaveInfo(editor->session.recoverable[0]));
-    EXPECT_EQ(editor->document->resolved().surface[3], ice);
+    EXPECT_EQ(editor->document->surface_of(3), ice);
 }
 
 }  // namespace

@@ -48,20 +48,20 @@ TEST_F(Reload, FindsPaintedFacesAgainAsOneStep) {
     EXPECT_TRUE(document->selection().empty());
     EXPECT_EQ(document->face_count_of(ice), 3u);
     for (const FaceId face : painted)
-        EXPECT_EQ(document->resolved().surface[face_count - 1 - face], ice);
+        EXPECT_EQ(document->surface_of(face_count - 1 - face), ice);
     const auto hit = document->pick({0.5, 5, 0.5}, {0, -1, 0}, false);
     ASSERT_TRUE(hit);
     EXPECT_EQ(hit->face, face_count - 1);
 
     document->undo();
     EXPECT_EQ(document->level().mesh, old_mesh);
-    EXPECT_EQ(document->resolved().surface[0], ice);
+    EXPECT_EQ(document->surface_of(0), ice);
     EXPECT_EQ(document->selection().size(), 1u);
     document->undo();
     document->undo();
     EXPECT_EQ(document->face_count_of(ice), 0u);
     document->go_to(document->history().size());
-    EXPECT_EQ(document->resolved().surface[face_count - 1], ice);
+    EXPECT_EQ(document->surface_of(face_count - 1), ice);
 }
 
 TEST_F(Reload, KeepsWhatFoundNoFaceUntilItIsAttachedByHand) {
@@ -77,10 +77,10 @@ TEST_F(Reload, KeepsWhatFoundNoFaceUntilItIsAttachedByHand) {
     EXPECT_FALSE(document->attach_orphan(0, {})) << "no face";
     ASSERT_TRUE(document->attach_orphan(0, std::vector<FaceId>{7}));
     EXPECT_TRUE(document->level().orphans.empty());
-    EXPECT_EQ(document->resolved().surface[7], ice);
+    EXPECT_EQ(document->surface_of(7), ice);
     document->undo();
     EXPECT_EQ(document->level().orphans.size(), 1u);
-    EXPECT_NE(document->resolved().surface[7], ice);
+    EXPECT_NE(document->surface_of(7), ice);
 
     document->drop_orphan(0);
     EXPECT_TRUE(document->level().orphans.empty());
@@ -94,8 +94,8 @@ TEST_F(Reload, ChangesNothingWhenTheFileIsBroken) {
     write_text(obj, "v 0 0 0\nf 1 2 3\n");
     EXPECT_FALSE(document->reload());
     EXPECT_EQ(document->history().size(), steps);
-    EXPECT_EQ(document->mesh().face_count(), face_count);
-    EXPECT_EQ(document->resolved().surface[1], ice);
+    EXPECT_EQ(document->face_count(), face_count);
+    EXPECT_EQ(document->surface_of(1), ice);
 
     Progress cancelled;
     cancelled.cancel();
@@ -109,9 +109,9 @@ TEST_F(Reload, ANewScaleKeepsThePaint) {
     auto document = open();
     document->paint(std::vector<FaceId>{0, wall}, ice);
     ASSERT_TRUE(document->set_import_transform({.scale = 0.5, .up = UpAxis::z}));
-    EXPECT_EQ(document->resolved().surface[0], ice);
-    EXPECT_EQ(document->resolved().surface[wall], ice);
-    EXPECT_DOUBLE_EQ(document->mesh().bounds.max.x(), n * 0.5);
+    EXPECT_EQ(document->surface_of(0), ice);
+    EXPECT_EQ(document->surface_of(wall), ice);
+    EXPECT_DOUBLE_EQ(document->bounds().max.x(), n * 0.5);
     ASSERT_TRUE(document->save());
 
     const auto again = Document::open(obj);
@@ -119,7 +119,7 @@ TEST_F(Reload, ANewScaleKeepsThePaint) {
     EXPECT_EQ((*again)->match().text(), "2 exact, 0 by plane, 0 orphaned");
     EXPECT_EQ((*again)->level().import_transform, document->level().import_transform);
     document->undo();
-    EXPECT_DOUBLE_EQ(document->mesh().bounds.max.x(), n);
+    EXPECT_DOUBLE_EQ(document->bounds().max.x(), n);
     const std::uint64_t before = document->face_revision();
     for (const double scale : {-1.0, 0.0, std::nan("")})
         EXPECT_FALSE(document->set_import_transform({.scale = scale, .up = {}})) << "out of range";
@@ -134,7 +134,7 @@ TEST_F(Reload, TheSpawnPointGoesWithTheScaleInOneStep) {
     EXPECT_TRUE(document->level().spawn.isApprox(Vec3(20, 40 + above_feet, -30)));
     document->undo();
     EXPECT_EQ(document->level().spawn, Vec3(2, 3 + above_feet, 4));
-    EXPECT_DOUBLE_EQ(document->mesh().bounds.max.x(), n);
+    EXPECT_DOUBLE_EQ(document->bounds().max.x(), n);
     document->redo();
     EXPECT_TRUE(document->level().spawn.isApprox(Vec3(20, 40 + above_feet, -30)));
 }

@@ -131,10 +131,10 @@ TEST_F(WindowTest, TheImportCardPlacesTheSpawn) {
 
 TEST_F(WindowTest, TheSelectionsTintIsNotSeenWhileWalking) {
     ASSERT_EQ(run("select faces 3-9\ncommand playtest.start"), "");
-    for (const std::uint8_t flags : face_highlights(editor()))
+    for (const std::uint8_t flags : face_highlights(editor(), document().face_count()).own)
         EXPECT_EQ(flags & 2, 0);
     ASSERT_EQ(run("key Escape"), "");
-    EXPECT_EQ(face_highlights(editor())[3] & 2, 2);
+    EXPECT_EQ(face_highlights(editor(), document().face_count()).own[3] & 2, 2);
 }
 
 TEST_F(WindowTest, AStrokeSaysOnHowManyFacesItPainted) {

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "exchange/scratch_level.h"
 #include "slipface/exchange/export.h"
@@ -227,6 +228,63 @@ TEST_F(GltfObjects, ReadBackEqual) {
     EXPECT_LT((after["glass__ice"] - before["glass__ice"]).norm(), 1e-5F);
     EXPECT_NEAR(before["wood"].x(), 0.537F, 0.001F) << "linear 0.25 in sRGB";
     EXPECT_EQ(json["meshes"].size(), 6u) << "table in two, mug in two, the other mug, the second room";
+}
+
+// Props are nodes that share the meshes of their files, wherever they stand and however they are scaled.
+TEST_F(GltfObjects, PropsShareTheirMeshes) {
+    write("wedge.obj",
+          "v 0 0 0\nv 2 0 0\nv 0 0 1\nv 0 1 0\no wedge\nusemtl stone\nf 1 2 3\nf 1 4 2\nusemtl wood\nf 1 3 4\nf 2 4 3\n");
+    write("slab.obj", "v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nusemtl stone\nf 1 2 3 4\n");
+    Level level = open(grid_obj(3, {"ground"}));
+    std::mt19937 random(3);
+    const auto number = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+    };
+    const auto side = [&] { return random() % 2 == 0 ? 1.0 : -1.0; };
+    for (int i = 0; i < 200; ++i) {
+        Prop prop;
+        prop.name = "prop " + std::to_string(i);
+        prop.mesh = i % 3 == 0 ? "slab.obj" : i == 100 ? "missing.obj" : "wedge.obj";
+        prop.position = Vec3(number(-900, 900), number(-5, 5), number(-900, 900));
+        prop.rotation = Vec3(number(-4, 4), number(-4, 4), number(-4, 4));
+        prop.scale = Vec3(side() * number(0.01, 20), side() * number(0.01, 20), side() * number(0.01, 20));
+        if (i % 10 == 1) prop.type = "ice";
+        level.props.push_back(prop);
+    }
+    EXPECT_EQ(place_props(level).size(), 1U) << "the missing one";
+    for (const char* const ending : {".gltf", ".glb"}) {
+        const std::string name = std::string("props") + ending;
+        ASSERT_TRUE(export_gltf(level, path(name)));
+        if (std::string_view(ending) == ".gltf") {
+            const auto json = nlohmann::json::parse(read(name));
+            EXPECT_EQ(json["meshes"].size(), 5U) << "ground; slab and wedge, also of ice";
+            std::size_t placed = 0;
+            for (const auto& node : json["nodes"])
+                placed += node.contains("mesh") && node["name"].get<std::string>().starts_with("prop ");
+            EXPECT_EQ(placed, 199U);
+        }
+        const Level again = open_path(name);
+        ASSERT_EQ(again.mesh->triangle_count(), level.mesh->triangle_count());
+        const ResolvedSurfaces before = resolve_surfaces(level), after = resolve_surfaces(again);
+        double farthest = 0.0;
+        for (std::size_t t = 0; t < again.mesh->triangle_count(); ++t) {
+            const FaceId a = level.mesh->triangle_face[t], b = again.mesh->triangle_face[t];
+            ASSERT_EQ(again.surfaces[after.surface[b]].name, level.surfaces[before.surface[a]].name) << t;
+            // Corner by corner, wherever the triangle begins.
+            double nearest = 1e9;
+            for (std::size_t turn = 0; turn < 3; ++turn) {
+                double most = 0.0;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const Vec3f& p = level.mesh->corner_position(level.mesh->triangles[t][k]);
+                    const Vec3f& q = again.mesh->corner_position(again.mesh->triangles[t][(k + turn) % 3]);
+                    most = std::max(most, static_cast<double>((p - q).norm()));
+                }
+                nearest = std::min(nearest, most);
+            }
+            farthest = std::max(farthest, nearest);
+        }
+        EXPECT_LT(farthest, 1e-3) << ending;
+    }
 }
 
 TEST_F(GltfObjects, BodiesInTheExtensionsOfEngines) {

@@ -104,6 +104,7 @@ TEST_F(Props, TakeTheirTypesFromPaintThenThemselvesThenTheirMaterials) {
     Result<LoadedLevel> loaded = load(two);
     ASSERT_TRUE(loaded.ok());
     Level& level = loaded->level;
+    level.overrides.resize(8);
     level.overrides[7] = *find_surface(level, "ladder");
     const ResolvedSurfaces resolved = resolve_surfaces(level);
     const auto name = [&](FaceId face) { return level.surfaces[resolved.surface[face]].name; };
@@ -142,6 +143,41 @@ TEST_F(Props, CollideAsTheirFacesDo) {
         hits += x->face > 0;
     }
     EXPECT_GT(hits, 50);
+}
+
+// What a level says without its whole mesh is what the whole mesh says.
+TEST_F(Props, SayTheSameAsTheirWholeMesh) {
+    const Result<LoadedLevel> loaded = load(two);
+    ASSERT_TRUE(loaded.ok());
+    const LevelMesh& mesh = loaded->level.mesh;
+    const Aabb box = mesh.bounds();
+    EXPECT_EQ(mesh.face_count(), mesh->face_count());
+    EXPECT_EQ(mesh.triangle_count(), mesh->triangle_count());
+    EXPECT_EQ(mesh.fingerprint(), mesh->fingerprint);
+    EXPECT_EQ(box.min, mesh->bounds.min);
+    EXPECT_EQ(box.max, mesh->bounds.max);
+    for (FaceId face = 0; face < mesh.face_count(); ++face) {
+        EXPECT_EQ(mesh.group_of(face), mesh->groups[mesh->face_group[face]]);
+        EXPECT_THAT(mesh->materials[mesh->face_material[face]].name, testing::StartsWith(mesh.material_of(face)));
+    }
+    for (const std::size_t prop : {0U, 1U}) {
+        const MeshPtr alone = prop_mesh(loaded->level, prop);
+        const FaceId first = loaded->level.placed.first_face[prop];
+        ASSERT_EQ(alone->face_count(), 5U);
+        for (FaceId face = 0; face < 5; ++face)
+            EXPECT_EQ(face_centroid(*alone, face), face_centroid(*mesh, first + face));
+        EXPECT_EQ(prop_first_triangle(loaded->level, prop), mesh->face_first_triangle[first]);
+        EXPECT_EQ(prop_bounds(loaded->level, prop).min, alone->bounds.min);
+    }
+    Level other = loaded->level;
+    other.props[1].position.x() += 1;
+    (void)place_props(other);
+    EXPECT_NE(other.mesh.fingerprint(), mesh.fingerprint());
+    EXPECT_NE(other.mesh, mesh);
+    other.props[1].position.x() -= 1;
+    (void)place_props(other);
+    EXPECT_EQ(other.mesh.fingerprint(), mesh.fingerprint());
+    EXPECT_EQ(other.mesh.bounds().max, box.max);
 }
 
 TEST_F(Props, ArePlatformsByTheirNames) {
@@ -200,6 +236,7 @@ TEST_F(Props, FollowAnObjThatChanged) {
     const Result<LoadedLevel> loaded = load(two);
     ASSERT_TRUE(loaded.ok());
     Level level = loaded->level;
+    level.overrides.resize(9);
     level.overrides[8] = SurfaceId{2};
     put("floor.obj", std::string(floor_obj) + "v 0 5 0\nv 1 5 0\nv 0 5 1\nf 5 6 7\n");
     const Result<LoadedLevel> again = reload_mesh(level);

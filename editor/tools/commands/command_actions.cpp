@@ -93,7 +93,7 @@ void frame_selection(Editor& editor) {
     frame_selected(editor, editor.view_aspect);
 }
 void frame_all(Editor& editor) {
-    editor.view.frame(editor.document->mesh().bounds, editor.view_aspect);
+    editor.view.frame(editor.document->bounds(), editor.view_aspect);
 }
 
 void toggle_overlay(Editor& editor) {

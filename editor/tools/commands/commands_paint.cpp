@@ -40,10 +40,10 @@ void replace_seed_types(Editor& editor) {
     const Document& document = *editor.document;
     std::vector<SurfaceId> types;
     if (editor.hovered != no_id)
-        types = {document.resolved().surface[editor.hovered]};
+        types = {document.surface_of(editor.hovered)};
     else
         for (const FaceId face : document.selection())
-            if (const SurfaceId type = document.resolved().surface[face];
+            if (const SurfaceId type = document.surface_of(face);
                 std::find(types.begin(), types.end(), type) == types.end())
                 types.push_back(type);
     editor.document->begin("Replace type");

@@ -33,7 +33,7 @@ std::vector<Command> prop_commands() {
         {"tools.props", icons::cube, "Props", "Tools",
          "Click a prop to choose it and drag its handles, or place the mesh that is chosen in the panel "
          "Props",
-         "instances objects meshes place gizmo", no_key(), always, tool_is<Tool::props>,
+         "instances objects meshes place gizmo", key("U"), always, tool_is<Tool::props>,
          use_tool<Tool::props>},
         {"props.move", "", "Move props", "Edit/Prop", "Handles that move the chosen prop",
          "gizmo translate position", no_key(), has_document, handles_are<PropHandles::move>,

@@ -11,12 +11,12 @@ namespace {
 
 // Changes whenever the same tape could give another run.
 std::uint64_t state_of(const Document& document) {
-    return (document.face_revision() * 0x9e3779b97f4a7c15ULL) ^ document.mesh().fingerprint;
+    return (document.face_revision() * 0x9e3779b97f4a7c15ULL) ^ document.level().mesh.fingerprint();
 }
 
 // Why a tape need not repeat in this level.
-std::string doubt_of(const Tape& tape, const Mesh& mesh, const TickScene& scene) {
-    if (tape.level_fingerprint && *tape.level_fingerprint != mesh.fingerprint)
+std::string doubt_of(const Tape& tape, std::uint64_t geometry, const TickScene& scene) {
+    if (tape.level_fingerprint && *tape.level_fingerprint != geometry)
         return "Recorded on other geometry";
     if (tape.surfaces_fingerprint && *tape.surfaces_fingerprint != scene_fingerprint(scene.at(0, 0.0)))
         return "Recorded with other surface types";
@@ -70,7 +70,7 @@ Status Lab::open(const Document& document, Tape tape, std::string name) {
         const Result<Start> start = find_start(document.level(), ticks.at(0, 0.0), ticks.offset(), settings);
         start_ = start ? start->position : document.level().spawn;
     }
-    doubt_ = doubt_of(tape, document.mesh(), scene(document));
+    doubt_ = doubt_of(tape, document.level().mesh.fingerprint(), scene(document));
     tape_ = std::make_shared<const Tape>(std::move(tape));
     level_state_ = state_of(document);
     runs_.push_back(
@@ -123,7 +123,7 @@ bool Lab::frame(const Document& document, double seconds) {
     if (!has_tape()) return false;
     const bool other_level = level_state_ != state_of(document);
     level_state_ = state_of(document);
-    if (other_level) doubt_ = doubt_of(*tape_, document.mesh(), scene(document));
+    if (other_level) doubt_ = doubt_of(*tape_, document.level().mesh.fingerprint(), scene(document));
     for (std::size_t i = 0; i < runs_.size(); ++i) {
         const bool other_settings =
             runs_[i].kind == LabRun::Kind::now && !(runs_[i].settings == document.level().movement);

@@ -76,7 +76,7 @@ std::string probe_test_text(const Probe& probe, const Document& document) {
     const Level& level = document.level();
     ProbeTest test = make_probe_test(document.scene(), level.movement, probe.from, probe.move);
     test.level_name = level.mesh_path.filename().string();
-    test.level_fingerprint = document.mesh().fingerprint;
+    test.level_fingerprint = document.level().mesh.fingerprint();
     return probe_test_to_text(test);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <unordered_set>
 
 #include "slipface/mesh/formats.h"
 #include "slipface/mesh/mesh.h"
@@ -18,10 +19,11 @@ constexpr std::size_t max_files = 1000, max_looked_at = 20'000;
 constexpr int max_folder_depth = 2;
 
 std::string free_prop_name(const Level& level, const std::string& wanted) {
-    const auto taken = [&](const std::string& name) {
-        return std::ranges::count(level.props, name, &Prop::name) > 0 ||
-               std::ranges::count(own_mesh(level)->groups, name) > 0;
-    };
+    std::unordered_set<std::string_view> names;
+    for (const Prop& prop : level.props)
+        names.insert(prop.name);
+    names.insert(own_mesh(level)->groups.begin(), own_mesh(level)->groups.end());
+    const auto taken = [&](const std::string& name) { return names.contains(name); };
     if (!taken(wanted)) return wanted;
     // "crate 2" becomes "crate 3".
     const std::size_t end = wanted.find_last_not_of("0123456789");
@@ -41,7 +43,9 @@ bool put_props(Editor& editor, std::vector<Prop> props, std::span<const std::uin
         return false;
     }
     Document& document = *editor.document;
+    const std::size_t meshes = document.level().placed.meshes.size();
     document.set_props(std::move(props), from, step_name);
+    if (document.level().placed.meshes.size() != meshes) watch_files(editor);
     editor.hovered = no_id;
     editor.tool_faces = {};
     editor.session.report.reset();
@@ -161,12 +165,7 @@ void duplicate_prop(Editor& editor, std::size_t prop) {
     Prop copy = props[prop];
     copy.name = free_prop_name(level, copy.name);
     // As far to the side as it is wide.
-    const std::vector<FaceId>& first = level.placed.first_face;
-    Aabb box;
-    const Mesh& mesh = *level.mesh;
-    for (std::uint32_t corner = mesh.face_first_corner[first[prop]];
-         corner < mesh.face_first_corner[first[prop + 1]]; ++corner)
-        box.add(mesh.corner_position(corner).cast<double>());
+    const Aabb box = prop_bounds(level, prop);
     copy.position.x() += box.empty() ? 1.0 : std::max(0.25, std::ceil(4.0 * box.size().x()) / 4.0);
     props.push_back(copy);
     from.push_back(static_cast<std::uint32_t>(prop));

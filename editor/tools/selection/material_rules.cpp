@@ -17,7 +17,7 @@ RuleReport make_report(const Document& document) {
     std::vector<std::size_t> faces(mesh.materials.size(), 0), painted(mesh.materials.size(), 0);
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         ++faces[mesh.face_material[face]];
-        painted[mesh.face_material[face]] += document.resolved().source[face] == SurfaceSource::override_;
+        painted[mesh.face_material[face]] += document.source_of(face) == SurfaceSource::override_;
     }
     std::vector<std::string> patterns;
     for (std::size_t i = 0; i < level.rules.size(); ++i) {

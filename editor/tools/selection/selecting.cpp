@@ -27,7 +27,7 @@ std::vector<FaceId> combined(std::span<const FaceId> old, std::vector<FaceId> ch
 }
 
 bool on_face(const Editor& editor) {
-    return editor.document && editor.hovered < editor.document->mesh().face_count();
+    return editor.document && editor.hovered < editor.document->face_count();
 }
 
 std::string free_selection_name(const Document& document) {
@@ -73,8 +73,7 @@ void brush_select(Editor& editor, SelectBy by) {
     if (!on_face(editor)) return;
     Document& document = *editor.document;
     document.select(combined(document.selection(),
-                             brush_faces(document.mesh(), document.neighbours(), editor.hovered,
-                                         editor.hovered_point, editor.select_radius),
+                             brush_faces(document, editor.hovered, editor.hovered_point, editor.select_radius),
                              by));
 }
 

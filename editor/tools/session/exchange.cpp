@@ -50,7 +50,7 @@ std::string export_summary(const Document& document, const std::vector<fs::path>
         std::error_code error;
         if (const std::uintmax_t size = fs::file_size(file, error); !error) bytes += size;
     }
-    return counted(document.mesh().face_count(), "face") + ", " + counted(types, "type") + ", " +
+    return counted(document.face_count(), "face") + ", " + counted(types, "type") + ", " +
            std::to_string((bytes + 1023) / 1024) + " KB";
 }
 

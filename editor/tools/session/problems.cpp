@@ -8,9 +8,9 @@ namespace slipface {
 namespace {
 
 bool differ_in_type(const Document& document, const Problem& problem) {
-    const std::size_t count = document.mesh().face_count();
+    const std::size_t count = document.face_count();
     return problem.face < count && problem.other < count &&
-           document.resolved().surface[problem.face] != document.resolved().surface[problem.other];
+           document.surface_of(problem.face) != document.surface_of(problem.other);
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ void go_to_problem(Editor& editor, std::size_t row) {
     editor.session.problem = row;
     std::vector<FaceId> faces;
     for (const FaceId face : {problem.face, problem.other})
-        if (face < document.mesh().face_count()) faces.push_back(face);
+        if (face < document.face_count()) faces.push_back(face);
     go_to_position(editor, problem.position);
     document.select(std::move(faces));
     editor.status = info_of(problem.kind).label + std::string(": ") + problem.text;
@@ -70,7 +70,7 @@ std::string fix_label(const Editor& editor, const Problem& problem) {
         case ProblemKind::duplicate:
         case ProblemKind::overlap:
             if (!differ_in_type(document, problem)) return {};
-            return "Make both " + document.level().surfaces[document.resolved().surface[problem.other]].name;
+            return "Make both " + document.level().surfaces[document.surface_of(problem.other)].name;
         case ProblemKind::orphan:
             if (problem.index >= document.level().orphans.size()) return {};
             if (document.selection().empty()) return {};
@@ -90,7 +90,7 @@ void fix_problem(Editor& editor, const Problem& problem) {
         if (!status) editor.message = MessageDialog{"Cannot attach the orphan", status.error().text(), {}};
         return;
     }
-    const SurfaceId wanted = document.resolved().surface[problem.other];
+    const SurfaceId wanted = document.surface_of(problem.other);
     document.paint(std::span(&problem.face, 1), wanted);
     editor.status = "Both faces are " + document.level().surfaces[wanted].name + " now";
 }

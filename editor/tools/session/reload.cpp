@@ -1,6 +1,7 @@
 // Reading the open level's files again when another program has written them.
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -87,7 +88,8 @@ bool same_materials(const Mesh& a, const Mesh& b) {
     return std::equal(a.materials.begin(), a.materials.end(), b.materials.begin(), b.materials.end(),
                       [](const Material& one, const Material& other) {
                           return one.name == other.name && one.diffuse == other.diffuse &&
-                                 one.texture == other.texture;
+                                 one.texture == other.texture && !one.picture == !other.picture &&
+                                 (!one.picture || *one.picture == *other.picture);
                       });
 }
 
@@ -104,18 +106,52 @@ std::vector<fs::path> material_libraries(const fs::path& mesh) {
     return files;
 }
 
-// Where they are, or would be.
-std::vector<fs::path> texture_files(const Level& level) {
-    const fs::path folder = level.mesh_path.parent_path();
-    std::vector<fs::path> files;
-    for (const Material& material : level.mesh->materials) {
-        if (material.texture.empty() || material.picture || files.size() >= max_watched) continue;
-        const FoundTexture found = find_texture(material.texture, folder, TextureAccess::folder);
-        if (!found.refused) files.push_back(found.path.value_or(folder / material.texture));
+// The files of the props' meshes, there or missing, and their material libraries.
+void add_prop_files(const Level& level, std::vector<fs::path>& files) {
+    for (const PropMesh& mesh : level.placed.meshes) {
+        const fs::path path = level.mesh_path.parent_path() / mesh.file;
+        if (!lies_within(path, level.mesh_path.parent_path())) continue;
+        files.push_back(path);
+        const std::vector<fs::path> libraries = material_libraries(path);
+        files.insert(files.end(), libraries.begin(), libraries.end());
     }
     std::sort(files.begin(), files.end());
     files.erase(std::unique(files.begin(), files.end()), files.end());
-    return files;
+    if (files.size() > max_watched) files.resize(max_watched);
+}
+
+// Where they are, or would be.
+std::vector<fs::path> texture_files(const Level& level) {
+    std::set<fs::path> files;
+    const auto add = [&](const std::string& texture, const fs::path& folder) {
+        if (texture.empty() || files.size() >= max_watched) return;
+        const FoundTexture found = find_texture(texture, folder, TextureAccess::folder);
+        if (!found.refused) files.insert(found.path.value_or(folder / texture));
+    };
+    const fs::path folder = level.mesh_path.parent_path();
+    const auto add_of_mesh = [&](const Mesh& mesh, const fs::path& from) {
+        for (const Material& material : mesh.materials)
+            if (!material.picture) add(material.texture, from);
+    };
+    add_of_mesh(*own_mesh(level), folder);
+    for (const PropMesh& mesh : level.placed.meshes)
+        if (mesh.mesh) add_of_mesh(*mesh.mesh, (folder / mesh.file).parent_path());
+    std::set<std::string_view> textures;
+    for (const Prop& prop : level.props)
+        if (textures.insert(prop.texture).second) add(prop.texture, folder);
+    return {files.begin(), files.end()};
+}
+
+// Whether the files, read again, have the same geometry and materials.
+bool same_content(const Level& a, const Level& b) {
+    if (a.mesh.fingerprint() != b.mesh.fingerprint() || !same_materials(*own_mesh(a), *own_mesh(b)))
+        return false;
+    return std::ranges::equal(
+        a.placed.meshes, b.placed.meshes, [](const PropMesh& one, const PropMesh& other) {
+            return one.file == other.file && one.problem == other.problem && !one.mesh == !other.mesh &&
+                   (!one.mesh || (one.mesh->fingerprint == other.mesh->fingerprint &&
+                                  same_materials(*one.mesh, *other.mesh)));
+        });
 }
 
 void start_reload(Editor& editor, bool unasked, bool materials = false) {
@@ -135,7 +171,7 @@ void start_reload(Editor& editor, bool unasked, bool materials = false) {
             if (!other_mesh && !materials) return Reread(std::nullopt);
             Result<LoadedLevel> loaded = reload_mesh(*level, &progress);
             if (!loaded) return Reread(loaded.error());
-            if (!other_mesh && same_materials(*loaded->level.mesh, *level->mesh)) return Reread(std::nullopt);
+            if (!other_mesh && same_content(loaded->level, *level)) return Reread(std::nullopt);
             return Reread(std::move(loaded).value());
         },
         editor.session.wake);
@@ -151,8 +187,9 @@ void reload_geometry(Editor& editor) {
 
 void watch_files(Editor& editor) {
     const Level& level = editor.document->level();
-    editor.session.watch.start(level.mesh_path, level.file_path, material_libraries(level.mesh_path),
-                               texture_files(level));
+    std::vector<fs::path> others = material_libraries(level.mesh_path);
+    add_prop_files(level, others);
+    editor.session.watch.start(level.mesh_path, level.file_path, others, texture_files(level));
     forget_broken(editor);
 }
 
@@ -229,7 +266,7 @@ void go_to_guess(Editor& editor, std::size_t index) {
     Document& document = *editor.document;
     const std::span<const FaceId> faces = document.guessed();
     if (index >= faces.size()) return;
-    const SurfaceId surface = document.resolved().surface[faces[index]];
+    const SurfaceId surface = document.surface_of(faces[index]);
     document.select({faces[index]}, "Select guessed paint");
     frame_selected(editor, editor.view_aspect);
     editor.status = "Guessed paint " + std::to_string(index + 1) + " of " + std::to_string(faces.size()) +

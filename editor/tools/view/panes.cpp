@@ -41,7 +41,7 @@ void set_pane_count(Editor& editor, std::size_t count) {
         ViewCamera& view = panes.waiting[pane];
         view.orthographic = true;
         view.look_from(directions[pane]);
-        if (editor.document) view.frame(editor.document->mesh().bounds, usual_aspect);
+        if (editor.document) view.frame(editor.document->bounds(), usual_aspect);
     }
     if (panes.active >= count) activate_pane(editor, 0);
     panes.count = count;

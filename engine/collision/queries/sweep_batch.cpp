@@ -12,6 +12,12 @@ namespace {
 
 using namespace detail;
 
+float consider_in_flight(void* context, const Leaf& leaf, std::uint32_t lane) {
+    Search& search = *static_cast<Search*>(context);
+    search.consider(leaf_triangle(leaf, lane));
+    return time_limit(search.limit());
+}
+
 struct Flight {
     std::size_t sweep;  // its number in the batch
     EllipsoidQuery query;
@@ -41,12 +47,15 @@ class Wave {
         EllipsoidQuery query;
         const Prepared prepared = kernels().prepare_sweep(world.extent, radii, from, move, query, part.path);
         if (prepared == Prepared::beside) return;
-        // Instances have trees of their own, which a wave cannot follow.
-        if (prepared != Prepared::in_floats || !part.path.sphere.usable || !world.placed.empty()) {
+        if (prepared != Prepared::in_floats || !part.path.sphere.usable) {
             out_[number] = sweep_alone(number);
             return;
         }
         flights_[count_].emplace(world, query, number);
+        if (world.bvh.nodes.empty()) {
+            out_[number] = with_instances(*flights_[count_], part.path);
+            return;
+        }
         // The first part covers the surroundings of the body, but is long enough that few parts follow.
         part.from = 0.0F;
         part.to = std::clamp(static_cast<float>(largest(radii) / largest(move)), 1e-3F, time_limit(1.0));
@@ -70,10 +79,10 @@ class Wave {
             consider(std::span(candidates_).first(found), active);
             std::uint32_t left = 0;
             for (std::uint32_t k = 0; k < active; ++k) {
-                const Flight& flight = *flights_[of_[k]];
+                Flight& flight = *flights_[of_[k]];
                 const float end = time_limit(flight.search.hit.t);
                 if (end <= parts_[k].to) {
-                    out_[flight.sweep] = flight.search.contact();
+                    out_[flight.sweep] = with_instances(flight, parts_[k].path);
                     continue;
                 }
                 const float to = parts_[k].to;
@@ -89,6 +98,17 @@ class Wave {
   private:
     std::optional<Contact> sweep_alone(std::size_t number) const {
         return sweep_ellipsoid(world_, sweeps_[number].radii, sweeps_[number].from, sweeps_[number].move);
+    }
+
+    // The first contact once the soup was searched. Instances have trees of their own, which a wave does not
+    // follow.
+    std::optional<Contact> with_instances(Flight& flight, const SweepPath& path) const {
+        WorldView rest = world_.impl().view();
+        rest.own = {};
+        if (rest.boxes.nodes != nullptr)
+            kernels().sweep(rest, flight.query, path, time_limit(flight.search.hit.t), consider_in_flight,
+                            &flight.search);
+        return flight.search.contact();
     }
 
     // The most promising triangle of each sweep first: its touch makes most others too late.

@@ -1,6 +1,7 @@
 #include "gltf/objects.h"
 
 #include <algorithm>
+#include <map>
 
 namespace slipface {
 namespace {
@@ -62,10 +63,34 @@ std::vector<GltfObject> objects_of_nodes(const Mesh& mesh) {
     return objects;
 }
 
+void add_props(const Level& level, std::vector<GltfObject>& objects) {
+    auto group = static_cast<std::uint32_t>(own_mesh(level)->groups.size());
+    std::map<MeshPtr, std::uint32_t> shapes;  // the first object of each mesh
+    for (std::size_t i = 0; i < level.props.size() && has_instances(level); ++i) {
+        const FaceId first = level.placed.first_face[i];
+        if (first == level.placed.first_face[i + 1]) continue;
+        const Prop& prop = level.props[i];
+        GltfObject object{.name = prop.name, .group = group++};
+        object.rest = find_prop_mesh(level, prop.mesh)->mesh;
+        object.first_face = first;
+        object.shape = shapes.try_emplace(object.rest, objects.size()).first->second;
+        Eigen::Matrix4d world = Eigen::Matrix4d::Identity();
+        const Placement at = prop.placement();
+        for (int column = 0; column < 3; ++column)
+            world.block<3, 1>(0, column) = at.columns[static_cast<std::size_t>(column)];
+        world.topRightCorner<3, 1>() = at.offset;
+        if (place(world, object)) object.world = matrix_of(object);
+        objects.push_back(std::move(object));
+    }
+}
+
 }  // namespace
 
-std::vector<GltfObject> gltf_objects(const Mesh& mesh, const std::string& level_name) {
+std::vector<GltfObject> gltf_objects(const Level& level) {
+    const Mesh& mesh = *own_mesh(level);
+    const std::string level_name = level.mesh_path.stem().string();
     std::vector<GltfObject> objects = mesh.nodes.empty() ? objects_of_groups(mesh) : objects_of_nodes(mesh);
+    add_props(level, objects);
     for (GltfObject& object : objects)
         if (object.name.empty()) object.name = level_name;
     return objects;

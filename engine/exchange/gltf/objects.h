@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "slipface/mesh/mesh.h"
+#include "slipface/level/level.h"
 
 namespace slipface {
 
@@ -14,6 +14,9 @@ struct GltfObject {
     std::uint32_t group = no_id;   // of the mesh; no_id: no faces of its own
     std::uint32_t shape = no_id;   // as in MeshNode
     bool has_children = false;
+    // Of a prop: its mesh, whose face 0 is the level's first_face.
+    MeshPtr rest{};
+    FaceId first_face = 0;
     // Relative to the parent: glTF's translation, rotation and scale.
     Vec3f translation = Vec3f::Zero();
     Eigen::Quaternionf rotation = Eigen::Quaternionf::Identity();
@@ -21,9 +24,9 @@ struct GltfObject {
     Eigen::Matrix4d world = Eigen::Matrix4d::Identity();  // what these and the parents' make together
 };
 
-// The nodes of the mesh, or its groups if the file had no nodes; `level_name` for one without a name. A node
-// whose place is no translation, rotation and scale (a sheared or flattened one) stands where its parent
-// does.
-std::vector<GltfObject> gltf_objects(const Mesh& mesh, const std::string& level_name);
+// The nodes of the level's own mesh, or its groups if the file had no nodes, and then the props that have
+// faces; the name of the level's geometry for one without a name. A node whose place is no translation,
+// rotation and scale (a sheared or flattened one) stands where its parent does.
+std::vector<GltfObject> gltf_objects(const Level& level);
 
 }  // namespace slipface

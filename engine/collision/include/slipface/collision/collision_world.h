@@ -84,8 +84,12 @@ class CollisionWorld {
     static Result<CollisionWorld> build(const TriangleSoup& soup);
     // The same with instances of meshes: every query gives the same bits as in a world of all their placed
     // triangles. Further errors: an instance without a mesh, a placement that is not finite or flattens the
-    // mesh, faces that are not ascending.
+    // mesh, faces that are not ascending, types of another number of faces.
     static Result<CollisionWorld> build(const TriangleSoup& soup, std::span<const Instance> instances);
+    // Replaces the instances; the soup's tree stays, and an instance that stays where it is costs little.
+    // Queries then give the same bits as a new world, and bounds() is that of the present positions. Must not
+    // run during queries. Errors: as build(); then nothing changes.
+    Status set_instances(std::span<const Instance> instances);
 
     // Moves triangles[i] to the corners corners[i], world space, and refits the tree (moving platforms).
     // Queries then give the same answers as a new world with these corners; they only get slower if triangles

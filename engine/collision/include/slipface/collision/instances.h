@@ -35,6 +35,8 @@ struct Instance {
     Placement placement;
     FaceId first_face =
         0;  // that of the mesh's face 0; larger than all faces of the soup and the instance before
+    // [face of the mesh] its type; null: default_surface. Instances may share a list.
+    std::shared_ptr<const std::vector<SurfaceId>> surfaces{};
 };
 
 }  // namespace slipface

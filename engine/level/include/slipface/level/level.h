@@ -12,6 +12,7 @@
 #include "slipface/collision/collision_world.h"
 #include "slipface/level/goal.h"
 #include "slipface/level/level_light.h"
+#include "slipface/level/level_mesh.h"
 #include "slipface/level/platform.h"
 #include "slipface/level/prop.h"
 #include "slipface/mesh/import.h"
@@ -110,7 +111,6 @@ struct UnknownKeys {
 
 // The props of a level as part of its geometry.
 struct PlacedProps {
-    MeshPtr own, all;  // the OBJ's faces alone, and with those of the props; null: the level has no props
     std::vector<PropMesh> meshes;    // each file once, in alphabetical order
     std::vector<FaceId> first_face;  // [prop + 1] in Level::mesh; a missing mesh has no faces
     // The prop that a face belongs to, or no_id.
@@ -122,14 +122,15 @@ struct Level {
     std::filesystem::path file_path;  // NAME.slipface.json beside it, whether it exists or not
     // All geometry: the faces of the OBJ, and after them those of the props (place_props()). Faces of props
     // can be painted, hidden and selected like all others.
-    MeshPtr mesh;
+    LevelMesh mesh;
     ImportTransform import_transform;  // the user's choice of scale and upward axis
     ImportSummary import_summary;      // how the mesh was made from the file's coordinates; not stored
     FileStamp mesh_stamp;              // of mesh_path when it was read
 
     std::vector<SurfaceType> surfaces = preset_surface_types();
     std::vector<MaterialRule> rules;
-    std::vector<std::optional<SurfaceId>> overrides;  // [face]; empty: unset, which differs from `default`
+    // [face]; empty: unset, which differs from `default`, as are all faces beyond the list.
+    std::vector<std::optional<SurfaceId>> overrides;
     std::vector<Orphan> orphans;
     // State of the editing. Movement ignores it: hidden faces collide too.
     std::vector<FaceId> hidden;  // ascending; neither drawn nor picked
@@ -157,18 +158,18 @@ struct Level {
     UnknownKeys unknown;
 };
 
-// Reads the meshes of the level's props, unless level.placed has them, and makes level.mesh of the OBJ's
-// faces and theirs. A mesh that is missing, outside the folder of the level's geometry or damaged, and props
-// that would exceed the triangles that collision takes, are warnings: the props stay in the list without
-// faces.
+// Reads the meshes of the level's props, unless level.placed has them, and gives level.mesh their faces after
+// the OBJ's. A mesh that is missing, outside the folder of the level's geometry or damaged, and props that
+// would exceed the triangles that collision takes, are warnings: the props stay in the list without faces.
 Warnings place_props(Level& level);
-// The instances of the props whose faces fulfil `wanted(prop)`, for a collision world that has the OBJ's
-// triangles first; `offset` moves them. None if level.mesh is another than place_props() made: then its faces
-// count.
-std::vector<Instance> prop_instances(const Level& level, const Vec3& offset,
-                                     const std::function<bool(std::size_t)>& wanted);
-bool has_instances(const Level& level);
+bool has_instances(const Level& level);  // false: level.mesh is another than place_props() made
 const PropMesh* find_prop_mesh(const Level& level, std::string_view file);  // null: no prop names it
+// The faces of one prop alone, where it stands; null: it has none.
+MeshPtr prop_mesh(const Level& level, std::size_t prop);
+TriangleId prop_first_triangle(const Level& level, std::size_t prop);  // in the level
+Aabb prop_bounds(const Level& level, std::size_t prop);                // empty: it has no faces
+// Whether a platform with this group moves anything.
+bool has_group(const Level& level, std::string_view group);
 // The geometry without the props.
 const MeshPtr& own_mesh(const Level& level);
 // The same level whose OBJ alone is its geometry, without the props and what belongs to their faces.
@@ -183,6 +184,21 @@ struct ResolvedSurfaces {
     std::vector<SurfaceSource> source;  // [face]
 };
 ResolvedSurfaces resolve_surfaces(const Level& level);
+
+// The same in parts: props of one mesh with the same types share a list.
+struct SurfaceParts {
+    ResolvedSurfaces own;                                        // of the faces that belong to no prop
+    std::vector<std::shared_ptr<const ResolvedSurfaces>> props;  // [prop][face of its mesh]; null: no faces
+};
+SurfaceParts resolve_parts(const Level& level);
+using PropSurfaces = std::vector<std::shared_ptr<const ResolvedSurfaces>>;
+PropSurfaces resolve_props(const Level& level);                // SurfaceParts::props without overrides
+void paint_props(const Level& level, PropSurfaces& surfaces);  // with them
+ResolvedSurfaces joined(const SurfaceParts& parts);
+// The instances of the props whose faces fulfil `wanted(prop)`, for a collision world that has the OBJ's
+// triangles first; `offset` moves them. None without has_instances().
+std::vector<Instance> prop_instances(const Level& level, const SurfaceParts& types, const Vec3& offset,
+                                     const std::function<bool(std::size_t)>& wanted);
 
 // Whether the material name `material` matches the pattern of a rule or of a light emitter (MaterialRule).
 bool material_matches(std::string_view pattern, std::string_view material);

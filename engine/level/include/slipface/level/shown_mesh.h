@@ -7,9 +7,9 @@
 
 namespace slipface {
 
-// The level's mesh. If the level has terrain: another mesh, with the same faces first and the terrain's
+// The level's mesh, or that without its props. If the level has terrain: another mesh, with the same faces first and the terrain's
 // triangles after them, in the group "terrain".
-MeshPtr shown_mesh(const Level& level);
+MeshPtr shown_mesh(const Level& level, bool with_props = true);
 
 // [face] index of its platform in level.platforms, or no_id; empty if no face moves.
 std::vector<std::uint32_t> face_platforms(const Level& level);

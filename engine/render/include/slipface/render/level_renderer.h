@@ -2,12 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "slipface/base/placement.h"
+#include "slipface/level/level.h"
 #include "slipface/level/level_light.h"
 #include "slipface/mesh/mesh.h"
 #include "slipface/mesh/texture_file.h"
@@ -47,6 +49,15 @@ class LevelRenderer {
     void prepare_outlines();
     void set_surface_types(SurfaceTable surfaces);
 
+    // Draws the level's props beside the mesh, which is then the one without them: each mesh is uploaded once,
+    // and a change of the props costs little. `types`: resolve_props(), painted. Not lit by baked light.
+    // Returns textures that are missing. set_mesh() ends it.
+    Warnings set_props(const Level& level, const PropSurfaces& types);
+    // Highlights of props that have some: [prop] of each face.
+    void set_prop_highlights(const std::map<std::uint32_t, std::vector<std::uint8_t>>& highlights);
+    // Draws props elsewhere than they rest: [prop].
+    void move_props(const std::map<std::uint32_t, Pose>& poses);
+
     // Moves faces: a face with parts[face] other than no_id is drawn at poses[parts[face]] of its position in
     // the mesh. Empty `parts`: no face moves. Uploads only the moved faces. Borders and outlines do not move.
     void move_faces(std::span<const std::uint32_t> parts, std::span<const Pose> poses);
@@ -66,7 +77,9 @@ class LevelRenderer {
                      const Placement& at, double extent_around);
 
   private:
+    friend class LevelProps;
     struct Impl;
+    explicit LevelRenderer(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };
 

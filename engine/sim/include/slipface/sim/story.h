@@ -10,12 +10,12 @@ namespace slipface {
 // The source of the names in a story.
 struct StoryNames {
     SurfaceTable surfaces;
-    const Mesh* mesh = nullptr;  // of groups and materials; null: faces have numbers only
+    LevelMesh mesh;  // of groups and materials; null: faces have numbers only
 
     StoryNames() = default;
-    StoryNames(SurfaceTable types, const Mesh* of = nullptr) : surfaces(types), mesh(of) {}
-    StoryNames(const std::vector<SurfaceType>& types, const Mesh* of = nullptr) : surfaces(types), mesh(of) {}
-    StoryNames(const Level& level) : surfaces(level.surfaces), mesh(level.mesh.get()) {}
+    StoryNames(SurfaceTable types) : surfaces(types) {}
+    StoryNames(const std::vector<SurfaceType>& types) : surfaces(types) {}
+    StoryNames(const Level& level) : surfaces(level.surfaces), mesh(level.mesh) {}
 };
 
 // "`stairs` (face 12)": the group if there is more than one, else the material; "face 12" if neither has a
