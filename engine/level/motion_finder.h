@@ -54,6 +54,7 @@ class MotionFinder {
     // part_order.cpp: what the order of the faces says
     void try_order(std::size_t part);
     void trust_order();
+    bool turns_in_place(std::size_t part, const PartMotion& motion) const;
     std::vector<PartMotion> rank_motions(std::size_t part);
 
     // part_vote.cpp: the parts together

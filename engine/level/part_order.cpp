@@ -8,6 +8,18 @@
 
 namespace slipface {
 
+// True if the motion puts the part's box onto itself. Not a reflection in a diagonal, which is what sorting along
+// another axis looks like.
+bool MotionFinder::turns_in_place(std::size_t i, const PartMotion& motion) const {
+    const Eigen::Matrix3d turn = motion.linear.array().round();
+    const bool quarter = turn.determinant() > 0.0 && turn.trace() == 1.0;
+    const Vec3 centre = stored_.parts[i].box.centre();
+    const bool in_its_place =
+        (motion(centre) - centre).norm() < box_slack * stored_.parts[i].box.size().norm();
+    return in_its_place && turn.isUnitary() && motion.linear.isApprox(turn, 1e-4) &&
+           (turn.isDiagonal() || quarter) && !turn.isIdentity();
+}
+
 // A symmetric part that was turned or mirrored in its own place looks as if nothing had happened, but its
 // faces come in another order. A tool that sorts faces has the same effect, so this is a guess.
 void MotionFinder::try_order(std::size_t i) {
@@ -18,14 +30,7 @@ void MotionFinder::try_order(std::size_t i) {
     ++(in_order ? in_order_ : out_of_order_);
     if (in_order && unclear) return;
     for (const PartMotion& motion : rank_motions(i)) {
-        // Not a reflection in a diagonal, which is what sorting along another axis looks like.
-        const Eigen::Matrix3d turn = motion.linear.array().round();
-        const bool quarter = turn.determinant() > 0.0 && turn.trace() == 1.0;
-        const Vec3 centre = stored_.parts[i].box.centre();
-        const bool in_its_place =
-            (motion(centre) - centre).norm() < box_slack * stored_.parts[i].box.size().norm();
-        if (!in_its_place || !turn.isUnitary() || !motion.linear.isApprox(turn, 1e-4) ||
-            !(turn.isDiagonal() || quarter) || turn.isIdentity() ||
+        if (!turns_in_place(i, motion) ||
             support_.support(i, motion, 1.0 - 1e-9).sum() < 2.0 - 1e-9 ||
             support_.ranks_kept(i, motion) < 1.0 - 1e-9)
             continue;

@@ -147,6 +147,7 @@ void MotionFinder::follow(std::size_t i) {
 void MotionFinder::doubt(std::size_t i) {
     constexpr double little = 1.5, few_faces = 0.3;
     constexpr double as_much = 0.1, same_order = 0.5;
+    constexpr std::size_t enough_for_order = 6;  // anchors: fewer come into any order by chance
     Part& part = parts_[i];
     if (support_.points(i).size() < 3) return;
     const bool stays = part.best.is_identity();
@@ -155,8 +156,11 @@ void MotionFinder::doubt(std::size_t i) {
     if (!stays && part.best_support.sum() < little) part.best.guessed = true;
     if (part.voted || (stays && (part.searched || part.best.guessed))) return;
     if (stays && support_.order_kept(i, part.best) < 1.0) {
+        // Turned in its place, and damaged, so that the order is all that tells.
         for (const PartMotion& motion : box_motions(stored_.parts[i].box, stored_.parts[i].box))
-            part.others.push_back({motion, support_.support(i, motion, enough_anchors_).sum(), 1.0});
+            if (turns_in_place(i, motion) && support_.order_kept(i, motion) >= 1.0 &&
+                stored_.parts[i].anchors.size() >= enough_for_order)
+                part.others.push_back({motion, support_.support(i, motion, enough_anchors_).sum(), 1.0});
     }
     const double ranks =
         std::max(support_.ranks_kept(i, part.best), 0.9 * support_.order_kept(i, part.best));

@@ -421,6 +421,27 @@ TEST(FaceMatch, ASymmetricPartTurnedInItsPlaceIsAGuess) {
     EXPECT_TRUE(loaded.guessed.empty());
 }
 
+Faces crate(const Vec3f& low, float side);
+
+// A single box that was turned onto itself, in a file where no other part shows that the order was kept: its
+// types may be wrong, so all of them are questions.
+TEST(FaceMatch, ALonePartTurnedOntoItselfIsAQuestion) {
+    Faces faces = crate({1, 2, 3}, 1.0f);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        faces[i].painted = static_cast<int>(i);
+    const Vec3f centre(1.5f, 2.5f, 3.5f);
+    const auto turn = Eigen::Translation3f(centre) * turned(90.0f, Vec3f::UnitY()) * Eigen::Translation3f(-centre);
+    const Faces after = rounded(with_first_turned(faces, faces.size(), Eigen::Affine3f(turn), false));
+    const LoadedLevel loaded = rematch(faces, after);
+    EXPECT_EQ(loaded.match.orphaned, 0u);
+    for (const std::size_t face : wrong_faces(after, loaded))
+        EXPECT_TRUE(std::binary_search(loaded.guessed.begin(), loaded.guessed.end(), face)) << face;
+    // All of one type: how it turned does not matter, and nobody is asked.
+    for (Face& face : faces)
+        face.painted = ice;
+    EXPECT_TRUE(rematch(faces, after).guessed.empty());
+}
+
 Faces crate(const Vec3f& low, float side) {
     const auto at = [&](int x, int y, int z) {
         return Vec3f(low + side * Vec3f(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)));
