@@ -143,9 +143,9 @@ void MotionFinder::follow(std::size_t i) {
 }
 
 // Whether the motion of the part is a question: it explains little, or others explain as much and give faces
-// other types. A motion of which both is true is none.
+// other types. A motion of which both is true, or that explains hardly anything, is none.
 void MotionFinder::doubt(std::size_t i) {
-    constexpr double little = 1.5, few_faces = 0.3;
+    constexpr double little = 1.5, hardly = 1.0, few_faces = 0.3;
     constexpr double as_much = 0.1, same_order = 0.5;
     constexpr std::size_t enough_for_order = 6;  // anchors: fewer come into any order by chance
     Part& part = parts_[i];
@@ -168,7 +168,7 @@ void MotionFinder::doubt(std::size_t i) {
         return other.sum >= part.best_support.sum() - as_much && other.ranks >= ranks - same_order &&
                !same(i, other.motion, part.best) && types_.differ(i, part.best, other.motion);
     });
-    part.best.lost = unclear && part.best.guessed && !stays;
+    part.best.lost = !stays && part.best.guessed && (unclear || part.best_support.sum() < hardly);
     part.best.guessed = part.best.guessed || unclear;
 }
 
