@@ -6,6 +6,10 @@
 Needs Blender (apt-get install blender). Blender itself carries the number of each original face through the edit,
 as a face attribute; what Slipface finds is compared with that. So the matching is not measured by itself.
 right: of the painted faces that still exist, the ones with their type. wrong: faces with another type than theirs.
+unsaid: of the wrong ones, those that are not in the list of guesses.
+
+Where faces are merged, the number that Blender keeps is that of an arbitrary one of them, so there Blender's nearest
+points on the original say which faces each new one covers: the type of more than half of its area is its type.
 """
 import argparse
 import json
@@ -23,6 +27,8 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 # Edits of these kinds must never give a wrong type.
 RIGID = "rigid"
 OTHER = "other"
+# New faces that cover several old ones.
+MERGED = "merged"
 
 # ---------------------------------------------------------------------------------------------------------------
 # Inside Blender
@@ -32,6 +38,7 @@ def inside_blender(job_path):
     import bmesh
     import bpy
     from mathutils import Matrix, Vector
+    from mathutils.bvhtree import BVHTree
 
     job = json.load(open(job_path))
 
@@ -42,7 +49,7 @@ def inside_blender(job_path):
 
     def tag(objects):
         """Gives each face its number in the OBJ."""
-        numbers = {}
+        numbers, places, loops, owners = {}, [], [], []
         for number, at in enumerate(job["centroids"]):
             numbers.setdefault(tuple(round(x, 3) for x in at), []).append(number)
         missing = 0
@@ -65,9 +72,36 @@ def inside_blender(job_path):
                 ids.append(0 if found is None else found + 1)
                 missing += found is None
             o.data.attributes.new("face_id", "INT", "FACE").data.foreach_set("value", ids)
-        return missing
+            o["before"] = [x for row in o.matrix_world for x in row]
+            first = len(places)
+            places.extend(o.matrix_world @ v.co for v in o.data.vertices)
+            loops.extend([first + v for v in p.vertices] for p in o.data.polygons)
+            owners.extend(ids)
+        return missing, (BVHTree.FromPolygons(places, loops), owners)
 
-    def write(path):
+    def spread(a, b, c, n):
+        """n * n points of a triangle, each for an equal part of its area."""
+        for i in range(n):
+            for k in range(n - i):
+                for third in (1 / 3, 2 / 3) if i + k < n - 1 else (1 / 3,):
+                    yield a + (i + third) / n * (b - a) + (k + third) / n * (c - a)
+
+    def covered(mesh, polygon, triangles, back, original):
+        """{number of an original face: area of it that the polygon covers}, by its nearest points."""
+        tree, owners = original
+        normal = (back.to_3x3().inverted().transposed() @ polygon.normal).normalized()
+        area = {}
+        for corners in triangles:
+            a, b, c = (back @ mesh.vertices[v].co for v in corners)
+            size = (b - a).cross(c - a).length
+            for point in spread(a, b, c, 12 if len(triangles) < 9 else 6):
+                at = [(d, i) for _, n, i, d in tree.find_nearest_range(point, 0.6) if n.dot(normal) > 0.5]
+                number = owners[min(at)[1]] if at else 0
+                area[number] = area.get(number, 0.0) + size
+        whole = sum(area.values()) or 1.0
+        return {number: size / whole for number, size in area.items()}
+
+    def write(path, original):
         bpy.ops.wm.obj_export(filepath=path)
         rows = []
         graph = bpy.context.evaluated_depsgraph_get()
@@ -81,6 +115,13 @@ def inside_blender(job_path):
             if layer is not None and layer.domain == "FACE" and len(layer.data) == len(ids):
                 layer.data.foreach_get("value", ids)
             side = -1.0 if o.matrix_world.determinant() < 0.0 else 1.0
+            if original:
+                mesh.calc_loop_triangles()
+                triangles = [[] for _ in ids]
+                for t in mesh.loop_triangles:
+                    triangles[t.polygon_index].append(tuple(t.vertices))
+                before = list(o["before"])
+                back = Matrix([before[i:i + 4] for i in (0, 4, 8, 12)])
             for polygon, number in zip(mesh.polygons, ids):
                 corners = [o.matrix_world @ mesh.vertices[v].co for v in polygon.vertices]
                 c = sum(corners, Vector()) / len(corners)
@@ -89,6 +130,8 @@ def inside_blender(job_path):
                     n += (corner - c).cross(corners[(i + 1) % len(corners)] - c)
                 n = side * n.normalized()
                 rows.append((number, c.x, c.z, -c.y, n.x, n.z, -n.y))
+                if original:
+                    rows[-1] += (covered(mesh, polygon, triangles[polygon.index], back, original),)
             shown.to_mesh_clear()
         json.dump(rows, open(path + ".truth", "w"))
 
@@ -333,9 +376,14 @@ def inside_blender(job_path):
         ("extruded, then turned", OTHER,
          lambda o, r: (each(o, extrude, r, 0.05), to_all(o, turn(r.uniform(0.1, 3))))),
         ("edges bevelled", OTHER, lambda o, r: each(o, bevel, r)),
-        ("flat areas dissolved", OTHER, lambda o, r: each(o, dissolve)),
-        ("decimated", OTHER, lambda o, r: modifier(big(o, r), "DECIMATE", ratio=r.uniform(0.4, 0.9))),
-        ("remeshed", OTHER, lambda o, r: remesh(big(o, r))),
+        ("flat areas dissolved", MERGED, lambda o, r: each(o, dissolve)),
+        ("flat areas dissolved, then moved", MERGED,
+         lambda o, r: (each(o, dissolve), to_all(o, Matrix.Translation((by(r, 1, 9), by(r, 1, 9), 0))))),
+        ("decimated", MERGED, lambda o, r: modifier(big(o, r), "DECIMATE", ratio=r.uniform(0.4, 0.9))),
+        ("decimated, then turned", MERGED,
+         lambda o, r: (lambda x: (modifier(x, "DECIMATE", ratio=r.uniform(0.4, 0.9)),
+                                  apply(x, turn(r.uniform(0.1, 3)), center(x))))(big(o, r))),
+        ("remeshed", MERGED, lambda o, r: remesh(big(o, r))),
         ("cut with the knife", OTHER, lambda o, r: each(o, knife, r)),
         ("vertices moved", OTHER, lambda o, r: each(o, jitter, r, r.uniform(0.02, 0.2))),
         ("thickened (solidify)", OTHER, lambda o, r: modifier(big(o, r), "SOLIDIFY", thickness=0.2)),
@@ -347,13 +395,13 @@ def inside_blender(job_path):
         if job["only"] not in name:
             continue
         objects = read(job["obj"])
-        missing = tag(objects)
+        missing, original = tag(objects)
         if missing:
             print("UNTAGGED", missing, file=sys.stderr)
         change(objects, random.Random(job["seed"] * 1000 + i))
         folder = os.path.join(job["folder"], "%02d" % i)
         os.makedirs(folder, exist_ok=True)
-        write(os.path.join(folder, "level.obj"))
+        write(os.path.join(folder, "level.obj"), original if kind == MERGED else None)
         result.append((name, kind, folder))
     json.dump(result, open(job_path + ".done", "w"))
 
@@ -501,10 +549,15 @@ def row(mid, vector):
     return "0" * 16 + " %.9g,%.9g,%.9g %.4f,%.4f,%.4f %.9g" % (*mid, *normal, area)
 
 
-def save(program, obj, script):
-    done = subprocess.run([program, "edit", obj, "--headless", "--script", script], capture_output=True, text=True)
-    if done.returncode != 0:
-        raise SystemExit(done.stdout + done.stderr)
+def save(program, obj, folder):
+    """Opens and saves the level, with the guessed faces as a selection if there are any."""
+    script = os.path.join(folder, "save.script")
+    for lines in ("command select.guessed\nselect save guessed\n", ""):
+        open(script, "w").write(lines + "command file.save\n")
+        done = subprocess.run([program, "edit", obj, "--headless", "--script", script], capture_output=True, text=True)
+        if done.returncode == 0:
+            return
+    raise SystemExit(done.stdout + done.stderr)
 
 
 def unpacked(text):
@@ -520,54 +573,112 @@ def unpacked(text):
         yield struct.unpack("<3f", data[i + 6:i + 18]), (u, v, z)
 
 
+def keys_of(group):
+    for text in group["faces"]:
+        words = text.split()
+        yield tuple(map(float, words[1].split(","))), tuple(map(float, words[2].split(",")))
+    for text in group.get("packed", []):
+        yield from unpacked(text)
+
+
 def found_paint(level_file):
-    """[(centroid, normal, type)] of the painted faces, and the number of orphans."""
+    """[(centroid, normal, type)] of the painted faces, and [(centroid, normal)] of the guesses."""
     level = json.load(open(level_file))
-    rows = []
-    for group in level["overrides"]:
-        for text in group["faces"]:
-            words = text.split()
-            rows.append((tuple(map(float, words[1].split(","))), tuple(map(float, words[2].split(","))), group["type"]))
-        for text in group.get("packed", []):
-            rows += [(at, n, group["type"]) for at, n in unpacked(text)]
-    orphans = sum(len(g["faces"]) + sum(1 for t in g.get("packed", []) for _ in unpacked(t)) for g in level["orphans"])
-    return rows, orphans
+    rows = [(at, normal, group["type"]) for group in level["overrides"] for at, normal in keys_of(group)]
+    guessed = [key for saved in level.get("selections", []) for group in saved["faces"] for key in keys_of(group)]
+    return rows, guessed
 
 
-def score(types, truth, rows, original):
-    """right, wrong, listed, existing: of the painted faces that still exist."""
-    size = max(max(abs(x) for x in t[1:4]) for t in truth) if truth else 1.0
-    step = max(1e-3, 2e-5 * size)
-    cells = {}
-    for k, t in enumerate(truth):
-        cells.setdefault(tuple(math.floor(x / step) for x in t[1:4]), []).append(k)
-    got = [None] * len(truth)
-    unplaced = 0
-    for at, normal, kind in rows:
-        c = [math.floor(x / step) for x in at]
+class Places:
+    """The faces of `truth` by their place."""
+
+    def __init__(self, truth):
+        self.truth = truth
+        size = max(max(abs(x) for x in t[1:4]) for t in truth) if truth else 1.0
+        self.step = max(1e-3, 2e-5 * size)
+        self.cells = {}
+        for k, t in enumerate(truth):
+            self.cells.setdefault(tuple(math.floor(x / self.step) for x in t[1:4]), []).append(k)
+
+    def take(self, at, normal, taken, wanted=lambda face: False):
+        """The face there that is not taken; of several at the very same place one that is wanted."""
+        c = [math.floor(x / self.step) for x in at]
         near = [k for dx in (-1, 0, 1) for dy in (-1, 0, 1) for dz in (-1, 0, 1)
-                for k in cells.get((c[0] + dx, c[1] + dy, c[2] + dz), []) if got[k] is None]
+                for k in self.cells.get((c[0] + dx, c[1] + dy, c[2] + dz), []) if k not in taken]
         if not near:
-            unplaced += 1
-            continue
-        best = min(near, key=lambda k: math.dist(truth[k][1:4], at) / step -
-                   sum(a * b for a, b in zip(truth[k][4:7], normal)))
-        got[best] = kind
-    right, wrong = set(), set()
+            return None
+        best = min(near, key=lambda k: round(math.dist(self.truth[k][1:4], at) / self.step -
+                   sum(a * b for a, b in zip(self.truth[k][4:7], normal)), 1) - 0.1 * wanted(k))
+        taken.add(best)
+        return best
+
+
+class Score:
+    def __init__(self):
+        self.right = self.wrong = self.unsaid = self.listed = self.faces = self.unclear = self.unplaced = 0
+
+    def add(self, other):
+        for name, value in vars(other).items():
+            setattr(self, name, getattr(self, name) + value)
+
+    def row(self):
+        return " %.1f %% | %d | %d | %d |" % (100.0 * self.right / max(1, self.faces), self.wrong, self.unsaid, self.listed)
+
+
+def expected(types, covered):
+    """The types that a merged face may have: clear from 55 % of its area, none below 45 %, and a question between."""
+    area = {}
+    for number, share in covered.items():
+        kind = types[int(number) - 1] if int(number) > 0 else None
+        area[kind] = area.get(kind, 0.0) + share
+    best = max(area, key=area.get)
+    if area[best] > 0.55:
+        return {best}
+    return {None} | {kind for kind in area if area[kind] > 0.45}
+
+
+def score(types, truth, rows, guessed, original):
+    result = Score()
+    places = Places(truth)
+    got, taken = {}, set()
+    for at, normal, kind in rows:
+        face = places.take(at, normal, taken, lambda k: truth[k][0] > 0 and types[int(truth[k][0]) - 1] == kind)
+        if face is None:
+            result.unplaced += 1
+        else:
+            got[face] = kind
+    taken = set()
+    guesses = {places.take(at, normal, taken) for at, normal in guessed}
+    if truth and len(truth[0]) > 7:
+        for k, t in enumerate(truth):
+            may, kind = expected(types, t[7]), got.get(k)
+            result.unclear += len(may) > 1
+            result.faces += None not in may
+            result.right += None not in may and kind in may
+            result.listed += None not in may and kind is None
+            result.wrong += kind is not None and kind not in may
+            result.unsaid += kind is not None and kind not in may and k not in guesses
+        return result
+    right, wrong, unsaid = set(), set(), set()
     existing = {int(t[0]) for t in truth if t[0] > 0 and types[int(t[0]) - 1]}
-    for t, kind in zip(truth, got):
-        number = int(t[0])
+    for k, t in enumerate(truth):
+        number, kind = int(t[0]), got.get(k)
         if kind is None:
             continue
-        if number == 0:  # Blender lost it: the original face nearest to its place
-            near = min(range(len(original)), key=lambda k: math.dist(original[k][0], t[1:4]))
-            if types[near] != kind:
-                wrong.add(-len(wrong) - 1)
-        elif types[number - 1] == kind:
+        if number == 0:  # Blender made it: the original face nearest to its place
+            near = min(range(len(original)), key=lambda i: math.dist(original[i][0], t[1:4]))
+            number, true = -1 - k, types[near]
+        else:
+            true = types[number - 1]
+        if true == kind:
             right.add(number)
         else:
             wrong.add(number)
-    return len(right - wrong), len(wrong), len(existing - right - wrong), len(existing), unplaced
+            if k not in guesses:
+                unsaid.add(number)
+    result.right, result.wrong, result.unsaid = len(existing & right - wrong), len(wrong), len(unsaid)
+    result.listed, result.faces = len(existing - right - wrong), len(existing)
+    return result
 
 
 def main():
@@ -617,33 +728,27 @@ def main():
                 sys.stderr.write(run.stdout[-3000:] + run.stderr[-3000:])
                 if run.returncode != 0:
                     raise SystemExit("Blender failed")
-        script = os.path.join(folder, "save.script")
-        open(script, "w").write("command file.save\n")
         for p, program in enumerate(programs):
             level_file = os.path.join(folder, "level.slipface.json")
             json.dump(level, open(level_file, "w"))
-            save(program, obj, script)
+            save(program, obj, folder)
             for edit, kind, place in json.load(open(done)):
                 if args.only not in edit:
                     continue
                 edited = os.path.join(place, "level.obj")
                 here = os.path.join(place, "level.slipface.json")
                 shutil.copy(level_file, here)
-                save(program, edited, script)
-                rows, orphans = found_paint(here)
-                one = score(types, json.load(open(edited + ".truth")), rows, faces)
-                key = (p, edit, kind)
-                sums = total.setdefault(key, [0] * 5)
-                for i, value in enumerate(one):
-                    sums[i] += value
-                if one[1] or one[4]:
-                    print("  %s, %s: %s" % (name, edit, one), file=sys.stderr)
-    print("| edit | kind | faces |" + " right | wrong | listed |" * len(programs))
-    print("|---|---|---:|" + "---:|---:|---:|" * len(programs))
-    for (p, edit, kind) in [k for k in total if k[0] == 0]:
-        cells = "".join(" %.1f %% | %d | %d |" % (100.0 * s[0] / max(1, s[3]), s[1], s[2])
-                        for s in (total[(q, edit, kind)] for q in range(len(programs))))
-        print("| %s | %s | %d |%s" % (edit, kind, total[(0, edit, kind)][3], cells))
+                save(program, edited, folder)
+                one = score(types, json.load(open(edited + ".truth")), *found_paint(here), faces)
+                total.setdefault((p, edit, kind), Score()).add(one)
+                if one.wrong or one.unplaced:
+                    print("  %s, %s: %s" % (name, edit, vars(one)), file=sys.stderr)
+    print("| edit | kind | faces |" + " right | wrong | unsaid | listed |" * len(programs))
+    print("|---|---|---:|" + "---:|---:|---:|---:|" * len(programs))
+    for (p, edit, kind), one in total.items():
+        if p == 0:
+            cells = "".join(total[(q, edit, kind)].row() for q in range(len(programs)))
+            print("| %s | %s | %d |%s" % (edit, kind, one.faces, cells))
 
 
 if "--" in sys.argv and "blender" in os.path.basename(sys.argv[0]):

@@ -71,16 +71,21 @@ void open_rule(Editor& editor, std::size_t index) {
         std::vector<std::string> names;
         for (const MaterialUse& use : report.materials)
             names.push_back(editor.document->mesh().materials[use.material].name);
+        // The first row says what a pattern that is no material's name matches.
+        const bool exact = std::find(names.begin(), names.end(), rule.pattern) != names.end();
+        const std::string matched = fmt::format("({})", counted(effect.materials, "material"));
         std::vector<const char*> labels;
-        int chosen = -1;
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            if (names[i] == rule.pattern) chosen = static_cast<int>(i);
-            labels.push_back(names[i].empty() ? "(no name)" : names[i].c_str());
+        if (!exact) labels.push_back(matched.c_str());
+        int chosen = 0;
+        for (const std::string& name : names) {
+            if (name == rule.pattern) chosen = static_cast<int>(labels.size());
+            labels.push_back(name.empty() ? "(no name)" : name.c_str());
         }
         property_row("Material", "Takes the name of one of the level's materials as the pattern");
         ImGui::SetNextItemWidth(-1.0f);
-        if (ui::combo("##Material", &chosen, labels.data(), static_cast<int>(labels.size())))
-            change_rule(editor, index, {names[static_cast<std::size_t>(chosen)], rule.type});
+        if (ui::combo("##Material", &chosen, labels.data(), static_cast<int>(labels.size())) &&
+            (exact || chosen > 0))
+            change_rule(editor, index, {names[static_cast<std::size_t>(chosen - (exact ? 0 : 1))], rule.type});
         std::vector<const char*> types;
         int type = -1;
         for (std::size_t i = 0; i < level.surfaces.size(); ++i) {

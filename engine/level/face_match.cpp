@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "face_cover.h"
 #include "face_index.h"
 #include "mesh_collision.h"
 #include "slipface/level/material_name.h"
@@ -27,9 +28,11 @@ constexpr double whole_fraction = 1.01;
 constexpr double max_sideways = 0.45;  // of the nearest face's centre, as a fraction of the old face's size
 constexpr double max_bent_area = 1.2;  // of the parts of a bent face, as a fraction of its vector's length
 
-// A face larger than this fraction of an old one was merged from several, if they make up so much of it.
+// A face in the plane of an old one, up to this fraction of its area and with nearly its centre, is that face with
+// another outline.
 constexpr double merged_fraction = 1.5;
-constexpr double merged_coverage = 0.9;
+constexpr double same_centre = 0.1;  // as a fraction of its size
+
 
 Vec3 unit_or_zero(const Vec3& normal) {
     const double length = normal.norm();
@@ -80,9 +83,9 @@ class Matcher {
         run_stage(Stage::exact, [this](std::size_t i) { return match_location(i); });
         if (has_unmatched() && build_tree()) {
             run_stage(Stage::plane, [this](std::size_t i) { return match_plane(i); });
-            match_merged();
             run_stage(Stage::plane, [this](std::size_t i) { return match_union(i, false); });
             run_stage(Stage::plane, [this](std::size_t i) { return match_union(i, true); });
+            match_covered();
             run_stage(Stage::nearest, [this](std::size_t i) { return match_nearest(i); });
         }
         collect();
@@ -228,10 +231,8 @@ class Matcher {
             if (std::abs(candidate_normal.dot(offset)) > 1e-3 * size + tolerance) continue;
             if (candidate.area >= part_fraction * key.area) {
                 if (!index_.covers(face, key.centroid, normal)) continue;
-                if (candidate.area > merged_fraction * key.area) {
-                    merged_.push_back({face, i});
-                    return false;
-                }
+                // One of several that a larger face may cover.
+                if (candidate.area > merged_fraction * key.area || offset.norm() > same_centre * size) return false;
                 claim(face, i, Stage::plane);
                 return true;
             }
@@ -288,26 +289,52 @@ class Matcher {
                                  0.02 * std::sqrt(key.area) + position_tolerance(key.centroid);
     }
 
-    // A face that is much larger than an old one was merged from several. It has their type if they agree and
-    // make up the face; else the user must say.
-    void match_merged() {
-        std::sort(merged_.begin(), merged_.end());
-        for (std::size_t begin = 0, end = 0; begin < merged_.size(); begin = end) {
-            const FaceId face = merged_[begin].first;
-            double area = 0.0;
-            bool agree = true;
-            for (end = begin; end < merged_.size() && merged_[end].first == face; ++end) {
-                area += stored_[merged_[end].second].key.area;
-                agree = agree && types_[merged_[end].second] == types_[merged_[begin].second];
+    // New faces that cover several old ones, or parts of them. Each has the type of most of its area; old faces
+    // of which most is covered by other types are left for the user.
+    void match_covered() {
+        std::vector<std::pair<FaceId, OldFace>> all;
+        std::vector<std::pair<FaceId, std::size_t>> centres;  // a face, and a stored one with its centre there
+        for (std::size_t i = 0; i < stored_.size() && lookup_.visits < max_visits; ++i) {
+            const FaceKey& key = stored_[i].key;
+            if (found_[i] != Stage::none || !types_[i] || is_lost(i) || !(key.area > 0.0)) continue;
+            const double size = std::sqrt(key.area);
+            const Vec3 normal = unit_or_zero(key.normal);
+            for (const FaceId face : faces_around(i, size)) {
+                const FaceKey& candidate = index_.key(face);
+                const double least = candidate.area < small_fraction * key.area ? 0.97 : 0.9;
+                if (!is_free(face) || !(candidate.normal.dot(normal) > least)) continue;
+                // A tilted face leaves the plane; a parallel one off it is another face.
+                const double tilt = candidate.normal.cross(normal).norm();
+                const double off = std::abs(candidate.normal.dot(candidate.centroid - key.centroid));
+                if (off > (0.02 + 0.7 * tilt) * size) continue;
+                const bool inside = index_.covers(face, key.centroid, candidate.normal);
+                lookup_.visits += mesh_.face_corner_count(face);
+                all.push_back({face, {&key, *types_[i], inside}});
+                if (inside) centres.push_back({face, i});
+                // Of a long face, which no disc is like, the key says too little.
+                const bool same_face = inside && candidate.area > 0.5 * key.area && candidate.area < 1.5 * key.area &&
+                                       (candidate.centroid - key.centroid).norm() < 0.15 * size;
+                if (!same_face) refused_.push_back({face, i});
             }
-            agree = agree && is_free(face) && area >= merged_coverage * index_.key(face).area;
-            for (std::size_t k = begin; k < end; ++k) {
-                const std::size_t i = merged_[k].second;
-                lost_[i] = true;
-                if (!agree) continue;
-                claim(face, i, Stage::plane);
+        }
+        std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        std::sort(refused_.begin(), refused_.end());
+        std::vector<OldFace> old;
+        for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+            const FaceId face = all[begin].first;
+            old.clear();
+            for (end = begin; end < all.size() && all[end].first == face; ++end)
+                old.push_back(all[end].second);
+            const std::optional<SurfaceId> type = covered_type(mesh_, face, old);
+            if (!type) continue;
+            claims_[face] = Stage::plane;
+            result_.overrides[face] = type;
+        }
+        for (const auto& [face, i] : centres) {
+            if (result_.overrides[face] == types_[i])
                 found_[i] = Stage::plane;
-            }
+            else if (!is_free(face))
+                lost_[i] = true;
         }
     }
 
@@ -398,6 +425,10 @@ class Matcher {
         return (mean - key.centroid).norm() <= slack * std::sqrt(key.area) + position_tolerance(key.centroid);
     }
 
+    bool is_refused(FaceId face, std::size_t i) const {
+        return std::binary_search(refused_.begin(), refused_.end(), std::pair{face, i});
+    }
+
     bool match_nearest(std::size_t i) {
         const FaceKey& key = stored_[i].key;
         const Vec3 normal = unit_or_zero(key.normal);
@@ -410,7 +441,7 @@ class Matcher {
             const double distance = (candidate.centroid - key.centroid).norm();
             const bool similar = candidate.area > 0.25 * key.area && candidate.area < 4.0 * key.area &&
                                  candidate.normal.dot(normal) > 0.9 && distance <= size;
-            if (!is_free(face) || !similar || (best != no_id && distance >= best_distance)) continue;
+            if (!is_free(face) || is_refused(face, i) || !similar || (best != no_id && distance >= best_distance)) continue;
             // A face that moved straight along its normal need not cover the centre: it may be concave.
             const Vec3 offset = candidate.centroid - key.centroid;
             const double sideways = (offset - normal.dot(offset) * normal).norm();
@@ -471,7 +502,8 @@ class Matcher {
     std::vector<std::string> bases_;               // [stored]
     std::vector<bool> lost_;      // [stored] not to be searched: nothing found could be trusted
     std::vector<bool> doubtful_;  // [stored] what is found is a guess
-    std::vector<std::pair<FaceId, std::size_t>> merged_;  // a merged face, and a stored one in it
+    // Faces that match_covered() did not give the type of the stored one, sorted.
+    std::vector<std::pair<FaceId, std::size_t>> refused_;
     std::size_t union_visits_ = 0;
     bool bent_ = false;  // what match_union() looks for
     MatchedOverrides result_;
@@ -521,12 +553,10 @@ MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
     }
     Lookup lookup(mesh, surfaces);
     if (parts.parts.empty()) return Matcher(mesh, surfaces, stored, lookup).run();
-    std::vector<const FaceKey*> keys;
-    keys.reserve(stored.size());
-    for (const StoredOverride& one : stored)
-        keys.push_back(&one.key);
-    const std::vector<PartMotion> motions = find_motions(mesh, lookup.index, surfaces, parts, keys);
-    const auto stays = [](const PartMotion& motion) { return motion.is_identity() && !motion.lost; };
+    const std::vector<PartMotion> motions = find_motions(mesh, lookup.index, surfaces, parts, stored);
+    const auto stays = [](const PartMotion& motion) {
+        return motion.is_identity() && !motion.lost && !motion.guessed;
+    };
     if (std::all_of(motions.begin(), motions.end(), stays))
         return Matcher(mesh, surfaces, stored, lookup).run();
     std::vector<StoredOverride> moved = stored;

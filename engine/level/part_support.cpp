@@ -15,7 +15,7 @@ constexpr std::size_t max_sampled_keys = 48;  // of a part
 }  // namespace
 
 PartSupport::PartSupport(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces,
-                         const PaintParts& parts, const std::vector<const FaceKey*>& keys)
+                         const PaintParts& parts, const std::vector<StoredOverride>& stored)
     : mesh_(mesh), index_(index), surfaces_(surfaces), stored_(parts), grid_(mesh) {
     samples_.resize(parts.parts.size());
     for (std::size_t part = 0; part < samples_.size(); ++part) {
@@ -34,9 +34,9 @@ PartSupport::PartSupport(const Mesh& mesh, const FaceIndex& index, SurfaceTable 
             spread.push_back(points[i * step % points.size()]);
         points = std::move(spread);
     }
-    for (std::size_t i = 0; i < keys.size() && i < parts.of.size(); ++i)
+    for (std::size_t i = 0; i < stored.size() && i < parts.of.size(); ++i)
         if (parts.of[i] > 0 && parts.of[i] <= samples_.size())
-            samples_[parts.of[i] - 1u].keys.push_back(keys[i]);
+            samples_[parts.of[i] - 1u].keys.push_back(&stored[i].key);
     for (Sample& sample : samples_) {
         const std::size_t step = (sample.keys.size() + max_sampled_keys - 1) / max_sampled_keys;
         if (step < 2) continue;
@@ -117,6 +117,11 @@ const MeshParts& PartSupport::all() {
                 ((old.max - box.max).array() >= -slack).all() && size >= 0.5 * old.size().norm())
                 owner_[part] = static_cast<std::uint32_t>(i);
         }
+        for (std::size_t i = 0; i < stored_.parts.size() && owner_[part] == no_id && visits < 8'000'000;
+             ++i, ++visits) {
+            const Aabb& old = stored_.parts[i].box;
+            if (similar_box(box, old, 2.0 * box_slack)) owner_[part] = static_cast<std::uint32_t>(i);
+        }
     }
     return *all_;
 }
@@ -152,25 +157,29 @@ double PartSupport::ranks_kept(std::size_t i, const PartMotion& motion) {
     return anchors.empty() ? 0.0 : static_cast<double>(kept) / static_cast<double>(anchors.size());
 }
 
-bool PartSupport::in_order(std::size_t i) const {
+double PartSupport::order_kept(std::size_t i, const PartMotion& motion) const {
     std::vector<const AnchorFace*> anchors;
     for (const AnchorFace& anchor : stored_.parts[i].anchors)
         anchors.push_back(&anchor);
     std::sort(anchors.begin(), anchors.end(),
               [](const AnchorFace* a, const AnchorFace* b) { return a->rank < b->rank; });
     std::map<std::string, FaceId> last;  // [base material]
+    std::size_t kept = 0, pairs = 0;
     for (const AnchorFace* anchor : anchors) {
         Vec3 centroid = Vec3::Zero();
         for (const Vec3f& corner : anchor->corners)
             centroid += corner.cast<double>() / static_cast<double>(anchor->corners.size());
-        const double reach = std::min(4.0 * position_tolerance(centroid), grid_.widest());
-        const std::vector<FaceId> faces = index_.near(centroid, reach);
+        const Vec3 to = motion(centroid);
+        const double reach = std::min(4.0 * position_tolerance(to), tolerance(motion, centroid, to));
+        const std::vector<FaceId> faces = index_.near(to, reach);
         if (faces.size() != 1) continue;  // several faces at one place have no order
         const auto [before, first] = last.emplace(index_.base(faces[0]), faces[0]);
-        if (!first && faces[0] < before->second) return false;
+        if (first) continue;
+        ++pairs;
+        kept += faces[0] > before->second ? 1 : 0;
         before->second = faces[0];
     }
-    return true;
+    return pairs == 0 ? 1.0 : static_cast<double>(kept) / static_cast<double>(pairs);
 }
 
 MotionSupport PartSupport::support(std::size_t part, const PartMotion& motion, double least) const {
@@ -207,30 +216,40 @@ bool PartSupport::stays_inside(std::size_t i, const PartMotion& motion) const {
     });
 }
 
+Aabb PartSupport::moved_box(std::size_t i, const PartMotion& motion) const {
+    Aabb box;
+    for (const Vec3& point : samples_[i].points)
+        box.add(motion(point));
+    return box;
+}
+
 bool PartSupport::fills_box(std::size_t i, const PartMotion& motion) {
-    if ((motion.linear.transpose() * motion.linear).isIdentity(1e-3)) return true;
+    return (motion.linear.transpose() * motion.linear).isIdentity(1e-3) || becomes_box(i, motion, 0.2);
+}
+
+bool PartSupport::becomes_box(std::size_t i, const PartMotion& motion, double slack) {
     all();
-    Aabb moved;
+    const Aabb moved = moved_box(i, motion);
     std::uint32_t part = no_id;
     for (const Vec3& point : samples_[i].points) {
+        if (part != no_id) break;
         const Vec3 to = motion(point);
-        moved.add(to);
-        if (part != no_id) continue;
         const std::uint32_t vertex = grid_.nearest(to, tolerance(motion, point, to));
         if (vertex != no_id) part = vertex_part_[vertex];
     }
     if (part == no_id) return false;
-    const Aabb& box = all_->parts[part].box;
-    const double slack = 0.2 * moved.size().norm();
-    return (moved.min - box.min).norm() <= slack && (moved.max - box.max).norm() <= slack;
+    return similar_box(all_->parts[part].box, moved, slack);
 }
 
 bool PartSupport::has_similar_box(std::size_t i) {
     const Aabb& old = stored_.parts[i].box;
-    const double slack = box_slack * old.size().norm();
-    return std::any_of(all().parts.begin(), all().parts.end(), [&](const PaintPart& part) {
-        return (part.box.min - old.min).norm() <= slack && (part.box.max - old.max).norm() <= slack;
-    });
+    return std::any_of(all().parts.begin(), all().parts.end(),
+                       [&](const PaintPart& part) { return similar_box(part.box, old, box_slack); });
+}
+
+bool similar_box(const Aabb& a, const Aabb& b, double slack) {
+    const double most = slack * b.size().norm();
+    return (a.min - b.min).norm() <= most && (a.max - b.max).norm() <= most;
 }
 
 }  // namespace slipface

@@ -13,6 +13,9 @@ namespace slipface {
 // The fraction of a box's diagonal by which edits in place change it.
 inline constexpr double box_slack = 0.05;
 
+// True if the corners of the boxes are at most this fraction of the diagonal of `b` apart.
+bool similar_box(const Aabb& a, const Aabb& b, double slack);
+
 struct MotionSupport {
     double corners = 0.0, keys = 0.0;  // fractions
     double ranks = 0.0;                // fraction of anchors with their place in the file's order
@@ -22,7 +25,7 @@ struct MotionSupport {
 class PartSupport {
   public:
     PartSupport(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces, const PaintParts& parts,
-                const std::vector<const FaceKey*>& keys);
+                const std::vector<StoredOverride>& stored);
 
     const VertexGrid& grid() const { return grid_; }
 
@@ -38,8 +41,9 @@ class PartSupport {
     // The fraction of the part's anchors with their place in the file's order.
     double ranks_kept(std::size_t part, const PartMotion& motion);
 
-    // False if the faces at the places of the anchors come in another order than before.
-    bool in_order(std::size_t part) const;
+    // The fraction of the faces at the places of the anchors that come in the same order as before; 1 if there are
+    // too few.
+    double order_kept(std::size_t part, const PartMotion& motion) const;
 
     // True if more of the painted faces look the other way than this way.
     bool is_flipped(std::size_t part, const PartMotion& motion) const;
@@ -54,9 +58,16 @@ class PartSupport {
     // is at a new place.
     bool stays_inside(std::size_t part, const PartMotion& motion) const;
 
+    // The box of the anchors after the motion.
+    Aabb moved_box(std::size_t part, const PartMotion& motion) const;
+
     // Tiles may repeat at half their size in a subdivided part. So a part that was scaled must fill its new
     // box.
     bool fills_box(std::size_t part, const PartMotion& motion);
+
+    // True if the motion's box of the part is nearly the box of the mesh's part there; `slack` as a fraction of
+    // its diagonal.
+    bool becomes_box(std::size_t part, const PartMotion& motion, double slack);
 
     // Whether the mesh has a part that fills nearly the same box: an edited part.
     bool has_similar_box(std::size_t part);

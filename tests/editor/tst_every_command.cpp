@@ -89,6 +89,8 @@ const std::map<std::string_view, Case>& cases() {
         {"select.drop_guess",
          {"open cut.obj\ncommand select.next_guessed",
           "expect status \"1 guess dropped, 1 left\"\nexpect count ice 1"}},
+        {"select.accept_part",
+         {"open cut.obj\ncommand select.next_guessed", "expect status \"2 guesses accepted, 0 left\""}},
         {"select.drop_guessed",
          {"open cut.obj", "expect status \"2 guesses dropped, 0 left\"\nexpect count ice 0"}},
         {"select.recall_",

@@ -2,6 +2,7 @@
 #include <random>
 
 #include "level_fixture.h"
+#include "tools/commands/commands.h"
 
 namespace slipface {
 namespace {
@@ -169,6 +170,37 @@ TEST_F(HotReload, GuessedPaintIsListedAndCanBeSteppedThrough) {
     document().undo();
     EXPECT_EQ(document().resolved().surface[1], ice);
     document().accept_guessed();
+    EXPECT_TRUE(document().guessed().empty());
+}
+
+// The keys of the list of guesses: J, Shift+J, Ctrl+J, Alt+J and Ctrl+Shift+J.
+TEST_F(HotReload, GuessesAreSettledByKeys) {
+    paint(0, ice);
+    write_text(obj, obj_with_cut_face(n));
+    seconds(3);
+    ASSERT_EQ(document().guessed().size(), 2u);
+    const auto press = [&](const Shortcut& keys) {
+        const Command* const row = command_for(keys);
+        ASSERT_TRUE(row) << keys.text();
+        EXPECT_TRUE(run_command(editor, row->id)) << row->id;
+    };
+    press({"J", false, false, false});
+    EXPECT_EQ(document().selection()[0], 0u);
+    press({"J", false, true, false});
+    EXPECT_EQ(document().selection()[0], 1u);
+    press({"J", true, false, false});
+    EXPECT_EQ(std::vector<FaceId>(document().guessed().begin(), document().guessed().end()), std::vector<FaceId>{0});
+    EXPECT_EQ(document().selection()[0], 0u) << "goes on to the next";
+    press({"J", false, false, true});
+    EXPECT_TRUE(document().guessed().empty());
+    EXPECT_FALSE(document().level().overrides[0].has_value()) << "dropped";
+    EXPECT_EQ(document().resolved().surface[1], ice) << "accepted";
+    // Both halves of the cut face are connected.
+    document().go_to(0);
+    document().go_to(document().history().size());
+    ASSERT_FALSE(document().guessed().empty());
+    press({"J", false, false, false});
+    press({"J", true, true, false});
     EXPECT_TRUE(document().guessed().empty());
 }
 

@@ -115,20 +115,23 @@ TEST(FaceMatch, BothTrianglesOfASplitTileKeepItsTypeAndNoOther) {
     EXPECT_EQ(loaded.match.exact, 0u);
 }
 
-// Of a tile cut into quarters, one of them gone, the rest does not make up the tile: it is listed, and no
-// half of a neighbour takes its type.
-TEST(FaceMatch, ATileThatLostAPartIsListed) {
+// Of a tile cut into quarters, one of them gone, the rest keeps its type as a guess, and no half of a neighbour
+// takes it.
+TEST(FaceMatch, WhatIsLeftOfATileKeepsItsTypeAsAGuess) {
     const auto flat = [](float x0, float x1, float z0, float z1) {
         return quad({x0, 0, z0}, {x0, 0, z1}, {x1, 0, z1}, {x1, 0, z0});
     };
     Faces before{flat(0, 1, 0, 1), flat(1, 2, 0, 1), flat(2, 3, 0, 1)};
     before[1].painted = ice;
-    const Faces after{flat(0, 0.5f, 0, 1),   flat(0.5f, 1, 0, 1),    flat(2, 2.5f, 0, 1),
-                      flat(2.5f, 3, 0, 1),   flat(1, 1.5f, 0, 0.5f), flat(1.5f, 2, 0, 0.5f),
-                      flat(1, 1.5f, 0.5f, 1)};
+    Faces after{flat(0, 0.5f, 0, 1),   flat(0.5f, 1, 0, 1),    flat(2, 2.5f, 0, 1),
+                flat(2.5f, 3, 0, 1),   flat(1, 1.5f, 0, 0.5f), flat(1.5f, 2, 0, 0.5f),
+                flat(1, 1.5f, 0.5f, 1)};
+    for (std::size_t quarter = 4; quarter < 7; ++quarter)
+        after[quarter].painted = ice;
     const LoadedLevel loaded = rematch(before, after);
     EXPECT_TRUE(wrong_faces(after, loaded).empty());
-    EXPECT_EQ(loaded.level.orphans.size(), 1U);
+    EXPECT_EQ(loaded.guessed, (std::vector<FaceId>{4, 5, 6}));
+    EXPECT_TRUE(loaded.level.orphans.empty());
 }
 
 TEST(FaceMatch, TilesMergedIntoOneFaceKeepTheirCommonType) {
@@ -153,6 +156,47 @@ TEST(FaceMatch, MergedTilesOfDifferentTypesAreAQuestion) {
     EXPECT_EQ(loaded.match.by_plane, 0u);
     EXPECT_EQ(loaded.level.orphans.size(), 2u);
     EXPECT_EQ(loaded.warnings.size(), 2u);
+}
+
+// Of four merged tiles three are ice: most of the face was, so it is, as a guess, and the ladder is listed.
+TEST(FaceMatch, AMergedFaceHasTheTypeOfMostOfItAsAGuess) {
+    Faces faces = tiles(2);
+    for (Face& face : faces)
+        face.painted = ice;
+    faces[3].painted = ladder;
+    Faces after{quad(faces[0].corners[0], faces[2].corners[1], faces[3].corners[2], faces[1].corners[3])};
+    after[0].painted = ice;
+    const LoadedLevel loaded = rematch(faces, after);
+    EXPECT_TRUE(wrong_faces(after, loaded).empty());
+    EXPECT_EQ(loaded.guessed, std::vector<FaceId>{0});
+    EXPECT_EQ(loaded.level.orphans.size(), 1u);
+}
+
+// Of nine merged tiles five are unset: so is the face.
+TEST(FaceMatch, AMergedFaceOfMostlyUnsetTilesIsUnset) {
+    Faces faces = tiles(3);
+    for (std::size_t i = 0; i < 4; ++i)
+        faces[i].painted = ice;
+    const Faces after{
+        quad(faces[0].corners[0], faces[6].corners[1], faces[8].corners[2], faces[2].corners[3])};
+    const LoadedLevel loaded = rematch(faces, after);
+    EXPECT_TRUE(wrong_faces(after, loaded).empty());
+    EXPECT_EQ(loaded.level.orphans.size(), 4u);
+}
+
+// A collapsed vertex: triangles that each cover parts of several tiles.
+TEST(FaceMatch, AFaceOverPartsOfTilesHasTheTypeOfMostOfIt) {
+    Faces faces = tiles(2);
+    faces[0].painted = faces[1].painted = ice;
+    faces[2].painted = ladder;
+    // One triangle over the first two tiles and a quarter of the third, one over the rest.
+    const Vec3f a = faces[0].corners[0], b = faces[1].corners[3], c = faces[3].corners[2], d = faces[2].corners[1];
+    const Vec3f low = a + 0.65f * (d - a), high = b + 0.65f * (c - b);
+    Faces after{quad(a, low, high, b), quad(low, d, c, high)};
+    after[0].painted = ice;
+    const LoadedLevel loaded = rematch(faces, after);
+    EXPECT_TRUE(wrong_faces(after, loaded).empty());
+    EXPECT_EQ(loaded.guessed, std::vector<FaceId>{0});
 }
 
 TEST(FaceMatch, AnExtrudedFaceIsFoundAlongItsNormal) {
@@ -375,6 +419,27 @@ TEST(FaceMatch, ASymmetricPartTurnedInItsPlaceIsAGuess) {
     const LoadedLevel loaded = rematch(faces, sorted);
     EXPECT_TRUE(wrong_faces(sorted, loaded).empty());
     EXPECT_TRUE(loaded.guessed.empty());
+}
+
+Faces crate(const Vec3f& low, float side);
+
+// A single box that was turned onto itself, in a file where no other part shows that the order was kept: its
+// types may be wrong, so all of them are questions.
+TEST(FaceMatch, ALonePartTurnedOntoItselfIsAQuestion) {
+    Faces faces = crate({1, 2, 3}, 1.0f);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        faces[i].painted = static_cast<int>(i);
+    const Vec3f centre(1.5f, 2.5f, 3.5f);
+    const auto turn = Eigen::Translation3f(centre) * turned(90.0f, Vec3f::UnitY()) * Eigen::Translation3f(-centre);
+    const Faces after = rounded(with_first_turned(faces, faces.size(), Eigen::Affine3f(turn), false));
+    const LoadedLevel loaded = rematch(faces, after);
+    EXPECT_EQ(loaded.match.orphaned, 0u);
+    for (const std::size_t face : wrong_faces(after, loaded))
+        EXPECT_TRUE(std::binary_search(loaded.guessed.begin(), loaded.guessed.end(), face)) << face;
+    // All of one type: how it turned does not matter, and nobody is asked.
+    for (Face& face : faces)
+        face.painted = ice;
+    EXPECT_TRUE(rematch(faces, after).guessed.empty());
 }
 
 Faces crate(const Vec3f& low, float side) {

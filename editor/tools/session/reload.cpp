@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "document/selection.h"
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
 #include "slipface/mesh/texture_file.h"
@@ -243,11 +244,24 @@ bool look_at_files(Editor& editor) {
     return true;
 }
 
-std::vector<FaceId> selected_guesses(const Document& document) {
+namespace {
+
+std::vector<FaceId> guesses_among(const Document& document, std::span<const FaceId> ascending) {
     std::vector<FaceId> faces;
-    std::set_intersection(document.guessed().begin(), document.guessed().end(), document.selection().begin(),
-                          document.selection().end(), std::back_inserter(faces));
+    std::set_intersection(document.guessed().begin(), document.guessed().end(), ascending.begin(),
+                          ascending.end(), std::back_inserter(faces));
     return faces;
+}
+
+}  // namespace
+
+std::vector<FaceId> selected_guesses(const Document& document) {
+    return guesses_among(document, document.selection());
+}
+
+std::vector<FaceId> guesses_of_part(const Document& document) {
+    constexpr double any_angle = 4.0;  // radians
+    return guesses_among(document, connected_by_angle(document, selected_guesses(document), any_angle));
 }
 
 void settle_guesses(Editor& editor, const std::vector<FaceId>& faces, bool accept) {

@@ -107,6 +107,8 @@ void finish_reload(Editor& editor, Loading loading);
 void await_loading(Editor& editor);                   // waits for a moment: small levels need no progress bar
 void go_to_guess(Editor& editor, std::size_t index);  // selects and frames that face of Document::guessed()
 std::vector<FaceId> selected_guesses(const Document& document);  // ascending
+// The guesses on all faces that are connected with a selected guess, ascending.
+std::vector<FaceId> guesses_of_part(const Document& document);
 // Accepts the guessed paint of `faces` (ascending), or removes it as one step of history, and goes on to the
 // next guess.
 void settle_guesses(Editor& editor, const std::vector<FaceId>& faces, bool accept);

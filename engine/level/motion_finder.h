@@ -1,0 +1,85 @@
+// The search for the motions of parts, in stages: each part by itself, then together.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "part_support.h"
+#include "part_types.h"
+#include "similar_faces.h"
+
+namespace slipface {
+
+inline constexpr std::size_t max_guesses = 500'000;  // motions examined, of all parts
+inline constexpr double lost_below = 0.3;            // of the anchor corners
+inline constexpr double vote_slack = 0.3;            // by which parts yield to the motion of other parts
+
+class MotionFinder {
+  public:
+    MotionFinder(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces, const PaintParts& parts,
+                 const std::vector<StoredOverride>& stored);
+
+    std::vector<PartMotion> run() &&;
+
+  private:
+    struct Rated {
+        PartMotion motion;
+        double sum = 0.0, ranks = 0.0;  // of its support; `ranks`: how much of the order is kept
+    };
+    struct Part {
+        PartMotion best;
+        MotionSupport best_support, staying;
+        double best_rating = 0.0;
+        bool searched = false;
+        bool voted = false;                // other parts made the same motion
+        std::vector<Rated> others;         // motions that were considered
+        std::optional<PartMotion> turned;  // what the order of the faces says, though staying explains as much
+    };
+
+    // part_search.cpp: each part by itself
+    void find(std::size_t part);
+    void consider(std::size_t part, const PartMotion& motion);
+    void try_known(std::size_t part);
+    void try_ranks(std::size_t part);
+    void try_boxes(std::size_t part);
+    void try_box(std::size_t part, const Aabb& from, const Aabb& to);
+    void try_faces(std::size_t part);
+    void refine_and_consider(std::size_t part, const PartMotion& rough);
+    void add_candidate(std::size_t part, const PartMotion& motion);
+    bool near_vertices(std::size_t part, const PartMotion& rough, std::vector<Vec3>& from,
+                       std::vector<Vec3>& to) const;
+    std::optional<PartMotion> refitted(std::size_t part, const PartMotion& rough) const;
+    bool same(std::size_t part, const PartMotion& a, const PartMotion& b) const;
+
+    // part_order.cpp: what the order of the faces says
+    void try_order(std::size_t part);
+    void trust_order();
+    bool turns_in_place(std::size_t part, const PartMotion& motion) const;
+    std::vector<PartMotion> rank_motions(std::size_t part);
+
+    // part_vote.cpp: the parts together
+    void vote();
+    void one_part_each_place();
+    bool is_claimed(std::size_t part, const PartMotion& motion) const;
+    void search_edited();
+    void follow(std::size_t part);
+    void doubt(std::size_t part);
+    bool is_unexplained(std::size_t part);
+
+    const Mesh& mesh_;
+    const FaceIndex& index_;
+    const PaintParts& stored_;
+    PartSupport support_;
+    PartTypes types_;
+    SimilarFaces similar_;
+    std::vector<Part> parts_;
+    std::vector<PartMotion> known_;       // the parts' best, to be tried with the next parts
+    std::vector<PartMotion> candidates_;  // all that nearly explain as much
+    std::size_t candidates_part_ = 0, candidates_of_part_ = 0, votes_ = 0;
+    std::size_t guesses_ = 0;
+    std::size_t in_order_ = 0, out_of_order_ = 0;  // parts that stayed
+    double enough_anchors_ = 0.7;                  // fraction of anchor corners that a motion must explain
+    bool edited_ = false;                          // search_edited() is at work
+};
+
+}  // namespace slipface

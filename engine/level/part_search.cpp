@@ -1,0 +1,242 @@
+// The search for the motion of one part: a motion is guessed from few faces or from boxes and then checked against
+// all anchors and a sample of the painted faces.
+#include "motion_finder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion_fit.h"
+
+namespace slipface {
+namespace {
+
+constexpr std::size_t max_guesses_per_part = 8000;  // motions examined
+constexpr std::size_t max_candidates_per_anchor = 400;
+constexpr double clearly_more = 0.15;     // than staying explains; the most is 2
+constexpr double clearly_more_rim = 0.1;  // of the anchor corners alone
+constexpr double in_place = 0.85;         // fraction of anchor corners of a part that stayed
+constexpr std::size_t max_candidates = 1000;  // motions to vote on
+
+Eigen::Matrix3Xd columns(const std::vector<Vec3>& corners) {
+    return Eigen::Map<const Eigen::Matrix3Xd>(corners.front().data(), 3,
+                                              static_cast<Eigen::Index>(corners.size()));
+}
+
+}  // namespace
+
+MotionFinder::MotionFinder(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces,
+                           const PaintParts& parts, const std::vector<StoredOverride>& stored)
+    : mesh_(mesh),
+      index_(index),
+      stored_(parts),
+      support_(mesh, index, surfaces, parts, stored),
+      types_(parts, stored),
+      similar_(mesh, index),
+      parts_(parts.parts.size()) {}
+
+std::vector<PartMotion> MotionFinder::run() && {
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+        parts_[part].staying = support_.support(part, PartMotion{}, 0.0);
+        if (parts_[part].staying.corners < lost_below) support_.set_gone(part);
+    }
+    for (std::size_t part = 0; part < parts_.size(); ++part)
+        find(part);
+    trust_order();
+    vote();
+    one_part_each_place();
+    search_edited();
+    std::vector<PartMotion> motions;
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+        doubt(part);
+        PartMotion& best = parts_[part].best;
+        best.flipped = support_.is_flipped(part, best);
+        best.lost = best.lost || is_unexplained(part);
+        motions.push_back(best);
+    }
+    return motions;
+}
+
+void MotionFinder::find(std::size_t i) {
+    Part& part = parts_[i];
+    part.best_support = part.staying;
+    if (support_.points(i).size() < 3) return;
+    if (part.staying.corners >= in_place) return try_order(i);
+    part.searched = true;
+    try_known(i);
+    try_ranks(i);
+    if (part.best.is_identity() || part.best_support.sum() < 2.0 - 1e-9 ||
+        part.best_support.ranks < 0.75) {
+        try_boxes(i);
+        try_faces(i);
+    }
+    if (!part.best.is_identity()) known_.push_back(part.best);
+}
+
+void MotionFinder::consider(std::size_t i, const PartMotion& motion) {
+    Part& part = parts_[i];
+    ++guesses_;
+    MotionSupport found = support_.support(i, motion, enough_anchors_);
+    if (found.corners < enough_anchors_ || found.sum() < part.best_support.sum() - vote_slack) return;
+    found.ranks = std::max(support_.ranks_kept(i, motion), 0.9 * support_.order_kept(i, motion));
+    // What explains all needs to explain only a little more than staying does.
+    const double more = found.sum() - part.staying.sum();
+    const bool whole = found.sum() > 2.0 - 1e-9;
+    if (more <= (whole ? 1e-9 : clearly_more) || !support_.fills_box(i, motion)) return;
+    if (found.corners < part.staying.corners + clearly_more_rim) return;
+    if (!whole && part.staying.corners >= 0.5 && support_.stays_inside(i, motion)) return;
+    if (support_.is_taken(i, motion)) return;
+    // What little is left of an edited part must at least fill the box.
+    if (edited_ && (!support_.becomes_box(i, motion, box_slack) || is_claimed(i, motion))) return;
+    if (!edited_) add_candidate(i, motion);
+    constexpr std::size_t max_others = 32;
+    if (part.others.size() < max_others) part.others.push_back({motion, found.sum(), found.ranks});
+    const PaintPart& old = stored_.parts[i];
+    const double cost = effort(motion, old.box.centre(), old.box.size().norm());
+    // Deleted faces make one of a symmetric part's motions fit a little better by chance, so the order
+    // and the effort count more than a little.
+    const double rating = found.sum() + 0.3 * found.ranks - 0.1 * std::min(cost, 2.0);
+    if (!part.best.is_identity() && rating <= part.best_rating) return;
+    part.best = motion;
+    part.best_support = found;
+    part.best_rating = rating;
+}
+
+void MotionFinder::try_known(std::size_t i) {
+    for (std::size_t k = 0; k < known_.size() && k < 64 && guesses_ < max_guesses; ++k)
+        consider(i, known_[k]);
+}
+
+// A part with as many faces has them in the same order: any affine motion, even a shear, follows from the
+// anchors' centroids.
+void MotionFinder::try_ranks(std::size_t i) {
+    for (const PartMotion& motion : rank_motions(i))
+        consider(i, motion);
+}
+
+// The part's box became the box of a part with as many faces, or of the same shape; or the whole level's
+// box became the mesh's.
+void MotionFinder::try_boxes(std::size_t i) {
+    const PaintPart& old = stored_.parts[i];
+    if (!stored_.bounds.empty() && !mesh_.bounds.empty()) try_box(i, stored_.bounds, mesh_.bounds);
+    const auto sorted_size = [](const Aabb& box) {
+        Vec3 size = box.size();
+        std::sort(size.data(), size.data() + 3);
+        return size;
+    };
+    const Vec3 size = sorted_size(old.box);
+    std::size_t tried = 0;
+    for (const PaintPart& part : support_.all().parts) {
+        if (part.faces != old.faces && !(sorted_size(part.box) - size).isZero(1e-4 * size.z())) continue;
+        if (++tried > 100 || guesses_ > max_guesses) break;
+        try_box(i, old.box, part.box);
+    }
+}
+
+void MotionFinder::try_box(std::size_t i, const Aabb& from, const Aabb& to) {
+    for (const PartMotion& motion : box_motions(from, to))
+        consider(i, motion);
+}
+
+// An anchor became a face of the same shape, turned, mirrored and scaled.
+void MotionFinder::try_faces(std::size_t i) {
+    struct Anchor {
+        const std::vector<Vec3f>* corners;
+        std::vector<FaceId> faces;
+    };
+    std::vector<Anchor> anchors;
+    for (const AnchorFace& face : stored_.parts[i].anchors) {
+        const std::vector<Vec3f>& corners = face.corners;
+        double length = 0.0;
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t c = 0; c < corners.size(); ++c) {
+            const Vec3 here = (corners[c] - corners[0]).cast<double>();
+            const Vec3 next = (corners[(c + 1) % corners.size()] - corners[0]).cast<double>();
+            length += (next - here).norm();
+            sum += here.cross(next);
+        }
+        if (sum.norm() > 0.0)
+            anchors.push_back({&corners, similar_.of(corners, length, 0.5 * sum.norm())});
+    }
+    std::stable_sort(anchors.begin(), anchors.end(),
+                     [](const Anchor& a, const Anchor& b) { return a.faces.size() < b.faces.size(); });
+    const std::size_t begin = guesses_;
+    std::size_t used = 0;
+    for (const Anchor& anchor : anchors) {
+        if (anchor.faces.empty()) continue;
+        if (++used > 3) break;
+        for (std::size_t k = 0; k < anchor.faces.size() && k < max_candidates_per_anchor; ++k) {
+            if (guesses_ - begin > max_guesses_per_part || guesses_ > max_guesses) return;
+            for (const PartMotion& motion : similar_.motions(*anchor.corners, anchor.faces[k]))
+                refine_and_consider(i, motion);
+        }
+        if (parts_[i].best_support.sum() > 1.9 && !parts_[i].best.is_identity()) break;
+    }
+}
+
+// A motion from one small face is not exact far from it: it is fitted again to all corners that it nearly
+// hits.
+void MotionFinder::refine_and_consider(std::size_t i, const PartMotion& rough) {
+    ++guesses_;
+    std::vector<Vec3> from, to;
+    if (!near_vertices(i, rough, from, to) || from.size() < 3) return;
+    const Eigen::Matrix3Xd old_points = columns(from);
+    const bool flat = (stored_.parts[i].box.size().minCoeff() <= 0.0);
+    consider(i, rough);
+    // A flat part's reflection is lost in a fit, so it is put back after it.
+    if (const std::optional<PartMotion> fitted =
+            fit_similarity(old_points, columns(to), rough.linear.determinant() < 0.0);
+        fitted && !flat)
+        consider(i, *fitted);
+    if (flat) {
+        if (const std::optional<PartMotion> fitted = fit_similarity(old_points, columns(to), false))
+            consider(i, *fitted);
+    }
+}
+
+bool MotionFinder::same(std::size_t i, const PartMotion& a, const PartMotion& b) const {
+    const Aabb& box = stored_.parts[i].box;
+    const double size = 1e-4 * (box.size().norm() + 1.0);
+    return (a(box.min) - b(box.min)).norm() < size && (a(box.max) - b(box.max)).norm() < size &&
+           (a(box.centre()) - b(box.centre())).norm() < size &&
+           (a.linear - b.linear).norm() < 1e-3 * (a.linear.norm() + b.linear.norm());
+}
+
+void MotionFinder::add_candidate(std::size_t i, const PartMotion& motion) {
+    constexpr std::size_t max_of_part = 100;
+    if (i != candidates_part_) candidates_of_part_ = 0;
+    candidates_part_ = i;
+    if (candidates_.size() == max_candidates || candidates_of_part_ == max_of_part) return;
+    for (const PartMotion& known : candidates_)
+        if (same(i, known, motion)) return;
+    candidates_.push_back(motion);
+    ++candidates_of_part_;
+}
+
+// `rough`, which was fitted to a part far away and is less exact here, fitted to this part. Nothing if it
+// does not put the part's corners near vertices.
+std::optional<PartMotion> MotionFinder::refitted(std::size_t i, const PartMotion& rough) const {
+    std::vector<Vec3> from, to;
+    if (!near_vertices(i, rough, from, to) || from.size() < 4) return std::nullopt;
+    return fit_affine(columns(from), columns(to), rough.linear.determinant() < 0.0);
+}
+
+// The part's corners that are near vertices after the motion; false if too few are.
+bool MotionFinder::near_vertices(std::size_t i, const PartMotion& rough, std::vector<Vec3>& from,
+                   std::vector<Vec3>& to) const {
+    const std::vector<Vec3>& points = support_.points(i);
+    const auto allowed =
+        static_cast<std::size_t>((1.0 - enough_anchors_) * static_cast<double>(points.size()));
+    std::size_t misses = 0;
+    for (const Vec3& point : points) {
+        const std::uint32_t vertex = support_.grid().nearest(rough(point), support_.grid().widest());
+        if (vertex == no_id) {
+            if (++misses > allowed) return false;
+            continue;
+        }
+        from.push_back(point);
+        to.push_back(mesh_.positions[vertex].cast<double>());
+    }
+    return true;
+}
+
+}  // namespace slipface

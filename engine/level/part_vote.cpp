@@ -1,0 +1,175 @@
+// The motions of the parts together.
+#include "motion_finder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion_fit.h"
+
+namespace slipface {
+
+// Equal crates can go to each other's new places, and symmetric parts can turn. The motion that explains
+// the most parts is theirs, then the one that explains the most of the others.
+void MotionFinder::vote() {
+    struct Voter {
+        std::size_t part;
+        std::vector<std::size_t> motions;
+        std::vector<PartMotion> exact;  // of `motions`, as they are for this part
+    };
+    std::vector<Voter> voters;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        if (!parts_[i].searched || parts_[i].best.is_identity()) continue;
+        Voter voter{i, {}, {}};
+        for (std::size_t k = 0; k < candidates_.size() && votes_ < max_guesses; ++k) {
+            ++votes_;
+            const auto allowed = [&](const PartMotion& motion) {
+                const MotionSupport found = support_.support(i, motion, enough_anchors_);
+                // What puts every corner in its place may miss faces: they were extruded or deleted.
+                const bool fits = found.sum() >= parts_[i].best_support.sum() - vote_slack ||
+                                  found.corners > 1.0 - 1e-9;
+                return found.corners >= enough_anchors_ && fits && !support_.is_taken(i, motion) &&
+                       support_.fills_box(i, motion);
+            };
+            std::optional<PartMotion> motion = candidates_[k];
+            if (!allowed(*motion)) motion = refitted(i, candidates_[k]);
+            if (!motion || !allowed(*motion)) continue;
+            voter.motions.push_back(k);
+            voter.exact.push_back(*motion);
+        }
+        voters.push_back(std::move(voter));
+    }
+    while (!voters.empty()) {
+        std::vector<std::size_t> votes(candidates_.size(), 0);
+        for (const Voter& voter : voters)
+            for (const std::size_t k : voter.motions)
+                ++votes[k];
+        std::size_t most = no_id;
+        const auto cost = [&](std::size_t k) {
+            return effort(candidates_[k], stored_.bounds.centre(), stored_.bounds.size().norm());
+        };
+        for (std::size_t k = 0; k < votes.size(); ++k)
+            if (votes[k] >= 2 && (most == no_id || votes[k] > votes[most] ||
+                                  (votes[k] == votes[most] && cost(k) < cost(most))))
+                most = k;
+        if (most == no_id) break;
+        std::erase_if(voters, [&](const Voter& voter) {
+            const auto own = std::find(voter.motions.begin(), voter.motions.end(), most);
+            if (own == voter.motions.end()) return false;
+            Part& part = parts_[voter.part];
+            part.best = voter.exact[static_cast<std::size_t>(own - voter.motions.begin())];
+            part.best_support = support_.support(voter.part, part.best, enough_anchors_);
+            part.voted = true;
+            return true;
+        });
+    }
+    // A part that is still there, damaged, and also looks like another one, has not become that one.
+    for (const Voter& voter : voters) {
+        Part& part = parts_[voter.part];
+        const Aabb& box = stored_.parts[voter.part].box;
+        const double moved = (part.best(box.centre()) - box.centre()).norm();
+        if (moved <= box_slack * box.size().norm() || !support_.has_similar_box(voter.part)) continue;
+        part.best = PartMotion{};
+        part.best_support = part.staying;
+    }
+}
+
+bool MotionFinder::is_unexplained(std::size_t i) {
+    const Part& part = parts_[i];
+    return !support_.points(i).empty() && part.best.is_identity() && part.best_support.corners < lost_below &&
+           part.best_support.keys < lost_below && !support_.has_similar_box(i);
+}
+
+// Whether another part that moved is where the motion puts this one. Parts that lay on each other may stay so.
+bool MotionFinder::is_claimed(std::size_t i, const PartMotion& motion) const {
+    const Aabb box = support_.moved_box(i, motion);
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+        if (k == i || parts_[k].best.is_identity()) continue;
+        if (similar_box(support_.moved_box(k, parts_[k].best), box, box_slack) &&
+            !similar_box(stored_.parts[k].box, stored_.parts[i].box, box_slack))
+            return true;
+    }
+    return false;
+}
+
+// Of parts that look as if they had all moved to one place, the one did whose motion is others', too, or that did
+// the least. The others were edited.
+void MotionFinder::one_part_each_place() {
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        const Part& part = parts_[i];
+        if (part.best.is_identity()) continue;
+        const Aabb& box = stored_.parts[i].box;
+        order.push_back({(part.voted ? 10.0 : 0.0) + part.best_support.sum() -
+                             0.1 * std::min(effort(part.best, box.centre(), box.size().norm()), 2.0),
+                         i});
+    }
+    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [rating, i] : order) {
+        Part& part = parts_[i];
+        if (!is_claimed(i, part.best)) continue;
+        part.best = PartMotion{};
+        part.best_support = part.staying;
+        part.best_rating = 0.0;
+    }
+}
+
+// Parts that were edited so much that most of their rim is gone, and moved, too.
+void MotionFinder::search_edited() {
+    edited_ = true;
+    enough_anchors_ = 0.25;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        if (!is_unexplained(i)) continue;
+        follow(i);
+        if (!parts_[i].best.is_identity()) continue;
+        try_boxes(i);
+        try_faces(i);
+        if (parts_[i].best.is_identity()) continue;
+        parts_[i].best.guessed = true;
+    }
+}
+
+// The motion of other parts, if it puts the part into a part of its size.
+void MotionFinder::follow(std::size_t i) {
+    std::vector<PartMotion> motions;
+    for (const Part& other : parts_) {
+        if (other.best.is_identity() || motions.size() == 64) continue;
+        if (std::none_of(motions.begin(), motions.end(),
+                         [&](const PartMotion& known) { return same(i, known, other.best); }))
+            motions.push_back(other.best);
+    }
+    for (const PartMotion& motion : motions)
+        consider(i, motion);
+    parts_[i].voted = parts_[i].best.guessed = !parts_[i].best.is_identity();
+}
+
+// Whether the motion of the part is a question: it explains little, or others explain as much and give faces
+// other types. A motion of which both is true, or that explains hardly anything, is none.
+void MotionFinder::doubt(std::size_t i) {
+    constexpr double little = 1.5, hardly = 1.0, few_faces = 0.3;
+    constexpr double as_much = 0.1, same_order = 0.5;
+    constexpr std::size_t enough_for_order = 6;  // anchors: fewer come into any order by chance
+    Part& part = parts_[i];
+    if (support_.points(i).size() < 3) return;
+    const bool stays = part.best.is_identity();
+    if (stays && part.searched) part.best.guessed = part.best_support.keys < few_faces;
+    if (stays && part.turned) part.best.guessed = types_.differ(i, part.best, *part.turned);
+    if (!stays && part.best_support.sum() < little) part.best.guessed = true;
+    if (part.voted || (stays && (part.searched || part.best.guessed))) return;
+    if (stays && support_.order_kept(i, part.best) < 1.0) {
+        // Turned in its place, and damaged, so that the order is all that tells.
+        for (const PartMotion& motion : box_motions(stored_.parts[i].box, stored_.parts[i].box))
+            if (turns_in_place(i, motion) && support_.order_kept(i, motion) >= 1.0 &&
+                stored_.parts[i].anchors.size() >= enough_for_order)
+                part.others.push_back({motion, support_.support(i, motion, enough_anchors_).sum(), 1.0});
+    }
+    const double ranks =
+        std::max(support_.ranks_kept(i, part.best), 0.9 * support_.order_kept(i, part.best));
+    const bool unclear = std::any_of(part.others.begin(), part.others.end(), [&](const Rated& other) {
+        return other.sum >= part.best_support.sum() - as_much && other.ranks >= ranks - same_order &&
+               !same(i, other.motion, part.best) && types_.differ(i, part.best, other.motion);
+    });
+    part.best.lost = !stays && part.best.guessed && (unclear || part.best_support.sum() < hardly);
+    part.best.guessed = part.best.guessed || unclear;
+}
+
+}  // namespace slipface
