@@ -254,6 +254,7 @@ class Document {
     void refresh(const Touched& touched);
     Status rebuild_geometry();  // the collision world and the neighbours
     void resolve_again();
+    void apply_overrides();  // to the type of every face
     void resolve_face(FaceId face);
     void count_face(FaceId face, bool in);
     template <class ValueOf>

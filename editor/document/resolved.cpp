@@ -22,6 +22,10 @@ void Document::refresh(const Touched& touched) {
         return;
     }
     if (touched.parameters) apply_surface_rules(collision_, level_.surfaces);
+    if (touched.faces.size() > resolved_.surface.size() / 8) {
+        apply_overrides();
+        return;
+    }
     for (const FaceId face : touched.faces) {
         count_face(face, false);
         resolve_face(face);
@@ -49,12 +53,25 @@ void Document::resolve_again() {
     std::swap(overrides, level_.overrides);
 
     resolved_ = unpainted_;
+    apply_surface_rules(collision_, level_.surfaces);
+    apply_overrides();
+}
+
+void Document::apply_overrides() {
     surface_counts_.fill(0);
     surface_areas_.fill(0.0);
-    apply_surface_rules(collision_, level_.surfaces);
-    for (FaceId face = 0; face < resolved_.surface.size(); ++face) {
-        resolve_face(face);
-        count_face(face, true);
+    const auto face_count = static_cast<FaceId>(resolved_.surface.size());
+    for (FaceId begin = 0, end = 0; begin < face_count; begin = end) {
+        // A run of faces of one type is counted at once.
+        resolve_face(begin);
+        const SurfaceId surface = resolved_.surface[begin];
+        double area = 0.0;
+        do {
+            area += static_cast<double>(facts_.area[end]);
+            if (++end < face_count) resolve_face(end);
+        } while (end < face_count && resolved_.surface[end] == surface);
+        surface_counts_[surface] += end - begin;
+        surface_areas_[surface] += area;
     }
     collision_.set_face_surfaces(resolved_.surface);
 }
