@@ -60,13 +60,18 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
     result.state.position = position_in_scene(scene, state);
     bool hazard = false;
     const double part_s = dt / parts;
-    const auto part_m = [&] { return std::max(result.state.velocity.norm(), settings.walk_speed) * part_s; };
+    // How far the next parts may lead, m. A player who is held up does not reach walking speed at once.
+    const auto way_m = [&](int count) {
+        const double speed = result.state.velocity.norm(), time_s = count * part_s;
+        return time_s *
+               std::min(std::max(speed, settings.walk_speed), speed + settings.ground_acceleration * time_s);
+    };
     // Short parts share what is around the player.
     constexpr double longest_shared_s = 1.0 / 30.0;
     const int shared = std::max(1, static_cast<int>(longest_shared_s / part_s));
     for (int part = 0; part < parts;) {
         const Surroundings around(scene, settings, result.state.position,
-                                  part_m() * std::min(shared, parts - part));
+                                  way_m(std::min(shared, parts - part)));
         do {
             const PlayerState before = result.state;
             Mover mover({.scene = scene,
@@ -93,7 +98,7 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
             result.contacts += mover.contacts;
             result.end_is_free = mover.end_is_free;
             hazard = hazard || result.state.hazard;
-        } while (++part < parts && around.cover(settings, result.state.position, part_m()));
+        } while (++part < parts && around.cover(settings, result.state.position, way_m(1)));
     }
     result.state.hazard = hazard;
     put_in_scene(scene, result.state.position, result.state);
