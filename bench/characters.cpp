@@ -222,12 +222,16 @@ int run(const char* path) {
         fmt::print("  {}, {} walkers, {} ticks\n", sphere ? "sphere 0.5" : "ellipsoid 0.4 0.9 0.4",
                    starts.size(), ticks);
         TraceRecorder recorder;
+        MovementSettings fine = all, fine_plain = plain;
+        fine.sub_step = fine_plain.sub_step = 1.0 / 720.0;
         Timing full, bullet;
-        std::vector<double> fulls, traces, fews, bullets, trace_costs, ratios;
+        std::vector<double> fulls, traces, fews, bullets, trace_costs, ratios, fine_costs, fine_few_costs;
         for (int round = 0; round <= rounds; ++round) {
             full = time_steps(scene, all, starts, wishes, nullptr);
             const Timing traced = time_steps(scene, all, starts, wishes, &recorder);
             const Timing few = time_steps(scene, plain, starts, wishes, nullptr);
+            const Timing parts = time_steps(scene, fine, starts, wishes, nullptr);
+            const Timing few_parts = time_steps(scene, fine_plain, starts, wishes, nullptr);
 #ifdef SLIPFACE_BULLET
             const std::size_t some = std::min<std::size_t>(starts.size(), 20);
             bullet =
@@ -238,6 +242,8 @@ int run(const char* path) {
             traces.push_back(traced.step_us);
             fews.push_back(few.step_us);
             bullets.push_back(bullet.step_us);
+            fine_costs.push_back(parts.step_us / full.step_us);
+            fine_few_costs.push_back(few_parts.step_us / few.step_us);
             trace_costs.push_back(traced.step_us / full.step_us);
             ratios.push_back(bullet.step_us / full.step_us);
         }
@@ -246,6 +252,9 @@ int run(const char* path) {
             "({:.2f} times), the level's settings {:.2f}; {:.1f} falls a walker\n",
             median(fulls), 1.0 / median(fulls), full.sweeps, median(traces), median(trace_costs),
             median(fews), full.falls);
+        fmt::print(
+            "    sub_step=1/720: {:.2f} times every hack's step, {:.2f} times that of the level's settings\n",
+            median(fine_costs), median(fine_few_costs));
 #ifdef SLIPFACE_BULLET
         fmt::print("    Bullet, {} {:.2f} us a step, {:.1f} falls a walker: {:.1f} times\n",
                    sphere ? "sphere" : "capsule", median(bullets), bullet.falls, median(ratios));

@@ -1,6 +1,7 @@
-// slipface_editor_speed [SIDE]: measures how long the editor takes to respond on a level of 2 SIDE^2
-// triangles (707: a million), each its own face. Processor time of the whole frame that shows the response,
-// including uploads but not the drawing of the level.
+// slipface_editor_speed [SIDE [PART [ROUNDS]]]: measures how long the editor takes to respond on a level of 2
+// SIDE^2 triangles (707: a million), each its own face. PART: only the actions whose name has it, in that
+// many rounds. Processor time of the whole frame that shows the response, including uploads but not the
+// drawing of the level.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,11 +42,14 @@ void write_hills(const std::filesystem::path& path, int side) {
 
 class Bench {
   public:
-    explicit Bench(OffscreenHost& host) : host_(host) {}
+    Bench(OffscreenHost& host, std::string part, int rounds)
+        : host_(host), part_(std::move(part)), rounds_(rounds) {}
 
     // `prepare` and the frames that settle after it are not measured.
     void measure(const char* name, int times, const std::function<void(int)>& prepare,
                  const std::function<void(int)>& act) {
+        if (std::string_view(name).find(part_) == std::string_view::npos) return;
+        if (rounds_ > 0) times = rounds_;
         std::vector<double> took;
         for (int i = 0; i < times; ++i) {
             prepare(i);
@@ -66,9 +70,11 @@ class Bench {
 
   private:
     OffscreenHost& host_;
+    std::string part_;
+    int rounds_;  // 0: as many as each action has
 };
 
-int run(int side) {
+int run(int side, const char* part, int rounds) {
     const std::filesystem::path obj =
         std::filesystem::temp_directory_path() / fmt::format("slipface_editor_speed_{}.obj", side);
     write_hills(obj, side);
@@ -87,7 +93,7 @@ int run(int side) {
     host.settle();
     fmt::print("{} faces\n{:<28} {:>9} {:>9}  ms of processor time\n", editor.document->mesh().face_count(),
                "", "median", "worst");
-    Bench bench(host);
+    Bench bench(host, part, rounds);
     const auto nothing = [](int) {};
     const auto mouse_at = [&](int i) { host.move_mouse({420.0f + 13.0f * static_cast<float>(i), 400.0f}); };
     const auto select_one = [&](int i) { editor.document->select({static_cast<FaceId>(1000 + 77 * i)}); };
@@ -139,5 +145,6 @@ int run(int side) {
 }  // namespace slipface
 
 int main(int count, char** arguments) {
-    return slipface::run(count > 1 ? std::clamp(std::atoi(arguments[1]), 2, 3000) : 707);
+    return slipface::run(count > 1 ? std::clamp(std::atoi(arguments[1]), 2, 3000) : 707,
+                         count > 2 ? arguments[2] : "", count > 3 ? std::atoi(arguments[3]) : 0);
 }

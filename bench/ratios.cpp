@@ -123,6 +123,38 @@ void sweeps(Kind kind, bool ellipsoid) {
     fmt::print("\n");
 }
 
+// A batch beside the same sweeps one by one. SLIPFACE_SIMD chooses the instruction set.
+void batches() {
+    const ThreadLimit one(1);
+    fmt::print("\nTime of a batch over that of single sweeps, sphere\n\n| level | triangles |");
+    for (const double length : lengths)
+        fmt::print(" {} m |", length);
+    fmt::print("\n|---|---:|---:|---:|---:|---:|\n");
+    const Vec3 radii = radii_of(false);
+    for (const auto kind : {Kind::rooms, Kind::ground}) {
+        for (const std::int64_t size : sizes) {
+            const Level& scene = level(size, kind);
+            fmt::print("| {} | {} |", kind == Kind::rooms ? "rooms" : "ground", scene.soup.triangles.size());
+            for (const double length : lengths) {
+                const auto list = queries(scene, radii, length);
+                std::vector<Sweep> batch;
+                for (const Query& query : list)
+                    batch.push_back({radii, query.from, query.move});
+                std::vector<std::optional<Contact>> contacts(batch.size());
+                const Pair pair = race(
+                    list.size(), [&] { sweep_ellipsoids(scene.world, batch, contacts); },
+                    over(list, [&](const Query& q) {
+                        const auto c = sweep_ellipsoid(scene.world, radii, q.from, q.move);
+                        return c ? c->t : 1.0;
+                    }));
+                fmt::print(" {:.2f} |", 1.0 / pair.ratio);
+                std::fflush(stdout);
+            }
+            fmt::print("\n");
+        }
+    }
+}
+
 void rays() {
     fmt::print(
         "\nClosest-hit rays: ns, our time over Embree's, and over Embree's in robust mode\n\n| triangles |");
@@ -207,7 +239,7 @@ void builds() {
 }  // namespace
 }  // namespace slipface::bench
 
-// Without arguments all tables, otherwise the named ones: sweeps, rays, builds.
+// Without arguments all tables, otherwise the named ones: sweeps, batches, rays, builds.
 int main(int count, char** arguments) {
     using namespace slipface::bench;
     const auto wanted = [&](std::string_view table) {
@@ -219,6 +251,7 @@ int main(int count, char** arguments) {
         sweeps(kind, false);
         sweeps(kind, true);
     }
+    if (wanted("batches")) batches();
     if (wanted("rays")) rays();
     if (wanted("builds")) builds();
     return 0;

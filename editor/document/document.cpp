@@ -84,6 +84,7 @@ Status Document::save_as(const std::filesystem::path& level_file) {
 std::size_t Document::paint(std::span<const FaceId> faces, std::optional<SurfaceId> surface) {
     if (surface && *surface >= level_.surfaces.size()) return 0;
     FaceEdit edit;
+    edit.faces.reserve(faces.size());
     for (const FaceId face : faces)
         if (face < face_count() && paint_of(face) != surface)
             edit.faces.push_back({face, paint_of(face), surface});
@@ -272,6 +273,7 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
         bool forward;
         Touched& touched;
         void operator()(const FaceEdit& one) const {
+            touched.faces.reserve(touched.faces.size() + one.faces.size());
             // Backwards, so that a face listed twice ends with its first `before`.
             const auto put = [&](const FaceEdit::Face& change, std::optional<SurfaceId> surface) {
                 std::vector<std::optional<SurfaceId>>& overrides = self.level_.overrides;

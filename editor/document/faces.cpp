@@ -52,7 +52,8 @@ AngleLimit::AngleLimit(double max_angle)
     : acute_(max_angle < 0.5 * std::numbers::pi),
       none_(!(max_angle >= 0.0)),
       sine2_(std::sin(std::min(max_angle, std::numbers::pi)) *
-             std::sin(std::min(max_angle, std::numbers::pi))) {}
+             std::sin(std::min(max_angle, std::numbers::pi))),
+      certain_(acute_ && !none_ ? static_cast<float>(std::cos(max_angle)) + 1e-5f : 2.0f) {}
 
 FaceFacts face_facts(const Mesh& mesh) {
     FaceFacts facts;
@@ -69,39 +70,29 @@ FaceFacts face_facts(const Mesh& mesh) {
     return facts;
 }
 
+std::vector<FaceId> marked_faces(std::span<const std::uint8_t> marks) {
+    std::size_t count = 0;
+    for (const std::uint8_t mark : marks)
+        count += mark != 0 ? 1 : 0;
+    std::vector<FaceId> faces(count);
+    std::size_t done = 0;
+    for (FaceId face = 0; done < count; ++face) {
+        faces[done] = face;
+        done += marks[face] != 0 ? 1 : 0;
+    }
+    return faces;
+}
+
 std::vector<FaceId> flood_by_angle(const FaceFacts& facts, const FaceNeighbours& neighbours,
                                    std::span<const FaceId> start, double max_angle) {
-    const std::size_t count = facts.normal.size();
     const AngleLimit within(max_angle + flat_tolerance);
-    struct Reached {
-        FaceId face;
-        Vec3f normal;  // a face without area passes on the normal of the face before it
-    };
-    std::vector<std::uint8_t> seen(count, 0);
-    std::vector<Reached> open;
-    for (const FaceId face : start) {
-        if (face >= count || seen[face] != 0) continue;
-        seen[face] = 1;
-        open.push_back({face, facts.normal[face]});
-    }
-    for (std::size_t i = 0; i < open.size(); ++i) {
-        const Reached current = open[i];
-        for (const FaceId next : neighbours.of(current.face)) {
-            if (seen[next] != 0) continue;
-            Vec3f normal = facts.normal[next];
-            if (normal.isZero(0.0f))
-                normal = current.normal;
-            else if (!current.normal.isZero(0.0f) && !within(current.normal, normal))
-                continue;
-            seen[next] = 1;
-            open.push_back({next, normal});
-        }
-    }
-    std::vector<FaceId> result;
-    result.reserve(open.size());
-    for (FaceId face = 0; face < count; ++face)
-        if (seen[face] != 0) result.push_back(face);
-    return result;
+    const std::vector<Vec3f>& normal = facts.normal;
+    return flood(neighbours, normal.size(), start, [&](FaceId carried, FaceId, FaceId next) {
+        if (within.surely(normal[carried], normal[next])) return next;
+        // A face without area passes on the face before it, whose normal counts then.
+        if (normal[next].isZero(0.0f)) return carried;
+        return normal[carried].isZero(0.0f) || within(normal[carried], normal[next]) ? next : no_id;
+    });
 }
 
 std::vector<FaceId> brush_faces(const Mesh& mesh, const FaceNeighbours& neighbours, FaceId start,

@@ -23,24 +23,36 @@ void Document::refresh(const Touched& touched) {
 }
 
 void Document::repaint(std::span<const FaceId> faces) {
+    const std::size_t own = resolved_.own.surface.size();
+    if (!has_instances(level_) && faces.size() > own / 8) {
+        apply_overrides();
+        return;
+    }
     bool in_props = false;
     for (const FaceId face : faces) {
-        if (face >= resolved_.own.surface.size()) {
+        if (face >= own) {
             in_props = true;
             continue;
         }
-        const std::optional<SurfaceId> painted = paint_of(face);
-        const SurfaceId after = painted ? *painted : unpainted_.own.surface[face];
-        const SurfaceId before = std::exchange(resolved_.own.surface[face], after);
-        resolved_.own.source[face] = painted ? SurfaceSource::override_ : unpainted_.own.source[face];
-        const double area = static_cast<double>(own_part_.facts.area[face]);
-        --surface_counts_[before];
-        surface_areas_[before] -= area;
-        ++surface_counts_[after];
-        surface_areas_[after] += area;
-        collision_.set_face_surface(face, after);
+        count_face(face, false);
+        resolve_face(face);
+        count_face(face, true);
+        collision_.set_face_surface(face, resolved_.own.surface[face]);
     }
     if (in_props) resolve_props();
+}
+
+void Document::resolve_face(FaceId face) {
+    const std::optional<SurfaceId> painted = paint_of(face);
+    resolved_.own.surface[face] = painted ? *painted : unpainted_.own.surface[face];
+    resolved_.own.source[face] = painted ? SurfaceSource::override_ : unpainted_.own.source[face];
+}
+
+void Document::count_face(FaceId face, bool in) {
+    const SurfaceId surface = resolved_.own.surface[face];
+    const float area = own_part_.facts.area[face];
+    surface_counts_[surface] += in ? std::size_t{1} : ~std::size_t{0};
+    surface_areas_[surface] += static_cast<double>(in ? area : -area);
 }
 
 void Document::count(const PropFaces& prop, bool in) {
@@ -110,14 +122,29 @@ void Document::resolve_again() {
     std::swap(overrides, level_.overrides);
     unpainted_ = resolve_parts(level_);
     std::swap(overrides, level_.overrides);
-    resolved_ = resolve_parts(level_);
+
+    resolved_ = unpainted_;
+    apply_surface_rules(collision_, level_.surfaces);
+    apply_overrides();
+}
+
+void Document::apply_overrides() {
     surface_counts_.fill(0);
     surface_areas_.fill(0.0);
     prop_faces_.clear();
-    apply_surface_rules(collision_, level_.surfaces);
-    for (FaceId face = 0; face < resolved_.own.surface.size(); ++face) {
-        ++surface_counts_[resolved_.own.surface[face]];
-        surface_areas_[resolved_.own.surface[face]] += static_cast<double>(own_part_.facts.area[face]);
+    const std::vector<SurfaceId>& surfaces = resolved_.own.surface;
+    const auto face_count = static_cast<FaceId>(surfaces.size());
+    for (FaceId begin = 0, end = 0; begin < face_count; begin = end) {
+        // A run of faces of one type is counted at once.
+        resolve_face(begin);
+        const SurfaceId surface = surfaces[begin];
+        double area = 0.0;
+        do {
+            area += static_cast<double>(own_part_.facts.area[end]);
+            if (++end < face_count) resolve_face(end);
+        } while (end < face_count && surfaces[end] == surface);
+        surface_counts_[surface] += end - begin;
+        surface_areas_[surface] += area;
     }
     collision_.set_face_surfaces(resolved_.own.surface);
     if (has_instances(level_)) resolve_props();

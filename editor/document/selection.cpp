@@ -35,32 +35,6 @@ std::vector<std::uint8_t> marks(const Document& document, std::span<const FaceId
     return marked;
 }
 
-// Faces reachable from `start` over steps for which crosses(from, to, origin) holds; `origin` is the face of
-// `start` where the path began.
-template <class Crosses>
-std::vector<FaceId> connected(const Document& document, std::span<const FaceId> start,
-                              const Crosses& crosses) {
-    std::vector<std::uint8_t> reached(document.face_count(), 0);
-    struct Open {
-        FaceId face, origin;
-    };
-    std::vector<Open> open;
-    for (const FaceId face : start) {
-        if (face >= reached.size() || reached[face] != 0) continue;
-        reached[face] = 1;
-        open.push_back({face, face});
-    }
-    for (std::size_t i = 0; i < open.size(); ++i) {
-        const Open from = open[i];
-        for (const FaceId next : document.neighbours().of(from.face)) {
-            if (reached[next] != 0 || !crosses(from.face, next, from.origin)) continue;
-            reached[next] = 1;
-            open.push_back({next, from.origin});
-        }
-    }
-    return faces_where(document, [&](FaceId face) { return reached[face] != 0; });
-}
-
 // True if all corners of `face` lie in the plane through the first corner of `origin`, within float
 // precision.
 bool in_plane_of(const Document& document, FaceId face, FaceId origin) {
@@ -83,9 +57,10 @@ bool in_plane_of(const Document& document, FaceId face, FaceId origin) {
 std::vector<FaceId> connected_flat(const Document& document, std::span<const FaceId> start) {
     const std::vector<Vec3f>& normal = document.facts().normal;
     const AngleLimit parallel(5.0 * flat_angle);
-    return connected(document, start, [&](FaceId, FaceId to, FaceId origin) {
-        return (normal[to].isZero(0.0f) || parallel(normal[origin], normal[to])) &&
-               in_plane_of(document, to, origin);
+    return flood<true>(document.neighbours(), normal.size(), start, [&](FaceId origin, FaceId, FaceId next) {
+        const bool flat = (normal[next].isZero(0.0f) || parallel(normal[origin], normal[next])) &&
+                          in_plane_of(document, next, origin);
+        return flat ? origin : no_id;
     });
 }
 
@@ -94,16 +69,24 @@ std::vector<FaceId> connected_by_angle(const Document& document, std::span<const
     return flood_by_angle(document.facts(), document.neighbours(), start, max_angle);
 }
 
+namespace {
+
+// Connected faces with the same value[face].
+template <class T>
+std::vector<FaceId> connected_alike(const Document& document, std::span<const FaceId> start,
+                                    const std::vector<T>& value) {
+    return flood(document.neighbours(), value.size(), start,
+                 [&](FaceId, FaceId from, FaceId next) { return value[from] == value[next] ? next : no_id; });
+}
+
+}  // namespace
+
 std::vector<FaceId> connected_within_material(const Document& document, std::span<const FaceId> start) {
-    const std::vector<std::uint32_t>& material = document.mesh().face_material;
-    return connected(document, start,
-                     [&](FaceId from, FaceId to, FaceId) { return material[from] == material[to]; });
+    return connected_alike(document, start, document.mesh().face_material);
 }
 
 std::vector<FaceId> connected_within_type(const Document& document, std::span<const FaceId> start) {
-    return connected(document, start, [&](FaceId from, FaceId to, FaceId) {
-        return document.surface_of(from) == document.surface_of(to);
-    });
+    return connected_alike(document, start, document.resolved().surface);
 }
 
 std::vector<FaceId> grown(const Document& document, std::span<const FaceId> faces) {
@@ -112,7 +95,7 @@ std::vector<FaceId> grown(const Document& document, std::span<const FaceId> face
         if (face < kept.size())
             for (const FaceId next : document.neighbours().of(face))
                 kept[next] = 1;
-    return faces_where(document, [&](FaceId face) { return kept[face] != 0; });
+    return marked_faces(kept);
 }
 
 std::vector<FaceId> shrunk(const Document& document, std::span<const FaceId> faces) {
@@ -125,8 +108,10 @@ std::vector<FaceId> shrunk(const Document& document, std::span<const FaceId> fac
 }
 
 std::vector<FaceId> inverted(const Document& document, std::span<const FaceId> faces) {
-    const std::vector<std::uint8_t> kept = marks(document, faces);
-    return faces_where(document, [&](FaceId face) { return kept[face] == 0; });
+    std::vector<std::uint8_t> kept = marks(document, faces);
+    for (std::uint8_t& mark : kept)
+        mark = mark == 0 ? 1 : 0;
+    return marked_faces(kept);
 }
 
 std::vector<FaceId> every_face(const Document& document) {

@@ -170,8 +170,12 @@ void CollisionWorld::set_face_surface(FaceId face, SurfaceId surface) {
 void CollisionWorld::set_face_surfaces(std::span<const SurfaceId> surfaces) {
     const std::size_t first_placed =
         impl_->placed.empty() ? surfaces.size() : std::size_t{impl_->placed.front().first_face};
-    for (std::size_t face = 0; face < std::min(surfaces.size(), first_placed); ++face)
-        set_face_surface(static_cast<FaceId>(face), surfaces[face]);
+    const std::size_t count = std::min(surfaces.size(), first_placed);
+    if (impl_->faces.empty())
+        std::copy_n(surfaces.begin(), std::min(count, impl_->surfaces.size()), impl_->surfaces.begin());
+    else
+        for (std::size_t face = 0; face < count; ++face)
+            set_face_surface(static_cast<FaceId>(face), surfaces[face]);
     if (surfaces.size() > first_placed) set_instance_surfaces(*impl_, surfaces);
 }
 

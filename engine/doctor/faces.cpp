@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "checks.h"
+#include "slipface/base/key_sort.h"
 #include "slipface/base/parallel.h"
 
 namespace slipface::doctor {
@@ -29,6 +30,20 @@ std::vector<std::uint32_t> sorted_loop(const Patient& patient, FaceId face) {
     std::vector<std::uint32_t> loop(first, last);
     std::sort(loop.begin(), loop.end());
     return loop;
+}
+
+// Of the corners, whatever their order.
+std::uint64_t loop_key(const Patient& patient, FaceId face) {
+    std::uint64_t key = 0;
+    for (std::uint32_t corner = patient.mesh.face_first_corner[face];
+         corner < patient.mesh.face_first_corner[face + 1]; ++corner) {
+        // Spreads the bits (splitmix64); sums do not depend on the order.
+        std::uint64_t bits = patient.topology.vertex[corner] + 0x9e3779b97f4a7c15U;
+        bits = (bits ^ (bits >> 30U)) * 0xbf58476d1ce4e5b9U;
+        bits = (bits ^ (bits >> 27U)) * 0x94d049bb133111ebU;
+        key += bits ^ (bits >> 31U);
+    }
+    return key;
 }
 
 using Flat = std::array<Vec2, 3>;
@@ -59,8 +74,22 @@ Flat flatten(const std::array<Vec3, 3>& corners, int drop) {
     return flat;
 }
 
-// The first face of a lower number that lies over this triangle in its plane.
-FaceId face_over(const Patient& patient, TriangleId triangle) {
+// A triangle that may lie over another.
+struct Candidate {
+    TriangleId triangle;
+    Aabb box;
+};
+
+Aabb box_of(const std::array<Vec3, 3>& corners) {
+    Aabb box;
+    for (const Vec3& corner : corners)
+        box.add(corner);
+    return box;
+}
+
+// The first face of a lower number that lies over this triangle in its plane. `candidates`: at least all
+// triangles whose boxes touch this one's, ascending.
+FaceId face_over(const Patient& patient, TriangleId triangle, std::span<const Candidate> candidates) {
     const FaceId face = patient.mesh.triangle_face[triangle];
     const auto corners = corners_of(patient, triangle);
     const Vec3 cross = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
@@ -74,12 +103,13 @@ FaceId face_over(const Patient& patient, TriangleId triangle) {
     const double largest = std::max({corners[0].cwiseAbs().maxCoeff(), corners[1].cwiseAbs().maxCoeff(),
                                      corners[2].cwiseAbs().maxCoeff()});
     const double off_plane = std::max(1e-5 * size, 8.0 * 0x1p-24 * largest);
-    Aabb box;
-    for (const Vec3& corner : corners)
-        box.add(corner);
-    for (const TriangleId other : patient.world.triangles_in(box)) {
+    const Aabb box = box_of(corners);
+    for (const auto& [other, their_box] : candidates) {
         const FaceId other_face = patient.mesh.triangle_face[other];
         if (other_face >= face) break;  // ascending
+        if ((their_box.min.array() > box.max.array()).any() ||
+            (their_box.max.array() < box.min.array()).any())
+            continue;
         const auto theirs = corners_of(patient, other);
         if (std::any_of(theirs.begin(), theirs.end(),
                         [&](const Vec3& p) { return std::abs(normal.dot(p - corners[0])) > off_plane; }))
@@ -91,6 +121,30 @@ FaceId face_over(const Patient& patient, TriangleId triangle) {
             return other_face;
     }
     return no_id;
+}
+
+// face_over() for the triangles [first, last). They share one look into the tree if they are of about one
+// size and near each other, as consecutive numbers mostly are.
+void faces_over(const Patient& patient, TriangleId first, TriangleId last, std::vector<Candidate>& candidates,
+                std::span<FaceId> over) {
+    Aabb box;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (TriangleId t = first; t < last; ++t) {
+        const Aabb own = box_of(corners_of(patient, t));
+        smallest = std::min(smallest, own.size().norm());
+        box.add(own.min);
+        box.add(own.max);
+    }
+    if (last - first > 1 && box.size().norm() > 4.0 * smallest) {
+        for (TriangleId t = first; t < last; ++t)
+            faces_over(patient, t, t + 1, candidates, over);
+        return;
+    }
+    candidates.clear();
+    for (const TriangleId other : patient.world.triangles_in(box))
+        candidates.push_back({other, box_of(corners_of(patient, other))});
+    for (TriangleId t = first; t < last; ++t)
+        over[t] = face_over(patient, t, candidates);
 }
 
 }  // namespace
@@ -122,19 +176,26 @@ void find_slivers(const Patient& patient, Problems& out) {
 
 void find_duplicates(const Patient& patient, Problems& out) {
     const std::size_t count = patient.mesh.face_count();
-    std::vector<std::vector<std::uint32_t>> loops(count);
+    // Faces of the same corners have the same key, and hardly any others.
+    std::vector<KeyedIndex> order(count);
     parallel_for(count, 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t face = begin; face < end; ++face)
-            loops[face] = sorted_loop(patient, static_cast<FaceId>(face));
+            order[face] = {loop_key(patient, static_cast<FaceId>(face)), static_cast<std::uint32_t>(face)};
     });
-    std::vector<FaceId> order(count);
-    std::iota(order.begin(), order.end(), FaceId{0});
-    std::sort(order.begin(), order.end(),
-              [&](FaceId a, FaceId b) { return std::tie(loops[a], a) < std::tie(loops[b], b); });
+    sort_by_key(order);
+    const auto by_loop = [&](const KeyedIndex& a, const KeyedIndex& b) {
+        const auto loop_a = sorted_loop(patient, a.index), loop_b = sorted_loop(patient, b.index);
+        return std::tie(loop_a, a.index) < std::tie(loop_b, b.index);
+    };
+    for (auto begin = order.begin(), end = begin; begin != order.end(); begin = end) {
+        end = std::find_if(begin, order.end(), [&](const KeyedIndex& one) { return one.key != begin->key; });
+        if (end - begin > 1) std::sort(begin, end, by_loop);
+    }
     const std::size_t before = out.size();
     for (std::size_t i = 1; i < count; ++i) {
-        const FaceId face = order[i], first = order[i - 1];
-        if (loops[face] != loops[first]) continue;
+        if (order[i].key != order[i - 1].key) continue;
+        const FaceId face = order[i].index, first = order[i - 1].index;
+        if (sorted_loop(patient, face) != sorted_loop(patient, first)) continue;
         const bool opposite = patient.topology.normal[face].dot(patient.topology.normal[first]) < 0.0;
         // Front and back of a thin thing are two faces, and rightly so; types of both sides must agree.
         if (opposite && patient.resolved.surface[face] == patient.resolved.surface[first]) continue;
@@ -149,9 +210,14 @@ void find_overlaps(const Patient& patient, Problems& out) {
     const Mesh& mesh = patient.mesh;
     if (patient.world.triangle_count() != mesh.triangle_count()) return;
     std::vector<FaceId> over(mesh.triangle_count(), no_id);
-    parallel_for(over.size(), 256, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t)
-            over[t] = face_over(patient, static_cast<TriangleId>(t));
+    constexpr std::size_t together = 8;
+    parallel_for((over.size() + together - 1) / together, 32, [&](std::size_t begin, std::size_t end) {
+        std::vector<Candidate> candidates;
+        for (std::size_t group = begin; group < end; ++group) {
+            const auto first = static_cast<TriangleId>(group * together);
+            const auto last = static_cast<TriangleId>(std::min(over.size(), (group + 1) * together));
+            faces_over(patient, first, last, candidates, over);
+        }
     });
     FaceId last = no_id;
     for (TriangleId t = 0; t < over.size(); ++t) {

@@ -28,12 +28,14 @@ struct Rest {
     Vec3 centre;
     double angle;
 };
-std::optional<Rest> rest_in_corner(const Vec3& radii, const Vec3& edge_point, const Vec3& normal_a,
-                                   const Vec3& normal_b, const Vec3& beyond_b) {
-    // The other face in front of this one: a valley, not a ridge.
-    if (normal_a.dot(beyond_b - edge_point) <= 0.0) return std::nullopt;
+std::optional<Rest> rest_in_corner(const Mesh& mesh, const Vec3& radii, const Vec3& edge_point,
+                                   const Vec3& normal_a, const Vec3& normal_b, FaceId face_b) {
     // Planes transform by the inverse transpose: normals are multiplied by the radii.
-    const Vec3 a = normal_a.cwiseProduct(radii).normalized(), b = normal_b.cwiseProduct(radii).normalized();
+    const Vec3 scaled_a = normal_a.cwiseProduct(radii), scaled_b = normal_b.cwiseProduct(radii);
+    if (scaled_a.dot(scaled_b) >= 0.0) return std::nullopt;  // 90 degrees or more, as nearly everywhere
+    // The other face in front of this one: a valley, not a ridge.
+    if (normal_a.dot(face_centroid(mesh, face_b) - edge_point) <= 0.0) return std::nullopt;
+    const Vec3 a = scaled_a.normalized(), b = scaled_b.normalized();
     const double between = std::acos(std::clamp(a.dot(b), -1.0, 1.0));
     const double angle = 3.141592653589793 - between;
     if (!(angle < sharpest) || !(angle > 1e-4)) return std::nullopt;
@@ -246,8 +248,8 @@ void find_acute_corners(const Patient& patient, Problems& out) {
                                    topology.position[topology.edges[first].to]);
         // From both sides, for the player may be behind the faces as well.
         for (const double side : {1.0, -1.0}) {
-            const auto rest = rest_in_corner(radii, middle, side * topology.normal[a],
-                                             side * topology.normal[b], face_centroid(patient.mesh, b));
+            const auto rest = rest_in_corner(patient.mesh, radii, middle, side * topology.normal[a],
+                                             side * topology.normal[b], b);
             if (!rest || !player_fits(patient, rest->centre, a, b) || !wedges(patient, rest->centre))
                 continue;
             out.push_back({ProblemKind::acute_corner, a, b, middle, 0,

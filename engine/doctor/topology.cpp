@@ -43,16 +43,28 @@ Topology::Topology(const Mesh& mesh) {
     for (std::size_t corner = 0; corner < vertex.size(); ++corner)
         vertex[corner] = welded[mesh.corner_vertex[corner]];
 
-    edges.reserve(vertex.size());
-    for (FaceId face = 0; face < mesh.face_count(); ++face) {
-        const std::uint32_t first = mesh.face_first_corner[face], last = mesh.face_first_corner[face + 1];
-        for (std::uint32_t corner = first; corner < last; ++corner) {
-            const std::uint32_t a = vertex[corner], b = vertex[corner + 1 < last ? corner + 1 : first];
-            if (a != b) edges.push_back({std::min(a, b), std::max(a, b), face, a < b});
+    const auto each_use = [&](const auto& visit) {
+        for (FaceId face = 0; face < mesh.face_count(); ++face) {
+            const std::uint32_t first = mesh.face_first_corner[face], last = mesh.face_first_corner[face + 1];
+            for (std::uint32_t corner = first; corner < last; ++corner) {
+                const std::uint32_t a = vertex[corner], b = vertex[corner + 1 < last ? corner + 1 : first];
+                if (a != b) visit(EdgeUse{std::min(a, b), std::max(a, b), face, a < b});
+            }
         }
-    }
-    std::sort(edges.begin(), edges.end(), [](const EdgeUse& a, const EdgeUse& b) {
-        return std::tie(a.from, a.to, a.face, a.forward) < std::tie(b.from, b.to, b.face, b.forward);
+    };
+    // Dealt out by their first vertex, few of each are left to sort.
+    std::vector<std::uint32_t> end(position.size() + 1, 0);
+    each_use([&](const EdgeUse& use) { ++end[use.from + 1]; });
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    edges.resize(end.back());
+    each_use([&](const EdgeUse& use) { edges[end[use.from]++] = use; });
+    // Dealing has moved the begin of each vertex's edges to their end.
+    parallel_for(position.size(), 4096, [&](std::size_t begin, std::size_t last) {
+        for (std::size_t from = begin; from < last; ++from)
+            std::sort(edges.begin() + (from == 0 ? 0 : end[from - 1]), edges.begin() + end[from],
+                      [](const EdgeUse& a, const EdgeUse& b) {
+                          return std::tie(a.to, a.face, a.forward) < std::tie(b.to, b.face, b.forward);
+                      });
     });
     normal.resize(mesh.face_count());
     parallel_for(normal.size(), 4096, [&](std::size_t begin, std::size_t end) {

@@ -10,7 +10,7 @@ namespace {
 
 // A mover that only asks: with this body, around this position.
 Mover mover_with(const MovementScene& scene, const MovementSettings& settings, const PlayerState& state,
-                 double reach) {
+                 const Surroundings& around) {
     return Mover({.scene = scene,
                   .settings = settings,
                   .state = state,
@@ -20,7 +20,7 @@ Mover mover_with(const MovementScene& scene, const MovementSettings& settings, c
                   .jump_held = false,
                   .jump_pressed = false,
                   .walkable_cosine = slope_cosine(settings.max_slope)},
-                 reach);
+                 around);
 }
 
 // Height of the centre above a plane of that normal that the ellipsoid touches, m, measured along Y.
@@ -53,8 +53,10 @@ std::optional<PlayerState> change_body(const MovementScene& scene, const Movemen
 
     // The centre's path is swept by the body that it is free for at its start: up by the old, down by the
     // new.
-    Mover before = mover_with(scene, settings, start, reach);
-    Mover after = mover_with(scene, changed, start, reach);
+    const Surroundings around_before(scene, settings, start.position, reach);
+    const Surroundings around_after(scene, changed, start.position, reach);
+    Mover before = mover_with(scene, settings, start, around_before);
+    Mover after = mover_with(scene, changed, start, around_after);
     Vec3 end = start.position + move;
     if (lift > 0.0) {
         if (sweep_scene(before, start.position, move)) return std::nullopt;

@@ -76,6 +76,7 @@ double shift(const MovementScene& scene, Body& body, const Vec3& move) {
     if (length == 0.0 || body.held()) return 0.0;
     PlayerState here = body.member->state;
     here.position = body.end;
+    const Surroundings around(scene, *body.member->settings, here.position, length);
     Mover mover({.scene = scene,
                  .settings = *body.member->settings,
                  .state = here,
@@ -85,7 +86,7 @@ double shift(const MovementScene& scene, Body& body, const Vec3& move) {
                  .jump_held = false,
                  .jump_pressed = false,
                  .walkable_cosine = body.walkable},
-                length);
+                around);
     mover.velocity = mover.velocity_before = move;
     collide_and_slide(mover, move.y() == 0.0 ? Pass::horizontal : Pass::slide, move);
     if (!clamp_to_terrain(mover, body.end) || !mover.position.allFinite()) return 0.0;

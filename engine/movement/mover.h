@@ -59,10 +59,29 @@ struct NearPlatforms {
 NearPlatforms platforms_near(const MovementScene& scene, const Vec3& radii, const Vec3& from,
                              const Vec3& reach);
 
+// Half-extents of the region that is cached for a step of that length, m. Queries beyond it are slower.
+Vec3 reach_of_step(const MovementSettings& settings, double length);
+
+// What can be touched around a position. It refers to the scene.
+struct Surroundings {
+    Neighbourhood near;  // of what stands still
+    NearPlatforms platforms;
+
+    // For a player who moves by at most `length` from `at`, m.
+    Surroundings(const MovementScene& scene, const MovementSettings& settings, const Vec3& at, double length)
+        : near(scene.collision, settings.radii, at, reach_of_step(settings, length)),
+          platforms(platforms_near(scene, settings.radii, at, reach_of_step(settings, length))) {}
+    // True if they are enough for a player who moves by `length` from `at`, too.
+    bool cover(const MovementSettings& settings, const Vec3& at, double length) const {
+        const Vec3 reach = reach_of_step(settings, length);
+        return ((at - reach).array() >= platforms.room.min.array()).all() &&
+               ((at + reach).array() <= platforms.room.max.array()).all();
+    }
+};
+
 // Scratch: what the phases leave for one another. It is gone when the part ends.
 struct Scratch {
-    Neighbourhood near;  // of what stands still, around where the part begins
-    NearPlatforms near_platforms;
+    const Surroundings& around;
     Vec3 velocity_before = Vec3::Zero();  // at the start of the part: what a bounce gives back lies between
     bool was_grounded = false;            // before, and does not jump now
     bool jumped = false;
@@ -74,17 +93,9 @@ struct Scratch {
     bool end_is_free = false;  // by the last check
 };
 
-// Half-extents of the region that is cached for a step of that length, m. Queries beyond it are slower.
-Vec3 reach_of_step(const MovementSettings& settings, double length);
-
 struct Mover : Given, Motion, Scratch {
-    // `length`: how far the player may move, m; it decides only what is cached.
-    Mover(const Given& given, double length)
-        : Given(given),
-          Scratch{.near = Neighbourhood(given.scene.collision, given.settings.radii, given.state.position,
-                                        reach_of_step(given.settings, length)),
-                  .near_platforms = platforms_near(given.scene, given.settings.radii, given.state.position,
-                                                   reach_of_step(given.settings, length))} {
+    Mover(const Given& given, const Surroundings& surroundings)
+        : Given(given), Scratch{.around = surroundings} {
         position = given.state.position;
         jumping = given.state.jumping;
         trapped = given.state.trapped;

@@ -18,10 +18,10 @@ bool holds(const Aabb& box, const Vec3& point) {
 // `move`. What stands still is a Neighbourhood.
 template <class Visit>
 void each_world(const Mover& mover, const Vec3& from, const Vec3& move, Visit&& visit) {
-    visit(mover.near, no_id, mover.scene.triangles);
+    visit(mover.around.near, no_id, mover.scene.triangles);
     const auto platforms = static_cast<std::uint32_t>(mover.scene.platforms.size());
     if (platforms == 0) return;
-    const NearPlatforms& near = mover.near_platforms;
+    const NearPlatforms& near = mover.around.platforms;
     const bool listed =
         near.count <= NearPlatforms::capacity && holds(near.room, from) && holds(near.room, from + move);
     const auto count = listed ? static_cast<std::uint32_t>(near.count) : platforms;

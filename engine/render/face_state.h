@@ -1,6 +1,7 @@
 // The surface type and the highlight of every face, as a texture that the level's shader reads.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -30,7 +31,7 @@ class FaceState {
     GlTable gl_;
     unsigned texture_ = 0;
     std::size_t faces_ = 0;
-    std::vector<std::uint8_t> values_;  // two per face; whole rows
+    std::array<std::vector<std::uint8_t>, 2> values_;  // [Channel][face]; whole rows
     std::size_t bytes_uploaded_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <compare>
+#include <cstring>
 #include <numeric>
 
 #include "slipface/base/parallel.h"
@@ -210,18 +211,28 @@ OutlineFinder::OutlineFinder(const Mesh& mesh) : edge_(mesh.corner_vertex.size()
 std::vector<LineInstance> OutlineFinder::lines(const Mesh& mesh, std::span<const std::uint8_t> highlights,
                                                std::uint8_t bit, const Vec3& origin,
                                                const std::uint8_t (&color)[4], float width) {
-    const auto in_set = [bit](std::uint8_t flags) { return (flags & bit) != 0; };
-    const auto members =
-        static_cast<std::size_t>(std::count_if(highlights.begin(), highlights.end(), in_set));
+    const auto members = static_cast<std::size_t>(std::count_if(
+        highlights.begin(), highlights.end(), [bit](std::uint8_t flags) { return (flags & bit) != 0; }));
     const bool inverse =
         2 * members > highlights.size();  // then the faces that are not in the set are visited
+    // The first visited face from `face` on. Eight are skipped at once.
+    constexpr std::uint64_t ones = 0x0101010101010101U;
+    const std::uint8_t skipped = inverse ? bit : 0;
+    const auto next_visited = [&](FaceId face) {
+        std::uint64_t eight = 0;
+        for (; highlights.size() - face >= sizeof eight; face += sizeof eight) {
+            std::memcpy(&eight, &highlights[face], sizeof eight);
+            if ((eight & ones * bit) != ones * skipped) break;
+        }
+        while (face < highlights.size() && (highlights[face] & bit) == skipped)
+            ++face;
+        return face;
+    };
     const auto for_edges = [&](const auto& visit) {
-        for (FaceId face = 0; face < highlights.size(); ++face) {
-            if (in_set(highlights[face]) == inverse) continue;
+        for (FaceId face = next_visited(0); face < highlights.size(); face = next_visited(face + 1))
             for (std::uint32_t corner = mesh.face_first_corner[face];
                  corner < mesh.face_first_corner[face + 1]; ++corner)
                 if (edge_[corner] != no_id) visit(edge_[corner]);
-        }
     };
     for_edges([&](std::uint32_t edge) {
         if (counted_[edge] < many) ++counted_[edge];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "gl_util.h"
 #include "level_renderer_impl.h"
@@ -132,8 +133,13 @@ void LevelRenderer::set_face_surfaces(std::span<const SurfaceId> surfaces) {
 void LevelRenderer::set_face_highlights(std::span<const std::uint8_t> highlights) {
     std::uint8_t changed = 0;
     const std::size_t faces = std::min(highlights.size(), impl_->highlights.size());
-    for (std::size_t face = 0; face < faces; ++face)
-        changed = static_cast<std::uint8_t>(changed | (impl_->highlights[face] ^ highlights[face]));
+    constexpr std::size_t block = 4096;
+    for (std::size_t begin = 0; begin < faces; begin += block) {
+        const std::size_t count = std::min(block, faces - begin);
+        if (std::memcmp(&impl_->highlights[begin], &highlights[begin], count) == 0) continue;
+        for (std::size_t face = begin; face < begin + count; ++face)
+            changed = static_cast<std::uint8_t>(changed | (impl_->highlights[face] ^ highlights[face]));
+    }
     if (changed == 0) return;
     std::copy_n(highlights.begin(), faces, impl_->highlights.begin());
     impl_->highlights_shown = std::any_of(impl_->highlights.begin(), impl_->highlights.end(),

@@ -6,49 +6,111 @@
 namespace slipface {
 namespace {
 
-// Leaves `common` set while all faces have the same value; the first face decides.
+// A value that the summary shows if every face has it. Its name is looked up once at the end.
 template <class T>
-void agree(std::optional<T>& common, const T& value, bool first) {
-    if (first)
-        common = value;
-    else if (common && *common != value)
+class Common {
+  public:
+    explicit Common(T first) : value_(first) {}
+    void add(T value) { differs_ |= static_cast<unsigned>(value) ^ static_cast<unsigned>(value_); }
+    std::optional<T> agreed() const { return differs_ == 0 ? std::optional<T>(value_) : std::nullopt; }
+
+  private:
+    T value_;
+    unsigned differs_ = 0;  // bits
+};
+
+// Joins what two parts of the geometry have in common; the first part decides.
+template <class T, class Value>
+void join(std::optional<T>& common, const std::optional<Value>& value, bool first) {
+    if (first && value)
+        common = *value;
+    else if (!value || !common || *common != *value)
         common.reset();
+}
+
+void summarize_paint(const Document& document, std::span<const FaceId> faces, FaceSummary& summary) {
+    std::optional<Common<SurfaceId>> surface;
+    std::optional<Common<SurfaceSource>> source;
+    for (const FaceId face : faces) {
+        if (!document.paint_of(face)) continue;
+        if (summary.painted++ == 0) {
+            surface.emplace(document.unpainted(face));
+            source.emplace(document.unpainted_source(face));
+        }
+        surface->add(document.unpainted(face));
+        source->add(document.unpainted_source(face));
+    }
+    if (summary.painted == 0) return;
+    summary.unpainted = surface->agreed();
+    summary.unpainted_source = source->agreed();
+}
+
+// Of the faces' normals: y.
+struct Slopes {
+    float up_most = -2.0f, up_least = 2.0f;
+};
+
+// `faces` of one part.
+void summarize_part(const Document& document, const FacePart& part, std::span<const FaceId> faces,
+                    FaceSummary& summary, Slopes& slopes) {
+    const Mesh& mesh = *part.mesh;
+    const SurfaceParts& parts = document.resolved_parts();
+    const bool own = faces[0] < parts.own.surface.size();
+    const ResolvedSurfaces& resolved =
+        own ? parts.own : *parts.props[document.level().placed.prop_of(faces[0])];
+    const FaceId first = faces[0] - part.first;
+    Common material(mesh.face_material[first]), group(mesh.face_group[first]);
+    Common surface(resolved.surface[first]);
+    Common source(resolved.source[first]);
+    std::size_t triangles = 0;
+    double area = 0.0;
+    for (const FaceId number : faces) {
+        const FaceId face = number - part.first;
+        triangles += mesh.face_first_triangle[face + 1] - mesh.face_first_triangle[face];
+        area += static_cast<double>(part.facts.area[face]);
+        material.add(mesh.face_material[face]);
+        group.add(mesh.face_group[face]);
+        surface.add(resolved.surface[face]);
+        source.add(resolved.source[face]);
+        const Vec3f& normal = part.facts.normal[face];
+        if (normal.isZero(0.0f)) continue;
+        slopes.up_most = std::max(slopes.up_most, normal.y());
+        slopes.up_least = std::min(slopes.up_least, normal.y());
+    }
+    const bool is_first = summary.faces == 0;
+    summary.faces += faces.size();
+    summary.triangles += triangles;
+    summary.area += area;
+    join(summary.surface, surface.agreed(), is_first);
+    join(summary.source, source.agreed(), is_first);
+    const LevelMesh& level = document.level().mesh;
+    join(summary.material,
+         material.agreed() ? std::optional(level.material_of(faces[0])) : std::nullopt, is_first);
+    join(summary.group, group.agreed() ? std::optional(level.group_of(faces[0])) : std::nullopt, is_first);
 }
 
 }  // namespace
 
 FaceSummary summarize_faces(const Document& document, std::span<const FaceId> faces) {
+    // Selections are ascending.
+    while (!faces.empty() && faces.back() >= document.face_count())
+        faces = faces.first(faces.size() - 1);
     FaceSummary summary;
-    std::optional<std::string> material, group;
-    double up_most = -2.0, up_least = 2.0;  // the normals' y
-    for (const FaceId face : faces) {
-        if (face >= document.face_count()) continue;
-        const bool first = summary.faces == 0;
-        const FacePart& part = document.part_with(face);
-        const FaceId at = face - part.first;
-        ++summary.faces;
-        summary.triangles += part.mesh->face_first_triangle[at + 1] - part.mesh->face_first_triangle[at];
-        summary.area += static_cast<double>(part.facts.area[at]);
-        agree(material, document.level().mesh.material_of(face), first);
-        agree(group, document.level().mesh.group_of(face), first);
-        agree(summary.surface, document.surface_of(face), first);
-        agree(summary.source, document.source_of(face), first);
-        if (document.paint_of(face)) {
-            const bool first_painted = summary.painted++ == 0;
-            agree(summary.unpainted, document.unpainted(face), first_painted);
-            agree(summary.unpainted_source, document.unpainted_source(face), first_painted);
-        }
-        const Vec3f& normal = part.facts.normal[at];
-        if (normal.isZero(0.0f)) continue;
-        up_most = std::max(up_most, static_cast<double>(normal.y()));
-        up_least = std::min(up_least, static_cast<double>(normal.y()));
-        summary.has_slope = true;
+    if (faces.empty()) return summary;
+    Slopes slopes;
+    for (std::span<const FaceId> rest = faces; !rest.empty();) {
+        const FacePart& part = document.part_with(rest[0]);
+        const auto end = std::lower_bound(
+            rest.begin(), rest.end(), part.first + static_cast<FaceId>(part.mesh->face_count()));
+        const auto count = static_cast<std::size_t>(end - rest.begin());
+        summarize_part(document, part, rest.first(count), summary, slopes);
+        rest = rest.subspan(count);
     }
-    summary.material = std::move(material);
-    summary.group = std::move(group);
+    summarize_paint(document, faces, summary);
+    summary.has_slope = slopes.up_most >= slopes.up_least;
     if (summary.has_slope) {
-        summary.slope_min = std::acos(std::clamp(up_most, -1.0, 1.0));
-        summary.slope_max = std::acos(std::clamp(up_least, -1.0, 1.0));
+        summary.slope_min = std::acos(std::clamp(static_cast<double>(slopes.up_most), -1.0, 1.0));
+        summary.slope_max = std::acos(std::clamp(static_cast<double>(slopes.up_least), -1.0, 1.0));
     }
     return summary;
 }

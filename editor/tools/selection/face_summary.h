@@ -24,7 +24,7 @@ struct FaceSummary {
     std::optional<SurfaceSource> unpainted_source;
 };
 
-// Ignores faces that are not in the level.
+// `faces`: ascending. Ignores those that are not in the level.
 FaceSummary summarize_faces(const Document& document, std::span<const FaceId> faces);
 
 }  // namespace slipface

@@ -101,7 +101,7 @@ bool gather_leaf(const Leaf& leaf, const LaneBox& box, NearTriangles& out) {
     Lanes v[9];
     lanes_of_leaf(leaf, v);
     const std::uint32_t mask = box.intersect(LeafRows(v)) & present(leaf);
-    const auto more = static_cast<std::uint32_t>(__builtin_popcount(mask));
+    const std::uint32_t more = lane_count(mask);
     if (out.count + more > near_capacity) return false;
     const auto* ids = reinterpret_cast<const std::uint32_t*>(&leaf + 1) + std::size_t{3} * leaf.vertices;
     for (int row = 0; row < 9; ++row)

@@ -34,7 +34,10 @@ struct Flight {
 class Wave {
   public:
     Wave(const CollisionWorld& world, std::span<const Sweep> sweeps, std::span<std::optional<Contact>> out)
-        : world_(world), sweeps_(sweeps), out_(out) {}
+        : world_(world),
+          sweeps_(sweeps),
+          out_(out),
+          small_(world.impl().bvh.view_bytes() < kernels().wave_worth) {}
 
     // Adds a sweep to the wave, or computes it at once if it cannot join.
     void add(std::size_t number) {
@@ -43,6 +46,10 @@ class Wave {
         const CollisionWorld::Impl& world = world_.impl();
         out_[number].reset();
         if (world.empty() || is_zero(move)) return;
+        if (small_ && largest(move) > 2.0 * largest(radii)) {
+            out_[number] = sweep_alone(number);
+            return;
+        }
         WaveSweep& part = parts_[count_];
         EllipsoidQuery query;
         const Prepared prepared = kernels().prepare_sweep(world.extent, radii, from, move, query, part.path);
@@ -58,7 +65,8 @@ class Wave {
         }
         // The first part covers the surroundings of the body, but is long enough that few parts follow.
         part.from = 0.0F;
-        part.to = std::clamp(static_cast<float>(largest(radii) / largest(move)), 1e-3F, time_limit(1.0));
+        part.to =
+            std::clamp(static_cast<float>(2.0 * largest(radii) / largest(move)), 1e-3F, time_limit(1.0));
         of_[count_] = count_;
         if (++count_ == wave_sweeps) finish();
     }
@@ -88,7 +96,7 @@ class Wave {
                 const float to = parts_[k].to;
                 if (left != k) parts_[left] = parts_[k];
                 parts_[left].from = to;
-                parts_[left].to = std::min(2.0F * to, end);
+                parts_[left].to = std::min(3.0F * to, end);
                 of_[left++] = of_[k];
             }
             active = left;
@@ -134,6 +142,7 @@ class Wave {
     const CollisionWorld& world_;
     std::span<const Sweep> sweeps_;
     std::span<std::optional<Contact>> out_;
+    bool small_;
     std::uint32_t count_ = 0;
     std::array<std::optional<Flight>, wave_sweeps> flights_;
     std::array<WaveSweep, wave_sweeps> parts_;     // of the sweeps in progress

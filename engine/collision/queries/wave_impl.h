@@ -83,7 +83,7 @@ struct WavePairs {
             sweep[size + k] = number;
         for (std::uint32_t k = 0; k < 8; ++k)
             leaf[size + k] = index;
-        size += static_cast<std::uint32_t>(__builtin_popcount(mask));
+        size += lane_count(mask);
     }
     LaneVec path_row(int row, std::uint32_t first) const {
         return {Lanes::load(path[row] + first), Lanes::load(path[row + 1] + first),

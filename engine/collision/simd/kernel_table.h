@@ -9,8 +9,9 @@
 namespace slipface::detail {
 namespace {
 
-constexpr Kernels kernel_table(const char* name) {
+constexpr Kernels kernel_table(const char* name, std::size_t wave_worth) {
     return {.name = name,
+            .wave_worth = wave_worth,
             .prepare_sweep = prepare_sweep_kernel,
             .sweep = sweep_kernel,
             .wave = wave_kernel,

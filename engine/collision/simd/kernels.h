@@ -106,6 +106,9 @@ using Consider = float (*)(void* context, const Leaf& leaf, std::uint32_t lane);
 
 struct Kernels {
     const char* name;
+    // Bytes of a tree below which sweeps longer than a body are faster alone than in a wave: with little
+    // memory to wait for, a wave wins only by registers that pick lanes.
+    std::size_t wave_worth;
     // Prepares a sweep; `move` may be 0. `query` is unset for `beside`, `path` is set only for `in_floats`.
     Prepared (*prepare_sweep)(const WorldExtent& world, const V3& radii, const V3& from, const V3& move,
                               EllipsoidQuery& query, SweepPath& path);

@@ -3,7 +3,7 @@
 
 namespace slipface::detail {
 
-constinit const Kernels avx2_kernels = kernel_table("avx2");
+constinit const Kernels avx2_kernels = kernel_table("avx2", 0);
 
 }  // namespace slipface::detail
 

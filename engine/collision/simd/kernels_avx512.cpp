@@ -3,7 +3,7 @@
 
 namespace slipface::detail {
 
-constinit const Kernels avx512_kernels = kernel_table("avx512");
+constinit const Kernels avx512_kernels = kernel_table("avx512", 0);
 
 }  // namespace slipface::detail
 

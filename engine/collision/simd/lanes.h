@@ -269,6 +269,43 @@ inline void lanes_of_leaf(const Leaf& leaf, Lanes (&to)[9]) {
 
 #endif
 
+#if !defined(__AVX512VL__)
+// [mask] the lanes of the mask, then any.
+struct LanesOfMasks {
+    alignas(64) std::uint8_t lane[256][8] = {};
+    std::uint8_t count[256] = {};
+};
+inline constexpr LanesOfMasks lanes_of_masks = [] {
+    LanesOfMasks table;
+    for (int mask = 0; mask < 256; ++mask) {
+        int count = 0;
+        for (int lane = 0; lane < 8; ++lane)
+            if ((mask >> lane & 1) != 0) table.lane[mask][count++] = static_cast<std::uint8_t>(lane);
+        table.count[mask] = static_cast<std::uint8_t>(count);
+    }
+    return table;
+}();
+// Writes the lanes of `mask`, and then any, to `to`: four or eight, because a loop over the lanes that are
+// set ends where no processor predicts.
+template <class T>
+inline void copy_lanes(const T* from, std::uint32_t mask, T* to) {
+    const std::uint8_t* lane = lanes_of_masks.lane[mask];
+    for (int k = 0; k < 4; ++k)
+        to[k] = from[lane[k]];
+    if (lane[4] == 0) return;
+    for (int k = 4; k < 8; ++k)
+        to[k] = from[lane[k]];
+}
+#endif
+
+inline std::uint32_t lane_count(std::uint32_t mask) {
+#if defined(__POPCNT__)
+    return static_cast<std::uint32_t>(__builtin_popcount(mask));
+#else
+    return lanes_of_masks.count[mask];
+#endif
+}
+
 // Appends the children of `mask` to a list of `size` entries that has room for eight more; returns the new
 // size.
 inline std::uint32_t append_children(const BvhNode& node, std::uint32_t mask, std::uint32_t* list,
@@ -277,13 +314,15 @@ inline std::uint32_t append_children(const BvhNode& node, std::uint32_t mask, st
     const __m256i children = _mm256_load_si256(reinterpret_cast<const __m256i*>(node.child));
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(list + size),
                         _mm256_maskz_compress_epi32(static_cast<__mmask8>(mask), children));
-    return size + static_cast<std::uint32_t>(__builtin_popcount(mask));
+    return size + lane_count(mask);
+#elif defined(__AVX2__)
+    const __m256i children = _mm256_load_si256(reinterpret_cast<const __m256i*>(node.child));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(list + size),
+                        _mm256_permutevar8x32_epi32(children, lane_vertices(lanes_of_masks.lane[mask])));
+    return size + lane_count(mask);
 #else
-    for (int k = 0; k < 8; ++k) {
-        list[size] = node.child[k];
-        size += mask >> k & 1U;
-    }
-    return size;
+    copy_lanes(node.child, mask, list + size);
+    return size + lane_count(mask);
 #endif
 }
 
@@ -291,11 +330,12 @@ inline std::uint32_t append_children(const BvhNode& node, std::uint32_t mask, st
 inline void append(Lanes lanes, std::uint32_t mask, float* to) {
 #if defined(__AVX512VL__)
     _mm256_storeu_ps(to, _mm256_maskz_compress_ps(static_cast<__mmask8>(mask), lanes.v));
+#elif defined(__AVX2__)
+    _mm256_storeu_ps(to, _mm256_permutevar8x32_ps(lanes.v, lane_vertices(lanes_of_masks.lane[mask])));
 #else
     float all[8];
     lanes.store(all);
-    for (; mask != 0; mask &= mask - 1)
-        *to++ = all[__builtin_ctz(mask)];
+    copy_lanes(all, mask, to);
 #endif
 }
 inline void append(const std::uint32_t* numbers, std::uint32_t mask, std::uint32_t* to) {
@@ -303,9 +343,12 @@ inline void append(const std::uint32_t* numbers, std::uint32_t mask, std::uint32
     const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(numbers));
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
                         _mm256_maskz_compress_epi32(static_cast<__mmask8>(mask), all));
+#elif defined(__AVX2__)
+    const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(numbers));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
+                        _mm256_permutevar8x32_epi32(all, lane_vertices(lanes_of_masks.lane[mask])));
 #else
-    for (; mask != 0; mask &= mask - 1)
-        *to++ = numbers[__builtin_ctz(mask)];
+    copy_lanes(numbers, mask, to);
 #endif
 }
 

@@ -53,6 +53,8 @@ struct Bvh {
     LeafTriangle triangle(TriangleId id) const {
         return leaf_triangle(leaf_at(slots[id] / leaf_capacity), slots[id] % leaf_capacity);
     }
+    // What queries read.
+    std::size_t view_bytes() const { return nodes.size() * sizeof(BvhNode) + leaves.size(); }
     TreeView view() const { return {nodes.empty() ? nullptr : nodes.data(), leaves.data()}; }
 };
 
