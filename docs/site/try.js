@@ -4,8 +4,8 @@
   // A picture's address, and the link (docs/scripting.md, "Links") that shows what is on it; $1 is the group's text.
   const views = [
     [/\/hacks\/([\w-]+)-on\.png$/, "demo=$1&only=view"],
-    [/\/reach\/([\w-]+)\.png$/, "level=$1&reach=15&only=reach"],
-    [/\/images\/probe\.png$/, "demo=nudge&probe=0,1,0,4,1,0&only=probe"],
+    [/\/reach\/([\w-]+)\.png$/, "level=$1&camera=iso&reach=15&only=reach"],
+    [/\/images\/probe\.png$/, "demo=step-up&camera=5.5,3.2,4.2,0.3,0.7,-0.6&probe=1.2,1.4,2.2,0.2,0.9,-2.2&only=probe"],
   ];
   const script = document.currentScript;
   const web = new URL("../../web/index.html", script.src);

@@ -20,6 +20,7 @@ class Background {
     Background(std::function<T(Progress&)> work, std::function<void()> done)
         : shared_(std::make_shared<Shared>()),
           thread_([shared = shared_, work = std::move(work), done = std::move(done)] {
+              std::this_thread::yield();  // in a page: this thread is one to be cut into slices
               T result =
                   work(shared->progress);  // a named result: GCC 12 wrongly reports a deleted temporary
               shared->result.emplace(std::move(result));

@@ -22,6 +22,7 @@ struct Link {
     const DemoInfo* demo = nullptr;
     fs::path level{};
     std::optional<std::pair<Vec3, Vec3>> camera{}, probe{};
+    std::string view{};  // of `camera`, if that has no points
     std::optional<double> reach_s{};
     bool focus = false;  // all but the view and `only` is hidden
     std::optional<PanelId> only{};
@@ -65,10 +66,17 @@ std::optional<std::pair<Vec3, Vec3>> two_points(std::string_view value) {
     return std::pair(*first, *second);
 }
 
-template <std::optional<std::pair<Vec3, Vec3>> Link::*Member>
-Status read_points(Link& link, std::string_view value) {
-    link.*Member = two_points(value);
-    if (!(link.*Member)) return bad("expected two points X,Y,Z,X,Y,Z, found \"" + std::string(value) + "\"");
+Status read_camera(Link& link, std::string_view value) {
+    link.camera = two_points(value);
+    link.view = value;
+    if (link.camera || named_view(value, {}, 1.0)) return {};
+    return bad("expected a view such as iso or top, or two points X,Y,Z,X,Y,Z, found \"" +
+               std::string(value) + "\"");
+}
+
+Status read_probe(Link& link, std::string_view value) {
+    link.probe = two_points(value);
+    if (!link.probe) return bad("expected two points X,Y,Z,X,Y,Z, found \"" + std::string(value) + "\"");
     return {};
 }
 
@@ -96,10 +104,9 @@ constexpr Row rows[] = {
     {{"capsule", "SIZE.DATA", "A run: opens its level at its tick, with Why"}, read_capsule},
     {{"demo", "step-up", "The demo of a movement hack"}, read_demo},
     {{"level", "easy", "A level that comes with Slipface"}, read_level},
-    {{"camera", "X,Y,Z,X,Y,Z", "Where the camera is, and where it looks, in metres"},
-     read_points<&Link::camera>},
-    {{"probe", "X,Y,Z,X,Y,Z", "The sweep probe, pulled from the first point to the second"},
-     read_points<&Link::probe>},
+    {{"camera", "X,Y,Z,X,Y,Z", "Where the camera is, and where it looks, in metres; or a view of all: iso"},
+     read_camera},
+    {{"probe", "X,Y,Z,X,Y,Z", "The sweep probe, pulled from the first point to the second"}, read_probe},
     {{"reach", "SECONDS", "A search for all that the player can reach"}, read_reach},
     {{"only", "PANEL", "Only the view and this panel are shown, or the view alone: only=view"}, read_only},
 };
@@ -146,8 +153,11 @@ Status open_shipped(Editor& editor, const fs::path& level) {
     return {};
 }
 
+constexpr double usual_aspect = 1.5;  // of a view beside a panel
+
 void act(Editor& editor, const Link& link) {
     if (link.probe) {
+        editor.lab.close();  // its paths would cover the sweep
         editor.tool = Tool::probe;
         editor.probe = {
             .placed = true, .from = link.probe->first, .move = link.probe->second - link.probe->first};
@@ -155,6 +165,8 @@ void act(Editor& editor, const Link& link) {
         if (!link.camera) go_to_position(editor, link.probe->first);
     }
     if (link.camera) editor.view.look_at(link.camera->first, link.camera->second);
+    if (const auto all = named_view(link.view, editor.document->mesh().bounds, usual_aspect))
+        editor.view.look_at(all->eye, all->target);
     if (link.reach_s) {
         ReachSettings settings;
         settings.duration_s = *link.reach_s;
