@@ -20,6 +20,7 @@
 #include "slipface/mesh/scene_child.h"
 #include "snapshot_verb/snapshot_verb.h"
 #include "tools/commands/docs.h"
+#include "tools/lab/link.h"
 
 namespace slipface {
 namespace {
@@ -44,15 +45,18 @@ int show_images(const fs::path& level, const Error& reason) {
     return cli::exit_fine;
 }
 
-int open_editor(const fs::path& level, float scale) {
-    if (!level.empty()) {
-        std::error_code error;
-        if (!fs::exists(level, error))
-            return complain({level.string(), "no such file; expected a level"}, cli::exit_bad_input);
-    }
-    const Status status =
-        run_window({.level = level, .config = config_folder(), .state = state_folder(), .scale = scale});
-    return status.ok() ? cli::exit_fine : show_images(level, status.error());
+// `what`: a level or a link; empty: none.
+int open_editor(const std::string& what, float scale) {
+    WindowOptions options{.config = config_folder(), .state = state_folder(), .scale = scale};
+    std::error_code error;
+    if (is_link(what))
+        options.link = what;
+    else
+        options.level = what;
+    if (!options.level.empty() && !fs::exists(options.level, error))
+        return complain({what, "no such file; expected a level"}, cli::exit_bad_input);
+    const Status status = run_window(options);
+    return status.ok() ? cli::exit_fine : show_images(options.level, status.error());
 }
 
 void print_warnings(const Warnings& warnings) {
@@ -80,6 +84,10 @@ class WarningPrinter {
     Warnings of_textures_;
 };
 
+std::string level_or_link_help() {
+    return cli::level_help() + "; or a link (docs/web.md), or a file *.link with one";
+}
+
 struct EditArguments {
     std::string level, script, screenshot, state, size = "1280x720";
     double scale = 0.0;
@@ -100,7 +108,10 @@ int edit_headless(const EditArguments& arguments) {
     if (!host) return complain(host.error(), cli::exit_bad_input);
     Editor& editor = (*host)->editor();
     WarningPrinter warnings(editor);
-    if (!arguments.level.empty()) {
+    if (is_link(arguments.level)) {
+        if (const Status opened = open_link(editor, arguments.level); !opened)
+            return complain(opened.error(), cli::exit_bad_input);
+    } else if (!arguments.level.empty()) {
         open_level(editor, arguments.level);
         if (editor.message) return complain({"", editor.message->text}, cli::exit_bad_input);
         (*host)->frame();
@@ -127,7 +138,7 @@ int edit_headless(const EditArguments& arguments) {
 void add_edit_verb(CLI::App& app, int& exit_code) {
     auto arguments = std::make_shared<EditArguments>();
     CLI::App* const verb = app.add_subcommand("edit", "Open the editor, or run it off-screen with a script");
-    verb->add_option("level", arguments->level, cli::level_help());
+    verb->add_option("level", arguments->level, level_or_link_help());
     verb->add_flag("--headless", arguments->headless, "Draw off-screen, without a window");
     verb->add_option("--script", arguments->script, "Script to run (docs/scripting.md); implies --headless");
     verb->add_option("--screenshot", arguments->screenshot, "PNG to write at the end; implies --headless");
@@ -212,7 +223,7 @@ int run(int argument_count, char** arguments) {
         "Exit codes: 0 fine, 1 a check failed, 2 bad input, 64 bad usage.\nTo open a level with the name of "
         "a verb, write ./NAME.");
     std::string level;
-    app.add_option("level", level, cli::level_help());
+    app.add_option("level", level, level_or_link_help());
     int exit_code = cli::exit_fine;
     add_edit_verb(app, exit_code);
     add_snapshot_verb(app, exit_code);

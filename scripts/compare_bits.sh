@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # compare_bits.sh [BUILD...]: runs every demo and its walkers in each build under build/, on one thread and on four and with
-# each of the processor's kernels, and compares every hash. Without arguments: all that are built of release (gcc -O2), clang
-# (-O0), debug (gcc -O0), o3, clang-o3, asan, scalar (Eigen without vector instructions), arm64 (under qemu, see compare_arm64.sh),
-# web and web-plain (WebAssembly with and without vector instructions, in node, see compare_web.sh).
+# each of the processor's kernels, compares every hash, and prints a digest of them. Without arguments: all that are built of
+# release (gcc -O2), clang (-O0), debug (gcc -O0), o3, clang-o3, asan, scalar (Eigen without vector instructions), arm64 (under
+# qemu, see compare_arm64.sh), web and web-plain (WebAssembly with and without vector instructions, in node, see compare_web.sh).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 builds=("$@")
@@ -33,7 +33,7 @@ compare() { # compare BUILD THREADS [KERNELS]: kernels that the processor lacks 
         diff <(echo "$first") <(echo "$hashes") >&2
         exit 1
     fi
-    echo "$name: $(echo "$hashes" | wc -l) demos, the same bits"
+    echo "$name: $(echo "$hashes" | wc -l) demos, the same bits, $(echo "$hashes" | sha256sum | cut -c 1-16)"
 }
 for build in "${builds[@]}"; do
     compare "$build" 1

@@ -13,6 +13,8 @@
 #include "keys.h"
 #include "widgets/imgui_compat.h"
 
+extern "C" int page_suspends_calls();  // one_thread.cpp
+
 namespace slipface {
 namespace {
 
@@ -308,7 +310,10 @@ Status start_page(const PageOptions& options) {
         app.state = options.home / ".state";
     }
     self.scale = options.scale;
-    self.app = std::make_unique<App>(app);  // without `wake`: work is done at once, on the page's one thread
+    // Without `wake` work is done at once.
+    if (page_suspends_calls() != 0) app.wake = page_needs_frames;
+    self.app = std::make_unique<App>(app);
+    self.app->editor().session.shipped_levels = "/assets/levels";  // those below ~ may have been changed
     ui::fill_key_map();
     ui::feed_without_trickling();
     ImGuiIO& io = ImGui::GetIO();

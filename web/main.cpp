@@ -7,7 +7,10 @@
 #include "app/parts.h"
 #include "host.h"
 #include "slipface/scenes/demo.h"
+#include "tools/lab/audit_job.h"
 #include "tools/lab/lab_actions.h"
+#include "tools/lab/link.h"
+#include "tools/lab/reach_job.h"
 #include "tools/lab/run_link.h"
 #include "widgets/ui.h"
 
@@ -38,6 +41,17 @@ nlohmann::json state_of(Editor& editor) {
         state["ticks"] = editor.lab.ticks();
         if (const auto repeats = editor.lab.repeats()) state["repeats"] = *repeats;
     }
+    const auto work = [](bool running, double fraction, std::size_t found) {
+        return nlohmann::json{{"running", running}, {"fraction", fraction}, {"found", found}};
+    };
+    if (const AuditJob* const job = editor.audit.get())
+        state["audit"] =
+            work(job->running(), job->progress(), job->report() ? job->report()->findings.size() : 0);
+    if (const ReachJob* const job = editor.reach.get())
+        state["reach"] =
+            work(job->running(), job->progress(), job->report() ? job->report()->reached.size() : 0);
+    if (editor.probe.placed)
+        state["probe"] = {editor.probe.move.x(), editor.probe.move.y(), editor.probe.move.z()};
     if (!editor.document) return state;
     const Document& document = *editor.document;
     state["level"] = document.level().mesh_path.string();
@@ -103,11 +117,10 @@ EMSCRIPTEN_KEEPALIVE const char* slipface_link() {
     return slipface::answer(app == nullptr ? "" : slipface::link_to_run(app->editor()));
 }
 
-// Shows the view of the lab's run alone, playing over and over, for a page that has this one in a frame.
-EMSCRIPTEN_KEEPALIVE void slipface_view_only() {
+// Plays the lab's run over and over, for a page that has this one in a frame.
+EMSCRIPTEN_KEEPALIVE void slipface_loop() {
     slipface::App* const app = slipface::page_app();
     if (app == nullptr) return;
-    app->editor().layout.focus_on({});
     app->editor().lab.loop = true;
     app->editor().lab.motion = slipface::LabMotion::forward;
     slipface::page_needs_frames();

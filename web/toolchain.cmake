@@ -9,6 +9,6 @@ if(SLIPFACE_WEB_SIMD)
     string(APPEND CMAKE_C_FLAGS_INIT " -msimd128")
 endif()
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES SLIPFACE_WEB_SIMD)
-# A browser has no threads for a page that its server does not isolate, so std::thread runs its function at once
+# A browser has no threads for a page that its server does not isolate: std::thread is a call on the page's one thread
 # (one_thread.cpp).
-set(CMAKE_EXE_LINKER_FLAGS_INIT "-fwasm-exceptions -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sINITIAL_MEMORY=64MB -sTOTAL_STACK=2MB -Wl,--wrap=pthread_create,--wrap=pthread_join,--wrap=pthread_detach")
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-fwasm-exceptions -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sINITIAL_MEMORY=64MB -sTOTAL_STACK=2MB -Wl,--wrap=pthread_create,--wrap=pthread_join,--wrap=pthread_detach,--wrap=sched_yield")

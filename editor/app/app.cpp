@@ -12,6 +12,7 @@
 #include "app/scene_view.h"
 #include "app/ui_renderer.h"
 #include "panels/viewport_panel.h"
+#include "tools/lab/link.h"
 #include "widgets/imgui_compat.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
@@ -161,7 +162,11 @@ void App::key_pressed(const KeyPress& press) {
 }
 
 void App::drop_file(const std::filesystem::path& path) {
-    if (!dialog_is_open(impl_->editor)) request_open(impl_->editor, path);
+    Editor& editor = impl_->editor;
+    if (dialog_is_open(editor)) return;
+    if (!is_link(path.string())) return request_open(editor, path);
+    if (const Status opened = open_link(editor, path.string()); !opened)
+        editor.message = MessageDialog{"Cannot open the link", opened.error().text(), {}};
 }
 
 double App::tick(double now_s, bool& shown_changed) {

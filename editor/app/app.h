@@ -37,9 +37,9 @@ class App {
     Editor& editor();
 
     void key_pressed(const KeyPress& press);
-    void drop_file(const std::filesystem::path& path);
-    void focus_lost();            // releases every held key
-    void set_scale(float scale);  // pixels per design pixel, from the next frame on
+    void drop_file(const std::filesystem::path& path);  // a level, or a link (*.link)
+    void focus_lost();                                  // releases every held key
+    void set_scale(float scale);                        // pixels per design pixel, from the next frame on
     // Does the background work that is due. Returns after how many seconds to call again at the latest; sets
     // `shown_changed` if a frame is needed. Draws nothing.
     double tick(double now_s, bool& shown_changed);

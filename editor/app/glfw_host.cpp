@@ -17,6 +17,7 @@
 #include "app/app.h"
 #include "app/glfw_keys.h"
 #include "app/parts.h"
+#include "tools/lab/link.h"
 #include "tools/review/review.h"
 
 namespace slipface {
@@ -339,6 +340,9 @@ Status run_window(const WindowOptions& options) {
         ImGui_ImplGlfw_InitForOpenGL(window.handle, true);
         window.app = &app;
         if (!options.level.empty()) start_loading(app.editor(), options.level);
+        if (!options.link.empty())
+            if (const Status opened = open_link(app.editor(), options.link); !opened)
+                app.editor().message = MessageDialog{"Cannot open the link", opened.error().text(), {}};
         if (!options.review.empty()) open_review(app.editor(), options.review);
         run_loop(window);
         remember_window(window.handle, app.editor().session.preferences);

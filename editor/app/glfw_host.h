@@ -10,6 +10,7 @@ namespace slipface {
 
 struct WindowOptions {
     std::filesystem::path level{};   // opened at once; empty: none
+    std::string link{};              // likewise
     std::filesystem::path config{};  // folder for preferences and recent files
     std::filesystem::path state{};   // folder for autosaves
     std::filesystem::path review{};  // a snapshot report to review; empty: none

@@ -10,6 +10,7 @@
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
 #include "tools/lab/audit_job.h"
+#include "tools/lab/link.h"
 #include "tools/lab/reach_job.h"
 #include "tools/review/review.h"
 
@@ -312,7 +313,15 @@ std::string script_verbs_markdown() {
         text += fmt::format("| `{}` | {}{}{} | {} |\n", verb.name, arguments.empty() ? "" : "`", arguments,
                             arguments.empty() ? "" : "`", verb.meaning);
     }
-    return text + "\n## What can be expected\n\n" + expectations_markdown();
+    text += "\n## What can be expected\n\n" + expectations_markdown();
+    text +=
+        "\n## Links\n\n"
+        "What stands behind the `#` of the address of Slipface as a page (docs/web.md) opens a view: "
+        "`#level=easy&reach=15&only=reach`. `slipface edit` takes the same in place of a level.\n\n"
+        "| part | value | what it shows |\n|---|---|---|\n";
+    for (const LinkPart& part : link_parts())
+        text += fmt::format("| `{}=` | {} | {} |\n", part.name, part.value, part.meaning);
+    return text;
 }
 
 Result<std::vector<ScriptLine>> parse_script(std::string_view text, const std::string& location) {

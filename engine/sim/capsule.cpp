@@ -11,7 +11,8 @@
 namespace slipface {
 namespace {
 
-constexpr std::string_view scheme = "capsule=", first_line = "slipface-capsule 1\n";
+constexpr std::string_view scheme = "capsule=", first_line = "slipface-capsule 1\n",
+                           with_base = "slipface-capsule 2\n";
 // RFC 4648, section 5: base64 for addresses, here without padding.
 constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 
@@ -69,9 +70,10 @@ std::string capsule_text(const Capsule& capsule) {
     std::string level = capsule.level;
     for (char& c : level)
         if (c == '\n') c = ' ';
-    const std::string bytes =
-        fmt::format("{}level {}\ntick {}\ntape {}\n{}{}", first_line, level, capsule.tick,
-                    capsule.tape.size(), capsule.tape, capsule.level_file);
+    const std::string bytes = fmt::format(
+        "{}level {}\ntick {}\ntape {}\n{}{}{}", capsule.base.empty() ? first_line : with_base, level,
+        capsule.tick, capsule.tape.size(), capsule.base.empty() ? "" : "base " + capsule.base + "\n",
+        capsule.tape, capsule.level_file);
     return fmt::format("{}{}.{}", scheme, bytes.size(), to_base64(pack(bytes, pack_smallest)));
 }
 
@@ -92,15 +94,19 @@ Result<Capsule> parse_capsule(std::string_view text) {
     if (!bytes) return damaged("is cut off or altered; copy all of it");
 
     std::string_view rest = *bytes;
-    if (!rest.starts_with(first_line)) return damaged("is of another version; expected slipface-capsule 1");
+    const bool has_base = rest.starts_with(with_base);
+    if (!has_base && !rest.starts_with(first_line))
+        return damaged("is of another version; expected slipface-capsule 1 or 2");
     rest.remove_prefix(first_line.size());
     const auto level = take_line(rest, "level ");
     const std::int64_t tick = take_number(rest, "tick "), tape = take_number(rest, "tape ");
-    if (!level || tick < 0 || tape < 0 || static_cast<std::uint64_t>(tape) > rest.size())
-        return damaged("has no valid level, tick and tape");
+    const auto base = has_base ? take_line(rest, "base ") : std::string_view();
+    if (!level || tick < 0 || tape < 0 || !base || has_base == base->empty() ||
+        static_cast<std::uint64_t>(tape) > rest.size())
+        return damaged("has no valid level, tick, tape and base");
     const auto cut = static_cast<std::size_t>(tape);
     return Capsule{std::string(*level), static_cast<std::size_t>(tick), std::string(rest.substr(0, cut)),
-                   std::string(rest.substr(cut))};
+                   std::string(rest.substr(cut)), std::string(*base)};
 }
 
 }  // namespace slipface

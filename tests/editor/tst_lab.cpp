@@ -8,6 +8,7 @@
 #include "tools/commands/commands.h"
 #include "tools/lab/audit_job.h"
 #include "tools/lab/lab_actions.h"
+#include "tools/lab/link.h"
 #include "tools/lab/run_link.h"
 
 namespace slipface {
@@ -79,6 +80,60 @@ TEST_F(LabTest, ALinkOpensTheSameTickInTheSameLevelElsewhere) {
     EXPECT_THAT(open_link(other, link).error().text(), HasSubstr("unsaved changes"));
     EXPECT_THAT(open_link(other, "demo=none").error().text(), HasSubstr("no demo \"none\""));
     EXPECT_EQ(other.lab.cursor(), 57u) << "what fails changes nothing";
+}
+
+// Of a level that comes with the program a link holds only what differs.
+TEST_F(LabTest, ALinkToAShippedLevelIsShort) {
+    const std::filesystem::path shipped = std::filesystem::path(SLIPFACE_SOURCE_DIR) / "assets/levels";
+    open_level(editor, shipped / "playground.obj");
+    editor.session.shipped_levels = shipped;
+    record();
+    EXPECT_LT(link_to_run(editor).size(), 1500u);
+    set("walk_speed=5.123456789");
+    editor.document->paint(std::array<FaceId, 3>{10, 700, 701}, SurfaceId{2});
+    record();
+    const std::uint64_t hash = lab.runs()[0].run.hash();
+    const std::string link = link_to_run(editor);
+    EXPECT_LT(link.size(), 2000u);
+
+    Editor other;
+    open_level(other, shipped / "playground.obj");
+    const std::string before = level_to_json(other.document->level());
+    other.session.shipped_levels = folder;
+    EXPECT_THAT(open_link(other, link).error().text(), HasSubstr("this program came without it"));
+    ASSERT_TRUE(write_file_atomic(folder / "playground.slipface.json", before + " "));
+    EXPECT_THAT(open_link(other, link).error().text(),
+                HasSubstr("another version of the level playground.obj"));
+    EXPECT_EQ(level_to_json(other.document->level()), before);
+    other.session.shipped_levels = shipped;
+    ASSERT_TRUE(write_file_atomic(folder / "run.link", "https://example.org/slipface/#" + link + "\n"));
+    const Status opened = open_link(other, (folder / "run.link").string());
+    ASSERT_TRUE(opened) << opened.error().text();
+    EXPECT_EQ(other.lab.runs()[0].run.hash(), hash);
+    EXPECT_EQ(level_to_json(other.document->level()), level_to_json(editor.document->level()));
+}
+
+// A view for a page of the documents. What is wrong anywhere in it changes nothing.
+TEST_F(LabTest, ALinkOpensAViewByItsParts) {
+    const std::string before = level_to_json(editor.document->level());
+    EXPECT_THAT(open_link(editor, "level=none").error().text(), HasSubstr("there are: easy, hard, island"));
+    for (const char* const bad : {"level=easy&probe=1,2,3", "level=easy&camera=1,2,3,4,5,x",
+                                  "level=easy&camera=inside", "level=easy&reach=0", "level=easy&only=nothing",
+                                  "level=easy&x=1", "level=easy&", "easy", "", "#"}) {
+        EXPECT_FALSE(open_link(editor, bad)) << bad;
+        EXPECT_EQ(level_to_json(editor.document->level()), before) << bad;
+    }
+    editor.document->undo();
+    ASSERT_TRUE(open_link(editor, "level=easy&camera=1,2,3,4,5,6&probe=0,1,0,0,1,-2.5&reach=0.2&only=probe"));
+    EXPECT_EQ(editor.document->level().mesh_path.filename(), "easy.obj");
+    EXPECT_TRUE(editor.probe.placed && editor.tool == Tool::probe);
+    EXPECT_EQ(editor.probe.move, Vec3(0, 0, -2.5));
+    EXPECT_LT((editor.view.camera().eye - Vec3(1, 2, 3)).norm(), 1e-9);
+    EXPECT_EQ(editor.layout.focused, PanelId::probe);
+    EXPECT_TRUE(editor.reach);
+    for (const LinkPart& part : link_parts())
+        EXPECT_TRUE(is_link("https://example.org/#" + std::string(part.name) + "=x")) << part.name;
+    EXPECT_FALSE(is_link("levels/demo#1.obj"));
 }
 
 TEST_F(LabTest, ATapeIsSavedAndOpenedAgainWithTheSameBits) {

@@ -21,6 +21,7 @@ Capsule random_capsule(std::mt19937& random) {
     Capsule capsule{random_text(random, 30), random() % 100000, random_text(random, 3000),
                     random_text(random, 3000)};
     std::erase(capsule.level, '\n');
+    if (random() % 2 == 0) capsule.base = std::to_string(random());
     return capsule;
 }
 

@@ -152,8 +152,8 @@ async function add(files) {
   }
   const count = files.length === 1 ? files[0][0] : files.length + " files";
   say("Added " + count + " to " + folder.replace(home, "~"));
-  const capsule = files.find(([name]) => /\.link$/i.test(name));
-  if (capsule) open_capsule((await capsule[1].text()).trim());
+  const link = files.find(([name]) => /\.link$/.test(name));
+  if (link) open_file(folder + "/" + link[0]);
   else if (main && !beside) open_file(folder + "/" + main[0]);
   store.write();
 }
@@ -190,14 +190,14 @@ function list_files() {
 const state = () => ccall("slipface_state", "string", [], []);
 const open_file = (path) => ccall("slipface_open", null, ["string"], [path]);
 
-function open_capsule(text) {
-  const problem = ccall("slipface_open_link", "string", ["string"], [text]);
+function follow(link) {
+  const problem = ccall("slipface_open_link", "string", ["string"], [link]);
   if (problem) say(problem, true);
 }
 
-// The switch of a demo's hack, to press beside its run.
+// The switch of a demo's hack, to press beside its run, which is shown over and over.
 function show_switch(demo) {
-  ccall("slipface_view_only", null, [], []);
+  ccall("slipface_loop", null, [], []);
   const button = document.createElement("button");
   const current = () => ccall("slipface_switch", "string", ["string"], [demo]);
   if (!current()) return;
@@ -212,15 +212,27 @@ function show_switch(demo) {
   document.body.append(button);
 }
 
+// Messages, because a browser delays timers, in hidden tabs by a second.
+const turns = [], channel = new MessageChannel();
+channel.port1.onmessage = () => turns.shift()();
+
 // What the editor calls.
 const Slipface = {
+  // Threads as calls that are suspended (one_thread.cpp), if the browser can.
+  suspends: typeof WebAssembly.Suspending === "function" && typeof WebAssembly.promising === "function",
+  begin_call(call) { WebAssembly.promising(Module.asm.slipface_call)(call).catch((error) => keep_after_failure(error.message)); },
+  turn() { return new Promise((done) => { turns.push(done); channel.port2.postMessage(null); }); },
   copy(text) { navigator.clipboard.writeText(text).catch(() => say("The browser does not let this page copy", true)); },
   shown() {
     cover("");
     performance.mark("slipface first picture");
     element("canvas").focus();
-    if (location.hash.length > 1) open_capsule(location.hash.slice(1));
-    if (embedded) show_switch(location.hash.replace("#demo=", ""));
+    if (location.hash.length > 1) follow(location.hash);
+    const demo = location.hash.match(/[#&]demo=([^&]*)/);
+    if (embedded && demo) show_switch(demo[1]);
+    const going_on = !embedded && sessionStorage.getItem("go on");
+    sessionStorage.removeItem("go on");
+    if (going_on) open_file(going_on);
   },
   ended() { store.write().then(() => cover("Slipface has ended. Reload the page to start it again.")); },
 };
@@ -258,6 +270,17 @@ function keep() {
 var Module = {
   canvas: element("canvas"),
   setStatus(text) { const part = text.match(/\((\d+)\/(\d+)\)/); if (part) cover("Loading… " + Math.round((100 * part[1]) / part[2]) + " %"); },
+  instantiateWasm(imports, receive) {
+    if (Slipface.suspends) imports.env.page_turn = new WebAssembly.Suspending(imports.env.page_turn);
+    const read = async () => {
+      const response = await fetch("slipface.wasm");
+      if (!response.ok) throw new Error("slipface.wasm: " + response.status);
+      return WebAssembly.instantiate(await response.arrayBuffer(), imports);
+    };
+    WebAssembly.instantiateStreaming(fetch("slipface.wasm"), imports).catch(read) // a server may not know its type
+      .then(({ instance, module }) => receive(instance, module), (error) => cover("Slipface could not be loaded: " + error.message));
+    return {};
+  },
   onRuntimeInitialized() { start().catch((error) => cover("Slipface could not start: " + error.message)); },
   onAbort(what) {
     keep_after_failure(what);
@@ -272,12 +295,12 @@ addEventListener("error", (event) => { if (/wasm|RuntimeError|out of memory|abor
 addEventListener("visibilitychange", () => { if (document.visibilityState === "hidden") keep(); });
 addEventListener("pagehide", () => { keep(); });
 addEventListener("beforeunload", (event) => {
-  if (!Module.calledRun) return;
+  if (!Module.calledRun || leaving) return;
   keep();
   if (ccall("slipface_unsaved", "number", [], []) || store.failed) event.preventDefault();
 });
 addEventListener("paste", (event) => ccall("slipface_pasted", null, ["string"], [event.clipboardData.getData("text/plain")]));
-addEventListener("hashchange", () => { if (location.hash.length > 1) open_capsule(location.hash.slice(1)); });
+addEventListener("hashchange", () => { if (location.hash.length > 1) follow(location.hash); });
 addEventListener("contextmenu", (event) => { if (event.target === element("canvas")) event.preventDefault(); });
 addEventListener("dragover", (event) => { event.preventDefault(); document.body.classList.add("dropping"); });
 addEventListener("dragleave", () => document.body.classList.remove("dropping"));
@@ -287,10 +310,21 @@ addEventListener("drop", async (event) => {
   const files = await dropped(event.dataTransfer.items);
   if (files.length > 0) await add(files);
 });
-element("canvas").addEventListener("webglcontextlost", async (event) => {
+// When the browser gives the graphics back, the page begins anew with the level that was open, and offers the autosave.
+let leaving = false, kept = null;
+element("canvas").addEventListener("webglcontextlost", (event) => {
   event.preventDefault();
-  await keep();
-  cover("The browser has taken the graphics from this page.\nWhat was not saved is stored as an autosave. Reload the page to go on with it.");
+  sessionStorage.setItem("go on", JSON.parse(state()).level || "");
+  kept = keep();
+  kept.then(() => cover(store.database && !store.failed
+    ? "The browser has taken the graphics from this page.\nWhat was not saved is stored as an autosave. Reload the page to go on with it."
+    : "The browser has taken the graphics from this page, and your changes are NOT stored.\nPress Ctrl+S, then use Download… before you reload the page."));
+});
+element("canvas").addEventListener("webglcontextrestored", async () => {
+  await kept;
+  if (!embedded && (store.failed || !store.database) && ccall("slipface_unsaved", "number", [], [])) return;
+  leaving = true;
+  location.reload();
 });
 element("add").onclick = () => element("picker").click();
 element("picker").onchange = (event) => {

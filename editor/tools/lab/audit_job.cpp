@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "slipface/level/find_start.h"
@@ -38,77 +39,76 @@ std::string heat_text(HeatKind kind, double value) {
 std::shared_ptr<AuditJob> AuditJob::start(const Document& document, const AuditSettings& settings) {
     std::shared_ptr<AuditJob> job(new AuditJob);
     job->settings = settings;
-    job->level_ = document.level();
+    job->level_ = std::make_shared<Level>(document.level());
     job->face_revision_ = document.face_revision();
-    job->options_.walkers = static_cast<std::uint32_t>(std::clamp(settings.walkers, 1, 100000));
-    job->options_.duration_s = std::clamp(settings.duration_s, 1.0, 3600.0);
-    job->options_.seed = static_cast<std::uint64_t>(std::max(settings.seed, 0));
-    job->options_.heat = true;
-    job->everywhere_ = settings.everywhere;
-    AuditJob* const self = job.get();  // outlived: the destructor waits for the thread
-    job->thread_ = std::thread([self] {
-        Result<AuditReport> report = self->run();
-        if (report)
-            self->report_ = std::move(*report);
-        else
-            self->problem_ = report.error().text();
-        self->done_ = true;
-    });
+    job->work_ = std::make_unique<Background<Result<Audited>>>(
+        [level = job->level_, settings](Progress& progress) { return run(*level, settings, progress); },
+        std::function<void()>());
     return job;
 }
 
-Result<AuditReport> AuditJob::run() {
-    const Result<Start> start = settle_start(level_);
+Result<AuditJob::Audited> AuditJob::run(Level& level, const AuditSettings& settings, Progress& progress) {
+    AuditOptions options;
+    options.walkers = static_cast<std::uint32_t>(std::clamp(settings.walkers, 1, 100000));
+    options.duration_s = std::clamp(settings.duration_s, 1.0, 3600.0);
+    options.seed = static_cast<std::uint64_t>(std::max(settings.seed, 0));
+    options.heat = true;
+    const Result<Start> start = settle_start(level);
     if (!start) return start.error();
-    if (everywhere_) {
-        Result<ReachSearch> search = ReachSearch::begin(level_, start->position, {});
+    if (settings.everywhere) {
+        Result<ReachSearch> search = ReachSearch::begin(level, start->position, {});
         if (!search) return search.error();
         ReachLimits limits;
         limits.rounds = search_rounds;
-        search->run(limits, &search_);
-        auto starts = usable_starts(level_, search->standing_places(options_.walkers), options_.dt);
+        search->run(limits, &progress);
+        auto starts = usable_starts(level, search->standing_places(options.walkers), options.dt);
         if (!starts) return starts.error();
-        options_.starts = std::move(*starts);
+        options.starts = std::move(*starts);
     }
-    AuditOptions options = options_;
-    options.progress = [this](std::uint64_t steps) {
-        steps_ += steps;
-        return !cancelled_;
+    progress.begin("Walking", 0.0, 1.0);
+    const double all = options.walkers * std::ceil(options.duration_s / options.dt);
+    std::atomic<std::uint64_t> done{0};
+    AuditOptions watched = options;
+    watched.progress = [&](std::uint64_t steps) {
+        progress.advance(static_cast<double>(done += steps) / all);
+        return !progress.cancelled();
     };
-    return run_audit(level_, options);
+    Result<AuditReport> report = run_audit(level, watched);
+    if (!report) return report.error();
+    return Audited{std::move(options), std::move(*report)};
 }
 
-void AuditJob::cancel() {
-    cancelled_ = true;
-    search_.cancel();
+const AuditJob::Audited* AuditJob::audited() const {
+    const Result<Audited>* const result = work_->result();
+    return result != nullptr && *result ? &**result : nullptr;
 }
 
-AuditJob::~AuditJob() {
-    cancel();
-    if (thread_.joinable()) thread_.join();
+const AuditReport* AuditJob::report() const {
+    return audited() != nullptr ? &audited()->report : nullptr;
 }
 
-double AuditJob::progress() const {
-    const double all = options_.walkers * std::ceil(options_.duration_s / options_.dt);
-    return all > 0.0 ? std::min(1.0, static_cast<double>(steps_.load()) / all) : 0.0;
+std::string AuditJob::problem() const {
+    const Result<Audited>* const result = work_->result();
+    return result == nullptr || *result ? "" : result->error().text();
 }
 
 bool AuditJob::fits(const Document& document) const {
-    return level_.mesh == document.level().mesh && face_revision_ == document.face_revision();
+    return level_->mesh == document.level().mesh && face_revision_ == document.face_revision();
 }
 
 double AuditJob::value(HeatKind of, FaceId face) const {
-    const FaceHeat& heat = report_->heat[face];
+    const FaceHeat& heat = report()->heat[face];
     switch (of) {
         case HeatKind::lost_time:
             return heat.visits == 0
                        ? 0.0
                        : 1e-6 * static_cast<double>(heat.lost_us) / static_cast<double>(heat.visits);
-        case HeatKind::stuck: return static_cast<double>(heat.stuck) * options_.dt;
-        case HeatKind::missed_ground: return static_cast<double>(heat.missed_ground) * options_.dt;
-        case HeatKind::visited: return static_cast<double>(heat.stood) * options_.dt;
+        case HeatKind::stuck: return static_cast<double>(heat.stuck) * audited()->options.dt;
+        case HeatKind::missed_ground: return static_cast<double>(heat.missed_ground) * audited()->options.dt;
+        case HeatKind::visited: return static_cast<double>(heat.stood) * audited()->options.dt;
         case HeatKind::unreached: {
-            const bool walkable = face_normal(*level_.mesh, face).y() >= std::cos(level_.movement.max_slope);
+            const bool walkable =
+                face_normal(*level_->mesh, face).y() >= std::cos(level_->movement.max_slope);
             return walkable && heat.stood == 0 ? 1.0 : 0.0;
         }
     }
@@ -118,7 +118,7 @@ double AuditJob::value(HeatKind of, FaceId face) const {
 double AuditJob::worst(HeatKind of) const {
     double maximum = 0.0;
     if (!report()) return maximum;
-    for (std::size_t face = 0; face < report_->heat.size(); ++face)
+    for (std::size_t face = 0; face < report()->heat.size(); ++face)
         maximum = std::max(maximum, value(of, static_cast<FaceId>(face)));
     return maximum;
 }
@@ -131,7 +131,7 @@ const std::vector<float>& AuditJob::heat(const Document& document, HeatKind of) 
     }
     if (heat_kind_ == of) return heat_;
     heat_kind_ = of;
-    heat_.assign(report_->heat.size(), 0.0f);
+    heat_.assign(report()->heat.size(), 0.0f);
     const double maximum = worst(of);
     if (!(maximum > 0.0)) return heat_;
     // A few faces have most of the value; the square root makes the others visible.
@@ -141,7 +141,7 @@ const std::vector<float>& AuditJob::heat(const Document& document, HeatKind of) 
 }
 
 Tape AuditJob::tape_of(const AuditFinding& finding) const {
-    return audit_tape(level_, options_, finding);
+    return audit_tape(*level_, audited()->options, finding);
 }
 
 }  // namespace slipface

@@ -1,12 +1,10 @@
 // An audit that runs in a background thread, and its results.
 #pragma once
 
-#include <atomic>
 #include <memory>
-#include <thread>
 
+#include "document/background.h"
 #include "document/document.h"
-#include "slipface/base/progress.h"
 #include "slipface/sim/audit.h"
 
 namespace slipface {
@@ -34,16 +32,13 @@ class AuditJob {
   public:
     // Copies what it needs from the document and starts at once.
     static std::shared_ptr<AuditJob> start(const Document& document, const AuditSettings& settings);
-    ~AuditJob();
-    AuditJob(const AuditJob&) = delete;
-    AuditJob& operator=(const AuditJob&) = delete;
 
-    bool running() const { return !done_; }
-    double progress() const;  // 0..1
-    void cancel();
+    bool running() const { return !work_->ready(); }
+    double progress() const { return work_->progress().fraction(); }  // 0..1
+    void cancel() { work_->cancel(); }
     // After the end: the report; null if there is none, and then problem() says why.
-    const AuditReport* report() const { return done_ && report_ ? &*report_ : nullptr; }
-    const std::string& problem() const { return problem_; }
+    const AuditReport* report() const;
+    std::string problem() const;
     // True if the audited level is the open one and its geometry and surfaces have not changed.
     bool fits(const Document& document) const;
 
@@ -63,22 +58,21 @@ class AuditJob {
     std::optional<std::size_t> opened;  // finding that was opened last
 
   private:
+    struct Audited {
+        AuditOptions options;  // with the places where the walkers started
+        AuditReport report;
+    };
+
     AuditJob() = default;
-    Result<AuditReport> run();
+    static Result<Audited> run(Level& level, const AuditSettings& settings, Progress& progress);
+    const Audited* audited() const;
     double value(HeatKind kind, FaceId face) const;
 
-    Level level_;
-    AuditOptions options_;
+    std::shared_ptr<Level> level_;  // the work makes it begin where a player fits
     std::uint64_t face_revision_ = 0;
-    bool everywhere_ = false;
-    std::atomic<std::uint64_t> steps_{0};
-    std::atomic<bool> cancelled_{false}, done_{false};
-    Progress search_;  // of where the walkers start
-    std::optional<AuditReport> report_;
-    std::string problem_;
+    std::unique_ptr<Background<Result<Audited>>> work_;
     mutable std::optional<HeatKind> heat_kind_;
     mutable std::vector<float> heat_;
-    std::thread thread_;
 };
 
 }  // namespace slipface

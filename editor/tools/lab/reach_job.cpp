@@ -28,19 +28,18 @@ std::shared_ptr<ReachJob> ReachJob::start(const Document& document, const ReachS
                                           std::function<void()> wake, const ReachJob* before) {
     std::shared_ptr<ReachJob> job(new ReachJob);
     job->settings = settings;
-    job->level_ = document.level();
+    job->level_ = std::make_shared<Level>(document.level());
     job->face_revision_ = document.face_revision();
     job->spawns_ = all_spawns(document.level());
     if (before != nullptr) {
         job->view = before->view;
         job->show = before->show;
         // A search that was cut short says nothing of what was lost.
-        if (before->level_.mesh == job->level_.mesh)
+        if (before->level_->mesh == job->level_->mesh)
             job->before_ = before->cancelled_ ? before->before_ : before->report_;
     }
-    Level* const level = &job->level_;  // outlived: the destructor waits for the thread
     job->work_ = std::make_unique<Background<Result<ReachSearch>>>(
-        [level, settings](Progress& progress) -> Result<ReachSearch> {
+        [level = job->level_, settings](Progress& progress) -> Result<ReachSearch> {
             const Result<Start> start = settle_start(*level);
             if (!start) return start.error();
             ReachOptions options;
@@ -67,7 +66,7 @@ void ReachJob::go_on(std::function<void()> wake) {
     cancelled_ = false;
     heat_view_.reset();
     work_ = std::make_unique<Background<Result<ReachSearch>>>(
-        [search, duration = settings.duration_s](Progress& progress) -> Result<ReachSearch> {
+        [search, level = level_, duration = settings.duration_s](Progress& progress) -> Result<ReachSearch> {
             ReachLimits limits;
             limits.seconds = std::clamp(duration, 0.1, 3600.0);
             search->run(limits, &progress);
@@ -97,9 +96,9 @@ void ReachJob::settle() {
 
 bool ReachJob::fits(const Document& document) const {
     const Level& now = document.level();
-    return level_.mesh == now.mesh && face_revision_ == document.face_revision() &&
-           level_.movement == now.movement && level_.platforms == now.platforms &&
-           level_.fall_limit == now.fall_limit && spawns_ == all_spawns(now);
+    return level_->mesh == now.mesh && face_revision_ == document.face_revision() &&
+           level_->movement == now.movement && level_->platforms == now.platforms &&
+           level_->fall_limit == now.fall_limit && spawns_ == all_spawns(now);
 }
 
 const std::vector<FaceId>& ReachJob::faces_of(ReachView of) const {

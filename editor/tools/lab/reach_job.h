@@ -45,7 +45,7 @@ class ReachJob {
     const std::optional<ReachDifference>& difference() const { return difference_; }
     // The level it ran in is the one that is open, unchanged in what decides where the player gets.
     bool fits(const Document& document) const;
-    bool fits_goals(const Document& document) const { return level_.goals == document.level().goals; }
+    bool fits_goals(const Document& document) const { return level_->goals == document.level().goals; }
 
     const std::vector<FaceId>& faces_of(ReachView view) const;  // those that are listed; none for `time`
     // What a face is coloured by, 0..1; 0: not at all. The colours follow the root of the time. [face]
@@ -68,7 +68,7 @@ class ReachJob {
   private:
     ReachJob() = default;
 
-    Level level_;
+    std::shared_ptr<Level> level_;  // the work makes it begin where a player fits
     std::uint64_t face_revision_ = 0;
     std::vector<Spawn> spawns_;  // as they were; `level_` begins where a player fits
     std::optional<ReachReport> before_, report_;
@@ -79,7 +79,7 @@ class ReachJob {
     std::string problem_;
     mutable std::optional<ReachView> heat_view_;
     mutable std::vector<float> heat_;
-    std::unique_ptr<Background<Result<ReachSearch>>> work_;  // last: it ends before the level goes
+    std::unique_ptr<Background<Result<ReachSearch>>> work_;
 };
 
 // The commands' and the panel's actions.

@@ -52,6 +52,8 @@ struct Session {
     // True: opening, reloading and examining run in threads; a window sets it. False: the caller waits.
     bool beside = false;
     std::function<void()> wake;  // called from any thread: the window must run tick_session()
+    // Where the levels that come with the program lie as they came; empty: where sample_levels() are.
+    std::filesystem::path shipped_levels{};
 
     Preferences preferences;
     Keymap keymap;

@@ -1,14 +1,14 @@
-// One thread: the whole range at once.
 #pragma once
 
 namespace oneapi::tbb {
 template <class T>
 struct blocked_range {
-    blocked_range(T first, T last, T) : first_(first), last_(last) {}
+    blocked_range(T first, T last, T grain) : first_(first), last_(last), grain_(grain) {}
     T begin() const { return first_; }
     T end() const { return last_; }
+    T grain() const { return grain_; }
 
   private:
-    T first_, last_;
+    T first_, last_, grain_;
 };
 }  // namespace oneapi::tbb

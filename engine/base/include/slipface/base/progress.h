@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <thread>
 
 #include "slipface/base/result.h"
 
@@ -27,7 +28,11 @@ class Progress {
     // Requests that the task stop. It does so at the next opportunity, discards its work and returns an
     // error.
     void cancel() { cancelled_ = true; }
-    bool cancelled() const { return cancelled_; }
+    // The task asks this often. Each time it gives way to other threads that wait for its processor.
+    bool cancelled() const {
+        std::this_thread::yield();
+        return cancelled_;
+    }
 
   private:
     std::atomic<const char*> stage_ = "";

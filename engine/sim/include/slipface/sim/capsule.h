@@ -1,7 +1,8 @@
 // A capsule: a run as one line of text, to be sent as part of a page's address.
 //
-// It holds the tape, the tick to look at, and the text of the level file: types, paint and settings. The
-// geometry is not in it: `level` names it, and the tape has its fingerprint.
+// It holds the tape, the tick to look at, and the text of the level file: types, paint and settings, or how
+// that differs from a text that both sides have. The geometry is not in it: `level` names it, and the tape
+// has its fingerprint.
 #pragma once
 
 #include <string>
@@ -16,6 +17,9 @@ struct Capsule {
     std::size_t tick = 0;    // from 0
     std::string tape;        // as tape_to_text() writes it
     std::string level_file;  // the text of a level file; empty: the level's own
+    // A hash of the text that level_file then is a difference to (line_difference.h); empty: it is all of the
+    // text.
+    std::string base = {};
     friend bool operator==(const Capsule&, const Capsule&) = default;
 };
 
