@@ -25,8 +25,7 @@ MeshPtr with_texture(const Mesh& mesh, const std::string& texture) {
 // Whether something of a sphere may be in the picture.
 class Frustum {
   public:
-    Frustum(const Camera& camera, int width, int height)
-        : camera_(camera), view_(view_from_world(camera)) {
+    Frustum(const Camera& camera, int width, int height) : camera_(camera), view_(view_from_world(camera)) {
         up_ = std::tan(0.5 * camera.fov_y);
         side_ = up_ * width / height;
     }
@@ -222,10 +221,10 @@ void LevelProps::add_borders(const Vec3& origin, const std::uint8_t (&color)[4],
     for (std::uint32_t i = 0; i < props_.size(); ++i) {
         if (props_[i].shown == nullptr) continue;
         const auto lit = highlights_.find(i);
-        const std::vector<LineInstance> more =
-            face_border_lines(mesh_of(props_[i]), lit == highlights_.end() ? std::span<const std::uint8_t>()
-                                                                           : std::span(lit->second),
-                              origin, color, width);
+        const std::vector<LineInstance> more = face_border_lines(
+            mesh_of(props_[i]),
+            lit == highlights_.end() ? std::span<const std::uint8_t>() : std::span(lit->second), origin,
+            color, width);
         lines.insert(lines.end(), more.begin(), more.end());
     }
 }
