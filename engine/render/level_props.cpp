@@ -157,7 +157,7 @@ void LevelProps::send_states() {
         impl.face_state.change(surfaces, FaceState::Channel::surface);
         impl.face_state.change(highlights, FaceState::Channel::highlight);
         const auto any = [](const auto& list) {
-            return std::ranges::any_of(list, [](std::uint8_t value) { return value != 0; });
+            return std::any_of(list.begin(), list.end(), [](std::uint8_t value) { return value != 0; });
         };
         impl.surfaces_shown = any(surfaces);
         impl.highlights_shown = any(highlights);
@@ -234,7 +234,8 @@ void LevelProps::add_outlines(std::uint8_t bit, const Vec3& origin, const std::u
     std::size_t outlined = 0;
     for (const auto& [i, flags] : highlights_) {
         if (i >= props_.size() || props_[i].shown == nullptr) continue;
-        if (std::ranges::none_of(flags, [&](std::uint8_t flag) { return (flag & bit) != 0; })) continue;
+        if (std::none_of(flags.begin(), flags.end(), [&](std::uint8_t flag) { return (flag & bit) != 0; }))
+            continue;
         if (++outlined > most_outlined_props) return;
         const Mesh mesh = mesh_of(props_[i]);
         const std::vector<LineInstance> more =
