@@ -64,6 +64,35 @@ void row(const char* name, const std::vector<Query>& list, const CollisionWorld&
                median(ratios));
 }
 
+double process_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// The same sweeps in a batch and one by one, in processor time of all threads.
+void batch_row(const char* name, const std::vector<Query>& list, const CollisionWorld& world) {
+    std::vector<Sweep> sweeps;
+    for (const Query& query : list)
+        sweeps.push_back({{0.4, 0.9, 0.4}, query.from, query.move});
+    std::vector<std::optional<Contact>> out(sweeps.size());
+    std::vector<double> a, b, ratios;
+    for (int round = 0; round <= rounds; ++round) {
+        const double start = process_seconds();
+        sweep_ellipsoids(world, sweeps, out);
+        const double middle = process_seconds();
+        for (std::size_t i = 0; i < sweeps.size(); ++i)
+            out[i] = sweep_ellipsoid(world, sweeps[i].radii, sweeps[i].from, sweeps[i].move);
+        const double end = process_seconds();
+        if (round == 0) continue;
+        a.push_back((middle - start) / static_cast<double>(sweeps.size()));
+        b.push_back((end - middle) / static_cast<double>(sweeps.size()));
+        ratios.push_back(a.back() / b.back());
+    }
+    fmt::print("| {} | {:.0f} ns | {:.0f} ns | {:.2f} |\n", name, 1e9 * median(a), 1e9 * median(b),
+               median(ratios));
+}
+
 int run(std::size_t instances) {
     scenes::Random random(81);
     std::vector<scenes::Soup> meshes;
@@ -127,6 +156,22 @@ int run(std::size_t instances) {
                 if (const auto hit = sweep_ellipsoid(around, radii, query.from, query.move)) sum += hit->t;
             return sum;
         });
+    fmt::print("| in a batch | batch | one by one | ratio |\n|---|---|---|---|\n");
+    for (const double length : {0.2, 2.0, 20.0})
+        batch_row(fmt::format("sweep of {} m", length).c_str(), list_of(length), shared);
+    // With a floor of triangles of its own below the instances.
+    scenes::Soup floor;
+    for (int i = 0; i < 200; ++i)
+        for (int k = 0; k < 200; ++k) {
+            const double x = half * (i / 100.0 - 1), z = half * (k / 100.0 - 1), step = half / 100.0;
+            floor.add_quad({x, 0, z}, {x, 0, z + step}, {x + step, 0, z + step}, {x + step, 0, z});
+        }
+    scenes::Instanced on_floor(std::move(floor), meshes);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        on_floor.add(i % meshes.size(),
+                     placement(places[i], random.in_box(3), scenes::random_scale(random, 1.7)));
+    const CollisionWorld grounded = on_floor.world();
+    batch_row("sweep of 2 m, with a floor", list_of(2.0), grounded);
     return 0;
 }
 

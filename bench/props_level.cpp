@@ -1,6 +1,7 @@
 // slipface_props_level [INSTANCES [SEED]]: writes a level with that many instances of 20 meshes and measures
 // what the program does with it: memory, opening, one change of one prop in the editor, saving, an audit
-// (docs/performance.md, "Props"). Processor time of all threads; whole frames without the drawing of the level.
+// (docs/performance.md, "Props"). Processor time of all threads; whole frames without the drawing of the
+// level.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -94,7 +95,8 @@ fs::path write_level(const fs::path& folder, std::size_t instances, std::uint64_
         Prop prop;
         prop.name = "rock " + std::to_string(i + 1);
         prop.mesh = fmt::format("props/rock{:02}.obj", i % 20);
-        prop.position = Vec3(random.uniform(-half, half), random.uniform(-0.5, 0.5), random.uniform(-half, half));
+        prop.position =
+            Vec3(random.uniform(-half, half), random.uniform(-0.5, 0.5), random.uniform(-half, half));
         if (prop.position.head<2>().norm() < 4) prop.position.x() += 8;
         for (int axis = 0; axis < 3; ++axis) {
             prop.rotation[axis] = random.uniform(-3, 3);
@@ -191,7 +193,8 @@ int run(std::size_t instances, std::uint64_t seed) {
     bench.measure("place a prop", [&](int i) { add_prop(editor, "props/rock03.obj", Vec3(i, 1, 2)); });
     bench.measure("duplicate a prop", [&](int i) { duplicate_prop(editor, prop(i)); });
     bench.measure("remove a prop", [&](int i) { remove_prop(editor, prop(i)); });
-    bench.measure("paint a prop", [&](int i) { paint_prop(editor, prop(i), static_cast<SurfaceId>(1 + i % 2)); });
+    bench.measure("paint a prop",
+                  [&](int i) { paint_prop(editor, prop(i), static_cast<SurfaceId>(1 + i % 2)); });
     const Status saved = timed("save", [&] { return editor.document->save(); });
     if (!saved) fmt::print(stderr, "{}\n", saved.error().text());
     fs::remove_all(folder);

@@ -17,7 +17,7 @@ levels=("$@")
 if [ ${#levels[@]} = 0 ]; then
     mkdir "$work/levels"
     python3 scripts/random_levels.py "$work/levels" 20
-    levels=(assets/levels/*.obj "$work"/levels/*.obj)
+    levels=(assets/levels/*.obj assets/props/yard.obj "$work"/levels/*.obj)
 fi
 cat >"$work/validate.js" <<'JS'
 const fs = require("fs"), path = require("path"), validator = require("gltf-validator");

@@ -34,7 +34,7 @@ class SceneView final : public ViewportServices {
     Editor& editor_;
     LevelRenderer level_;
     OverlayRenderer overlay_renderer_;
-    MeshPtr mesh_;                   // uploaded
+    MeshPtr mesh_;                                 // uploaded
     std::shared_ptr<const PlacedGeometry> props_;  // likewise, beside mesh_
     std::optional<LevelLight> light_;
     std::uint64_t face_revision_ = 0, highlights_hash_ = 0, texture_revision_ = 0;

@@ -44,7 +44,8 @@ Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& pa
         document->warnings_ = std::move(loaded->warnings);
         document->match_ = loaded->match;
         document->guessed_ = std::move(loaded->guessed);
-        document->level_.overrides.resize(std::max(document->level_.overrides.size(), own_mesh(document->level_)->face_count()));
+        document->level_.overrides.resize(
+            std::max(document->level_.overrides.size(), own_mesh(document->level_)->face_count()));
         begin_stage(progress, "Building the collision world", 1.0, 1.0);
         if (const Status status = document->rebuild_geometry(); !status) return status.error();
         document->resolve_again();

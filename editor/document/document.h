@@ -322,8 +322,9 @@ class Document {
     Level level_;
     SurfaceParts unpainted_;  // as if there were no overrides
     SurfaceParts resolved_;
-    std::vector<PropFaces> prop_faces_;                        // [prop]
-    std::map<MeshPtr, std::vector<Vec3>> prop_area_vectors_;  // [mesh of props][face] its normal times its area
+    std::vector<PropFaces> prop_faces_;  // [prop]
+    std::map<MeshPtr, std::vector<Vec3>>
+        prop_area_vectors_;  // [mesh of props][face] its normal times its area
     std::array<std::size_t, max_surface_types + 1> surface_counts_{};
     std::array<double, max_surface_types + 1> surface_areas_{};
     CollisionWorld collision_;

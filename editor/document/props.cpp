@@ -99,7 +99,7 @@ void put_props(const PropsEdit& edit, bool forward, std::vector<Prop>& props) {
 
 // Keeps of two lists what lies between their common beginning and their common end.
 static void keep_difference(PropsEdit& edit, std::span<const Prop> before, std::span<const Prop> after) {
-    const auto [a, b] = std::ranges::mismatch(before, after);
+    const auto [a, b] = std::mismatch(before.begin(), before.end(), after.begin(), after.end());
     const auto [c, d] = std::mismatch(before.rbegin(), std::make_reverse_iterator(a), after.rbegin(),
                                       std::make_reverse_iterator(b));
     edit.first = static_cast<std::size_t>(a - before.begin());
@@ -143,7 +143,8 @@ void Document::set_props(std::vector<Prop> props, std::span<const std::uint32_t>
     prop_warnings_ = place_props(level_);
     edit.after = edit.before;
     edit.after.platforms = moved_platforms(level_.platforms, props, level_.props, from);
-    if (was != level_.placed.first_face || !std::ranges::equal(from, every_prop(level_))) {
+    const std::vector<std::uint32_t> same = every_prop(level_);
+    if (was != level_.placed.first_face || !std::equal(from.begin(), from.end(), same.begin(), same.end())) {
         const std::size_t own = own_mesh(level_)->face_count();
         const FaceMap map(own, props, was, level_.props, level_.placed.first_face, from);
         edit.after.paint = map.moved_paint(edit.before.paint, own);

@@ -64,7 +64,8 @@ void Document::count(const PropFaces& prop, bool in) {
 
 Document::PropFaces Document::count_prop(std::size_t prop) {
     const Prop& placed = level_.props[prop];
-    PropFaces faces{placed.mesh, placed.type, placed.scale, resolved_.props[prop] != unpainted_.props[prop], {}};
+    PropFaces faces{
+        placed.mesh, placed.type, placed.scale, resolved_.props[prop] != unpainted_.props[prop], {}};
     if (!resolved_.props[prop]) return faces;
     const MeshPtr& mesh = find_prop_mesh(level_, placed.mesh)->mesh;
     std::vector<Vec3>& vectors = prop_area_vectors_[mesh];

@@ -258,8 +258,7 @@ std::vector<FaceId> similar_faces(const Document& document, std::span<const Face
         case Likeness::material:
             return by([&](FaceId face) -> std::size_t { return mesh.face_material[face]; });
         case Likeness::group: return by([&](FaceId face) -> std::size_t { return mesh.face_group[face]; });
-        case Likeness::type:
-            return by([&](FaceId face) -> std::size_t { return document.surface_of(face); });
+        case Likeness::type: return by([&](FaceId face) -> std::size_t { return document.surface_of(face); });
         case Likeness::slope:
             return by([&](FaceId face) { return static_cast<std::size_t>(slope_class(document, face)); });
         case Likeness::normal: return with_normals(document, known);

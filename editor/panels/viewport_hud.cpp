@@ -210,10 +210,10 @@ void draw_triangle_ids(const Editor& editor, const ViewportState& state) {
             const ImVec2 min{middle.x - 0.5f * extent.x, middle.y - 0.5f * extent.y};
             list.AddRectFilled({min.x - 3, min.y - 1}, {min.x + extent.x + 3, min.y + extent.y + 1},
                                IM_COL32(14, 16, 20, 190), 3 * ui::scale());
-            list.AddText(
-                font, font->FontSize, min,
-                face + part.first == editor.hovered ? ui::packed(ui::palette().accent) : IM_COL32(235, 238, 242, 255),
-                text.c_str());
+            list.AddText(font, font->FontSize, min,
+                         face + part.first == editor.hovered ? ui::packed(ui::palette().accent)
+                                                             : IM_COL32(235, 238, 242, 255),
+                         text.c_str());
         }
     }
 }

@@ -98,8 +98,8 @@ void adopt_document(Editor& editor, std::unique_ptr<Document> opened, const std:
         editor.view.pitch = usual.pitch;
         editor.view.frame(document.bounds(), opening_aspect);
     }
-    editor.status = "Opened " + path.filename().string() + ", " +
-                    count_text(document.face_count(), "face", "faces");
+    editor.status =
+        "Opened " + path.filename().string() + ", " + count_text(document.face_count(), "face", "faces");
     if (const std::size_t hidden = document.hidden().size(); hidden > 0)
         editor.status += ", " + std::to_string(hidden) + " hidden";
     offer_import_card(editor);
@@ -218,19 +218,20 @@ const std::vector<FaceId>& tool_faces(const Editor& editor) {
                         : selects_by_brush        ? editor.select_radius
                                                   : editor.brush_radius;
     const bool by_point = (editor.tool == Tool::paint || selects_by_brush) && size > 0.0;
-    if (found.document == document && found.mesh == document->level().mesh.id() && found.tool == editor.tool &&
-        found.hovered == editor.hovered && found.size == size &&
+    if (found.document == document && found.mesh == document->level().mesh.id() &&
+        found.tool == editor.tool && found.hovered == editor.hovered && found.size == size &&
         (!by_point || found.point == editor.hovered_point))
         return found.faces;
 
     // Every face of a flood fill has the same flood fill.
-    if (editor.tool == Tool::fill && found.document == document && found.mesh == document->level().mesh.id() &&
-        found.tool == editor.tool && found.size == size &&
+    if (editor.tool == Tool::fill && found.document == document &&
+        found.mesh == document->level().mesh.id() && found.tool == editor.tool && found.size == size &&
         std::binary_search(found.faces.begin(), found.faces.end(), editor.hovered)) {
         found.hovered = editor.hovered;
         return found.faces;
     }
-    found = {document, document->level().mesh.id(), editor.tool, editor.hovered, editor.hovered_point, size, {}};
+    found = {document, document->level().mesh.id(), editor.tool, editor.hovered, editor.hovered_point, size,
+             {}};
     switch (editor.tool) {
         case Tool::probe:
         case Tool::props: break;
@@ -242,9 +243,7 @@ const std::vector<FaceId>& tool_faces(const Editor& editor) {
         case Tool::paint:
             found.faces = brush_faces(*document, editor.hovered, editor.hovered_point, size);
             break;
-        case Tool::fill:
-            found.faces = flood_by_angle(*document, editor.hovered, size);
-            break;
+        case Tool::fill: found.faces = flood_by_angle(*document, editor.hovered, size); break;
     }
     return found.faces;
 }
@@ -279,9 +278,9 @@ void pick_surface(Editor& editor) {
 void frame_selected(Editor& editor, double aspect) {
     if (!editor.document) return;
     const Document& document = *editor.document;
-    editor.view.frame(document.selection().empty() ? document.bounds()
-                                                   : faces_bounds(document, document.selection()),
-                      aspect);
+    editor.view.frame(
+        document.selection().empty() ? document.bounds() : faces_bounds(document, document.selection()),
+        aspect);
 }
 
 void choose_brush(Editor& editor, std::optional<SurfaceId> surface) {
@@ -320,7 +319,8 @@ void begin_playtest(Editor& editor, const Vec3 position, double yaw, std::string
     editor.playtest.emplace();
     editor.playtest->first_person = first_person;
     editor.playtest->start(position, yaw);
-    editor.playtest->name_level(document.level().mesh_path.filename().string(), document.level().mesh.fingerprint(),
+    editor.playtest->name_level(document.level().mesh_path.filename().string(),
+                                document.level().mesh.fingerprint(),
                                 scene_fingerprint(editor.lab.scene(document).at(0, 0.0)));
     editor.status = std::move(note);
 }

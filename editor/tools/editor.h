@@ -218,7 +218,7 @@ void stop_playtest(Editor& editor);
 // selected, bit 2 hidden.
 // `own`: how many of the first faces are listed one by one; the others belong to props.
 struct FaceHighlights {
-    std::vector<std::uint8_t> own;                            // [face]
+    std::vector<std::uint8_t> own;                             // [face]
     std::map<std::uint32_t, std::vector<std::uint8_t>> props;  // [prop] of its faces; those that have some
     friend bool operator==(const FaceHighlights&, const FaceHighlights&) = default;
 };

@@ -189,8 +189,7 @@ Status replace_instances(Impl& impl, std::span<const Instance> instances) {
         std::shared_ptr<const std::vector<SurfaceId>> surfaces = instance.surfaces;
         if (!surfaces) {
             auto& shared = defaults[instance.mesh.get()];
-            if (!shared)
-                shared = std::make_shared<std::vector<SurfaceId>>(instance.mesh->face_count());
+            if (!shared) shared = std::make_shared<std::vector<SurfaceId>>(instance.mesh->face_count());
             surfaces = shared;
         }
         views.push_back(view);

@@ -536,8 +536,11 @@ const Mesh& mesh_with(const Level& level, std::span<const FaceId> faces) {
 
 MatchedOverrides match_overrides(const Level& level, const std::vector<StoredOverride>& stored,
                                  const PaintParts& parts) {
-    MatchedOverrides own = match_overrides(*own_mesh(level), level.surfaces, stored, parts);
-    if (!has_instances(level) || own.summary.exact == stored.size()) return own;
+    // Faces of props may be like faces of the level that a part could have moved to.
+    const bool all_own =
+        !has_instances(level) ||
+        match_overrides(*own_mesh(level), level.surfaces, stored, {}).summary.exact == stored.size();
+    if (all_own) return match_overrides(*own_mesh(level), level.surfaces, stored, parts);
     MatchedOverrides all = match_overrides(*level.mesh, level.surfaces, stored, parts);
     while (all.overrides.size() > own_mesh(level)->face_count() && !all.overrides.back())
         all.overrides.pop_back();

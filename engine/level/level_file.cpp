@@ -85,7 +85,8 @@ Result<LoadedLevel> load_annotated(const fs::path& mesh_path, const fs::path& fi
     Result<LoadedLevel> geometry = load_mesh(mesh_path, *transform, progress);
     if (!geometry) return geometry;
     begin_stage(progress, "Finding painted faces", 1.0, 1.0);
-    Result<LoadedLevel> loaded = read_level(root, file_path.string(), geometry->level.mesh.own(), {mesh_path, {}});
+    Result<LoadedLevel> loaded =
+        read_level(root, file_path.string(), geometry->level.mesh.own(), {mesh_path, {}});
     if (!loaded) return loaded;
     const fs::path named = loaded->level.mesh_path;
     loaded->level.mesh_path = mesh_path;

@@ -408,7 +408,8 @@ std::vector<Instance> prop_instances(const Level& level, const SurfaceParts& typ
         if (placed->mesh(i) == nullptr || placed->mesh(i)->triangle_count() == 0 || !wanted(i)) continue;
         Placement placement = placed->places[i];
         placement.offset += offset;
-        Instance instance{placed->files[placed->file_of[i]].collision, placement, placed->first_face[i], nullptr};
+        Instance instance{placed->files[placed->file_of[i]].collision, placement, placed->first_face[i],
+                          nullptr};
         if (i < types.props.size() && types.props[i])
             instance.surfaces = {types.props[i], &types.props[i]->surface};
         instances.push_back(std::move(instance));

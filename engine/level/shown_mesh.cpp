@@ -59,7 +59,8 @@ MeshPtr shown_mesh(const Level& level, bool with_props) {
 std::vector<std::uint32_t> face_platforms(const Level& level) {
     std::vector<std::uint32_t> platforms;
     if (!level.mesh || level.platforms.empty()) return platforms;
-    if (std::ranges::none_of(level.platforms, [&](const Platform& p) { return has_group(level, p.group); }))
+    if (std::none_of(level.platforms.begin(), level.platforms.end(),
+                     [&](const Platform& platform) { return has_group(level, platform.group); }))
         return platforms;
     const Mesh& mesh = *level.mesh;
     // [group] the first platform with this group.

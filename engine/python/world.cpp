@@ -231,8 +231,7 @@ void set_face_type(World& world, FaceId face, const std::string& type) {
     const auto found = std::ranges::find(world.surfaces(), type, &SurfaceType::name);
     if (found == world.surfaces().end()) throw py::value_error("found no type \"" + type + "\"");
     const auto id = static_cast<SurfaceId>(found - world.surfaces().begin());
-    const std::size_t faces =
-        world.level ? world.level->mesh.face_count() : world.collision.triangle_count();
+    const std::size_t faces = world.level ? world.level->mesh.face_count() : world.collision.triangle_count();
     if (face >= faces)
         throw py::index_error("found the face " + std::to_string(face) + ", expected one below " +
                               std::to_string(faces));

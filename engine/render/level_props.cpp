@@ -15,8 +15,7 @@ constexpr std::size_t most_border_triangles = 200'000, most_outlined_props = 200
 // Whether something of a sphere may be in the picture.
 class Frustum {
   public:
-    Frustum(const Camera& camera, int width, int height)
-        : camera_(camera), view_(view_from_world(camera)) {
+    Frustum(const Camera& camera, int width, int height) : camera_(camera), view_(view_from_world(camera)) {
         up_ = std::tan(0.5 * camera.fov_y);
         side_ = up_ * width / height;
     }
@@ -148,7 +147,7 @@ void LevelProps::send_states() {
         impl.face_state.change(surfaces, FaceState::Channel::surface);
         impl.face_state.change(highlights, FaceState::Channel::highlight);
         const auto any = [](const auto& list) {
-            return std::ranges::any_of(list, [](std::uint8_t value) { return value != 0; });
+            return std::any_of(list.begin(), list.end(), [](std::uint8_t value) { return value != 0; });
         };
         impl.surfaces_shown = any(surfaces);
         impl.highlights_shown = any(highlights);
@@ -212,10 +211,10 @@ void LevelProps::add_borders(const Vec3& origin, const std::uint8_t (&color)[4],
     for (std::uint32_t i = 0; i < props_.size(); ++i) {
         if (props_[i].shown == nullptr) continue;
         const auto lit = highlights_.find(i);
-        const std::vector<LineInstance> more =
-            face_border_lines(mesh_of(props_[i]), lit == highlights_.end() ? std::span<const std::uint8_t>()
-                                                                           : std::span(lit->second),
-                              origin, color, width);
+        const std::vector<LineInstance> more = face_border_lines(
+            mesh_of(props_[i]),
+            lit == highlights_.end() ? std::span<const std::uint8_t>() : std::span(lit->second), origin,
+            color, width);
         lines.insert(lines.end(), more.begin(), more.end());
     }
 }
@@ -225,7 +224,8 @@ void LevelProps::add_outlines(std::uint8_t bit, const Vec3& origin, const std::u
     std::size_t outlined = 0;
     for (const auto& [i, flags] : highlights_) {
         if (i >= props_.size() || props_[i].shown == nullptr) continue;
-        if (std::ranges::none_of(flags, [&](std::uint8_t flag) { return (flag & bit) != 0; })) continue;
+        if (std::none_of(flags.begin(), flags.end(), [&](std::uint8_t flag) { return (flag & bit) != 0; }))
+            continue;
         if (++outlined > most_outlined_props) return;
         const Mesh mesh = mesh_of(props_[i]);
         const std::vector<LineInstance> more =

@@ -154,8 +154,7 @@ TEST(InstancesTogether, SweepInBatches) {
         const Pair pair = random_pair(random, round % 3);
         std::vector<Sweep> sweeps;
         for (int i = 0; i < 400; ++i)
-            sweeps.push_back(
-                {Vec3(0.4, 0.9, 0.4), pair.middle + random.in_box(6), 5 * random.direction()});
+            sweeps.push_back({Vec3(0.4, 0.9, 0.4), pair.middle + random.in_box(6), 5 * random.direction()});
         std::vector<std::optional<Contact>> a(sweeps.size()), b(sweeps.size());
         sweep_ellipsoids(pair.shared, sweeps, a);
         sweep_ellipsoids(pair.flat, sweeps, b);
@@ -167,7 +166,8 @@ TEST(InstancesTogether, SweepInBatches) {
 // Replacing the instances gives the world that is built with them.
 TEST(InstancesTogether, CanBeReplaced) {
     Random random(76);
-    const std::vector<Soup> soups{scenes::dense(quads(random)), scenes::dense(scenes::terrain(random, 5, 0.5))};
+    const std::vector<Soup> soups{scenes::dense(quads(random)),
+                                  scenes::dense(scenes::terrain(random, 5, 0.5))};
     std::vector<std::shared_ptr<const CollisionMesh>> meshes;
     for (const Soup& soup : soups)
         meshes.push_back(scenes::shared_mesh(soup));
@@ -185,7 +185,9 @@ TEST(InstancesTogether, CanBeReplaced) {
     std::size_t hits = 0;
     for (int round = 0; round < 60; ++round) {
         SCOPED_TRACE(round);
-        const auto any = [&] { return list.begin() + static_cast<std::ptrdiff_t>(random.below(list.size())); };
+        const auto any = [&] {
+            return list.begin() + static_cast<std::ptrdiff_t>(random.below(list.size()));
+        };
         for (std::size_t change = 1 + random.below(3); change > 0; --change) {
             const std::size_t kind = list.empty() ? 0 : random.below(5);
             if (kind <= 1) list.insert(list.empty() ? list.end() : any(), random_one());

@@ -233,7 +233,8 @@ TEST_F(GltfObjects, ReadBackEqual) {
 // Props are nodes that share the meshes of their files, wherever they stand and however they are scaled.
 TEST_F(GltfObjects, PropsShareTheirMeshes) {
     write("wedge.obj",
-          "v 0 0 0\nv 2 0 0\nv 0 0 1\nv 0 1 0\no wedge\nusemtl stone\nf 1 2 3\nf 1 4 2\nusemtl wood\nf 1 3 4\nf 2 4 3\n");
+          "v 0 0 0\nv 2 0 0\nv 0 0 1\nv 0 1 0\no wedge\nusemtl stone\nf 1 2 3\nf 1 4 2\nusemtl wood\nf 1 3 "
+          "4\nf 2 4 3\n");
     write("slab.obj", "v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nusemtl stone\nf 1 2 3 4\n");
     Level level = open(grid_obj(3, {"ground"}));
     std::mt19937 random(3);

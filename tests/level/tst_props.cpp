@@ -158,7 +158,8 @@ TEST_F(Props, SayTheSameAsTheirWholeMesh) {
     EXPECT_EQ(box.max, mesh->bounds.max);
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         EXPECT_EQ(mesh.group_of(face), mesh->groups[mesh->face_group[face]]);
-        EXPECT_THAT(mesh->materials[mesh->face_material[face]].name, testing::StartsWith(mesh.material_of(face)));
+        EXPECT_THAT(mesh->materials[mesh->face_material[face]].name,
+                    testing::StartsWith(mesh.material_of(face)));
     }
     for (const std::size_t prop : {0U, 1U}) {
         const MeshPtr alone = prop_mesh(loaded->level, prop);

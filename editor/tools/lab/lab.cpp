@@ -16,8 +16,7 @@ std::uint64_t state_of(const Document& document) {
 
 // Why a tape need not repeat in this level.
 std::string doubt_of(const Tape& tape, std::uint64_t geometry, const TickScene& scene) {
-    if (tape.level_fingerprint && *tape.level_fingerprint != geometry)
-        return "Recorded on other geometry";
+    if (tape.level_fingerprint && *tape.level_fingerprint != geometry) return "Recorded on other geometry";
     if (tape.surfaces_fingerprint && *tape.surfaces_fingerprint != scene_fingerprint(scene.at(0, 0.0)))
         return "Recorded with other surface types";
     return {};

@@ -72,9 +72,9 @@ void select_flat_hovered(Editor& editor, SelectBy by) {
 void brush_select(Editor& editor, SelectBy by) {
     if (!on_face(editor)) return;
     Document& document = *editor.document;
-    document.select(combined(document.selection(),
-                             brush_faces(document, editor.hovered, editor.hovered_point, editor.select_radius),
-                             by));
+    document.select(
+        combined(document.selection(),
+                 brush_faces(document, editor.hovered, editor.hovered_point, editor.select_radius), by));
 }
 
 void drill_select(Editor& editor, const Ray& ray, int step) {

@@ -147,12 +147,13 @@ std::vector<fs::path> texture_files(const Level& level) {
 bool same_content(const Level& a, const Level& b) {
     if (a.mesh.fingerprint() != b.mesh.fingerprint() || !same_materials(*own_mesh(a), *own_mesh(b)))
         return false;
-    return std::ranges::equal(
-        a.placed.meshes, b.placed.meshes, [](const PropMesh& one, const PropMesh& other) {
-            return one.file == other.file && one.problem == other.problem && !one.mesh == !other.mesh &&
-                   (!one.mesh || (one.mesh->fingerprint == other.mesh->fingerprint &&
-                                  same_materials(*one.mesh, *other.mesh)));
-        });
+    return std::equal(a.placed.meshes.begin(), a.placed.meshes.end(), b.placed.meshes.begin(),
+                      b.placed.meshes.end(), [](const PropMesh& one, const PropMesh& other) {
+                          return one.file == other.file && one.problem == other.problem &&
+                                 !one.mesh == !other.mesh &&
+                                 (!one.mesh || (one.mesh->fingerprint == other.mesh->fingerprint &&
+                                                same_materials(*one.mesh, *other.mesh)));
+                      });
 }
 
 void start_reload(Editor& editor, bool unasked, bool materials = false) {

@@ -23,8 +23,7 @@ class LevelMesh {
     LevelMesh() = default;
     LevelMesh(std::nullptr_t) {}
     template <class T>
-        requires std::is_convertible_v<T, MeshPtr>
-    LevelMesh(T&& mesh) : own_(std::forward<T>(mesh)) {}
+    requires std::is_convertible_v<T, MeshPtr> LevelMesh(T&& mesh) : own_(std::forward<T>(mesh)) {}
     LevelMesh(MeshPtr own, std::shared_ptr<const PlacedGeometry> placed)
         : own_(std::move(own)), placed_(std::move(placed)) {}
 
@@ -35,7 +34,7 @@ class LevelMesh {
     const Mesh& operator*() const { return *whole(); }
     const Mesh* operator->() const { return whole().get(); }
 
-    const MeshPtr& own() const { return own_; }  // without the props
+    const MeshPtr& own() const { return own_; }                                      // without the props
     const std::shared_ptr<const PlacedGeometry>& placed() const { return placed_; }  // null: no props
     // Zero, or nothing, without a mesh.
     std::size_t face_count() const;

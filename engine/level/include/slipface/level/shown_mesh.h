@@ -7,8 +7,8 @@
 
 namespace slipface {
 
-// The level's mesh, or that without its props. If the level has terrain: another mesh, with the same faces first and the terrain's
-// triangles after them, in the group "terrain".
+// The level's mesh, or that without its props. If the level has terrain: another mesh, with the same faces
+// first and the terrain's triangles after them, in the group "terrain".
 MeshPtr shown_mesh(const Level& level, bool with_props = true);
 
 // [face] index of its platform in level.platforms, or no_id; empty if no face moves.

@@ -49,9 +49,9 @@ class LevelRenderer {
     void prepare_outlines();
     void set_surface_types(SurfaceTable surfaces);
 
-    // Draws the level's props beside the mesh, which is then the one without them: each mesh is uploaded once,
-    // and a change of the props costs little. `types`: resolve_props(), painted. Not lit by baked light.
-    // Returns textures that are missing. set_mesh() ends it.
+    // Draws the level's props beside the mesh, which is then the one without them: each mesh is uploaded
+    // once, and a change of the props costs little. `types`: resolve_props(), painted. Not lit by baked
+    // light. Returns textures that are missing. set_mesh() ends it.
     Warnings set_props(const Level& level, const PropSurfaces& types);
     // Highlights of props that have some: [prop] of each face.
     void set_prop_highlights(const std::map<std::uint32_t, std::vector<std::uint8_t>>& highlights);
