@@ -186,7 +186,7 @@ void MotionFinder::doubt(std::size_t i) {
     if (part.voted || (stays && (part.searched || part.best.guessed))) return;
     if (stays) {
         if (support_.order_kept(i, part.best) >= 1.0) return;
-        // Turned in its place, and damaged, so that the order is all that tells.
+        // Turned in its place, and damaged: only the order is different.
         for (const PartMotion& motion : box_motions(stored_.parts[i].box, stored_.parts[i].box))
             if (turns_in_place(i, motion) && support_.order_kept(i, motion) >= 1.0 &&
                 stored_.parts[i].anchors.size() >= enough_for_order)
