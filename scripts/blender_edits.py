@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What becomes of painted faces when a real Blender edits a level.
 
-    scripts/blender_edits.py [--program slipface] [--levels 3] [--seed 1] [--shipped easy] [--only turn] [--markdown]
+    scripts/blender_edits.py [--program slipface] [--levels 3] [--seed 1] [--shipped easy] [--map pk3:maps/a.bsp] [--only turn]
 
 Needs Blender (apt-get install blender). Blender itself carries the number of each original face through the edit,
 as a face attribute; what Slipface finds is compared with that. So the matching is not measured by itself.
@@ -16,11 +16,13 @@ import json
 import math
 import os
 import random
+import re
 import shutil
 import struct
 import subprocess
 import sys
 import tempfile
+import zipfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
@@ -390,10 +392,12 @@ def inside_blender(job_path):
         ("a mirrored half added (modifier)", OTHER, lambda o, r: modifier(big(o, r), "MIRROR")),
         ("edges split", OTHER, lambda o, r: each(o, lambda x: modifier(x, "EDGE_SPLIT"))),
     ]
-    result = []
+    progress = json.load(open(job_path + ".progress"))
     for i, (name, kind, change) in enumerate(edits):
-        if job["only"] not in name:
+        if job["only"] not in name or i < progress["next"]:
             continue
+        progress["next"] = i + 1
+        json.dump(dict(progress, trying=name), open(job_path + ".progress", "w"))
         objects = read(job["obj"])
         missing, original = tag(objects)
         if missing:
@@ -402,8 +406,9 @@ def inside_blender(job_path):
         folder = os.path.join(job["folder"], "%02d" % i)
         os.makedirs(folder, exist_ok=True)
         write(os.path.join(folder, "level.obj"), original if kind == MERGED else None)
-        result.append((name, kind, folder))
-    json.dump(result, open(job_path + ".done", "w"))
+        progress["done"].append((name, kind, folder))
+        json.dump(progress, open(job_path + ".progress", "w"))
+    json.dump(progress["done"], open(job_path + ".done", "w"))
 
 
 # ---------------------------------------------------------------------------------------------------------------
@@ -497,6 +502,17 @@ def random_level(path, seed):
     obj.begin("tower")
     obj.box("stone", (10, 0, -40), (10 + r.uniform(4, 9), r.uniform(5, 12), -33), r.randint(3, 5))
     obj.write(path)
+
+
+def fetch_map(program, name, obj):
+    """Writes a stranger's geometry as OBJ."""
+    archive, inside = name.split(":") if ":" in name else (None, name)
+    source = os.path.join(os.path.dirname(obj), os.path.basename(inside))
+    if archive:
+        open(source, "wb").write(zipfile.ZipFile(archive).read(inside))
+    else:
+        shutil.copy(inside, source)
+    subprocess.run([program, "export", source, "--obj", obj], check=True, stdout=subprocess.DEVNULL)
 
 
 def read_obj(path):
@@ -687,6 +703,7 @@ def main():
     parser.add_argument("--levels", type=int, default=3, help="random levels")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--shipped", nargs="*", default=[], help="names of levels in assets/levels")
+    parser.add_argument("--map", nargs="*", default=[], help="geometry of strangers: a file, or ARCHIVE.pk3:NAME in it")
     parser.add_argument("--only", default="", help="edits whose name contains this")
     parser.add_argument("--keep", help="folder for the files; its edits are used again")
     args = parser.parse_args()
@@ -699,13 +716,15 @@ def main():
         template.pop(key, None)
     total = {}
     levels = [("random %d" % s, s) for s in range(args.seed, args.seed + args.levels)]
-    levels += [(name, args.seed) for name in args.shipped]
+    levels += [(name, args.seed) for name in args.shipped + args.map]
     for name, seed in levels:
-        folder = os.path.join(scratch, name.replace(" ", "_"))
+        folder = os.path.join(scratch, re.sub("[ /:.]", "_", name))
         os.makedirs(folder, exist_ok=True)
         obj = os.path.join(folder, "level.obj")
         if name.startswith("random"):
             random_level(obj, seed)
+        elif name in args.map:
+            fetch_map(programs[0], name, obj)
         else:
             shutil.copy(os.path.join(ROOT, "assets/levels", name + ".obj"), obj)
             shutil.copy(os.path.join(ROOT, "assets/levels", name + ".mtl"), os.path.join(folder, name + ".mtl"))
@@ -722,12 +741,16 @@ def main():
         if not os.path.exists(done):
             json.dump({"obj": obj, "folder": folder, "seed": seed, "only": args.only, "centroids": [f[0] for f in faces],
                        "corners": [f[3] for f in faces]}, open(job, "w"))
-            run = subprocess.run(["blender", "--background", "--factory-startup", "--python-exit-code", "1", "--python",
-                                  os.path.abspath(__file__), "--", job], capture_output=True, text=True)
-            if run.returncode != 0 or "UNTAGGED" in run.stderr:
-                sys.stderr.write(run.stdout[-3000:] + run.stderr[-3000:])
-                if run.returncode != 0:
-                    raise SystemExit("Blender failed")
+            json.dump({"next": 0, "done": []}, open(job + ".progress", "w"))
+            while not os.path.exists(done):
+                run = subprocess.run(["blender", "--background", "--factory-startup", "--python-exit-code", "1",
+                                      "--python", os.path.abspath(__file__), "--", job], capture_output=True, text=True)
+                if "UNTAGGED" in run.stderr:
+                    sys.stderr.write(run.stderr[-3000:])
+                if run.returncode == 1:
+                    raise SystemExit("Blender failed\n" + run.stdout[-3000:] + run.stderr[-3000:])
+                if run.returncode != 0:  # it crashed: without that edit
+                    print("  %s, %s: Blender crashed" % (name, json.load(open(job + ".progress"))["trying"]), file=sys.stderr)
         for p, program in enumerate(programs):
             level_file = os.path.join(folder, "level.slipface.json")
             json.dump(level, open(level_file, "w"))
@@ -736,10 +759,13 @@ def main():
                 if args.only not in edit:
                     continue
                 edited = os.path.join(place, "level.obj")
+                truth = json.load(open(edited + ".truth"))
+                if not truth:
+                    continue
                 here = os.path.join(place, "level.slipface.json")
                 shutil.copy(level_file, here)
                 save(program, edited, folder)
-                one = score(types, json.load(open(edited + ".truth")), *found_paint(here), faces)
+                one = score(types, truth, *found_paint(here), faces)
                 total.setdefault((p, edit, kind), Score()).add(one)
                 if one.wrong or one.unplaced:
                     print("  %s, %s: %s" % (name, edit, vars(one)), file=sys.stderr)

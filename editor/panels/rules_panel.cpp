@@ -85,7 +85,8 @@ void open_rule(Editor& editor, std::size_t index) {
         ImGui::SetNextItemWidth(-1.0f);
         if (ui::combo("##Material", &chosen, labels.data(), static_cast<int>(labels.size())) &&
             (exact || chosen > 0))
-            change_rule(editor, index, {names[static_cast<std::size_t>(chosen - (exact ? 0 : 1))], rule.type});
+            change_rule(editor, index,
+                        {names[static_cast<std::size_t>(chosen - (exact ? 0 : 1))], rule.type});
         std::vector<const char*> types;
         int type = -1;
         for (std::size_t i = 0; i < level.surfaces.size(); ++i) {

@@ -65,14 +65,15 @@ void guessed_paint(Editor& editor) {
     const std::size_t count = editor.document->guessed().size();
     if (count == 0) return;
     ui::heading("Guessed paint");
-    entry("Step through them; drop what is wrong",
-          std::to_string(count) + (count == 1 ? " face was" : " faces were") +
-              " not found beyond doubt: the paint comes from faces in the same plane or nearby, or of a part that "
-              "may have moved otherwise");
+    entry("Step through them; drop what is wrong", std::to_string(count) +
+                                                       (count == 1 ? " face was" : " faces were") +
+                                                       " not found beyond doubt: the paint comes from faces "
+                                                       "in the same plane or nearby, or of a part that "
+                                                       "may have moved otherwise");
     constexpr std::pair<const char*, const char*> buttons[] = {
-        {"Select all", "select.guessed"},   {"Previous", "select.previous_guessed"},
-        {"Next", "select.next_guessed"},    {"Accept", "select.accept_guess"},
-        {"Drop", "select.drop_guess"},      {"Accept the part", "select.accept_part"},
+        {"Select all", "select.guessed"},        {"Previous", "select.previous_guessed"},
+        {"Next", "select.next_guessed"},         {"Accept", "select.accept_guess"},
+        {"Drop", "select.drop_guess"},           {"Accept the part", "select.accept_part"},
         {"Accept all", "select.accept_guessed"}, {"Drop all", "select.drop_guessed"}};
     for (const auto& [label, command] : buttons) {
         const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;

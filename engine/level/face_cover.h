@@ -1,8 +1,8 @@
 // What a new face covers of old ones, of which only the keys are known.
 #pragma once
 
-#include <optional>
 #include <span>
+#include <vector>
 
 #include "slipface/level/level.h"
 
@@ -14,14 +14,12 @@ inline constexpr double small_fraction = 0.25;
 // An old face that a new face may cover.
 struct OldFace {
     const FaceKey* key = nullptr;
-    SurfaceId type = default_surface;
     bool centre_inside = false;  // its centroid lies on the new face
 };
 
-// The type of the old faces that make up more than half of `face`'s area; nothing if there is none. The rest may
-// be covered by others of `faces` or by faces without paint. A key has no outline: where a face is much larger
-// than the old ones, their areas count; else points of the face count for the old face whose centroid is nearest,
-// measured in the root of its area.
-std::optional<SurfaceId> covered_type(const Mesh& mesh, FaceId face, std::span<const OldFace> faces);
+// [of `faces`] how much of `face`'s area lies on each of them; the rest lies on none. A key has no outline:
+// where a face is much larger than the old ones, their areas count; else points of the face count for the old
+// face whose centroid is nearest, measured in the root of its area, as if it were a square.
+std::vector<double> covered_areas(const Mesh& mesh, FaceId face, std::span<const OldFace> faces);
 
 }  // namespace slipface

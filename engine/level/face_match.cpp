@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "face_cover.h"
@@ -28,11 +29,14 @@ constexpr double whole_fraction = 1.01;
 constexpr double max_sideways = 0.45;  // of the nearest face's centre, as a fraction of the old face's size
 constexpr double max_bent_area = 1.2;  // of the parts of a bent face, as a fraction of its vector's length
 
-// A face in the plane of an old one, up to this fraction of its area and with nearly its centre, is that face with
-// another outline.
+// A face in the plane of an old one, up to this fraction of its area and with nearly its centre, is that face
+// with another outline.
 constexpr double merged_fraction = 1.5;
 constexpr double same_centre = 0.1;  // as a fraction of its size
 
+constexpr double moved_centre = 0.3;      // by lost corners on straight edges
+constexpr double filled_fraction = 0.35;  // of an old face by the new ones that it is to give its type to
+constexpr double more_than_half = 0.52;   // of a new face
 
 Vec3 unit_or_zero(const Vec3& normal) {
     const double length = normal.norm();
@@ -85,6 +89,7 @@ class Matcher {
             run_stage(Stage::plane, [this](std::size_t i) { return match_plane(i); });
             run_stage(Stage::plane, [this](std::size_t i) { return match_union(i, false); });
             run_stage(Stage::plane, [this](std::size_t i) { return match_union(i, true); });
+            run_stage(Stage::plane, [this](std::size_t i) { return match_area(i); });
             match_covered();
             run_stage(Stage::nearest, [this](std::size_t i) { return match_nearest(i); });
         }
@@ -232,7 +237,8 @@ class Matcher {
             if (candidate.area >= part_fraction * key.area) {
                 if (!index_.covers(face, key.centroid, normal)) continue;
                 // One of several that a larger face may cover.
-                if (candidate.area > merged_fraction * key.area || offset.norm() > same_centre * size) return false;
+                if (candidate.area > merged_fraction * key.area || offset.norm() > same_centre * size)
+                    return false;
                 claim(face, i, Stage::plane);
                 return true;
             }
@@ -289,11 +295,39 @@ class Matcher {
                                  0.02 * std::sqrt(key.area) + position_tolerance(key.centroid);
     }
 
-    // New faces that cover several old ones, or parts of them. Each has the type of most of its area; old faces
-    // of which most is covered by other types are left for the user.
+    // A face that lost corners on straight edges has another mean of corners, which may lie outside of it. It
+    // is the only face of that area in the plane around.
+    bool match_area(std::size_t i) {
+        const FaceKey& key = stored_[i].key;
+        const Vec3 normal = unit_or_zero(key.normal);
+        if (normal.isZero() || !(key.area > 0.0)) return false;
+        const double size = std::sqrt(key.area);
+        FaceId best = no_id;
+        for (const FaceId face : faces_around(i, size)) {
+            const FaceKey& candidate = index_.key(face);
+            if (std::abs(candidate.area - key.area) > 1e-3 * key.area ||
+                candidate.normal.dot(normal) < 0.999 ||
+                std::abs(normal.dot(candidate.centroid - key.centroid)) > 1e-3 * size)
+                continue;
+            if (best != no_id) return false;
+            best = face;
+        }
+        if (best == no_id || !is_free(best)) return false;
+        if ((index_.key(best).centroid - key.centroid).norm() > moved_centre * size) return false;
+        claim(best, i, Stage::plane);
+        return true;
+    }
+
+    // New faces that cover several old ones, or parts of them. Each has the type of most of its area; old
+    // faces of which most is covered by other types are left for the user.
     void match_covered() {
-        std::vector<std::pair<FaceId, OldFace>> all;
-        std::vector<std::pair<FaceId, std::size_t>> centres;  // a face, and a stored one with its centre there
+        struct Cover {
+            FaceId face;
+            std::size_t i;
+            bool inside, same_face;
+            double area;
+        };
+        std::vector<Cover> all;
         for (std::size_t i = 0; i < stored_.size() && lookup_.visits < max_visits; ++i) {
             const FaceKey& key = stored_[i].key;
             if (found_[i] != Stage::none || !types_[i] || is_lost(i) || !(key.area > 0.0)) continue;
@@ -309,33 +343,56 @@ class Matcher {
                 if (off > (0.02 + 0.7 * tilt) * size) continue;
                 const bool inside = index_.covers(face, key.centroid, candidate.normal);
                 lookup_.visits += mesh_.face_corner_count(face);
-                all.push_back({face, {&key, *types_[i], inside}});
-                if (inside) centres.push_back({face, i});
-                // Of a long face, which no disc is like, the key says too little.
-                const bool same_face = inside && candidate.area > 0.5 * key.area && candidate.area < 1.5 * key.area &&
+                // Of a long face, which no square is like, the key says too little.
+                const bool same_face = inside && candidate.area > 0.5 * key.area &&
+                                       candidate.area < 1.5 * key.area &&
                                        (candidate.centroid - key.centroid).norm() < 0.15 * size;
-                if (!same_face) refused_.push_back({face, i});
+                all.push_back({face, i, inside, same_face, 0.0});
             }
         }
-        std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        std::stable_sort(all.begin(), all.end(),
+                         [](const Cover& a, const Cover& b) { return a.face < b.face; });
+        std::vector<double> total(stored_.size(), 0.0);
+        const auto each_face = [&](const auto& apply) {
+            for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+                for (end = begin; end < all.size() && all[end].face == all[begin].face;)
+                    ++end;
+                apply(std::span(all).subspan(begin, end - begin));
+            }
+        };
+        each_face([&](std::span<Cover> covers) {
+            std::vector<OldFace> old;
+            for (const Cover& cover : covers)
+                old.push_back({&stored_[cover.i].key, cover.inside});
+            const std::vector<double> areas = covered_areas(mesh_, covers[0].face, old);
+            for (std::size_t k = 0; k < covers.size(); ++k) {
+                covers[k].area = areas[k];
+                total[covers[k].i] += areas[k];
+            }
+        });
+        // Of an old face whose square holds little of the new faces, the outline is another, or it is gone.
+        const auto is_square = [&](std::size_t i) {
+            return total[i] >= filled_fraction * stored_[i].key.area;
+        };
+        each_face([&](std::span<Cover> covers) {
+            const FaceId face = covers[0].face;
+            std::map<SurfaceId, double> shares;
+            for (const Cover& cover : covers)
+                if (is_square(cover.i)) shares[*types_[cover.i]] += cover.area;
+            for (const auto& [type, share] : shares) {
+                if (share <= more_than_half * index_.key(face).area) continue;
+                claims_[face] = Stage::plane;
+                result_.overrides[face] = type;
+            }
+        });
+        for (const Cover& cover : all) {
+            if (cover.inside && result_.overrides[cover.face] == types_[cover.i])
+                found_[cover.i] = Stage::plane;
+            else if (cover.inside && !is_free(cover.face))
+                lost_[cover.i] = true;
+            if (!cover.same_face && is_square(cover.i)) refused_.push_back({cover.face, cover.i});
+        }
         std::sort(refused_.begin(), refused_.end());
-        std::vector<OldFace> old;
-        for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
-            const FaceId face = all[begin].first;
-            old.clear();
-            for (end = begin; end < all.size() && all[end].first == face; ++end)
-                old.push_back(all[end].second);
-            const std::optional<SurfaceId> type = covered_type(mesh_, face, old);
-            if (!type) continue;
-            claims_[face] = Stage::plane;
-            result_.overrides[face] = type;
-        }
-        for (const auto& [face, i] : centres) {
-            if (result_.overrides[face] == types_[i])
-                found_[i] = Stage::plane;
-            else if (!is_free(face))
-                lost_[i] = true;
-        }
     }
 
     // A long face that was cut into parts, whose centres are too far away for match_plane(): connected faces
@@ -441,7 +498,9 @@ class Matcher {
             const double distance = (candidate.centroid - key.centroid).norm();
             const bool similar = candidate.area > 0.25 * key.area && candidate.area < 4.0 * key.area &&
                                  candidate.normal.dot(normal) > 0.9 && distance <= size;
-            if (!is_free(face) || is_refused(face, i) || !similar || (best != no_id && distance >= best_distance)) continue;
+            if (!is_free(face) || is_refused(face, i) || !similar ||
+                (best != no_id && distance >= best_distance))
+                continue;
             // A face that moved straight along its normal need not cover the centre: it may be concave.
             const Vec3 offset = candidate.centroid - key.centroid;
             const double sideways = (offset - normal.dot(offset) * normal).norm();

@@ -31,9 +31,10 @@ class MotionFinder {
         MotionSupport best_support, staying;
         double best_rating = 0.0;
         bool searched = false;
-        bool voted = false;                // other parts made the same motion
-        std::vector<Rated> others;         // motions that were considered
-        std::optional<PartMotion> turned;  // what the order of the faces says, though staying explains as much
+        bool voted = false;         // other parts made the same motion
+        std::vector<Rated> others;  // motions that were considered
+        std::optional<PartMotion>
+            turned;  // what the order of the faces says, though staying explains as much
     };
 
     // part_search.cpp: each part by itself
@@ -49,16 +50,19 @@ class MotionFinder {
     bool near_vertices(std::size_t part, const PartMotion& rough, std::vector<Vec3>& from,
                        std::vector<Vec3>& to) const;
     std::optional<PartMotion> refitted(std::size_t part, const PartMotion& rough) const;
-    bool same(std::size_t part, const PartMotion& a, const PartMotion& b) const;
+    static bool same(const Aabb& box, const PartMotion& a, const PartMotion& b);  // for what lies in the box
 
     // part_order.cpp: what the order of the faces says
     void try_order(std::size_t part);
     void trust_order();
+    double ranks(std::size_t part, const PartMotion& motion);
     bool turns_in_place(std::size_t part, const PartMotion& motion) const;
     std::vector<PartMotion> rank_motions(std::size_t part);
 
     // part_vote.cpp: the parts together
     void vote();
+    void exchange(std::size_t part);
+    void collect_moves();
     void one_part_each_place();
     bool is_claimed(std::size_t part, const PartMotion& motion) const;
     void search_edited();
@@ -74,6 +78,8 @@ class MotionFinder {
     SimilarFaces similar_;
     std::vector<Part> parts_;
     std::vector<PartMotion> known_;       // the parts' best, to be tried with the next parts
+    std::vector<PartMotion> moves_;       // the different motions of the parts that moved
+    std::vector<Aabb> places_;            // [part] of the parts that moved: where; else empty
     std::vector<PartMotion> candidates_;  // all that nearly explain as much
     std::size_t candidates_part_ = 0, candidates_of_part_ = 0, votes_ = 0;
     std::size_t guesses_ = 0;

@@ -50,16 +50,16 @@ struct PartMotion {
     // `lost`: nothing of the part is where it was, and no motion explains the new mesh. A face that looks
     // like one of its faces is another one.
     bool lost = false;
-    // Another motion, or staying, explains the mesh nearly as well and gives faces other types, or this one explains
-    // little of it. What it finds is a question to the user, even if it looks exact.
+    // Another motion, or staying, explains the mesh nearly as well and gives faces other types, or this one
+    // explains little of it. What it finds is a question to the user, even if it looks exact.
     bool guessed = false;
 
     bool is_identity() const { return linear.isIdentity(0.0) && offset.isZero(0.0) && !flipped; }
     Vec3 operator()(const Vec3& position) const { return linear * position + offset; }
 };
 
-// [part] the motion that puts the most anchors and painted faces (`stored`) onto the mesh's. A part stays where
-// it is unless another motion explains clearly more. The work is bounded.
+// [part] the motion that puts the most anchors and painted faces (`stored`) onto the mesh's. A part stays
+// where it is unless another motion explains clearly more. The work is bounded.
 std::vector<PartMotion> find_motions(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces,
                                      const PaintParts& parts, const std::vector<StoredOverride>& stored);
 

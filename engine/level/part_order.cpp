@@ -1,15 +1,19 @@
 // What the order of a part's faces says about its motion.
-#include "motion_finder.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "motion_finder.h"
 #include "motion_fit.h"
 
 namespace slipface {
 
-// True if the motion puts the part's box onto itself. Not a reflection in a diagonal, which is what sorting along
-// another axis looks like.
+// How much of the order of the part's faces is kept, 1 if all are where they were in it.
+double MotionFinder::ranks(std::size_t i, const PartMotion& motion) {
+    return std::max(support_.ranks_kept(i, motion), 0.9 * support_.order_kept(i, motion));
+}
+
+// True if the motion puts the part's box onto itself. Not a reflection in a diagonal, which is what sorting
+// along another axis looks like.
 bool MotionFinder::turns_in_place(std::size_t i, const PartMotion& motion) const {
     const Eigen::Matrix3d turn = motion.linear.array().round();
     const bool quarter = turn.determinant() > 0.0 && turn.trace() == 1.0;
@@ -30,8 +34,7 @@ void MotionFinder::try_order(std::size_t i) {
     ++(in_order ? in_order_ : out_of_order_);
     if (in_order && unclear) return;
     for (const PartMotion& motion : rank_motions(i)) {
-        if (!turns_in_place(i, motion) ||
-            support_.support(i, motion, 1.0 - 1e-9).sum() < 2.0 - 1e-9 ||
+        if (!turns_in_place(i, motion) || support_.support(i, motion, 1.0 - 1e-9).sum() < 2.0 - 1e-9 ||
             support_.ranks_kept(i, motion) < 1.0 - 1e-9)
             continue;
         part.best = motion;

@@ -1,10 +1,9 @@
-// The search for the motion of one part: a motion is guessed from few faces or from boxes and then checked against
-// all anchors and a sample of the painted faces.
-#include "motion_finder.h"
-
+// The search for the motion of one part: a motion is guessed from few faces or from boxes and then checked
+// against all anchors and a sample of the painted faces.
 #include <algorithm>
 #include <cmath>
 
+#include "motion_finder.h"
 #include "motion_fit.h"
 
 namespace slipface {
@@ -12,9 +11,9 @@ namespace {
 
 constexpr std::size_t max_guesses_per_part = 8000;  // motions examined
 constexpr std::size_t max_candidates_per_anchor = 400;
-constexpr double clearly_more = 0.15;     // than staying explains; the most is 2
-constexpr double clearly_more_rim = 0.1;  // of the anchor corners alone
-constexpr double in_place = 0.85;         // fraction of anchor corners of a part that stayed
+constexpr double clearly_more = 0.15;         // than staying explains; the most is 2
+constexpr double clearly_more_rim = 0.1;      // of the anchor corners alone
+constexpr double in_place = 0.85;             // fraction of anchor corners of a part that stayed
 constexpr std::size_t max_candidates = 1000;  // motions to vote on
 
 Eigen::Matrix3Xd columns(const std::vector<Vec3>& corners) {
@@ -43,6 +42,9 @@ std::vector<PartMotion> MotionFinder::run() && {
         find(part);
     trust_order();
     vote();
+    collect_moves();
+    for (std::size_t part = 0; part < parts_.size(); ++part)
+        exchange(part);
     one_part_each_place();
     search_edited();
     std::vector<PartMotion> motions;
@@ -64,8 +66,7 @@ void MotionFinder::find(std::size_t i) {
     part.searched = true;
     try_known(i);
     try_ranks(i);
-    if (part.best.is_identity() || part.best_support.sum() < 2.0 - 1e-9 ||
-        part.best_support.ranks < 0.75) {
+    if (part.best.is_identity() || part.best_support.sum() < 2.0 - 1e-9 || part.best_support.ranks < 0.75) {
         try_boxes(i);
         try_faces(i);
     }
@@ -77,7 +78,7 @@ void MotionFinder::consider(std::size_t i, const PartMotion& motion) {
     ++guesses_;
     MotionSupport found = support_.support(i, motion, enough_anchors_);
     if (found.corners < enough_anchors_ || found.sum() < part.best_support.sum() - vote_slack) return;
-    found.ranks = std::max(support_.ranks_kept(i, motion), 0.9 * support_.order_kept(i, motion));
+    found.ranks = ranks(i, motion);
     // What explains all needs to explain only a little more than staying does.
     const double more = found.sum() - part.staying.sum();
     const bool whole = found.sum() > 2.0 - 1e-9;
@@ -154,8 +155,7 @@ void MotionFinder::try_faces(std::size_t i) {
             length += (next - here).norm();
             sum += here.cross(next);
         }
-        if (sum.norm() > 0.0)
-            anchors.push_back({&corners, similar_.of(corners, length, 0.5 * sum.norm())});
+        if (sum.norm() > 0.0) anchors.push_back({&corners, similar_.of(corners, length, 0.5 * sum.norm())});
     }
     std::stable_sort(anchors.begin(), anchors.end(),
                      [](const Anchor& a, const Anchor& b) { return a.faces.size() < b.faces.size(); });
@@ -193,8 +193,7 @@ void MotionFinder::refine_and_consider(std::size_t i, const PartMotion& rough) {
     }
 }
 
-bool MotionFinder::same(std::size_t i, const PartMotion& a, const PartMotion& b) const {
-    const Aabb& box = stored_.parts[i].box;
+bool MotionFinder::same(const Aabb& box, const PartMotion& a, const PartMotion& b) {
     const double size = 1e-4 * (box.size().norm() + 1.0);
     return (a(box.min) - b(box.min)).norm() < size && (a(box.max) - b(box.max)).norm() < size &&
            (a(box.centre()) - b(box.centre())).norm() < size &&
@@ -207,7 +206,7 @@ void MotionFinder::add_candidate(std::size_t i, const PartMotion& motion) {
     candidates_part_ = i;
     if (candidates_.size() == max_candidates || candidates_of_part_ == max_of_part) return;
     for (const PartMotion& known : candidates_)
-        if (same(i, known, motion)) return;
+        if (same(stored_.parts[i].box, known, motion)) return;
     candidates_.push_back(motion);
     ++candidates_of_part_;
 }
@@ -222,7 +221,7 @@ std::optional<PartMotion> MotionFinder::refitted(std::size_t i, const PartMotion
 
 // The part's corners that are near vertices after the motion; false if too few are.
 bool MotionFinder::near_vertices(std::size_t i, const PartMotion& rough, std::vector<Vec3>& from,
-                   std::vector<Vec3>& to) const {
+                                 std::vector<Vec3>& to) const {
     const std::vector<Vec3>& points = support_.points(i);
     const auto allowed =
         static_cast<std::size_t>((1.0 - enough_anchors_) * static_cast<double>(points.size()));

@@ -41,8 +41,8 @@ class PartSupport {
     // The fraction of the part's anchors with their place in the file's order.
     double ranks_kept(std::size_t part, const PartMotion& motion);
 
-    // The fraction of the faces at the places of the anchors that come in the same order as before; 1 if there are
-    // too few.
+    // The fraction of the faces at the places of the anchors that come in the same order as before; 1 if
+    // there are too few.
     double order_kept(std::size_t part, const PartMotion& motion) const;
 
     // True if more of the painted faces look the other way than this way.
@@ -65,8 +65,8 @@ class PartSupport {
     // box.
     bool fills_box(std::size_t part, const PartMotion& motion);
 
-    // True if the motion's box of the part is nearly the box of the mesh's part there; `slack` as a fraction of
-    // its diagonal.
+    // True if the motion's box of the part is nearly the box of the mesh's part there; `slack` as a fraction
+    // of its diagonal.
     bool becomes_box(std::size_t part, const PartMotion& motion, double slack);
 
     // Whether the mesh has a part that fills nearly the same box: an edited part.

@@ -30,16 +30,14 @@ bool PartTypes::all_found(std::size_t part, const PartMotion& from, const PartMo
     std::vector<Moved> moved;
     for (const StoredOverride* face : faces_[part])
         moved.push_back({moved_key(face->key, to), &face->type});
-    std::sort(moved.begin(), moved.end(), [](const Moved& a, const Moved& b) {
-        return a.key.centroid.x() < b.key.centroid.x();
-    });
+    std::sort(moved.begin(), moved.end(),
+              [](const Moved& a, const Moved& b) { return a.key.centroid.x() < b.key.centroid.x(); });
     const std::size_t step = faces_[part].size() / max_compared + 1;
     for (std::size_t i = 0; i < faces_[part].size(); i += step) {
         const FaceKey key = moved_key(faces_[part][i]->key, from);
         const double slack = 8.0 * position_tolerance(key.centroid);
-        auto at = std::lower_bound(
-            moved.begin(), moved.end(), key.centroid.x() - slack,
-            [](const Moved& one, double x) { return one.key.centroid.x() < x; });
+        auto at = std::lower_bound(moved.begin(), moved.end(), key.centroid.x() - slack,
+                                   [](const Moved& one, double x) { return one.key.centroid.x() < x; });
         const auto same = [&](const Moved& other) {
             return (other.key.centroid - key.centroid).cwiseAbs().maxCoeff() <= slack &&
                    other.key.normal.dot(key.normal) > 0.99 && *other.type == faces_[part][i]->type;

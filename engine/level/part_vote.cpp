@@ -1,9 +1,8 @@
 // The motions of the parts together.
-#include "motion_finder.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "motion_finder.h"
 #include "motion_fit.h"
 
 namespace slipface {
@@ -25,8 +24,8 @@ void MotionFinder::vote() {
             const auto allowed = [&](const PartMotion& motion) {
                 const MotionSupport found = support_.support(i, motion, enough_anchors_);
                 // What puts every corner in its place may miss faces: they were extruded or deleted.
-                const bool fits = found.sum() >= parts_[i].best_support.sum() - vote_slack ||
-                                  found.corners > 1.0 - 1e-9;
+                const bool fits =
+                    found.sum() >= parts_[i].best_support.sum() - vote_slack || found.corners > 1.0 - 1e-9;
                 return found.corners >= enough_anchors_ && fits && !support_.is_taken(i, motion) &&
                        support_.fills_box(i, motion);
             };
@@ -79,37 +78,71 @@ bool MotionFinder::is_unexplained(std::size_t i) {
            part.best_support.keys < lost_below && !support_.has_similar_box(i);
 }
 
-// Whether another part that moved is where the motion puts this one. Parts that lay on each other may stay so.
+void MotionFinder::collect_moves() {
+    constexpr std::size_t max_moves = 64;
+    for (const Part& part : parts_) {
+        if (part.best.is_identity() || moves_.size() == max_moves) continue;
+        if (std::none_of(moves_.begin(), moves_.end(),
+                         [&](const PartMotion& known) { return same(stored_.bounds, known, part.best); }))
+            moves_.push_back(part.best);
+    }
+}
+
+// Two equal parts that a motion of others put into each other's place look as if they had stayed, but the
+// order of their faces says that they did not.
+void MotionFinder::exchange(std::size_t i) {
+    Part& part = parts_[i];
+    if (part.searched || !part.best.is_identity() || support_.points(i).size() < 3) return;
+    if (moves_.empty()) return;
+    const double staying = ranks(i, part.best);
+    if (staying >= 0.9) return;
+    for (const PartMotion& motion : moves_) {
+        const MotionSupport found = support_.support(i, motion, enough_anchors_);
+        if (found.sum() < part.staying.sum() - 1e-9 || ranks(i, motion) <= staying) continue;
+        part.best = motion;
+        part.best.guessed = types_.differ(i, PartMotion{}, motion);
+        part.best_support = found;
+        part.voted = true;
+        return;
+    }
+}
+
+// Whether another part that moved is where the motion puts this one. Parts that lay on each other may stay
+// so.
 bool MotionFinder::is_claimed(std::size_t i, const PartMotion& motion) const {
     const Aabb box = support_.moved_box(i, motion);
     for (std::size_t k = 0; k < parts_.size(); ++k) {
-        if (k == i || parts_[k].best.is_identity()) continue;
-        if (similar_box(support_.moved_box(k, parts_[k].best), box, box_slack) &&
+        if (k == i || places_[k].empty()) continue;
+        if (similar_box(places_[k], box, box_slack) &&
             !similar_box(stored_.parts[k].box, stored_.parts[i].box, box_slack))
             return true;
     }
     return false;
 }
 
-// Of parts that look as if they had all moved to one place, the one did whose motion is others', too, or that did
-// the least. The others were edited.
+// Of parts that look as if they had all moved to one place, the one did whose motion is others', too, or that
+// did the least. The others were edited.
 void MotionFinder::one_part_each_place() {
+    places_.resize(parts_.size());
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         const Part& part = parts_[i];
         if (part.best.is_identity()) continue;
+        places_[i] = support_.moved_box(i, part.best);
         const Aabb& box = stored_.parts[i].box;
         order.push_back({(part.voted ? 10.0 : 0.0) + part.best_support.sum() -
                              0.1 * std::min(effort(part.best, box.centre(), box.size().norm()), 2.0),
                          i});
     }
-    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(order.begin(), order.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [rating, i] : order) {
         Part& part = parts_[i];
         if (!is_claimed(i, part.best)) continue;
         part.best = PartMotion{};
         part.best_support = part.staying;
         part.best_rating = 0.0;
+        places_[i] = Aabb{};
     }
 }
 
@@ -119,27 +152,23 @@ void MotionFinder::search_edited() {
     enough_anchors_ = 0.25;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         if (!is_unexplained(i)) continue;
+        Part& part = parts_[i];
         follow(i);
-        if (!parts_[i].best.is_identity()) continue;
-        try_boxes(i);
-        try_faces(i);
-        if (parts_[i].best.is_identity()) continue;
-        parts_[i].best.guessed = true;
+        if (part.best.is_identity()) {
+            try_boxes(i);
+            try_faces(i);
+        }
+        if (part.best.is_identity()) continue;
+        part.best.guessed = true;
+        places_[i] = support_.moved_box(i, part.best);
     }
 }
 
 // The motion of other parts, if it puts the part into a part of its size.
 void MotionFinder::follow(std::size_t i) {
-    std::vector<PartMotion> motions;
-    for (const Part& other : parts_) {
-        if (other.best.is_identity() || motions.size() == 64) continue;
-        if (std::none_of(motions.begin(), motions.end(),
-                         [&](const PartMotion& known) { return same(i, known, other.best); }))
-            motions.push_back(other.best);
-    }
-    for (const PartMotion& motion : motions)
+    for (const PartMotion& motion : moves_)
         consider(i, motion);
-    parts_[i].voted = parts_[i].best.guessed = !parts_[i].best.is_identity();
+    parts_[i].voted = !parts_[i].best.is_identity();
 }
 
 // Whether the motion of the part is a question: it explains little, or others explain as much and give faces
@@ -155,18 +184,19 @@ void MotionFinder::doubt(std::size_t i) {
     if (stays && part.turned) part.best.guessed = types_.differ(i, part.best, *part.turned);
     if (!stays && part.best_support.sum() < little) part.best.guessed = true;
     if (part.voted || (stays && (part.searched || part.best.guessed))) return;
-    if (stays && support_.order_kept(i, part.best) < 1.0) {
-        // Turned in its place, and damaged, so that the order is all that tells.
+    if (stays) {
+        if (support_.order_kept(i, part.best) >= 1.0) return;
+        // Turned in its place, and damaged: only the order is different.
         for (const PartMotion& motion : box_motions(stored_.parts[i].box, stored_.parts[i].box))
             if (turns_in_place(i, motion) && support_.order_kept(i, motion) >= 1.0 &&
                 stored_.parts[i].anchors.size() >= enough_for_order)
                 part.others.push_back({motion, support_.support(i, motion, enough_anchors_).sum(), 1.0});
     }
-    const double ranks =
-        std::max(support_.ranks_kept(i, part.best), 0.9 * support_.order_kept(i, part.best));
+    const double best_ranks = ranks(i, part.best);
     const bool unclear = std::any_of(part.others.begin(), part.others.end(), [&](const Rated& other) {
-        return other.sum >= part.best_support.sum() - as_much && other.ranks >= ranks - same_order &&
-               !same(i, other.motion, part.best) && types_.differ(i, part.best, other.motion);
+        return other.sum >= part.best_support.sum() - as_much && other.ranks >= best_ranks - same_order &&
+               !same(stored_.parts[i].box, other.motion, part.best) &&
+               types_.differ(i, part.best, other.motion);
     });
     part.best.lost = !stays && part.best.guessed && (unclear || part.best_support.sum() < hardly);
     part.best.guessed = part.best.guessed || unclear;

@@ -189,7 +189,8 @@ TEST_F(HotReload, GuessesAreSettledByKeys) {
     press({"J", false, true, false});
     EXPECT_EQ(document().selection()[0], 1u);
     press({"J", true, false, false});
-    EXPECT_EQ(std::vector<FaceId>(document().guessed().begin(), document().guessed().end()), std::vector<FaceId>{0});
+    EXPECT_EQ(std::vector<FaceId>(document().guessed().begin(), document().guessed().end()),
+              std::vector<FaceId>{0});
     EXPECT_EQ(document().selection()[0], 0u) << "goes on to the next";
     press({"J", false, false, true});
     EXPECT_TRUE(document().guessed().empty());

@@ -115,17 +115,16 @@ TEST(FaceMatch, BothTrianglesOfASplitTileKeepItsTypeAndNoOther) {
     EXPECT_EQ(loaded.match.exact, 0u);
 }
 
-// Of a tile cut into quarters, one of them gone, the rest keeps its type as a guess, and no half of a neighbour
-// takes it.
+// Of a tile cut into quarters, one of them gone, the rest keeps its type as a guess, and no half of a
+// neighbour takes it.
 TEST(FaceMatch, WhatIsLeftOfATileKeepsItsTypeAsAGuess) {
     const auto flat = [](float x0, float x1, float z0, float z1) {
         return quad({x0, 0, z0}, {x0, 0, z1}, {x1, 0, z1}, {x1, 0, z0});
     };
     Faces before{flat(0, 1, 0, 1), flat(1, 2, 0, 1), flat(2, 3, 0, 1)};
     before[1].painted = ice;
-    Faces after{flat(0, 0.5f, 0, 1),   flat(0.5f, 1, 0, 1),    flat(2, 2.5f, 0, 1),
-                flat(2.5f, 3, 0, 1),   flat(1, 1.5f, 0, 0.5f), flat(1.5f, 2, 0, 0.5f),
-                flat(1, 1.5f, 0.5f, 1)};
+    Faces after{flat(0, 0.5f, 0, 1),    flat(0.5f, 1, 0, 1),    flat(2, 2.5f, 0, 1),   flat(2.5f, 3, 0, 1),
+                flat(1, 1.5f, 0, 0.5f), flat(1.5f, 2, 0, 0.5f), flat(1, 1.5f, 0.5f, 1)};
     for (std::size_t quarter = 4; quarter < 7; ++quarter)
         after[quarter].painted = ice;
     const LoadedLevel loaded = rematch(before, after);
@@ -190,7 +189,8 @@ TEST(FaceMatch, AFaceOverPartsOfTilesHasTheTypeOfMostOfIt) {
     faces[0].painted = faces[1].painted = ice;
     faces[2].painted = ladder;
     // One triangle over the first two tiles and a quarter of the third, one over the rest.
-    const Vec3f a = faces[0].corners[0], b = faces[1].corners[3], c = faces[3].corners[2], d = faces[2].corners[1];
+    const Vec3f a = faces[0].corners[0], b = faces[1].corners[3], c = faces[3].corners[2],
+                d = faces[2].corners[1];
     const Vec3f low = a + 0.65f * (d - a), high = b + 0.65f * (c - b);
     Faces after{quad(a, low, high, b), quad(low, d, c, high)};
     after[0].painted = ice;
@@ -423,6 +423,24 @@ TEST(FaceMatch, ASymmetricPartTurnedInItsPlaceIsAGuess) {
 
 Faces crate(const Vec3f& low, float side);
 
+// Two equal crates that a mirrored level put into each other's place look as if they had stayed. Their types
+// go along, as guesses.
+TEST(FaceMatch, EqualPartsThatChangedPlacesAreGuesses) {
+    Faces faces = two_rooms().before;
+    const std::size_t rooms = faces.size();
+    for (const float x : {-9.0f, 8.0f})
+        for (const Face& face : crate({x, 2, 3}, 1.0f))
+            faces.push_back(face);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        faces[i].painted = static_cast<int>(i % 7) - 1;
+    const Eigen::Affine3f mirror(Eigen::Scaling(-1.0f, 1.0f, 1.0f));
+    const Faces after = rounded(with_first_turned(faces, faces.size(), mirror, true));
+    const LoadedLevel loaded = rematch(faces, after);
+    EXPECT_TRUE(wrong_faces(after, loaded).empty());
+    EXPECT_EQ(loaded.guessed.size(),
+              painted_count({faces.begin() + static_cast<std::ptrdiff_t>(rooms), faces.end()}));
+}
+
 // A single box that was turned onto itself, in a file where no other part shows that the order was kept: its
 // types may be wrong, so all of them are questions.
 TEST(FaceMatch, ALonePartTurnedOntoItselfIsAQuestion) {
@@ -430,7 +448,8 @@ TEST(FaceMatch, ALonePartTurnedOntoItselfIsAQuestion) {
     for (std::size_t i = 0; i < faces.size(); ++i)
         faces[i].painted = static_cast<int>(i);
     const Vec3f centre(1.5f, 2.5f, 3.5f);
-    const auto turn = Eigen::Translation3f(centre) * turned(90.0f, Vec3f::UnitY()) * Eigen::Translation3f(-centre);
+    const auto turn =
+        Eigen::Translation3f(centre) * turned(90.0f, Vec3f::UnitY()) * Eigen::Translation3f(-centre);
     const Faces after = rounded(with_first_turned(faces, faces.size(), Eigen::Affine3f(turn), false));
     const LoadedLevel loaded = rematch(faces, after);
     EXPECT_EQ(loaded.match.orphaned, 0u);
