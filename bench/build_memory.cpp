@@ -1,5 +1,5 @@
 // slipface_build_memory: what a world keeps in memory, and how much more its construction needs at its peak,
-// in bytes a triangle, by counting what is allocated.
+// in bytes per triangle, by counting what is allocated.
 #include <fmt/core.h>
 #include <malloc.h>
 
