@@ -44,6 +44,25 @@ class BulletLevel {
                                btTransform(btQuaternion::getIdentity(), to), result);
         return result.hasHit();
     }
+    // Whether a sphere of 0.5 m touches the level.
+    bool overlaps(const Vec3& centre) const {
+        struct AnyContact : btCollisionWorld::ContactResultCallback {
+            bool found = false;
+            btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+                                     const btCollisionObjectWrapper*, int, int) override {
+                found = found || point.getDistance() <= btScalar(0);
+                return btScalar(0);
+            }
+        } any;
+        btCollisionObject body;
+        btSphereShape sphere(btScalar(0.5));
+        body.setCollisionShape(&sphere);
+        body.setWorldTransform(btTransform(btQuaternion::getIdentity(), bt(centre)));
+        // The world's own object is not changed; the interface has no const.
+        const_cast<btCollisionWorld&>(world_).contactPairTest(&body, const_cast<btCollisionObject*>(&object_),
+                                                              any);
+        return any.found;
+    }
 
   private:
     std::vector<Vec3f> positions_;

@@ -1,8 +1,8 @@
-// Prints how fast the engine is compared with Bullet 3 and Embree 3: the same queries on the same mesh in the
-// same run, in alternation, so that disturbances affect both. Each engine first makes the queries of a round
-// once unmeasured, because a game queries it every tick. Each figure is the median over the rounds of
-// processor time of one thread, and each ratio the median of the ratios of the rounds. Only builds on two
-// threads are measured in elapsed time.
+// Prints how fast the engine is compared with Bullet 3, Embree 3, and ODE and FCL if they are there: the same
+// queries on the same mesh in the same run, in alternation, so that disturbances affect both. Each engine
+// first makes the queries of a round once unmeasured, because a game queries it every tick. Each figure is
+// the median over the rounds of processor time of one thread, and each ratio the median of the ratios of the
+// rounds. Only builds on two threads are measured in elapsed time.
 #include <fmt/core.h>
 #include <tbb/task_arena.h>
 
@@ -12,6 +12,12 @@
 
 #include "bullet_level.h"
 #include "embree_scene.h"
+#ifdef SLIPFACE_FCL
+#include "fcl_level.h"
+#endif
+#ifdef SLIPFACE_ODE
+#include "ode_level.h"
+#endif
 #include "slipface/base/parallel.h"
 #include "slipface/collision/simd.h"
 #include "timing.h"
@@ -187,6 +193,65 @@ void rays() {
     }
 }
 
+// How many times the time of ours another takes, or a dash where it is not there.
+template <class Engine, class Ours, class Theirs>
+void print_peer(const scenes::Soup& soup, std::size_t count, const Ours& ours, const Theirs& theirs) {
+    const Engine engine(soup);
+    fmt::print(" {:>6.1f}x |", race(count, ours, theirs(engine)).ratio);
+    std::fflush(stdout);
+}
+
+// What the engines that sweep nothing have in common with ours.
+void touches() {
+    fmt::print(
+        "\nA sphere that touches the level or not, and closest-hit rays of 20 m: ns, and how many times the "
+        "rate of others\n\n"
+        "| level | triangles | touch, ns | Bullet | ODE | FCL | ray, ns | ODE |\n"
+        "|---|---:|---:|---:|---:|---:|---:|---:|\n");
+    const Vec3 radii = radii_of(false);
+    for (const auto kind : {Kind::rooms, Kind::ground}) {
+        for (const std::int64_t size : {10000, 100000, 1000000}) {
+            const Level& scene = level(size, kind);
+            // From free places by 1 m: some touch and some do not.
+            const auto list = some_queries(scene, radii, 1.0);
+            const auto touch = over(list, [&](const Query& q) {
+                return overlaps_any(scene.world, radii, q.from + q.move) ? 1.0 : 0.0;
+            });
+            const auto touches_of = [&list](const auto& engine) {
+                return over(
+                    list, [&engine](const Query& q) { return engine.overlaps(q.from + q.move) ? 1.0 : 0.0; });
+            };
+            fmt::print("| {} | {} | {:.0f} |", kind == Kind::rooms ? "rooms" : "ground",
+                       scene.soup.triangles.size(), clock(list.size(), touch));
+            print_peer<BulletLevel>(scene.soup, list.size(), touch, touches_of);
+#ifdef SLIPFACE_ODE
+            print_peer<OdeLevel>(scene.soup, list.size(), touch, touches_of);
+#else
+            fmt::print(" - |");
+#endif
+#ifdef SLIPFACE_FCL
+            print_peer<FclLevel>(scene.soup, list.size(), touch, touches_of);
+#else
+            fmt::print(" - |");
+#endif
+            const auto long_list = some_queries(scene, radii, 20.0);
+            const auto ray = over(long_list, [&](const Query& q) {
+                const auto hit = cast_ray(scene.world, q.from, q.move, 1.0);
+                return hit ? hit->t : 1.0;
+            });
+            fmt::print(" {:.0f} |", clock(long_list.size(), ray));
+#ifdef SLIPFACE_ODE
+            print_peer<OdeLevel>(scene.soup, long_list.size(), ray, [&long_list](const OdeLevel& engine) {
+                return over(long_list, [&engine](const Query& q) { return engine.ray(q); });
+            });
+#else
+            fmt::print(" - |");
+#endif
+            fmt::print("\n");
+        }
+    }
+}
+
 // Both use the same number of threads.
 Pair build_race(const Level& scene, int threads) {
     const ThreadLimit limit(threads);
@@ -239,7 +304,7 @@ void builds() {
 }  // namespace
 }  // namespace slipface::bench
 
-// Without arguments all tables, otherwise the named ones: sweeps, batches, rays, builds.
+// Without arguments all tables, otherwise the named ones: sweeps, batches, rays, touches, builds.
 int main(int count, char** arguments) {
     using namespace slipface::bench;
     const auto wanted = [&](std::string_view table) {
@@ -253,6 +318,7 @@ int main(int count, char** arguments) {
     }
     if (wanted("batches")) batches();
     if (wanted("rays")) rays();
+    if (wanted("touches")) touches();
     if (wanted("builds")) builds();
     return 0;
 }

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Prints the tables of docs/sweep.md (accuracy against a 113-bit oracle) and docs/performance.md (speed beside Bullet 3 and
-# Embree 3). Usage: scripts/measure_collision.sh [QUERIES_A_FAMILY]; 84000 a family are a million queries, a few minutes.
+# Prints the tables of docs/sweep.md (accuracy against a 113-bit oracle) and docs/performance.md (speed beside Bullet 3,
+# Embree 3, ODE and FCL). Usage: scripts/measure_collision.sh [QUERIES_A_FAMILY]; 84000 a family are a million queries, a few minutes.
 # scripts/measure_collision.sh bench [--benchmark_filter=REGEX...] runs the Google Benchmark programs instead.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/common.sh
-install_packages "${packages[@]}" "${test_packages[@]}" libbullet-dev libembree-dev
+install_packages "${packages[@]}" "${test_packages[@]}" libbullet-dev libembree-dev libode-dev libfcl-dev
 [ -f build/bench/build.ninja ] || step "Configuring (bench)" cmake -B build/bench -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_FLAGS_RELEASE="-O2 -DNDEBUG" -DSLIPFACE_BENCH=ON -DSLIPFACE_TESTS=OFF -DSLIPFACE_EDITOR=OFF
 if [ "${1:-}" = bench ]; then

@@ -39,12 +39,12 @@ inline float walk(const TreeView& tree, float limit, Test&& test, Visit&& visit)
                 for (; mask != 0; mask &= mask - 1) {
                     const unsigned k = first_lane(mask);
                     const StackEntry entry{keys[k], node.child[k]};
+                    fetch(tree, entry.child);
                     std::size_t index = size++;
                     for (; index > bottom && stack[index - 1].key < entry.key; --index)
                         stack[index] = stack[index - 1];
                     stack[index] = entry;
                 }
-                fetch(tree, stack[size - 2].child);
             }
         }
         do {

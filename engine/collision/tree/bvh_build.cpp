@@ -3,6 +3,7 @@
 // and leaves are written in parallel. No step depends on the order of the tasks.
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "slipface/base/parallel.h"
@@ -27,18 +28,28 @@ struct Range {
     Box centres;  // of the items' centres, or the cells'
 };
 
+// What is kept of a range once it is divided. There are many of these at the end, so they are small.
 struct Node;
 struct Child {
-    Range range;
+    float min[3] = {HUGE_VALF, HUGE_VALF, HUGE_VALF};
+    float max[3] = {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
+    std::uint32_t first = 0;  // of a leaf's items
+    std::uint32_t link = 0;   // as BvhNode::child
+    std::uint8_t count = 0;   // of a leaf's items
+    std::uint8_t vertices = 0;
     std::unique_ptr<Node> node;  // null for a leaf
-    std::uint32_t vertices = 0;  // of a leaf
-    std::uint32_t link = 0;      // as BvhNode::child
 };
 struct Node {
     std::array<Child, 8> children;
     std::uint32_t count = 0;
     std::uint32_t index = 0;
     std::uint32_t parent = 0;
+};
+
+// The ranges that become a node's children.
+struct Parts {
+    std::array<Range, 8> range;
+    std::uint32_t count = 0;
 };
 
 class Builder {
@@ -60,14 +71,14 @@ class Builder {
             }
             root.cells = cells;
         }
-        auto node = std::make_unique<Node>();
-        node->children[0].range = root;
-        node->count = 1;
-        while (node->count < 8) {
+        Parts parts;
+        parts.range[0] = root;
+        parts.count = 1;
+        while (parts.count < 8) {
             std::uint32_t largest = 8;
             float area = -1.0F;
-            for (std::uint32_t i = 0; i < node->count; ++i) {
-                const Range& range = node->children[i].range;
+            for (std::uint32_t i = 0; i < parts.count; ++i) {
+                const Range& range = parts.range[i];
                 if (!is_leaf(range) && !(range.box.area() <= area)) {
                     largest = i;
                     area = range.box.area();
@@ -75,24 +86,35 @@ class Builder {
             }
             if (largest == 8) break;
             Range right;
-            node->children[largest].range = divide(node->children[largest].range, right);
-            node->children[node->count++].range = right;
+            parts.range[largest] = divide(parts.range[largest], right);
+            parts.range[parts.count++] = right;
         }
-        join_leaves(*node);
-        const auto finish = [this](Child& child) {
-            if (is_leaf(child.range)) {
-                child.vertices = sort_leaf(child.range);
+        join_leaves(parts);
+        auto node = std::make_unique<Node>();
+        node->count = parts.count;
+        const auto finish = [&](std::size_t i) {
+            const Range& range = parts.range[i];
+            Child& child = node->children[i];
+            alignas(16) float corner[4];
+            range.box.min.store(corner);
+            std::copy_n(corner, 3, child.min);
+            range.box.max.store(corner);
+            std::copy_n(corner, 3, child.max);
+            if (is_leaf(range)) {
+                child.first = range.first;
+                child.count = static_cast<std::uint8_t>(range.count);
+                child.vertices = sort_leaf(range);
             } else {
-                child.node = build(child.range);
+                child.node = build(range);
             }
         };
         if (root.count < parallel_grain) {
             for (std::uint32_t i = 0; i < node->count; ++i)
-                finish(node->children[i]);
+                finish(i);
         } else {
             parallel_for(node->count, 1, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i)
-                    finish(node->children[i]);
+                    finish(i);
             });
         }
         return node;
@@ -119,13 +141,13 @@ class Builder {
     }
 
     // Two neighbouring leaves become one if that makes a visit less likely.
-    static void join_leaves(Node& node) {
-        const auto end = node.children.begin() + node.count;
-        std::sort(node.children.begin(), end,
-                  [](const Child& a, const Child& b) { return a.range.first < b.range.first; });
-        for (std::uint32_t i = 0; i + 1 < node.count;) {
-            Range& range = node.children[i].range;
-            const Range& next = node.children[i + 1].range;
+    static void join_leaves(Parts& parts) {
+        const auto begin = parts.range.begin();
+        std::sort(begin, begin + parts.count,
+                  [](const Range& a, const Range& b) { return a.first < b.first; });
+        for (std::uint32_t i = 0; i + 1 < parts.count;) {
+            Range& range = parts.range[i];
+            const Range& next = parts.range[i + 1];
             Box both = range.box;
             both.add(next.box);
             if (!is_leaf(range) || !is_leaf(next) || range.count + next.count > leaf_capacity ||
@@ -135,9 +157,8 @@ class Builder {
             }
             range.box = both;
             range.count += next.count;
-            std::move(node.children.begin() + i + 2, node.children.begin() + node.count,
-                      node.children.begin() + i + 1);
-            node.children[--node.count] = Child();
+            std::move(begin + i + 2, begin + parts.count, begin + i + 1);
+            --parts.count;
         }
     }
 
@@ -232,7 +253,7 @@ class Builder {
     }
 
     // Sorts the triangles of a leaf and counts their vertices.
-    std::uint32_t sort_leaf(const Range& range) {
+    std::uint8_t sort_leaf(const Range& range) {
         Item* begin = &items_[range.first];
         std::sort(begin, begin + range.count,
                   [](const Item& a, const Item& b) { return a.triangle < b.triangle; });
@@ -244,7 +265,7 @@ class Builder {
                     seen[count++] = vertex;
             }
         }
-        return count;
+        return static_cast<std::uint8_t>(count);
     }
 
     std::span<Item> items_;
@@ -264,7 +285,7 @@ class MemoryLayout {
             Child& child = node.children[i];
             if (child.node) continue;
             child.link = leaf_bit | static_cast<std::uint32_t>(bytes / leaf_alignment);
-            bytes += leaf_bytes(child.range.count, child.vertices);
+            bytes += leaf_bytes(child.count, child.vertices);
         }
         for (std::uint32_t i = 0; i < node.count; ++i) {
             Child& child = node.children[i];
@@ -289,13 +310,9 @@ class Writer {
         BvhNode& out = bvh_.nodes[node.index];
         bvh_.parents[node.index] = node.parent;
         for (std::size_t k = 0; k < 8; ++k) {
-            alignas(16) float low[4];
-            alignas(16) float high[4];
-            node.children[k].range.box.min.store(low);
-            node.children[k].range.box.max.store(high);
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                out.bound[axis][k] = low[axis];
-                out.bound[axis + 3][k] = high[axis];
+                out.bound[axis][k] = node.children[k].min[axis];
+                out.bound[axis + 3][k] = node.children[k].max[axis];
             }
             out.child[k] = node.children[k].link;
             if (k < node.count && !node.children[k].node) write_leaf(node.children[k], node.index);
@@ -306,8 +323,8 @@ class Writer {
     void write_leaf(const Child& child, std::uint32_t parent) {
         const std::uint32_t leaf_index = child.link & leaf_index_mask;
         Leaf& leaf = bvh_.leaf_at(leaf_index);
-        leaf.count = static_cast<std::uint8_t>(child.range.count);
-        leaf.vertices = static_cast<std::uint8_t>(child.vertices);
+        leaf.count = child.count;
+        leaf.vertices = child.vertices;
         leaf.unused = 0;
         leaf.parent = parent;
         auto* coordinates = const_cast<float*>(leaf_coordinates(leaf));
@@ -315,7 +332,7 @@ class Writer {
         std::array<std::uint32_t, 3 * leaf_capacity> seen;
         std::size_t count = 0;
         for (std::size_t lane = 0; lane < leaf.count; ++lane) {
-            const std::uint32_t id = items_[child.range.first + lane].triangle;
+            const std::uint32_t id = items_[child.first + lane].triangle;
             ids[lane] = id;
             bvh_.slots[id] = static_cast<std::uint32_t>(leaf_index * leaf_capacity + lane);
             for (std::size_t k = 0; k < 3; ++k) {
@@ -364,11 +381,14 @@ Bvh build_bvh(std::span<const Vec3f> positions, std::span<const std::array<std::
             items[i].body = bodies.empty() ? 0 : bodies[i];
         }
     });
-    Builder builder({items.get(), count}, triangles);
     Range all;
     all.count = count;
-    builder.measure(all);
-    const std::unique_ptr<Node> root = builder.build(all);
+    std::unique_ptr<Node> root;
+    {
+        Builder builder({items.get(), count}, triangles);
+        builder.measure(all);
+        root = builder.build(all);
+    }
     MemoryLayout layout;
     layout.give(*root, 0, 1);
 
