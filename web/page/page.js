@@ -229,7 +229,7 @@ const Slipface = {
     element("canvas").focus();
     if (location.hash.length > 1) follow(location.hash);
     const demo = location.hash.match(/[#&]demo=([^&]*)/);
-    if (embedded && demo) show_switch(demo[1]);
+    if (embedded && demo && JSON.parse(state()).tick !== undefined) show_switch(demo[1]);
     const going_on = !embedded && sessionStorage.getItem("go on");
     sessionStorage.removeItem("go on");
     if (going_on) open_file(going_on);

@@ -172,6 +172,7 @@ void act(Editor& editor, const Link& link) {
         settings.duration_s = *link.reach_s;
         editor.reach = ReachJob::start(*editor.document, settings, editor.session.wake, nullptr);
         editor.layout.show(PanelId::reach);
+        editor.style.overlay = 0.0f;  // the types' colours and their legend would cover the map
     }
     if (link.focus) editor.layout.focus_on(link.only);
 }
