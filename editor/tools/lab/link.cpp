@@ -9,6 +9,7 @@
 #include "slipface/base/text.h"
 #include "slipface/scenes/demo.h"
 #include "tools/editor.h"
+#include "tools/lab/lab_actions.h"
 #include "tools/lab/reach_job.h"
 #include "tools/lab/run_link.h"
 
