@@ -11,7 +11,7 @@ const embedded = window.top !== window; // a view in a page of the documents: no
 // --- what the page says
 
 function say(text, bad = false) {
-  element("note").textContent = text;
+  element("note").textContent = element("note").title = text;
   element("note").classList.toggle("bad", bad);
 }
 
@@ -92,7 +92,7 @@ const store = {
     } catch (error) {
       this.failed = true;
       const why = error && error.name === "QuotaExceededError" ? "the browser's store is full" : String(error && error.message);
-      say("Your latest changes are NOT stored: " + why + ". They are still in this tab: use Download… before you close it.", true);
+      say("Your latest changes are NOT stored: " + why + ". Use Download… before you close this tab.", true);
     }
     this.writing = null;
   },
@@ -172,11 +172,12 @@ function list_files() {
   const list = element("files").querySelector("ul");
   list.replaceChildren();
   const paths = [...walk(home)].filter((path) => !/\/\.(config|state)\//.test(path));
-  paths.sort((a, b) => FS.stat(b).mtime - FS.stat(a).mtime);
+  const as_it_came = (path) => store.shipped.get(path) === stamp(path);
+  paths.sort((a, b) => as_it_came(a) - as_it_came(b) || FS.stat(b).mtime - FS.stat(a).mtime);
   for (const path of paths) {
     const link = document.createElement("a");
     link.href = "#";
-    link.textContent = path.replace(home + "/", "") + (store.shipped.get(path) === stamp(path) ? "" : " (changed here)");
+    link.textContent = path.replace(home + "/", "") + (store.shipped.has(path) && !as_it_came(path) ? " (changed here)" : "");
     link.onclick = (event) => { event.preventDefault(); download(path); };
     const item = document.createElement("li");
     item.append(link);
@@ -229,7 +230,7 @@ const Slipface = {
     element("canvas").focus();
     if (location.hash.length > 1) follow(location.hash);
     const demo = location.hash.match(/[#&]demo=([^&]*)/);
-    if (embedded && demo) show_switch(demo[1]);
+    if (embedded && demo && JSON.parse(state()).tick !== undefined) show_switch(demo[1]);
     const going_on = !embedded && sessionStorage.getItem("go on");
     sessionStorage.removeItem("go on");
     if (going_on) open_file(going_on);

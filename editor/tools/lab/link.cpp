@@ -9,6 +9,7 @@
 #include "slipface/base/text.h"
 #include "slipface/scenes/demo.h"
 #include "tools/editor.h"
+#include "tools/lab/lab_actions.h"
 #include "tools/lab/reach_job.h"
 #include "tools/lab/run_link.h"
 
@@ -172,6 +173,7 @@ void act(Editor& editor, const Link& link) {
         settings.duration_s = *link.reach_s;
         editor.reach = ReachJob::start(*editor.document, settings, editor.session.wake, nullptr);
         editor.layout.show(PanelId::reach);
+        editor.style.overlay = 0.0f;  // the types' colours and their legend would cover the map
     }
     if (link.focus) editor.layout.focus_on(link.only);
 }
