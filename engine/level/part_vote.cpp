@@ -174,7 +174,8 @@ void MotionFinder::follow(std::size_t i) {
 // Whether the motion of the part is a question: it explains little, or others explain as much and give faces
 // other types. A motion of which both is true, or that explains hardly anything, is none.
 void MotionFinder::doubt(std::size_t i) {
-    constexpr double little = 1.5, hardly = 1.0, few_faces = 0.3;
+    constexpr double little = 1.5, hardly = 0.9, few_faces = 0.3;
+    constexpr double more_effort = 0.5;  // than of a part that was only moved, which is the likeliest
     constexpr double as_much = 0.1, same_order = 0.5;
     constexpr std::size_t enough_for_order = 6;  // anchors: fewer come into any order by chance
     Part& part = parts_[i];
@@ -193,12 +194,13 @@ void MotionFinder::doubt(std::size_t i) {
                 part.others.push_back({motion, support_.support(i, motion, enough_anchors_).sum(), 1.0});
     }
     const double best_ranks = ranks(i, part.best);
+    const Aabb& box = stored_.parts[i].box;
     const bool unclear = std::any_of(part.others.begin(), part.others.end(), [&](const Rated& other) {
         return other.sum >= part.best_support.sum() - as_much && other.ranks >= best_ranks - same_order &&
-               !same(stored_.parts[i].box, other.motion, part.best) &&
-               types_.differ(i, part.best, other.motion);
+               !same(box, other.motion, part.best) && types_.differ(i, part.best, other.motion);
     });
-    part.best.lost = !stays && part.best.guessed && (unclear || part.best_support.sum() < hardly);
+    const bool turned = effort(part.best, box.centre(), box.size().norm()) > more_effort;
+    part.best.lost = !stays && part.best.guessed && ((unclear && turned) || part.best_support.sum() < hardly);
     part.best.guessed = part.best.guessed || unclear;
 }
 

@@ -423,24 +423,6 @@ TEST(FaceMatch, ASymmetricPartTurnedInItsPlaceIsAGuess) {
 
 Faces crate(const Vec3f& low, float side);
 
-// Two equal crates that a mirrored level put into each other's place look as if they had stayed. Their types
-// go along, as guesses.
-TEST(FaceMatch, EqualPartsThatChangedPlacesAreGuesses) {
-    Faces faces = two_rooms().before;
-    const std::size_t rooms = faces.size();
-    for (const float x : {-9.0f, 8.0f})
-        for (const Face& face : crate({x, 2, 3}, 1.0f))
-            faces.push_back(face);
-    for (std::size_t i = 0; i < faces.size(); ++i)
-        faces[i].painted = static_cast<int>(i % 7) - 1;
-    const Eigen::Affine3f mirror(Eigen::Scaling(-1.0f, 1.0f, 1.0f));
-    const Faces after = rounded(with_first_turned(faces, faces.size(), mirror, true));
-    const LoadedLevel loaded = rematch(faces, after);
-    EXPECT_TRUE(wrong_faces(after, loaded).empty());
-    EXPECT_EQ(loaded.guessed.size(),
-              painted_count({faces.begin() + static_cast<std::ptrdiff_t>(rooms), faces.end()}));
-}
-
 // A single box that was turned onto itself, in a file where no other part shows that the order was kept: its
 // types may be wrong, so all of them are questions.
 TEST(FaceMatch, ALonePartTurnedOntoItselfIsAQuestion) {
