@@ -308,7 +308,7 @@ class Document {
         const std::uint32_t prop = level_.placed.prop_of(face);
         return ((*parts.props[prop]).*list)[face - level_.placed.first_face[prop]];
     }
-    void apply_overrides();           // to the type of every face
+    void apply_overrides();          // to the type of every face
     void resolve_face(FaceId face);  // one of the level's own, as in the next
     void count_face(FaceId face, bool in);
     template <class ValueOf>

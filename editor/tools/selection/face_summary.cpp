@@ -84,8 +84,8 @@ void summarize_part(const Document& document, const FacePart& part, std::span<co
     join(summary.surface, surface.agreed(), is_first);
     join(summary.source, source.agreed(), is_first);
     const LevelMesh& level = document.level().mesh;
-    join(summary.material,
-         material.agreed() ? std::optional(level.material_of(faces[0])) : std::nullopt, is_first);
+    join(summary.material, material.agreed() ? std::optional(level.material_of(faces[0])) : std::nullopt,
+         is_first);
     join(summary.group, group.agreed() ? std::optional(level.group_of(faces[0])) : std::nullopt, is_first);
 }
 
@@ -100,8 +100,8 @@ FaceSummary summarize_faces(const Document& document, std::span<const FaceId> fa
     Slopes slopes;
     for (std::span<const FaceId> rest = faces; !rest.empty();) {
         const FacePart& part = document.part_with(rest[0]);
-        const auto end = std::lower_bound(
-            rest.begin(), rest.end(), part.first + static_cast<FaceId>(part.mesh->face_count()));
+        const auto end = std::lower_bound(rest.begin(), rest.end(),
+                                          part.first + static_cast<FaceId>(part.mesh->face_count()));
         const auto count = static_cast<std::size_t>(end - rest.begin());
         summarize_part(document, part, rest.first(count), summary, slopes);
         rest = rest.subspan(count);
