@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "mover.h"
@@ -60,8 +61,8 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
     result.state.position = position_in_scene(scene, state);
     bool hazard = false;
     const double part_s = dt / parts;
-    // How far the next parts may lead, m. A player who is held up does not reach walking speed at once.
-    const auto way_m = [&](int count) {
+    // The longest move of the next parts, m. A player who is held up does not reach walking speed at once.
+    const auto longest_move = [&](int count) {
         const double speed = result.state.velocity.norm(), time_s = count * part_s;
         return time_s *
                std::min(std::max(speed, settings.walk_speed), speed + settings.ground_acceleration * time_s);
@@ -69,36 +70,35 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
     // Short parts share what is around the player.
     constexpr double longest_shared_s = 1.0 / 30.0;
     const int shared = std::max(1, static_cast<int>(longest_shared_s / part_s));
-    for (int part = 0; part < parts;) {
-        const Surroundings around(scene, settings, result.state.position,
-                                  way_m(std::min(shared, parts - part)));
-        do {
-            const PlayerState before = result.state;
-            Mover mover({.scene = scene,
-                         .settings = settings,
-                         .state = before,
-                         .trace = trace,
-                         .dt = part_s,
-                         .wish = wish,
-                         .jump_held = input.jump,
-                         .jump_pressed = input.jump && !before.jump_held,
-                         .walkable_cosine = walkable_cosine},
-                        around);
-            // Platforms stand already where the whole step ends, so only its first part moves with them.
-            if (part == 0) leave_geometry(mover);
-            if (part == 0) move_with_platforms(mover);
-            const Motion safe = mover;
-            move_with_surface(mover);
-            const Drive drive = choose_drive(mover);
-            move_player(mover, drive);
-            const bool room = clamp_to_terrain(mover, safe.position);
-            result.state = accept(mover, safe, room);
+    std::optional<Surroundings> around;
+    for (int part = 0; part < parts; ++part) {
+        const PlayerState before = result.state;
+        if (!around || !around->cover(settings, before.position, longest_move(1)))
+            around.emplace(scene, settings, before.position, longest_move(std::min(shared, parts - part)));
+        Mover mover({.scene = scene,
+                     .settings = settings,
+                     .state = before,
+                     .trace = trace,
+                     .dt = part_s,
+                     .wish = wish,
+                     .jump_held = input.jump,
+                     .jump_pressed = input.jump && !before.jump_held,
+                     .walkable_cosine = walkable_cosine},
+                    *around);
+        // Platforms stand already where the whole step ends, so only its first part moves with them.
+        if (part == 0) leave_geometry(mover);
+        if (part == 0) move_with_platforms(mover);
+        const Motion safe = mover;
+        move_with_surface(mover);
+        const Drive drive = choose_drive(mover);
+        move_player(mover, drive);
+        const bool room = clamp_to_terrain(mover, safe.position);
+        result.state = accept(mover, safe, room);
 
-            result.sweeps += mover.sweeps;
-            result.contacts += mover.contacts;
-            result.end_is_free = mover.end_is_free;
-            hazard = hazard || result.state.hazard;
-        } while (++part < parts && around.cover(settings, result.state.position, way_m(1)));
+        result.sweeps += mover.sweeps;
+        result.contacts += mover.contacts;
+        result.end_is_free = mover.end_is_free;
+        hazard = hazard || result.state.hazard;
     }
     result.state.hazard = hazard;
     put_in_scene(scene, result.state.position, result.state);
