@@ -9,6 +9,7 @@
 
 #include "face_cover.h"
 #include "face_index.h"
+#include "face_union.h"
 #include "mesh_collision.h"
 #include "slipface/level/material_name.h"
 
@@ -254,45 +255,12 @@ class Matcher {
             if (area > whole_fraction * key.area) return false;
             faces.push_back(part.face);
             if (area < part_fraction * key.area) continue;
-            if (!has_middle(key, faces) || !cover_middle(key, normal, faces)) return false;
+            if (!has_middle(mesh_, key, faces) || !cover_middle(index_, key, normal, faces)) return false;
             for (const FaceId face : faces)
                 claim(face, i, Stage::plane);
             return true;
         }
         return false;
-    }
-
-    // Whether a part is at the old face's middle, where cuts often meet: halves of the neighbours of a
-    // deleted tile have its middle, too, but leave it free.
-    bool cover_middle(const FaceKey& key, const Vec3& normal, const std::vector<FaceId>& parts) const {
-        const Vec3 side = 0.01 * std::sqrt(key.area) * normal.unitOrthogonal();
-        const Vec3 other = normal.cross(side);
-        const Vec3 points[] = {side, -side, other, -other};
-        return std::all_of(std::begin(points), std::end(points), [&](const Vec3& point) {
-            return std::any_of(parts.begin(), parts.end(), [&](FaceId face) {
-                return index_.covers(face, key.centroid + point, normal);
-            });
-        });
-    }
-
-    // Parts that are all of the old face, not parts of its neighbours: they have its middle.
-    bool has_middle(const FaceKey& key, const std::vector<FaceId>& parts) const {
-        if (has_corner_mean(key, parts)) return true;
-        double area = 0.0;
-        Vec3 sum = Vec3::Zero();
-        for (const FaceId part : parts) {
-            for (std::uint32_t t = mesh_.face_first_triangle[part]; t < mesh_.face_first_triangle[part + 1];
-                 ++t) {
-                Vec3 corner[3];
-                for (std::size_t i = 0; i < 3; ++i)
-                    corner[i] = mesh_.corner_position(mesh_.triangles[t][i]).cast<double>();
-                const double doubled = (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm();
-                sum += doubled * (corner[0] + corner[1] + corner[2]) / 3.0;
-                area += doubled;
-            }
-        }
-        return area > 0.0 && (sum / area - key.centroid).norm() <=
-                                 0.02 * std::sqrt(key.area) + position_tolerance(key.centroid);
     }
 
     // A face that lost corners on straight edges has another mean of corners, which may lie outside of it. It
@@ -430,8 +398,8 @@ class Matcher {
         for (const FaceId part : parts)
             area += index_.key(part).area;
         if (area >= part_fraction * key.area &&
-            (bent_ ? has_area_vector(key, parts) : area <= whole_fraction * key.area) &&
-            has_corner_mean(key, parts))
+            (bent_ ? has_area_vector(index_, key, parts) : area <= whole_fraction * key.area) &&
+            has_corner_mean(mesh_, key, parts, bent_ ? bent_mean_slack : mean_slack))
             return true;
         if (area < (bent_ ? max_bent_area : part_fraction) * key.area) {
             for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -457,30 +425,6 @@ class Matcher {
     }
 
     double plane_slack() const { return bent_ ? 0.2 : 1e-3; }
-
-    bool has_area_vector(const FaceKey& key, const std::vector<FaceId>& parts) const {
-        Vec3 sum = -key.area * key.normal;
-        for (const FaceId part : parts)
-            sum += index_.key(part).area * index_.key(part).normal;
-        return sum.norm() <= 2e-3 * key.area;
-    }
-
-    // Cutting a face at its corners or halving its edges does not change the mean of its corners.
-    bool has_corner_mean(const FaceKey& key, const std::vector<FaceId>& parts) const {
-        std::vector<std::uint32_t> vertices;
-        for (const FaceId part : parts)
-            for (std::uint32_t c = mesh_.face_first_corner[part]; c < mesh_.face_first_corner[part + 1]; ++c)
-                vertices.push_back(mesh_.corner_vertex[c]);
-        std::sort(vertices.begin(), vertices.end());
-        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-        Vec3 sum = Vec3::Zero();
-        for (const std::uint32_t vertex : vertices)
-            sum += mesh_.positions[vertex].cast<double>();
-        const Vec3 mean = sum / static_cast<double>(vertices.size());
-        // A tool puts a point into the middle of a bent face where it likes.
-        const double slack = bent_ ? 0.03 : 1e-3;
-        return (mean - key.centroid).norm() <= slack * std::sqrt(key.area) + position_tolerance(key.centroid);
-    }
 
     bool is_refused(FaceId face, std::size_t i) const {
         return std::binary_search(refused_.begin(), refused_.end(), std::pair{face, i});
