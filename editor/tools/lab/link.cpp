@@ -166,7 +166,7 @@ void act(Editor& editor, const Link& link) {
         if (!link.camera) go_to_position(editor, link.probe->first);
     }
     if (link.camera) editor.view.look_at(link.camera->first, link.camera->second);
-    if (const auto all = named_view(link.view, editor.document->mesh().bounds, usual_aspect))
+    if (const auto all = named_view(link.view, editor.document->bounds(), usual_aspect))
         editor.view.look_at(all->eye, all->target);
     if (link.reach_s) {
         ReachSettings settings;

@@ -1,4 +1,5 @@
-// The difference between two texts of lines, for sending one to somebody who has the other.
+// How one text of lines differs from another. It is short where the texts are alike, so that it can be sent
+// in place of the text.
 #pragma once
 
 #include <cstddef>

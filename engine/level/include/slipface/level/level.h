@@ -185,13 +185,15 @@ struct ResolvedSurfaces {
 };
 ResolvedSurfaces resolve_surfaces(const Level& level);
 
+// [prop][face of its mesh]; null: the prop has no faces.
+using PropSurfaces = std::vector<std::shared_ptr<const ResolvedSurfaces>>;
+
 // The same in parts: props of one mesh with the same types share a list.
 struct SurfaceParts {
-    ResolvedSurfaces own;                                        // of the faces that belong to no prop
-    std::vector<std::shared_ptr<const ResolvedSurfaces>> props;  // [prop][face of its mesh]; null: no faces
+    ResolvedSurfaces own;  // of the faces that belong to no prop
+    PropSurfaces props;
 };
 SurfaceParts resolve_parts(const Level& level);
-using PropSurfaces = std::vector<std::shared_ptr<const ResolvedSurfaces>>;
 PropSurfaces resolve_props(const Level& level);                // SurfaceParts::props without overrides
 void paint_props(const Level& level, PropSurfaces& surfaces);  // with them
 ResolvedSurfaces joined(const SurfaceParts& parts);
