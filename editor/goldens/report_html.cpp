@@ -3,6 +3,7 @@
 #include "goldens/numbers_json.h"
 #include "goldens/report.h"
 #include "goldens/report_page.h"
+#include "slipface/base/base64.h"
 #include "slipface/base/files.h"
 
 namespace slipface {
@@ -10,20 +11,6 @@ namespace slipface {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    out.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t block = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            block = block << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-        for (std::size_t k = 0; k < 4; ++k)
-            out += i + k > bytes.size() ? '=' : letters[block >> (18U - 6U * k) & 63U];
-    }
-    return out;
-}
 
 // Inside <script>, "</script>" would end it and "<!--" hide the rest.
 std::string script_text(std::string json) {
@@ -65,7 +52,7 @@ Numbers images_json(const std::string& name, const fs::path& out) {
         std::error_code error;
         if (!fs::is_regular_file(path, error)) continue;
         if (const Result<std::string> bytes = read_file(path))
-            images[kind] = "data:image/png;base64," + base64(*bytes);
+            images[kind] = "data:image/png;base64," + to_base64(*bytes, Base64::padded);
     }
     return images;
 }

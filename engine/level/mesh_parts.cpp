@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "packed_faces.h"
+#include "slipface/base/base64.h"
 #include "slipface/base/hash.h"
 #include "slipface/base/key_sort.h"
 #include "slipface/level/material_name.h"
@@ -235,14 +236,14 @@ std::string pack_part(const PaintPart& part) {
         for (const Vec3f& corner : anchor.corners)
             put(corner);
     }
-    return base64(bytes);
+    return to_base64(bytes, Base64::plain);
 }
 
 bool unpack_part(std::string_view text, PaintPart& part) {
-    std::string bytes;
-    if (!decode_base64(text, bytes) || bytes.size() < 28) return false;
-    const char* at = bytes.data();
-    const char* const end = at + bytes.size();
+    const std::optional<std::string> bytes = from_base64(text, Base64::plain);
+    if (!bytes || bytes->size() < 28) return false;
+    const char* at = bytes->data();
+    const char* const end = at + bytes->size();
     bool valid = true;
     const auto take = [&] {
         Vec3f position;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "slipface/base/base64.h"
 #include "slipface/base/hash.h"
 #include "slipface/base/parallel.h"
 
@@ -18,8 +19,6 @@ constexpr std::size_t faces_per_row = 48;  // on average
 constexpr std::uint32_t no_normal = 0xFFFFFF;
 constexpr int normal_steps = 2047;  // from the middle of the folded octahedron to its rim
 constexpr double largest_centroid = 1e9;
-
-constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 double sign_of(double value) {
     return value < 0.0 ? -1.0 : 1.0;
@@ -105,44 +104,6 @@ std::uint64_t take_bytes(const char*& at, std::size_t count) {
     return value;
 }
 
-std::string base64(std::string_view bytes) {
-    std::string text((bytes.size() * 4 + 2) / 3, '\0');
-    std::size_t out = 0;
-    for (std::size_t at = 0; at < bytes.size(); at += 3) {
-        const std::size_t count = std::min<std::size_t>(3, bytes.size() - at);
-        std::uint32_t group = 0;
-        for (std::size_t i = 0; i < 3; ++i)
-            group = group << 8 | (i < count ? static_cast<unsigned char>(bytes[at + i]) : 0U);
-        for (std::size_t i = 0; i <= count; ++i)
-            text[out++] = alphabet[group >> (18 - 6 * i) & 63];
-    }
-    return text;
-}
-
-bool decode_base64(std::string_view text, std::string& bytes) {
-    static const std::array<std::int8_t, 256> values = [] {
-        std::array<std::int8_t, 256> table{};
-        table.fill(-1);
-        for (std::size_t i = 0; i < alphabet.size(); ++i)
-            table[static_cast<unsigned char>(alphabet[i])] = static_cast<std::int8_t>(i);
-        return table;
-    }();
-    bytes.resize(text.size() * 3 / 4);
-    std::size_t out = 0;
-    std::uint32_t group = 0;
-    int bits = 0;
-    for (const char c : text) {
-        const int value = values[static_cast<unsigned char>(c)];
-        if (value < 0) return false;
-        group = (group << 6 | static_cast<std::uint32_t>(value)) & 0xFFFF;
-        bits += 6;
-        if (bits < 8) continue;
-        bits -= 8;
-        bytes[out++] = static_cast<char>(group >> bits);
-    }
-    return true;
-}
-
 std::uint64_t hash_of_keys(std::span<const FaceKey* const> keys) {
     Hasher hasher;
     hasher.u64(keys.size());
@@ -168,17 +129,17 @@ std::vector<std::string> pack_faces(std::span<const FaceKey* const> keys) {
             bytes.clear();
             for (std::size_t i = begin[row]; i < begin[row + 1]; ++i)
                 put_face(bytes, *keys[i]);
-            rows[row] = base64(bytes);
+            rows[row] = to_base64(bytes, Base64::plain);
         }
     });
     return rows;
 }
 
 bool unpack_faces(std::string_view row, std::vector<FaceKey>& keys) {
-    std::string bytes;
-    if (!decode_base64(row, bytes) || bytes.empty() || bytes.size() % bytes_per_face != 0) return false;
-    const char* at = bytes.data();
-    for (std::size_t i = 0; i < bytes.size() / bytes_per_face; ++i) {
+    const std::optional<std::string> bytes = from_base64(row, Base64::plain);
+    if (!bytes || bytes->empty() || bytes->size() % bytes_per_face != 0) return false;
+    const char* at = bytes->data();
+    for (std::size_t i = 0; i < bytes->size() / bytes_per_face; ++i) {
         FaceKey key;
         if (!take_face(at, key)) return false;
         keys.push_back(std::move(key));

@@ -29,9 +29,6 @@ std::vector<std::string> pack_faces(std::span<const FaceKey* const> keys);
 void put_bytes(std::string& bytes, std::uint64_t value, std::size_t count);
 std::uint64_t take_bytes(const char*& at, std::size_t count);
 
-std::string base64(std::string_view bytes);  // without padding
-bool decode_base64(std::string_view text, std::string& bytes);
-
 // Appends the keys of a row, without material; false if the row is not valid.
 bool unpack_faces(std::string_view row, std::vector<FaceKey>& keys);
 

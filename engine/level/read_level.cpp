@@ -10,6 +10,7 @@
 #include "json_reader.h"
 #include "level_json.h"
 #include "packed_faces.h"
+#include "slipface/base/base64.h"
 #include "slipface/base/text.h"
 #include "slipface/level/find_start.h"
 #include "slipface/level/preset.h"
@@ -318,13 +319,15 @@ class LevelReader {
         parts.bounds.max = corners[1];
         parts.of.assign(painted_, 1);
         if (const JsonNode of = node["of"]) {
-            std::string bytes;
-            if (of.json().kind != Json::Kind::string || !decode_base64(of.json().text, bytes)) {
+            const auto bytes = of.json().kind == Json::Kind::string
+                                   ? from_base64(of.json().text, Base64::plain)
+                                   : std::nullopt;
+            if (!bytes) {
                 of.fail("a part for each painted face, as base64");
                 return;
             }
-            if (bytes.size() != 2 * painted_) return;
-            const char* at = bytes.data();
+            if (bytes->size() != 2 * painted_) return;
+            const char* at = bytes->data();
             for (std::uint16_t& part : parts.of)
                 part = static_cast<std::uint16_t>(take_bytes(at, 2));
         }

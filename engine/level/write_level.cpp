@@ -9,6 +9,7 @@
 #include "json_parts.h"
 #include "level_json.h"
 #include "packed_faces.h"
+#include "slipface/base/base64.h"
 #include "slipface/level/find_start.h"
 
 namespace slipface {
@@ -160,7 +161,7 @@ Json paint_parts_json(const PaintedFaces& painted, const std::vector<std::size_t
     for (const Vec3& corner : {painted.parts.bounds.min, painted.parts.bounds.max})
         box.items.push_back(vector_json(corner));
     json_add(json, "box", std::move(box));
-    if (!one) json_add(json, "of", json_string(base64(of)));
+    if (!one) json_add(json, "of", json_string(to_base64(of, Base64::plain)));
     Json list = json_array();
     for (const PaintPart& part : painted.parts.parts)
         list.items.push_back(json_string(pack_part(part)));

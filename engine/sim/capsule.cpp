@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "slipface/base/base64.h"
 #include "slipface/base/text.h"
 #include "slipface/image/pack.h"
 
@@ -13,38 +14,6 @@ namespace {
 
 constexpr std::string_view scheme = "capsule=", first_line = "slipface-capsule 1\n",
                            with_base = "slipface-capsule 2\n";
-// RFC 4648, section 5: base64 for addresses, here without padding.
-constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
-
-std::string to_base64(std::string_view bytes) {
-    std::string text;
-    std::uint32_t bits = 0;
-    unsigned count = 0;
-    for (const char byte : bytes) {
-        bits = bits << 8 | static_cast<unsigned char>(byte);
-        for (count += 8; count >= 6; count -= 6)
-            text += digits[bits >> (count - 6) & 63U];
-    }
-    if (count > 0) text += digits[bits << (6 - count) & 63U];
-    return text;
-}
-
-std::optional<std::string> from_base64(std::string_view text) {
-    std::string bytes;
-    std::uint32_t bits = 0;
-    unsigned count = 0;
-    for (const char c : text) {
-        const std::size_t digit = digits.find(c);
-        if (digit == std::string_view::npos) return std::nullopt;
-        bits = bits << 6 | static_cast<std::uint32_t>(digit);
-        count += 6;
-        if (count < 8) continue;
-        count -= 8;
-        bytes += static_cast<char>(bits >> count & 0xffU);
-    }
-    return bytes;
-}
-
 Error damaged(std::string what) {
     return Error{"link", std::move(what)};
 }
@@ -74,7 +43,8 @@ std::string capsule_text(const Capsule& capsule) {
         "{}level {}\ntick {}\ntape {}\n{}{}{}", capsule.base.empty() ? first_line : with_base, level,
         capsule.tick, capsule.tape.size(), capsule.base.empty() ? "" : "base " + capsule.base + "\n",
         capsule.tape, capsule.level_file);
-    return fmt::format("{}{}.{}", scheme, bytes.size(), to_base64(pack(bytes, pack_smallest)));
+    return fmt::format("{}{}.{}", scheme, bytes.size(),
+                       to_base64(pack(bytes, pack_smallest), Base64::address));
 }
 
 Result<Capsule> parse_capsule(std::string_view text) {
@@ -88,7 +58,7 @@ Result<Capsule> parse_capsule(std::string_view text) {
         return damaged("has no size; expected capsule=SIZE.DATA");
     if (static_cast<std::uint64_t>(*size) > max_capsule_bytes)
         return damaged(fmt::format("unpacks to {} bytes; at most {} are read", *size, max_capsule_bytes));
-    const auto packed = from_base64(text.substr(dot + 1));
+    const auto packed = from_base64(text.substr(dot + 1), Base64::address);
     if (!packed) return damaged("has a character that is none of A-Z, a-z, 0-9, - and _");
     const auto bytes = unpack(*packed, static_cast<std::size_t>(*size));
     if (!bytes) return damaged("is cut off or altered; copy all of it");

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "mesh_test_tools.h"
+#include "slipface/base/base64.h"
 
 namespace slipface {
 namespace {
@@ -131,19 +132,6 @@ TEST_F(ImportScene, GltfNodesArePlacedInTheWorld) {
     EXPECT_EQ(mesh.nodes[0].world(0, 3), 10.0F);
 }
 
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t three = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            three = three << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += i + k > bytes.size() ? '=' : digits[three >> (18U - 6U * k) & 63U];
-    }
-    return text;
-}
-
 // One textured triangle: positions, two sets of texture positions, and what the material says of its texture.
 std::string textured_triangle(const std::array<float, 6>& uv, const std::string& texture_members,
                               const std::string& image) {
@@ -162,7 +150,7 @@ std::string textured_triangle(const std::array<float, 6>& uv, const std::string&
         "bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":24},
             {"buffer":0,"byteOffset":60,"byteLength":24}],
         "buffers":[{"byteLength":84,"uri":"data:application/octet-stream;base64,)" +
-           base64(bytes) + "\"}]}";
+           to_base64(bytes, Base64::padded) + "\"}]}";
 }
 
 // The extension's definition: scale, then rotation counter-clockwise as seen with V down, then offset.
@@ -193,7 +181,8 @@ TEST_F(ImportScene, GltfTextureTransformsAreApplied) {
 }
 
 TEST_F(ImportScene, PicturesInTheFileComeWithTheMesh) {
-    const std::string picture = "any bytes \x01\x02\xff", uri = "data:image/png;base64," + base64(picture);
+    const std::string picture = "any bytes \x01\x02\xff",
+                      uri = "data:image/png;base64," + to_base64(picture, Base64::padded);
     const auto material = [&](const std::string& image) {
         const auto result = import_as("level.gltf", textured_triangle({0, 0, 1, 0, 0, 1}, "", image));
         return result ? result->mesh->materials[0] : Material{.name = result.error().text(), .texture = {}};
