@@ -360,8 +360,9 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
 
 void Document::apply(const HistoryStep& step, bool forward) {
     Touched touched;
-    for (const Edit& edit : step.edits)
-        apply(edit, forward, touched);
+    const std::size_t count = step.edits.size();
+    for (std::size_t i = 0; i < count; ++i)
+        apply(step.edits[forward ? i : count - 1 - i], forward, touched);
     refresh(touched);
 }
 

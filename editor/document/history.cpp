@@ -33,6 +33,22 @@ void compact(FaceEdit& edit) {
     edit.faces.resize(kept);
 }
 
+// After it faces have other numbers.
+bool renumbers(const Edit& edit) {
+    return std::holds_alternative<GeometryEdit>(edit) || std::holds_alternative<PropsEdit>(edit) ||
+           std::holds_alternative<LevelEdit>(edit);
+}
+
+// The edit that `next` can be merged into: the last of its kind, if the numbers of faces mean the same in
+// all that lies between. Null: none.
+Edit* same_kind(std::vector<Edit>& edits, const Edit& next) {
+    for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit) {
+        if (edit->index() == next.index()) return &*edit;
+        if (renumbers(*edit) || renumbers(next)) break;
+    }
+    return nullptr;
+}
+
 void merge_into(Edit& earlier, Edit&& later, const Level& now) {
     std::visit(
         [&](auto& one) {
@@ -69,12 +85,10 @@ void Document::record(std::string step_name, Edit edit) {
         push(std::move(step));
         return;
     }
-    const auto same_kind = std::find_if(open_step_.edits.begin(), open_step_.edits.end(),
-                                        [&](const Edit& open) { return open.index() == edit.index(); });
-    if (same_kind == open_step_.edits.end())
-        open_step_.edits.push_back(std::move(edit));
+    if (Edit* const earlier = same_kind(open_step_.edits, edit))
+        merge_into(*earlier, std::move(edit), level_);
     else
-        merge_into(*same_kind, std::move(edit), level_);
+        open_step_.edits.push_back(std::move(edit));
 }
 
 void Document::push(HistoryStep step) {

@@ -65,7 +65,7 @@ class Monkey {
     }
 
     void change() {
-        switch (below(11)) {
+        switch (below(13)) {
             case 0:
             case 1:
             case 2: document_.paint(faces(), below(4) == 0 ? std::nullopt : std::optional(surface())); return;
@@ -97,6 +97,8 @@ class Monkey {
                     below(2) == 0
                         ? std::vector<CameraBookmark>{}
                         : std::vector<CameraBookmark>{{"here", Vec3(below(3), 1, 0), Vec3::Zero(), 1.0}});
+            case 10:
+            case 11: return change_props();
             default: return change_types();
         }
     }
@@ -105,7 +107,7 @@ class Monkey {
     std::vector<FaceId> faces() {
         std::vector<FaceId> chosen(below(12));
         for (FaceId& face : chosen)
-            face = below(face_limit);
+            face = below(static_cast<std::uint32_t>(document_.face_count()) + 8);  // a few beyond the level
         return chosen;
     }
     SurfaceId surface() {
@@ -128,6 +130,34 @@ class Monkey {
         }
     }
 
+    // Adds, copies, removes, replaces or moves one.
+    void change_props() {
+        std::vector<Prop> props = document_.level().props;
+        std::vector<std::uint32_t> from = every_prop(document_.level());
+        const std::uint32_t choice = below(5), at = below(static_cast<std::uint32_t>(props.size()));
+        const std::string name = "prop " + std::to_string(random_());
+        if (choice == 0 || props.empty()) {
+            if (props.size() > 5) return;
+            Prop prop;
+            prop.name = name;
+            prop.mesh = below(3) == 0 ? "post.obj" : "box.obj";
+            props.insert(props.begin() + at, prop);
+            from.insert(from.begin() + at, no_id);
+        } else if (choice == 1) {
+            props.push_back(props[at]);
+            props.back().name = name;
+            from.push_back(at);
+        } else if (choice == 2) {
+            props.erase(props.begin() + at);
+            from.erase(from.begin() + at);
+        } else if (choice == 3) {
+            props[at].mesh = props[at].mesh == "box.obj" ? "post.obj" : "box.obj";
+        } else {
+            props[at].position.x() += 0.5;
+        }
+        document_.set_props(std::move(props), from, "Change props");
+    }
+
     void transaction() {
         document_.begin("Several changes");
         const std::uint32_t changes = below(6);
@@ -141,13 +171,15 @@ class Monkey {
             document_.commit();
     }
 
-    static constexpr std::uint32_t face_limit = 80;  // a few beyond the level
-
     Document& document_;
     std::mt19937 random_;
 };
 
 TEST_F(HistoryFuzz, EveryStateIsMetAgain) {
+    write_text(folder / "box.obj",
+               "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nv 0 1 1\n"
+               "f 5 8 7 6\nf 1 2 3 4\nf 4 3 7 8\nf 2 1 5 6\nf 3 2 6 7\nf 1 4 8 5\n");
+    write_text(folder / "post.obj", "v 0 0 0\nv 0.3 0 0\nv 0.3 2 0\nv 0 2 0.1\nf 1 2 3 4\nf 1 4 2\n");
     const auto document = open();
     ASSERT_TRUE(document->save().ok());
     Monkey monkey(*document, 20240607);
