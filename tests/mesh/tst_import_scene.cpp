@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 
 #include <array>
@@ -176,6 +177,100 @@ TEST_F(ImportScene, GltfTextureTransformsAreApplied) {
             const double down = -std::sin(angle) * u + std::cos(angle) * v + y;
             EXPECT_NEAR(result->mesh->corner_uv[i].x(), right, 2e-5) << round;
             EXPECT_NEAR(result->mesh->corner_uv[i].y(), 1 - down, 2e-5) << round;
+        }
+    }
+}
+
+std::string textured_fbx(const std::array<float, 6>& uv, const Eigen::Vector2d& repeat,
+                         const Eigen::Vector2d& move, const char* program) {
+    return fmt::format(
+        R"(; FBX 7.3.0 project file
+FBXHeaderExtension:  {{
+	FBXHeaderVersion: 1003
+	FBXVersion: 7300
+	Creator: "{}"
+}}
+Objects:  {{
+	Geometry: 1, "Geometry::mesh", "Mesh" {{
+		Vertices: *9 {{
+			a: 0,0,0,1,0,0,0,0,1
+		}}
+		PolygonVertexIndex: *3 {{
+			a: 0,1,-3
+		}}
+		LayerElementUV: 0 {{
+			MappingInformationType: "ByPolygonVertex"
+			ReferenceInformationType: "Direct"
+			UV: *6 {{
+				a: {}
+			}}
+		}}
+		LayerElementMaterial: 0 {{
+			MappingInformationType: "AllSame"
+			ReferenceInformationType: "IndexToDirect"
+			Materials: *1 {{
+				a: 0
+			}}
+		}}
+		Layer: 0 {{
+			LayerElement:  {{
+				Type: "LayerElementMaterial"
+				TypedIndex: 0
+			}}
+			LayerElement:  {{
+				Type: "LayerElementUV"
+				TypedIndex: 0
+			}}
+		}}
+	}}
+	Model: 2, "Model::shape", "Mesh" {{
+		Version: 232
+		Properties70:  {{
+		}}
+	}}
+	Material: 3, "Material::wall", "" {{
+		ShadingModel: "phong"
+		Properties70:  {{
+		}}
+	}}
+	Texture: 4, "Texture::wall", "" {{
+		RelativeFilename: "wall.png"
+		Properties70:  {{
+			P: "Translation", "Vector", "", "A",{},{},0
+			P: "Scaling", "Vector", "", "A",{},{},1
+		}}
+	}}
+}}
+Connections:  {{
+	C: "OO",2,0
+	C: "OO",1,2
+	C: "OO",3,2
+	C: "OP",4,3, "DiffuseColor"
+}}
+)",
+        program, fmt::join(uv, ","), move.x(), move.y(), repeat.x(), repeat.y());
+}
+
+// Blender moves a picture before it repeats it, as its own glTF of the same scene says; others repeat first.
+TEST_F(ImportScene, FbxPicturesAreRepeatedAndMoved) {
+    std::mt19937 draw(6);
+    std::uniform_real_distribution<float> number(-3, 3);
+    for (int round = 0; round < 40; ++round) {
+        std::array<float, 6> uv{};
+        for (float& value : uv)
+            value = number(draw);
+        const Eigen::Vector2d repeat(number(draw), number(draw)), move(number(draw), number(draw));
+        for (const bool blender : {false, true}) {
+            const auto result =
+                import_as("level.fbx", textured_fbx(uv, repeat, move, blender ? "Blender 3.4" : "3ds Max"));
+            ASSERT_TRUE(result) << result.error().text();
+            EXPECT_EQ(result->mesh->materials[0].texture, "wall.png");
+            for (std::size_t i = 0; i < 3; ++i) {
+                const Eigen::Vector2d at(uv[2 * i], uv[2 * i + 1]);
+                const Eigen::Vector2d expected =
+                    blender ? repeat.cwiseProduct(at - move).eval() : (repeat.cwiseProduct(at) + move).eval();
+                EXPECT_LT((result->mesh->corner_uv[i].cast<double>() - expected).norm(), 2e-5) << round;
+            }
         }
     }
 }

@@ -42,16 +42,15 @@ bool is_part(const aiNode& node) {
 
 class SceneReader {
   public:
-    SceneReader(const aiScene& scene, const SceneFrame& frame, const std::string& location,
-                WarningList& warnings)
+    SceneReader(const aiScene& scene, const SceneFrame& frame, const std::string& extension,
+                const std::string& location, WarningList& warnings)
         : scene_(scene),
           root_is_frame_(frame.root_is_frame),
-          is_gltf_(frame.is_gltf),
           location_(location),
-          warnings_(warnings) {}
+          warnings_(warnings),
+          materials_(scene_materials(scene, extension)) {}
 
     Result<PolygonSoup> run() {
-        materials_ = scene_materials(scene_, is_gltf_);
         for (const SceneMaterial& material : materials_)
             soup_.materials.push_back(material.material);
         soup_.face_first_corner.push_back(0);
@@ -192,10 +191,9 @@ class SceneReader {
 
     const aiScene& scene_;
     const bool root_is_frame_;  // assimp corrects axes and unit there; this code does so itself
-    const bool is_gltf_;
     const std::string& location_;
     WarningList& warnings_;
-    std::vector<SceneMaterial> materials_;
+    const std::vector<SceneMaterial> materials_;
     PolygonSoup soup_;
     std::uint32_t group_ = 0;                                // of the faces being added
     std::map<std::uint32_t, std::vector<unsigned>> shapes_;  // meshes of each node
@@ -240,7 +238,7 @@ Result<ImportedSoup> read_scene(const std::filesystem::path& path, const std::st
     const SceneFrame frame = scene_frame(*scene, extension, bytes);
     const bool is_gltf = extension == "gltf" || extension == "glb";
     if (!is_gltf) std::string().swap(bytes);
-    auto soup = SceneReader(*scene, frame, location, warnings).run();
+    auto soup = SceneReader(*scene, frame, extension, location, warnings).run();
     if (!soup) return soup.error();
     ImportedSoup imported{.soup = std::move(*soup), .frame = frame.frame};
     if (is_gltf) imported.type_table = add_gltf_types(bytes, location, imported.soup.materials, warnings);

@@ -139,20 +139,18 @@ FileFrame collada_frame(std::string_view bytes) {
 }  // namespace
 
 SceneFrame scene_frame(const aiScene& scene, const std::string& extension, std::string_view bytes) {
-    if (extension == "fbx") return {fbx_frame(scene), true, false};
-    if (extension == "dae") return {collada_frame(bytes), true, false};
+    if (extension == "fbx") return {fbx_frame(scene), true};
+    if (extension == "dae") return {collada_frame(bytes), true};
     if (extension == "gltf" || extension == "glb")
-        return {frame_of(1.0, declared, "glTF is in metres", UpAxis::y, declared, "glTF has Y up"), false,
-                true};
+        return {frame_of(1.0, declared, "glTF is in metres", UpAxis::y, declared, "glTF has Y up")};
     if (extension == "3ds")
         return {frame_of(1.0, guessed, "3DS files have no unit: metres", UpAxis::z, guessed,
                          "3DS files have Z up as a rule"),
-                true, false};
+                true};
     if (extension == "stl" || extension == "ply") {
         const std::string name = extension == "stl" ? "STL" : "PLY";
         return {frame_of(1.0, guessed, name + " files have no unit: metres", UpAxis::z, guessed,
-                         name + " files have Z up as a rule"),
-                false, false};
+                         name + " files have Z up as a rule")};
     }
     return {};
 }

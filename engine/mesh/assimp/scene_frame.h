@@ -12,7 +12,6 @@ namespace slipface {
 struct SceneFrame {
     FileFrame frame;
     bool root_is_frame = false;  // the root's transformation is a correction by assimp, not from the file
-    bool is_gltf = false;
 };
 
 // The unit and axes of a file that assimp read: as the file declares (FBX, COLLADA, glTF), else as the usual

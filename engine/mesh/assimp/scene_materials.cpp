@@ -1,6 +1,7 @@
 // Source of the texture transform: glTF extension KHR_texture_transform.
 #include "assimp/scene_materials.h"
 
+#include <assimp/commonMetaData.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -87,8 +88,26 @@ Eigen::Matrix<float, 2, 3> gltf_transform(const aiUVTransform& from) {
     return up.cast<float>();
 }
 
+// FBX and COLLADA: a picture is repeated and moved. Its rotation, about whose centre programs differ, is
+// left out. Blender moves first, others repeat first.
+Eigen::Matrix<float, 2, 3> repeated(const aiUVTransform& from, bool moved_first) {
+    const Vec2f repeat(from.mScaling.x, from.mScaling.y);
+    Vec2f move(from.mTranslation.x, from.mTranslation.y);
+    if (moved_first) move = -repeat.cwiseProduct(move);
+    Eigen::Matrix<float, 2, 3> uv;
+    uv << repeat.x(), 0, move.x(), 0, repeat.y(), move.y();
+    return uv;
+}
+
+bool is_by_blender(const aiScene& scene) {
+    aiString program;
+    return scene.mMetaData != nullptr && scene.mMetaData->Get(AI_METADATA_SOURCE_GENERATOR, program) &&
+           std::string_view(program.C_Str()).find("Blender") != std::string_view::npos;
+}
+
 SceneMaterial material_of(const aiScene& scene, const aiMaterial& source,
-                          const std::vector<Picture>& pictures, bool gltf) {
+                          const std::vector<Picture>& pictures, const std::string& extension) {
+    const bool gltf = extension == "gltf" || extension == "glb", fbx = extension == "fbx";
     SceneMaterial made;
     Material& material = made.material;
     material.name = text_of(const_cast<aiMaterial&>(source).GetName());
@@ -116,8 +135,10 @@ SceneMaterial material_of(const aiScene& scene, const aiMaterial& source,
             uv_set < AI_MAX_NUMBER_OF_TEXTURECOORDS)
             made.uv_set = static_cast<unsigned>(uv_set);
         aiUVTransform transform;
-        if (gltf && source.Get(AI_MATKEY_UVTRANSFORM(type, 0), transform) == aiReturn_SUCCESS) {
-            made.uv_transform = gltf_transform(transform);
+        if ((gltf || fbx || extension == "dae") &&
+            source.Get(AI_MATKEY_UVTRANSFORM(type, 0), transform) == aiReturn_SUCCESS) {
+            made.uv_transform =
+                gltf ? gltf_transform(transform) : repeated(transform, fbx && is_by_blender(scene));
             if (!made.uv_transform.allFinite()) made.uv_transform.setIdentity();
         }
         break;
@@ -127,11 +148,11 @@ SceneMaterial material_of(const aiScene& scene, const aiMaterial& source,
 
 }  // namespace
 
-std::vector<SceneMaterial> scene_materials(const aiScene& scene, bool gltf) {
+std::vector<SceneMaterial> scene_materials(const aiScene& scene, const std::string& extension) {
     const std::vector<Picture> pictures = pictures_of(scene);
     std::vector<SceneMaterial> materials;
     for (unsigned i = 0; i < scene.mNumMaterials; ++i)
-        materials.push_back(material_of(scene, *scene.mMaterials[i], pictures, gltf));
+        materials.push_back(material_of(scene, *scene.mMaterials[i], pictures, extension));
     return materials;
 }
 

@@ -21,7 +21,7 @@ struct SceneMaterial {
 // A name of the file as UTF-8.
 std::string text_of(const aiString& text);
 
-// `gltf`: colours are linear, names of files URIs, and KHR_texture_transform counts.
-std::vector<SceneMaterial> scene_materials(const aiScene& scene, bool gltf);
+// `extension`: of the file, which decides what colours, names of pictures and texture transforms mean.
+std::vector<SceneMaterial> scene_materials(const aiScene& scene, const std::string& extension);
 
 }  // namespace slipface
