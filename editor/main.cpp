@@ -16,6 +16,7 @@
 #include "cli/verbs.h"
 #include "document/folders.h"
 #include "nightly/nightly_verb.h"
+#include "slipface/base/counted.h"
 #include "slipface/base/files.h"
 #include "slipface/mesh/scene_child.h"
 #include "snapshot_verb/snapshot_verb.h"
@@ -123,8 +124,7 @@ int edit_headless(const EditArguments& arguments) {
             return complain(result.error, result.failure == ScriptFailure::expectation
                                               ? cli::exit_check_failed
                                               : cli::exit_bad_input);
-        fmt::print("{}: {} line{} done\n", arguments.script, result.lines_done,
-                   result.lines_done == 1 ? "" : "s");
+        fmt::print("{}: {} done\n", arguments.script, counted(result.lines_done, "line"));
     }
     if (!arguments.screenshot.empty()) {
         (*host)->settle();

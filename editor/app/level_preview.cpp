@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "document/inside_out.h"
+#include "slipface/base/counted.h"
 #include "widgets/theme.h"
 
 namespace slipface {
@@ -17,8 +18,7 @@ std::string facts_of(const LoadedLevel& loaded) {
     std::size_t painted = 0;
     for (const auto& surface : loaded.level.overrides)
         painted += surface ? 1 : 0;
-    const std::size_t faces = loaded.level.mesh.face_count();
-    std::string text = fmt::format("{} face{}", faces, faces == 1 ? "" : "s");
+    std::string text = counted(loaded.level.mesh.face_count(), "face");
     if (painted > 0) text += fmt::format(", {} painted", painted);
     if (!loaded.level.orphans.empty()) text += fmt::format(", {} orphaned", loaded.level.orphans.size());
     return text;

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/script_context.h"
+#include "slipface/base/counted.h"
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
 #include "tools/lab/audit_job.h"
@@ -273,8 +274,8 @@ void run_line(ScriptContext& context, const ScriptLine& line) {
         if (line.words[0] != verb.name) continue;
         const std::size_t arguments = line.words.size() - 1;
         if (arguments < verb.least || arguments > verb.maximum)
-            return context.fail(fmt::format("found {} word{} after {}, expected: {} {}", arguments,
-                                            arguments == 1 ? "" : "s", verb.name, verb.name, verb.arguments));
+            return context.fail(fmt::format("found {} after {}, expected: {} {}", counted(arguments, "word"),
+                                            verb.name, verb.name, verb.arguments));
         return verb.run(context, line.words);
     }
     context.fail("no verb \"" + line.words[0] + "\"; there are: " + all_verbs());

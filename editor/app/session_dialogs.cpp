@@ -9,6 +9,7 @@
 #include "app/dialog_parts.h"
 #include "app/parts.h"
 #include "document/path_text.h"
+#include "slipface/base/counted.h"
 #include "tools/commands/icons.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
@@ -85,8 +86,7 @@ void recoverable_row(Parts& parts, const AutosaveInfo& info, std::size_t row) {
 }  // namespace
 
 std::string autosave_facts(const Parts& parts, const AutosaveInfo& info) {
-    const std::size_t count = info.steps.size();
-    const std::string facts = fmt::format("{} step{}", count, count == 1 ? "" : "s");
+    const std::string facts = counted(info.steps.size(), "step");
     return parts.deterministic ? facts : facts + ", " + time_text(info.written_s);
 }
 

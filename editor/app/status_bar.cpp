@@ -6,6 +6,7 @@
 #include "app/parts.h"
 #include "document/path_text.h"
 #include "panels/viewport_panel.h"
+#include "slipface/base/counted.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 
@@ -18,11 +19,9 @@ std::string right_side(const Parts& parts) {
     const Document& document = *editor.document;
     std::string text;
     const Warnings& textures = editor.texture_warnings;
-    if (!textures.empty())
-        text =
-            fmt::format("\uf071 {} texture{} missing   ", textures.size(), textures.size() == 1 ? "" : "s");
+    if (!textures.empty()) text = fmt::format("\uf071 {} missing   ", counted(textures.size(), "texture"));
     if (!document.selection().empty()) text += fmt::format("{} selected   ", document.selection().size());
-    text += fmt::format("{} faces", document.face_count());
+    text += counted(document.face_count(), "face");
     return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include "cli/format.h"
 #include "cli/verbs.h"
+#include "slipface/base/counted.h"
 #include "slipface/level/level_file.h"
 #include "slipface/reach/grades.h"
 
@@ -69,8 +70,7 @@ void print_doctor_text(const DoctorReport& report, std::ostream& out) {
         out << fmt::format("  {}\n", kind.remedy);
     }
     const std::size_t total = report.total();
-    out << (total == 0 ? std::string("No problems found\n")
-                       : fmt::format("{} problem{}\n", total, total == 1 ? "" : "s"));
+    out << (total == 0 ? std::string("No problems found\n") : counted(total, "problem") + '\n');
 }
 
 }  // namespace

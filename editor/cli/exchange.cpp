@@ -8,16 +8,13 @@
 
 #include "cli/format.h"
 #include "cli/verbs.h"
+#include "slipface/base/counted.h"
 #include "slipface/exchange/export.h"
 #include "slipface/exchange/name_materials.h"
 #include "slipface/exchange/rules.h"
 
 namespace slipface::cli {
 namespace {
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-    return fmt::format("{} {}", count, count == 1 ? one : many);
-}
 
 std::optional<std::filesystem::path> given(const std::string& word) {
     return word.empty() ? std::nullopt : std::optional<std::filesystem::path>(word);
@@ -142,8 +139,8 @@ int run_import(const ImportVerbOptions& options, std::ostream& out, std::ostream
     const auto by_rule = static_cast<std::size_t>(
         std::count(resolved.source.begin(), resolved.source.end(), SurfaceSource::rule));
     out << fmt::format("{} and {} added; {} now get their type from a rule\n{}\n",
-                       counted(total.rules, "rule", "rules"), counted(total.types, "type", "types"),
-                       counted(by_rule, "face", "faces"), level.file_path.string());
+                       counted(total.rules, "rule"), counted(total.types, "type"), counted(by_rule, "face"),
+                       level.file_path.string());
     return exit_fine;
 }
 

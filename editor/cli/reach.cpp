@@ -9,6 +9,7 @@
 #include "cli/guarded.h"
 #include "cli/play.h"
 #include "cli/verbs.h"
+#include "slipface/base/counted.h"
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
 #include "slipface/exchange/export.h"
@@ -54,7 +55,7 @@ void print_report(const ReachReport& report, double seconds, std::uint64_t steps
     print_row(out, "cells",
               fmt::format("{} of {:.2f} m, {}", report.cells, report.cell_m, bytes_text(report.bytes)));
     print_row(out, "reached",
-              fmt::format("{} faces, {} of {} walkable ones", report.reached.size(),
+              fmt::format("{}, {} of {} walkable ones", counted(report.reached.size(), "face"),
                           report.walkable.size() - report.unreached.size(), report.walkable.size()));
     print_row(out, "unreached", faces_text(report.unreached));
     print_row(out, "traps",
@@ -347,7 +348,7 @@ int diff(const std::string& a, const std::string& b, bool json) {
     } else {
         print_row(std::cout, "gained", faces_text(difference.gained));
         print_row(std::cout, "lost", faces_text(difference.lost));
-        print_row(std::cout, "slower", fmt::format("{} faces", difference.slower.size()));
+        print_row(std::cout, "slower", counted(difference.slower.size(), "face"));
         print_row(std::cout, "new traps", faces_text(difference.new_traps));
         for (const std::string& goal : difference.goals_gained)
             print_row(std::cout, "goal gained", goal);

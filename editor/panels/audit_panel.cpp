@@ -6,6 +6,7 @@
 #include "panels/panels.h"
 #include "panels/property_rows.h"
 #include "panels/viewport_panel.h"
+#include "slipface/base/counted.h"
 #include "tools/commands/icons.h"
 #include "tools/lab/audit_job.h"
 #include "tools/lab/lab_actions.h"
@@ -65,7 +66,7 @@ void heat_rows(Editor& editor) {
         std::size_t count = 0;
         for (const float fraction : job.heat(*editor.document, job.kind))
             count += fraction > 0.0f;
-        ui::muted_text(fmt::format("{} faces", count).c_str());
+        ui::muted_text(counted(count, "face").c_str());
     } else {
         const float width = ImGui::GetContentRegionAvail().x;
         ImGui::Dummy(

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "panels/panels.h"
+#include "slipface/base/counted.h"
 #include "slipface/level/find_start.h"
 #include "tools/commands/icons.h"
 #include "tools/playtest/spawns.h"
@@ -19,6 +20,7 @@ struct Unit {
     const char* name;
     double scale;
 };
+constexpr double smallest_shown_m = 1e-6;  // below it is rounding, as of a flat floor that was turned
 constexpr std::array<Unit, 6> units{{{"Metres", 1.0},
                                      {"Centimetres", 0.01},
                                      {"Millimetres", 0.001},
@@ -89,9 +91,8 @@ void axis_rows(Editor& editor, float value_at) {
 void size_rows(Editor& editor, float value_at) {
     const ImportSummary& summary = editor.document->level().import_summary;
     row("Size", value_at);
-    ImGui::TextUnformatted(
-        fmt::format("{:.5g} x {:.5g} x {:.5g} m", summary.size.x(), summary.size.y(), summary.size.z())
-            .c_str());
+    const Vec3 size = (summary.size.array() < smallest_shown_m).select(0.0, summary.size);
+    ImGui::TextUnformatted(fmt::format("{:.5g} x {:.5g} x {:.5g} m", size.x(), size.y(), size.z()).c_str());
     ui::tooltip("Width (x), height (y) and depth (z)");
     const std::optional<SizeDoubt> doubt = editor.import_card.doubt;
     if (!doubt) return;
@@ -160,7 +161,7 @@ void import_card(Editor& editor, const ImVec2& view_min, const ImVec2& view_size
     ui::tooltip("Edges of only one face: holes, and seams between overlapping parts");
     if (const std::size_t hidden = editor.document->hidden().size(); hidden > 0) {
         row("Hidden", value_at);
-        ImGui::TextUnformatted(fmt::format("{} faces that collide", hidden).c_str());
+        ImGui::TextUnformatted(counted(hidden, "face that collides", "faces that collide").c_str());
         ui::tooltip("Faces that collide but are not drawn; Show all faces makes them visible");
     }
     if (!editor.import_card.problem.empty()) {

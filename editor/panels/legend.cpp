@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "slipface/base/counted.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 
@@ -153,9 +154,7 @@ void legend_buttons(Editor& editor, const LegendLayout& layout) {
         ImGui::PopID();
         ui::record_last_item(row.name);
         layout.lit = ImGui::IsItemHovered() ? std::optional(i) : layout.lit;
-        ui::tooltip(("Select " + std::to_string(row.faces) + (row.faces == 1 ? " face" : " faces") +
-                     "; with Ctrl to add them")
-                        .c_str());
+        ui::tooltip(("Select " + counted(row.faces, "face") + "; with Ctrl to add them").c_str());
         if (!pressed) continue;
         const SelectBy by = ImGui::GetIO().KeyCtrl ? SelectBy::add : SelectBy::replace;
         std::vector<FaceId> faces = row.surface ? faces_of_type(*editor.document, *row.surface)

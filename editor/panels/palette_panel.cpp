@@ -8,6 +8,7 @@
 #include "panels/panels.h"
 #include "panels/property_rows.h"
 #include "panels/surface_editor.h"
+#include "slipface/base/counted.h"
 #include "tools/commands/icons.h"
 #include "tools/selection/selecting.h"
 #include "widgets/theme.h"
@@ -96,8 +97,8 @@ void row_menu(Editor& editor, std::optional<SurfaceId> surface) {
 
 std::string row_tooltip(const Row& row) {
     if (!row.type) return "Remove the paint of faces; rules and suffixes decide their type again";
-    std::string text = row.name + ", " + std::to_string(row.faces) + (row.faces == 1 ? " face" : " faces") +
-                       "\nRight click: select its faces, replace it";
+    std::string text =
+        row.name + ", " + counted(row.faces, "face") + "\nRight click: select its faces, replace it";
     if (row.hotkey != 0) text += "\nKey " + std::to_string(row.hotkey);
     return text;
 }

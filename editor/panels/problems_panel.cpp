@@ -3,6 +3,7 @@
 
 #include "panels/panels.h"
 #include "panels/property_rows.h"
+#include "slipface/base/counted.h"
 #include "tools/commands/icons.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
@@ -46,8 +47,7 @@ void head_row(Editor& editor) {
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     const std::size_t total = total_now(editor);
-    ImGui::TextUnformatted(total == 0 ? "No problems"
-                                      : fmt::format("{} problem{}", total, total == 1 ? "" : "s").c_str());
+    ImGui::TextUnformatted(total == 0 ? "No problems" : counted(total, "problem").c_str());
     if (report_is_current(editor)) return;
     ImGui::SameLine();
     ImGui::TextColored(ui::palette().accent, "%s", icons::warning);

@@ -7,6 +7,7 @@
 #include "panels/panels.h"
 #include "panels/property_rows.h"
 #include "panels/viewport_panel.h"
+#include "slipface/base/counted.h"
 #include "tools/lab/reach_job.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
@@ -63,8 +64,8 @@ void result_rows(const ReachReport& report) {
     ui::heading("Result");
     const std::size_t reached = report.walkable.size() - report.unreached.size();
     fact("Walkable faces", fmt::format("{} of {} reached", reached, report.walkable.size()));
-    fact("No way back", fmt::format("{} faces", report.traps.size()));
-    if (report.undecided > 0) fact("Not yet known", fmt::format("of {} faces", report.undecided));
+    fact("No way back", counted(report.traps.size(), "face"));
+    if (report.undecided > 0) fact("Not yet known", "of " + counted(report.undecided, "face"));
     fact("Exits", std::to_string(report.exits.size()));
     fact("Steps", fmt::format("{} in {} rounds", report.steps, report.rounds.size()));
     // A search that still finds something is not done.

@@ -6,6 +6,7 @@
 #include "panels/legend.h"
 #include "panels/panels.h"
 #include "panels/property_rows.h"
+#include "slipface/base/counted.h"
 #include "tools/commands/icons.h"
 #include "tools/selection/material_rules.h"
 #include "tools/selection/selecting.h"
@@ -14,10 +15,6 @@
 
 namespace slipface {
 namespace {
-
-std::string counted(std::size_t count, const char* one) {
-    return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
-}
 
 std::string shown_name(const std::string& name) {
     return name.empty() ? "(no name)" : name;

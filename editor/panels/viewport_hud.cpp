@@ -7,6 +7,7 @@
 #include <set>
 
 #include "panels/viewport_panel.h"
+#include "slipface/base/counted.h"
 #include "slipface/level/find_start.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
@@ -118,7 +119,7 @@ std::string tool_preview(const Editor& editor) {
     const std::vector<SurfaceType>& surfaces = editor.document->level().surfaces;
     const std::size_t faces = tool_faces(editor).size();
     const bool typed = editor.brush && *editor.brush < surfaces.size();
-    return fmt::format("{} {} {}{}", typed ? "Fill" : "Unset", faces, faces == 1 ? "face" : "faces",
+    return fmt::format("{} {}{}", typed ? "Fill" : "Unset", counted(faces, "face"),
                        typed ? " with " + surfaces[*editor.brush].name : "");
 }
 

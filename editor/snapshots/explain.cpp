@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "slipface/base/counted.h"
 #include "slipface/base/text.h"
 
 namespace slipface {
@@ -357,7 +358,7 @@ void describe_level(const SceneComparison& comparison, const LevelChanges& chang
         }
         findings.push_back(
             {Cause::level, pixels,
-             fmt::format("type `{}`, of {} face{}: {}", type.name, faces, faces == 1 ? "" : "s", type.text)});
+             fmt::format("type `{}`, of {}: {}", type.name, counted(faces, "face"), type.text)});
     }
     if (const std::string spawn = spawn_text(request); !spawn.empty())
         findings.push_back({Cause::level, 0, spawn});

@@ -6,6 +6,7 @@
 
 #include "document/faces.h"
 #include "document/inside_out.h"
+#include "slipface/base/counted.h"
 #include "slipface/level/find_start.h"
 #include "tools/lab/lab_actions.h"
 
@@ -13,10 +14,6 @@ namespace slipface {
 namespace {
 
 constexpr double opening_aspect = 1.6;  // the window is not known yet; framing again corrects it
-
-std::string count_text(std::size_t count, const char* one, const char* many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
-}
 
 std::string brush_name(const Editor& editor) {
     if (!editor.brush) return "unset";
@@ -32,7 +29,7 @@ void forget_hover(Editor& editor) {
 
 // "Painted ice on 12 faces".
 std::string painted_text(const Editor& editor, std::optional<SurfaceId> surface, std::size_t faces) {
-    const std::string count = count_text(faces, "face", "faces");
+    const std::string count = counted(faces, "face");
     if (!surface) return "Unset on " + count;
     return "Painted " + editor.document->level().surfaces[*surface].name + " on " + count;
 }
@@ -98,8 +95,7 @@ void adopt_document(Editor& editor, std::unique_ptr<Document> opened, const std:
         editor.view.pitch = usual.pitch;
         editor.view.frame(document.bounds(), opening_aspect);
     }
-    editor.status =
-        "Opened " + path.filename().string() + ", " + count_text(document.face_count(), "face", "faces");
+    editor.status = "Opened " + path.filename().string() + ", " + counted(document.face_count(), "face");
     if (const std::size_t hidden = document.hidden().size(); hidden > 0)
         editor.status += ", " + std::to_string(hidden) + " hidden";
     offer_import_card(editor);

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "material_blocks.h"
+#include "slipface/base/counted.h"
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
 #include "slipface/level/material_name.h"
@@ -219,8 +220,8 @@ Result<NamedMaterials> name_materials(const Level& level) {
 std::string NamedMaterials::text() const {
     const std::string name = after.level.mesh_path.filename().string();
     if (faces == 0) return "no face is painted: " + name + " stays as it is";
-    return fmt::format("types of {} face{} written into {}; the old file is {}.bak", faces,
-                       faces == 1 ? "" : "s", name, name);
+    return fmt::format("types of {} written into {}; the old file is {}.bak", counted(faces, "face"), name,
+                       name);
 }
 
 }  // namespace slipface

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "slipface/base/counted.h"
 #include "slipface/base/text.h"
 #include "slipface/level/material_name.h"
 #include "tools/selection/selecting.h"
@@ -122,8 +123,7 @@ void add_rules_for_faces(Editor& editor) {
         add_rule(editor, {name, type});
     }
     editor.document->commit();
-    editor.status =
-        std::to_string(materials.size()) + (materials.size() == 1 ? " rule" : " rules") + " added: " + type;
+    editor.status = counted(materials.size(), "rule") + " added: " + type;
     if (suffixed > 0) editor.status += "; a suffix of the material's name comes first";
 }
 

@@ -4,14 +4,11 @@
 #include <cmath>
 
 #include "document/faces.h"
+#include "slipface/base/counted.h"
 #include "slipface/base/parallel.h"
 
 namespace slipface {
 namespace {
-
-std::string faces_text(std::size_t count) {
-    return std::to_string(count) + (count == 1 ? " face" : " faces");
-}
 
 std::vector<FaceId> combined(std::span<const FaceId> old, std::vector<FaceId> chosen, SelectBy by) {
     switch (by) {
@@ -43,7 +40,7 @@ void apply_selection(Editor& editor, std::vector<FaceId> faces, SelectBy by, con
     if (!editor.document) return;
     Document& document = *editor.document;
     document.select(combined(document.selection(), std::move(faces), by), step_name);
-    editor.status = step_name + ": " + faces_text(document.selection().size()) + " selected";
+    editor.status = step_name + ": " + counted(document.selection().size(), "face") + " selected";
 }
 
 std::vector<FaceId> seed_faces(const Editor& editor) {
@@ -259,7 +256,7 @@ void save_selection(Editor& editor, std::string name) {
     }
     saved.push_back({name, {document.selection().begin(), document.selection().end()}});
     document.set_saved_selections(std::move(saved), "Save selection " + name);
-    editor.status = "Saved " + name + ", " + faces_text(document.selection().size());
+    editor.status = "Saved " + name + ", " + counted(document.selection().size(), "face");
 }
 
 void recall_selection(Editor& editor, std::size_t index, SelectBy by) {
@@ -307,7 +304,7 @@ void replace_type(Editor& editor, SurfaceId from, std::optional<SurfaceId> to) {
                                           (to ? surfaces[*to].name : std::string("unset")));
     document.paint(faces, to);
     transaction.commit();
-    editor.status = "Replaced " + surfaces[from].name + " on " + faces_text(faces.size());
+    editor.status = "Replaced " + surfaces[from].name + " on " + counted(faces.size(), "face");
 }
 
 }  // namespace slipface

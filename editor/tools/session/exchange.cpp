@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "slipface/base/counted.h"
 #include "slipface/base/text.h"
 #include "slipface/exchange/export.h"
 #include "slipface/level/preset.h"
@@ -34,10 +35,6 @@ bool is_level_of(const Editor& editor, const fs::path& path) {
     return to_lower(path.filename().string()).ends_with(".slipface.json") || path == level.mesh_path ||
            fs::equivalent(path, level.mesh_path, error) || path == level.file_path ||
            fs::equivalent(path, level.file_path, error);
-}
-
-std::string counted(std::size_t count, const char* one) {
-    return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
 }
 
 // "72 faces, 2 types, 14 KB"
