@@ -259,10 +259,14 @@ inline void lanes_of_leaf(const Leaf& leaf, Lanes (&to)[9]) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const float* table = coordinates + axis * leaf.vertices;
         for (std::size_t k = 0; k < 3; ++k) {
-            float lanes[8];
-            for (std::size_t lane = 0; lane < 8; ++lane)
-                lanes[lane] = table[leaf.corner[k][lane]];
-            to[3 * k + axis] = Lanes::load(lanes);
+            const std::uint8_t* vertex = leaf.corner[k];
+#if defined(__SSE2__)
+            to[3 * k + axis] = {
+                _mm_setr_ps(table[vertex[0]], table[vertex[1]], table[vertex[2]], table[vertex[3]]),
+                _mm_setr_ps(table[vertex[4]], table[vertex[5]], table[vertex[6]], table[vertex[7]])};
+#else
+            to[3 * k + axis] = Lanes::each([&](int lane) { return table[vertex[lane]]; });
+#endif
         }
     }
 }
