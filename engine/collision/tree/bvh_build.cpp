@@ -60,6 +60,7 @@ class Builder {
         Plan plan{};
         BinaryNodes nodes(blocks_);
         const BinaryNode* top = divide_up(root, nodes, plan);
+        by_cell_.reset();
         return collapse(*top);
     }
 
@@ -85,10 +86,7 @@ class Builder {
 
     // The binary tree over a range, and how it is best cut into nodes.
     BinaryNode* divide_up(Range range, BinaryNodes& nodes, Plan& plan) {
-        BinaryNode& node = nodes.add();
-        node.box = range.box;
-        node.first = range.first;
-        node.count = range.count;
+        BinaryNode& node = nodes.add(range.box, range.first, range.count);
         if (is_leaf(range)) return &node;
         std::vector<Cell> cells;
         if (range.count >= cells_from && !range.mixed && range.cells.empty()) {

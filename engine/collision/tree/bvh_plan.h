@@ -4,6 +4,7 @@
 // traversal on GPUs through compressed wide BVHs", 2017).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -16,15 +17,16 @@
 namespace slipface::detail {
 
 struct BinaryNode {
-    Box box;
-    std::array<BinaryNode*, 2> half{};  // null for a leaf
-    std::uint32_t first = 0;            // of its items
-    std::uint32_t count = 0;
-    // [slots] how many of the slots, from two to eight, the first half gets; 0: one slot, as a node of its
-    // own.
-    std::array<std::uint8_t, 9> left{};
+    std::array<BinaryNode*, 2> half;  // null for a leaf
+    float min[3];
+    float max[3];
+    std::uint32_t first;  // of its items
+    std::uint32_t count;
+    // [slots - 2] how many of two to eight slots the first half gets; 0: one slot, as a node of its own.
+    std::array<std::uint8_t, 7> left;
 
     bool is_leaf() const { return half[0] == nullptr; }
+    Box box() const { return {Four::of(min[0], min[1], min[2]), Four::of(max[0], max[1], max[2])}; }
 };
 
 // Memory for nodes of many tasks.
@@ -33,7 +35,7 @@ class BinaryBlocks {
     static constexpr std::size_t size = 128;
 
     BinaryNode* add() {
-        auto block = std::make_unique<BinaryNode[]>(size);
+        auto block = std::make_unique_for_overwrite<BinaryNode[]>(size);
         const std::scoped_lock lock(mutex_);
         return blocks_.emplace_back(std::move(block)).get();
     }
@@ -48,12 +50,22 @@ class BinaryNodes {
   public:
     explicit BinaryNodes(BinaryBlocks& blocks) : blocks_(blocks) {}
 
-    BinaryNode& add() {
+    // Adds a leaf.
+    BinaryNode& add(const Box& box, std::uint32_t first, std::uint32_t count) {
         if (next_ == end_) {
             next_ = blocks_.add();
             end_ = next_ + BinaryBlocks::size;
         }
-        return *next_++;
+        BinaryNode& node = *next_++;
+        node.half = {};
+        alignas(16) float corner[4];
+        box.min.store(corner);
+        std::copy_n(corner, 3, node.min);
+        box.max.store(corner);
+        std::copy_n(corner, 3, node.max);
+        node.first = first;
+        node.count = count;
+        return node;
     }
 
   private:
@@ -75,20 +87,25 @@ inline float visited_area(const Box& box) {
 // The plan of a node by those of its halves.
 inline Plan planned(BinaryNode& node, const Plan& first, const Plan& second) {
     Plan plan{};
+    plan[1] = visited_area(node.box());
+    node.left.fill(1);
+    if (node.half[0]->is_leaf() && node.half[1]->is_leaf()) return plan;
     for (std::size_t slots = 8; slots >= 2; --slots) {
-        plan[slots] = std::numeric_limits<float>::infinity();
-        for (std::size_t left = 1; left < slots; ++left) {
-            const float area = first[left] + second[slots - left];
-            if (!(area < plan[slots]) && left > 1) continue;
-            plan[slots] = area;
-            node.left[slots] = static_cast<std::uint8_t>(left);
+        // A leaf needs one slot.
+        const std::size_t least = node.half[1]->is_leaf() ? slots - 1 : 1;
+        const std::size_t most = node.half[0]->is_leaf() ? 1 : slots - 1;
+        std::size_t best = least;
+        for (std::size_t left = least + 1; left <= most; ++left) {
+            if (first[left] + second[slots - left] < first[best] + second[slots - best]) best = left;
         }
+        plan[slots] = first[best] + second[slots - best];
+        node.left[slots - 2] = static_cast<std::uint8_t>(best);
     }
-    plan[1] = visited_area(node.box) + plan[8];
+    plan[1] += plan[8];
     for (std::size_t slots = 2; slots <= 8; ++slots) {
         if (plan[slots] < plan[1] || slots == 8) continue;
         plan[slots] = plan[1];
-        node.left[slots] = 0;
+        node.left[slots - 2] = 0;
     }
     plan[8] = plan[8] < plan[1] ? plan[8] : plan[1];
     return plan;
@@ -116,14 +133,15 @@ struct Parts {
 
 // Divides a node among slots by its plan.
 inline void take_parts(const BinaryNode& node, std::size_t slots, Parts& parts) {
-    if (node.is_leaf() || slots == 1 || node.left[slots] == 0) {
+    if (node.is_leaf() || slots == 1 || node.left[slots - 2] == 0) {
         parts.part[parts.count] = &node;
-        parts.box[parts.count] = node.box;
+        parts.box[parts.count] = node.box();
         parts.size[parts.count++] = node.count;
         return;
     }
-    take_parts(*node.half[0], node.left[slots], parts);
-    take_parts(*node.half[1], slots - node.left[slots], parts);
+    const std::size_t left = node.left[slots - 2];
+    take_parts(*node.half[0], left, parts);
+    take_parts(*node.half[1], slots - left, parts);
 }
 
 }  // namespace slipface::detail
