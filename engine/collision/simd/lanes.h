@@ -38,6 +38,13 @@ inline Lanes operator*(Lanes a, Lanes b) {
 inline Lanes operator/(Lanes a, Lanes b) {
     return {_mm256_div_ps(a.v, b.v)};
 }
+// a b + c and a b - c, with one rounding or two.
+inline Lanes lanes_product_plus(Lanes a, Lanes b, Lanes c) {
+    return {_mm256_fmadd_ps(a.v, b.v, c.v)};
+}
+inline Lanes lanes_product_minus(Lanes a, Lanes b, Lanes c) {
+    return {_mm256_fmsub_ps(a.v, b.v, c.v)};
+}
 // If one of the two is NaN, the result is the second.
 inline Lanes lanes_min(Lanes a, Lanes b) {
     return {_mm256_min_ps(a.v, b.v)};
@@ -252,6 +259,13 @@ inline std::uint32_t lanes_above(Lanes a, Lanes b) {
 }
 
 #endif
+
+inline Lanes lanes_product_plus(Lanes a, Lanes b, Lanes c) {
+    return a * b + c;
+}
+inline Lanes lanes_product_minus(Lanes a, Lanes b, Lanes c) {
+    return a * b - c;
+}
 
 // x, y, z of the three corners of a leaf's triangles.
 inline void lanes_of_leaf(const Leaf& leaf, Lanes (&to)[9]) {
