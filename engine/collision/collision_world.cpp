@@ -51,7 +51,7 @@ void index_faces(const TriangleSoup& soup, CollisionWorld::Impl& impl) {
     impl.faces.erase(std::unique(impl.faces.begin(), impl.faces.end()), impl.faces.end());
     impl.faces.shrink_to_fit();
     impl.surfaces.assign(impl.faces.size(), default_surface);
-    impl.face_index = detail::FaceIndex(ascending, soup.faces.size());
+    impl.face_index = detail::TriangleFaces(ascending, soup.faces.size());
     std::size_t index = 0;
     for (const FaceId face : soup.faces) {
         if (ascending) {

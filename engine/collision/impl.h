@@ -6,11 +6,11 @@
 #include <memory>
 #include <vector>
 
-#include "face_index.h"
 #include "simd/eigen_vec.h"
 #include "simd/kernels.h"
 #include "slipface/collision/instances.h"
 #include "tree/bvh.h"
+#include "triangle_faces.h"
 
 namespace slipface {
 
@@ -29,7 +29,7 @@ struct PlacedMesh {
 struct CollisionWorld::Impl {
     detail::Bvh bvh;                     // of the soup
     std::vector<FaceId> faces;           // of the soup, ascending, each once; empty if they are 0, 1, 2...
-    detail::FaceIndex face_index;        // [triangle] index into faces
+    detail::TriangleFaces face_index;    // [triangle] index into faces
     std::vector<SurfaceId> surfaces;     // [index into faces]
     std::array<SurfaceRule, 256> rules;  // [SurfaceId]
     std::vector<detail::InstanceView> views;  // [instance]

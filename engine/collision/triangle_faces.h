@@ -9,11 +9,11 @@ namespace slipface::detail {
 
 // Triangles mostly come in the order of their faces. Then one bit says whether a face begins, and the face of
 // a triangle follows from the number of bits up to it: a quarter of a byte per triangle instead of four.
-class FaceIndex {
+class TriangleFaces {
   public:
-    FaceIndex() = default;
+    TriangleFaces() = default;
     // `ascending`: each face will be that of the triangle before, or the next one; the first is 0.
-    FaceIndex(bool ascending, std::size_t triangles) : ascending_(ascending) {
+    TriangleFaces(bool ascending, std::size_t triangles) : ascending_(ascending) {
         if (ascending)
             blocks_.reserve((triangles + block_size - 1) / block_size);
         else
