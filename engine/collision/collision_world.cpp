@@ -51,7 +51,7 @@ void index_faces(const TriangleSoup& soup, CollisionWorld::Impl& impl) {
     impl.faces.erase(std::unique(impl.faces.begin(), impl.faces.end()), impl.faces.end());
     impl.faces.shrink_to_fit();
     impl.surfaces.assign(impl.faces.size(), default_surface);
-    impl.face_index.reserve(soup.faces.size());
+    impl.face_index = detail::TriangleFaces(ascending, soup.faces.size());
     std::size_t index = 0;
     for (const FaceId face : soup.faces) {
         if (ascending) {
@@ -61,7 +61,7 @@ void index_faces(const TriangleSoup& soup, CollisionWorld::Impl& impl) {
             index = static_cast<std::size_t>(std::lower_bound(impl.faces.begin(), impl.faces.end(), face) -
                                              impl.faces.begin());
         }
-        impl.face_index.push_back(static_cast<std::uint32_t>(index));
+        impl.face_index.add(static_cast<std::uint32_t>(index));
     }
     if (!impl.faces.empty() && impl.faces.back() == impl.faces.size() - 1) {
         impl.faces = std::vector<FaceId>();
@@ -221,7 +221,7 @@ BvhStatistics CollisionWorld::statistics() const {
         all.nodes += bvh->nodes.size();
         all.bytes += bytes(bvh->nodes) + bytes(bvh->parents) + bytes(bvh->leaves) + bytes(bvh->slots);
     }
-    all.bytes += bytes(impl_->faces) + bytes(impl_->face_index) + bytes(impl_->surfaces) +
+    all.bytes += bytes(impl_->faces) + impl_->face_index.bytes() + bytes(impl_->surfaces) +
                  bytes(impl_->views) + bytes(impl_->placed) + bytes_of_meshes(*impl_);
     all.depth = impl_->bvh.depth + impl_->boxes.depth;
     return all;

@@ -10,6 +10,7 @@
 #include "simd/kernels.h"
 #include "slipface/collision/instances.h"
 #include "tree/bvh.h"
+#include "triangle_faces.h"
 
 namespace slipface {
 
@@ -26,11 +27,11 @@ struct PlacedMesh {
 };
 
 struct CollisionWorld::Impl {
-    detail::Bvh bvh;                        // of the soup
-    std::vector<FaceId> faces;              // of the soup, ascending, each once; empty if they are 0, 1, 2...
-    std::vector<std::uint32_t> face_index;  // [triangle] index into faces
-    std::vector<SurfaceId> surfaces;        // [index into faces]
-    std::array<SurfaceRule, 256> rules;     // [SurfaceId]
+    detail::Bvh bvh;                     // of the soup
+    std::vector<FaceId> faces;           // of the soup, ascending, each once; empty if they are 0, 1, 2...
+    detail::TriangleFaces face_index;    // [triangle] index into faces
+    std::vector<SurfaceId> surfaces;     // [index into faces]
+    std::array<SurfaceRule, 256> rules;  // [SurfaceId]
     std::vector<detail::InstanceView> views;  // [instance]
     std::vector<PlacedMesh> placed;           // [instance]
     detail::Bvh boxes;                        // of the instances; see detail::WorldView

@@ -18,7 +18,7 @@ Result<std::shared_ptr<const CollisionMesh>> CollisionMesh::build(const Triangle
     std::shared_ptr<CollisionMesh> mesh(new CollisionMesh);
     mesh->impl_->world = std::move(*world);
     const CollisionWorld::Impl& impl = mesh->impl_->world.impl();
-    if (!impl.faces.empty() || !std::is_sorted(impl.face_index.begin(), impl.face_index.end()))
+    if (!impl.faces.empty() || !impl.face_index.ascending())
         return Error{"collision soup", "faces that are not 0, 1, 2, ... in ascending order"};
     return std::shared_ptr<const CollisionMesh>(std::move(mesh));
 }

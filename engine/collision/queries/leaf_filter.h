@@ -119,7 +119,7 @@ class LeafFilter {
 
   private:
     LaneVec relative(const LaneVec& world) const {
-        return (world - path_.centre) * path_.inverse - path_.rest;
+        return product_minus(world - path_.centre, path_.inverse, path_.rest);
     }
 
     // The least of the three corners along u.
@@ -164,7 +164,7 @@ class LeafFilter {
             const Lanes ee = lanes_max(dot(e_[k], e_[k]), Lanes::all(least_square));
             // A quotient that is NaN becomes 0.
             const Lanes s = lanes_min(lanes_max((zero - dot(p, e_[k])) / ee, zero), one);
-            const LaneVec motion = p + s * e_[k];
+            const LaneVec motion = product_plus(s, e_[k], p);
             const Lanes square = dot(motion, motion);
             if (k == 0) {
                 best = motion;

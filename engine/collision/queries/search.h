@@ -30,7 +30,7 @@ struct Search {
         TriangleHit other{};
         if (!kernels.sweep_triangle(leaf, query, hit.t, other) || !beaten_by(other, leaf.id)) return;
         if (!stopped_by(leaf, other)) return;
-        hit = other;
+        hit = {other.t, other.feature, other.part, other.started};
         triangle = leaf;
     }
     bool stopped_by(const LeafTriangle& leaf, const TriangleHit& other) const {

@@ -130,11 +130,15 @@ TriangleHit first_border_touch(const SphereTriangle& triangle, const EllipsoidQu
 
     TriangleHit best{2.0, Feature::vertex, 0, false};
     const auto take_first = [&best](unsigned which, const Three& times, Feature feature) {
+        if (which == 0) return;
         double t[4];
         times.store(t);
         for (int k = 0; k < 3; ++k) {
-            if ((which >> k & 1U) == 0) continue;
-            if (t[k] < best.t || (t[k] == best.t && feature < best.feature)) best = {t[k], feature, k, false};
+            const bool first =
+                (which >> k & 1U) != 0 && (t[k] < best.t || (t[k] == best.t && feature < best.feature));
+            best.t = first ? t[k] : best.t;
+            best.feature = first ? feature : best.feature;
+            best.part = first ? k : best.part;
         }
     };
     take_first(on_edge.bits(), edge_t, Feature::edge);

@@ -2,6 +2,6 @@
 
 namespace slipface::detail {
 
-constinit const Kernels baseline_kernels = kernel_table("baseline", std::size_t{3} << 20U);
+constinit const Kernels baseline_kernels = kernel_table("baseline", std::size_t{6} << 20U);
 
 }  // namespace slipface::detail

@@ -90,11 +90,21 @@ inline LaneVec operator*(const LaneVec& a, const LaneVec& b) {
 inline LaneVec operator*(Lanes s, const LaneVec& a) {
     return {s * a.x, s * a.y, s * a.z};
 }
+// a b + c and a b - c.
+inline LaneVec product_plus(Lanes a, const LaneVec& b, const LaneVec& c) {
+    return {lanes_product_plus(a, b.x, c.x), lanes_product_plus(a, b.y, c.y),
+            lanes_product_plus(a, b.z, c.z)};
+}
+inline LaneVec product_minus(const LaneVec& a, const LaneVec& b, const LaneVec& c) {
+    return {lanes_product_minus(a.x, b.x, c.x), lanes_product_minus(a.y, b.y, c.y),
+            lanes_product_minus(a.z, b.z, c.z)};
+}
 inline Lanes dot(const LaneVec& a, const LaneVec& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
+    return lanes_product_plus(a.x, b.x, lanes_product_plus(a.y, b.y, a.z * b.z));
 }
 inline LaneVec cross(const LaneVec& a, const LaneVec& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    return {lanes_product_minus(a.y, b.z, a.z * b.y), lanes_product_minus(a.z, b.x, a.x * b.z),
+            lanes_product_minus(a.x, b.y, a.y * b.x)};
 }
 // At least the length, at most sqrt(3) times the length.
 inline Lanes size_of(const LaneVec& a) {

@@ -38,6 +38,13 @@ inline Lanes operator*(Lanes a, Lanes b) {
 inline Lanes operator/(Lanes a, Lanes b) {
     return {_mm256_div_ps(a.v, b.v)};
 }
+// a b + c and a b - c, with one rounding or two.
+inline Lanes lanes_product_plus(Lanes a, Lanes b, Lanes c) {
+    return {_mm256_fmadd_ps(a.v, b.v, c.v)};
+}
+inline Lanes lanes_product_minus(Lanes a, Lanes b, Lanes c) {
+    return {_mm256_fmsub_ps(a.v, b.v, c.v)};
+}
 // If one of the two is NaN, the result is the second.
 inline Lanes lanes_min(Lanes a, Lanes b) {
     return {_mm256_min_ps(a.v, b.v)};
@@ -253,16 +260,27 @@ inline std::uint32_t lanes_above(Lanes a, Lanes b) {
 
 #endif
 
+inline Lanes lanes_product_plus(Lanes a, Lanes b, Lanes c) {
+    return a * b + c;
+}
+inline Lanes lanes_product_minus(Lanes a, Lanes b, Lanes c) {
+    return a * b - c;
+}
+
 // x, y, z of the three corners of a leaf's triangles.
 inline void lanes_of_leaf(const Leaf& leaf, Lanes (&to)[9]) {
     const auto* coordinates = reinterpret_cast<const float*>(&leaf + 1);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const float* table = coordinates + axis * leaf.vertices;
         for (std::size_t k = 0; k < 3; ++k) {
-            float lanes[8];
-            for (std::size_t lane = 0; lane < 8; ++lane)
-                lanes[lane] = table[leaf.corner[k][lane]];
-            to[3 * k + axis] = Lanes::load(lanes);
+            const std::uint8_t* vertex = leaf.corner[k];
+#if defined(__SSE2__)
+            to[3 * k + axis] = {
+                _mm_setr_ps(table[vertex[0]], table[vertex[1]], table[vertex[2]], table[vertex[3]]),
+                _mm_setr_ps(table[vertex[4]], table[vertex[5]], table[vertex[6]], table[vertex[7]])};
+#else
+            to[3 * k + axis] = Lanes::each([&](int lane) { return table[vertex[lane]]; });
+#endif
         }
     }
 }

@@ -1,6 +1,7 @@
-// Top-down construction: a range of triangles is split, always the largest part first, until there are eight
-// children. Each child is then a task of its own. Afterwards memory is assigned in a fixed order, and nodes
-// and leaves are written in parallel. No step depends on the order of the tasks.
+// Top-down construction of a binary tree by cost: each range of triangles is split in two, in tasks. The
+// cheapest way to give its inner nodes to nodes of eight children is planned on the way back up (bvh_plan.h).
+// Afterwards memory is assigned in a fixed order, and nodes and leaves are written in parallel. No step
+// depends on the order of the tasks.
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include "slipface/base/parallel.h"
 #include "tree/bvh.h"
 #include "tree/bvh_cells.h"
+#include "tree/bvh_plan.h"
 #include "tree/bvh_split.h"
 
 namespace slipface::detail {
@@ -46,12 +48,6 @@ struct Node {
     std::uint32_t parent = 0;
 };
 
-// The ranges that become a node's children.
-struct Parts {
-    std::array<Range, 8> range;
-    std::uint32_t count = 0;
-};
-
 class Builder {
   public:
     Builder(std::span<Item> items, std::span<const std::array<std::uint32_t, 3>> triangles)
@@ -59,65 +55,13 @@ class Builder {
         if (items.size() >= cells_from) by_cell_ = std::make_unique_for_overwrite<Item[]>(items.size());
     }
 
-    // The tree over a range of more than leaf_capacity triangles, or the root over any range.
-    std::unique_ptr<Node> build(Range root) {
-        std::vector<Cell> cells;
-        if (root.count >= cells_from && !root.mixed && root.cells.empty()) {
-            cells = sort_into_cells(items_of(root), root.centres, {&by_cell_[root.first], root.count});
-            if (!cells.empty()) root.centres = Box();
-            for (Cell& cell : cells) {
-                cell.first += root.first;
-                root.centres.add(centre_of(cell));
-            }
-            root.cells = cells;
-        }
-        Parts parts;
-        parts.range[0] = root;
-        parts.count = 1;
-        while (parts.count < 8) {
-            std::uint32_t largest = 8;
-            float area = -1.0F;
-            for (std::uint32_t i = 0; i < parts.count; ++i) {
-                const Range& range = parts.range[i];
-                if (!is_leaf(range) && !(range.box.area() <= area)) {
-                    largest = i;
-                    area = range.box.area();
-                }
-            }
-            if (largest == 8) break;
-            Range right;
-            parts.range[largest] = divide(parts.range[largest], right);
-            parts.range[parts.count++] = right;
-        }
-        join_leaves(parts);
-        auto node = std::make_unique<Node>();
-        node->count = parts.count;
-        const auto finish = [&](std::size_t i) {
-            const Range& range = parts.range[i];
-            Child& child = node->children[i];
-            alignas(16) float corner[4];
-            range.box.min.store(corner);
-            std::copy_n(corner, 3, child.min);
-            range.box.max.store(corner);
-            std::copy_n(corner, 3, child.max);
-            if (is_leaf(range)) {
-                child.first = range.first;
-                child.count = static_cast<std::uint8_t>(range.count);
-                child.vertices = sort_leaf(range);
-            } else {
-                child.node = build(range);
-            }
-        };
-        if (root.count < parallel_grain) {
-            for (std::uint32_t i = 0; i < node->count; ++i)
-                finish(i);
-        } else {
-            parallel_for(node->count, 1, [&](std::size_t begin, std::size_t end) {
-                for (std::size_t i = begin; i < end; ++i)
-                    finish(i);
-            });
-        }
-        return node;
+    // The tree over a range.
+    std::unique_ptr<Node> build(const Range& root) {
+        Plan plan{};
+        BinaryNodes nodes(blocks_);
+        const BinaryNode* top = divide_up(root, nodes, plan);
+        by_cell_.reset();
+        return collapse(*top);
     }
 
     // Computes the boxes of the items and whether they belong to several bodies.
@@ -140,25 +84,86 @@ class Builder {
         return range.count <= leaf_capacity && !range.mixed && range.cells.empty();
     }
 
+    // The binary tree over a range, and how it is best cut into nodes.
+    BinaryNode* divide_up(Range range, BinaryNodes& nodes, Plan& plan) {
+        BinaryNode& node = nodes.add(range.box, range.first, range.count);
+        if (is_leaf(range)) return &node;
+        std::vector<Cell> cells;
+        if (range.count >= cells_from && !range.mixed && range.cells.empty()) {
+            cells = sort_into_cells(items_of(range), range.centres, {&by_cell_[range.first], range.count});
+            if (!cells.empty()) range.centres = Box();
+            for (Cell& cell : cells) {
+                cell.first += range.first;
+                range.centres.add(centre_of(cell));
+            }
+            range.cells = cells;
+        }
+        std::array<Range, 2> half;
+        half[0] = divide(range, half[1]);
+        std::array<Plan, 2> plans{};  // nothing for leaves
+        if (range.count < parallel_grain) {
+            for (std::size_t i = 0; i < 2; ++i)
+                node.half[i] = divide_up(half[i], nodes, plans[i]);
+        } else {
+            parallel_for(2, 1, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    BinaryNodes own(blocks_);
+                    node.half[i] = divide_up(half[i], own, plans[i]);
+                }
+            });
+        }
+        plan = planned(node, plans[0], plans[1]);
+        return &node;
+    }
+
+    // The node of eight children that `top` becomes, by its plan, and those below it.
+    std::unique_ptr<Node> collapse(const BinaryNode& top) {
+        Parts parts;
+        take_parts(top, 8, parts);
+        join_leaves(parts);
+        auto node = std::make_unique<Node>();
+        node->count = parts.count;
+        const auto finish = [&](std::size_t i) {
+            const BinaryNode& part = *parts.part[i];
+            Child& child = node->children[i];
+            alignas(16) float corner[4];
+            parts.box[i].min.store(corner);
+            std::copy_n(corner, 3, child.min);
+            parts.box[i].max.store(corner);
+            std::copy_n(corner, 3, child.max);
+            if (part.is_leaf()) {
+                child.first = part.first;
+                child.count = static_cast<std::uint8_t>(parts.size[i]);
+                child.vertices = sort_leaf(part.first, parts.size[i]);
+            } else {
+                child.node = collapse(part);
+            }
+        };
+        if (top.count < parallel_grain) {
+            for (std::uint32_t i = 0; i < node->count; ++i)
+                finish(i);
+        } else {
+            parallel_for(node->count, 1, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i)
+                    finish(i);
+            });
+        }
+        return node;
+    }
+
     // Two neighbouring leaves become one if that makes a visit less likely.
-    static void join_leaves(Parts& parts) {
-        const auto begin = parts.range.begin();
-        std::sort(begin, begin + parts.count,
-                  [](const Range& a, const Range& b) { return a.first < b.first; });
+    void join_leaves(Parts& parts) const {
         for (std::uint32_t i = 0; i + 1 < parts.count;) {
-            Range& range = parts.range[i];
-            const Range& next = parts.range[i + 1];
-            Box both = range.box;
-            both.add(next.box);
-            if (!is_leaf(range) || !is_leaf(next) || range.count + next.count > leaf_capacity ||
-                both.area() > range.box.area() + next.box.area()) {
+            Box both = parts.box[i];
+            both.add(parts.box[i + 1]);
+            const BinaryNode &part = *parts.part[i], &next = *parts.part[i + 1];
+            if (!part.is_leaf() || !next.is_leaf() || parts.size[i] + parts.size[i + 1] > leaf_capacity ||
+                items_[part.first].body != items_[next.first].body ||
+                both.area() > parts.box[i].area() + parts.box[i + 1].area()) {
                 ++i;
                 continue;
             }
-            range.box = both;
-            range.count += next.count;
-            std::move(begin + i + 2, begin + parts.count, begin + i + 1);
-            --parts.count;
+            parts.join_next(i, both);
         }
     }
 
@@ -253,13 +258,12 @@ class Builder {
     }
 
     // Sorts the triangles of a leaf and counts their vertices.
-    std::uint8_t sort_leaf(const Range& range) {
-        Item* begin = &items_[range.first];
-        std::sort(begin, begin + range.count,
-                  [](const Item& a, const Item& b) { return a.triangle < b.triangle; });
+    std::uint8_t sort_leaf(std::uint32_t first, std::uint32_t size) {
+        Item* begin = &items_[first];
+        std::sort(begin, begin + size, [](const Item& a, const Item& b) { return a.triangle < b.triangle; });
         std::array<std::uint32_t, 3 * leaf_capacity> seen;
         std::uint32_t count = 0;
-        for (std::uint32_t i = 0; i < range.count; ++i) {
+        for (std::uint32_t i = 0; i < size; ++i) {
             for (const std::uint32_t vertex : triangles_[begin[i].triangle]) {
                 if (std::find(seen.begin(), seen.begin() + count, vertex) == seen.begin() + count)
                     seen[count++] = vertex;
@@ -271,6 +275,7 @@ class Builder {
     std::span<Item> items_;
     std::span<const std::array<std::uint32_t, 3>> triangles_;
     std::unique_ptr<Item[]> by_cell_;  // a range has the same indices here as in items_
+    BinaryBlocks blocks_;
 };
 
 // Assigns memory: nodes before the nodes below them, leaves in the order in which a walk reaches them.
