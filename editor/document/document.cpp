@@ -98,12 +98,13 @@ std::size_t Document::paint(std::span<const FaceId> faces, std::optional<Surface
         count += before != surface ? 1 : 0;
     }
     edit.faces.resize(count);
-    const auto not_later = [](const FaceEdit::Face& a, const FaceEdit::Face& b) { return a.face >= b.face; };
-    if (std::adjacent_find(edit.faces.begin(), edit.faces.end(), not_later) != edit.faces.end()) {
-        const auto by_face = [](const FaceEdit::Face& change) { return change.face; };
-        std::ranges::sort(edit.faces, {}, by_face);
-        const auto repeated = std::ranges::unique(edit.faces, {}, by_face);
-        edit.faces.erase(repeated.begin(), repeated.end());
+    const auto not_earlier = [](const FaceEdit::Face& a, const FaceEdit::Face& b) {
+        return a.face >= b.face;
+    };
+    if (std::adjacent_find(edit.faces.begin(), edit.faces.end(), not_earlier) != edit.faces.end()) {
+        std::ranges::sort(edit.faces, {}, &FaceEdit::Face::face);
+        const auto same = [](const FaceEdit::Face& a, const FaceEdit::Face& b) { return a.face == b.face; };
+        edit.faces.erase(std::unique(edit.faces.begin(), edit.faces.end(), same), edit.faces.end());
     }
     const std::size_t changed = edit.faces.size();
     if (changed > 0) perform(paint_step_name(level_, surface), std::move(edit));
