@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "document/faces.h"
@@ -18,8 +19,10 @@ bool same_names(const std::vector<SurfaceType>& a, const std::vector<SurfaceType
 
 // Ascending, each once, none beyond the level.
 void tidy(std::vector<FaceId>& faces, std::size_t face_count) {
-    if (!std::is_sorted(faces.begin(), faces.end())) std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    if (std::adjacent_find(faces.begin(), faces.end(), std::greater_equal<FaceId>()) != faces.end()) {
+        std::sort(faces.begin(), faces.end());
+        faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    }
     faces.erase(std::lower_bound(faces.begin(), faces.end(), face_count), faces.end());
 }
 
@@ -85,17 +88,24 @@ Status Document::save_as(const std::filesystem::path& level_file) {
 std::size_t Document::paint(std::span<const FaceId> faces, std::optional<SurfaceId> surface) {
     if (surface && *surface >= level_.surfaces.size()) return 0;
     FaceEdit edit;
-    edit.faces.reserve(faces.size());
-    for (const FaceId face : faces)
-        if (face < face_count() && paint_of(face) != surface)
-            edit.faces.push_back({face, paint_of(face), surface});
-    const auto earlier = [](const FaceEdit::Face& a, const FaceEdit::Face& b) { return a.face < b.face; };
-    if (!std::is_sorted(edit.faces.begin(), edit.faces.end(), earlier))
-        std::sort(edit.faces.begin(), edit.faces.end(), earlier);
-    edit.faces.erase(
-        std::unique(edit.faces.begin(), edit.faces.end(),
-                    [](const FaceEdit::Face& a, const FaceEdit::Face& b) { return a.face == b.face; }),
-        edit.faces.end());
+    edit.faces.resize(faces.size());
+    const std::size_t all = face_count();
+    std::size_t count = 0;
+    for (const FaceId face : faces) {
+        if (face >= all) continue;
+        const std::optional<SurfaceId> before = paint_of(face);
+        edit.faces[count] = {face, before, surface};
+        count += before != surface ? 1 : 0;
+    }
+    edit.faces.resize(count);
+    const auto not_earlier = [](const FaceEdit::Face& a, const FaceEdit::Face& b) {
+        return a.face >= b.face;
+    };
+    if (std::adjacent_find(edit.faces.begin(), edit.faces.end(), not_earlier) != edit.faces.end()) {
+        std::ranges::sort(edit.faces, {}, &FaceEdit::Face::face);
+        const auto same = [](const FaceEdit::Face& a, const FaceEdit::Face& b) { return a.face == b.face; };
+        edit.faces.erase(std::unique(edit.faces.begin(), edit.faces.end(), same), edit.faces.end());
+    }
     const std::size_t changed = edit.faces.size();
     if (changed > 0) perform(paint_step_name(level_, surface), std::move(edit));
     return changed;
@@ -274,20 +284,27 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
         bool forward;
         Touched& touched;
         void operator()(const FaceEdit& one) const {
-            touched.faces.reserve(touched.faces.size() + one.faces.size());
-            // Backwards, so that a face listed twice ends with its first `before`.
-            const auto put = [&](const FaceEdit::Face& change, std::optional<SurfaceId> surface) {
-                std::vector<std::optional<SurfaceId>>& overrides = self.level_.overrides;
-                if (change.face >= overrides.size()) overrides.resize(change.face + 1);
-                overrides[change.face] = surface;
-                touched.faces.push_back(change.face);
+            std::vector<std::optional<SurfaceId>>& overrides = self.level_.overrides;
+            // Their places in memory are looked up once, not for every face.
+            std::optional<SurfaceId>* to = overrides.data();
+            std::size_t size = overrides.size(), done = touched.faces.size();
+            touched.faces.resize(done + one.faces.size());
+            FaceId* const faces = touched.faces.data();
+            const auto put = [&](FaceId face, std::optional<SurfaceId> surface) {
+                if (face >= size) {
+                    overrides.resize(size = std::size_t{face} + 1);
+                    to = overrides.data();
+                }
+                to[face] = surface;
+                faces[done++] = face;
             };
+            // Backwards, so that a face listed twice ends with its first `before`.
             if (forward)
                 for (const FaceEdit::Face& change : one.faces)
-                    put(change, change.after);
+                    put(change.face, change.after);
             else
                 for (auto change = one.faces.rbegin(); change != one.faces.rend(); ++change)
-                    put(*change, change->before);
+                    put(change->face, change->before);
         }
         void operator()(const SelectionEdit& one) const {
             self.selection_ = forward ? one.after : one.before;

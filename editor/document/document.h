@@ -90,6 +90,7 @@ using Edit = std::variant<FaceEdit, SelectionEdit, HiddenEdit, SavedSelectionsEd
 struct FaceFacts {
     std::vector<Vec3f> normal;  // [face] unit, or zero without area
     std::vector<float> area;    // [face] square metres
+    bool some_without_area = false;
 };
 
 // A part of the geometry in which tools look for connected faces: the level's own faces, or those of a prop.

@@ -67,6 +67,8 @@ FaceFacts face_facts(const Mesh& mesh) {
             facts.area[i] = static_cast<float>(face_area(mesh, face));
         }
     });
+    facts.some_without_area = std::any_of(facts.normal.begin(), facts.normal.end(),
+                                          [](const Vec3f& normal) { return normal.isZero(0.0f); });
     return facts;
 }
 
@@ -87,6 +89,9 @@ std::vector<FaceId> flood_by_angle(const FaceFacts& facts, const FaceNeighbours&
                                    std::span<const FaceId> start, double max_angle) {
     const AngleLimit within(max_angle + flat_tolerance);
     const std::vector<Vec3f>& normal = facts.normal;
+    if (!facts.some_without_area)
+        return flood_joined(neighbours, normal.size(), start,
+                            [&](FaceId a, FaceId b) { return within(normal[a], normal[b]); });
     return flood(neighbours, normal.size(), start, [&](FaceId carried, FaceId, FaceId next) {
         if (within.surely(normal[carried], normal[next])) return next;
         // A face without area passes on the face before it, whose normal counts then.

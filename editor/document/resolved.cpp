@@ -133,17 +133,27 @@ void Document::apply_overrides() {
     surface_counts_.fill(0);
     surface_areas_.fill(0.0);
     prop_faces_.clear();
-    const std::vector<SurfaceId>& surfaces = resolved_.own.surface;
-    const auto face_count = static_cast<FaceId>(surfaces.size());
-    for (FaceId begin = 0, end = 0; begin < face_count; begin = end) {
+    // Types and sources are bytes, which may alias anything: their places in memory are looked up only once.
+    const std::size_t face_count = resolved_.own.surface.size();
+    SurfaceId* const surfaces = resolved_.own.surface.data();
+    SurfaceSource* const sources = resolved_.own.source.data();
+    const SurfaceId* const plain_surfaces = unpainted_.own.surface.data();
+    const SurfaceSource* const plain_sources = unpainted_.own.source.data();
+    const std::optional<SurfaceId>* const paint = level_.overrides.data();
+    const std::size_t painted = std::min(face_count, level_.overrides.size());
+    for (std::size_t face = 0; face < painted; ++face) {
+        surfaces[face] = paint[face].value_or(plain_surfaces[face]);
+        sources[face] = paint[face] ? SurfaceSource::override_ : plain_sources[face];
+    }
+    std::copy(plain_surfaces + painted, plain_surfaces + face_count, surfaces + painted);
+    std::copy(plain_sources + painted, plain_sources + face_count, sources + painted);
+    for (std::size_t begin = 0, end = 0; begin < face_count; begin = end) {
         // A run of faces of one type is counted at once.
-        resolve_face(begin);
         const SurfaceId surface = surfaces[begin];
         double area = 0.0;
-        do {
+        do
             area += static_cast<double>(own_part_.facts.area[end]);
-            if (++end < face_count) resolve_face(end);
-        } while (end < face_count && surfaces[end] == surface);
+        while (++end < face_count && surfaces[end] == surface);
         surface_counts_[surface] += end - begin;
         surface_areas_[surface] += area;
     }

@@ -75,8 +75,8 @@ namespace {
 template <class T>
 std::vector<FaceId> connected_alike(const Document& document, std::span<const FaceId> start,
                                     const std::vector<T>& value) {
-    return flood(document.neighbours(), value.size(), start,
-                 [&](FaceId, FaceId from, FaceId next) { return value[from] == value[next] ? next : no_id; });
+    return flood_joined(document.neighbours(), value.size(), start,
+                        [&](FaceId a, FaceId b) { return value[a] == value[b]; });
 }
 
 }  // namespace

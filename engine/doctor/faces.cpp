@@ -74,22 +74,34 @@ Flat flatten(const std::array<Vec3, 3>& corners, int drop) {
     return flat;
 }
 
-// A triangle that may lie over another.
-struct Candidate {
-    TriangleId triangle;
-    Aabb box;
+// The box of a triangle; corners are floats.
+struct Box {
+    Vec3f min, max;
+
+    bool touches(const Box& other) const {
+        return min.x() <= other.max.x() && min.y() <= other.max.y() && min.z() <= other.max.z() &&
+               max.x() >= other.min.x() && max.y() >= other.min.y() && max.z() >= other.min.z();
+    }
 };
 
-Aabb box_of(const std::array<Vec3, 3>& corners) {
-    Aabb box;
-    for (const Vec3& corner : corners)
-        box.add(corner);
-    return box;
+std::vector<Box> boxes_of(const Patient& patient) {
+    std::vector<Box> boxes(patient.mesh.triangle_count());
+    parallel_for(boxes.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            const auto& corners = patient.mesh.triangles[t];
+            const Vec3f a = patient.mesh.corner_position(corners[0]),
+                        b = patient.mesh.corner_position(corners[1]),
+                        c = patient.mesh.corner_position(corners[2]);
+            boxes[t] = {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+        }
+    });
+    return boxes;
 }
 
 // The first face of a lower number that lies over this triangle in its plane. `candidates`: at least all
-// triangles whose boxes touch this one's, ascending.
-FaceId face_over(const Patient& patient, TriangleId triangle, std::span<const Candidate> candidates) {
+// triangles of such faces whose boxes touch this one's, ascending.
+FaceId face_over(const Patient& patient, std::span<const Box> boxes, TriangleId triangle,
+                 std::span<const TriangleId> candidates) {
     const FaceId face = patient.mesh.triangle_face[triangle];
     const auto corners = corners_of(patient, triangle);
     const Vec3 cross = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
@@ -103,61 +115,65 @@ FaceId face_over(const Patient& patient, TriangleId triangle, std::span<const Ca
     const double largest = std::max({corners[0].cwiseAbs().maxCoeff(), corners[1].cwiseAbs().maxCoeff(),
                                      corners[2].cwiseAbs().maxCoeff()});
     const double off_plane = std::max(1e-5 * size, 8.0 * 0x1p-24 * largest);
-    const Aabb box = box_of(corners);
-    for (const auto& [other, their_box] : candidates) {
+    for (const TriangleId other : candidates) {
+        if (other >= triangle) break;  // ascending
+        if (!boxes[other].touches(boxes[triangle])) continue;
         const FaceId other_face = patient.mesh.triangle_face[other];
-        if (other_face >= face) break;  // ascending
-        if ((their_box.min.array() > box.max.array()).any() ||
-            (their_box.max.array() < box.min.array()).any())
-            continue;
-        const auto theirs = corners_of(patient, other);
-        if (std::any_of(theirs.begin(), theirs.end(),
-                        [&](const Vec3& p) { return std::abs(normal.dot(p - corners[0])) > off_plane; }))
+        if (other_face == face) break;
+        const auto& their_corners = patient.mesh.triangles[other];
+        if (std::any_of(their_corners.begin(), their_corners.end(), [&](std::uint32_t corner) {
+                const Vec3 p = patient.mesh.corner_position(corner).cast<double>();
+                return std::abs(normal.dot(p - corners[0])) > off_plane;
+            }))
             continue;
         // Two things that touch, such as a crate on a floor, hide what they share.
         const Vec3 their_normal = patient.topology.normal[other_face];
         if (patient.topology.normal[face].dot(their_normal) < 0.0) continue;
-        if (overlap_in_plane(flatten(corners, drop), flatten(theirs, drop), std::max(1e-3 * size, off_plane)))
+        if (overlap_in_plane(flatten(corners, drop), flatten(corners_of(patient, other), drop),
+                             std::max(1e-3 * size, off_plane)))
             return other_face;
     }
     return no_id;
 }
 
 // face_over() for the triangles [first, last). They share one look into the tree if they are of about one
-// size and near each other, as consecutive numbers mostly are.
-void faces_over(const Patient& patient, TriangleId first, TriangleId last, std::vector<Candidate>& candidates,
+// size and near each other, as consecutive numbers mostly are; otherwise each half does.
+void faces_over(const Patient& patient, std::span<const Box> boxes, TriangleId first, TriangleId last,
                 std::span<FaceId> over) {
     Aabb box;
     double smallest = std::numeric_limits<double>::infinity();
     for (TriangleId t = first; t < last; ++t) {
-        const Aabb own = box_of(corners_of(patient, t));
-        smallest = std::min(smallest, own.size().norm());
-        box.add(own.min);
-        box.add(own.max);
+        smallest = std::min(smallest, static_cast<double>((boxes[t].max - boxes[t].min).norm()));
+        box.add(boxes[t].min.cast<double>());
+        box.add(boxes[t].max.cast<double>());
     }
-    if (last - first > 1 && box.size().norm() > 4.0 * smallest) {
-        for (TriangleId t = first; t < last; ++t)
-            faces_over(patient, t, t + 1, candidates, over);
+    if (last - first > 1 && box.size().norm() > 8.0 * smallest) {
+        const TriangleId middle = first + (last - first) / 2;
+        faces_over(patient, boxes, first, middle, over);
+        faces_over(patient, boxes, middle, last, over);
         return;
     }
-    candidates.clear();
-    for (const TriangleId other : patient.world.triangles_in(box))
-        candidates.push_back({other, box_of(corners_of(patient, other))});
+    const std::vector<TriangleId> candidates = patient.world.triangles_in(box);
     for (TriangleId t = first; t < last; ++t)
-        over[t] = face_over(patient, t, candidates);
+        over[t] = face_over(patient, boxes, t, candidates);
 }
 
 }  // namespace
 
 void find_slivers(const Patient& patient, Problems& out) {
     const Mesh& mesh = patient.mesh;
+    // A triangle higher than this, metres, is none wherever it lies, and needs no square root.
+    const double high = 1.01 * rounding_of(mesh.bounds.min, mesh.bounds.max) / vague;
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         double worst = 0.0, longest_there = 0.0, height_there = 0.0;
         for (TriangleId t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1]; ++t) {
             const auto c = corners_of(patient, t);
-            const double longest =
-                std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
-            const double height = longest > 0.0 ? (c[1] - c[0]).cross(c[2] - c[0]).norm() / longest : 0.0;
+            const double longest2 = std::max(
+                {(c[1] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm(), (c[0] - c[2]).squaredNorm()});
+            const double across2 = (c[1] - c[0]).cross(c[2] - c[0]).squaredNorm();
+            if (across2 > high * high * longest2) continue;
+            const double longest = std::sqrt(longest2);
+            const double height = longest > 0.0 ? std::sqrt(across2) / longest : 0.0;
             const double rounding = std::max(rounding_of(c[0], c[1]), rounding_of(c[1], c[2]));
             const double off = height > rounding ? rounding / height : 1.0;
             if (off > worst) {
@@ -210,13 +226,13 @@ void find_overlaps(const Patient& patient, Problems& out) {
     const Mesh& mesh = patient.mesh;
     if (patient.world.triangle_count() != mesh.triangle_count()) return;
     std::vector<FaceId> over(mesh.triangle_count(), no_id);
-    constexpr std::size_t together = 8;
-    parallel_for((over.size() + together - 1) / together, 32, [&](std::size_t begin, std::size_t end) {
-        std::vector<Candidate> candidates;
+    const std::vector<Box> boxes = boxes_of(patient);
+    constexpr std::size_t together = 16;
+    parallel_for((over.size() + together - 1) / together, 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t group = begin; group < end; ++group) {
             const auto first = static_cast<TriangleId>(group * together);
             const auto last = static_cast<TriangleId>(std::min(over.size(), (group + 1) * together));
-            faces_over(patient, first, last, candidates, over);
+            faces_over(patient, boxes, first, last, over);
         }
     });
     FaceId last = no_id;

@@ -1,6 +1,7 @@
 #include "topology.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <tuple>
 
@@ -9,23 +10,31 @@
 namespace slipface::doctor {
 namespace {
 
-std::array<float, 3> coordinates(const Vec3f& p) {
-    return {p.x() + 0.0f, p.y() + 0.0f, p.z() + 0.0f};  // -0 as 0
+// Numbers that compare as the floats do; -0 as 0.
+std::uint32_t ordered(float value) {
+    const auto bits = std::bit_cast<std::uint32_t>(value + 0.0f);
+    return (bits >> 31U) != 0 ? ~bits : bits | 0x80000000U;
 }
 
 // [vertex of the mesh] -> the first vertex, by position, at the same place.
 std::vector<std::uint32_t> weld(const Mesh& mesh, std::vector<Vec3>& positions) {
-    std::vector<std::uint32_t> order(mesh.positions.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        const auto pa = coordinates(mesh.positions[a]), pb = coordinates(mesh.positions[b]);
-        return std::tie(pa, a) < std::tie(pb, b);
-    });
-    std::vector<std::uint32_t> welded(mesh.positions.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        if (i == 0 || coordinates(mesh.positions[order[i]]) != coordinates(mesh.positions[order[i - 1]]))
-            positions.push_back(mesh.positions[order[i]].cast<double>());
-        welded[order[i]] = static_cast<std::uint32_t>(positions.size() - 1);
+    struct Place {
+        std::uint64_t xy;
+        std::uint32_t z, vertex;
+        auto operator<=>(const Place&) const = default;
+    };
+    std::vector<Place> places(mesh.positions.size());
+    for (std::uint32_t vertex = 0; vertex < places.size(); ++vertex) {
+        const Vec3f& p = mesh.positions[vertex];
+        places[vertex] = {std::uint64_t{ordered(p.x())} << 32U | ordered(p.y()), ordered(p.z()), vertex};
+    }
+    std::sort(places.begin(), places.end());
+    std::vector<std::uint32_t> welded(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Place& place = places[i];
+        if (i == 0 || place.xy != places[i - 1].xy || place.z != places[i - 1].z)
+            positions.push_back(mesh.positions[place.vertex].cast<double>());
+        welded[place.vertex] = static_cast<std::uint32_t>(positions.size() - 1);
     }
     return welded;
 }

@@ -1,6 +1,8 @@
 // Problem: a player who pushes against a cliff would slide up it.
 // Rule: what is too steep to stand on is a wall to a horizontal move. The move slides along the horizontal
-// part of the normal.
+// part of the normal. A move that rises, as on a ramp, would then still lead into an overhang, and the player
+// would stop between the two. So an overhang is met as the plane that it is: what leads into it slides down
+// along it, and with the ramp it makes a crease.
 #include "mover.h"
 
 namespace slipface {
@@ -15,10 +17,19 @@ std::optional<Deflection> slide_at_steep_wall(Mover& mover, const Hit& hit) {
         mover.walls[static_cast<std::size_t>(mover.wall_count++)] = plane;
     decide(mover, Decision::wall,
            {.value = hit.contact.normal.y(), .limit = walkable_limit(mover, hit.surface)}, hit.contact.face);
-    return Deflection{.rule = Rule::slide,
-                      .remainder = slide_along(hit.remainder, plane),
-                      .velocity = slide_along(mover.velocity, plane),
-                      .plane = plane};
+    Deflection deflection{.rule = Rule::slide,
+                          .remainder = slide_along(hit.remainder, plane),
+                          .velocity = slide_along(mover.velocity, plane),
+                          .plane = plane};
+    // Rounding of the face's corners makes no overhang.
+    constexpr double grazing = 1e-6;
+    const Vec3& normal = hit.contact.normal;
+    if (normal.y() < -grazing) {
+        deflection.plane = normal;
+        if (deflection.remainder.dot(normal) < -grazing * deflection.remainder.norm())
+            deflection.remainder = slide_along(hit.remainder, normal);
+    }
+    return deflection;
 }
 
 }  // namespace slipface

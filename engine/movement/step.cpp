@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <memory>
 #include <tuple>
 
 #include "mover.h"
@@ -70,11 +70,13 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
     // Short parts share what is around the player.
     constexpr double longest_shared_s = 1.0 / 30.0;
     const int shared = std::max(1, static_cast<int>(longest_shared_s / part_s));
-    std::optional<Surroundings> around;
+    // Not in an optional, which would fill its 19 KB with zeros in every step.
+    Surroundings around(scene, settings, result.state.position, longest_move(std::min(shared, parts)));
     for (int part = 0; part < parts; ++part) {
         const PlayerState before = result.state;
-        if (!around || !around->cover(settings, before.position, longest_move(1)))
-            around.emplace(scene, settings, before.position, longest_move(std::min(shared, parts - part)));
+        if (part > 0 && !around.cover(settings, before.position, longest_move(1)))
+            std::construct_at(&around, scene, settings, before.position,
+                              longest_move(std::min(shared, parts - part)));
         Mover mover({.scene = scene,
                      .settings = settings,
                      .state = before,
@@ -84,7 +86,7 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
                      .jump_held = input.jump,
                      .jump_pressed = input.jump && !before.jump_held,
                      .walkable_cosine = walkable_cosine},
-                    *around);
+                    around);
         // Platforms stand already where the whole step ends, so only its first part moves with them.
         if (part == 0) leave_geometry(mover);
         if (part == 0) move_with_platforms(mover);

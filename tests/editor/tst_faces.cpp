@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "document/faces.h"
+#include "document/selection.h"
 #include "level_fixture.h"
 
 namespace slipface {
@@ -89,6 +91,72 @@ TEST_F(FacesTest, FacesWithoutAreaAreCrossedButDoNotHideTheAngle) {
     load(sliver_obj(60));
     EXPECT_THAT(flood(0, 15), ElementsAre(0, 1));
     EXPECT_THAT(flood(2, 15), ElementsAre(1, 2, 3));
+}
+
+// Triangles over a grid of uneven ground in random order, each of one of two materials, most of the first.
+std::string rough_obj(std::mt19937& random, unsigned side) {
+    std::ostringstream text;
+    for (unsigned i = 0; i <= side; ++i)
+        for (unsigned k = 0; k <= side; ++k)
+            text << "v " << i << " " << 0.1 * static_cast<double>(random() % 8) << " " << k << "\n";
+    std::vector<std::string> faces;
+    for (unsigned i = 0; i < side; ++i)
+        for (unsigned k = 0; k < side; ++k) {
+            const unsigned a = i * (side + 1) + k + 1, b = a + side + 1;
+            for (const auto& [x, y, z] : {std::array{a, a + 1, b + 1}, std::array{a, b + 1, b}}) {
+                std::ostringstream face;
+                face << "usemtl " << (random() % 4 == 0 ? "rare" : "usual") << "\nf " << x << " " << y << " "
+                     << z << "\n";
+                faces.push_back(face.str());
+            }
+        }
+    if (random() % 2 == 0) std::shuffle(faces.begin(), faces.end(), random);
+    for (const std::string& face : faces)
+        text << face;
+    return text.str();
+}
+
+// What is reached one face after the other.
+template <class Joined>
+std::vector<FaceId> reached_from(const Document& document, std::vector<FaceId> open, const Joined& joined) {
+    std::vector<std::uint8_t> marks(document.face_count(), 0);
+    for (const FaceId face : open)
+        marks[face] = 1;
+    while (!open.empty()) {
+        const FaceId face = open.back();
+        open.pop_back();
+        for (const FaceId next : document.neighbours().of(face)) {
+            if (marks[next] != 0 || !joined(face, next)) continue;
+            marks[next] = 1;
+            open.push_back(next);
+        }
+    }
+    return marked_faces(marks);
+}
+
+TEST_F(FacesTest, SmallAndLargeFloodsReachWhatIsConnected) {
+    std::mt19937 random(5);
+    std::size_t small = 0, large = 0;
+    for (int round = 0; round < 60; ++round) {
+        load(rough_obj(random, 2 + static_cast<unsigned>(random() % 20)));
+        const std::size_t count = document->face_count();
+        std::vector<FaceId> start(1 + random() % 3);
+        for (FaceId& face : start)
+            face = static_cast<FaceId>(random() % count);
+        const AngleLimit within((5.0 + static_cast<double>(random() % 40)) * degree);
+        const std::vector<Vec3f>& normal = document->facts().normal;
+        const auto near = [&](FaceId a, FaceId b) { return within(normal[a], normal[b]); };
+        const std::vector<FaceId> expected = reached_from(*document, start, near);
+        ++(expected.size() <= count / 16 ? small : large);
+        EXPECT_EQ(flood_joined(document->neighbours(), count, start, near), expected) << "round " << round;
+        const std::vector<std::uint32_t>& material = document->mesh().face_material;
+        EXPECT_EQ(
+            connected_within_material(*document, start),
+            reached_from(*document, start, [&](FaceId a, FaceId b) { return material[a] == material[b]; }))
+            << "round " << round;
+    }
+    EXPECT_GT(small, 5u);
+    EXPECT_GT(large, 5u);
 }
 
 TEST_F(FacesTest, BrushOfNoSizeTakesOneFace) {

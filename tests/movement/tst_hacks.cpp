@@ -1,5 +1,6 @@
 // Each hack with its switch off, showing the artefact, and on, showing that it is gone.
 #include <cstring>
+#include <random>
 
 #include "test_geometry.h"
 
@@ -136,6 +137,35 @@ TEST(SteepSlope, Of60And75DegreesCannotBeClimbedByWalkingOrJumping) {
             top = std::max(top, state.position.y());
         }
         EXPECT_LT(top, 0.9 + 1.6 + 0.05) << degrees;
+    }
+}
+
+// A ramp and, along it, a wall that leans over the player, who runs uphill and into the wall. The move that
+// the wall leaves rises on the ramp, which leads under the wall again: what is left goes along their crease.
+TEST(SteepSlope, BetweenARampAndAnOverhangThePlayerGoesOn) {
+    std::mt19937 random(7);
+    const auto between = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(random()) / 4294967295.0;
+    };
+    for (int i = 0; i < 200; ++i) {
+        const double a = radians(between(3.0, 40.0)), lean = radians(between(2.0, 60.0));
+        const double heading = radians(between(20.0, 60.0));  // from straight uphill into the wall
+        Lab lab;
+        lab.slope(a);
+        const Vec3 foot(100.0, 100.0 * std::tan(a), 2.0), up(0.0, 6.0, -6.0 * std::tan(lean));
+        const Vec3 other_foot(-foot.x(), -foot.y(), foot.z());
+        lab.polygon({foot, other_foot, other_foot + up, foot + up});
+        lab.ready();
+        MovementSettings s = basic_settings();
+        s.walk_speed = between(3.0, 20.0);
+        PlayerState state = standing_on_slope(lab, s, a);
+        state.position.z() = 2.0 - 1.2 / std::cos(lean) - 0.9 * std::tan(lean);
+        ASSERT_FALSE(overlaps_any(lab.world(), s.radii, state.position)) << i;
+        state = run(lab, s, state, wish(std::cos(heading), std::sin(heading)), 60);
+        const double begin = state.position.x();
+        state = run(lab, s, state, wish(std::cos(heading), std::sin(heading)), 60);
+        EXPECT_GT(state.position.x() - begin, 0.5 * s.walk_speed * std::cos(heading))
+            << i << ": ramp " << a << " lean " << lean << " heading " << heading;
     }
 }
 

@@ -29,20 +29,22 @@ void join(std::optional<T>& common, const std::optional<Value>& value, bool firs
 }
 
 void summarize_paint(const Document& document, std::span<const FaceId> faces, FaceSummary& summary) {
-    std::optional<Common<SurfaceId>> surface;
-    std::optional<Common<SurfaceSource>> source;
+    SurfaceId surface = default_surface;
+    SurfaceSource source = SurfaceSource::none;
+    bool one_surface = true, one_source = true;
+    std::size_t painted = 0;
     for (const FaceId face : faces) {
         if (!document.paint_of(face)) continue;
-        if (summary.painted++ == 0) {
-            surface.emplace(document.unpainted(face));
-            source.emplace(document.unpainted_source(face));
+        if (painted++ == 0) {
+            surface = document.unpainted(face);
+            source = document.unpainted_source(face);
         }
-        surface->add(document.unpainted(face));
-        source->add(document.unpainted_source(face));
+        one_surface = one_surface && document.unpainted(face) == surface;
+        one_source = one_source && document.unpainted_source(face) == source;
     }
-    if (summary.painted == 0) return;
-    summary.unpainted = surface->agreed();
-    summary.unpainted_source = source->agreed();
+    summary.painted = painted;
+    if (painted > 0 && one_surface) summary.unpainted = surface;
+    if (painted > 0 && one_source) summary.unpainted_source = source;
 }
 
 // Of the faces' normals: y.
