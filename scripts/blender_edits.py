@@ -54,23 +54,28 @@ def inside_blender(job_path):
         numbers, places, loops, owners = {}, [], [], []
         for number, at in enumerate(job["centroids"]):
             numbers.setdefault(tuple(round(x, 3) for x in at), []).append(number)
-        missing = 0
+        missing, used = 0, set()
         for o in objects:
             ids = []
+            materials = [slot.material.name if slot.material else "" for slot in o.material_slots]
             for polygon in o.data.polygons:
                 c = sum((o.data.vertices[v].co for v in polygon.vertices), Vector()) / len(polygon.vertices)
                 c = o.matrix_world @ c
-                key = (c.x, c.z, -c.y)
-                found = None
+                n = o.matrix_world.to_3x3() @ polygon.normal
+                key, normal = (c.x, c.z, -c.y), (n.x, n.z, -n.y)
+                near = []
                 for dx in (0, -1, 1):
                     for dy in (0, -1, 1):
                         for dz in (0, -1, 1):
-                            if found is None:
-                                k = tuple(round(round(v, 3) + d * 0.001, 3) for v, d in zip(key, (dx, dy, dz)))
-                                for n in numbers.get(k, []):
-                                    same = job["corners"][n] == len(polygon.vertices)
-                                    if same and math.dist(job["centroids"][n], key) < 2e-3:
-                                        found = n
+                            k = tuple(round(round(v, 3) + d * 0.001, 3) for v, d in zip(key, (dx, dy, dz)))
+                            near.extend(numbers.get(k, []))
+                # Faces of a map can lie on each other: the material and the side tell them apart.
+                fits = [(materials[polygon.material_index] != job["materials"][m] if materials else 0,
+                         -round(sum(a * b for a, b in zip(normal, job["vectors"][m])), 3), m)
+                        for m in near if job["corners"][m] == len(polygon.vertices) and m not in used and
+                        math.dist(job["centroids"][m], key) < 2e-3]
+                found = min(fits)[2] if fits else None
+                used.add(found)
                 ids.append(0 if found is None else found + 1)
                 missing += found is None
             o.data.attributes.new("face_id", "INT", "FACE").data.foreach_set("value", ids)
@@ -740,6 +745,7 @@ def main():
         done = job + ".done"
         if not os.path.exists(done):
             json.dump({"obj": obj, "folder": folder, "seed": seed, "only": args.only, "centroids": [f[0] for f in faces],
+                       "vectors": [f[1] for f in faces], "materials": [f[2] for f in faces],
                        "corners": [f[3] for f in faces]}, open(job, "w"))
             json.dump({"next": 0, "done": []}, open(job + ".progress", "w"))
             while not os.path.exists(done):

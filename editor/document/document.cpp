@@ -46,7 +46,6 @@ Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& pa
         document->level_ = std::move(loaded->level);
         document->warnings_ = std::move(loaded->warnings);
         document->match_ = loaded->match;
-        document->guessed_ = std::move(loaded->guessed);
         document->level_.overrides.resize(
             std::max(document->level_.overrides.size(), own_mesh(document->level_)->face_count()));
         begin_stage(progress, "Building the collision world", 1.0, 1.0);
@@ -107,7 +106,10 @@ std::size_t Document::paint(std::span<const FaceId> faces, std::optional<Surface
         edit.faces.erase(std::unique(edit.faces.begin(), edit.faces.end(), same), edit.faces.end());
     }
     const std::size_t changed = edit.faces.size();
-    if (changed > 0) perform(paint_step_name(level_, surface), std::move(edit));
+    Transaction transaction(*this, paint_step_name(level_, surface));
+    if (changed > 0) perform({}, std::move(edit));
+    accept_guessed(faces);  // whatever the user paints is no guess
+    transaction.commit();
     return changed;
 }
 
@@ -246,7 +248,7 @@ void Document::set_goals(std::vector<Goal> goals, std::string step_name) {
     change(GoalsEdit{level_.goals, std::move(goals)}, std::move(step_name));
 }
 
-void Document::restore(Level level, std::string step_name, std::vector<FaceId> guessed) {
+void Document::restore(Level level, std::string step_name) {
     if (in_transaction() || own_mesh(level) != own_mesh(level_)) return;
     level.overrides.resize(std::max(level.overrides.size(), own_mesh(level)->face_count()));
     Transaction transaction(*this, std::move(step_name));
@@ -254,19 +256,15 @@ void Document::restore(Level level, std::string step_name, std::vector<FaceId> g
                           std::make_shared<const Level>(std::move(level))});
     select({selection_.begin(), selection_.end()});  // drops faces that are hidden now
     transaction.commit();
-    guessed_ = std::move(guessed);
-    tidy(guessed_, face_count());
 }
 
 void Document::accept_guessed(std::span<const FaceId> faces) {
-    std::erase_if(guessed_,
-                  [&](FaceId face) { return std::binary_search(faces.begin(), faces.end(), face); });
-    ++revision_;
-}
-
-void Document::accept_guessed() {
-    guessed_.clear();
-    ++revision_;
+    if (level_.guessed.empty()) return;
+    std::vector<FaceId> accepted(faces.begin(), faces.end()), left;
+    tidy(accepted, face_count());
+    std::set_difference(level_.guessed.begin(), level_.guessed.end(), accepted.begin(), accepted.end(),
+                        std::back_inserter(left));
+    change(GuessedEdit{level_.guessed, std::move(left)}, "Accept guessed paint");
 }
 
 namespace {
@@ -313,6 +311,7 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
             self.level_.hidden = forward ? one.after : one.before;
             touched.hidden = true;
         }
+        void operator()(const GuessedEdit& one) const { self.level_.guessed = side(one, forward); }
         void operator()(const SavedSelectionsEdit& one) const { self.level_.selections = side(one, forward); }
         void operator()(const MovementEdit& one) const { self.level_.movement = side(one, forward); }
         void operator()(const SurfacesEdit& one) const {
@@ -347,7 +346,7 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
             self.level_.selections = geometry.saved_selections;
             self.warnings_ = geometry.warnings;
             self.match_ = geometry.match;
-            self.guessed_ = geometry.guessed;
+            self.level_.guessed = geometry.guessed;
             touched.geometry = touched.types = true;
         }
         void operator()(const PropsEdit& one) const {
@@ -356,7 +355,7 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
             self.take(forward ? one.after : one.before);
             // A mesh that was there before may be gone.
             self.level_.overrides.resize(std::min(self.level_.overrides.size(), self.face_count()));
-            for (auto* faces : {&self.selection_, &self.level_.hidden, &self.guessed_})
+            for (auto* faces : {&self.selection_, &self.level_.hidden, &self.level_.guessed})
                 tidy(*faces, self.face_count());
             touched.props = touched.hidden = true;
         }

@@ -59,9 +59,9 @@ struct Geometry {
     std::vector<Orphan> orphans;
     std::vector<FaceId> selection, hidden;
     std::vector<SavedSelection> saved_selections;
+    std::vector<FaceId> guessed;
     Warnings warnings;
     MatchSummary match;
-    std::vector<FaceId> guessed;
     PlacedProps placed;
     friend bool operator==(const Geometry& a, const Geometry& b) { return a.mesh == b.mesh; }
 };
@@ -71,7 +71,7 @@ struct PropsState {
     std::vector<Prop> props;
     std::vector<Platform> platforms;
     std::vector<std::optional<SurfaceId>> paint;  // Level::overrides beyond the level's own faces
-    std::vector<FaceId> selection, hidden;
+    std::vector<FaceId> selection, hidden, guessed;
     std::vector<SavedSelection> saved_selections;
     friend bool operator==(const PropsState&, const PropsState&) = default;
 };
@@ -80,9 +80,10 @@ struct PropsEdit {
     std::size_t first = 0;  // in the list: of those before, and of those after
     PropsState before, after;
 };
+using GuessedEdit = ValueEdit<std::vector<FaceId>>;  // ascending
 using SavedSelectionsEdit = ValueEdit<std::vector<SavedSelection>>;
 using LevelEdit = ValueEdit<std::shared_ptr<const Level>>;  // everything except the mesh: a recovery
-using Edit = std::variant<FaceEdit, SelectionEdit, HiddenEdit, SavedSelectionsEdit, MovementEdit,
+using Edit = std::variant<FaceEdit, SelectionEdit, HiddenEdit, GuessedEdit, SavedSelectionsEdit, MovementEdit,
                           SurfacesEdit, RulesEdit, SpawnsEdit, FallLimitEdit, CamerasEdit, GoalsEdit,
                           OrphansEdit, GeometryEdit, PropsEdit, LevelEdit>;
 
@@ -145,12 +146,8 @@ class Document {
     const CollisionWorld& collision() const { return collision_; }
     const Warnings& warnings() const { return warnings_; }
     const MatchSummary& match() const { return match_; }
-    // Faces whose paint was found by plane or by distance when the level was read, and which the user has not
-    // accepted yet.
-    std::span<const FaceId> guessed() const { return guessed_; }  // ascending
-    void accept_guessed(
-        std::span<const FaceId> faces);  // ascending; they leave guessed(); no step of history
-    void accept_guessed();               // the user confirms them; no step of history
+    std::span<const FaceId> guessed() const { return level_.guessed; }  // Level::guessed, ascending
+    void accept_guessed(std::span<const FaceId> faces);                 // they leave guessed()
     MovementScene scene() const { return {collision_, level_.surfaces}; }
     std::span<const FaceId> selection() const { return selection_; }  // ascending
     std::span<const FaceId> hidden() const { return level_.hidden; }  // ascending; neither drawn nor picked
@@ -244,9 +241,8 @@ class Document {
     void set_platforms(std::vector<Platform> platforms, std::string step_name);
     const Warnings& prop_warnings() const { return prop_warnings_; }  // of the last change of the props
     // Replaces everything that the level adds to the OBJ's mesh with that of `level`, which must have this
-    // document's. The file names stay. Ignored during a transaction. `guessed`: the painted faces whose
-    // paint was guessed.
-    void restore(Level level, std::string step_name, std::vector<FaceId> guessed = {});
+    // document's. The file names stay. Ignored during a transaction.
+    void restore(Level level, std::string step_name);
     // A copy of the current state that shares the mesh, for a thread that saves or examines it.
     Level snapshot() const { return level_; }
 
@@ -335,7 +331,7 @@ class Document {
     mutable const void* prop_part_of_ = nullptr;    // LevelMesh::id()
     Warnings warnings_, prop_warnings_;
     MatchSummary match_;
-    std::vector<FaceId> selection_, guessed_;
+    std::vector<FaceId> selection_;
     std::vector<std::uint8_t> hidden_flags_;  // [face]; of level_.hidden
     std::vector<HistoryStep> history_;
     std::size_t cursor_ = 0;

@@ -78,7 +78,9 @@ static bool annotations_stay(const Level& before, const LoadedLevel& after) {
     const auto same_size = [](const SavedSelection& a, const SavedSelection& b) {
         return a.faces.size() == b.faces.size();
     };
-    return after.guessed.empty() && before.import_transform == after.level.import_transform &&
+    const MatchSummary& match = after.match;
+    return match.by_plane + match.by_nearest == 0 && before.guessed.size() == after.level.guessed.size() &&
+           before.import_transform == after.level.import_transform &&
            painted(before) == painted(after.level) && before.orphans.size() == after.level.orphans.size() &&
            before.hidden.size() == after.level.hidden.size() &&
            std::equal(before.selections.begin(), before.selections.end(), after.level.selections.begin(),
@@ -96,9 +98,9 @@ Status Document::take_geometry(LoadedLevel loaded, std::string step_name) {
                     selection_,
                     level_.hidden,
                     level_.selections,
+                    level_.guessed,
                     warnings_,
                     match_,
-                    guessed_,
                     level_.placed};
     const bool stays = annotations_stay(level_, loaded);
     // A selection is temporary: it stays only if the mesh is the same, and is never guessed.
@@ -115,9 +117,9 @@ Status Document::take_geometry(LoadedLevel loaded, std::string step_name) {
                    same_faces ? selection_ : std::vector<FaceId>(),
                    std::move(loaded.level.hidden),
                    std::move(loaded.level.selections),
+                   std::move(loaded.level.guessed),
                    std::move(loaded.warnings),
                    loaded.match,
-                   std::move(loaded.guessed),
                    std::move(loaded.level.placed)};
     perform(std::move(step_name), GeometryEdit{std::move(before), std::move(after)});
     history_.back().keeps_file = stays;

@@ -117,7 +117,7 @@ void merge_into(PropsEdit& earlier, PropsEdit&& later, std::vector<Prop> now) {
 
 PropsState Document::props_state() const {
     const std::size_t own = own_mesh(level_)->face_count();
-    PropsState state{{}, level_.platforms, {}, selection_, level_.hidden, level_.selections};
+    PropsState state{{}, level_.platforms, {}, selection_, level_.hidden, level_.guessed, level_.selections};
     if (level_.overrides.size() > own)
         state.paint.assign(level_.overrides.begin() + static_cast<std::ptrdiff_t>(own),
                            level_.overrides.end());
@@ -131,6 +131,7 @@ void Document::take(const PropsState& state) {
     level_.overrides.insert(level_.overrides.end(), state.paint.begin(), state.paint.end());
     selection_ = state.selection;
     level_.hidden = state.hidden;
+    level_.guessed = state.guessed;
     level_.selections = state.saved_selections;
 }
 
@@ -150,6 +151,7 @@ void Document::set_props(std::vector<Prop> props, std::span<const std::uint32_t>
         edit.after.paint = map.moved_paint(edit.before.paint, own);
         edit.after.selection = map.moved(selection_);
         edit.after.hidden = map.moved(level_.hidden);
+        edit.after.guessed = map.moved(level_.guessed);
         for (SavedSelection& saved : edit.after.saved_selections)
             saved.faces = map.moved(saved.faces);
     }

@@ -2,78 +2,106 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace slipface {
 namespace {
 
-constexpr double many = 6.0;      // a face of so many old ones holds nearly all of their outlines
-constexpr double samples = 64.0;  // of a face
-// Of an old face's points from its centre, in the root of its area. For a large face some beyond the edges of
-// a square, because what is counted too much and too little is about equal; for a part of it what lies inside
-// of a triangle, too, because a small face beside the edge must not be taken for a part.
-constexpr double reach = 0.62, part_reach = 0.5, small_reach = 0.4;
-constexpr double part_fraction_of_old = 0.6;
+using Polygon = std::vector<Vec2>;
 
-// The old face that `point` of a face with that area lies on; the number of them: none.
-std::size_t old_face_at(const Vec3& point, const Vec3& normal, double area, std::span<const OldFace> faces) {
-    std::size_t best = faces.size();
-    double best_distance = reach;
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-        const FaceKey& key = *faces[i].key;
-        const Vec3 offset = point - key.centroid;
-        const double distance = (offset - normal.dot(offset) * normal).norm() / std::sqrt(key.area);
-        if (distance >= best_distance) continue;
-        if (area < part_fraction_of_old * key.area && distance > part_reach) continue;
-        if (area < small_fraction * key.area && distance > small_reach) continue;
-        best = i;
-        best_distance = distance;
-    }
-    return best;
+double cross(const Vec2& a, const Vec2& b) {
+    return a.x() * b.y() - a.y() * b.x();
 }
+
+double signed_area(std::span<const Vec2> polygon) {
+    double doubled = 0.0;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        doubled += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+    return 0.5 * doubled;
+}
+
+// What of the polygon, which may be concave, lies to the left of the line from `a` to `b`. Cut pieces stay
+// connected along the line, which does not change their area.
+void keep_left(Polygon& polygon, Polygon& scratch, const Vec2& a, const Vec2& b) {
+    scratch.clear();
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec2& here = polygon[i];
+        const Vec2& next = polygon[(i + 1) % polygon.size()];
+        const double side = cross(b - a, here - a), next_side = cross(b - a, next - a);
+        if (side >= 0.0) scratch.push_back(here);
+        if ((side > 0.0 && next_side < 0.0) || (side < 0.0 && next_side > 0.0))
+            scratch.push_back(here + side / (side - next_side) * (next - here));
+    }
+    polygon.swap(scratch);
+}
+
+struct Plane {
+    Vec3 origin, u, v;
+    Vec2 operator()(const Vec3& point) const { return {u.dot(point - origin), v.dot(point - origin)}; }
+};
 
 }  // namespace
 
-std::vector<double> covered_areas(const Mesh& mesh, FaceId face, std::span<const OldFace> faces) {
-    struct Triangle {
-        Vec3 corner[3];
-        double area;
-    };
-    std::vector<Triangle> triangles;
+std::vector<Vec3> likely_outline(const FaceKey& key) {
+    const double radius = std::sqrt(key.area / 2.8284271247461903);  // of an octagon: 2 sqrt(2) r^2
+    const Vec3 normal = key.normal.normalized();
+    const Vec3 u = radius * normal.unitOrthogonal(), v = normal.cross(u);
+    const double root = 0.70710678118654757;
+    std::vector<Vec3> corners;
+    for (const auto& [x, y] : {std::pair{1.0, 0.0},
+                               {root, root},
+                               {0.0, 1.0},
+                               {-root, root},
+                               {-1.0, 0.0},
+                               {-root, -root},
+                               {0.0, -1.0},
+                               {root, -root}})
+        corners.emplace_back(key.centroid + x * u + y * v);
+    return corners;
+}
+
+std::vector<double> covered_areas(const Mesh& mesh, FaceId face, std::span<const OldFace> faces,
+                                  double slack) {
+    const Vec3 normal = face_normal(mesh, face);
+    Plane plane{
+        mesh.corner_position(mesh.face_first_corner[face]).cast<double>(), normal.unitOrthogonal(), {}};
+    plane.v = normal.cross(plane.u);
+    std::vector<Polygon> triangles;
     double area = 0.0;
     for (std::uint32_t t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1]; ++t) {
-        Triangle& triangle = triangles.emplace_back();
+        Polygon& triangle = triangles.emplace_back();
         for (std::size_t i = 0; i < 3; ++i)
-            triangle.corner[i] = mesh.corner_position(mesh.triangles[t][i]).cast<double>();
-        const auto& corner = triangle.corner;
-        triangle.area = 0.5 * (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm();
-        area += triangle.area;
+            triangle.push_back(plane(mesh.corner_position(mesh.triangles[t][i]).cast<double>()));
+        const double size = signed_area(triangle);
+        if (size < 0.0) std::swap(triangle[1], triangle[2]);
+        area += std::abs(size);
     }
     std::vector<double> covered(faces.size(), 0.0);
-    if (!(area > 0.0)) return covered;
-    double inside = 0.0, largest = 0.0;
-    for (const OldFace& old : faces) {
-        if (!old.centre_inside) continue;
-        inside += old.key->area;
-        largest = std::max(largest, old.key->area);
-    }
-    if (largest > 0.0 && area >= many * largest) {
-        for (std::size_t i = 0; i < faces.size(); ++i)
-            if (faces[i].centre_inside) covered[i] = faces[i].key->area * std::min(1.0, area / inside);
-        return covered;
-    }
-    const Vec3 normal = face_normal(mesh, face);
-    for (const auto& [corner, size] : triangles) {
-        // n * n small triangles of equal area.
-        const int n = static_cast<int>(std::ceil(std::sqrt(samples * size / area)));
-        for (int a = 0; a < n; ++a) {
-            for (int b = 0; b < 2 * (n - a) - 1; ++b) {
-                const double third = b % 2 == 0 ? 1.0 / 3.0 : 2.0 / 3.0;
-                const Vec3 point = corner[0] + (a + third) / n * (corner[1] - corner[0]) +
-                                   (b / 2 + third) / n * (corner[2] - corner[0]);
-                const std::size_t old = old_face_at(point, normal, area, faces);
-                if (old < faces.size()) covered[old] += size / (n * n);
-            }
+    Polygon cut, scratch;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        for (const Polygon& triangle : triangles) {
+            cut.clear();
+            for (const Vec3& corner : faces[i].outline)
+                cut.push_back(plane(corner));
+            for (std::size_t k = 0; k < 3 && !cut.empty(); ++k)
+                keep_left(cut, scratch, triangle[k], triangle[(k + 1) % 3]);
+            covered[i] += std::abs(signed_area(cut));
         }
+    }
+    std::vector<std::size_t> order(faces.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return faces[a].distance < faces[b].distance; });
+    double left = area;
+    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+        double sum = 0.0;
+        for (end = begin;
+             end < order.size() && faces[order[end]].distance <= faces[order[begin]].distance + slack; ++end)
+            sum += covered[order[end]];
+        const double share = sum > left ? left / sum : 1.0;
+        for (std::size_t k = begin; k < end; ++k)
+            covered[order[k]] *= share;
+        left = std::max(0.0, left - sum);
     }
     return covered;
 }

@@ -1,4 +1,4 @@
-// What a new face covers of old ones, of which only the keys are known.
+// What a new face covers of old ones.
 #pragma once
 
 #include <span>
@@ -8,18 +8,18 @@
 
 namespace slipface {
 
-// Faces smaller than this fraction of an old one are not taken for the whole of it.
-inline constexpr double small_fraction = 0.25;
+// An octagon of the key's area, for an old face whose outline is not known.
+std::vector<Vec3> likely_outline(const FaceKey& key);
 
 // An old face that a new face may cover.
 struct OldFace {
-    const FaceKey* key = nullptr;
-    bool centre_inside = false;  // its centroid lies on the new face
+    std::span<const Vec3> outline;
+    double distance = 0.0;  // from the new face's plane
 };
 
-// [of `faces`] how much of `face`'s area lies on each of them; the rest lies on none. A key has no outline:
-// where a face is much larger than the old ones, their areas count; else points of the face count for the old
-// face whose centroid is nearest, measured in the root of its area, as if it were a square.
-std::vector<double> covered_areas(const Mesh& mesh, FaceId face, std::span<const OldFace> faces);
+// [of `faces`] how much of `face`'s area lies on each of them, seen along its normal; the rest lies on none.
+// Where old faces lie on each other the nearest count. Equally near ones (`slack`) share the area.
+std::vector<double> covered_areas(const Mesh& mesh, FaceId face, std::span<const OldFace> faces,
+                                  double slack);
 
 }  // namespace slipface

@@ -32,7 +32,8 @@ std::vector<StoredOverride> stored_overrides(const Level& level, PaintParts& par
 struct MatchedOverrides {
     std::vector<std::optional<SurfaceId>> overrides;  // [face]
     std::vector<Orphan> orphans;
-    std::vector<FaceId> guessed;  // found by plane or nearest, ascending
+    std::vector<FaceId>
+        guessed;  // found by plane or nearest, or with doubts about their part; or guesses before; ascending
     MatchSummary summary;
     Warnings warnings;
 };
@@ -42,11 +43,11 @@ struct MatchedOverrides {
 // handles all overrides that are still without a face before the next stage starts:
 // 1. exact: the same loop hash at the same centroid; else the same centroid and normal and nearly the same
 //    area. The same material is preferred. FaceKey::copy distinguishes faces with the same corners.
-// 2. by plane: faces of the same material in the same plane that are parts of the old face (smaller, near its
-//    centre, together not larger) or that contain its centre (the old face was merged, or its outline moved).
-//    If the parts of a long face lie far from its centre: connected faces that together have the old area and
-//    the old mean of corners. Parts of a bent face also lie near its plane instead of in it; together they
-//    have its vector of area.
+// 2. by plane: a new face has the type of the old faces of its material that cover more than half of it, seen
+//    along its normal; they lie in its plane, or nearly if it is tilted. For old faces without an outline,
+//    before that: faces in the same plane that are parts of the old face (smaller, near its centre, together
+//    not larger); or connected faces that together have the old area and the old mean of corners. Parts of a
+//    bent face lie near its plane instead of in it; together they have its vector of area.
 // 3. nearest: the face of the same material with the nearest centroid, at most the old face's size away. Its
 //    normal differs by less than 26 degrees, its area by less than a factor of 4, and the line through the
 //    old centre along the old normal hits it (or the face only moved along that normal).
@@ -57,6 +58,9 @@ MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
 // The same in the level's own faces; if some are not exactly there, in those of its props, too.
 MatchedOverrides match_overrides(const Level& level, const std::vector<StoredOverride>& stored,
                                  const PaintParts& parts);
+// [of `faces`] whether it is one of `set`; both ascending.
+std::vector<bool> which_of(std::span<const FaceId> faces, std::span<const FaceId> set);
+
 // The mesh of the level's own faces if it has all of `faces` (ascending), else the whole one. The keys of the
 // faces are the same in both.
 const Mesh& mesh_with(const Level& level, std::span<const FaceId> faces);

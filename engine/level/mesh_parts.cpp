@@ -188,7 +188,8 @@ MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces) {
     return result;
 }
 
-PaintParts paint_parts(const Mesh& mesh, SurfaceTable surfaces, const std::vector<FaceId>& faces) {
+PaintParts paint_parts(const Mesh& mesh, SurfaceTable surfaces, const std::vector<FaceId>& faces,
+                       const std::vector<FaceKey>& keys) {
     PaintParts result;
     if (faces.empty()) return result;
     result.bounds = mesh.bounds;
@@ -215,8 +216,10 @@ PaintParts paint_parts(const Mesh& mesh, SurfaceTable surfaces, const std::vecto
     for (std::uint32_t& part : all.of)
         part = painted[part] > 0 ? number[part] : no_id;
     find_anchors(mesh, all, result.parts);
-    for (const FaceId face : faces)
-        result.of.push_back(static_cast<std::uint16_t>(all.of[face] + 1));  // no_id + 1 is 0
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        result.of.push_back(static_cast<std::uint16_t>(all.of[faces[i]] + 1));  // no_id + 1 is 0
+        result.outlines.add(mesh, faces[i], keys[i]);
+    }
     return result;
 }
 

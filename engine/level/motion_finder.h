@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "face_matcher.h"
 #include "part_support.h"
 #include "part_types.h"
 #include "similar_faces.h"
@@ -16,7 +17,7 @@ inline constexpr double vote_slack = 0.3;            // by which parts yield to 
 
 class MotionFinder {
   public:
-    MotionFinder(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces, const PaintParts& parts,
+    MotionFinder(FaceLookup& lookup, SurfaceTable surfaces, const PaintParts& parts,
                  const std::vector<StoredOverride>& stored);
 
     std::vector<PartMotion> run() &&;
@@ -69,9 +70,12 @@ class MotionFinder {
     void follow(std::size_t part);
     void doubt(std::size_t part);
     bool is_unexplained(std::size_t part);
+    bool lies_as_before(std::size_t part);
 
+    FaceLookup& lookup_;
     const Mesh& mesh_;
     const FaceIndex& index_;
+    const SurfaceTable surfaces_;
     const PaintParts& stored_;
     PartSupport support_;
     PartTypes types_;

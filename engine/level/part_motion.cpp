@@ -6,9 +6,9 @@
 
 namespace slipface {
 
-std::vector<PartMotion> find_motions(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces,
-                                     const PaintParts& parts, const std::vector<StoredOverride>& stored) {
-    return MotionFinder(mesh, index, surfaces, parts, stored).run();
+std::vector<PartMotion> find_motions(FaceLookup& lookup, SurfaceTable surfaces, const PaintParts& parts,
+                                     const std::vector<StoredOverride>& stored) {
+    return MotionFinder(lookup, surfaces, parts, stored).run();
 }
 
 FaceKey moved_key(const FaceKey& key, const PartMotion& motion) {

@@ -6,11 +6,12 @@
 #include <string_view>
 #include <vector>
 
+#include "face_outline.h"
 #include "slipface/level/level.h"
 
 namespace slipface {
 
-class FaceIndex;
+struct FaceLookup;
 struct StoredOverride;
 
 // A face at a part's rim; it shows where the part is.
@@ -33,10 +34,13 @@ struct PaintParts {
     Aabb bounds;  // of the whole mesh
     std::vector<PaintPart> parts;
     std::vector<std::uint16_t> of;  // [painted face] 1 + its part; 0: none
+    FaceOutlines outlines;          // [painted face]; none in an older level file
+    std::vector<bool> guessed;      // [painted face] its type was a guess before; or empty
 };
 
-// All parts, the ones with most faces of `faces` first.
-PaintParts paint_parts(const Mesh& mesh, SurfaceTable surfaces, const std::vector<FaceId>& faces);
+// All parts, the ones with most faces of `faces` first. `keys`: of these faces.
+PaintParts paint_parts(const Mesh& mesh, SurfaceTable surfaces, const std::vector<FaceId>& faces,
+                       const std::vector<FaceKey>& keys);
 
 // A part in base64, and back; false if `text` is none.
 std::string pack_part(const PaintPart& part);
@@ -60,8 +64,8 @@ struct PartMotion {
 
 // [part] the motion that puts the most anchors and painted faces (`stored`) onto the mesh's. A part stays
 // where it is unless another motion explains clearly more. The work is bounded.
-std::vector<PartMotion> find_motions(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces,
-                                     const PaintParts& parts, const std::vector<StoredOverride>& stored);
+std::vector<PartMotion> find_motions(FaceLookup& lookup, SurfaceTable surfaces, const PaintParts& parts,
+                                     const std::vector<StoredOverride>& stored);
 
 // `key` after the motion. The loop hash, which cannot be moved, becomes 0.
 FaceKey moved_key(const FaceKey& key, const PartMotion& motion);

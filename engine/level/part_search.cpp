@@ -23,21 +23,31 @@ Eigen::Matrix3Xd columns(const std::vector<Vec3>& corners) {
 
 }  // namespace
 
-MotionFinder::MotionFinder(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces,
-                           const PaintParts& parts, const std::vector<StoredOverride>& stored)
-    : mesh_(mesh),
-      index_(index),
+MotionFinder::MotionFinder(FaceLookup& lookup, SurfaceTable surfaces, const PaintParts& parts,
+                           const std::vector<StoredOverride>& stored)
+    : lookup_(lookup),
+      mesh_(lookup.mesh),
+      index_(lookup.index),
+      surfaces_(surfaces),
       stored_(parts),
-      support_(mesh, index, surfaces, parts, stored),
+      support_(mesh_, index_, surfaces, parts, stored),
       types_(parts, stored),
-      similar_(mesh, index),
+      similar_(mesh_, index_),
       parts_(parts.parts.size()) {}
 
 std::vector<PartMotion> MotionFinder::run() && {
+    std::size_t painted = 0, gone = 0;
     for (std::size_t part = 0; part < parts_.size(); ++part) {
         parts_[part].staying = support_.support(part, PartMotion{}, 0.0);
-        if (parts_[part].staying.corners < lost_below) support_.set_gone(part);
+        if (support_.points(part).empty()) continue;
+        ++painted;
+        if (parts_[part].staying.corners >= lost_below) continue;
+        ++gone;
+        support_.set_gone(part);
     }
+    // Of parts without paint only the box is known: they do what most of the others do.
+    for (std::size_t part = 0; part < parts_.size(); ++part)
+        if (2 * gone > painted && support_.points(part).empty()) support_.set_gone(part);
     for (std::size_t part = 0; part < parts_.size(); ++part)
         find(part);
     trust_order();
@@ -52,7 +62,7 @@ std::vector<PartMotion> MotionFinder::run() && {
         doubt(part);
         PartMotion& best = parts_[part].best;
         best.flipped = support_.is_flipped(part, best);
-        best.lost = best.lost || is_unexplained(part);
+        if (is_unexplained(part)) (lies_as_before(part) ? best.guessed : best.lost) = true;
         motions.push_back(best);
     }
     return motions;

@@ -35,6 +35,9 @@ class PartSupport {
     // The different corners of the part's anchors. Neighbours are not one after another.
     const std::vector<Vec3>& points(std::size_t part) const { return samples_[part].points; }
 
+    // Some of the part's painted faces.
+    const std::vector<const FaceKey*>& keys(std::size_t part) const { return samples_[part].keys; }
+
     // Without `ranks`; nothing as soon as the fraction of corners must be below `least`.
     MotionSupport support(std::size_t part, const PartMotion& motion, double least) const;
 

@@ -428,6 +428,7 @@ Level without_props(const Level& level) {
         std::erase_if(list, [&](FaceId face) { return face >= faces; });
     };
     keep_own(own.hidden);
+    keep_own(own.guessed);
     for (SavedSelection& saved : own.selections)
         keep_own(saved.faces);
     return own;

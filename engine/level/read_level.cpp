@@ -331,6 +331,22 @@ class LevelReader {
             for (std::uint16_t& part : parts.of)
                 part = static_cast<std::uint16_t>(take_bytes(at, 2));
         }
+        node["outlines"].each(max_json_values, [&](const JsonNode& row) {
+            const auto bytes = row.json().kind == Json::Kind::string
+                                   ? from_base64(row.json().text, Base64::plain)
+                                   : std::nullopt;
+            if (!bytes || !parts.outlines.add_bytes(*bytes)) row.fail("outlines of faces, as base64");
+        });
+        if (parts.outlines.count() != painted_) parts.outlines = {};
+        if (const JsonNode guessed = node["guessed"]) {
+            const auto bytes = guessed.json().kind == Json::Kind::string
+                                   ? from_base64(guessed.json().text, Base64::plain)
+                                   : std::nullopt;
+            if (!bytes) guessed.fail("a bit for each painted face, as base64");
+            parts.guessed.resize(painted_);
+            for (std::size_t i = 0; bytes && i < std::min(painted_, 8 * bytes->size()); ++i)
+                parts.guessed[i] = ((*bytes)[i / 8] >> i % 8 & 1) != 0;
+        }
         std::vector<const FaceKey*> keys;
         for (std::size_t i = 0; i < painted_; ++i)
             keys.push_back(&stored_[i].key);
@@ -409,7 +425,7 @@ class LevelReader {
         level_.overrides = std::move(matched.overrides);
         level_.orphans = std::move(matched.orphans);
         loaded_.match = matched.summary;
-        loaded_.guessed = std::move(matched.guessed);
+        level_.guessed = std::move(matched.guessed);
         for (Diagnostic& warning : matched.warnings) {
             if (warning.location.empty()) warning.location = level_.file_path.string();
             loaded_.warnings.push_back(std::move(warning));

@@ -136,13 +136,28 @@ PaintedFaces painted_faces(const Level& level) {
     if (faces.empty()) return painted;
     const Mesh& mesh = mesh_with(level, faces);
     painted.keys = face_keys(mesh, faces);
-    painted.parts = paint_parts(mesh, level.surfaces, faces);
+    painted.parts = paint_parts(mesh, level.surfaces, faces, painted.keys);
     for (const FaceId face : faces) {
         const SurfaceId surface = *level.overrides[face];
         painted.types.push_back(&level.surfaces[surface].name);
         painted.type_ranks.push_back(surface);
     }
+    painted.parts.guessed = which_of(faces, level.guessed);
     return painted;
+}
+
+// Rows of base64. The faces' hashes alone decide where rows begin, so painting one more face changes one row.
+Json outlines_json(const PaintedFaces& painted, const std::vector<std::size_t>& order) {
+    constexpr std::uint64_t faces_per_row = 64;  // on average
+    Json rows = json_array();
+    std::string bytes;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        bytes += painted.parts.outlines.bytes(order[k]);
+        if (k + 1 < order.size() && painted.keys[order[k + 1]].loop_hash % faces_per_row != 0) continue;
+        rows.items.push_back(json_string(to_base64(bytes, Base64::plain)));
+        bytes.clear();
+    }
+    return rows;
 }
 
 // `order`: the keys' indices in the file's order.
@@ -162,10 +177,15 @@ Json paint_parts_json(const PaintedFaces& painted, const std::vector<std::size_t
         box.items.push_back(vector_json(corner));
     json_add(json, "box", std::move(box));
     if (!one) json_add(json, "of", json_string(to_base64(of, Base64::plain)));
-    Json list = json_array();
-    for (const PaintPart& part : painted.parts.parts)
-        list.items.push_back(json_string(pack_part(part)));
-    json_add(json, "list", std::move(list));
+    json_add(json, "list", json_array_of(painted.parts.parts, [](const PaintPart& part) {
+                 return json_string(pack_part(part));
+             }));
+    json_add(json, "outlines", outlines_json(painted, order));
+    std::string bits((order.size() + 7) / 8, '\0');
+    for (std::size_t k = 0; k < order.size(); ++k)
+        if (painted.parts.guessed[order[k]]) bits[k / 8] = static_cast<char>(bits[k / 8] | 1 << k % 8);
+    if (bits.find_first_not_of('\0') != std::string::npos)
+        json_add(json, "guessed", json_string(to_base64(bits, Base64::plain)));
     return json;
 }
 

@@ -129,7 +129,7 @@ TEST(FaceMatch, WhatIsLeftOfATileKeepsItsTypeAsAGuess) {
         after[quarter].painted = ice;
     const LoadedLevel loaded = rematch(before, after);
     EXPECT_TRUE(wrong_faces(after, loaded).empty());
-    EXPECT_EQ(loaded.guessed, (std::vector<FaceId>{4, 5, 6}));
+    EXPECT_EQ(loaded.level.guessed, (std::vector<FaceId>{4, 5, 6}));
     EXPECT_TRUE(loaded.level.orphans.empty());
 }
 
@@ -167,7 +167,7 @@ TEST(FaceMatch, AMergedFaceHasTheTypeOfMostOfItAsAGuess) {
     after[0].painted = ice;
     const LoadedLevel loaded = rematch(faces, after);
     EXPECT_TRUE(wrong_faces(after, loaded).empty());
-    EXPECT_EQ(loaded.guessed, std::vector<FaceId>{0});
+    EXPECT_EQ(loaded.level.guessed, std::vector<FaceId>{0});
     EXPECT_EQ(loaded.level.orphans.size(), 1u);
 }
 
@@ -196,7 +196,7 @@ TEST(FaceMatch, AFaceOverPartsOfTilesHasTheTypeOfMostOfIt) {
     after[0].painted = ice;
     const LoadedLevel loaded = rematch(faces, after);
     EXPECT_TRUE(wrong_faces(after, loaded).empty());
-    EXPECT_EQ(loaded.guessed, std::vector<FaceId>{0});
+    EXPECT_EQ(loaded.level.guessed, std::vector<FaceId>{0});
 }
 
 TEST(FaceMatch, AnExtrudedFaceIsFoundAlongItsNormal) {
@@ -403,14 +403,14 @@ TEST(FaceMatch, ASymmetricPartTurnedInItsPlaceIsAGuess) {
         const Faces after = rounded(with_first_turned(faces, first, one.motion, one.mirrors));
         const LoadedLevel loaded = rematch(faces, after);
         EXPECT_TRUE(wrong_faces(after, loaded).empty()) << one.motion.matrix();
-        EXPECT_EQ(loaded.guessed.size(), painted) << "it is listed";
+        EXPECT_EQ(loaded.level.guessed.size(), painted) << "it is listed";
     }
     // The same places in another order: nothing turned.
     for (unsigned seed = 0; seed < 20; ++seed) {
         const Faces other = shuffled(faces, seed);
         const LoadedLevel loaded = rematch(faces, other);
         EXPECT_TRUE(wrong_faces(other, loaded).empty()) << seed;
-        EXPECT_TRUE(loaded.guessed.empty());
+        EXPECT_TRUE(loaded.level.guessed.empty());
     }
     // Sorted along the other axis.
     Faces sorted = faces;
@@ -418,7 +418,7 @@ TEST(FaceMatch, ASymmetricPartTurnedInItsPlaceIsAGuess) {
                      [](const Face& a, const Face& b) { return a.corners[0].x() < b.corners[0].x(); });
     const LoadedLevel loaded = rematch(faces, sorted);
     EXPECT_TRUE(wrong_faces(sorted, loaded).empty());
-    EXPECT_TRUE(loaded.guessed.empty());
+    EXPECT_TRUE(loaded.level.guessed.empty());
 }
 
 Faces crate(const Vec3f& low, float side);
@@ -436,11 +436,12 @@ TEST(FaceMatch, ALonePartTurnedOntoItselfIsAQuestion) {
     const LoadedLevel loaded = rematch(faces, after);
     EXPECT_EQ(loaded.match.orphaned, 0u);
     for (const std::size_t face : wrong_faces(after, loaded))
-        EXPECT_TRUE(std::binary_search(loaded.guessed.begin(), loaded.guessed.end(), face)) << face;
+        EXPECT_TRUE(std::binary_search(loaded.level.guessed.begin(), loaded.level.guessed.end(), face))
+            << face;
     // All of one type: how it turned does not matter, and nobody is asked.
     for (Face& face : faces)
         face.painted = ice;
-    EXPECT_TRUE(rematch(faces, after).guessed.empty());
+    EXPECT_TRUE(rematch(faces, after).level.guessed.empty());
 }
 
 Faces crate(const Vec3f& low, float side) {
@@ -534,7 +535,7 @@ TEST(FaceMatch, PartsOfBentFacesKeepTheirTypes) {
         const LoadedLevel loaded = rematch(faces, rounded(after));
         EXPECT_TRUE(wrong_faces(after, loaded).empty());
         EXPECT_EQ(loaded.match.by_plane, painted_count(faces)) << loaded.match.text();
-        EXPECT_EQ(loaded.guessed.size(), painted_count(after));
+        EXPECT_EQ(loaded.level.guessed.size(), painted_count(after));
     }
 }
 

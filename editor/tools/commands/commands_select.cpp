@@ -213,8 +213,9 @@ std::vector<Command> guessed_rows() {
         {"select.accept_guessed", icons::check, "Accept all", "Select/Guessed paint",
          "Accept all guessed paint", "reload match confirm", no_key(), has_guessed, nullptr,
          [](Editor& e) {
-             e.status = std::to_string(e.document->guessed().size()) + " guesses accepted";
-             e.document->accept_guessed();
+             const std::span<const FaceId> faces = e.document->guessed();
+             e.status = std::to_string(faces.size()) + " guesses accepted";
+             e.document->accept_guessed(faces);
          }},
     };
 }

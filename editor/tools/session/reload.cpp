@@ -73,7 +73,7 @@ bool reload_annotations(Editor& editor) {
     // autosaves stay, so that the user cannot lose them unnoticed.
     const bool unsaved = document.dirty();
     stop_playtest(editor);
-    document.restore(loaded->level, "Reload " + name, loaded->guessed);
+    document.restore(loaded->level, "Reload " + name);
     if (!unsaved) {
         document.mark_saved();
         document_is_safe(editor);
@@ -268,8 +268,10 @@ std::vector<FaceId> guesses_of_part(const Document& document) {
 void settle_guesses(Editor& editor, const std::vector<FaceId>& faces, bool accept) {
     if (!editor.document || faces.empty()) return;
     Document& document = *editor.document;
-    if (!accept) document.paint(faces, std::nullopt);
-    document.accept_guessed(faces);
+    if (accept)
+        document.accept_guessed(faces);
+    else
+        document.paint(faces, std::nullopt);
     const std::string count = std::to_string(faces.size());
     if (!document.guessed().empty() && document.selection().size() <= 1) step_guessed(editor, true);
     editor.status = count + (faces.size() == 1 ? " guess " : " guesses ") +

@@ -111,8 +111,7 @@ void go_to_guess(Editor& editor, std::size_t index);  // selects and frames that
 std::vector<FaceId> selected_guesses(const Document& document);  // ascending
 // The guesses on all faces that are connected with a selected guess, ascending.
 std::vector<FaceId> guesses_of_part(const Document& document);
-// Accepts the guessed paint of `faces` (ascending), or removes it as one step of history, and goes on to the
-// next guess.
+// Accepts the guessed paint of `faces` (ascending), or removes it, and goes on to the next guess.
 void settle_guesses(Editor& editor, const std::vector<FaceId>& faces, bool accept);
 void step_guessed(Editor& editor, bool forward);  // selects and frames the next face whose paint was guessed
 

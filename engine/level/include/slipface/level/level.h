@@ -134,6 +134,9 @@ struct Level {
     std::vector<Orphan> orphans;
     // State of the editing. Movement ignores it: hidden faces collide too.
     std::vector<FaceId> hidden;  // ascending; neither drawn nor picked
+    // Painted faces whose type was found by doubtful matching, and which the user has not accepted yet;
+    // ascending.
+    std::vector<FaceId> guessed;
     std::vector<SavedSelection> selections;
     // The main spawn, which is used unless another one is named, and the others. A spawn may lie inside a
     // wall: find_start() computes the position at which the player really starts.

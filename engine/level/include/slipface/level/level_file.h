@@ -21,8 +21,7 @@ struct LoadedLevel {
     std::string type_table;                // likewise, ImportedMesh::type_table
     std::vector<FaceId> undrawn;           // likewise; hidden in a level without a level file
     MatchSummary match;
-    std::vector<FaceId> guessed;  // faces whose type was found by plane or by nearest, ascending
-    double mesh_load_s = 0.0;     // duration of reading the geometry
+    double mesh_load_s = 0.0;  // duration of reading the geometry
 };
 
 // Loads `path`: a geometry file (and its level file, if there is one) or a level file (and its "mesh").

@@ -1,0 +1,180 @@
+#include "face_matcher.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mesh_collision.h"
+#include "slipface/level/material_name.h"
+
+namespace slipface {
+namespace {
+
+constexpr std::size_t max_listed_orphans = 100;
+
+std::optional<SurfaceId> type_of(SurfaceTable surfaces, const std::string& name) {
+    for (std::size_t i = 0; i < surfaces.size() && i < max_surface_types; ++i)
+        if (surfaces[i].name == name) return static_cast<SurfaceId>(i);
+    return std::nullopt;
+}
+
+}  // namespace
+
+FaceMatcher::FaceMatcher(const Mesh& mesh, SurfaceTable surfaces, const std::vector<StoredOverride>& stored,
+                         FaceLookup& lookup, const PaintParts& parts, const std::vector<PartMotion>& motions)
+    : mesh_(mesh),
+      surfaces_(surfaces),
+      stored_(stored),
+      lookup_(lookup),
+      index_(lookup.index),
+      parts_(parts),
+      motions_(motions),
+      claims_(mesh.face_count()),
+      found_(stored.size(), MatchStage::none),
+      types_(stored.size()),
+      bases_(stored.size()),
+      lost_(stored.size(), false),
+      doubtful_(stored.size(), false) {
+    result_.overrides.resize(mesh.face_count());
+    for (std::size_t i = 0; i < stored.size(); ++i) {
+        types_[i] = type_of(surfaces, stored[i].type);
+        bases_[i] = base_material(stored[i].key.material, surfaces);
+    }
+    const auto stays = [](const PartMotion& motion) {
+        return motion.is_identity() && !motion.lost && !motion.guessed;
+    };
+    if (!std::all_of(motions.begin(), motions.end(), stays)) move();
+    for (std::size_t i = 0; i < std::min(parts.guessed.size(), stored.size()); ++i)
+        doubtful_[i] = doubtful_[i] || parts.guessed[i];
+}
+
+void FaceMatcher::move() {
+    moved_ = stored_;
+    for (std::size_t i = 0; i < stored_.size(); ++i) {
+        const PartMotion* motion = motion_of(i);
+        if (motion == nullptr) continue;
+        lost_[i] = motion->lost;
+        doubtful_[i] = motion->guessed;
+        if (!motion->lost) moved_[i].key = moved_key(stored_[i].key, *motion);
+    }
+}
+
+const PartMotion* FaceMatcher::motion_of(std::size_t i) const {
+    const std::size_t part = i < parts_.of.size() ? parts_.of[i] : 0;
+    return part > 0 && part <= motions_.size() ? &motions_[part - 1] : nullptr;
+}
+
+MatchedOverrides FaceMatcher::run() && {
+    using Stage = MatchStage;
+    run_stage(Stage::exact, [this](std::size_t i) { return match_hash(i); });
+    run_stage(Stage::exact, [this](std::size_t i) { return match_location(i); });
+    if (find_outlines() && lookup_.tree() != nullptr) {
+        const auto without_outline = [&](auto match) {
+            run_stage(Stage::plane, [&](std::size_t i) { return outlines_[i].empty() && match(i); });
+        };
+        without_outline([this](std::size_t i) { return match_plane(i); });
+        without_outline([this](std::size_t i) { return match_union(i, false); });
+        without_outline([this](std::size_t i) { return match_union(i, true); });
+        without_outline([this](std::size_t i) { return match_area(i); });
+        match_covered(0.9);
+        match_covered(0.5);
+        run_stage(Stage::nearest, [this](std::size_t i) { return match_nearest(i); });
+    }
+    collect();
+    return std::move(result_);
+}
+
+bool FaceMatcher::is_wanted(std::size_t i) const {
+    return found_[i] == MatchStage::none && types_[i] && !lost_[i];
+}
+
+template <class Match>
+void FaceMatcher::run_stage(MatchStage stage, Match match) {
+    for (std::size_t i = 0; i < stored_.size() && lookup_.visits < max_visits; ++i)
+        if (is_wanted(i) && match(i)) found_[i] = stage;
+}
+
+// Of the faces that are still wanted; false if there are none.
+bool FaceMatcher::find_outlines() {
+    outlines_.resize(stored_.size());
+    bool wanted = false;
+    for (std::size_t i = 0; i < stored_.size(); ++i) {
+        if (!is_wanted(i) || stored_[i].key.normal.isZero()) continue;
+        wanted = true;
+        if (i >= parts_.outlines.count()) continue;
+        outlines_[i] = parts_.outlines.corners(i, stored_[i].key);
+        if (const PartMotion* motion = motion_of(i))
+            for (Vec3& corner : outlines_[i])
+                corner = (*motion)(corner);
+    }
+    return wanted;
+}
+
+const CollisionWorld* FaceLookup::tree() {
+    if (tree_) return &*tree_;
+    Result<CollisionWorld> built = build_mesh_collision(mesh);
+    if (built) tree_ = std::move(built).value();
+    return tree_ ? &*tree_ : nullptr;
+}
+
+void FaceMatcher::claim(FaceId face, std::size_t i, MatchStage stage) {
+    claims_[face] = stage;
+    if (doubtful_[i]) result_.guessed.push_back(face);
+    result_.overrides[face] = types_[i];
+}
+
+// Faces of the key's material with a triangle in the box, ascending.
+std::vector<FaceId> FaceMatcher::faces_in(std::size_t i, const Aabb& box) {
+    std::vector<FaceId> faces;
+    for (const TriangleId triangle : lookup_.tree()->triangles_in(box)) {
+        ++lookup_.visits;
+        const FaceId face = lookup_.tree()->triangle_face(triangle);
+        if ((faces.empty() || faces.back() != face) && index_.base(face) == bases_[i]) faces.push_back(face);
+    }
+    ++lookup_.visits;
+    return faces;
+}
+
+std::vector<FaceId> FaceMatcher::faces_around(std::size_t i, double reach) {
+    const Vec3& centroid = key(i).centroid;
+    Aabb box;
+    box.add(centroid - Vec3::Constant(reach));
+    box.add(centroid + Vec3::Constant(reach));
+    return faces_in(i, box);
+}
+
+void FaceMatcher::collect() {
+    for (std::size_t i = 0; i < stored_.size(); ++i) {
+        switch (found_[i]) {
+            case MatchStage::exact: ++result_.summary.exact; break;
+            case MatchStage::plane: ++result_.summary.by_plane; break;
+            case MatchStage::nearest: ++result_.summary.by_nearest; break;
+            case MatchStage::none: add_orphan(i); break;
+        }
+    }
+    for (FaceId face = 0; face < claims_.size(); ++face)
+        if (claims_[face] > MatchStage::exact) result_.guessed.push_back(face);
+    std::sort(result_.guessed.begin(), result_.guessed.end());
+    result_.guessed.erase(std::unique(result_.guessed.begin(), result_.guessed.end()), result_.guessed.end());
+    if (result_.summary.orphaned > max_listed_orphans) {
+        result_.warnings.push_back({"", fmt::format("{} more painted faces were not found",
+                                                    result_.summary.orphaned - max_listed_orphans)});
+    }
+    if (lookup_.visits >= max_visits) {
+        result_.warnings.push_back({"", "stopped the search for moved faces: too many faces have moved"});
+    }
+}
+
+void FaceMatcher::add_orphan(std::size_t i) {
+    const StoredOverride& stored = stored_[i];
+    result_.orphans.push_back({stored.key, stored.type});
+    if (++result_.summary.orphaned > max_listed_orphans) return;
+    const Vec3& at = stored.key.centroid;
+    const std::string reason = types_[i] ? "its face was not found" : "found no surface type of that name";
+    result_.warnings.push_back(
+        {stored.location, fmt::format("{}: a face painted \"{}\" at ({:.3f}, {:.3f}, {:.3f}), material "
+                                      "\"{}\"; stored as an orphan",
+                                      reason, stored.type, at.x(), at.y(), at.z(), stored.key.material)});
+}
+
+}  // namespace slipface

@@ -1,0 +1,113 @@
+// The search for painted faces in a changed mesh. match_overrides() says what each stage does.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "face_index.h"
+#include "slipface/collision/collision_world.h"
+
+namespace slipface {
+
+enum class MatchStage : std::uint8_t { none, exact, plane, nearest };
+
+// Maximum number of faces examined in all, so that a file with a hundred thousand huge missing faces cannot
+// hang the editor.
+inline constexpr std::size_t max_visits = 30'000'000;
+
+// Data built once for a mesh, for all sets of faces that are looked up in it.
+struct FaceLookup {
+    FaceLookup(const Mesh& of, SurfaceTable surfaces) : mesh(of), index(of, surfaces) {}
+
+    // Built when it is first needed; null if the mesh has no tree.
+    const CollisionWorld* tree();
+
+    const Mesh& mesh;
+    FaceIndex index;
+    FaceNeighbours neighbours;  // built if match_union() needs them
+    std::size_t visits = 0;     // faces examined so far
+
+  private:
+    std::optional<CollisionWorld> tree_;
+};
+
+class FaceMatcher {
+  public:
+    // `motions`: of the parts; without any, all faces are searched for where they were.
+    FaceMatcher(const Mesh& mesh, SurfaceTable surfaces, const std::vector<StoredOverride>& stored,
+                FaceLookup& lookup, const PaintParts& parts = {},
+                const std::vector<PartMotion>& motions = {});
+
+    MatchedOverrides run() &&;
+
+  private:
+    // What the stages share
+    const FaceKey& key(std::size_t i) const { return (moved_.empty() ? stored_ : moved_)[i].key; }
+    bool is_wanted(std::size_t i) const;  // not found yet, and to be searched
+    bool is_free(FaceId face) const { return claims_[face] == MatchStage::none; }
+    void claim(FaceId face, std::size_t i, MatchStage stage);
+    std::vector<FaceId> faces_in(std::size_t i, const Aabb& box);
+    std::vector<FaceId> faces_around(std::size_t i, double reach);
+    template <class Match>
+    void run_stage(MatchStage stage, Match match);
+    void move();
+    const PartMotion* motion_of(std::size_t i) const;
+    bool find_outlines();
+    void collect();
+    void add_orphan(std::size_t i);
+
+    // match_exact.cpp
+    bool match_hash(std::size_t i);
+    bool match_location(std::size_t i);
+    bool claim_best(std::size_t i, const std::vector<FaceId>& faces);
+
+    // match_whole.cpp: of an old face without an outline, new faces that together are the whole of it
+    bool match_plane(std::size_t i);
+    bool match_area(std::size_t i);
+    bool match_union(std::size_t i, bool bent);
+    bool grow_union(const FaceKey& key, const Vec3& normal, FaceId face, std::vector<FaceId>& parts);
+    bool is_part(const FaceKey& key, const Vec3& normal, FaceId face) const;
+    double plane_slack() const { return bent_ ? 0.2 : 1e-3; }
+
+    // match_covered.cpp
+    struct Cover {
+        FaceId face;
+        std::size_t i;
+        double distance, area;
+        bool flat;  // the face lies in the old one's plane
+    };
+    void match_covered(double least_dot);
+    void find_covers(std::size_t i, double least_dot, std::vector<Cover>& covers);
+
+    // match_nearest.cpp
+    bool match_nearest(std::size_t i);
+    bool is_refused(FaceId face, std::size_t i) const;
+
+    const Mesh& mesh_;
+    SurfaceTable surfaces_;
+    const std::vector<StoredOverride>& stored_;
+    FaceLookup& lookup_;
+    const FaceIndex& index_;
+    const PaintParts& parts_;
+    const std::vector<PartMotion>& motions_;
+    std::vector<StoredOverride> moved_;            // stored_ after the motions, or empty if all stayed
+    std::vector<MatchStage> claims_;               // [face]
+    std::vector<MatchStage> found_;                // [stored]
+    std::vector<std::optional<SurfaceId>> types_;  // [stored]
+    std::vector<std::string> bases_;               // [stored]
+    std::vector<std::vector<Vec3>> outlines_;      // [stored] after the motion; empty if it is not known
+    std::vector<bool> lost_;      // [stored] not to be searched: nothing found could be trusted
+    std::vector<bool> doubtful_;  // [stored] what is found is a guess
+    // Faces that match_covered() did not give the type of the stored one, sorted.
+    std::vector<std::pair<FaceId, std::size_t>> refused_;
+    std::size_t union_visits_ = 0;
+    bool bent_ = false;  // what match_union() looks for
+    MatchedOverrides result_;
+};
+
+inline Vec3 unit_or_zero(const Vec3& normal) {
+    const double length = normal.norm();
+    return length > 0.5 ? Vec3(normal / length) : Vec3(Vec3::Zero());
+}
+
+}  // namespace slipface

@@ -1,0 +1,121 @@
+// New faces that cover old ones, or parts of them: each has the type of most of its area.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <span>
+
+#include "face_cover.h"
+#include "face_matcher.h"
+
+namespace slipface {
+namespace {
+
+// Of an old face without an outline by the new ones that it is to give its type to. One whose octagon holds
+// little of the new faces has another outline, or is gone.
+constexpr double filled_fraction = 0.35;
+
+constexpr double more_than_half = 0.52;  // of a new face: half of it is a question
+
+constexpr double left_fraction = 0.1;  // of an old face, by what is still there
+
+// A tilted face leaves the plane; a parallel one off it is another face. In the old face's size.
+constexpr double off_plane = 0.02, off_plane_by_tilt = 0.7;
+
+constexpr double wide = 0.1;  // in the old face's size: how far from its outline faces are looked for
+
+}  // namespace
+
+void FaceMatcher::find_covers(std::size_t i, double least_dot, std::vector<Cover>& covers) {
+    const FaceKey& key = this->key(i);
+    const double size = std::sqrt(key.area);
+    const Vec3 normal = unit_or_zero(key.normal);
+    Aabb box;
+    for (const Vec3& corner : outlines_[i])
+        box.add(corner);
+    box.min -= Vec3::Constant(wide * size + position_tolerance(key.centroid));
+    box.max += Vec3::Constant(wide * size + position_tolerance(key.centroid));
+    for (const FaceId face : faces_in(i, box)) {
+        const FaceKey& candidate = index_.key(face);
+        const double along = candidate.normal.dot(normal);
+        if (!is_free(face) || !(along > least_dot)) continue;
+        const double tilt = candidate.normal.cross(normal).norm();
+        const double off = std::abs(candidate.normal.dot(candidate.centroid - key.centroid));
+        if (off > (off_plane + off_plane_by_tilt * tilt) * size + position_tolerance(key.centroid)) continue;
+        lookup_.visits += mesh_.face_corner_count(face);
+        const bool flat = along > 0.9995 && off <= 1e-3 * size + position_tolerance(key.centroid);
+        covers.push_back({face, i, off, 0.0, flat});
+    }
+}
+
+void FaceMatcher::match_covered(double least_dot) {
+    std::vector<Cover> all;
+    std::vector<bool> likely(stored_.size(), false);
+    for (std::size_t i = 0; i < stored_.size() && lookup_.visits < max_visits; ++i) {
+        if (!is_wanted(i) || !(key(i).area > 0.0) || unit_or_zero(key(i).normal).isZero()) continue;
+        likely[i] = outlines_[i].empty();
+        if (likely[i]) outlines_[i] = likely_outline(key(i));
+        find_covers(i, least_dot, all);
+    }
+    std::stable_sort(all.begin(), all.end(), [](const Cover& a, const Cover& b) { return a.face < b.face; });
+    const auto each_face = [&](const auto& apply) {
+        for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+            for (end = begin; end < all.size() && all[end].face == all[begin].face;)
+                ++end;
+            apply(std::span(all).subspan(begin, end - begin));
+        }
+    };
+    // Of each old face, covered by new ones, and by those of them in its plane.
+    std::vector<double> total(stored_.size(), 0.0), flat(stored_.size(), 0.0);
+    each_face([&](std::span<Cover> covers) {
+        std::vector<OldFace> old;
+        for (const Cover& cover : covers)
+            old.push_back({outlines_[cover.i], cover.distance});
+        const FaceId face = covers[0].face;
+        const double slack = 4.0 * position_tolerance(index_.key(face).centroid);
+        const std::vector<double> areas = covered_areas(mesh_, face, old, slack);
+        for (std::size_t k = 0; k < covers.size(); ++k) {
+            covers[k].area = areas[k];
+            total[covers[k].i] += areas[k];
+            if (covers[k].flat) flat[covers[k].i] += areas[k];
+        }
+    });
+    // Beside what is left of a face in its plane, small tilted faces are not it: its edges were bevelled.
+    for (Cover& cover : all) {
+        const double area = key(cover.i).area;
+        const FaceKey& face = index_.key(cover.face);
+        const double small = face.normal.dot(unit_or_zero(key(cover.i).normal)) < 0.97 ? 0.25 : 0.08;
+        if (!cover.flat && flat[cover.i] > left_fraction * area && face.area < small * area) cover.area = 0.0;
+    }
+    const auto is_other = [&](std::size_t i) {
+        return likely[i] && total[i] < filled_fraction * key(i).area;
+    };
+    std::vector<double> given(stored_.size(), 0.0);  // of `total`: by faces that have its type now
+    each_face([&](std::span<Cover> covers) {
+        const FaceId face = covers[0].face;
+        std::map<SurfaceId, double> shares;
+        for (const Cover& cover : covers) {
+            if (is_other(cover.i)) continue;
+            shares[*types_[cover.i]] += cover.area;
+        }
+        for (const auto& [type, share] : shares) {
+            if (share <= more_than_half * index_.key(face).area) continue;
+            claims_[face] = MatchStage::plane;
+            result_.overrides[face] = type;
+        }
+        for (const Cover& cover : covers)
+            if (result_.overrides[face] == types_[cover.i]) given[cover.i] += cover.area;
+    });
+    for (const Cover& cover : all)
+        if (cover.area > 0.01 * index_.key(cover.face).area && !is_other(cover.i))
+            refused_.push_back({cover.face, cover.i});
+    std::sort(refused_.begin(), refused_.end());
+    for (std::size_t i = 0; i < stored_.size(); ++i) {
+        if (total[i] <= left_fraction * key(i).area) continue;
+        if (given[i] > 0.5 * total[i])
+            found_[i] = MatchStage::plane;
+        else if (total[i] > 0.5 * key(i).area)
+            lost_[i] = true;  // left for the user
+    }
+}
+
+}  // namespace slipface
