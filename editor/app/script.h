@@ -1,6 +1,7 @@
 // Text scripts that use the editor as a person does: widgets by name, gestures in the view, keys.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -25,7 +26,7 @@ enum class ScriptFailure { none, bad_input, expectation };
 struct ScriptResult {
     ScriptFailure failure = ScriptFailure::none;
     Error error;  // its location is "FILE:LINE"
-    int lines_done = 0;
+    std::size_t lines_done = 0;
     explicit operator bool() const { return failure == ScriptFailure::none; }
 };
 

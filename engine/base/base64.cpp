@@ -33,11 +33,11 @@ std::string to_base64(std::string_view bytes, Base64 form) {
 }
 
 std::optional<std::string> from_base64(std::string_view text, Base64 form) {
-    std::array<std::int8_t, 256> values{};
+    std::array<int, 256> values{};
     values.fill(-1);
     const std::string_view digit = digits_of(form);
     for (std::size_t i = 0; i < digit.size(); ++i)
-        values[static_cast<unsigned char>(digit[i])] = static_cast<std::int8_t>(i);
+        values[static_cast<unsigned char>(digit[i])] = static_cast<int>(i);
     std::string bytes(text.size() * 3 / 4, '\0');
     std::size_t out = 0;
     std::uint32_t group = 0;

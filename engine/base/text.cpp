@@ -4,8 +4,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "slipface/base/counted.h"
-
 namespace slipface {
 namespace {
 
@@ -29,13 +27,6 @@ std::optional<T> parse_all(std::string_view text) {
 }
 
 }  // namespace
-
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-    std::string text = std::to_string(count) + ' ';
-    text += count == 1 || many.empty() ? one : many;
-    if (count != 1 && many.empty()) text += 's';
-    return text;
-}
 
 std::string to_text(double value) {
     std::array<char, 64> buffer{};

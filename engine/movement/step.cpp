@@ -61,7 +61,7 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
     result.state.position = position_in_scene(scene, state);
     bool hazard = false;
     const double part_s = dt / parts;
-    // The longest move of the next parts, m. A player who is held up does not reach walking speed at once.
+    // How far the player can get in the next parts, m. From rest it takes time to reach walking speed.
     const auto longest_move = [&](int count) {
         const double speed = result.state.velocity.norm(), time_s = count * part_s;
         return time_s *

@@ -251,8 +251,39 @@ Connections:  {{
         program, fmt::join(uv, ","), move.x(), move.y(), repeat.x(), repeat.y());
 }
 
-// Blender moves a picture before it repeats it, as its own glTF of the same scene says; others repeat first.
-TEST_F(ImportScene, FbxPicturesAreRepeatedAndMoved) {
+std::string textured_collada(const std::array<float, 6>& uv, const Eigen::Vector2d& repeat,
+                             const Eigen::Vector2d& move) {
+    return fmt::format(
+        R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<library_images><image id="image"><init_from>wall.png</init_from></image></library_images>
+<library_effects><effect id="effect"><profile_COMMON>
+<newparam sid="surface"><surface type="2D"><init_from>image</init_from></surface></newparam>
+<newparam sid="sampler"><sampler2D><source>surface</source></sampler2D></newparam>
+<technique sid="common"><lambert><diffuse><texture texture="sampler" texcoord="UVMap"><extra>
+<technique profile="MAYA"><repeatU>{}</repeatU><repeatV>{}</repeatV><offsetU>{}</offsetU><offsetV>{}</offsetV></technique>
+</extra></texture></diffuse></lambert></technique></profile_COMMON></effect></library_effects>
+<library_materials><material id="wall"><instance_effect url="#effect"/></material></library_materials>
+<library_geometries><geometry id="shape"><mesh>
+<source id="at"><float_array id="at-array" count="9">0 0 0 1 0 0 0 0 1</float_array><technique_common>
+<accessor source="#at-array" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
+<param name="Z" type="float"/></accessor></technique_common></source>
+<source id="uv"><float_array id="uv-array" count="6">{}</float_array><technique_common>
+<accessor source="#uv-array" count="3" stride="2"><param name="S" type="float"/><param name="T" type="float"/>
+</accessor></technique_common></source>
+<vertices id="corners"><input semantic="POSITION" source="#at"/></vertices>
+<triangles material="wall" count="1"><input semantic="VERTEX" source="#corners" offset="0"/>
+<input semantic="TEXCOORD" source="#uv" offset="0" set="0"/><p>0 1 2</p></triangles>
+</mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="scene"><node id="node"><instance_geometry url="#shape"><bind_material>
+<technique_common><instance_material symbol="wall" target="#wall"/></technique_common></bind_material>
+</instance_geometry></node></visual_scene></library_visual_scenes>
+<scene><instance_visual_scene url="#scene"/></scene></COLLADA>)",
+        repeat.x(), repeat.y(), move.x(), move.y(), fmt::join(uv, " "));
+}
+
+// Blender's FBX moves a picture before it repeats it, as its own glTF of the same scene says; others repeat
+// first.
+TEST_F(ImportScene, FbxAndColladaPicturesAreRepeatedAndMoved) {
     std::mt19937 draw(6);
     std::uniform_real_distribution<float> number(-3, 3);
     for (int round = 0; round < 40; ++round) {
@@ -260,18 +291,21 @@ TEST_F(ImportScene, FbxPicturesAreRepeatedAndMoved) {
         for (float& value : uv)
             value = number(draw);
         const Eigen::Vector2d repeat(number(draw), number(draw)), move(number(draw), number(draw));
-        for (const bool blender : {false, true}) {
-            const auto result =
-                import_as("level.fbx", textured_fbx(uv, repeat, move, blender ? "Blender 3.4" : "3ds Max"));
+        const auto check = [&](const char* name, const std::string& text, bool moved_first) {
+            const auto result = import_as(name, text);
             ASSERT_TRUE(result) << result.error().text();
             EXPECT_EQ(result->mesh->materials[0].texture, "wall.png");
             for (std::size_t i = 0; i < 3; ++i) {
                 const Eigen::Vector2d at(uv[2 * i], uv[2 * i + 1]);
-                const Eigen::Vector2d expected =
-                    blender ? repeat.cwiseProduct(at - move).eval() : (repeat.cwiseProduct(at) + move).eval();
-                EXPECT_LT((result->mesh->corner_uv[i].cast<double>() - expected).norm(), 2e-5) << round;
+                const Eigen::Vector2d expected = moved_first ? repeat.cwiseProduct(at - move).eval()
+                                                             : (repeat.cwiseProduct(at) + move).eval();
+                EXPECT_LT((result->mesh->corner_uv[i].cast<double>() - expected).norm(), 2e-5)
+                    << name << ", " << round;
             }
-        }
+        };
+        check("blender.fbx", textured_fbx(uv, repeat, move, "Blender 3.4"), true);
+        check("max.fbx", textured_fbx(uv, repeat, move, "3ds Max"), false);
+        check("level.dae", textured_collada(uv, repeat, move), false);
     }
 }
 
