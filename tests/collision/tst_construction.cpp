@@ -100,6 +100,20 @@ TEST(Construction, ClutterInAStadium) {
     EXPECT_LT(expect_complete(soup), near + 2);
 }
 
+// Any clutter anywhere, some of it in few cells while the rest still lies in cells.
+TEST(Construction, ClutterHereAndThere) {
+    Random random(36);
+    for (int i = 0; i < 12; ++i) {
+        Soup soup;
+        for (std::size_t parts = 2 + random.below(4); parts > 0; --parts) {
+            const std::size_t count = 2000 + random.below(14000);
+            add_clutter(soup, random, count, random.in_box(std::pow(10.0, random.uniform(1, 5))),
+                        std::pow(10.0, random.uniform(-3, 2)));
+        }
+        expect_complete(soup);
+    }
+}
+
 TEST(Construction, TheWholeRangeOfFloats) {
     Random random(34);
     Soup soup;

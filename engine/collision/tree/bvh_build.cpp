@@ -26,6 +26,7 @@ struct Range {
     bool mixed = false;  // more than one body
     // At least cells_worth_it cells, as long as the items are still sorted by cell in another list.
     std::span<Cell> cells;
+    const Item* by_cell = nullptr;  // that list
     Box box;      // of the items
     Box centres;  // of the items' centres, or the cells'
 };
@@ -51,16 +52,13 @@ struct Node {
 class Builder {
   public:
     Builder(std::span<Item> items, std::span<const std::array<std::uint32_t, 3>> triangles)
-        : items_(items), triangles_(triangles) {
-        if (items.size() >= cells_from) by_cell_ = std::make_unique_for_overwrite<Item[]>(items.size());
-    }
+        : items_(items), triangles_(triangles) {}
 
     // The tree over a range.
     std::unique_ptr<Node> build(const Range& root) {
         Plan plan{};
         BinaryNodes nodes(blocks_);
         const BinaryNode* top = divide_up(root, nodes, plan);
-        by_cell_.reset();
         return collapse(*top);
     }
 
@@ -88,15 +86,18 @@ class Builder {
     BinaryNode* divide_up(Range range, BinaryNodes& nodes, Plan& plan) {
         BinaryNode& node = nodes.add(range.box, range.first, range.count);
         if (is_leaf(range)) return &node;
+        // Clutter in a wide landscape fills few cells of it and gets cells of its own, while items beside it
+        // still wait in the list of the landscape's.
         std::vector<Cell> cells;
+        std::unique_ptr<Item[]> by_cell;
         if (range.count >= cells_from && !range.mixed && range.cells.empty()) {
-            cells = sort_into_cells(items_of(range), range.centres, {&by_cell_[range.first], range.count});
+            by_cell = std::make_unique_for_overwrite<Item[]>(range.count);
+            cells = sort_into_cells(items_of(range), range.centres, {by_cell.get(), range.count});
             if (!cells.empty()) range.centres = Box();
-            for (Cell& cell : cells) {
-                cell.first += range.first;
+            for (const Cell& cell : cells)
                 range.centres.add(centre_of(cell));
-            }
             range.cells = cells;
+            range.by_cell = by_cell.get();
         }
         std::array<Range, 2> half;
         half[0] = divide(range, half[1]);
@@ -205,6 +206,7 @@ class Builder {
         fill(left, sides.first, split.left, range.first);
         fill(right, sides.second, split.right, range.first + left.count);
         if constexpr (std::is_same_v<Boxed, Cell>) {
+            left.by_cell = right.by_cell = range.by_cell;
             take_cells(left, list.first(sides.first.size));
             take_cells(right, list.last(sides.second.size));
         }
@@ -220,7 +222,7 @@ class Builder {
     void collect_items(Range& range) {
         Item* to = &items_[range.first];
         for (const Cell& cell : range.cells)
-            to = std::copy_n(&by_cell_[cell.first], cell.count, to);
+            to = std::copy_n(range.by_cell + cell.first, cell.count, to);
         range.cells = {};
         measure(range);
     }
@@ -274,7 +276,6 @@ class Builder {
 
     std::span<Item> items_;
     std::span<const std::array<std::uint32_t, 3>> triangles_;
-    std::unique_ptr<Item[]> by_cell_;  // a range has the same indices here as in items_
     BinaryBlocks blocks_;
 };
 
