@@ -4,6 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include "scenes.h"
+#include "sound_tree.h"
 
 namespace slipface {
 namespace {
@@ -22,6 +23,7 @@ double expect_complete(const Soup& soup, std::span<const std::uint32_t> bodies =
         return 0;
     }
     const CollisionWorld& world = *built;
+    EXPECT_EQ(scenes::SoundTree(world.impl().bvh, view).fault(), "");
     EXPECT_EQ(world.triangles_in(world.bounds()).size(), soup.triangles.size());
     Random random(31);
     for (int i = 0; i < 300; ++i) {
@@ -124,6 +126,36 @@ TEST(Construction, TheWholeRangeOfFloats) {
     for (const double x : {-3.4e38, 3.4e38})
         soup.add({x, 3.4e38, x}, {x, -3.4e38, x}, {-x, x, x});
     expect_complete(soup);
+}
+
+// Each half is parted from the rest by a plane of its own, deeper than splits by cost may go; at scales from
+// the smallest floats to the largest, where areas overflow or vanish.
+TEST(Construction, SeriesWithoutEnd) {
+    for (const double grow : {1.01, 1.5, 2.0, 8.0}) {
+        for (const int axes : {1, 2, 3}) {
+            Soup soup;
+            for (double r = 1e-44; soup.triangles.size() < 12000; r = r * grow < 3e38 ? r * grow : 1e-44) {
+                const Vec3 at(r, axes > 1 ? r : 0, axes > 2 ? r : 0);
+                soup.add(at, 0.9 * at, Vec3(at.y(), at.x(), at.z()));
+            }
+            expect_complete(soup);
+        }
+    }
+}
+
+// As many bodies as triangles, or one body in all the others' way, all at one position or not.
+TEST(Construction, BodiesOfOneTriangle) {
+    Random random(38);
+    for (const double half : {0.0, 10.0}) {
+        Soup soup = scenes::random_soup(random, 10000, half, 1);
+        std::vector<std::uint32_t> bodies(soup.triangles.size());
+        for (std::uint32_t& body : bodies)
+            body = static_cast<std::uint32_t>(random.next());
+        expect_complete(soup, bodies);
+        for (std::size_t i = 0; i < bodies.size(); i += 2)
+            bodies[i] = 7;
+        expect_complete(soup, bodies);
+    }
 }
 
 // Bodies lie mixed in the list and in space, one of them large enough for cells. Moving one's triangles must

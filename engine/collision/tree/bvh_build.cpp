@@ -18,17 +18,21 @@ namespace {
 
 constexpr std::uint32_t parallel_grain = 4096;
 constexpr std::uint32_t cells_from = 8192;  // triangles
+// Lists of items by cell that may wait for each other: clutter in clutter in a landscape. Each takes as much
+// memory as its items.
+constexpr int max_lists = 3;
 
 struct Range {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
     int depth = 0;       // of the binary tree
     bool mixed = false;  // more than one body
+    int lists = 0;       // of cells in which it or a range around it was sorted
     // At least cells_worth_it cells, as long as the items are still sorted by cell in another list.
     std::span<Cell> cells;
     const Item* by_cell = nullptr;  // that list
-    Box box;      // of the items
-    Box centres;  // of the items' centres, or the cells'
+    Box box;                        // of the items
+    Box centres;                    // of the items' centres, or the cells'
 };
 
 // What is kept of a range once it is divided. There are many of these at the end, so they are small.
@@ -90,17 +94,23 @@ class Builder {
         // still wait in the list of the landscape's.
         std::vector<Cell> cells;
         std::unique_ptr<Item[]> by_cell;
-        if (range.count >= cells_from && !range.mixed && range.cells.empty()) {
+        if (range.count >= cells_from && !range.mixed && range.cells.empty() && range.lists < max_lists) {
             by_cell = std::make_unique_for_overwrite<Item[]>(range.count);
             cells = sort_into_cells(items_of(range), range.centres, {by_cell.get(), range.count});
-            if (!cells.empty()) range.centres = Box();
-            for (const Cell& cell : cells)
-                range.centres.add(centre_of(cell));
-            range.cells = cells;
-            range.by_cell = by_cell.get();
+            if (cells.empty()) {
+                by_cell.reset();
+            } else {
+                range.centres = Box();
+                for (const Cell& cell : cells)
+                    range.centres.add(centre_of(cell));
+                range.cells = cells;
+                range.by_cell = by_cell.get();
+                ++range.lists;
+            }
         }
         std::array<Range, 2> half;
         half[0] = divide(range, half[1]);
+        half[0].lists = half[1].lists = range.lists;
         std::array<Plan, 2> plans{};  // nothing for leaves
         if (range.count < parallel_grain) {
             for (std::size_t i = 0; i < 2; ++i)
