@@ -51,18 +51,25 @@ def inside_blender(job_path):
 
     def tag(objects):
         """Gives each face its number in the OBJ."""
-        numbers, places, loops, owners = {}, [], [], []
+        numbers = {}
         for number, at in enumerate(job["centroids"]):
             numbers.setdefault(tuple(round(x, 3) for x in at), []).append(number)
-        missing, used = 0, set()
+        used, places, loops, owners, ids = set(), [], [], [], {}
+        rest = []  # faces that Blender repaired when it read them: it takes out a corner that a face has twice
+
+        def world(o, polygon):
+            c = sum((o.data.vertices[v].co for v in polygon.vertices), Vector()) / len(polygon.vertices)
+            c, n = o.matrix_world @ c, o.matrix_world.to_3x3() @ polygon.normal
+            return (c.x, c.z, -c.y), (n.x, n.z, -n.y)
+
+        def material(o, polygon):
+            slots = o.material_slots
+            return slots[polygon.material_index].material.name if slots and slots[0].material else None
+
         for o in objects:
-            ids = []
-            materials = [slot.material.name if slot.material else "" for slot in o.material_slots]
+            ids[o] = [0] * len(o.data.polygons)
             for polygon in o.data.polygons:
-                c = sum((o.data.vertices[v].co for v in polygon.vertices), Vector()) / len(polygon.vertices)
-                c = o.matrix_world @ c
-                n = o.matrix_world.to_3x3() @ polygon.normal
-                key, normal = (c.x, c.z, -c.y), (n.x, n.z, -n.y)
+                key, normal = world(o, polygon)
                 near = []
                 for dx in (0, -1, 1):
                     for dy in (0, -1, 1):
@@ -70,20 +77,36 @@ def inside_blender(job_path):
                             k = tuple(round(round(v, 3) + d * 0.001, 3) for v, d in zip(key, (dx, dy, dz)))
                             near.extend(numbers.get(k, []))
                 # Faces of a map can lie on each other: the material and the side tell them apart.
-                fits = [(materials[polygon.material_index] != job["materials"][m] if materials else 0,
+                fits = [(material(o, polygon) not in (None, job["materials"][m]),
                          -round(sum(a * b for a, b in zip(normal, job["vectors"][m])), 3), m)
                         for m in near if job["corners"][m] == len(polygon.vertices) and m not in used and
                         math.dist(job["centroids"][m], key) < 2e-3]
-                found = min(fits)[2] if fits else None
+                if not fits:
+                    rest.append((o, polygon))
+                    continue
+                found = min(fits)[2]
                 used.add(found)
-                ids.append(0 if found is None else found + 1)
-                missing += found is None
-            o.data.attributes.new("face_id", "INT", "FACE").data.foreach_set("value", ids)
+                ids[o][polygon.index] = found + 1
+        missing = 0
+        for o, polygon in rest:  # the nearest face of its material with the same vector of area
+            key, normal = world(o, polygon)
+            vector = [polygon.area * x for x in normal]
+            fits = [(math.dist(job["centroids"][m], key), m) for m in range(len(job["centroids"]))
+                    if m not in used and material(o, polygon) in (None, job["materials"][m]) and
+                    math.dist(job["vectors"][m], vector) < 2e-3 * polygon.area + 1e-5 and
+                    math.dist(job["centroids"][m], key) ** 2 < 4 * polygon.area + 1e-4]
+            missing += not fits
+            if fits:
+                found = min(fits)[1]
+                used.add(found)
+                ids[o][polygon.index] = found + 1
+        for o in objects:
+            o.data.attributes.new("face_id", "INT", "FACE").data.foreach_set("value", ids[o])
             o["before"] = [x for row in o.matrix_world for x in row]
             first = len(places)
             places.extend(o.matrix_world @ v.co for v in o.data.vertices)
             loops.extend([first + v for v in p.vertices] for p in o.data.polygons)
-            owners.extend(ids)
+            owners.extend(ids[o])
         return missing, (BVHTree.FromPolygons(places, loops), owners)
 
     def spread(a, b, c, n):
