@@ -115,44 +115,110 @@ LaneMask look(const TriangleBlock& under, std::size_t of, const TriangleBlock& b
     return near;
 }
 
+// The triangles of a block, to find what lies over each.
+class BlockUnder {
+  public:
+    // `rounding`: what a coordinate of the mesh is rounded by, metres.
+    BlockUnder(const Patient& patient, const TriangleBlock& block, float rounding) : block_(&block) {
+        const Mesh& mesh = patient.mesh;
+        constexpr auto of_position = static_cast<float>(off_plane_of_position * 0x1p24);
+        for (std::size_t lane = 0; lane < block.count; ++lane) {
+            limit_[lane] = mesh.face_first_triangle[mesh.triangle_face[block.id[lane]]];
+            const Box box = block.boxes.at(lane);
+            // And the rounding of two centres, along the normal.
+            off_plane_[lane] = static_cast<float>(1.01 * off_plane_of_size) * (box.max - box.min).norm() +
+                               (of_position + 4.0f) * rounding;
+        }
+        under_of_.fill(none);
+        extent_ = block.around.extent();
+        find_limit();
+    }
+
+    const Box& box() const { return block_->around; }
+    // Only triangles below this can be an answer to one of them: of faces before, and before the one known.
+    TriangleId limit() const { return highest_; }
+
+    void look_in(const Patient& patient, const TriangleBlock& other) {
+        // What is farther away is rounded by more.
+        const float slack = 6.0f * 0x1p-24f * (extent_ + other.around.extent());
+        const LaneMask touching = block_->boxes.touching(other.around);
+        for (std::size_t of = 0; of < block_->count; ++of) {
+            if (touching[of] == 0 || other.lowest >= limit_[of]) continue;
+            const LaneMask near = look(*block_, of, other, off_plane_[of] + slack);
+            if (!any(near)) continue;
+            for (std::size_t lane = 0; lane < other.count; ++lane) {
+                if (near[lane] == 0 || other.id[lane] >= limit_[of]) continue;
+                if (!under(patient, of).lies_under(patient, other.id[lane])) continue;
+                limit_[of] = other.id[lane];
+                find_limit();
+            }
+        }
+    }
+
+    // over[triangle]: the first triangle of a face before its own that lies over it.
+    void write(const Mesh& mesh, std::span<TriangleId> over) const {
+        for (std::size_t lane = 0; lane < block_->count; ++lane) {
+            const TriangleId id = block_->id[lane];
+            if (limit_[lane] < mesh.face_first_triangle[mesh.triangle_face[id]]) over[id] = limit_[lane];
+        }
+    }
+
+  private:
+    static constexpr std::uint8_t none = lanes;
+
+    Under& under(const Patient& patient, std::size_t lane) {
+        if (under_of_[lane] == none) {
+            under_of_[lane] = static_cast<std::uint8_t>(unders_.size());
+            unders_.emplace_back(patient, block_->id[lane]);
+        }
+        return unders_[under_of_[lane]];
+    }
+    void find_limit() { highest_ = *std::max_element(limit_.begin(), limit_.end()); }
+
+    const TriangleBlock* block_;
+    std::array<TriangleId, lanes> limit_{};
+    TriangleId highest_ = 0;
+    Lanes off_plane_{};
+    float extent_ = 0.0f;
+    std::vector<Under> unders_;                 // of the lanes that needed it so far
+    std::array<std::uint8_t, lanes> under_of_;  // [lane] in unders_, or none
+};
+
 // [triangle] The first triangle of a face before its own that lies over it, or no_id.
 std::vector<TriangleId> triangles_over(const Patient& patient) {
     const Mesh& mesh = patient.mesh;
     std::vector<TriangleId> over(mesh.triangle_count(), no_id);
-    // What a coordinate of the mesh is rounded by, several times, and off_plane_of_position.
     const auto rounding = static_cast<float>(
-        24.0 * 0x1p-24 *
-        std::max(mesh.bounds.min.cwiseAbs().maxCoeff(), mesh.bounds.max.cwiseAbs().maxCoeff()));
+        0x1p-24 * std::max(mesh.bounds.min.cwiseAbs().maxCoeff(), mesh.bounds.max.cwiseAbs().maxCoeff()));
     const TriangleBlocks triangles(mesh);
-    const auto blocks = triangles.blocks();
-    parallel_for(blocks.size(), 64, [&](std::size_t begin, std::size_t end) {
-        for (const TriangleBlock& block : blocks.subspan(begin, end - begin)) {
-            // Only triangles below these can be an answer: of faces before, and before the one known.
-            std::array<TriangleId, lanes> limit{};
-            std::array<std::optional<Under>, lanes> under;
-            Lanes off_plane{};
-            for (std::size_t lane = 0; lane < block.count; ++lane) {
-                limit[lane] = mesh.face_first_triangle[mesh.triangle_face[block.id[lane]]];
-                const Box box = block.boxes.at(lane);
-                off_plane[lane] =
-                    static_cast<float>(1.01 * off_plane_of_size) * (box.max - box.min).norm() + rounding;
-            }
-            const auto highest = [&] { return *std::max_element(limit.begin(), limit.end()); };
-            triangles.each_touching(block.around, highest(), [&](const TriangleBlock& other) {
-                const LaneMask touching = block.boxes.touching(other.around);
-                for (std::size_t of = 0; of < block.count; ++of) {
-                    if (touching[of] == 0 || other.lowest >= limit[of]) continue;
-                    const LaneMask near = look(block, of, other, off_plane[of]);
-                    if (!any(near)) continue;
-                    for (std::size_t lane = 0; lane < other.count; ++lane) {
-                        if (near[lane] == 0 || other.id[lane] >= limit[of]) continue;
-                        if (!under[of]) under[of].emplace(patient, block.id[of]);
-                        if (under[of]->lies_under(patient, other.id[lane]))
-                            over[block.id[of]] = limit[of] = other.id[lane];
-                    }
+    parallel_for(triangles.group_count(), 8, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t group = begin; group < end; ++group) {
+            std::vector<BlockUnder> unders;
+            unders.reserve(lanes);
+            for (const TriangleBlock& block : triangles.blocks_of(group))
+                unders.emplace_back(patient, block, rounding);
+            const auto limit = [&] {
+                TriangleId highest = 0;
+                for (const BlockUnder& under : unders)
+                    highest = std::max(highest, under.limit());
+                return highest;
+            };
+            const BlockGroup& own = triangles.group(group);
+            triangles.each_group_touching(own.around, limit(), [&](std::size_t index) {
+                const BlockGroup& other = triangles.group(index);
+                const auto blocks = triangles.blocks_of(index);
+                const LaneMask touching = own.boxes.touching(other.around);
+                for (std::size_t i = 0; i < unders.size(); ++i) {
+                    if (touching[i] == 0 || other.lowest >= unders[i].limit()) continue;
+                    const LaneMask near = other.boxes.touching(unders[i].box());
+                    for (std::size_t k = 0; k < blocks.size(); ++k)
+                        if (near[k] != 0 && other.lowest_of[k] < unders[i].limit())
+                            unders[i].look_in(patient, blocks[k]);
                 }
-                return highest();
+                return limit();
             });
+            for (const BlockUnder& under : unders)
+                under.write(mesh, over);
         }
     });
     return over;

@@ -150,7 +150,7 @@ TriangleBlocks::TriangleBlocks(const Mesh& mesh) {
                  std::span(items).subspan(b * lanes, std::min(lanes, items.size() - b * lanes)));
     });
     const auto add_level = [&](const auto& below) {
-        std::vector<Node> level((below.size() + lanes - 1) / lanes);
+        std::vector<BlockGroup> level((below.size() + lanes - 1) / lanes);
         for (std::size_t i = 0; i < below.size(); ++i)
             level[i / lanes].add(i % lanes, below[i].around, below[i].lowest);
         levels_.push_back(std::move(level));

@@ -32,6 +32,7 @@ struct Box {
         min = min.cwiseMin(low);
         max = max.cwiseMax(high);
     }
+    float extent() const { return (max - min).sum(); }  // at least its diagonal
 };
 
 // Eight boxes. One that was never set touches nothing.
@@ -67,16 +68,35 @@ struct TriangleBlock {
     TriangleId lowest = no_id;  // of the ids
 };
 
+// Eight blocks near each other, or eight groups of them.
+struct BlockGroup {
+    Boxes boxes;
+    std::array<TriangleId, lanes> lowest_of{};  // of the triangles in each
+    Box around;
+    TriangleId lowest = no_id;
+
+    void add(std::size_t lane, const Box& box, TriangleId lowest_there) {
+        boxes.set(lane, box);
+        around.add(box.min, box.max);
+        lowest_of[lane] = lowest_there;
+        lowest = std::min(lowest, lowest_there);
+    }
+};
+
 class TriangleBlocks {
   public:
     explicit TriangleBlocks(const Mesh& mesh);
 
-    std::span<const TriangleBlock> blocks() const { return blocks_; }
+    std::size_t group_count() const { return levels_.empty() ? 0 : levels_.front().size(); }
+    const BlockGroup& group(std::size_t index) const { return levels_.front()[index]; }
+    std::span<const TriangleBlock> blocks_of(std::size_t group) const {
+        return std::span(blocks_).subspan(group * lanes, std::min(lanes, blocks_.size() - group * lanes));
+    }
 
-    // Calls visit(block) for the blocks whose boxes touch `box` and that have a triangle below `limit`. What
+    // Calls visit(index) for the groups whose boxes touch `box` and that have a triangle below `limit`. What
     // visit returns is the limit from then on.
     template <class Visit>
-    void each_touching(const Box& box, TriangleId limit, Visit visit) const {
+    void each_group_touching(const Box& box, TriangleId limit, Visit visit) const {
         struct Open {
             std::size_t level, node;
         };
@@ -85,16 +105,15 @@ class TriangleBlocks {
         if (!levels_.empty()) open[count++] = {levels_.size() - 1, 0};
         while (count > 0) {
             const Open at = open[--count];
-            const Node& node = levels_[at.level][at.node];
-            const LaneMask touching = node.boxes.touching(box);
+            if (at.level == 0) {
+                limit = visit(at.node);
+                continue;
+            }
+            const BlockGroup& group = levels_[at.level][at.node];
+            const LaneMask touching = group.boxes.touching(box);
             for (std::size_t lane = lanes; lane-- > 0;) {
-                if (touching[lane] == 0 || node.lowest_of[lane] >= limit) continue;
-                const std::size_t below = at.node * lanes + lane;
-                if (at.level > 0) {
-                    open[count++] = {at.level - 1, below};
-                } else {
-                    limit = visit(blocks_[below]);
-                }
+                if (touching[lane] != 0 && group.lowest_of[lane] < limit)
+                    open[count++] = {at.level - 1, at.node * lanes + lane};
             }
         }
     }
@@ -102,23 +121,8 @@ class TriangleBlocks {
   private:
     static constexpr std::size_t max_levels = 11;  // 8^11 blocks are more than there are numbers of triangles
 
-    // Eight nodes of the level below; on level 0 eight blocks.
-    struct Node {
-        Boxes boxes;
-        std::array<TriangleId, lanes> lowest_of{};
-        Box around;
-        TriangleId lowest = no_id;
-
-        void add(std::size_t lane, const Box& box, TriangleId lowest_there) {
-            boxes.set(lane, box);
-            around.add(box.min, box.max);
-            lowest_of[lane] = lowest_there;
-            lowest = std::min(lowest, lowest_there);
-        }
-    };
-
     std::vector<TriangleBlock> blocks_;
-    std::vector<std::vector<Node>> levels_;  // the last has one node
+    std::vector<std::vector<BlockGroup>> levels_;  // the last has one
 };
 
 }  // namespace slipface::doctor
