@@ -1,18 +1,34 @@
 // The checks, one function each. Each appends its problems in ascending order of face.
 #pragma once
 
+#include <optional>
+
 #include "slipface/collision/collision_world.h"
 #include "slipface/doctor/doctor.h"
 #include "topology.h"
 
 namespace slipface::doctor {
 
+// The world is built when the first check asks for it: a level without suspects needs none. Ask before a
+// parallel loop, not first from within it: the build is parallel itself.
+class WorldOnDemand {
+  public:
+    explicit WorldOnDemand(const Level& level) : level_(level) {}
+    const CollisionWorld& get();
+
+  private:
+    const Level& level_;
+    std::optional<CollisionWorld> world_;
+};
+
 struct Patient {
     const Level& level;
     const Mesh& mesh;
     const Topology& topology;
     const ResolvedSurfaces& resolved;
-    const CollisionWorld& world;
+    WorldOnDemand& world_on_demand;
+
+    const CollisionWorld& world() const { return world_on_demand.get(); }
 
     const SurfaceType& surface(FaceId face) const { return level.surfaces[resolved.surface[face]]; }
 };
@@ -29,6 +45,9 @@ void find_limit_slopes(const Patient& patient, Problems& out);
 void find_limit_steps(const Patient& patient, Problems& out);
 void find_orphans(const Patient& patient, Problems& out);
 void find_missing_textures(const Patient& patient, Problems& out);
+
+std::array<Vec3, 3> corners_of(const Patient& patient, TriangleId triangle);
+std::vector<std::uint32_t> sorted_loop(const Patient& patient, FaceId face);  // welded vertices, ascending
 
 std::string metres(double value);     // "0.40 mm", "12 cm", "1.25 m"
 std::string degrees(double radians);  // "49.8°"

@@ -35,12 +35,12 @@ MovementSettings still_settings(const Patient& patient) {
 }
 
 MovementScene scene_of(const Patient& patient) {
-    return {.collision = patient.world, .surfaces = patient.level.surfaces};
+    return {.collision = patient.world(), .surfaces = patient.level.surfaces};
 }
 
 bool is_free(const Patient& patient, const Vec3& from, const Vec3& move) {
-    return !overlaps_any(patient.world, patient.level.movement.radii, from) &&
-           !sweep_ellipsoid(patient.world, patient.level.movement.radii, from, move);
+    return !overlaps_any(patient.world(), patient.level.movement.radii, from) &&
+           !sweep_ellipsoid(patient.world(), patient.level.movement.radii, from, move);
 }
 
 // A player who stands above or below `feet`, within half a radius up and down. A walkable floor that holds
@@ -49,9 +49,9 @@ std::optional<PlayerState> standing_at(const Patient& patient, const Vec3& feet)
     const MovementSettings& settings = patient.level.movement;
     const double reach = 0.5 * settings.radii.y();
     const Vec3 above = feet + Vec3(0.0, settings.radii.y() + reach, 0.0);
-    if (overlaps_any(patient.world, settings.radii, above)) return std::nullopt;
+    if (overlaps_any(patient.world(), settings.radii, above)) return std::nullopt;
     const Vec3 down(0.0, -2.0 * reach, 0.0);
-    const auto floor = sweep_ellipsoid(patient.world, settings.radii, above, down);
+    const auto floor = sweep_ellipsoid(patient.world(), settings.radii, above, down);
     if (!floor) return std::nullopt;
     const SurfaceType& surface = patient.surface(floor->face);
     const double steepest = surface.max_slope.value_or(settings.max_slope);
@@ -75,7 +75,7 @@ bool floor_all_round(const Patient& patient, const Vec3& at) {
     for (std::size_t i = 0; i < 2 * every_30_degrees.size(); ++i) {
         const Vec2& heading = every_30_degrees[i % every_30_degrees.size()];
         const Vec3 from = at + Vec3(radius * heading.x(), reach, radius * heading.y());
-        missing = cast_ray(patient.world, from, Vec3(0.0, -1.0, 0.0), 2.0 * reach) ? 0 : missing + 1;
+        missing = cast_ray(patient.world(), from, Vec3(0.0, -1.0, 0.0), 2.0 * reach) ? 0 : missing + 1;
         longest = std::max(longest, missing);
     }
     return 4 * longest <= every_30_degrees.size();

@@ -90,9 +90,8 @@ DoctorReport examine(const Level& level, const DoctorProgress& progress) {
     if (report.cancelled) return report;
     const doctor::Topology topology(*level.mesh);
     const ResolvedSurfaces resolved = resolve_surfaces(level);
-    const Result<CollisionWorld> world = build_collision_world(level);
-    const CollisionWorld nothing;
-    const doctor::Patient patient{level, *level.mesh, topology, resolved, world ? *world : nothing};
+    doctor::WorldOnDemand world(level);
+    const doctor::Patient patient{level, *level.mesh, topology, resolved, world};
 
     double done = preparation;
     std::vector<Problem> found;
@@ -113,6 +112,14 @@ DoctorReport examine(const Level& level, const DoctorProgress& progress) {
 }
 
 namespace doctor {
+
+const CollisionWorld& WorldOnDemand::get() {
+    if (!world_) {
+        Result<CollisionWorld> world = build_collision_world(level_);
+        world_ = world ? std::move(*world) : CollisionWorld();
+    }
+    return *world_;
+}
 
 std::string metres(double value) {
     if (std::abs(value) < 0.01) return fmt::format("{:.2f} mm", value * 1000.0);

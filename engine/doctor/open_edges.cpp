@@ -127,12 +127,12 @@ const char* words_of(Passage passage) {
 bool is_open_and_reachable(const Patient& patient, const Vec3& p, const Vec3& q, const Vec3& normal) {
     const double width = (p - q).norm();
     const Vec3 middle = 0.5 * (p + q);
-    if (closest_point(patient.world, middle, 0.4 * width)) return false;
+    if (closest_point(patient.world(), middle, 0.4 * width)) return false;
     const Vec3& radii = patient.level.movement.radii;
     // The body's centre when it touches the plane there, and a little more.
     const Vec3 scaled = normal.cwiseProduct(radii);
     const Vec3 centre = middle + normal * (scaled.norm() + 0.05 * radii.minCoeff());
-    return !overlaps_any(patient.world, 0.95 * radii, centre);
+    return !overlaps_any(patient.world(), 0.95 * radii, centre);
 }
 
 }  // namespace
@@ -215,6 +215,7 @@ void find_open_edges(const Patient& patient, Problems& out) {
                            [](const Gap& a, const Gap& b) { return a.corner == b.corner; }),
                gaps.end());
     std::vector<std::optional<Passage>> passages(gaps.size());
+    if (!gaps.empty()) patient.world();
     parallel_for(gaps.size(), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Gap& gap = gaps[i];

@@ -47,10 +47,10 @@ std::optional<Rest> rest_in_corner(const Mesh& mesh, const Vec3& radii, const Ve
 // The player touches both faces there and nothing else is in the way.
 bool player_fits(const Patient& patient, const Vec3& centre, FaceId a, FaceId b) {
     const Vec3& radii = patient.level.movement.radii;
-    if (overlaps_any(patient.world, 0.98 * radii, centre)) return false;
+    if (overlaps_any(patient.world(), 0.98 * radii, centre)) return false;
     std::array<Overlap, 64> touched;
     const std::size_t count =
-        std::min(touched.size(), find_overlaps(patient.world, 1.03 * radii, centre, touched));
+        std::min(touched.size(), find_overlaps(patient.world(), 1.03 * radii, centre, touched));
     const auto touches = [&](FaceId face) {
         return std::any_of(touched.begin(), touched.begin() + static_cast<std::ptrdiff_t>(count),
                            [&](const Overlap& overlap) { return overlap.face == face; });
@@ -98,7 +98,7 @@ struct Ground {
     bool floor = false;  // flat enough to stand on
 };
 std::optional<Ground> ground_below(const Patient& patient, const Vec3& from, double depth) {
-    const auto hit = cast_ray(patient.world, from, Vec3(0.0, -1.0, 0.0), depth);
+    const auto hit = cast_ray(patient.world(), from, Vec3(0.0, -1.0, 0.0), depth);
     if (!hit) return std::nullopt;
     const double steepest = patient.surface(hit->face).max_slope.value_or(patient.level.movement.max_slope);
     return Ground{hit->point.y(), hit->normal, hit->face, hit->normal.y() >= std::cos(steepest)};
@@ -210,20 +210,22 @@ std::vector<Step> steps_of(const Patient& patient) {
                 const Vec3 before = step.below + shift, behind = step.above + shift;
                 const auto foot =
                     ground_below(patient, {before.x(), extent.high, before.z()}, highest + beside);
+                if (!foot || !foot->floor) return std::nullopt;
                 const auto top =
                     ground_below(patient, {behind.x(), extent.high + highest, behind.z()}, 2.0 * highest);
-                if (!foot || !top || !foot->floor || !top->floor) return std::nullopt;
+                if (!top || !top->floor) return std::nullopt;
                 return std::pair(foot->height, top->height);
             };
-            const auto middle = floors(0.0), left = floors(-half_radius), right = floors(half_radius);
-            if (!middle || !left || !right) continue;
+            const auto middle = floors(0.0);
+            if (!middle) continue;
             step.height = middle->second - middle->first;
             // What the body rolls over by itself, with or without step up, is stopped by something else.
             if (step.height > highest || step.height < 0.95 * rolls) continue;
-            const auto differs = [&](const std::pair<double, double>& there) {
-                return std::abs(there.second - there.first - step.height) > 0.2 * half_radius;
+            const auto is_as_high = [&](double along) {
+                const auto there = floors(along);
+                return there && std::abs(there->second - there->first - step.height) <= 0.2 * half_radius;
             };
-            if (differs(*left) || differs(*right)) continue;
+            if (!is_as_high(-half_radius) || !is_as_high(half_radius)) continue;
             step.below += side * run_up(patient) * out;
             step.above -= side * run_up(patient) * out;
             step.below.y() = middle->first;
@@ -264,6 +266,7 @@ void find_acute_corners(const Patient& patient, Problems& out) {
 
 void find_limit_slopes(const Patient& patient, Problems& out) {
     std::vector<Ramp> ramps = ramps_of(patient);
+    if (!ramps.empty()) patient.world();
     parallel_for(ramps.size(), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             ramps[i].passage = climb_ramp(patient, ramps[i].face);
@@ -282,6 +285,7 @@ void find_limit_slopes(const Patient& patient, Problems& out) {
 
 void find_limit_steps(const Patient& patient, Problems& out) {
     std::vector<Step> steps = steps_of(patient);
+    if (!steps.empty()) patient.world();
     parallel_for(steps.size(), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             steps[i].passage = climb_between(patient, steps[i].below, steps[i].above);

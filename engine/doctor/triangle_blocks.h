@@ -1,0 +1,128 @@
+// Triangles in blocks of eight, to find all whose boxes touch.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "slipface/mesh/mesh.h"
+
+namespace slipface::doctor {
+
+inline constexpr std::size_t lanes = 8;
+using Lanes = std::array<float, lanes>;
+using LaneMask = std::array<std::int32_t, lanes>;  // 0 or 1, as wide as a float: such loops are vectorised
+
+inline bool any(const LaneMask& mask) {
+    std::int32_t all = 0;
+    for (const std::int32_t one : mask)
+        all |= one;
+    return all != 0;
+}
+
+struct Box {
+    Vec3f min = Vec3f::Constant(std::numeric_limits<float>::infinity());
+    Vec3f max = Vec3f::Constant(-std::numeric_limits<float>::infinity());
+
+    void add(const Vec3f& low, const Vec3f& high) {
+        min = min.cwiseMin(low);
+        max = max.cwiseMax(high);
+    }
+    float extent() const { return (max - min).sum(); }  // at least its diagonal
+};
+
+// Eight boxes. One that was never set touches nothing.
+struct Boxes {
+    std::array<Lanes, 3> min, max;
+
+    Boxes();
+    void set(std::size_t lane, const Box& box);
+    Box at(std::size_t lane) const {
+        return {{min[0][lane], min[1][lane], min[2][lane]}, {max[0][lane], max[1][lane], max[2][lane]}};
+    }
+    LaneMask touching(const Box& box) const {
+        const float low[3] = {box.min.x(), box.min.y(), box.min.z()};
+        const float high[3] = {box.max.x(), box.max.y(), box.max.z()};
+        LaneMask touches;
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            touches[lane] = (min[0][lane] <= high[0]) & (min[1][lane] <= high[1]) &
+                            (min[2][lane] <= high[2]) & (max[0][lane] >= low[0]) & (max[1][lane] >= low[1]) &
+                            (max[2][lane] >= low[2]);
+        }
+        return touches;
+    }
+};
+
+// Triangles near each other and of about one size. Rounded: good for a first look.
+struct TriangleBlock {
+    Boxes boxes;
+    std::array<Lanes, 3> centre{};  // mean of a triangle's corners
+    std::array<Lanes, 3> normal{};  // unit; not finite for a triangle without area
+    std::array<TriangleId, lanes> id;
+    std::size_t count = 0;  // lanes in use; the other ids are no_id
+    Box around;
+    TriangleId lowest = no_id;  // of the ids
+};
+
+// Eight blocks near each other, or eight groups of them.
+struct BlockGroup {
+    Boxes boxes;
+    std::array<TriangleId, lanes> lowest_of{};  // of the triangles in each
+    Box around;
+    TriangleId lowest = no_id;
+
+    void add(std::size_t lane, const Box& box, TriangleId lowest_there) {
+        boxes.set(lane, box);
+        around.add(box.min, box.max);
+        lowest_of[lane] = lowest_there;
+        lowest = std::min(lowest, lowest_there);
+    }
+};
+
+class TriangleBlocks {
+  public:
+    explicit TriangleBlocks(const Mesh& mesh);
+
+    std::size_t group_count() const { return levels_.empty() ? 0 : levels_.front().size(); }
+    const BlockGroup& group(std::size_t index) const { return levels_.front()[index]; }
+    std::span<const TriangleBlock> blocks_of(std::size_t group) const {
+        return std::span(blocks_).subspan(group * lanes, std::min(lanes, blocks_.size() - group * lanes));
+    }
+
+    // Calls visit(index) for the groups whose boxes touch `box` and that have a triangle below `limit`. What
+    // visit returns is the limit from then on.
+    template <class Visit>
+    void each_group_touching(const Box& box, TriangleId limit, Visit visit) const {
+        struct Open {
+            std::size_t level, node;
+        };
+        std::array<Open, max_levels * lanes> open;
+        std::size_t count = 0;
+        if (!levels_.empty()) open[count++] = {levels_.size() - 1, 0};
+        while (count > 0) {
+            const Open at = open[--count];
+            if (at.level == 0) {
+                limit = visit(at.node);
+                continue;
+            }
+            const BlockGroup& group = levels_[at.level][at.node];
+            const LaneMask touching = group.boxes.touching(box);
+            for (std::size_t lane = lanes; lane-- > 0;) {
+                if (touching[lane] != 0 && group.lowest_of[lane] < limit)
+                    open[count++] = {at.level - 1, at.node * lanes + lane};
+            }
+        }
+    }
+
+  private:
+    static constexpr std::size_t max_levels = 11;  // 8^11 blocks are more than there are numbers of triangles
+
+    std::vector<TriangleBlock> blocks_;
+    std::vector<std::vector<BlockGroup>> levels_;  // the last has one
+};
+
+}  // namespace slipface::doctor
