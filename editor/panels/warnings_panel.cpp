@@ -6,6 +6,7 @@
 
 #include "panels/panels.h"
 #include "panels/property_rows.h"
+#include "slipface/base/counted.h"
 #include "tools/commands/icons.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
@@ -65,8 +66,7 @@ void guessed_paint(Editor& editor) {
     const std::size_t count = editor.document->guessed().size();
     if (count == 0) return;
     ui::heading("Guessed paint");
-    entry("Step through them; drop what is wrong", std::to_string(count) +
-                                                       (count == 1 ? " face was" : " faces were") +
+    entry("Step through them; drop what is wrong", counted(count, "face was", "faces were") +
                                                        " not found beyond doubt: the paint comes from faces "
                                                        "in the same plane or nearby, or of a part that "
                                                        "may have moved otherwise");

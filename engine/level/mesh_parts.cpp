@@ -76,16 +76,25 @@ bool before(const Vec3f& a, const Vec3f& b) {
 }
 
 // Begins at the lowest corner, so that the text does not depend on where the loop begins.
-std::vector<Vec3f> corners_of(const Mesh& mesh, FaceId face) {
-    std::vector<Vec3f> corners;
-    for (std::uint32_t c = mesh.face_first_corner[face]; c < mesh.face_first_corner[face + 1]; ++c)
-        corners.push_back(mesh.corner_position(c));
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), before), corners.end());
-    return corners;
+AnchorFace anchor_face(const Mesh& mesh, const MeshParts& all, FaceId face) {
+    AnchorFace anchor;
+    anchor.rank = all.rank[face];
+    const std::uint32_t first = mesh.face_first_corner[face], count = mesh.face_corner_count(face);
+    std::uint32_t start = 0;
+    for (std::uint32_t c = 1; c < count; ++c)
+        if (before(mesh.corner_position(first + c), mesh.corner_position(first + start))) start = c;
+    for (std::uint32_t c = 0; c < count; ++c) {
+        const std::uint32_t corner = first + (start + c) % count;
+        anchor.corners.push_back(mesh.corner_position(corner));
+        const std::uint32_t vertex = all.first_there[mesh.corner_vertex[corner]];
+        anchor.numbers.push_back(vertex_number(mesh, vertex));
+    }
+    return anchor;
 }
 
-bool loop_before(const std::vector<Vec3f>& a, const std::vector<Vec3f>& b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), before);
+bool loop_before(const AnchorFace& a, const AnchorFace& b) {
+    return std::lexicographical_compare(a.corners.begin(), a.corners.end(), b.corners.begin(),
+                                        b.corners.end(), before);
 }
 
 // Of each rim direction: the face with the outermost corner.
@@ -109,18 +118,23 @@ void find_anchors(const Mesh& mesh, const MeshParts& all, std::vector<PaintPart>
                     directions[d].dot(mesh.corner_position(mesh.face_first_corner[face] + c).cast<double>()));
             if (reach < rim.reach) continue;
             if (reach > rim.reach || rim.face == no_id ||
-                loop_before(corners_of(mesh, face), corners_of(mesh, rim.face)))
+                loop_before(anchor_face(mesh, all, face), anchor_face(mesh, all, rim.face)))
                 rim = {reach, face};
         }
     }
     for (std::size_t part = 0; part < parts.size(); ++part) {
         std::vector<AnchorFace>& anchors = parts[part].anchors;
         for (const Rim& rim : rims[part])
-            if (rim.face != no_id) anchors.push_back({all.rank[rim.face], corners_of(mesh, rim.face)});
-        std::sort(anchors.begin(), anchors.end(),
-                  [](const AnchorFace& a, const AnchorFace& b) { return loop_before(a.corners, b.corners); });
+            if (rim.face != no_id) anchors.push_back(anchor_face(mesh, all, rim.face));
+        std::sort(anchors.begin(), anchors.end(), loop_before);
         anchors.erase(std::unique(anchors.begin(), anchors.end()), anchors.end());
     }
+}
+
+std::uint32_t hash_of_text(std::string_view text) {
+    Hasher hasher;
+    hasher.text(text);
+    return static_cast<std::uint32_t>(hasher.value());
 }
 
 void sort_parts(const Mesh& mesh, SurfaceTable surfaces, MeshParts& parts) {
@@ -151,7 +165,9 @@ void sort_parts(const Mesh& mesh, SurfaceTable surfaces, MeshParts& parts) {
 }  // namespace
 
 MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces) {
-    const std::vector<std::uint32_t> first = welded(mesh);
+    MeshParts result;
+    result.first_there = welded(mesh);
+    const std::vector<std::uint32_t>& first = result.first_there;
     Union pieces(mesh.face_count());
     std::vector<std::uint32_t> face_at(mesh.positions.size(), no_id);  // [welded vertex] last face there
     std::vector<FaceId> order(mesh.face_count());
@@ -168,7 +184,6 @@ MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces) {
     std::vector<std::uint32_t> size(mesh.face_count(), 0);
     for (FaceId face = 0; face < mesh.face_count(); ++face)
         ++size[pieces.root(face)];
-    MeshParts result;
     result.of.resize(mesh.face_count());
     std::vector<std::uint32_t> number(mesh.face_count(), no_id);
     std::vector<std::uint32_t> rest(mesh.groups.size(), no_id);
@@ -270,6 +285,49 @@ bool unpack_part(std::string_view text, PaintPart& part) {
             anchor.corners.push_back(take());
     }
     return valid && (part.box.min.array() <= part.box.max.array()).all();
+}
+
+// 4 bytes hash of `list`, 4 bytes the lowest vertex, 1 byte width; of each corner, how far its vertex is
+// above the lowest, in that many bytes.
+std::string pack_numbers(const PaintPart& part, std::string_view list) {
+    std::uint32_t lowest = no_id, highest = 0;
+    for (const AnchorFace& anchor : part.anchors) {
+        for (const std::uint32_t number : anchor.numbers) {
+            lowest = std::min(lowest, number);
+            highest = std::max(highest, number);
+        }
+    }
+    if (lowest == no_id) return {};
+    const std::size_t width = (static_cast<std::size_t>(std::bit_width(highest - lowest)) + 7) / 8;
+    std::string bytes;
+    put_bytes(bytes, hash_of_text(list), 4);
+    put_bytes(bytes, lowest, 4);
+    put_bytes(bytes, width, 1);
+    for (const AnchorFace& anchor : part.anchors)
+        for (const std::uint32_t number : anchor.numbers)
+            put_bytes(bytes, number - lowest, width);
+    return to_base64(bytes, Base64::plain);
+}
+
+bool unpack_numbers(std::string_view text, std::string_view list, PaintPart& part) {
+    const std::optional<std::string> bytes = from_base64(text, Base64::plain);
+    if (!bytes) return false;
+    if (bytes->empty()) return true;
+    if (bytes->size() < 9) return false;
+    const char* at = bytes->data();
+    const bool same = take_bytes(at, 4) == hash_of_text(list);
+    const std::uint64_t lowest = take_bytes(at, 4);
+    const std::size_t width = take_bytes(at, 1);
+    if (!same) return true;
+    std::size_t corners = 0;
+    for (const AnchorFace& anchor : part.anchors)
+        corners += anchor.corners.size();
+    if (width > 4 || bytes->size() != 9 + width * corners) return false;
+    for (AnchorFace& anchor : part.anchors)
+        for (std::size_t c = 0; c < anchor.corners.size(); ++c)
+            anchor.numbers.push_back(
+                static_cast<std::uint32_t>(std::min<std::uint64_t>(lowest + take_bytes(at, width), no_id)));
+    return true;
 }
 
 }  // namespace slipface

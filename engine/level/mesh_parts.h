@@ -11,8 +11,14 @@ struct MeshParts {
     // The faces of each part in the order of AnchorFace::rank.
     std::vector<std::uint32_t> first;  // [part + 1]
     std::vector<FaceId> sorted;
-    std::vector<std::uint32_t> rank;  // [face]
+    std::vector<std::uint32_t> rank;         // [face]
+    std::vector<std::uint32_t> first_there;  // [vertex] the first vertex at the same position
 };
+// The vertex's index in the file of the geometry.
+inline std::uint32_t vertex_number(const Mesh& mesh, std::uint32_t vertex) {
+    return mesh.vertex_number.empty() ? vertex : mesh.vertex_number[vertex];
+}
+
 MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces);
 
 }  // namespace slipface

@@ -13,6 +13,8 @@ namespace slipface {
 
 inline constexpr std::size_t max_guesses = 500'000;  // motions examined, of all parts
 inline constexpr double lost_below = 0.3;            // of the anchor corners
+inline constexpr double in_place = 0.85;             // fraction of anchor corners of a part that stayed
+inline constexpr std::size_t few_anchors = 8;        // faces that can come into any order by chance
 inline constexpr double vote_slack = 0.3;            // by which parts yield to the motion of other parts
 
 class MotionFinder {
@@ -33,6 +35,7 @@ class MotionFinder {
         double best_rating = 0.0;
         bool searched = false;
         bool voted = false;         // other parts made the same motion
+        bool certain = false;       // the mesh's vertices say it; nothing else is asked
         std::vector<Rated> others;  // motions that were considered
         std::optional<PartMotion>
             turned;  // what the order of the faces says, though staying explains as much
@@ -53,10 +56,15 @@ class MotionFinder {
     std::optional<PartMotion> refitted(std::size_t part, const PartMotion& rough) const;
     static bool same(const Aabb& box, const PartMotion& a, const PartMotion& b);  // for what lies in the box
 
+    // part_vertices.cpp: what the order of the vertices says
+    void trust_vertices();
+    std::optional<PartMotion> motion_of_vertices(std::size_t part);
+
     // part_order.cpp: what the order of the faces says
     void try_order(std::size_t part);
     void trust_order();
     double ranks(std::size_t part, const PartMotion& motion);
+    bool keeps_order();
     bool turns_in_place(std::size_t part, const PartMotion& motion) const;
     std::vector<PartMotion> rank_motions(std::size_t part);
 
@@ -88,6 +96,7 @@ class MotionFinder {
     std::size_t candidates_part_ = 0, candidates_of_part_ = 0, votes_ = 0;
     std::size_t guesses_ = 0;
     std::size_t in_order_ = 0, out_of_order_ = 0;  // parts that stayed
+    bool has_order_ = true;                        // the order of the file is kept
     double enough_anchors_ = 0.7;                  // fraction of anchor corners that a motion must explain
     bool edited_ = false;                          // search_edited() is at work
 };

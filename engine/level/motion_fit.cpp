@@ -27,6 +27,10 @@ double scale_of(const PartMotion& motion) {
     return std::cbrt(std::abs(motion.linear.determinant()));
 }
 
+bool is_rigid(const PartMotion& motion) {
+    return (motion.linear.transpose() * motion.linear).isIdentity(1e-3);
+}
+
 double effort(const PartMotion& motion, const Vec3& centre, double size) {
     const double scale = std::max(1e-9, scale_of(motion));
     const double mirrored = motion.linear.determinant() < 0.0 ? 2.0 : 0.0;

@@ -11,6 +11,9 @@ namespace slipface {
 // The cube root of the change of volume.
 double scale_of(const PartMotion& motion);
 
+// True if it changes no distances.
+bool is_rigid(const PartMotion& motion);
+
 // How much a motion does: of two that explain the same, the lesser one is the likelier. `centre` and `size`
 // (units) are those of what moves.
 double effort(const PartMotion& motion, const Vec3& centre, double size);

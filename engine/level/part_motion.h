@@ -18,6 +18,9 @@ struct StoredOverride;
 struct AnchorFace {
     std::uint32_t rank = 0;  // number among the part's faces, sorted by base material and then as in the file
     std::vector<Vec3f> corners;
+    // [corner] the number of its vertex in the geometry's file, the first at that position; none in an older
+    // level file
+    std::vector<std::uint32_t> numbers;
     friend bool operator==(const AnchorFace&, const AnchorFace&) = default;
 };
 
@@ -45,6 +48,11 @@ PaintParts paint_parts(const Mesh& mesh, SurfaceTable surfaces, const std::vecto
 // A part in base64, and back; false if `text` is none.
 std::string pack_part(const PaintPart& part);
 bool unpack_part(std::string_view text, PaintPart& part);
+
+// The numbers of a part's anchors' vertices, and back. `list`: the text of pack_part(); numbers that were
+// packed for another one are left out. False if `text` is none.
+std::string pack_numbers(const PaintPart& part, std::string_view list);
+bool unpack_numbers(std::string_view text, std::string_view list, PaintPart& part);
 
 // Where a part went: position p became linear * p + offset.
 struct PartMotion {

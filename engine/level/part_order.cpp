@@ -6,10 +6,32 @@
 #include "motion_fit.h"
 
 namespace slipface {
+namespace {
 
-// How much of the order of the part's faces is kept, 1 if all are where they were in it.
+constexpr double vertices_in_order = 0.8;
+
+}  // namespace
+
+// How much of the order of the part's faces is kept, 1 if all are where they were in it; and as much again
+// for its vertices, of which no wrong motion keeps the order by chance.
 double MotionFinder::ranks(std::size_t i, const PartMotion& motion) {
-    return std::max(support_.ranks_kept(i, motion), 0.9 * support_.order_kept(i, motion));
+    if (!has_order_) return 0.0;
+    const double faces = std::max(support_.ranks_kept(i, motion), 0.9 * support_.order_kept(i, motion));
+    const std::optional<double> vertices = support_.vertex_order_kept(i, motion);
+    return faces + (vertices && *vertices >= vertices_in_order ? *vertices : 0.0);
+}
+
+// Whether the parts that stayed have their faces or vertices in the old order. If not, a tool has sorted
+// them, and the order says nothing about the others.
+bool MotionFinder::keeps_order() {
+    double kept = 0.0, all = 0.0;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        if (parts_[i].staying.corners < in_place) continue;
+        const auto anchors = static_cast<double>(stored_.parts[i].anchors.size());
+        kept += std::min(ranks(i, PartMotion{}), 1.0) * anchors;
+        all += anchors;
+    }
+    return kept >= 0.75 * all;
 }
 
 // True if the motion puts the part's box onto itself. Not a reflection in a diagonal, which is what sorting
@@ -47,10 +69,9 @@ void MotionFinder::try_order(std::size_t i) {
 // Where other parts are out of order too, a tool sorted the faces. The few faces of a box can come into
 // the order of a turned one by chance.
 void MotionFinder::trust_order() {
-    constexpr std::size_t few_anchors = 8;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         Part& part = parts_[i];
-        if (!part.best.guessed) continue;
+        if (!part.best.guessed || part.certain) continue;
         const bool few = stored_.parts[i].anchors.size() < few_anchors;
         if (out_of_order_ == 0 && !(few && in_order_ == 0)) continue;
         part.turned = part.best;

@@ -13,7 +13,6 @@ constexpr std::size_t max_guesses_per_part = 8000;  // motions examined
 constexpr std::size_t max_candidates_per_anchor = 400;
 constexpr double clearly_more = 0.15;         // than staying explains; the most is 2
 constexpr double clearly_more_rim = 0.1;      // of the anchor corners alone
-constexpr double in_place = 0.85;             // fraction of anchor corners of a part that stayed
 constexpr std::size_t max_candidates = 1000;  // motions to vote on
 
 Eigen::Matrix3Xd columns(const std::vector<Vec3>& corners) {
@@ -48,8 +47,10 @@ std::vector<PartMotion> MotionFinder::run() && {
     // Of parts without paint only the box is known: they do what most of the others do.
     for (std::size_t part = 0; part < parts_.size(); ++part)
         if (2 * gone > painted && support_.points(part).empty()) support_.set_gone(part);
+    has_order_ = keeps_order();
+    trust_vertices();
     for (std::size_t part = 0; part < parts_.size(); ++part)
-        find(part);
+        if (!parts_[part].certain) find(part);
     trust_order();
     vote();
     collect_moves();
@@ -76,7 +77,9 @@ void MotionFinder::find(std::size_t i) {
     part.searched = true;
     try_known(i);
     try_ranks(i);
-    if (part.best.is_identity() || part.best_support.sum() < 2.0 - 1e-9 || part.best_support.ranks < 0.75) {
+    const bool few = stored_.parts[i].anchors.size() < few_anchors;
+    if (few || part.best.is_identity() || part.best_support.sum() < 2.0 - 1e-9 ||
+        part.best_support.ranks < 0.75) {
         try_boxes(i);
         try_faces(i);
     }

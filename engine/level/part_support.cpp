@@ -17,22 +17,38 @@ constexpr std::size_t max_sampled_keys = 48;  // of a part
 PartSupport::PartSupport(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces,
                          const PaintParts& parts, const std::vector<StoredOverride>& stored)
     : mesh_(mesh), index_(index), surfaces_(surfaces), stored_(parts), grid_(mesh) {
+    for (std::uint32_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
+        const std::uint32_t number = vertex_number(mesh, vertex);
+        if (number >= vertex_of_.size()) vertex_of_.resize(number + std::size_t{1}, no_id);
+        vertex_of_[number] = vertex;
+    }
     samples_.resize(parts.parts.size());
     for (std::size_t part = 0; part < samples_.size(); ++part) {
-        std::vector<Vec3>& points = samples_[part].points;
-        for (const AnchorFace& anchor : parts.parts[part].anchors)
-            for (const Vec3f& corner : anchor.corners)
-                points.push_back(corner.cast<double>());
-        std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) {
-            return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+        struct Point {
+            Vec3 position;
+            std::uint32_t number;
+        };
+        std::vector<Point> points;
+        bool known = true;
+        for (const AnchorFace& anchor : parts.parts[part].anchors) {
+            known = known && anchor.numbers.size() == anchor.corners.size();
+            for (std::size_t c = 0; c < anchor.corners.size(); ++c)
+                points.push_back({anchor.corners[c].cast<double>(), known ? anchor.numbers[c] : no_id});
+        }
+        std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
+            return std::lexicographical_compare(a.position.data(), a.position.data() + 3, b.position.data(),
+                                                b.position.data() + 3);
         });
-        points.erase(std::unique(points.begin(), points.end()), points.end());
+        points.erase(std::unique(points.begin(), points.end(),
+                                 [](const Point& a, const Point& b) { return a.position == b.position; }),
+                     points.end());
         // Neighbours one after another say the same; a large step lets a wrong motion fail early.
-        std::vector<Vec3> spread;
         const std::size_t step = points.size() % 7 != 0 ? 7 : points.size() % 5 != 0 ? 5 : 1;
-        for (std::size_t i = 0; i < points.size(); ++i)
-            spread.push_back(points[i * step % points.size()]);
-        points = std::move(spread);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Point& point = points[i * step % points.size()];
+            samples_[part].points.push_back(point.position);
+            if (known) samples_[part].numbers.push_back(point.number);
+        }
     }
     for (std::size_t i = 0; i < stored.size() && i < parts.of.size(); ++i)
         if (parts.of[i] > 0 && parts.of[i] <= samples_.size())
@@ -182,6 +198,24 @@ double PartSupport::order_kept(std::size_t i, const PartMotion& motion) const {
     return pairs == 0 ? 1.0 : static_cast<double>(kept) / static_cast<double>(pairs);
 }
 
+std::optional<double> PartSupport::vertex_order_kept(std::size_t i, const PartMotion& motion) const {
+    constexpr std::size_t enough = 6;
+    const Sample& sample = samples_[i];
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> found;  // old number, new number
+    for (std::size_t k = 0; k < sample.numbers.size(); ++k) {
+        const Vec3 to = motion(sample.points[k]);
+        const std::uint32_t vertex = grid_.nearest(to, tolerance(motion, sample.points[k], to));
+        if (vertex != no_id) found.push_back({sample.numbers[k], vertex_number(mesh_, vertex)});
+    }
+    if (found.size() < enough) return std::nullopt;
+    std::sort(found.begin(), found.end());
+    std::size_t rising = 0;
+    for (std::size_t k = 1; k < found.size(); ++k)
+        rising += found[k].second > found[k - 1].second ? 1 : 0;
+    const double kept = static_cast<double>(rising) / static_cast<double>(found.size() - 1);
+    return std::max(0.0, 2.0 * kept - 1.0);
+}
+
 MotionSupport PartSupport::support(std::size_t part, const PartMotion& motion, double least) const {
     const Sample& sample = samples_[part];
     MotionSupport result;
@@ -224,7 +258,7 @@ Aabb PartSupport::moved_box(std::size_t i, const PartMotion& motion) const {
 }
 
 bool PartSupport::fills_box(std::size_t i, const PartMotion& motion) {
-    return (motion.linear.transpose() * motion.linear).isIdentity(1e-3) || becomes_box(i, motion, 0.2);
+    return is_rigid(motion) || becomes_box(i, motion, 0.2);
 }
 
 bool PartSupport::becomes_box(std::size_t i, const PartMotion& motion, double slack) {

@@ -35,6 +35,14 @@ class PartSupport {
     // The different corners of the part's anchors. Neighbours are not one after another.
     const std::vector<Vec3>& points(std::size_t part) const { return samples_[part].points; }
 
+    // [of points()] the number of its vertex in the old file; empty if they are not known.
+    const std::vector<std::uint32_t>& numbers(std::size_t part) const { return samples_[part].numbers; }
+
+    // The vertex with this number in the new file; no_id: none.
+    std::uint32_t numbered(std::uint32_t number) const {
+        return number < vertex_of_.size() ? vertex_of_[number] : no_id;
+    }
+
     // Some of the part's painted faces.
     const std::vector<const FaceKey*>& keys(std::size_t part) const { return samples_[part].keys; }
 
@@ -47,6 +55,15 @@ class PartSupport {
     // The fraction of the faces at the places of the anchors that come in the same order as before; 1 if
     // there are too few.
     double order_kept(std::size_t part, const PartMotion& motion) const;
+
+    // How much of the vertices' order at these points is kept: 1 all, 0 no more than by chance; none if too
+    // few are known.
+    std::optional<double> vertex_order_kept(std::size_t part, const PartMotion& motion) const;
+
+    // True if `from` is where the motion puts it at `to`, up to rounding.
+    bool hits(const PartMotion& motion, const Vec3& from, const Vec3& to) const {
+        return (motion(from) - to).norm() <= tolerance(motion, from, to);
+    }
 
     // True if more of the painted faces look the other way than this way.
     bool is_flipped(std::size_t part, const PartMotion& motion) const;
@@ -78,6 +95,7 @@ class PartSupport {
   private:
     struct Sample {
         std::vector<Vec3> points;
+        std::vector<std::uint32_t> numbers;
         std::vector<const FaceKey*> keys;
         bool gone = false;
     };
@@ -92,7 +110,8 @@ class PartSupport {
     SurfaceTable surfaces_;
     const PaintParts& stored_;
     VertexGrid grid_;
-    std::vector<Sample> samples_;  // [part]
+    std::vector<std::uint32_t> vertex_of_;  // [number in the file]
+    std::vector<Sample> samples_;           // [part]
     std::optional<MeshParts> all_;
     std::vector<std::uint32_t> vertex_part_;  // [vertex] of the mesh
     std::vector<std::uint32_t> owner_;        // [part of the mesh] the stored part with its box, or no_id

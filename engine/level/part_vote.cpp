@@ -62,11 +62,14 @@ void MotionFinder::vote() {
             return true;
         });
     }
-    // A part that is still there, damaged, and also looks like another one, has not become that one.
+    // A part that is still there, damaged, and also looks like another one, has not become that one. But if
+    // nothing of it is there, and all of it elsewhere in its size, the one in its place is only similar.
     for (const Voter& voter : voters) {
         Part& part = parts_[voter.part];
         const Aabb& box = stored_.parts[voter.part].box;
         const double moved = (part.best(box.centre()) - box.centre()).norm();
+        const bool whole = part.best_support.sum() > 2.0 - 1e-9 && is_rigid(part.best);
+        if (whole && part.staying.corners < lost_below) continue;
         if (moved <= box_slack * box.size().norm() || !support_.has_similar_box(voter.part)) continue;
         part.best = PartMotion{};
         part.best_support = part.staying;
@@ -125,7 +128,7 @@ void MotionFinder::collect_moves() {
 // order of their faces says that they did not.
 void MotionFinder::exchange(std::size_t i) {
     Part& part = parts_[i];
-    if (part.searched || !part.best.is_identity() || support_.points(i).size() < 3) return;
+    if (part.searched || part.certain || !part.best.is_identity() || support_.points(i).size() < 3) return;
     if (moves_.empty()) return;
     const double staying = ranks(i, part.best);
     if (staying >= 0.9) return;
@@ -171,7 +174,7 @@ void MotionFinder::one_part_each_place() {
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [rating, i] : order) {
         Part& part = parts_[i];
-        if (!is_claimed(i, part.best)) continue;
+        if (part.certain || !is_claimed(i, part.best)) continue;
         part.best = PartMotion{};
         part.best_support = part.staying;
         part.best_rating = 0.0;
@@ -212,7 +215,7 @@ void MotionFinder::doubt(std::size_t i) {
     constexpr double as_much = 0.1, same_order = 0.5;
     constexpr std::size_t enough_for_order = 6;  // anchors: fewer come into any order by chance
     Part& part = parts_[i];
-    if (support_.points(i).size() < 3) return;
+    if (part.certain || support_.points(i).size() < 3) return;
     const bool stays = part.best.is_identity();
     if (stays && part.searched) part.best.guessed = part.best_support.keys < few_faces;
     if (stays && part.turned) part.best.guessed = types_.differ(i, part.best, *part.turned);
@@ -226,11 +229,13 @@ void MotionFinder::doubt(std::size_t i) {
                 stored_.parts[i].anchors.size() >= enough_for_order)
                 part.others.push_back({motion, support_.support(i, motion, enough_anchors_).sum(), 1.0});
     }
+    const bool few = !stays && stored_.parts[i].anchors.size() < few_anchors;
     const double best_ranks = ranks(i, part.best);
     const Aabb& box = stored_.parts[i].box;
     const bool unclear = std::any_of(part.others.begin(), part.others.end(), [&](const Rated& other) {
-        return other.sum >= part.best_support.sum() - as_much && other.ranks >= best_ranks - same_order &&
-               !same(box, other.motion, part.best) && types_.differ(i, part.best, other.motion);
+        return other.sum >= part.best_support.sum() - as_much &&
+               (few || other.ranks >= best_ranks - same_order) && !same(box, other.motion, part.best) &&
+               types_.differ(i, part.best, other.motion);
     });
     const bool turned = effort(part.best, box.centre(), box.size().norm()) > more_effort;
     part.best.lost = !stays && part.best.guessed && ((unclear && turned) || part.best_support.sum() < hardly);

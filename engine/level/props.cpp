@@ -92,6 +92,8 @@ class Placer {
     explicit Placer(Mesh& to) : to_(to) {
         for (const Material& material : to.materials)
             looks_.try_emplace(material.name, material);
+        for (const std::uint32_t number : to.vertex_number)
+            next_number_ = std::max(next_number_, number + 1);
     }
 
     // `file`: of the mesh.
@@ -108,6 +110,7 @@ class Placer {
         for (const Vec3f& rest : from.positions) {
             to_.positions.push_back(placement.apply(rest));
             to_.bounds.add(to_.positions.back().cast<double>());
+            if (!to_.vertex_number.empty()) to_.vertex_number.push_back(next_number_++);
         }
         // Where a corner of the mesh went, in its face.
         const auto corner_in = [&](FaceId face, std::uint32_t corner) {
@@ -171,6 +174,7 @@ class Placer {
     }
 
     Mesh& to_;
+    std::uint32_t next_number_ = 0;  // of a vertex, beyond those of the geometry's file
     // First of a mesh with a texture.
     std::map<std::pair<std::string, std::string>, std::uint32_t> materials_;
     std::map<std::string, Material> looks_;       // by name

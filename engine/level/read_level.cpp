@@ -331,6 +331,14 @@ class LevelReader {
             for (std::uint16_t& part : parts.of)
                 part = static_cast<std::uint16_t>(take_bytes(at, 2));
         }
+        std::size_t read = 0;
+        node["numbers"].each(max_paint_parts, [&](const JsonNode& row) {
+            const std::size_t i = read++;
+            if (i >= parts.parts.size()) return;
+            if (row.json().kind != Json::Kind::string ||
+                !unpack_numbers(row.json().text, list.json().items[i].text, parts.parts[i]))
+                row.fail("the numbers of the vertices of a part's rim, as base64");
+        });
         node["outlines"].each(max_json_values, [&](const JsonNode& row) {
             const auto bytes = row.json().kind == Json::Kind::string
                                    ? from_base64(row.json().text, Base64::plain)

@@ -96,14 +96,18 @@ void fill_defaults(PolygonSoup& soup) {
     if (soup.groups.empty()) soup.groups.emplace_back();
 }
 
-// Numbers the vertices in the order in which corners first use them and removes unused ones.
-void number_by_first_use(const std::vector<Vec3f>& positions, Mesh& mesh) {
+// Numbers the vertices in the order in which corners first use them and removes unused ones. `in_file`: of
+// the positions.
+void number_by_first_use(const std::vector<Vec3f>& positions, const std::vector<std::uint32_t>& in_file,
+                         Mesh& mesh) {
     std::vector<std::uint32_t> number(positions.size(), no_id);
     mesh.positions.reserve(positions.size());
+    mesh.vertex_number.reserve(positions.size());
     for (std::uint32_t& vertex : mesh.corner_vertex) {
         if (number[vertex] == no_id) {
             number[vertex] = static_cast<std::uint32_t>(mesh.positions.size());
             mesh.positions.push_back(positions[vertex]);
+            mesh.vertex_number.push_back(in_file[vertex]);
         }
         vertex = number[vertex];
     }
@@ -119,10 +123,13 @@ void set_corners(PolygonSoup& soup, Mesh& mesh) {
         mesh.corner_vertex = std::move(welded.index);
         return;
     }
+    std::vector<std::uint32_t> in_file(welded.positions.size());  // the first there
+    for (std::size_t i = welded.index.size(); i-- > 0;)
+        in_file[welded.index[i]] = static_cast<std::uint32_t>(i);
     mesh.corner_vertex = std::move(soup.corner_vertex);
     for (std::uint32_t& vertex : mesh.corner_vertex)
         vertex = welded.index[vertex];
-    number_by_first_use(welded.positions, mesh);
+    number_by_first_use(welded.positions, in_file, mesh);
 }
 
 constexpr std::size_t faces_per_task = 4096;

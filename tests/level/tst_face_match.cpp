@@ -565,6 +565,18 @@ TEST(FaceMatch, PartsOfOtherPaintAreIgnoredAndBrokenOnesAreErrors) {
         ASSERT_FALSE(loaded.ok()) << text;
         EXPECT_NE(loaded.error().text().find("/parts/list/"), std::string::npos) << loaded.error().text();
     }
+    // Numbers that were written for another list are left out; those that are none are errors.
+    const std::size_t numbers = json.find('"', json.find("\"numbers\": [") + 11);
+    std::string stale = json;
+    stale[numbers + 1] = stale[numbers + 1] == 'A' ? 'B' : 'A';
+    const auto left_out = level_from_json(stale, "test.slipface.json", mesh_of(faces));
+    ASSERT_TRUE(left_out.ok()) << left_out.error().text();
+    EXPECT_TRUE(wrong_faces(faces, *left_out).empty());
+    std::string broken = json;
+    broken.insert(numbers + 1, "AAA=");
+    const auto refused = level_from_json(broken, "test.slipface.json", mesh_of(faces));
+    ASSERT_FALSE(refused.ok());
+    EXPECT_NE(refused.error().text().find("/parts/numbers/0"), std::string::npos) << refused.error().text();
 }
 
 TEST(FaceMatch, OrphansSurviveTwoRoundsAndComeBackWithTheirFace) {

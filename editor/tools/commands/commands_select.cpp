@@ -1,4 +1,5 @@
 // Commands that select faces, hide them, and store named selections.
+#include "slipface/base/counted.h"
 #include "tools/commands/command_actions.h"
 #include "tools/commands/command_rows.h"
 #include "tools/commands/icons.h"
@@ -48,7 +49,7 @@ void hide_selected(Editor& editor) {
     Document& document = *editor.document;
     const std::size_t count = document.selection().size();
     document.hide(united(document.hidden(), document.selection()), "Hide");
-    editor.status = "Hidden: " + std::to_string(count) + (count == 1 ? " face" : " faces");
+    editor.status = "Hidden: " + counted(count, "face");
 }
 void isolate_selected(Editor& editor) {
     Document& document = *editor.document;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "document/selection.h"
+#include "slipface/base/counted.h"
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
 #include "slipface/mesh/texture_file.h"
@@ -54,8 +55,7 @@ bool report_broken(Editor& editor) {
 std::string guessed_text(const Document& document) {
     const std::size_t count = document.guessed().size();
     if (count == 0) return {};
-    return "; " + std::to_string(count) + (count == 1 ? " face's" : " faces'") +
-           " paint was guessed: Select > Guessed paint";
+    return "; " + counted(count, "face's", "faces'") + " paint was guessed: Select > Guessed paint";
 }
 
 bool reload_annotations(Editor& editor) {
@@ -272,11 +272,10 @@ void settle_guesses(Editor& editor, const std::vector<FaceId>& faces, bool accep
         document.accept_guessed(faces);
     else
         document.paint(faces, std::nullopt);
-    const std::string count = std::to_string(faces.size());
+    const std::string count = counted(faces.size(), "guess", "guesses");
     if (!document.guessed().empty() && document.selection().size() <= 1) step_guessed(editor, true);
-    editor.status = count + (faces.size() == 1 ? " guess " : " guesses ") +
-                    (accept ? "accepted" : "dropped") + ", " + std::to_string(document.guessed().size()) +
-                    " left";
+    editor.status =
+        count + (accept ? " accepted, " : " dropped, ") + std::to_string(document.guessed().size()) + " left";
 }
 
 void go_to_guess(Editor& editor, std::size_t index) {

@@ -33,6 +33,7 @@ struct MeshNode {
 // Its corners are consecutive in the corner arrays. A *triangle* is three corner indices of one face.
 struct Mesh {
     std::vector<Vec3f> positions;                         // [vertex], metres; shared between faces
+    std::vector<std::uint32_t> vertex_number;             // [vertex] its index in the file, or empty: as here
     std::vector<std::uint32_t> corner_vertex;             // [corner] index into positions
     std::vector<Vec2f> corner_uv;                         // [corner], V up; zero if the file gives none
     std::vector<std::uint32_t> face_first_corner;         // [face + 1], ends with the number of corners
