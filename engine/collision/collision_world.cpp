@@ -106,11 +106,16 @@ Result<CollisionWorld> CollisionWorld::build(const TriangleSoup& soup) {
 }
 
 Result<CollisionWorld> CollisionWorld::build(const TriangleSoup& soup, std::span<const Instance> instances) {
+    return build(soup, instances, detail::LeafForm::any);
+}
+
+Result<CollisionWorld> CollisionWorld::build(const TriangleSoup& soup, std::span<const Instance> instances,
+                                             detail::LeafForm form) {
     try {
         if (const Status status = check(soup); !status) return status.error();
         CollisionWorld world;
         Impl& impl = *world.impl_;
-        impl.bvh = detail::build_bvh(soup.positions, soup.triangles, soup.bodies);
+        impl.bvh = detail::build_bvh(soup.positions, soup.triangles, soup.bodies, form);
         index_faces(soup, impl);
         impl.triangles = soup.triangles.size();
         if (const Status status = replace_instances(impl, instances); !status) return status.error();
@@ -219,7 +224,8 @@ BvhStatistics CollisionWorld::statistics() const {
     BvhStatistics all{triangle_count(), 0, 0, 0};
     for (const detail::Bvh* bvh : {&impl_->bvh, &impl_->boxes}) {
         all.nodes += bvh->nodes.size();
-        all.bytes += bytes(bvh->nodes) + bytes(bvh->parents) + bytes(bvh->leaves) + bytes(bvh->slots);
+        all.bytes += bytes(bvh->nodes) + bytes(bvh->leaves) + bvh->leaf_of.bytes() + bytes(bvh->parents) +
+                     bytes(bvh->leaf_parents);
     }
     all.bytes += bytes(impl_->faces) + impl_->face_index.bytes() + bytes(impl_->surfaces) +
                  bytes(impl_->views) + bytes(impl_->placed) + bytes_of_meshes(*impl_);

@@ -9,11 +9,14 @@
 
 namespace slipface {
 
+using namespace detail;
+
 CollisionMesh::CollisionMesh() : impl_(std::make_unique<Impl>()) {}
 CollisionMesh::~CollisionMesh() = default;
 
 Result<std::shared_ptr<const CollisionMesh>> CollisionMesh::build(const TriangleSoup& soup) {
-    Result<CollisionWorld> world = CollisionWorld::build({soup.positions, soup.triangles, soup.faces});
+    Result<CollisionWorld> world =
+        CollisionWorld::build({soup.positions, soup.triangles, soup.faces}, {}, LeafForm::vertices);
     if (!world) return world.error();
     std::shared_ptr<CollisionMesh> mesh(new CollisionMesh);
     mesh->impl_->world = std::move(*world);
@@ -32,8 +35,6 @@ std::size_t CollisionMesh::face_count() const {
 std::size_t CollisionMesh::bytes() const {
     return impl_->world.statistics().bytes;
 }
-
-using namespace detail;
 
 namespace {
 
@@ -89,10 +90,10 @@ bool box_of(const Bvh& bvh, const Placement& placement, std::array<Vec3f, 2>& bo
         for (std::size_t k = 0; k < 8; ++k) {
             if (node.bound[0][k] > node.bound[3][k] || (node.child[k] & leaf_bit) == 0) continue;
             const Leaf& leaf = bvh.leaf_at(node.child[k] & leaf_index_mask);
-            const float* at = leaf_coordinates(leaf);
-            for (std::size_t i = 0; i < leaf.vertices; ++i) {
-                const Vec3f placed =
-                    placement.apply({at[i], at[i + leaf.vertices], at[i + 2 * leaf.vertices]});
+            const float* at = leaf_values(leaf);
+            const std::size_t vertices = leaf.values[0];
+            for (std::size_t i = 0; i < vertices; ++i) {
+                const Vec3f placed = placement.apply({at[i], at[i + vertices], at[i + 2 * vertices]});
                 finite = finite && placed.allFinite();
                 box[0] = box[0].cwiseMin(placed);
                 box[1] = box[1].cwiseMax(placed);
@@ -200,7 +201,7 @@ Status replace_instances(Impl& impl, std::span<const Instance> instances) {
         corners.insert(corners.end(), box.begin(), box.end());
         boxes.push_back({first, first + 1, first + 1});
     }
-    impl.boxes = build_bvh(corners, boxes, {});
+    impl.boxes = build_bvh(corners, boxes, {}, LeafForm::any);
     impl.views = std::move(views);
     impl.placed = std::move(placed);
     impl.triangles = triangles;

@@ -77,7 +77,7 @@ class LargeWorld {
                 const bool same_nodes =
                     a.nodes.size() == b.nodes.size() &&
                     std::memcmp(a.nodes.data(), b.nodes.data(), a.nodes.size() * sizeof(a.nodes[0])) == 0;
-                require(same_nodes && a.leaves == b.leaves && a.slots == b.slots,
+                require(same_nodes && a.leaves == b.leaves && a.leaf_of == b.leaf_of,
                         fmt::format("another tree on {} threads", threads));
             });
         }

@@ -50,7 +50,8 @@ class SoundTree {
             require(false, "a node has two parents");
             return all;
         }
-        require(bvh_.parents[index] == parent, fmt::format("parent of node {}", index));
+        if (!bvh_.parents.empty())
+            require(bvh_.parents[index] == parent, fmt::format("parent of node {}", index));
         const detail::BvhNode& node = bvh_.nodes[index];
         for (std::size_t k = 0; k < 8; ++k) {
             if (node.bound[0][k] > node.bound[3][k]) continue;
@@ -68,10 +69,15 @@ class SoundTree {
 
     Box check_leaf(std::uint32_t index, std::uint32_t parent) {
         const detail::Leaf& leaf = bvh_.leaf_at(index);
-        require(leaf.parent == parent, fmt::format("parent of leaf {}", index));
-        require(leaf.count >= 1 && leaf.count <= detail::leaf_capacity, "triangles of a leaf");
+        if (!bvh_.parents.empty()) {
+            const auto above =
+                std::ranges::lower_bound(bvh_.leaf_parents, index, {}, &detail::Bvh::LeafParent::leaf);
+            require(above != bvh_.leaf_parents.end() && above->leaf == index && above->parent == parent,
+                    fmt::format("parent of leaf {}", index));
+        }
+        require(leaf_size(leaf) >= 1 && leaf_size(leaf) <= detail::leaf_capacity, "triangles of a leaf");
         Box all;
-        for (std::size_t lane = 0; lane < leaf.count; ++lane) {
+        for (std::size_t lane = 0; lane < leaf_size(leaf); ++lane) {
             const detail::LeafTriangle triangle = leaf_triangle(leaf, lane);
             if (triangle.id >= seen_.size()) {
                 require(false, fmt::format("triangle number {}", triangle.id));
@@ -79,11 +85,10 @@ class SoundTree {
             }
             require(!seen_[triangle.id], fmt::format("triangle {} is in two places", triangle.id));
             seen_[triangle.id] = true;
-            require(bvh_.slots[triangle.id] == index * detail::leaf_capacity + lane,
+            require(bvh_.leaf_of[triangle.id] == index && lane_of(leaf, triangle.id) == lane,
                     fmt::format("place of triangle {}", triangle.id));
-            require(
-                soup_.bodies.empty() || soup_.bodies[triangle.id] == soup_.bodies[detail::leaf_ids(leaf)[0]],
-                fmt::format("two bodies in leaf {}", index));
+            require(soup_.bodies.empty() || soup_.bodies[triangle.id] == soup_.bodies[leaf_id(leaf, 0)],
+                    fmt::format("two bodies in leaf {}", index));
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 for (std::size_t k = 0; k < 3; ++k) {
                     const float at = soup_.positions[soup_.triangles[triangle.id][k]][static_cast<int>(axis)];

@@ -179,7 +179,7 @@ TEST(Construction, AnyNumberOfThreadsBuildsTheSameTree) {
     EXPECT_EQ(all.nodes, one.nodes);
     EXPECT_EQ(all.depth, one.depth);
     EXPECT_EQ(all.bytes, one.bytes);
-    EXPECT_LE(static_cast<double>(all.bytes) / static_cast<double>(all.triangles), 42.0);
+    EXPECT_LE(static_cast<double>(all.bytes) / static_cast<double>(all.triangles), 31.0);
 }
 
 // Faces of one to forty triangles: in ascending order, which takes a bit per triangle, with numbers left out,

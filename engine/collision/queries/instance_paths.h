@@ -14,24 +14,28 @@ namespace {
 
 // A leaf with its corners where the instance puts them.
 struct PlacedLeaf {
-    alignas(32) std::byte
-        bytes[sizeof(Leaf) + std::size_t{3} * leaf_capacity * 12 + leaf_capacity * 4 + leaf_overread];
+    alignas(32) std::byte bytes[largest_leaf + leaf_overread];
 
     const Leaf& leaf() const { return *reinterpret_cast<const Leaf*>(bytes); }
 };
 
+// The leaf is not by axis (LeafForm::vertices).
 inline void place_leaf(const InstanceView& in, const Leaf& from, PlacedLeaf& to) {
     Leaf& head = *reinterpret_cast<Leaf*>(to.bytes);
-    std::memcpy(&head, &from, sizeof head);
-    if (in.mirrors) {
-        std::memcpy(head.corner[1], from.corner[2], sizeof head.corner[1]);
-        std::memcpy(head.corner[2], from.corner[1], sizeof head.corner[2]);
-    }
-    const std::uint32_t count = from.vertices;
-    const auto* __restrict x = reinterpret_cast<const float*>(&from + 1);
+    head = from;
+    head.first_id += in.first;
+    const std::uint16_t* corners = leaf_corners(from, 0);
+    auto* placed_corners = const_cast<std::uint16_t*>(leaf_corners(head, 0));
+    std::memcpy(placed_corners, corners, leaf_capacity * sizeof *corners);
+    for (std::uint32_t lane = 0; in.mirrors && lane < leaf_capacity; ++lane)
+        placed_corners[lane] =
+            static_cast<std::uint16_t>(corner_of(corners[lane], 0) | corner_of(corners[lane], 2) << 5 |
+                                       corner_of(corners[lane], 1) << 10);
+    const std::uint32_t count = from.values[0];
+    const float* __restrict x = leaf_values(from);
     const auto* __restrict y = x + count;
     const auto* __restrict z = y + count;
-    auto* __restrict out = reinterpret_cast<float*>(&head + 1);
+    auto* __restrict out = const_cast<float*>(leaf_values(head));
     // As Placement::apply().
     for (int axis = 0; axis < 3; ++axis) {
         const double cx = in.linear[0][axis], cy = in.linear[1][axis], cz = in.linear[2][axis];
@@ -40,10 +44,7 @@ inline void place_leaf(const InstanceView& in, const Leaf& from, PlacedLeaf& to)
             out[i] = static_cast<float>(cx * double{x[i]} + cy * double{y[i]} + cz * double{z[i]} + offset);
         out += count;
     }
-    const auto* ids = reinterpret_cast<const std::uint32_t*>(z + count);
-    auto* numbers = reinterpret_cast<std::uint32_t*>(out);
-    for (std::uint32_t i = 0; i < from.count; ++i)
-        numbers[i] = in.first + ids[i];
+    std::memcpy(out, z + count, leaf_capacity * sizeof(std::uint32_t));
 }
 
 // A point or a displacement in the space of the mesh.
@@ -95,12 +96,10 @@ inline BoxPath path_in_mesh(const InstanceView& in, const V3& from, const V3& mo
 template <class Visit>
 inline float visit_instances(const WorldView& world, std::uint32_t mask, Lanes keys, const Leaf& boxes,
                              float limit, const Visit& visit) {
-    const auto* numbers =
-        reinterpret_cast<const std::uint32_t*>(&boxes + 1) + std::size_t{3} * boxes.vertices;
     while (limit >= 0.0F && (mask &= ~lanes_above(keys, Lanes::all(limit))) != 0) {
         const unsigned lane = least_lane(mask, keys);
         mask &= ~(1U << lane);
-        limit = visit(world.instances[numbers[lane]], limit);
+        limit = visit(world.instances[leaf_id(boxes, lane)], limit);
     }
     return limit;
 }

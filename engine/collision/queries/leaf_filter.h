@@ -186,7 +186,7 @@ class LeafFilter {
 };
 
 inline std::uint32_t present(const Leaf& leaf) {
-    return (1U << leaf.count) - 1;
+    return (1U << leaf_size(leaf)) - 1;
 }
 
 inline unsigned least_lane(std::uint32_t mask, Lanes keys) {

@@ -103,10 +103,9 @@ bool gather_leaf(const Leaf& leaf, const LaneBox& box, NearTriangles& out) {
     const std::uint32_t mask = box.intersect(LeafRows(v)) & present(leaf);
     const std::uint32_t more = lane_count(mask);
     if (out.count + more > near_capacity) return false;
-    const auto* ids = reinterpret_cast<const std::uint32_t*>(&leaf + 1) + std::size_t{3} * leaf.vertices;
     for (int row = 0; row < 9; ++row)
         append(v[row], mask, out.corner[row] + out.count);
-    append(ids, mask, out.id + out.count);
+    append_ids(leaf, mask, out.id + out.count);
     out.count += more;
     return true;
 }

@@ -141,7 +141,7 @@ std::vector<TriangleId> CollisionWorld::triangles_in(const Aabb& box) const {
         if (hit) found.push_back(triangle.id);
     };
     const auto search_leaf = [&](const Leaf& leaf) {
-        for (std::size_t lane = 0; lane < leaf.count; ++lane)
+        for (std::size_t lane = 0; lane < leaf_size(leaf); ++lane)
             test(leaf_triangle(leaf, lane));
     };
     std::vector<std::uint32_t> open;

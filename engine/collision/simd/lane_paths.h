@@ -17,9 +17,10 @@ inline const Leaf& leaf_at(const TreeView& tree, std::uint32_t index) {
 
 // Prefetches a child that will be read soon.
 inline void fetch(const TreeView& tree, std::uint32_t child) {
-    const auto* at = (child & leaf_bit) != 0
-                         ? reinterpret_cast<const std::byte*>(&leaf_at(tree, child & leaf_index_mask))
-                         : reinterpret_cast<const std::byte*>(tree.nodes + child);
+    const auto* at =
+        (child & leaf_bit) != 0
+            ? reinterpret_cast<const std::byte*>(&leaf_at(tree, child & leaf_index_mask)) - 2 * leaf_row_bytes
+            : reinterpret_cast<const std::byte*>(tree.nodes + child);
     __builtin_prefetch(at);
     __builtin_prefetch(at + 64);
     __builtin_prefetch(at + 128);

@@ -5,7 +5,7 @@
 // and calls no function that another file could share.
 #pragma once
 
-#include "tree/bvh_layout.h"
+#include "tree/leaf.h"
 
 #if defined(__AVX2__)
 #include <immintrin.h>
@@ -106,20 +106,28 @@ inline Lanes look_up(const float* table, __m256i index) {
 
 template <int Parts>
 inline void look_up_leaf(const Leaf& leaf, Lanes (&to)[9]) {
-    const auto* coordinates = reinterpret_cast<const float*>(&leaf + 1);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const __m256i index = lane_vertices(leaf.corner[k]);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            to[3 * k + axis] = look_up<Parts>(coordinates + axis * leaf.vertices, index);
+    const float* values = leaf_values(leaf);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        // Only the lowest bits of an index count, so nothing needs to be cleared above them.
+        const __m256i corners = _mm256_cvtepu16_epi32(
+            _mm_loadu_si128(reinterpret_cast<const __m128i*>(leaf_corners(leaf, axis))));
+        to[axis] = look_up<Parts>(values, corners);
+        to[3 + axis] = look_up<Parts>(values, _mm256_srli_epi32(corners, 5));
+        to[6 + axis] = look_up<Parts>(values, _mm256_srli_epi32(corners, 10));
+        values += leaf.values[axis];
     }
 }
 
 // x, y, z of the three corners of a leaf's triangles.
 inline void lanes_of_leaf(const Leaf& leaf, Lanes (&to)[9]) {
+    // All three axes at once: adding 15 sets bit 5 for 17 to 24 values, adding 7 bit 4 for 9 to 24.
+    std::uint32_t values;
+    __builtin_memcpy(&values, leaf.values, sizeof values);
+    values &= 0xffffffU;
 #if !defined(__AVX512VL__)  // there, two parts cost no more than one
-    if (leaf.vertices <= 8) return look_up_leaf<1>(leaf, to);
+    if (((values + 0x070707U) & 0x101010U) == 0) return look_up_leaf<1>(leaf, to);
 #endif
-    if (leaf.vertices <= 16) return look_up_leaf<2>(leaf, to);
+    if (((values + 0x0f0f0fU) & 0x202020U) == 0) return look_up_leaf<2>(leaf, to);
     look_up_leaf<3>(leaf, to);
 }
 
@@ -269,19 +277,19 @@ inline Lanes lanes_product_minus(Lanes a, Lanes b, Lanes c) {
 
 // x, y, z of the three corners of a leaf's triangles.
 inline void lanes_of_leaf(const Leaf& leaf, Lanes (&to)[9]) {
-    const auto* coordinates = reinterpret_cast<const float*>(&leaf + 1);
+    const float* values = leaf_values(leaf);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float* table = coordinates + axis * leaf.vertices;
+        const std::uint16_t* corners = leaf_corners(leaf, axis);
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint8_t* vertex = leaf.corner[k];
+            const auto at = [&](int lane) { return values[corner_of(corners[lane], k)]; };
 #if defined(__SSE2__)
-            to[3 * k + axis] = {
-                _mm_setr_ps(table[vertex[0]], table[vertex[1]], table[vertex[2]], table[vertex[3]]),
-                _mm_setr_ps(table[vertex[4]], table[vertex[5]], table[vertex[6]], table[vertex[7]])};
+            to[3 * k + axis] = {_mm_setr_ps(at(0), at(1), at(2), at(3)),
+                                _mm_setr_ps(at(4), at(5), at(6), at(7))};
 #else
-            to[3 * k + axis] = Lanes::each([&](int lane) { return table[vertex[lane]]; });
+            to[3 * k + axis] = Lanes::each(at);
 #endif
         }
+        values += leaf.values[axis];
     }
 }
 
@@ -368,6 +376,32 @@ inline void append(const std::uint32_t* numbers, std::uint32_t mask, std::uint32
 #else
     copy_lanes(numbers, mask, to);
 #endif
+}
+
+// Writes the numbers of a leaf's triangles, those of `mask`, to `to`, which has room for eight.
+inline void append_ids(const Leaf& leaf, std::uint32_t mask, std::uint32_t* to) {
+    alignas(32) std::uint32_t ids[leaf_capacity];
+#if defined(__AVX2__)
+    // [width] the bytes of four numbers; 128: 0.
+    alignas(16) static constexpr std::uint8_t bytes[3][16] = {
+        {0, 128, 128, 128, 1, 128, 128, 128, 2, 128, 128, 128, 3, 128, 128, 128},
+        {0, 1, 128, 128, 2, 3, 128, 128, 4, 5, 128, 128, 6, 7, 128, 128},
+        {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}};
+    const std::uint32_t width = leaf_width(leaf);
+    const std::byte* offsets = leaf_offsets(leaf);
+    const __m128i spread = _mm_load_si128(reinterpret_cast<const __m128i*>(bytes[width]));
+    const auto four = [&](std::size_t at) {
+        return _mm_add_epi32(
+            _mm_shuffle_epi8(_mm_loadu_si128(reinterpret_cast<const __m128i*>(offsets + at)), spread),
+            _mm_set1_epi32(static_cast<int>(leaf.first_id)));
+    };
+    const __m128i low = four(0), high = four(std::size_t{4} << width);
+    _mm256_store_si256(reinterpret_cast<__m256i*>(ids), _mm256_set_m128i(high, low));
+#else
+    for (std::size_t lane = 0; lane < leaf_capacity; ++lane)
+        ids[lane] = leaf_id(leaf, lane);
+#endif
+    append(ids, mask, to);
 }
 
 }  // namespace

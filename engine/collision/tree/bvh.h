@@ -9,49 +9,61 @@
 #include "queries/leaf_triangle.h"
 #include "simd/four.h"
 #include "slipface/base/types.h"
-#include "tree/bvh_layout.h"
+#include "tree/leaf.h"
+#include "tree/triangle_leaves.h"
 
 namespace slipface::detail {
 
-inline const float* leaf_coordinates(const Leaf& leaf) {
-    return reinterpret_cast<const float*>(&leaf + 1);
-}
-inline const std::uint32_t* leaf_ids(const Leaf& leaf) {
-    return reinterpret_cast<const std::uint32_t*>(leaf_coordinates(leaf) + std::size_t{3} * leaf.vertices);
-}
-inline std::size_t leaf_bytes(std::size_t count, std::size_t vertices) {
-    const std::size_t bytes = sizeof(Leaf) + 12 * vertices + 4 * count;
-    return (bytes + leaf_alignment - 1) / leaf_alignment * leaf_alignment;
-}
 inline LeafTriangle leaf_triangle(const Leaf& leaf, std::size_t lane) {
     LeafTriangle triangle;
-    const float* coordinates = leaf_coordinates(leaf);
+    const float* values = leaf_values(leaf);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float* table = coordinates + axis * leaf.vertices;
+        const std::uint32_t corners = leaf_corners(leaf, axis)[lane];
         // One store, as wide as the later load: a load that spans several stores makes the processor wait.
-        Four::of(table[leaf.corner[0][lane]], table[leaf.corner[1][lane]], table[leaf.corner[2][lane]])
+        Four::of(values[corner_of(corners, 0)], values[corner_of(corners, 1)], values[corner_of(corners, 2)])
             .store(triangle.at[axis]);
+        values += leaf.values[axis];
     }
-    triangle.id = leaf_ids(leaf)[lane];
+    triangle.id = leaf_id(leaf, lane);
     return triangle;
 }
+inline std::size_t lane_of(const Leaf& leaf, TriangleId id) {
+    std::size_t lane = 0;
+    while (leaf_id(leaf, lane) != id)
+        ++lane;
+    return lane;
+}
+
+// How a leaf may store its corners.
+enum class LeafForm : std::uint8_t {
+    any,
+    vertices  // not by axis: vertices stay vertices wherever the leaf is placed
+};
 
 struct Bvh {
-    std::vector<BvhNode> nodes;          // the root first, parents before children; empty without triangles
-    std::vector<std::uint32_t> parents;  // [node]; the root is its own parent
+    std::vector<BvhNode> nodes;  // the root first, parents before children; empty without triangles
     std::vector<std::byte> leaves;
-    // [triangle] index of its leaf times leaf_capacity, plus its lane.
-    std::vector<std::uint32_t> slots;
-    int depth = 0;  // levels of nodes
+    TriangleLeaves leaf_of;  // [triangle]
+    int depth = 0;           // levels of nodes
     std::array<float, 3> low{};
     std::array<float, 3> high{};
+    // Once triangles have moved: what is above each node, and above each leaf, ascending.
+    std::vector<std::uint32_t> parents;  // [node]; the root is its own parent
+    struct LeafParent {
+        std::uint32_t leaf;
+        std::uint32_t parent;
+    };
+    std::vector<LeafParent> leaf_parents;
 
     const Leaf& leaf_at(std::uint32_t index) const {
-        return *reinterpret_cast<const Leaf*>(&leaves[index * leaf_alignment]);
+        return *reinterpret_cast<const Leaf*>(&leaves[std::size_t{index} * leaf_alignment]);
     }
-    Leaf& leaf_at(std::uint32_t index) { return *reinterpret_cast<Leaf*>(&leaves[index * leaf_alignment]); }
+    Leaf& leaf_at(std::uint32_t index) {
+        return *reinterpret_cast<Leaf*>(&leaves[std::size_t{index} * leaf_alignment]);
+    }
     LeafTriangle triangle(TriangleId id) const {
-        return leaf_triangle(leaf_at(slots[id] / leaf_capacity), slots[id] % leaf_capacity);
+        const Leaf& leaf = leaf_at(leaf_of[id]);
+        return leaf_triangle(leaf, lane_of(leaf, id));
     }
     // What queries read.
     std::size_t view_bytes() const { return nodes.size() * sizeof(BvhNode) + leaves.size(); }
@@ -61,10 +73,10 @@ struct Bvh {
 // Builds the tree over at most max_triangles triangles with finite coordinates. `bodies`:
 // TriangleSoup::bodies. The result does not depend on the number of threads.
 Bvh build_bvh(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> triangles,
-              std::span<const std::uint32_t> bodies);
+              std::span<const std::uint32_t> bodies, LeafForm form);
 
-// Moves triangles[i], all below slots.size(), to corners[i], which must be finite, and refits the boxes above
-// them.
+// Moves triangles[i], all below leaf_of.size(), to corners[i], which must be finite, and refits the boxes
+// above them.
 void move_bvh_triangles(Bvh& bvh, std::span<const TriangleId> triangles,
                         std::span<const std::array<Vec3f, 3>> corners);
 

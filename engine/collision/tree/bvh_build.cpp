@@ -12,6 +12,7 @@
 #include "tree/bvh_cells.h"
 #include "tree/bvh_plan.h"
 #include "tree/bvh_split.h"
+#include "tree/pack_leaf.h"
 
 namespace slipface::detail {
 namespace {
@@ -40,23 +41,29 @@ struct Node;
 struct Child {
     float min[3] = {HUGE_VALF, HUGE_VALF, HUGE_VALF};
     float max[3] = {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
-    std::uint32_t first = 0;  // of a leaf's items
-    std::uint32_t link = 0;   // as BvhNode::child
-    std::uint8_t count = 0;   // of a leaf's items
-    std::uint8_t vertices = 0;
-    std::unique_ptr<Node> node;  // null for a leaf
+    std::uint32_t link = 0;          // as BvhNode::child
+    std::uint16_t bytes = 0;         // of a leaf
+    std::uint16_t bytes_before = 0;  // its head
+    std::unique_ptr<Node> node;      // null for a leaf
 };
 struct Node {
     std::array<Child, 8> children;
     std::uint32_t count = 0;
     std::uint32_t index = 0;
-    std::uint32_t parent = 0;
+    std::uint32_t leaf_bytes = 0;
+    std::unique_ptr<std::byte[]> leaves;  // of the children that are leaves, one after the other
+};
+
+// What leaves are made of.
+struct Source {
+    std::span<const Vec3f> positions;
+    std::span<const std::array<std::uint32_t, 3>> triangles;
+    LeafForm form;
 };
 
 class Builder {
   public:
-    Builder(std::span<Item> items, std::span<const std::array<std::uint32_t, 3>> triangles)
-        : items_(items), triangles_(triangles) {}
+    Builder(std::span<Item> items, const Source& source) : items_(items), source_(source) {}
 
     // The tree over a range.
     std::unique_ptr<Node> build(const Range& root) {
@@ -134,6 +141,7 @@ class Builder {
         join_leaves(parts);
         auto node = std::make_unique<Node>();
         node->count = parts.count;
+        pack_leaves(parts, *node);
         const auto finish = [&](std::size_t i) {
             const BinaryNode& part = *parts.part[i];
             Child& child = node->children[i];
@@ -142,13 +150,7 @@ class Builder {
             std::copy_n(corner, 3, child.min);
             parts.box[i].max.store(corner);
             std::copy_n(corner, 3, child.max);
-            if (part.is_leaf()) {
-                child.first = part.first;
-                child.count = static_cast<std::uint8_t>(parts.size[i]);
-                child.vertices = sort_leaf(part.first, parts.size[i]);
-            } else {
-                child.node = collapse(part);
-            }
+            if (!part.is_leaf()) child.node = collapse(part);
         };
         if (top.count < parallel_grain) {
             for (std::uint32_t i = 0; i < node->count; ++i)
@@ -269,45 +271,61 @@ class Builder {
         return starts[starts.size() / 2];
     }
 
-    // Sorts the triangles of a leaf and counts their vertices.
-    std::uint8_t sort_leaf(std::uint32_t first, std::uint32_t size) {
-        Item* begin = &items_[first];
-        std::sort(begin, begin + size, [](const Item& a, const Item& b) { return a.triangle < b.triangle; });
-        std::array<std::uint32_t, 3 * leaf_capacity> seen;
-        std::uint32_t count = 0;
-        for (std::uint32_t i = 0; i < size; ++i) {
-            for (const std::uint32_t vertex : triangles_[begin[i].triangle]) {
-                if (std::find(seen.begin(), seen.begin() + count, vertex) == seen.begin() + count)
-                    seen[count++] = vertex;
+    // The leaves among the parts of a node, as they will be in memory.
+    void pack_leaves(const Parts& parts, Node& node) {
+        alignas(Leaf) std::array<std::byte, leaf_capacity * largest_leaf> bytes;
+        for (std::uint32_t i = 0; i < parts.count; ++i) {
+            if (!parts.part[i]->is_leaf()) continue;
+            Item* begin = &items_[parts.part[i]->first];
+            std::sort(begin, begin + parts.size[i],
+                      [](const Item& a, const Item& b) { return a.triangle < b.triangle; });
+            pack({begin, parts.size[i]}, &bytes[node.leaf_bytes], node.children[i]);
+            node.leaf_bytes += node.children[i].bytes;
+        }
+        if (node.leaf_bytes == 0) return;
+        node.leaves = std::make_unique_for_overwrite<std::byte[]>(node.leaf_bytes);
+        std::copy_n(bytes.begin(), node.leaf_bytes, node.leaves.get());
+    }
+    void pack(std::span<const Item> items, std::byte* to, Child& child) const {
+        std::array<LeafTriangle, leaf_capacity> list;
+        for (std::size_t lane = 0; lane < items.size(); ++lane) {
+            list[lane].id = items[lane].triangle;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Vec3f& at = source_.positions[source_.triangles[list[lane].id][k]];
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    list[lane].at[axis][k] = at[static_cast<Eigen::Index>(axis)];
             }
         }
-        return static_cast<std::uint8_t>(count);
+        const PackedLeaf leaf(std::span<const LeafTriangle>(list).first(items.size()),
+                              source_.form == LeafForm::any);
+        leaf.write(to);
+        child.bytes = static_cast<std::uint16_t>(leaf.bytes());
+        child.bytes_before = static_cast<std::uint16_t>(leaf.bytes_before());
     }
 
     std::span<Item> items_;
-    std::span<const std::array<std::uint32_t, 3>> triangles_;
+    const Source& source_;
     BinaryBlocks blocks_;
 };
 
 // Assigns memory: nodes before the nodes below them, leaves in the order in which a walk reaches them.
 class MemoryLayout {
   public:
-    void give(Node& node, std::uint32_t parent, int level) {
+    void give(Node& node, int level) {
         node.index = static_cast<std::uint32_t>(nodes.size());
-        node.parent = parent;
         nodes.push_back(&node);
         depth = std::max(depth, level);
         for (std::uint32_t i = 0; i < node.count; ++i) {
             Child& child = node.children[i];
             if (child.node) continue;
-            child.link = leaf_bit | static_cast<std::uint32_t>(bytes / leaf_alignment);
-            bytes += leaf_bytes(child.count, child.vertices);
+            child.link = leaf_bit | static_cast<std::uint32_t>((bytes + child.bytes_before) / leaf_alignment);
+            bytes += child.bytes;
         }
         for (std::uint32_t i = 0; i < node.count; ++i) {
             Child& child = node.children[i];
             if (!child.node) continue;
             child.link = static_cast<std::uint32_t>(nodes.size());
-            give(*child.node, node.index, level + 1);
+            give(*child.node, level + 1);
         }
     }
 
@@ -316,74 +334,37 @@ class MemoryLayout {
     int depth = 0;
 };
 
-class Writer {
-  public:
-    Writer(const Item* items, std::span<const Vec3f> positions,
-           std::span<const std::array<std::uint32_t, 3>> triangles, Bvh& bvh)
-        : items_(items), positions_(positions), triangles_(triangles), bvh_(bvh) {}
-
-    void write(const Node& node) {
-        BvhNode& out = bvh_.nodes[node.index];
-        bvh_.parents[node.index] = node.parent;
-        for (std::size_t k = 0; k < 8; ++k) {
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                out.bound[axis][k] = node.children[k].min[axis];
-                out.bound[axis + 3][k] = node.children[k].max[axis];
-            }
-            out.child[k] = node.children[k].link;
-            if (k < node.count && !node.children[k].node) write_leaf(node.children[k], node.index);
+void write(const Node& node, Bvh& bvh) {
+    BvhNode& out = bvh.nodes[node.index];
+    bool copied = false;
+    for (std::size_t k = 0; k < 8; ++k) {
+        const Child& child = node.children[k];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            out.bound[axis][k] = child.min[axis];
+            out.bound[axis + 3][k] = child.max[axis];
         }
+        out.child[k] = child.link;
+        if (k >= node.count || child.node) continue;
+        const std::uint32_t index = child.link & leaf_index_mask;
+        Leaf& leaf = bvh.leaf_at(index);
+        // The leaves of a node follow each other there, too.
+        if (!copied)
+            std::memcpy(reinterpret_cast<std::byte*>(&leaf) - child.bytes_before, node.leaves.get(),
+                        node.leaf_bytes);
+        copied = true;
+        for (std::size_t lane = 0; lane < leaf_size(leaf); ++lane)
+            bvh.leaf_of.set(leaf_id(leaf, lane), index);
     }
-
-  private:
-    void write_leaf(const Child& child, std::uint32_t parent) {
-        const std::uint32_t leaf_index = child.link & leaf_index_mask;
-        Leaf& leaf = bvh_.leaf_at(leaf_index);
-        leaf.count = child.count;
-        leaf.vertices = child.vertices;
-        leaf.unused = 0;
-        leaf.parent = parent;
-        auto* coordinates = const_cast<float*>(leaf_coordinates(leaf));
-        auto* ids = const_cast<std::uint32_t*>(leaf_ids(leaf));
-        std::array<std::uint32_t, 3 * leaf_capacity> seen;
-        std::size_t count = 0;
-        for (std::size_t lane = 0; lane < leaf.count; ++lane) {
-            const std::uint32_t id = items_[child.first + lane].triangle;
-            ids[lane] = id;
-            bvh_.slots[id] = static_cast<std::uint32_t>(leaf_index * leaf_capacity + lane);
-            for (std::size_t k = 0; k < 3; ++k) {
-                const std::uint32_t vertex = triangles_[id][k];
-                const auto end = seen.begin() + static_cast<std::ptrdiff_t>(count);
-                const auto index =
-                    static_cast<std::size_t>(std::find(seen.begin(), end, vertex) - seen.begin());
-                leaf.corner[k][lane] = static_cast<std::uint8_t>(index);
-                if (index < count) continue;
-                seen[count++] = vertex;
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    coordinates[axis * child.vertices + index] =
-                        positions_[vertex][static_cast<Eigen::Index>(axis)];
-            }
-        }
-        for (std::size_t lane = leaf.count; lane < leaf_capacity; ++lane) {
-            for (auto& corner : leaf.corner)
-                corner[lane] = corner[leaf.count - 1U];
-        }
-    }
-
-    const Item* items_;
-    std::span<const Vec3f> positions_;
-    std::span<const std::array<std::uint32_t, 3>> triangles_;
-    Bvh& bvh_;
-};
+}
 
 }  // namespace
 
 Bvh build_bvh(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> triangles,
-              std::span<const std::uint32_t> bodies) {
+              std::span<const std::uint32_t> bodies, LeafForm form) {
     Bvh bvh;
     if (triangles.empty()) return bvh;
     const auto count = static_cast<std::uint32_t>(triangles.size());
-    const auto items = std::make_unique_for_overwrite<Item[]>(count);
+    auto items = std::make_unique_for_overwrite<Item[]>(count);
     parallel_for(count, parallel_grain, [&](std::size_t begin, std::size_t end) {
         for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
             const Vec3f& a = positions[triangles[i][0]];
@@ -397,16 +378,18 @@ Bvh build_bvh(std::span<const Vec3f> positions, std::span<const std::array<std::
             items[i].body = bodies.empty() ? 0 : bodies[i];
         }
     });
+    const Source source{positions, triangles, form};
     Range all;
     all.count = count;
     std::unique_ptr<Node> root;
     {
-        Builder builder({items.get(), count}, triangles);
+        Builder builder({items.get(), count}, source);
         builder.measure(all);
         root = builder.build(all);
     }
+    items.reset();
     MemoryLayout layout;
-    layout.give(*root, 0, 1);
+    layout.give(*root, 1);
 
     alignas(16) float low[4];
     alignas(16) float high[4];
@@ -416,13 +399,11 @@ Bvh build_bvh(std::span<const Vec3f> positions, std::span<const std::array<std::
     std::copy_n(high, 3, bvh.high.begin());
     bvh.depth = layout.depth;
     bvh.nodes.resize(layout.nodes.size());
-    bvh.parents.resize(layout.nodes.size());
     bvh.leaves.resize(layout.bytes + leaf_overread);
-    bvh.slots.resize(count);
-    Writer writer(items.get(), positions, triangles, bvh);
+    bvh.leaf_of = TriangleLeaves(count, layout.bytes / leaf_alignment);
     parallel_for(layout.nodes.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            writer.write(*layout.nodes[i]);
+            write(*layout.nodes[i], bvh);
     });
     return bvh;
 }

@@ -16,19 +16,30 @@ struct alignas(32) BvhNode {
 
 inline constexpr std::uint32_t leaf_bit = 0x80000000U;
 inline constexpr std::uint32_t leaf_index_mask = 0x7fffffffU;
-inline constexpr std::size_t leaf_alignment = 8;  // unit of leaf indices, bytes
+inline constexpr std::size_t leaf_alignment = 4;  // unit of leaf indices, bytes
 inline constexpr std::uint32_t leaf_capacity = 8;
 
-// The head of a leaf. The x of all its vertices follow, then the y, the z, and the numbers of its triangles.
-// The triangles of a leaf share vertices, which makes the leaf small.
+// The head of a leaf, which stores what its triangles share once. There follow
+// - eight numbers of two bytes, one for each lane: five bits for each corner, the lowest for the first, that
+//   say which of the leaf's vertices it is; lanes beyond the last triangle repeat it;
+// - the x of all vertices, their y, their z;
+// - for each triangle its number minus the lowest, in one, two or four bytes.
+// Along the axes of a level many vertices have the same coordinate. So a leaf may instead have each value of
+// an axis once. Then the numbers above are for x, and those for y and z come before the head, in this order
+// from there: what is read first is always at the same place.
 struct Leaf {
-    std::uint8_t corner[3][leaf_capacity];  // [corner][lane] a vertex; lanes beyond count repeat the last
-    std::uint8_t count;                     // triangles, 1 to leaf_capacity
-    std::uint8_t vertices;                  // 1 to 3 * count
-    std::uint16_t unused;
-    std::uint32_t parent;  // node
+    std::uint32_t first_id;  // the lowest number of a triangle
+    std::uint8_t values[3];  // [axis] 1 to 3 * triangles
+    std::uint8_t shape;      // triangles, 1 to leaf_capacity; and the bits below
 };
-static_assert(sizeof(Leaf) == 32);
+static_assert(sizeof(Leaf) == 8);
+inline constexpr std::uint8_t leaf_by_axis = 16;
+inline constexpr std::uint8_t leaf_width_unit = 32;  // times 0, 1 or 2 for one, two or four bytes
+inline constexpr std::uint8_t leaf_roomy = 128;      // has room for largest_leaf bytes
+inline constexpr std::size_t leaf_row_bytes = 2 * leaf_capacity;
+// With three corners of its own for each triangle.
+inline constexpr std::size_t largest_leaf =
+    sizeof(Leaf) + leaf_row_bytes + std::size_t{36} * leaf_capacity + std::size_t{4} * leaf_capacity;
 
 // Kernels read whole registers: they may read this many bytes after the last leaf.
 inline constexpr std::size_t leaf_overread = 128;

@@ -3,109 +3,107 @@
 #include <cstring>
 
 #include "tree/bvh.h"
+#include "tree/pack_leaf.h"
 
 namespace slipface::detail {
 namespace {
 
 using Corners = std::array<Vec3f, 3>;
 
-float* coordinates_of(Leaf& leaf) {
-    return const_cast<float*>(leaf_coordinates(leaf));
-}
-
-// Writes the corners. Returns false if triangles share a vertex but need it at different positions. `known`:
-// the vertices whose positions are already final in this round.
-bool write_corners(Leaf& leaf, std::size_t lane, const Corners& corners, std::uint32_t& known) {
-    float* coordinates = coordinates_of(leaf);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t vertex = leaf.corner[k][lane];
-        bool same = true;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            float& old = coordinates[axis * leaf.vertices + vertex];
+// Writes the corners. Returns false if corners share a value along an axis but need different ones. `known`:
+// [axis] the values that are already final in this round.
+bool write_corners(Leaf& leaf, std::size_t lane, const Corners& corners,
+                   std::array<std::uint32_t, 3>& known) {
+    auto* values = const_cast<float*>(leaf_values(leaf));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::uint32_t at = leaf_corners(leaf, axis)[lane];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t index = corner_of(at, k);
             const float now = corners[k][static_cast<Eigen::Index>(axis)];
-            same = same && old == now;
-            old = now;
+            const bool same = std::memcmp(&values[index], &now, sizeof now) == 0;
+            values[index] = now;
+            if ((known[axis] >> index & 1U) != 0 && !same) return false;
+            known[axis] |= 1U << index;
         }
-        if ((known >> vertex & 1U) != 0 && !same) return false;
-        known |= 1U << vertex;
+        values += leaf.values[axis];
     }
     return true;
 }
 
 struct Moved {
-    std::uint32_t slot;
+    std::uint32_t leaf;
+    std::uint32_t lane;
     std::uint32_t index;  // into the caller's list
 };
 
-// The vertices used by triangles that are not among the moved lanes.
-std::uint32_t vertices_at_rest(const Leaf& leaf, std::uint32_t moved_lanes) {
-    std::uint32_t mask = 0;
-    for (std::size_t lane = 0; lane < leaf.count; ++lane) {
+// The values used by triangles that are not among the moved lanes.
+std::array<std::uint32_t, 3> values_at_rest(const Leaf& leaf, std::uint32_t moved_lanes) {
+    std::array<std::uint32_t, 3> mask{};
+    for (std::size_t lane = 0; lane < leaf_size(leaf); ++lane) {
         if ((moved_lanes >> lane & 1U) != 0) continue;
-        for (const auto& corner : leaf.corner)
-            mask |= 1U << corner[lane];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            for (std::size_t k = 0; k < 3; ++k)
+                mask[axis] |= 1U << corner_of(leaf_corners(leaf, axis)[lane], k);
+        }
     }
     return mask;
 }
 
-LeafTriangle placed(TriangleId id, std::span<const Corners> corners) {
+LeafTriangle placed(TriangleId id, const Corners& corners) {
     LeafTriangle triangle{{}, id};
     for (std::size_t k = 0; k < 9; ++k)
-        triangle.at[k % 3][k / 3] = corners[id][k / 3][static_cast<Eigen::Index>(k % 3)];
+        triangle.at[k % 3][k / 3] = corners[k / 3][static_cast<Eigen::Index>(k % 3)];
     return triangle;
 }
 
-// Copies the leaf to the end of all leaves, with separate corners for each triangle. Returns its index.
-std::uint32_t unshare(Bvh& bvh, std::uint32_t index,
-                      const std::array<LeafTriangle, leaf_capacity>& triangles) {
-    const std::size_t count = bvh.leaf_at(index).count;
-    const std::size_t begin = bvh.leaves.size() - leaf_overread;
-    bvh.leaves.resize(begin + leaf_bytes(count, 3 * count) + leaf_overread);
-    const auto to = static_cast<std::uint32_t>(begin / leaf_alignment);
+using LeafTriangles = std::array<LeafTriangle, leaf_capacity>;
+
+// Writes the leaf again with other corners, at the end of all leaves: first because what it shares by axis
+// has turned, without room for more than its vertices, as these mostly stay together; then because they do
+// not, with room for any corners, where it stays. Returns its index, which `parent` then has, too.
+std::uint32_t rewrite(Bvh& bvh, BvhNode& parent, std::uint32_t index, const LeafTriangles& triangles) {
+    const std::uint8_t shape = bvh.leaf_at(index).shape;
+    const PackedLeaf packed(std::span<const LeafTriangle>(triangles).first(leaf_size(bvh.leaf_at(index))),
+                            false);
+    const bool roomy = (shape & leaf_by_axis) == 0;
+    std::uint32_t to = index;
+    if ((shape & leaf_roomy) == 0) {
+        const std::size_t begin = bvh.leaves.size() - leaf_overread;
+        const std::size_t size = begin + (roomy ? largest_leaf : packed.bytes()) + leaf_overread;
+        // Of a large world a little turns: it should not take twice the memory for that.
+        if (size > bvh.leaves.capacity()) bvh.leaves.reserve(size + size / 8);
+        bvh.leaves.resize(size);
+        to = static_cast<std::uint32_t>(begin / leaf_alignment);
+        bvh.leaf_of.grow(std::size_t{to} + 1);
+        *std::find(parent.child, parent.child + 8, leaf_bit | index) = leaf_bit | to;
+    }
+    packed.write(&bvh.leaves[std::size_t{to} * leaf_alignment]);
     Leaf& leaf = bvh.leaf_at(to);
-    leaf.count = static_cast<std::uint8_t>(count);
-    leaf.vertices = static_cast<std::uint8_t>(3 * count);
-    leaf.unused = 0;
-    leaf.parent = bvh.leaf_at(index).parent;
-    for (std::size_t lane = 0; lane < leaf_capacity; ++lane) {
-        const std::size_t from = std::min(lane, count - 1);
-        for (std::size_t k = 0; k < 3; ++k)
-            leaf.corner[k][lane] = static_cast<std::uint8_t>(3 * from + k);
-    }
-    auto* ids = const_cast<std::uint32_t*>(leaf_ids(leaf));
-    for (std::size_t lane = 0; lane < count; ++lane) {
-        ids[lane] = triangles[lane].id;
-        bvh.slots[ids[lane]] = static_cast<std::uint32_t>(to * leaf_capacity + lane);
-        for (std::size_t k = 0; k < 9; ++k)
-            coordinates_of(leaf)[(k % 3) * leaf.vertices + 3 * lane + k / 3] =
-                triangles[lane].at[k % 3][k / 3];
-    }
-    BvhNode& parent = bvh.nodes[leaf.parent];
-    *std::find(parent.child, parent.child + 8, leaf_bit | index) = leaf_bit | to;
+    if (roomy) leaf.shape |= leaf_roomy;
+    for (std::size_t lane = 0; lane < leaf_size(leaf); ++lane)
+        bvh.leaf_of.set(leaf_id(leaf, lane), to);
     return to;
 }
 
 // Moves triangles of one leaf. Returns the index of the leaf afterwards.
-std::uint32_t move_in_leaf(Bvh& bvh, std::span<const Moved> moved, std::span<const Corners> corners) {
-    const std::uint32_t index = moved[0].slot / leaf_capacity;
+std::uint32_t move_in_leaf(Bvh& bvh, BvhNode& parent, std::span<const Moved> moved,
+                           std::span<const Corners> corners) {
+    const std::uint32_t index = moved[0].leaf;
     Leaf& leaf = bvh.leaf_at(index);
-    std::array<LeafTriangle, leaf_capacity> triangles;
-    for (std::size_t lane = 0; lane < leaf.count; ++lane)
+    LeafTriangles triangles;
+    for (std::size_t lane = 0; lane < leaf_size(leaf); ++lane)
         triangles[lane] = leaf_triangle(leaf, lane);
+    std::array<const Corners*, leaf_capacity> to{};
     std::uint32_t lanes = 0;
     for (const Moved& one : moved) {
-        const std::size_t lane = one.slot % leaf_capacity;
-        lanes |= 1U << lane;
-        for (std::size_t k = 0; k < 9; ++k)
-            triangles[lane].at[k % 3][k / 3] = corners[one.index][k / 3][static_cast<Eigen::Index>(k % 3)];
+        lanes |= 1U << one.lane;
+        to[one.lane] = &corners[one.index];
+        triangles[one.lane] = placed(triangles[one.lane].id, corners[one.index]);
     }
-    std::uint32_t known = vertices_at_rest(leaf, lanes);
-    for (std::size_t lane = 0; lane < leaf.count; ++lane) {
-        if ((lanes >> lane & 1U) == 0) continue;
-        Corners to;
-        for (std::size_t k = 0; k < 9; ++k)
-            to[k / 3][static_cast<Eigen::Index>(k % 3)] = triangles[lane].at[k % 3][k / 3];
-        if (!write_corners(leaf, lane, to, known)) return unshare(bvh, index, triangles);
+    std::array<std::uint32_t, 3> known = values_at_rest(leaf, lanes);
+    for (std::size_t lane = 0; lane < leaf_size(leaf); ++lane) {
+        if (to[lane] != nullptr && !write_corners(leaf, lane, *to[lane], known))
+            return rewrite(bvh, parent, index, triangles);
     }
     return index;
 }
@@ -115,13 +113,13 @@ struct Bounds {
 };
 
 Bounds leaf_bounds(const Leaf& leaf) {
-    const float* coordinates = leaf_coordinates(leaf);
+    const float* values = leaf_values(leaf);
     Bounds bounds;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto [low, high] =
-            std::minmax_element(coordinates + axis * leaf.vertices, coordinates + (axis + 1) * leaf.vertices);
+        const auto [low, high] = std::minmax_element(values, values + leaf.values[axis]);
         bounds.b[axis] = *low;
         bounds.b[axis + 3] = *high;
+        values += leaf.values[axis];
     }
     return bounds;
 }
@@ -137,28 +135,29 @@ Bounds node_bounds(const BvhNode& node) {
 
 // Moves every triangle, given in ascending order, so that no search is needed.
 void move_all(Bvh& bvh, std::span<const Corners> corners) {
-    const auto move_leaf = [&](std::uint32_t index) {
+    const auto move_leaf = [&](BvhNode& parent, std::uint32_t index) {
         Leaf& leaf = bvh.leaf_at(index);
-        std::uint32_t known = 0;
-        for (std::size_t lane = 0; lane < leaf.count; ++lane) {
-            if (write_corners(leaf, lane, corners[leaf_ids(leaf)[lane]], known)) continue;
-            std::array<LeafTriangle, leaf_capacity> triangles;
-            for (std::size_t i = 0; i < leaf.count; ++i)
-                triangles[i] = placed(leaf_ids(leaf)[i], corners);
-            return unshare(bvh, index, triangles);
+        std::array<std::uint32_t, 3> known{};
+        for (std::size_t lane = 0; lane < leaf_size(leaf); ++lane) {
+            if (write_corners(leaf, lane, corners[leaf_id(leaf, lane)], known)) continue;
+            LeafTriangles triangles;
+            for (std::size_t i = 0; i < leaf_size(leaf); ++i)
+                triangles[i] = placed(leaf_id(leaf, i), corners[leaf_id(leaf, i)]);
+            return rewrite(bvh, parent, index, triangles);
         }
         return index;
     };
     // Parents come before their children.
     for (std::size_t n = bvh.nodes.size(); n-- > 0;) {
         for (std::size_t k = 0; k < 8; ++k) {
-            const std::uint32_t child = bvh.nodes[n].child[k];
-            if (bvh.nodes[n].bound[0][k] > bvh.nodes[n].bound[3][k]) continue;  // missing
+            BvhNode& node = bvh.nodes[n];
+            const std::uint32_t child = node.child[k];
+            if (node.bound[0][k] > node.bound[3][k]) continue;  // missing
             const Bounds bounds = (child & leaf_bit) != 0
-                                      ? leaf_bounds(bvh.leaf_at(move_leaf(child & leaf_index_mask)))
+                                      ? leaf_bounds(bvh.leaf_at(move_leaf(node, child & leaf_index_mask)))
                                       : node_bounds(bvh.nodes[child]);
             for (std::size_t row = 0; row < 6; ++row)
-                bvh.nodes[n].bound[row][k] = bounds.b[row];
+                node.bound[row][k] = bounds.b[row];
         }
     }
 }
@@ -179,22 +178,46 @@ void remove_duplicates(std::vector<std::uint32_t>& list) {
     list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
+// What is above nodes and leaves. Most worlds never move, so it is not kept for them.
+void find_parents(Bvh& bvh) {
+    bvh.parents.resize(bvh.nodes.size());
+    bvh.leaf_parents.clear();
+    for (std::uint32_t n = 0; n < bvh.nodes.size(); ++n) {
+        const BvhNode& node = bvh.nodes[n];
+        for (std::size_t k = 0; k < 8; ++k) {
+            if (node.bound[0][k] > node.bound[3][k]) continue;  // missing
+            if ((node.child[k] & leaf_bit) != 0)
+                bvh.leaf_parents.push_back({node.child[k] & leaf_index_mask, n});
+            else
+                bvh.parents[node.child[k]] = n;
+        }
+    }
+    std::ranges::sort(bvh.leaf_parents, {}, &Bvh::LeafParent::leaf);
+}
+
 void move_some(Bvh& bvh, std::span<const TriangleId> triangles, std::span<const Corners> corners) {
+    if (bvh.parents.empty()) find_parents(bvh);
     std::vector<Moved> moved(triangles.size());
-    for (std::uint32_t i = 0; i < moved.size(); ++i)
-        moved[i] = {bvh.slots[triangles[i]], i};
+    for (std::uint32_t i = 0; i < moved.size(); ++i) {
+        const std::uint32_t leaf = bvh.leaf_of[triangles[i]];
+        moved[i] = {leaf, static_cast<std::uint32_t>(lane_of(bvh.leaf_at(leaf), triangles[i])), i};
+    }
     // If a triangle is given twice, the later one applies.
-    std::sort(moved.begin(), moved.end(), [](const Moved& a, const Moved& b) {
-        return a.slot < b.slot || (a.slot == b.slot && a.index < b.index);
-    });
+    std::ranges::sort(moved, {}, [](const Moved& one) { return std::pair(one.leaf, one.index); });
     std::vector<std::uint32_t> nodes;
     for (std::size_t first = 0; first < moved.size();) {
+        const std::uint32_t before = moved[first].leaf;
         std::size_t end = first + 1;
-        while (end < moved.size() && moved[end].slot / leaf_capacity == moved[first].slot / leaf_capacity)
+        while (end < moved.size() && moved[end].leaf == before)
             ++end;
-        const std::uint32_t index = move_in_leaf(bvh, std::span(moved).subspan(first, end - first), corners);
-        const Leaf& leaf = bvh.leaf_at(index);
-        if (fit(bvh.nodes[leaf.parent], leaf_bit | index, leaf_bounds(leaf))) nodes.push_back(leaf.parent);
+        const std::uint32_t parent =
+            std::ranges::lower_bound(bvh.leaf_parents, before, {}, &Bvh::LeafParent::leaf)->parent;
+        BvhNode& node = bvh.nodes[parent];
+        const std::uint32_t index =
+            move_in_leaf(bvh, node, std::span(moved).subspan(first, end - first), corners);
+        // Later leaves have higher indices.
+        if (index != before) bvh.leaf_parents.push_back({index, parent});
+        if (fit(node, leaf_bit | index, leaf_bounds(bvh.leaf_at(index)))) nodes.push_back(parent);
         first = end;
     }
     // A node is refitted again after each round in which a child changed; the last refit is correct.
@@ -213,11 +236,12 @@ void move_some(Bvh& bvh, std::span<const TriangleId> triangles, std::span<const 
 }  // namespace
 
 void move_bvh_triangles(Bvh& bvh, std::span<const TriangleId> triangles, std::span<const Corners> corners) {
-    bool all = triangles.size() == bvh.slots.size();
+    bool all = triangles.size() == bvh.leaf_of.size();
     for (std::size_t i = 0; all && i < triangles.size(); ++i)
         all = triangles[i] == i;
     if (all) {
         move_all(bvh, corners);
+        bvh.parents.clear();  // leaves may have other places now
     } else {
         move_some(bvh, triangles, corners);
     }

@@ -35,6 +35,9 @@ struct TriangleSoup {
 };
 
 struct Instance;  // instances.h
+namespace detail {
+enum class LeafForm : std::uint8_t;
+}
 
 struct BvhStatistics {
     std::size_t triangles = 0;  // those of instances, too
@@ -123,6 +126,10 @@ class CollisionWorld {
     const Impl& impl() const { return *impl_; }
 
   private:
+    friend class CollisionMesh;
+    static Result<CollisionWorld> build(const TriangleSoup& soup, std::span<const Instance> instances,
+                                        detail::LeafForm form);
+
     std::unique_ptr<Impl> impl_;
 };
 
