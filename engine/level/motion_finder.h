@@ -1,7 +1,9 @@
 // The search for the motions of parts, in stages: each part by itself, then together.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "face_matcher.h"
@@ -14,6 +16,7 @@ namespace slipface {
 inline constexpr std::size_t max_guesses = 500'000;  // motions examined, of all parts
 inline constexpr double lost_below = 0.3;            // of the anchor corners
 inline constexpr double in_place = 0.85;             // fraction of anchor corners of a part that stayed
+inline constexpr double vertices_in_order = 0.7;     // of PartSupport::vertex_order_kept(): not by chance
 inline constexpr std::size_t few_anchors = 8;        // faces that can come into any order by chance
 inline constexpr double vote_slack = 0.3;            // by which parts yield to the motion of other parts
 
@@ -59,6 +62,8 @@ class MotionFinder {
     // part_vertices.cpp: what the order of the vertices says
     void trust_vertices();
     std::optional<PartMotion> motion_of_vertices(std::size_t part);
+    void try_points(std::size_t part);
+    void try_corners(std::size_t part, const std::array<Vec3, 3>& from, std::span<const Vec3> to);
 
     // part_order.cpp: what the order of the faces says
     void try_order(std::size_t part);
@@ -95,6 +100,7 @@ class MotionFinder {
     std::vector<PartMotion> candidates_;  // all that nearly explain as much
     std::size_t candidates_part_ = 0, candidates_of_part_ = 0, votes_ = 0;
     std::size_t guesses_ = 0;
+    std::size_t distances_ = 0;                    // compared by try_points()
     std::size_t in_order_ = 0, out_of_order_ = 0;  // parts that stayed
     bool has_order_ = true;                        // the order of the file is kept
     double enough_anchors_ = 0.7;                  // fraction of anchor corners that a motion must explain

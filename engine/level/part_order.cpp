@@ -6,11 +6,6 @@
 #include "motion_fit.h"
 
 namespace slipface {
-namespace {
-
-constexpr double vertices_in_order = 0.8;
-
-}  // namespace
 
 // How much of the order of the part's faces is kept, 1 if all are where they were in it; and as much again
 // for its vertices, of which no wrong motion keeps the order by chance.

@@ -156,6 +156,26 @@ bool PartSupport::is_taken(std::size_t i, const PartMotion& motion) {
     return 10 * taken > 3 * hits;
 }
 
+std::vector<std::uint32_t> PartSupport::parts_at(std::size_t i, const PartMotion& motion) {
+    all();
+    std::vector<std::uint32_t> parts;
+    for (const Vec3& point : samples_[i].points) {
+        const Vec3 to = motion(point);
+        const std::uint32_t vertex = grid_.nearest(to, tolerance(motion, point, to));
+        if (vertex != no_id && vertex_part_[vertex] != no_id) parts.push_back(vertex_part_[vertex]);
+    }
+    return parts;
+}
+
+std::vector<std::vector<Vec3>> PartSupport::places() {
+    all();
+    std::vector<std::vector<Vec3>> places(all_->parts.size());
+    for (std::uint32_t vertex = 0; vertex < vertex_part_.size(); ++vertex)
+        if (vertex_part_[vertex] != no_id && all_->first_there[vertex] == vertex)
+            places[vertex_part_[vertex]].push_back(mesh_.positions[vertex].cast<double>());
+    return places;
+}
+
 double PartSupport::ranks_kept(std::size_t i, const PartMotion& motion) {
     const std::vector<AnchorFace>& anchors = stored_.parts[i].anchors;
     std::size_t kept = 0;

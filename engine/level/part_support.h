@@ -71,6 +71,12 @@ class PartSupport {
     // The part is not where it was: what lies in its box now is another one.
     void set_gone(std::size_t part) { samples_[part].gone = true; }
 
+    // [part of the mesh] its different positions.
+    std::vector<std::vector<Vec3>> places();
+
+    // The mesh's parts at the part's points after the motion, of each point.
+    std::vector<std::uint32_t> parts_at(std::size_t part, const PartMotion& motion);
+
     // True if the motion puts the part where another one stayed.
     bool is_taken(std::size_t part, const PartMotion& motion);
 

@@ -194,6 +194,7 @@ void MotionFinder::search_edited() {
             try_boxes(i);
             try_faces(i);
         }
+        if (part.best.is_identity()) try_points(i);
         if (part.best.is_identity()) continue;
         part.best.guessed = true;
         places_[i] = support_.moved_box(i, part.best);
@@ -238,7 +239,10 @@ void MotionFinder::doubt(std::size_t i) {
                types_.differ(i, part.best, other.motion);
     });
     const bool turned = effort(part.best, box.centre(), box.size().norm()) > more_effort;
-    part.best.lost = !stays && part.best.guessed && ((unclear && turned) || part.best_support.sum() < hardly);
+    // No wrong motion of many corners keeps the order of the vertices.
+    const bool ordered = support_.vertex_order_kept(i, part.best).value_or(0.0) >= vertices_in_order;
+    part.best.lost = !stays && part.best.guessed &&
+                     ((unclear && turned) || (!ordered && part.best_support.sum() < hardly));
     part.best.guessed = part.best.guessed || unclear;
 }
 
