@@ -22,7 +22,7 @@ namespace slipface {
 struct App::Impl {
     explicit Impl(const AppOptions& given)
         : options(given),
-          scene(given.gl, editor),
+          scene(given.gl, editor, given.draft_from),
           preview(given.gl, editor.session),
           thumbnails(given.gl, editor.session),
           images(given.gl),
@@ -210,6 +210,7 @@ void App::build_frame(int width, int height, double seconds) {
 
     const float dim = self.context->DimBgRatio;
     if (ui::tooltip_due() || (dim > 0.0f && dim < 1.0f)) self.frame.animating = true;
+    if (self.scene.next_is_draft()) self.frame.animating = true;  // one more frame replaces it
     self.frame.held.look_pixels = Vec2::Zero();
 
     Hasher hasher;
@@ -236,6 +237,7 @@ void App::draw_frame() {
     const GladGLContext& gl = *self.options.gl;
     GLint window_framebuffer = 0;
     gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &window_framebuffer);
+    const bool draft = self.scene.next_is_draft();
     self.scene.draw();
     self.preview.draw();
     self.thumbnails.draw();
@@ -248,7 +250,7 @@ void App::draw_frame() {
     gl.ClearColor(ground.x, ground.y, ground.z, 1.0f);
     gl.Clear(GL_COLOR_BUFFER_BIT);
     self.renderer->draw(*ImGui::GetDrawData());
-    self.drawn_hash = self.built_hash;
+    self.drawn_hash = draft ? 0 : self.built_hash;
 }
 
 }  // namespace slipface

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -18,6 +19,9 @@ struct AppOptions {
     std::string hidden_folder;   // left out of messages, so that images do not depend on the files' location
     std::filesystem::path config;  // folder for preferences and recent files; empty: nothing is stored
     std::filesystem::path state;   // folder for autosaves; empty: none are written
+    // Triangles of a level from which its first image is drawn without multisampling, and in full right after
+    // that. It takes half the time where the processor draws.
+    std::size_t draft_from = std::numeric_limits<std::size_t>::max();
     // Called from threads when there is something new to show; empty: callers wait.
     std::function<void()> wake;
 };

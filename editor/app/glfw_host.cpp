@@ -23,6 +23,7 @@
 namespace slipface {
 namespace {
 
+constexpr std::size_t draft_from = 250'000;  // triangles
 constexpr int frames_after_event =
     3;  // popups, tooltips and auto-sized windows need up to this many frames to settle
 constexpr double stick_dead_zone = 0.18;
@@ -335,6 +336,7 @@ Status run_window(const WindowOptions& options) {
         app_options.scale = scale;
         app_options.config = options.config;
         app_options.state = options.state;
+        app_options.draft_from = draft_from;
         app_options.wake = glfwPostEmptyEvent;  // may be called from any thread
         App app(app_options);
         ImGui_ImplGlfw_InitForOpenGL(window.handle, true);

@@ -27,6 +27,7 @@ Result<std::unique_ptr<OffscreenHost>> OffscreenHost::make(const OffscreenOption
     app.hidden_folder = options.hidden_folder;
     app.config = options.config;
     app.state = host->state_ = options.state;
+    app.draft_from = options.draft_from;
     host->app_ = std::make_unique<App>(app);
     ui::fill_key_map();
     ui::feed_without_trickling();

@@ -18,6 +18,7 @@ struct OffscreenOptions {
     std::string hidden_folder;     // left out of messages
     std::filesystem::path config;  // folder for preferences and recent files; empty: nothing is stored
     std::filesystem::path state;   // folder for autosaves; empty: a temporary one if a script uses autosaves
+    std::size_t draft_from = AppOptions().draft_from;
 };
 
 class OffscreenHost {

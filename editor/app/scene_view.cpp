@@ -14,8 +14,8 @@ SceneView::~SceneView() {
         if (still.texture != 0) gl_->DeleteTextures(1, &still.texture);
 }
 
-SceneView::SceneView(GlTable gl, Editor& editor)
-    : gl_(gl), editor_(editor), level_(gl), overlay_renderer_(std::move(gl)) {}
+SceneView::SceneView(GlTable gl, Editor& editor, std::size_t draft_from)
+    : gl_(gl), editor_(editor), level_(gl), overlay_renderer_(std::move(gl)), draft_from_(draft_from) {}
 
 void SceneView::upload() {
     const Document& document = *editor_.document;
@@ -29,7 +29,7 @@ void SceneView::upload() {
         mesh_ = mesh;
         props_ = nullptr;
         texture_warnings_ = level_.set_mesh(shown_mesh(level, !apart), level.mesh_path.parent_path());
-        level_.prepare_outlines();
+        draft_ = level.mesh.triangle_count() >= draft_from_;
         ++uploads_;
     }
     if (other_mesh || level.light != light_) {
@@ -161,12 +161,15 @@ void SceneView::draw() {
     for (Picture& image : images_) {
         if (!image.wanted || !image.target || image.wanted_hash == image.drawn_hash) continue;
         const int width = image.target->width(), height = image.target->height();
-        image.target->bind();
+        draft_ ? image.target->bind_draft() : image.target->bind();
         level_.draw(image.camera, width, height, image.style);
         overlay_renderer_.draw(image.overlay, image.camera, width, height);
+        if (draft_) continue;
         image.target->resolve();
         image.drawn_hash = image.wanted_hash;
     }
+    if (!draft_) level_.prepare_outlines();
+    draft_ = false;
 }
 
 }  // namespace slipface

@@ -13,7 +13,8 @@ namespace slipface {
 
 class SceneView final : public ViewportServices {
   public:
-    SceneView(GlTable gl, Editor& editor);
+    // The first image of a level of `draft_from` triangles or more is a draft.
+    SceneView(GlTable gl, Editor& editor, std::size_t draft_from);
     ~SceneView() override;
 
     // Stores the request; draw() draws it.
@@ -23,7 +24,10 @@ class SceneView final : public ViewportServices {
 
     void begin_frame();
     std::uint64_t wanted_hash() const;
-    void draw();  // draws into the textures that render() returned; skips those that are up to date
+    // Draws into the textures that render() returned; skips those that are up to date. A draft has one sample
+    // per pixel, and the next call draws it in full.
+    void draw();
+    bool next_is_draft() const { return draft_; }
 
     const Warnings& texture_warnings() const { return texture_warnings_; }
 
@@ -41,6 +45,8 @@ class SceneView final : public ViewportServices {
     FaceHighlights highlights_;
     std::optional<double> moved_;  // the time of the platforms' positions; nothing: nothing moves
     std::uint64_t uploads_ = 0;    // grows whenever the GPU's copy changed
+    std::size_t draft_from_;
+    bool draft_ = false;  // the next images are drafts
     Warnings texture_warnings_;
 
     struct Picture {

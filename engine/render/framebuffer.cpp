@@ -54,12 +54,27 @@ Framebuffer::~Framebuffer() {
     gl_->DeleteFramebuffers(1, &resolve_framebuffer_);
     gl_->DeleteRenderbuffers(1, &msaa_color_);
     gl_->DeleteRenderbuffers(1, &msaa_depth_);
+    gl_->DeleteRenderbuffers(1, &draft_depth_);
     gl_->DeleteTextures(1, &resolve_texture_);
 }
 
 void Framebuffer::bind() {
     gl_->BindFramebuffer(GL_FRAMEBUFFER, msaa_framebuffer_);
     gl_->Viewport(0, 0, width_, height_);
+}
+
+void Framebuffer::bind_draft() {
+    gl_->BindFramebuffer(GL_FRAMEBUFFER, resolve_framebuffer_);
+    if (draft_depth_ == 0) {
+        gl_->GenRenderbuffers(1, &draft_depth_);
+        gl_->BindRenderbuffer(GL_RENDERBUFFER, draft_depth_);
+        gl_->RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, width_, height_);
+        gl_->BindRenderbuffer(GL_RENDERBUFFER, 0);
+        gl_->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
+                                     draft_depth_);
+    }
+    gl_->Viewport(0, 0, width_, height_);
+    assert_no_gl_error(*gl_, "Framebuffer::bind_draft");
 }
 
 void Framebuffer::resolve() {

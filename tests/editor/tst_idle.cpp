@@ -38,6 +38,25 @@ TEST_F(IdleTest, WhatCanBeSeenChangesNeedsDrawing) {
     EXPECT_TRUE(host->app().needs_drawing());
 }
 
+TEST_F(IdleTest, TheFirstImageOfALargeLevelIsADraftAndTheNextIsFull) {
+    host->settle();
+    const Image full = host->screenshot();
+    OffscreenOptions options;
+    options.draft_from = document().level().mesh.triangle_count();
+    start(options);
+    host->settle();
+    EXPECT_TRUE(host->app().context().animating);
+    EXPECT_NE(host->screenshot().rgba, full.rgba);
+    host->frame();
+    EXPECT_FALSE(host->app().context().animating);
+    EXPECT_TRUE(host->app().needs_drawing());
+    EXPECT_EQ(host->screenshot().rgba, full.rgba);
+    editor().view.yaw += 0.01;
+    host->frame();
+    host->screenshot();
+    EXPECT_FALSE(host->app().needs_drawing());
+}
+
 TEST_F(IdleTest, PlayingAnimatesAndComesToRestAfterwards) {
     start_playtest(editor());
     host->frame();

@@ -56,8 +56,9 @@ class Framebuffer {
 
     int width() const { return width_; }
     int height() const { return height_; }
-    void bind();                                           // for drawing; sets the viewport
-    void resolve();                                        // multisampled colour into the texture
+    void bind();        // for drawing; sets the viewport
+    void bind_draft();  // likewise, but straight into the texture with one sample per pixel: no resolve()
+    void resolve();     // multisampled colour into the texture
     unsigned texture() const { return resolve_texture_; }  // as of the last resolve(); rows from the bottom
     Image read();                                          // resolves; rows from the top, alpha 255
 
@@ -65,7 +66,7 @@ class Framebuffer {
     GlTable gl_;
     int width_, height_;
     unsigned msaa_framebuffer_ = 0, msaa_color_ = 0, msaa_depth_ = 0, resolve_framebuffer_ = 0,
-             resolve_texture_ = 0;
+             resolve_texture_ = 0, draft_depth_ = 0;
 };
 
 }  // namespace slipface
