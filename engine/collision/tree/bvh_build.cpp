@@ -283,7 +283,8 @@ class Builder {
             node.leaf_bytes += node.children[i].bytes;
         }
         if (node.leaf_bytes == 0) return;
-        node.leaves = std::make_unique_for_overwrite<std::byte[]>(node.leaf_bytes);
+        // leaf_id() reads some bytes more.
+        node.leaves = std::make_unique<std::byte[]>(node.leaf_bytes + sizeof(std::uint32_t));
         std::copy_n(bytes.begin(), node.leaf_bytes, node.leaves.get());
     }
     void pack(std::span<const Item> items, std::byte* to, Child& child) const {
@@ -336,7 +337,7 @@ class MemoryLayout {
 
 void write(const Node& node, Bvh& bvh) {
     BvhNode& out = bvh.nodes[node.index];
-    bool copied = false;
+    const std::byte* from = node.leaves.get();
     for (std::size_t k = 0; k < 8; ++k) {
         const Child& child = node.children[k];
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -346,14 +347,11 @@ void write(const Node& node, Bvh& bvh) {
         out.child[k] = child.link;
         if (k >= node.count || child.node) continue;
         const std::uint32_t index = child.link & leaf_index_mask;
-        Leaf& leaf = bvh.leaf_at(index);
-        // The leaves of a node follow each other there, too.
-        if (!copied)
-            std::memcpy(reinterpret_cast<std::byte*>(&leaf) - child.bytes_before, node.leaves.get(),
-                        node.leaf_bytes);
-        copied = true;
+        const Leaf& leaf = *reinterpret_cast<const Leaf*>(from + child.bytes_before);
         for (std::size_t lane = 0; lane < leaf_size(leaf); ++lane)
             bvh.leaf_of.set(leaf_id(leaf, lane), index);
+        std::memcpy(&bvh.leaves[std::size_t{index} * leaf_alignment - child.bytes_before], from, child.bytes);
+        from += child.bytes;
     }
 }
 

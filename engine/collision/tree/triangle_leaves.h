@@ -8,7 +8,7 @@
 
 namespace slipface::detail {
 
-// Three bytes a triangle as long as all leaves have indices below 2^24, then four.
+// Three bytes per triangle as long as all leaves have indices below 2^24, then four.
 class TriangleLeaves {
   public:
     TriangleLeaves() = default;
