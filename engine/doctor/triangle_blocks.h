@@ -49,9 +49,9 @@ struct Boxes {
         const float high[3] = {box.max.x(), box.max.y(), box.max.z()};
         LaneMask touches;
         for (std::size_t lane = 0; lane < lanes; ++lane) {
-            touches[lane] = (min[0][lane] <= high[0]) & (min[1][lane] <= high[1]) &
-                            (min[2][lane] <= high[2]) & (max[0][lane] >= low[0]) & (max[1][lane] >= low[1]) &
-                            (max[2][lane] >= low[2]);
+            touches[lane] = int{min[0][lane] <= high[0]} & int{min[1][lane] <= high[1]} &
+                            int{min[2][lane] <= high[2]} & int{max[0][lane] >= low[0]} &
+                            int{max[1][lane] >= low[1]} & int{max[2][lane] >= low[2]};
         }
         return touches;
     }
