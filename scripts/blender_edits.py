@@ -55,7 +55,9 @@ def inside_blender(job_path):
         for number, at in enumerate(job["centroids"]):
             numbers.setdefault(tuple(round(x, 3) for x in at), []).append(number)
         used, places, loops, owners, ids = set(), [], [], [], {}
-        rest = []  # faces that Blender repaired when it read them: it takes out a corner that a face has twice
+        # Faces that Blender repaired when it read them: it takes out a corner that a face has twice, and cuts others
+        # into several, which have no number (-1).
+        rest = []
 
         def world(o, polygon):
             c = sum((o.data.vertices[v].co for v in polygon.vertices), Vector()) / len(polygon.vertices)
@@ -67,7 +69,7 @@ def inside_blender(job_path):
             return slots[polygon.material_index].material.name if slots and slots[0].material else None
 
         for o in objects:
-            ids[o] = [0] * len(o.data.polygons)
+            ids[o] = [-1] * len(o.data.polygons)
             for polygon in o.data.polygons:
                 key, normal = world(o, polygon)
                 near = []
@@ -707,7 +709,7 @@ def score(types, truth, rows, guessed, original):
     existing = {int(t[0]) for t in truth if t[0] > 0 and types[int(t[0]) - 1]}
     for k, t in enumerate(truth):
         number, kind = int(t[0]), got.get(k)
-        if kind is None:
+        if kind is None or number < 0:
             continue
         if number == 0:  # Blender made it: the original face nearest to its place
             near = min(range(len(original)), key=lambda i: math.dist(original[i][0], t[1:4]))

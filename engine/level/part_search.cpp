@@ -47,7 +47,7 @@ std::vector<PartMotion> MotionFinder::run() && {
     // Of parts without paint only the box is known: they do what most of the others do.
     for (std::size_t part = 0; part < parts_.size(); ++part)
         if (2 * gone > painted && support_.points(part).empty()) support_.set_gone(part);
-    has_order_ = keeps_order();
+    has_order_ = gone == 0 || keeps_order();
     trust_vertices();
     for (std::size_t part = 0; part < parts_.size(); ++part)
         if (!parts_[part].certain) find(part);

@@ -23,15 +23,19 @@ constexpr std::size_t max_distances = 200'000'000;  // compared in all
 std::optional<PartMotion> MotionFinder::motion_of_vertices(std::size_t i) {
     const std::vector<Vec3>& points = support_.points(i);
     const std::vector<std::uint32_t>& numbers = support_.numbers(i);
-    if (numbers.size() < needed) return std::nullopt;
-    const auto count = static_cast<Eigen::Index>(points.size());
-    Eigen::Matrix3Xd from(3, count), to(3, count);
-    for (Eigen::Index k = 0; k < count; ++k) {
-        const std::uint32_t vertex = support_.numbered(numbers[static_cast<std::size_t>(k)]);
-        if (vertex == no_id) return std::nullopt;
-        from.col(k) = points[static_cast<std::size_t>(k)];
-        to.col(k) = mesh_.positions[vertex].cast<double>();
+    std::vector<Vec3> old_points, new_points;
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        const std::uint32_t vertex = support_.numbered(numbers[k]);
+        if (vertex == no_id) continue;  // rounding put two vertices at one position
+        old_points.push_back(points[k]);
+        new_points.push_back(mesh_.positions[vertex].cast<double>());
     }
+    const auto count = static_cast<Eigen::Index>(old_points.size());
+    if (old_points.size() < needed ||
+        static_cast<double>(count) < nearly_all * static_cast<double>(points.size()))
+        return std::nullopt;
+    const Eigen::Map<const Eigen::Matrix3Xd> from(old_points.front().data(), 3, count);
+    const Eigen::Map<const Eigen::Matrix3Xd> to(new_points.front().data(), 3, count);
     const auto fits = [&](const PartMotion& motion) {
         for (Eigen::Index k = 0; k < count; ++k)
             if (!support_.hits(motion, from.col(k), to.col(k))) return false;
