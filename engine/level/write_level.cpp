@@ -180,9 +180,13 @@ Json paint_parts_json(const PaintedFaces& painted, const std::vector<std::size_t
     json_add(json, "list", json_array_of(painted.parts.parts, [](const PaintPart& part) {
                  return json_string(pack_part(part));
              }));
-    json_add(json, "numbers", json_array_of(painted.parts.parts, [](const PaintPart& part) {
-                 return json_string(pack_numbers(part, pack_part(part)));
-             }));
+    Json numbers = json_array_of(painted.parts.parts, [](const PaintPart& part) {
+        return json_string(pack_numbers(part, pack_part(part)));
+    });
+    // Painted parts come first.
+    while (!numbers.items.empty() && numbers.items.back().text.empty())
+        numbers.items.pop_back();
+    json_add(json, "numbers", std::move(numbers));
     json_add(json, "outlines", outlines_json(painted, order));
     std::string bits((order.size() + 7) / 8, '\0');
     for (std::size_t k = 0; k < order.size(); ++k)
