@@ -1,6 +1,6 @@
 // Moves triangles: writes new corners to their leaves, and refits the boxes above.
 #include <algorithm>
-#include <cstring>
+#include <bit>
 
 #include "tree/bvh.h"
 #include "tree/pack_leaf.h"
@@ -20,7 +20,8 @@ bool write_corners(Leaf& leaf, std::size_t lane, const Corners& corners,
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t index = corner_of(at, k);
             const float now = corners[k][static_cast<Eigen::Index>(axis)];
-            const bool same = std::memcmp(&values[index], &now, sizeof now) == 0;
+            const bool same =
+                std::bit_cast<std::uint32_t>(values[index]) == std::bit_cast<std::uint32_t>(now);
             values[index] = now;
             if ((known[axis] >> index & 1U) != 0 && !same) return false;
             known[axis] |= 1U << index;
