@@ -54,9 +54,9 @@ Flat flatten(const std::array<Vec3, 3>& corners, int drop) {
 }
 
 // A triangle, to tell which others lie over it.
-class Under {
+class CoveredTriangle {
   public:
-    Under(const Patient& patient, TriangleId triangle)
+    CoveredTriangle(const Patient& patient, TriangleId triangle)
         : normal_of_face_(patient.topology.normal[patient.mesh.triangle_face[triangle]]),
           corners_(corners_of(patient, triangle)) {
         const Vec3 cross = (corners_[1] - corners_[0]).cross(corners_[2] - corners_[0]);
@@ -73,7 +73,7 @@ class Under {
         margin_ = std::max(1e-3 * size, off_plane_);
     }
 
-    bool lies_under(const Patient& patient, TriangleId other) {
+    bool is_covered_by(const Patient& patient, TriangleId other) {
         if (vague_) return false;
         const auto corners = corners_of(patient, other);
         for (const Vec3& corner : corners)
@@ -102,11 +102,11 @@ class Under {
 };
 
 // For a first look: which lanes of `block` have a box that touches that of the triangle in lane `of` of
-// `under`, and a centre about in its plane. Those of its plane are among them.
-LaneMask look(const TriangleBlock& under, std::size_t of, const TriangleBlock& block, float off_plane) {
-    LaneMask near = block.boxes.touching(under.boxes.at(of));
-    const float n[3] = {under.normal[0][of], under.normal[1][of], under.normal[2][of]};
-    const float c[3] = {under.centre[0][of], under.centre[1][of], under.centre[2][of]};
+// `covered`, and a centre about in its plane. Those of its plane are among them.
+LaneMask look(const TriangleBlock& covered, std::size_t of, const TriangleBlock& block, float off_plane) {
+    LaneMask near = block.boxes.touching(covered.boxes.at(of));
+    const float n[3] = {covered.normal[0][of], covered.normal[1][of], covered.normal[2][of]};
+    const float c[3] = {covered.centre[0][of], covered.centre[1][of], covered.centre[2][of]};
     for (std::size_t lane = 0; lane < lanes; ++lane) {
         const float above = n[0] * (block.centre[0][lane] - c[0]) + n[1] * (block.centre[1][lane] - c[1]) +
                             n[2] * (block.centre[2][lane] - c[2]);
@@ -116,10 +116,10 @@ LaneMask look(const TriangleBlock& under, std::size_t of, const TriangleBlock& b
 }
 
 // The triangles of a block, to find what lies over each.
-class BlockUnder {
+class CoveredBlock {
   public:
     // `rounding`: what a coordinate of the mesh is rounded by, metres.
-    BlockUnder(const Patient& patient, const TriangleBlock& block, float rounding) : block_(&block) {
+    CoveredBlock(const Patient& patient, const TriangleBlock& block, float rounding) : block_(&block) {
         const Mesh& mesh = patient.mesh;
         constexpr auto of_position = static_cast<float>(off_plane_of_position * 0x1p24);
         for (std::size_t lane = 0; lane < block.count; ++lane) {
@@ -129,7 +129,7 @@ class BlockUnder {
             off_plane_[lane] = static_cast<float>(1.01 * off_plane_of_size) * (box.max - box.min).norm() +
                                (of_position + 4.0f) * rounding;
         }
-        under_of_.fill(none);
+        index_of_.fill(none);
         extent_ = block.around.extent();
         find_limit();
     }
@@ -148,7 +148,7 @@ class BlockUnder {
             if (!any(near)) continue;
             for (std::size_t lane = 0; lane < other.count; ++lane) {
                 if (near[lane] == 0 || other.id[lane] >= limit_[of]) continue;
-                if (!under(patient, of).lies_under(patient, other.id[lane])) continue;
+                if (!covered(patient, of).is_covered_by(patient, other.id[lane])) continue;
                 limit_[of] = other.id[lane];
                 find_limit();
             }
@@ -166,12 +166,12 @@ class BlockUnder {
   private:
     static constexpr std::uint8_t none = lanes;
 
-    Under& under(const Patient& patient, std::size_t lane) {
-        if (under_of_[lane] == none) {
-            under_of_[lane] = static_cast<std::uint8_t>(unders_.size());
-            unders_.emplace_back(patient, block_->id[lane]);
+    CoveredTriangle& covered(const Patient& patient, std::size_t lane) {
+        if (index_of_[lane] == none) {
+            index_of_[lane] = static_cast<std::uint8_t>(triangles_.size());
+            triangles_.emplace_back(patient, block_->id[lane]);
         }
-        return unders_[under_of_[lane]];
+        return triangles_[index_of_[lane]];
     }
     void find_limit() { highest_ = *std::max_element(limit_.begin(), limit_.end()); }
 
@@ -180,8 +180,8 @@ class BlockUnder {
     TriangleId highest_ = 0;
     Lanes off_plane_{};
     float extent_ = 0.0f;
-    std::vector<Under> unders_;                 // of the lanes that needed it so far
-    std::array<std::uint8_t, lanes> under_of_;  // [lane] in unders_, or none
+    std::vector<CoveredTriangle> triangles_;    // of the lanes that needed it so far
+    std::array<std::uint8_t, lanes> index_of_;  // [lane] in triangles_, or none
 };
 
 // [triangle] The first triangle of a face before its own that lies over it, or no_id.
@@ -193,14 +193,14 @@ std::vector<TriangleId> triangles_over(const Patient& patient) {
     const TriangleBlocks triangles(mesh);
     parallel_for(triangles.group_count(), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t group = begin; group < end; ++group) {
-            std::vector<BlockUnder> unders;
-            unders.reserve(lanes);
+            std::vector<CoveredBlock> covered;
+            covered.reserve(lanes);
             for (const TriangleBlock& block : triangles.blocks_of(group))
-                unders.emplace_back(patient, block, rounding);
+                covered.emplace_back(patient, block, rounding);
             const auto limit = [&] {
                 TriangleId highest = 0;
-                for (const BlockUnder& under : unders)
-                    highest = std::max(highest, under.limit());
+                for (const CoveredBlock& block : covered)
+                    highest = std::max(highest, block.limit());
                 return highest;
             };
             const BlockGroup& own = triangles.group(group);
@@ -208,17 +208,17 @@ std::vector<TriangleId> triangles_over(const Patient& patient) {
                 const BlockGroup& other = triangles.group(index);
                 const auto blocks = triangles.blocks_of(index);
                 const LaneMask touching = own.boxes.touching(other.around);
-                for (std::size_t i = 0; i < unders.size(); ++i) {
-                    if (touching[i] == 0 || other.lowest >= unders[i].limit()) continue;
-                    const LaneMask near = other.boxes.touching(unders[i].box());
+                for (std::size_t i = 0; i < covered.size(); ++i) {
+                    if (touching[i] == 0 || other.lowest >= covered[i].limit()) continue;
+                    const LaneMask near = other.boxes.touching(covered[i].box());
                     for (std::size_t k = 0; k < blocks.size(); ++k)
-                        if (near[k] != 0 && other.lowest_of[k] < unders[i].limit())
-                            unders[i].look_in(patient, blocks[k]);
+                        if (near[k] != 0 && other.lowest_of[k] < covered[i].limit())
+                            covered[i].look_in(patient, blocks[k]);
                 }
                 return limit();
             });
-            for (const BlockUnder& under : unders)
-                under.write(mesh, over);
+            for (const CoveredBlock& block : covered)
+                block.write(mesh, over);
         }
     });
     return over;
