@@ -52,7 +52,7 @@ def main():
     print("| verb | runs | old | new | mixed at the kill | mixed after the next | left over |\n|---|---:|---:|---:|---:|---:|---:|")
     with tempfile.TemporaryDirectory() as scratch:
         scratch = pathlib.Path(scratch)
-        for verb in ("export --obj", "export --gltf", "bake-light", "name-materials"):
+        for verb in ("export --obj", "export --gltf", "export, all three", "bake-light", "name-materials"):
             level, script = scratch / "level", scratch / "paint.script"
             states = {}
             for age, height in ("old", 0.25), ("new", 0.75):
@@ -63,6 +63,8 @@ def main():
                 run("edit", level / "floor.obj", "--script", script)
                 words = {"export --obj": ["export", level / "floor.obj", "--obj", level / "out/out.obj"],
                          "export --gltf": ["export", level / "floor.obj", "--gltf", level / "out/out.gltf"],
+                         "export, all three": ["export", level / "floor.obj", "--flat", level / "out/out.flat", "--obj", level / "out/out.obj", "--gltf",
+                                               level / "out/out.gltf"],
                          "bake-light": ["bake-light", level / "floor.obj", "--rays", "4", "--texel", "0.5"],
                          "name-materials": ["name-materials", level / "floor.obj"]}[verb]
                 if age == "old" and verb == "bake-light":

@@ -47,7 +47,8 @@ void add_export(CLI::App& app, int& exit_code) {
     targets->add_option("--flat", words->flat, "Triangles, each with its type, for games")->type_name("OUT");
     targets->require_option(1, 3);
     verb->callback([words, &exit_code] {
-        const ExportOptions options{words->level, given(words->obj), given(words->gltf), given(words->flat)};
+        const ExportOptions options{words->level,
+                                    {given(words->obj), given(words->gltf), given(words->flat)}};
         exit_code = run_export(options, std::cout, std::cerr);
     });
 }
@@ -98,17 +99,11 @@ int run_export(const ExportOptions& options, std::ostream& out, std::ostream& er
     const Result<LoadedLevel> loaded = load_level(options.level);
     if (!loaded) return bad_input(err, loaded.error());
     print_warnings(err, loaded->warnings);
-    struct Target {
-        const std::optional<std::filesystem::path>& path;
-        Status (*write)(const Level&, const std::filesystem::path&);
-    };
-    for (const Target& target : {Target{options.obj, export_obj}, Target{options.gltf, export_gltf},
-                                 Target{options.flat, export_flat}}) {
-        if (!target.path) continue;
-        if (const Status status = target.write(loaded->level, *target.path); !status)
-            return bad_input(err, status.error());
-        out << target.path->string() << '\n';
-    }
+    const auto& [obj, gltf, flat] = options.targets;
+    if (const Status status = export_level(loaded->level, options.targets); !status)
+        return bad_input(err, status.error());
+    for (const auto& target : {obj, gltf, flat})
+        if (target) out << target->string() << '\n';
     return exit_fine;
 }
 

@@ -160,7 +160,7 @@ Status write_links(const ReachSearch& search, const std::filesystem::path& file)
         nodes.push_back({fmt::format("link {} {}", nodes.size() + 1,
                                      link_kind_names[static_cast<std::size_t>(link.kind)]),
                          link.begin, fmt::format("{{\"slipface_link\": {}}}", link_to_json(link))});
-    return export_gltf(search.level(), file, nodes);
+    return export_level(search.level(), {.gltf = file}, nodes);
 }
 
 int check(const Play& play, const ReachWords& words, const ReachOptions& options, const ReachLimits& limits) {

@@ -13,6 +13,7 @@
 #include "cli/tape_on_level.h"
 #include "slipface/base/result.h"
 #include "slipface/base/types.h"
+#include "slipface/exchange/export.h"
 #include "slipface/mesh/import.h"
 
 // CLI/CLI.hpp takes seconds to compile, so only files that define options include it.
@@ -118,7 +119,7 @@ int run_name_materials(const std::filesystem::path& level, std::ostream& out, st
 
 struct ExportOptions {
     std::filesystem::path level;
-    std::optional<std::filesystem::path> obj, gltf, flat;  // at least one
+    ExportTargets targets;  // at least one
 };
 int run_export(const ExportOptions& options, std::ostream& out, std::ostream& err);
 

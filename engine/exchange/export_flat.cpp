@@ -2,7 +2,6 @@
 #include <limits>
 
 #include "export_parts.h"
-#include "slipface/base/files.h"
 
 namespace slipface {
 namespace {
@@ -78,9 +77,8 @@ std::string flat_bytes(const Level& level) {
 
 }  // namespace
 
-Status export_flat(const Level& level, const std::filesystem::path& path) {
-    if (Status status = check_target(level, path); !status) return status;
-    return write_file_atomic(path, flat_bytes(level));
+Result<std::vector<ExportedFile>> flat_files(const Level& level, const std::filesystem::path& path) {
+    return std::vector<ExportedFile>{{path, flat_bytes(level)}};
 }
 
 }  // namespace slipface

@@ -11,7 +11,6 @@
 #include "gltf/materials.h"
 #include "gltf/objects.h"
 #include "gltf/physics.h"
-#include "slipface/base/files.h"
 #include "slipface/base/hash.h"
 #include "slipface/base/text.h"
 
@@ -329,33 +328,27 @@ Result<std::string> glb_bytes(const GltfJson& root, const std::string& binary, c
 
 }  // namespace
 
-Status export_gltf(const Level& level, const fs::path& path) {
-    return export_gltf(level, path, {});
-}
-
-Status export_gltf(const Level& level, const fs::path& path, std::span<const GltfNode> nodes) {
-    if (Status status = check_target(level, path); !status) return status;
+Result<std::vector<ExportedFile>> gltf_files(const Level& level, const fs::path& path,
+                                             std::span<const GltfNode> nodes) {
     const Result<TypedMaterials> materials = typed_materials(level, true);
     if (!materials) return materials.error();
     const bool one_file = to_lower(path.extension().string()) == ".glb";
     GltfWriter writer(level, *materials);
     writer.write(nodes);
-    const std::vector<PictureFile> pictures =
+    std::vector<ExportedFile> files =
         add_gltf_materials(level, *materials, path, one_file, writer.buffer_, writer.root_);
     fs::path binary = path;
     binary.replace_extension(".bin");
     writer.buffer_.append_to(writer.root_, one_file ? std::string() : uri_text(binary.filename()));
     if (one_file) {
-        const Result<std::string> bytes = glb_bytes(writer.root_, writer.buffer_.bytes(), path);
-        return bytes ? write_file_atomic(path, *bytes) : Status(bytes.error());
+        Result<std::string> bytes = glb_bytes(writer.root_, writer.buffer_.bytes(), path);
+        if (!bytes) return bytes.error();
+        files.push_back({path, std::move(*bytes)});
+        return files;
     }
-    const std::string text = json_text(writer.root_) + "\n";
-    std::vector<FileToWrite> files;
-    for (const PictureFile& picture : pictures)
-        files.push_back({picture.path, picture.bytes});
-    files.push_back({binary, writer.buffer_.bytes()});
-    files.push_back({path, text});
-    return write_files_atomic(files);
+    files.push_back({binary, writer.buffer_.take()});
+    files.push_back({path, json_text(writer.root_) + "\n"});
+    return files;
 }
 
 }  // namespace slipface

@@ -6,7 +6,6 @@
 #include "export_parts.h"
 #include "material_blocks.h"
 #include "pictures_beside.h"
-#include "slipface/base/files.h"
 #include "slipface/base/parallel.h"
 
 namespace slipface {
@@ -20,15 +19,6 @@ std::string texture_from(const Level& level, const Material& material, const fs:
     const fs::path relative = texture.lexically_normal().lexically_relative(
         fs::absolute(folder.empty() ? fs::path(".") : folder, error).lexically_normal());
     return relative.empty() ? texture.generic_string() : relative.generic_string();
-}
-
-Status check_target(const Level& level, const fs::path& path) {
-    if (!level.mesh) return Error{path.string(), "the level has no geometry"};
-    std::error_code error;
-    for (const fs::path& own : {level.mesh_path, level.file_path})
-        if (path == own || fs::equivalent(path, own, error))
-            return Error{path.string(), "is a file of the level itself; expected another name"};
-    return {};
 }
 
 bool textured(const Mesh& mesh) {
@@ -100,8 +90,7 @@ std::string obj_text(const Level& level, const TypedMaterials& materials, const 
 
 }  // namespace
 
-Status export_obj(const Level& level, const fs::path& path) {
-    if (Status status = check_target(level, path); !status) return status;
+Result<std::vector<ExportedFile>> obj_files(const Level& level, const fs::path& path) {
     const Result<TypedMaterials> materials = typed_materials(level, true);
     if (!materials) return materials.error();
     fs::path library = path;
@@ -112,13 +101,12 @@ Status export_obj(const Level& level, const fs::path& path) {
             return Error{library.string(), "is the level's own material library; expected another name"};
     }
     PicturesBeside beside(path);
-    const std::string mtl = mtl_text(level, *materials, beside);
-    const std::string obj = obj_text(level, *materials, library.filename().string());
-    const std::vector<PictureFile> pictures = beside.take();
-    std::vector<FileToWrite> files{{library, mtl}, {path, obj}};
-    for (const PictureFile& picture : pictures)
-        files.push_back({picture.path, picture.bytes});
-    return write_files_atomic(files);
+    std::string mtl = mtl_text(level, *materials, beside);
+    std::string obj = obj_text(level, *materials, library.filename().string());
+    std::vector<ExportedFile> files = beside.take();
+    files.push_back({library, std::move(mtl)});
+    files.push_back({path, std::move(obj)});
+    return files;
 }
 
 }  // namespace slipface

@@ -15,7 +15,7 @@ PicturesBeside::PicturesBeside(const fs::path& exported)
 fs::path PicturesBeside::add(const fs::path& picture, std::string bytes) {
     const std::string last = picture.filename().string();
     fs::path name = stem_ + "-" + last;
-    const auto taken = [&](const PictureFile& other) { return other.path == folder_ / name; };
+    const auto taken = [&](const ExportedFile& other) { return other.path == folder_ / name; };
     for (int number = 2; std::any_of(files_.begin(), files_.end(), taken); ++number)
         name = fmt::format("{}-{}-{}", stem_, number, last);
     files_.push_back({folder_ / name, std::move(bytes)});

@@ -5,12 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace slipface {
+#include "export_parts.h"
 
-struct PictureFile {
-    std::filesystem::path path;
-    std::string bytes;
-};
+namespace slipface {
 
 class PicturesBeside {
   public:
@@ -18,12 +15,12 @@ class PicturesBeside {
     // Returns the name of the new file in folder().
     std::filesystem::path add(const std::filesystem::path& picture, std::string bytes);
     const std::filesystem::path& folder() const { return folder_; }
-    std::vector<PictureFile> take() { return std::move(files_); }
+    std::vector<ExportedFile> take() { return std::move(files_); }
 
   private:
     std::filesystem::path folder_;
     std::string stem_;
-    std::vector<PictureFile> files_;
+    std::vector<ExportedFile> files_;
 };
 
 }  // namespace slipface

@@ -47,7 +47,7 @@ class Export : public ScratchLevel {
 TEST_F(Export, ObjBringsTypesInItsMaterials) {
     const Level level = painted();
     std::filesystem::create_directory(path("out"));
-    ASSERT_TRUE(export_obj(level, path("out/game.obj")));
+    ASSERT_TRUE(export_level(level, {.obj = path("out/game.obj")}));
     const Level again = open_path("out/game.obj");
     EXPECT_EQ(resolve_surfaces(again).surface, resolve_surfaces(level).surface);
     EXPECT_EQ(again.mesh->positions, level.mesh->positions);
@@ -61,7 +61,7 @@ TEST_F(Export, ObjBringsTypesInItsMaterials) {
 TEST_F(Export, GltfBringsTypesInNamesAndExtras) {
     const Level level = painted();
     for (const char* name : {"game.gltf", "game.glb"}) {
-        ASSERT_TRUE(export_gltf(level, path(name)));
+        ASSERT_TRUE(export_level(level, {.gltf = path(name)}));
         EXPECT_EQ(types_by_place(open_path(name)), types_by_place(level)) << name;
         EXPECT_THAT(read(name), testing::HasSubstr(R"("extras":{"slipface_type":"ice"})"));
         EXPECT_THAT(read(name), testing::HasSubstr(R"("name":"conveyor")")) << "the table of types";
@@ -81,7 +81,7 @@ TEST_F(Export, GltfBringsTheLevelsOwnTypes) {
     for (FaceId face = 20; face < 25; ++face)
         paint(level, face, "wet moss");
     for (const char* name : {"own.gltf", "own.glb"}) {
-        ASSERT_TRUE(export_gltf(level, path(name)));
+        ASSERT_TRUE(export_level(level, {.gltf = path(name)}));
         const Level again = open_path(name);
         EXPECT_EQ(again.surfaces, level.surfaces) << name;
         EXPECT_EQ(types_by_place(again), types_by_place(level)) << name;
@@ -89,7 +89,7 @@ TEST_F(Export, GltfBringsTheLevelsOwnTypes) {
 }
 
 TEST_F(Export, ABadTableOfTypesIsAWarning) {
-    ASSERT_TRUE(export_gltf(painted(), path("good.gltf")));
+    ASSERT_TRUE(export_level(painted(), {.gltf = path("good.gltf")}));
     const std::string good = read("good.gltf");
     const std::size_t at = good.find(R"("slipface_types":[)");
     ASSERT_NE(at, std::string::npos);
@@ -108,7 +108,7 @@ TEST_F(Export, ABadTableOfTypesIsAWarning) {
 
 TEST_F(Export, FlatFileHasAByteATriangle) {
     const Level level = painted();
-    ASSERT_TRUE(export_flat(level, path("game.flat")));
+    ASSERT_TRUE(export_level(level, {.flat = path("game.flat")}));
     const std::string bytes = read("game.flat");
     ASSERT_TRUE(bytes.starts_with("slipflat"));
     std::uint32_t counts[5];
@@ -130,20 +130,37 @@ TEST_F(Export, FlatFileHasAByteATriangle) {
 
 TEST_F(Export, NeverWritesOverTheLevel) {
     const Level level = painted();
-    EXPECT_FALSE(export_obj(level, path("level.obj")));
-    EXPECT_FALSE(export_flat(level, path("./level.obj")));
-    EXPECT_FALSE(export_gltf(level, path("missing/game.gltf")));
+    EXPECT_FALSE(export_level(level, {.obj = path("level.obj")}));
+    EXPECT_FALSE(export_level(level, {.flat = path("./level.obj")}));
+    EXPECT_FALSE(export_level(level, {.gltf = path("missing/game.gltf")}));
+}
+
+TEST_F(Export, WritesAllTargetsOrNone) {
+    const Level level = painted();
+    ExportTargets targets{path("a.obj"), path("a.gltf"), path("missing/a.flat")};
+    EXPECT_FALSE(export_level(level, targets));
+    EXPECT_FALSE(std::filesystem::exists(path("a.obj")));
+    EXPECT_FALSE(std::filesystem::exists(path("a.bin")));
+    targets.flat = path("./a.bin");
+    const Status status = export_level(level, targets);
+    ASSERT_FALSE(status);
+    EXPECT_THAT(status.error().location, testing::HasSubstr("a.bin")) << "the buffer of the glTF";
+    EXPECT_FALSE(std::filesystem::exists(path("a.gltf")));
+    targets.flat = path("a.flat");
+    ASSERT_TRUE(export_level(level, targets));
+    for (const char* name : {"a.obj", "a.mtl", "a.gltf", "a.bin", "a.flat"})
+        EXPECT_TRUE(std::filesystem::exists(path(name))) << name;
 }
 
 TEST_F(Export, NeverWritesOverTheLevelsMaterials) {
     write("stone.mtl", "newmtl stone\n");
     const Level level = open("mtllib stone.mtl\n" + grid_obj(2, {"stone"}));
-    const Status status = export_obj(level, path("stone.obj"));
+    const Status status = export_level(level, {.obj = path("stone.obj")});
     ASSERT_FALSE(status);
     EXPECT_THAT(status.error().text(), testing::HasSubstr("stone.mtl"));
     EXPECT_EQ(read("stone.mtl"), "newmtl stone\n");
     EXPECT_FALSE(exists("stone.obj"));
-    EXPECT_TRUE(export_obj(level, path("other.obj")));
+    EXPECT_TRUE(export_level(level, {.obj = path("other.obj")}));
 }
 
 // Objects, their tree, copies and colours of a glTF, read, painted, exported and read again.
@@ -186,7 +203,7 @@ class GltfObjects : public Export {
         return names;
     }
     nlohmann::json exported(const Level& level) const {
-        EXPECT_TRUE(export_gltf(level, path("out.gltf")));
+        EXPECT_TRUE(export_level(level, {.gltf = path("out.gltf")}));
         return nlohmann::json::parse(read("out.gltf"));
     }
 };
@@ -255,7 +272,7 @@ TEST_F(GltfObjects, PropsShareTheirMeshes) {
     EXPECT_EQ(place_props(level).size(), 1U) << "the missing one";
     for (const char* const ending : {".gltf", ".glb"}) {
         const std::string name = std::string("props") + ending;
-        ASSERT_TRUE(export_gltf(level, path(name)));
+        ASSERT_TRUE(export_level(level, {.gltf = path(name)}));
         if (std::string_view(ending) == ".gltf") {
             const auto json = nlohmann::json::parse(read(name));
             EXPECT_EQ(json["meshes"].size(), 5U) << "ground; slab and wedge, also of ice";
@@ -331,7 +348,7 @@ TEST_F(GltfObjects, PicturesGoWithTheFile) {
     const Level level = open("mtllib level.mtl\nvt 0.25 0.75\n" + grid_obj(2, {"stone", "wood"}));
     const std::string bytes = read("pictures/a b.png");
 
-    ASSERT_TRUE(export_gltf(level, path("one.glb")));
+    ASSERT_TRUE(export_level(level, {.gltf = path("one.glb")}));
     EXPECT_NE(read("one.glb").find(bytes), std::string::npos);
     EXPECT_THAT(read("one.glb"), testing::HasSubstr(R"("mimeType":"image/png")"));
     EXPECT_THAT(read("one.glb"), testing::Not(testing::HasSubstr("gone")));
@@ -340,22 +357,24 @@ TEST_F(GltfObjects, PicturesGoWithTheFile) {
     ASSERT_TRUE(stone.picture);
     EXPECT_EQ(*stone.picture, bytes);
     EXPECT_EQ(stone.texture, "a b.png");
-    ASSERT_TRUE(export_gltf(embedded, path("two.glb")));
+    ASSERT_TRUE(export_level(embedded, {.gltf = path("two.glb")}));
     EXPECT_NE(read("two.glb").find(bytes), std::string::npos) << "from file to file";
-    ASSERT_TRUE(export_gltf(embedded, path("two.gltf")));
+    ASSERT_TRUE(export_level(embedded, {.gltf = path("two.gltf")}));
     EXPECT_EQ(read("two-a b.png"), bytes);
-    ASSERT_TRUE(export_obj(embedded, path("three.obj")));
+    ASSERT_TRUE(export_level(embedded, {.obj = path("three.obj")}));
     EXPECT_EQ(read("three-a b.png"), bytes);
     EXPECT_EQ(open_path("three.obj").mesh->materials.front().texture, "three-a b.png");
+    ASSERT_TRUE(export_level(embedded, {.obj = path("four.obj"), .gltf = path("four.gltf")}));
+    EXPECT_EQ(read("four-a b.png"), bytes) << "one picture for both";
 
-    ASSERT_TRUE(export_gltf(level, path("here.gltf")));
+    ASSERT_TRUE(export_level(level, {.gltf = path("here.gltf")}));
     EXPECT_THAT(read("here.gltf"), testing::HasSubstr(R"("uri":"pictures/a%20b.png")"));
 
     const Level flat = open("mtllib level.mtl\n" + grid_obj(2, {"stone", "wood"}));
-    ASSERT_TRUE(export_gltf(flat, path("flat.gltf")));
+    ASSERT_TRUE(export_level(flat, {.gltf = path("flat.gltf")}));
     EXPECT_THAT(read("flat.gltf"), testing::HasSubstr("TEXCOORD_0")) << "a textured material needs them";
 
-    ASSERT_TRUE(export_gltf(level, path("out/there.gltf")));
+    ASSERT_TRUE(export_level(level, {.gltf = path("out/there.gltf")}));
     EXPECT_THAT(read("out/there.gltf"), testing::HasSubstr(R"("uri":"there-a%20b.png")"));
     EXPECT_EQ(read("out/there-a b.png"), bytes);
     const Level again = open_path("out/there.gltf");

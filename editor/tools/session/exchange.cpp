@@ -51,10 +51,9 @@ std::string export_summary(const Document& document, const std::vector<fs::path>
            std::to_string((bytes + 1023) / 1024) + " KB";
 }
 
-void export_level(Editor& editor, FileDialogKind kind, const fs::path& path,
-                  Status (*write)(const Level&, const fs::path&)) {
+void export_as(Editor& editor, FileDialogKind kind, const fs::path& path, const ExportTargets& targets) {
     if (!editor.document) return;
-    if (const Status status = write(editor.document->level(), path); !status)
+    if (const Status status = export_level(editor.document->level(), targets); !status)
         return report(editor, "export", path, status.error());
     const std::vector<fs::path> files = files_of_export(kind, path);
     std::string names;
@@ -87,13 +86,13 @@ void save_preset(Editor& editor, const fs::path& path) {
 }
 
 void export_level_obj(Editor& editor, const fs::path& path) {
-    export_level(editor, FileDialogKind::export_obj, path, export_obj);
+    export_as(editor, FileDialogKind::export_obj, path, {.obj = path});
 }
 void export_level_gltf(Editor& editor, const fs::path& path) {
-    export_level(editor, FileDialogKind::export_gltf, path, export_gltf);
+    export_as(editor, FileDialogKind::export_gltf, path, {.gltf = path});
 }
 void export_level_game(Editor& editor, const fs::path& path) {
-    export_level(editor, FileDialogKind::export_game, path, export_flat);
+    export_as(editor, FileDialogKind::export_game, path, {.flat = path});
 }
 
 std::vector<fs::path> files_of_export(FileDialogKind kind, const fs::path& path) {

@@ -27,6 +27,7 @@ class GltfBuffer {
     std::size_t bytes_view(std::string_view bytes);
 
     const std::string& bytes() const { return bytes_; }
+    std::string take() { return std::move(bytes_); }
     // Adds `accessors`, `bufferViews` and `buffers` to the file, if there are any.
     void append_to(GltfJson& root, const std::string& uri) const;
 

@@ -45,7 +45,7 @@ class PictureWriter {
         root["textures"] = textures_;
         root["images"] = images_;
     }
-    std::vector<PictureFile> take() { return beside_.take(); }
+    std::vector<ExportedFile> take() { return beside_.take(); }
 
   private:
     std::optional<Texture> make(const Material& material) {
@@ -102,9 +102,9 @@ class PictureWriter {
 
 }  // namespace
 
-std::vector<PictureFile> add_gltf_materials(const Level& level, const TypedMaterials& materials,
-                                            const fs::path& file, bool embed, GltfBuffer& buffer,
-                                            GltfJson& root) {
+std::vector<ExportedFile> add_gltf_materials(const Level& level, const TypedMaterials& materials,
+                                             const fs::path& file, bool embed, GltfBuffer& buffer,
+                                             GltfJson& root) {
     PictureWriter pictures(level, file, embed, buffer);
     GltfJson list = GltfJson::array();
     for (std::size_t i = 0; i < materials.names.size(); ++i) {

@@ -15,8 +15,8 @@ namespace slipface {
 // whose picture cannot be read have none.
 // `embed`: pictures go into the buffer. Otherwise a picture in `folder`, the file's, or below is referred to,
 // and others are returned to be written beside the file, as STEM-PICTURE.
-std::vector<PictureFile> add_gltf_materials(const Level& level, const TypedMaterials& materials,
-                                            const std::filesystem::path& file, bool embed, GltfBuffer& buffer,
-                                            GltfJson& root);
+std::vector<ExportedFile> add_gltf_materials(const Level& level, const TypedMaterials& materials,
+                                             const std::filesystem::path& file, bool embed,
+                                             GltfBuffer& buffer, GltfJson& root);
 
 }  // namespace slipface

@@ -33,7 +33,7 @@ bool is_made_up(const aiNode& node) {
            name.find("_$AssimpFbx$_") != std::string_view::npos;
 }
 
-// A part of its parent, which export_gltf() wrote apart because it has a surface type of its own.
+// A part of its parent, which export_level() wrote apart because it has a surface type of its own.
 bool is_part(const aiNode& node) {
     bool part = false;
     return node.mMetaData != nullptr && node.mMetaData->Get("slipface_part", part) && part &&
