@@ -4,7 +4,8 @@
 An engine module's floor in docs/design.md is above those of the modules that it depends on in CMake. The editor's parts stand in
 the table in the order of their floors. A file includes only its own module and those that CMake links to it; the parts that say so
 link neither ImGui nor OpenGL. And no two files define a type of the same name: the linker keeps one of both types' inline
-functions, and what used the other one goes wrong without a warning.
+functions, and what used the other one goes wrong without a warning. Of std::ranges' algorithms only those of web/stand_ins are
+used, because the page's C++ library lacks them and its build takes too long for every change.
 """
 import re
 import subprocess
@@ -76,6 +77,7 @@ for name, text in parts:
         bad.append(f"editor/CMakeLists.txt: {name} links {library}, which docs/design.md excludes")
 sources = subprocess.check_output(["git", "ls-files", "engine/*.h", "engine/*.cpp", "editor/*.h", "editor/*.cpp"],
                                   cwd=root, text=True).split()
+stand_ins = set(re.findall(r"^(?:auto|void) (\w+)\(", (root / "web/stand_ins/algorithm").read_text(), re.M))
 defined = defaultdict(set)  # type -> the files that define it
 for source in sources:
     module = "/".join(source.split("/")[:2])
@@ -84,6 +86,8 @@ for source in sources:
     text = (root / source).read_text()
     for name in types_of(text):
         defined[name].add(source)
+    for name in sorted(set(re.findall(r"std::ranges::(\w+)\(", text)) - stand_ins):
+        bad.append(f"{source}: std::ranges::{name} is not in web/stand_ins/algorithm")
     if module not in depends:
         continue  # editor/main.cpp links everything
     for include in re.findall(r'^#include "([^"]+)"', text, re.M):
