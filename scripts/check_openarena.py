@@ -4,7 +4,7 @@
 Needs Debian's openarena-data packages (the pk3 files hold the maps) and python3-numpy; says so and ends well without them. One row per
 map, as docs/levels.md has it:
 
-  area      of our drawn faces as a fraction of that of the map's triangles, counted through their indices (patches apart)
+  area      of our drawn faces, sky apart, as a fraction of that of the map's triangles, counted through their indices (patches apart)
   late      rays from the spawns that hit a solid or playerclip brush, but nothing of ours before it or within 2 units (6 cm) behind it
   escaped   those of them that hit nothing of ours at all
   open      rays that hit no brush either: the map itself is open there
@@ -28,8 +28,11 @@ class Map:
     def __init__(self, data, np):
         lump = lambda i: data[(at := struct.unpack_from("<II", data, 8 + 8 * i))[0] : at[0] + at[1]]
         array = lambda i, kind, width: np.frombuffer(lump(i), kind).reshape(-1, width)
-        textures = [(lump(1)[i + 64 : i + 72]) for i in range(0, len(lump(1)), 72)]
-        self.contents = np.array([struct.unpack("<II", flags)[1] for flags in textures], dtype=np.uint32)
+        textures = [struct.unpack_from("<II", lump(1), i + 64) for i in range(0, len(lump(1)), 72)]
+        self.contents = np.array([contents for _, contents in textures], dtype=np.uint32)
+        names = [lump(1)[i : i + 64].split(b"\0")[0].decode("latin1") for i in range(0, len(lump(1)), 72)]
+        unseen = [flags & 0x4 != 0 for flags, _ in textures]  # sky
+        self.unseen = {name for name, is_unseen in zip(names, unseen) if is_unseen}
         planes = array(2, "<f4", 4).astype(float)
         models = array(7, "<i4", 10)
         brushes, sides = array(8, "<i4", 3), array(9, "<i4", 2)
@@ -46,7 +49,7 @@ class Map:
         self.area = 0.0
         self.faces = len(faces)
         for face in faces:
-            if face[2] not in (1, 3):
+            if face[2] not in (1, 3) or unseen[face[0]]:
                 continue
             corner = vertices[face[3] + indices[face[5] : face[5] + face[6] // 3 * 3]].reshape(-1, 3, 3)
             cross = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
@@ -82,13 +85,13 @@ class Map:
 class Ours:
     """The level as `slipface export` writes it, in the map's coordinates."""
 
-    def __init__(self, program, bsp, folder, np):
+    def __init__(self, program, bsp, folder, unseen, np):
         self.np = np
         run = lambda *words: subprocess.run([program, *words], check=True, capture_output=True, text=True).stdout
         self.info = json.loads(run("info", bsp, "--json"))
         run("export", bsp, "--flat", f"{folder}/level.flat", "--obj", f"{folder}/level.obj")
         self.read_flat(open(f"{folder}/level.flat", "rb"))
-        self.drawn_area = self.read_areas(open(f"{folder}/level.obj"))
+        self.drawn_area = self.read_areas(open(f"{folder}/level.obj"), unseen)
 
     def read_flat(self, file):
         np = self.np
@@ -107,20 +110,24 @@ class Ours:
         a, b, c = (points[corners[solid][:, i]] for i in range(3))
         self.a, self.u, self.v = a, b - a, c - a
 
-    def read_areas(self, file):
-        """Area of the drawn faces by Newell's sums: they come first. Patches are quads of their own and are left out by the caller."""
+    def read_areas(self, file, unseen):
+        """Area by Newell's sums of the faces whose texture can be seen and that are no walls, which come last."""
         np = self.np
-        points, areas = [], []
+        points, seen, is_unseen, others = [], [], False, 0
         for line in file:
             words = line.split()
             if not words:
                 continue
             if words[0] == "v":
                 points.append([float(w) for w in words[1:4]])
+            elif words[0] == "usemtl":
+                is_unseen = line.split(None, 1)[1].strip().rsplit("__", 1)[0] in unseen
+            elif words[0] == "f" and is_unseen:
+                others += 1
             elif words[0] == "f":
-                areas.append([int(w.split("/")[0]) - 1 for w in words[1:]])
+                seen.append([int(w.split("/")[0]) - 1 for w in words[1:]])
         points = np.array(points) / UNIT
-        drawn = areas[: self.info["faces"] - self.info["undrawn_faces"]]
+        drawn = seen[: len(seen) - (self.info["undrawn_faces"] - others)]
         total = 0.0
         for face in drawn:
             p = points[face]
@@ -148,6 +155,8 @@ def patch_area(data, np):
     weight = np.stack([(1 - t) ** 2, 2 * t * (1 - t), t**2], 1)
     total = 0.0
     for face in faces[faces[:, 2] == 2]:
+        if struct.unpack_from("<I", lump(1), 72 * face[0] + 64)[0] & 0x4:  # sky
+            continue
         width, height = face[24], face[25]
         control = vertices[face[3] : face[3] + width * height].reshape(height, width, 3)
         for y in range(0, height - 2, 2):
@@ -201,12 +210,12 @@ def main():
             bsp = f"{folder}/{name}.bsp"
             pathlib.Path(bsp).write_bytes(found[name])
             try:
-                ours = Ours(options.program, bsp, folder, np)
+                theirs = Map(found[name], np)
+                ours = Ours(options.program, bsp, folder, theirs.unseen, np)
             except subprocess.CalledProcessError as error:
                 print(f"| {name} | {error.stderr.strip()} |")
                 bad += 1
                 continue
-            theirs = Map(found[name], np)
             ratio = ours.drawn_area / (theirs.area + patch_area(found[name], np))
             spawns = ours.info["spawns_in_file"]
             random = np.random.default_rng(1)

@@ -110,8 +110,7 @@ Result<ImportedMesh> read_mesh(const std::filesystem::path& path, const ImportOp
     imported.spawns = std::move(read->spawns);
     imported.types = std::move(read->types);
     imported.type_table = std::move(read->type_table);
-    for (std::size_t face = read->drawn_faces; face < imported.mesh->face_count(); ++face)
-        imported.undrawn.push_back(static_cast<FaceId>(face));
+    imported.undrawn = std::move(read->undrawn);
     imported.warnings = warnings.take(path.string());
     return imported;
 }

@@ -19,7 +19,7 @@ using bsp_maker::Map;
 using bsp_maker::u32;
 using testing::HasSubstr;
 
-constexpr std::uint32_t solid = 1, playerclip = 0x10000, nodraw = 0x80;
+constexpr std::uint32_t solid = 1, playerclip = 0x10000, sky = 0x4, nodraw = 0x80;
 constexpr double pi = 3.141592653589793;
 
 // A pentagon, a triangle, and a quarter of a tube.
@@ -175,6 +175,18 @@ TEST_F(ImportBsp, AFrameAroundAHoleStaysTriangles) {
     ASSERT_TRUE(imported) << imported.error().text();
     EXPECT_EQ(imported->mesh->face_count(), 8u);
     EXPECT_NEAR(area_of_all(*imported->mesh), 16 - 4, 1e-6);
+}
+
+// Compilers leave the sky's surfaces in the map, and the game draws pictures of its own there.
+TEST_F(ImportBsp, SkyThatTheMapListsIsUndrawn) {
+    Map map;
+    map.add_texture("textures/skies/space", sky, solid);
+    map.add_texture("textures/base/floor", 0, solid);
+    for (const std::uint32_t texture : {0, 1, 0})
+        map.add_polygon({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, texture);
+    const auto imported = import_map(map.bytes());
+    ASSERT_TRUE(imported) << imported.error().text();
+    EXPECT_THAT(imported->undrawn, testing::ElementsAre(0, 2));
 }
 
 // Of a sealed room nothing is drawn: what faces its inside is all there is.

@@ -31,8 +31,8 @@ struct ImportedSoup {
     FileFrame frame = {};
     std::vector<FoundSpawn> spawns = {};  // feet in coordinates of the file
     std::vector<FoundType> types = {};
-    std::string type_table = {};      // as ImportedMesh::type_table
-    std::size_t drawn_faces = no_id;  // the faces from this index on are not drawn
+    std::string type_table = {};       // as ImportedMesh::type_table
+    std::vector<FaceId> undrawn = {};  // likewise
 };
 
 }  // namespace slipface

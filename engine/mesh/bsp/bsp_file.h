@@ -66,7 +66,7 @@ namespace bsp {
 inline constexpr std::uint32_t contents_solid = 0x1, contents_playerclip = 0x10000;
 // These contents stop a player.
 inline constexpr std::uint32_t contents_wall = contents_solid | contents_playerclip;
-inline constexpr std::uint32_t surface_nonsolid = 0x4000;
+inline constexpr std::uint32_t surface_sky = 0x4, surface_nonsolid = 0x4000;
 inline constexpr float largest_coordinate = 1e7F;  // units
 }  // namespace bsp
 

@@ -72,7 +72,10 @@ Result<ImportedSoup> import_bsp(std::string_view bytes, const std::string& locat
     auto faces = read_bsp_faces(*file, *origins, location, warnings);
     if (!faces) return faces.error();
     ImportedSoup imported{.soup = std::move(faces->soup)};
-    imported.drawn_faces = imported.soup.face_material.size();
+    std::vector<std::uint32_t>& materials = imported.soup.face_material;
+    for (std::size_t face = 0; face < materials.size(); ++face)
+        if ((file->surface_flags(materials[face]) & bsp::surface_sky) != 0)
+            imported.undrawn.push_back(static_cast<FaceId>(face));
 
     const auto walls = undrawn_walls(*file, models, faces->walls, location, progress);
     if (!walls) return walls.error();
@@ -80,9 +83,12 @@ Result<ImportedSoup> import_bsp(std::string_view bytes, const std::string& locat
         std::vector<Vec3f> corners;
         for (const Vec3& corner : wall.corners)
             corners.push_back(corner.cast<float>());
-        append_face(imported.soup, corners, std::vector<Vec2f>(corners.size(), Vec2f::Zero()), wall.texture);
+        const auto face = static_cast<FaceId>(materials.size());
+        if (append_face(imported.soup, corners, std::vector<Vec2f>(corners.size(), Vec2f::Zero()),
+                        wall.texture))
+            imported.undrawn.push_back(face);
     }
-    if (imported.soup.face_material.empty()) return Error{location, "has no faces"};
+    if (materials.empty()) return Error{location, "has no faces"};
     imported.frame = frame_of(metres_per_unit, ImportSource::guessed, "32 Quake units per metre", UpAxis::z,
                               ImportSource::declared, "Quake maps have Z up");
     imported.types = types_of(*file, imported.soup);

@@ -73,7 +73,7 @@ struct ImportedMesh {
     // The JSON text that glTF's scene has as "slipface_types", not checked: the types with their parameters
     // as a level file has them; empty: none.
     std::string type_table;
-    std::vector<FaceId> undrawn;  // ascending: faces that stop a player but are not drawn in the game
+    std::vector<FaceId> undrawn;  // ascending: faces that the game does not draw, such as sky
     Warnings warnings;            // parts that were dropped or repaired, with their line
     FileStamp stamp;
 };
