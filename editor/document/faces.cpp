@@ -153,4 +153,14 @@ Aabb faces_bounds(const Document& document, std::span<const FaceId> faces) {
     return bounds;
 }
 
+Aabb shown_bounds(const Document& document) {
+    const std::size_t shown = document.face_count() - document.hidden().size();
+    if (document.hidden().empty() || shown == 0) return document.bounds();
+    std::vector<FaceId> faces;
+    faces.reserve(shown);
+    for (FaceId face = 0; face < document.face_count(); ++face)
+        if (!document.is_hidden(face)) faces.push_back(face);
+    return faces_bounds(document, faces);
+}
+
 }  // namespace slipface

@@ -152,4 +152,7 @@ std::vector<FaceId> brush_faces(const Document& document, FaceId start, const Ve
 // The bounding box of `faces`.
 Aabb faces_bounds(const Document& document, std::span<const FaceId> faces);
 
+// That of all faces that are not hidden, or of all if all are.
+Aabb shown_bounds(const Document& document);
+
 }  // namespace slipface

@@ -93,7 +93,7 @@ void adopt_document(Editor& editor, std::unique_ptr<Document> opened, const std:
         const ViewCamera usual;
         editor.view.yaw = usual.yaw;
         editor.view.pitch = usual.pitch;
-        editor.view.frame(document.bounds(), opening_aspect);
+        editor.view.frame(shown_bounds(document), opening_aspect);
     }
     editor.status = "Opened " + path.filename().string() + ", " + counted(document.face_count(), "face");
     if (const std::size_t hidden = document.hidden().size(); hidden > 0)
@@ -275,7 +275,7 @@ void frame_selected(Editor& editor, double aspect) {
     if (!editor.document) return;
     const Document& document = *editor.document;
     editor.view.frame(
-        document.selection().empty() ? document.bounds() : faces_bounds(document, document.selection()),
+        document.selection().empty() ? shown_bounds(document) : faces_bounds(document, document.selection()),
         aspect);
 }
 

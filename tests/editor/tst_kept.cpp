@@ -26,6 +26,12 @@ TEST_F(Kept, HidingAndKeepingSelectionsIsSaved) {
     // They are hidden indeed: neither selected nor picked.
     ASSERT_EQ(run("command select.all\nexpect selected 69\nselect recall corner\nexpect selected 2"), "");
     EXPECT_FALSE(editor().document->pick({1.5, 5, 0.5}, {0, -1, 0}, false));
+    // Nor do they count when the camera frames all.
+    ASSERT_EQ(run("command view.frame_all"), "");
+    const double with_three_hidden = editor().view.distance;
+    ASSERT_EQ(run("select faces 20-71\ncommand select.hide\ncommand view.frame_all"), "");
+    EXPECT_LT(editor().view.distance, 0.7 * with_three_hidden);
+    ASSERT_EQ(run("key Ctrl+Z\nexpect hidden 3"), "");
     ASSERT_EQ(run("command select.show_all\nexpect hidden 0\nkey Ctrl+Z\nexpect hidden 3"), "");
 }
 

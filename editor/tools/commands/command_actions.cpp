@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "document/faces.h"
 #include "tools/lab/lab_actions.h"
 
 namespace slipface::command_actions {
@@ -93,7 +94,7 @@ void frame_selection(Editor& editor) {
     frame_selected(editor, editor.view_aspect);
 }
 void frame_all(Editor& editor) {
-    editor.view.frame(editor.document->bounds(), editor.view_aspect);
+    editor.view.frame(shown_bounds(*editor.document), editor.view_aspect);
 }
 
 void toggle_overlay(Editor& editor) {

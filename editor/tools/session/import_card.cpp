@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "document/faces.h"
 #include "slipface/base/hash.h"
 #include "slipface/base/text.h"
 #include "slipface/mesh/open_edges.h"
@@ -58,7 +59,7 @@ void change_import(Editor& editor, const ImportTransform& transform) {
         return;
     }
     geometry_changed(editor);
-    editor.view.frame(editor.document->bounds(), editor.view_aspect);
+    editor.view.frame(shown_bounds(*editor.document), editor.view_aspect);
     const ImportSummary& summary = editor.document->level().import_summary;
     editor.status = fmt::format("Level is now {:.4g} x {:.4g} x {:.4g} m", summary.size.x(), summary.size.y(),
                                 summary.size.z());

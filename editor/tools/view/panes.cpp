@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "document/faces.h"
 #include "tools/editor.h"
 
 namespace slipface {
@@ -41,7 +42,7 @@ void set_pane_count(Editor& editor, std::size_t count) {
         ViewCamera& view = panes.waiting[pane];
         view.orthographic = true;
         view.look_from(directions[pane]);
-        if (editor.document) view.frame(editor.document->bounds(), usual_aspect);
+        if (editor.document) view.frame(shown_bounds(*editor.document), usual_aspect);
     }
     if (panes.active >= count) activate_pane(editor, 0);
     panes.count = count;
