@@ -53,6 +53,13 @@ bool climbs_by_steps(const Mover& mover, const Vec3& from, const Vec3& to, doubl
     return true;
 }
 
+// True if no sample between `from` and `to` finds ground as high as `height`.
+bool is_lower(const Mover& mover, const Vec3& from, const Vec3& to, double height) {
+    if (!mover.scene.platforms.empty() || mover.scene.heightfield != nullptr) return false;
+    return highest_below(mover.around.near, from, to, mover.walkable_cosine) + with_rounding(1e-6, to) <
+           height;
+}
+
 // Whether there is ground behind the touched point, seen from the centre: at most a step above the ground in
 // front of it, and at most a step below the point.
 bool goes_on_behind(const Mover& mover, const Contact& contact, double before, double step) {
@@ -105,6 +112,12 @@ bool no_higher_than_steps(const Mover& mover, const Motion& begin, const Contact
     if (contact.point.y() - height <= step) return true;
     Vec3 from = begin.position;
     from.y() = std::max(from.y(), mover.position.y());
+    // Mostly nothing leads up, and that is known without looking at every sample.
+    const Vec3 lifted(mover.position.x(), from.y(), mover.position.z());
+    const Vec3 last =
+        lifted + horizontal(contact.point - lifted) * (static_cast<double>(samples - 1) / samples);
+    const double needed = contact.point.y() - step;
+    if (is_lower(mover, from, lifted, needed) && is_lower(mover, lifted, last, needed)) return false;
     for (const Vec3& to : {mover.position, contact.point}) {
         if (!climbs_by_steps(mover, from, to, step, height)) return false;
         from = Vec3(to.x(), from.y(), to.z());

@@ -50,6 +50,7 @@ NearPlatforms platforms_near(const MovementScene& scene, const Vec3& radii, cons
     NearPlatforms near;
     near.room.min = from - reach;
     near.room.max = from + reach;
+    if (scene.platforms.empty()) return near;
     const Vec3 slack = radii + box_slack * (radii + reach) + 1e-12 * from.cwiseAbs();
     for (std::uint32_t i = 0; i < scene.platforms.size(); ++i) {
         const Aabb bounds = scene.platforms[i].collision->bounds();
@@ -134,9 +135,8 @@ bool overlaps_scene(const Mover& mover, const Vec3& centre) {
 std::optional<RayHit> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& motion) {
     std::optional<RayHit> best;
     each_world(mover, from, motion,
-               [&](const auto&, std::uint32_t platform, std::span<const TriangleId> triangles) {
-                   std::optional<RayHit> hit =
-                       cast_ray(world_of(mover, platform), from, motion, best ? best->t : 1.0);
+               [&](const auto& world, std::uint32_t, std::span<const TriangleId> triangles) {
+                   std::optional<RayHit> hit = cast_ray(world, from, motion, best ? best->t : 1.0);
                    if (!hit || (best && !(hit->t < best->t))) return;
                    hit->triangle = number_in_mesh(hit->triangle, triangles);
                    best = hit;

@@ -152,10 +152,11 @@ MovementSettings basic_settings() {
 
 bool is_finite(const MovementSettings& settings) {
     static const Numbers numbers;
-    bool finite = settings.radii.allFinite();
+    // Without a branch for each: 0 times anything else is NaN.
+    double zero = 0.0;
     for (std::size_t i = 0; i < numbers.count; ++i)
-        finite = finite && std::isfinite(settings.*numbers.list[i]);
-    return finite;
+        zero += 0.0 * settings.*numbers.list[i];
+    return zero == 0.0 && settings.radii.allFinite();
 }
 
 double get_setting(const MovementSettings& settings, const SettingInfo& info) {

@@ -109,5 +109,87 @@ TEST_F(Neighbourhoods, SendAwayWhatLeadsOut) {
     EXPECT_FALSE(Neighbourhood(CollisionWorld(), radii, centre, reach).holds(radii, centre, reach));
 }
 
+// Rays that begin or end in it, pass through it or lie beside it.
+TEST_F(Neighbourhoods, RaysHitWhatTheyHitInTheWorld) {
+    Random random(33);
+    int hits = 0;
+    int inside = 0;
+    for (int i = 0; i < 300; ++i) {
+        SCOPED_TRACE(i);
+        const double far = random.below(4) == 0 ? 5000.0 : 0.0;
+        const Vec3 at = far * random.direction();
+        Soup soup;
+        for (int k = 0; k < 100; ++k) {
+            const Vec3 corner = at + random.in_box(1.5);
+            soup.add(corner, corner + random.in_box(1), corner + random.in_box(1));
+        }
+        const CollisionWorld world = soup.world();
+        const Vec3 radii(random.uniform(0.2, 1), random.uniform(0.2, 1), random.uniform(0.2, 1));
+        const Vec3 reach(random.uniform(0, 0.5), random.uniform(0, 1), random.uniform(0, 0.5));
+        for (const std::string_view path : simd_paths()) {
+            ASSERT_TRUE(set_simd_path(path));
+            const Neighbourhood near(world, radii, at, reach);
+            for (int k = 0; k < 40; ++k) {
+                const Vec3 from = at + random.in_box(random.below(3) == 0 ? 2 : 0.5);
+                const Vec3 ray = random.below(2) == 0 ? Vec3(0, -random.uniform(0, 3), 0)
+                                                      : Vec3(random.uniform(0, 3) * random.direction());
+                const double most = random.below(4) == 0 ? std::numeric_limits<double>::infinity() : 1.0;
+                const auto expected = cast_ray(world, from, ray, most);
+                EXPECT_TRUE(same(cast_ray(near, from, ray, most), expected)) << path;
+                hits += expected.has_value();
+                inside += expected && (expected->point - at).norm() < 0.4;
+            }
+        }
+    }
+    EXPECT_GT(hits, 2000 * static_cast<int>(simd_paths().size()));
+    EXPECT_GT(inside, 200);
+}
+
+// What a vertical ray from the way hits lies no higher, but for triangles that are too steep.
+TEST_F(Neighbourhoods, BoundTheHeightBelowAWay) {
+    Random random(34);
+    int below = 0;
+    int tight = 0;
+    for (int i = 0; i < 400; ++i) {
+        SCOPED_TRACE(i);
+        const double far = random.below(4) == 0 ? 5000.0 : 0.0;
+        const Vec3 at = far * random.direction();
+        Soup soup;
+        for (int k = 0; k < 60; ++k) {
+            const Vec3 corner = at + random.in_box(1.5);
+            soup.add(corner, corner + random.in_box(1), corner + random.in_box(1));
+        }
+        const CollisionWorld world = soup.world();
+        const double cosine = random.below(2) == 0 ? 0.0 : random.uniform(0, 1);
+        const Vec3 from = at + random.in_box(0.5);
+        const Vec3 to = random.below(8) == 0 ? from : Vec3(at + random.in_box(0.5));
+        for (const std::string_view path : simd_paths()) {
+            ASSERT_TRUE(set_simd_path(path));
+            const Neighbourhood near(world, Vec3(0.5, 0.5, 0.5), at, Vec3(0.2, 1, 0.2));
+            const double bound = highest_below(near, from, to, cosine);
+            ASSERT_LT(bound, 1e9);
+            EXPECT_EQ(highest_below(near, from, to + Vec3(3, 0, 0), cosine),
+                      std::numeric_limits<double>::infinity());
+            double highest = -1e9;
+            for (int k = 0; k <= 64; ++k) {
+                Vec3 sample = from + (to - from) * (k / 64.0);
+                sample.y() = from.y();
+                for (int left = 20; left > 0; --left) {
+                    const auto hit = cast_ray(world, sample, Vec3(0, -1, 0));
+                    if (!hit) break;
+                    // The first one that counts, also below steep ones.
+                    if (std::abs(hit->normal.y()) >= cosine) highest = std::max(highest, hit->point.y());
+                    sample.y() = hit->point.y() - 1e-6;
+                }
+            }
+            EXPECT_LE(highest, bound + 1e-6 + 1e-9 * far) << path;
+            below += highest > -1e9;
+            tight += highest > bound - 0.3;
+        }
+    }
+    EXPECT_GT(below, 200 * static_cast<int>(simd_paths().size()));
+    EXPECT_GT(tight, 60);
+}
+
 }  // namespace
 }  // namespace slipface

@@ -111,6 +111,22 @@ class LeafFilter {
         return apart | beyond(least_along(u), square * dot(u, u), slack * size_of(u));
     }
 
+    // The square of how far the centre of the sphere can certainly be from where the path starts before it
+    // touches each triangle. NaN becomes 0.
+    Lanes clearance(const LanePlane& plane) const {
+        const Lanes zero = Lanes::all(0.0F);
+        const LaneVec u = border_distance({zero, zero, zero});
+        const Lanes of_border =
+            (least_along(u) - rounding(zero) * size_of(u)) /
+            lanes_sqrt(dot(u, u) * Lanes::all(1.0F + determinant_rounding) + Lanes::all(least_square));
+        const Lanes distance = lanes_max(of_border, lanes_abs(plane.offset) - plane.slack);
+        // Also for the roundings of the path that this is compared with.
+        const Lanes least = distance * Lanes::all(1.0F - 4.0F * determinant_rounding) -
+                            Lanes::all(1.0F + 4.0F * determinant_rounding);
+        const Lanes clear = lanes_max(least, zero);
+        return clear * clear;
+    }
+
     // Squared distance of the border from the start of the path; accurate enough only for an order.
     Lanes border_distance() const {
         const LaneVec motion = border_distance({Lanes::all(0.0F), Lanes::all(0.0F), Lanes::all(0.0F)});

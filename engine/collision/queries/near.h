@@ -19,6 +19,14 @@ inline LeafTriangle near_triangle(const NearTriangles& near, std::uint32_t index
     return triangle;
 }
 
+// True if all triangles at `point` are among those of the neighbourhood.
+inline bool covers(const NearTriangles& near, const Vec3& point) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(std::fabs(point[axis] - near.centre[axis]) <= near.reach[axis] + near.radii[axis]))
+            return false;
+    return true;
+}
+
 // The triangles that a query may touch, earliest possible touch first.
 class NearCandidates {
   public:

@@ -52,8 +52,14 @@ inline LanePlane load_plane(const NearTriangles& near, std::uint32_t first) {
             Lanes::load(near.slack_per_length + first)};
 }
 
-// Computes the sphere-space data of eight triangles.
-inline void look_at(NearTriangles& near, std::uint32_t first, const LaneSpherePath& body) {
+// The lanes of `first` to `first` + 7 that hold a triangle.
+inline std::uint32_t present(const NearTriangles& near, std::uint32_t first) {
+    const std::uint32_t left = near.count - first;
+    return left < 8 ? (1U << left) - 1 : 0xFFU;
+}
+
+// Computes the sphere-space data of eight triangles; returns their clearances.
+inline Lanes look_at(NearTriangles& near, std::uint32_t first, const LaneSpherePath& body) {
     Lanes v[9];
     for (int row = 0; row < 9; ++row)
         v[row] = Lanes::load(near.corner[row] + first);
@@ -67,6 +73,9 @@ inline void look_at(NearTriangles& near, std::uint32_t first, const LaneSpherePa
     plane.offset.store(near.offset + first);
     plane.slack.store(near.slack + first);
     plane.slack_per_length.store(near.slack_per_length + first);
+    const Lanes clearance = seen.clearance(plane);
+    clearance.store(near.clearance + first);
+    return clearance;
 }
 
 inline Three three_at(const double (&v)[4]) {
@@ -87,8 +96,14 @@ bool visit_leaves(const TreeView& tree, const LaneBox& box, const Visit& visit) 
         const BvhNode& node = tree.nodes[nodes[i]];
         const std::uint32_t hit = box.intersect(NodeRows{node});
         const std::uint32_t ends = leaf_children(node);
+        const std::uint32_t first_leaf = leaf_count;
+        const std::uint32_t first_node = node_count;
         leaf_count = append_children(node, hit & ends, leaves, leaf_count);
         node_count = append_children(node, hit & ~ends, nodes, node_count);
+        for (std::uint32_t k = first_leaf; k < leaf_count; ++k)
+            fetch(tree, leaves[k]);
+        for (std::uint32_t k = first_node; k < node_count; ++k)
+            fetch(tree, nodes[k]);
         if (leaf_count > near_capacity || node_count > near_nodes) return false;
     }
     for (std::uint32_t i = 0; i < leaf_count; ++i)
@@ -134,9 +149,19 @@ bool gather(const WorldView& world, const Three& centre, const Three& half, Near
         return visit_instances(world, mask, Lanes::all(0.0F), leaf, 0.0F, of_instance) >= 0.0F;
     });
     if (!fits) return false;
+    if (out.count == 0) return true;
     for (auto& row : out.corner)
-        Lanes::all(0.0F).store(row + out.count);
+        Lanes::all(row[0]).store(row + out.count);
     return true;
+}
+
+inline float least_of(Lanes lanes) {
+    alignas(32) float each[8];
+    lanes.store(each);
+    float least = each[0];
+    for (const float one : each)
+        least = one < least ? one : least;
+    return least;
 }
 
 void near_kernel(const WorldView& view, const WorldExtent& world, const V3& radii, const V3& centre,
@@ -156,8 +181,11 @@ void near_kernel(const WorldView& view, const WorldExtent& world, const V3& radi
         return;
     }
     const LaneSpherePath path(sphere);
+    // Where the last eight are not full, gather() has repeated the first.
+    Lanes clear = Lanes::all(HUGE_VALF);
     for (std::uint32_t first = 0; first < out.count; first += 8)
-        look_at(out, first, path);
+        clear = lanes_min(look_at(out, first, path), clear);
+    out.clear = least_of(clear);
     at.store(out.centre);
     axes.store(out.radii);
     Three(body.inverse).store(out.inverse);
@@ -176,6 +204,10 @@ std::uint32_t near_sweep_kernel(const NearTriangles& near, const V3& radii, cons
     const Three start = begin * inverse;
     const Three d = Three(move) * inverse;
     query = {from, radii, inverse.vec(), move, d.vec()};
+    // No point of the path is further from the centre than one of its ends.
+    const Three finish = end * inverse;
+    const auto furthest = static_cast<float>(larger((start * start).sum(), (finish * finish).sum()));
+    if (near.clear > furthest) return 0;
 
     float p[4];
     float motion[4];
@@ -188,10 +220,12 @@ std::uint32_t near_sweep_kernel(const NearTriangles& near, const V3& radii, cons
     const Lanes motions = size_of(at) + until * path.d_size;
     std::uint32_t found = 0;
     for (std::uint32_t first = 0; first < near.count; first += 8) {
+        std::uint32_t mask =
+            present(near, first) & ~lanes_above(Lanes::load(near.clearance + first), Lanes::all(furthest));
+        if (mask == 0) continue;
         // For a move along the ground the planes alone reject nearly all.
         const Lanes plane = load_plane(near, first).apart_until(at, path.d, motions);
-        const std::uint32_t left = near.count - first;
-        std::uint32_t mask = (left < 8 ? (1U << left) - 1 : 0xFFU) & ~lanes_above(plane, until);
+        mask &= ~lanes_above(plane, until);
         if (mask == 0) continue;
         const LeafFilter filter(
             path, at,
@@ -209,6 +243,55 @@ std::uint32_t near_sweep_kernel(const NearTriangles& near, const V3& radii, cons
         }
     }
     return found;
+}
+
+float near_highest_kernel(const NearTriangles& near, const V3& from, const V3& to, double cosine) {
+    float begin[4];
+    float way[4];
+    Three(from).rounded().store(begin);
+    Three(to - from).rounded().store(way);
+    const Lanes dx = Lanes::all(way[0]);
+    const Lanes dz = Lanes::all(way[2]);
+    const Lanes top = Lanes::all(round_up(from.y));
+    const Lanes zero = Lanes::all(0.0F);
+    const auto least = [](const Lanes(&of)[3]) { return lanes_min(lanes_min(of[0], of[1]), of[2]); };
+    const auto most = [](const Lanes(&of)[3]) { return lanes_max(lanes_max(of[0], of[1]), of[2]); };
+    float highest = -HUGE_VALF;
+    for (std::uint32_t first = 0; first < near.count; first += 8) {
+        LaneVec corner[3];
+        Lanes along[3];
+        Lanes across[3];
+        Lanes size = Lanes::all(__builtin_fabsf(begin[0]) + __builtin_fabsf(begin[2]));
+        for (int k = 0; k < 3; ++k) {
+            corner[k] = load_vec(near.corner + 3 * k, first);
+            const Lanes x = corner[k].x - Lanes::all(begin[0]);
+            const Lanes z = corner[k].z - Lanes::all(begin[2]);
+            along[k] = x * dx + z * dz;
+            across[k] = x * dz - z * dx;
+            size = size + lanes_abs(x) + lanes_abs(z);
+        }
+        const Lanes lengths = lanes_abs(dx) + lanes_abs(dz);
+        const Lanes slack = Lanes::all(determinant_rounding) * (size + lengths) * lengths;
+        const Lanes heights[3] = {corner[0].y, corner[1].y, corner[2].y};
+        const LaneVec a = corner[1] - corner[0];
+        const LaneVec b = corner[2] - corner[1];
+        const LaneVec normal = cross(a, b);
+        const Lanes upward = lanes_abs(normal.y) + Lanes::all(determinant_rounding) * size_of(a) * size_of(b);
+        const Lanes square = lanes_min(dot(normal, normal), Lanes::all(1e38F));  // not infinite
+        std::uint32_t mask =
+            present(near, first) &
+            ~(lanes_above(least(along), dx * dx + dz * dz + slack) | lanes_above(zero - slack, most(along)) |
+              lanes_above(least(across), slack) | lanes_above(zero - slack, most(across)) |
+              lanes_above(least(heights), top) |
+              lanes_above(Lanes::all(static_cast<float>(cosine)) * lanes_sqrt(square), upward));
+        alignas(32) float tops[8];
+        most(heights).store(tops);
+        for (; mask != 0; mask &= mask - 1) {
+            const float one = tops[first_lane(mask)];
+            highest = one > highest ? one : highest;
+        }
+    }
+    return highest;
 }
 
 }  // namespace

@@ -18,4 +18,12 @@ bool Neighbourhood::holds(const Vec3& radii, const Vec3& from, const Vec3& move)
     return !NearCandidates(*this, radii, from, move).lead_out();
 }
 
+double highest_below(const Neighbourhood& near, const Vec3& from, const Vec3& to, double cosine) {
+    const NearTriangles& triangles = near.triangles();
+    if (!covers(triangles, from) || !covers(triangles, Vec3(to.x(), from.y(), to.z())))
+        return std::numeric_limits<double>::infinity();
+    const double bottom = triangles.centre[1] - triangles.reach[1] - triangles.radii[1];
+    return std::max(bottom, double{kernels().near_highest(triangles, v3(from), v3(to), cosine)});
+}
+
 }  // namespace slipface

@@ -2,9 +2,11 @@
 
 #include "impl.h"
 #include "queries/first_of.h"
+#include "queries/near.h"
 #include "queries/paths.h"
 #include "queries/sphere_triangle.h"
 #include "slipface/collision/filter.h"
+#include "slipface/collision/neighbourhood.h"
 
 namespace slipface {
 namespace {
@@ -120,20 +122,6 @@ float consider_lane(void* context, const Leaf& leaf, std::uint32_t lane) {
     return time_limit(search.touch.t);
 }
 
-RayPath ray_path(const ShearedRay& ray, const V3& origin, const V3& direction, double reach) {
-    RayPath path;
-    const double half = 1e-14 * reach;
-    path.box = box_path(Three(origin), Three(direction), Three::all(half));
-    split(Three(origin), Three::all(1.0), path.centre, path.rest);
-    path.kx = ray.kx;
-    path.ky = ray.ky;
-    path.kz = ray.kz;
-    path.sx = static_cast<float>(ray.sx);
-    path.sy = static_cast<float>(ray.sy);
-    path.usable = true;
-    return path;
-}
-
 // A ray whose arguments are valid, at a scale without overflow.
 struct Ray {
     V3 start, direction;
@@ -160,6 +148,14 @@ struct Ray {
     double scaled(double t) const { return exponent == 0 ? t : std::ldexp(t, exponent); }
     double unscaled(double t) const { return exponent == 0 ? t : std::ldexp(t, -exponent); }
 
+    Search search(const CollisionWorld::Impl& world, double max_t, RayStops stops,
+                  const QueryFilter* filter) const {
+        return {world, sheared, direction, stops, filter, {scaled(max_t), {0.0, 0.0, 0.0}}};
+    }
+    std::optional<RayHit> hit(const Search& search) const {
+        if (search.triangle.id == no_id || !std::isfinite(unscaled(search.touch.t))) return std::nullopt;
+        return hit(search.world, search.triangle, search.touch);
+    }
     RayHit hit(const CollisionWorld::Impl& world, const LeafTriangle& leaf, const RayTouch& touch) const {
         const V3& weights = touch.weights;
         const V3 winding = winding_normal(leaf);
@@ -172,22 +168,39 @@ struct Ray {
     }
 };
 
-std::optional<RayHit> first_hit(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
-                                double max_t, RayStops stops, const QueryFilter* filter) {
-    const CollisionWorld::Impl& impl = world.impl();
-    const std::optional<Ray> ray = Ray::of(impl, origin, direction, max_t);
-    if (!ray) return std::nullopt;
-    Search search{impl, ray->sheared, ray->direction, stops, filter, {ray->scaled(max_t), {0.0, 0.0, 0.0}}};
-    if (ray->reach <= float_range) {
-        kernels().ray(impl.view(), ray->start, ray->direction,
-                      ray_path(ray->sheared, ray->start, ray->direction, ray->reach),
-                      time_limit(search.touch.t), consider_lane, &search);
+RayPath ray_path(const Ray& ray) {
+    RayPath path;
+    const double half = 1e-14 * ray.reach;
+    path.box = box_path(Three(ray.start), Three(ray.direction), Three::all(half));
+    split(Three(ray.start), Three::all(1.0), path.centre, path.rest);
+    path.kx = ray.sheared.kx;
+    path.ky = ray.sheared.ky;
+    path.kz = ray.sheared.kz;
+    path.sx = static_cast<float>(ray.sheared.sx);
+    path.sy = static_cast<float>(ray.sheared.sy);
+    path.usable = true;
+    return path;
+}
+
+// The first hit in the world; `search` may have found one already.
+std::optional<RayHit> first_hit(const Ray& ray, const RayPath& path, Search& search) {
+    const CollisionWorld::Impl& impl = search.world;
+    if (ray.reach <= float_range) {
+        kernels().ray(impl.view(), ray.start, ray.direction, path, time_limit(search.touch.t), consider_lane,
+                      &search);
     } else {
         for (TriangleId id = 0; id < impl.triangle_count(); ++id)
             search.consider(impl.triangle(id));
     }
-    if (search.triangle.id == no_id || !std::isfinite(ray->unscaled(search.touch.t))) return std::nullopt;
-    return ray->hit(impl, search.triangle, search.touch);
+    return ray.hit(search);
+}
+
+std::optional<RayHit> first_hit(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
+                                double max_t, RayStops stops, const QueryFilter* filter) {
+    const std::optional<Ray> ray = Ray::of(world.impl(), origin, direction, max_t);
+    if (!ray) return std::nullopt;
+    Search search = ray->search(world.impl(), max_t, stops, filter);
+    return first_hit(*ray, ray_path(*ray), search);
 }
 
 }  // namespace
@@ -195,6 +208,25 @@ std::optional<RayHit> first_hit(const CollisionWorld& world, const Vec3& origin,
 std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
                                double max_t, RayStops stops) {
     return first_hit(world, origin, direction, max_t, stops, nullptr);
+}
+
+std::optional<RayHit> cast_ray(const Neighbourhood& near, const Vec3& origin, const Vec3& direction,
+                               double max_t, RayStops stops) {
+    const CollisionWorld::Impl& impl = near.world().impl();
+    const std::optional<Ray> ray = Ray::of(impl, origin, direction, max_t);
+    if (!ray) return std::nullopt;
+    const RayPath path = ray_path(*ray);
+    Search search = ray->search(impl, max_t, stops, nullptr);
+    const NearTriangles& triangles = near.triangles();
+    if (covers(triangles, origin)) {
+        std::uint32_t list[near_capacity];
+        const std::uint32_t count = kernels().near_ray(triangles, path, list);
+        for (std::uint32_t i = 0; i < count; ++i)
+            search.consider(near_triangle(triangles, list[i]));
+        // All triangles are known up to there.
+        if (covers(triangles, origin + search.touch.t * vec(ray->direction))) return ray->hit(search);
+    }
+    return first_hit(*ray, path, search);
 }
 
 std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
@@ -230,8 +262,7 @@ std::size_t find_ray_hits(const CollisionWorld& world, const Vec3& origin, const
     All all{
         *ray, {impl, ray->sheared, ray->direction, stops, &filter, {}}, {out, before}, ray->scaled(max_t)};
     if (ray->reach <= float_range) {
-        kernels().ray(impl.view(), ray->start, ray->direction,
-                      ray_path(ray->sheared, ray->start, ray->direction, ray->reach), time_limit(all.limit),
+        kernels().ray(impl.view(), ray->start, ray->direction, ray_path(*ray), time_limit(all.limit),
                       All::consider_lane, &all);
     } else {
         for (TriangleId id = 0; id < impl.triangle_count(); ++id)

@@ -19,6 +19,8 @@ constexpr Kernels kernel_table(const char* name, std::size_t wave_worth) {
             .closest = closest_kernel,
             .near = near_kernel,
             .near_sweep = near_sweep_kernel,
+            .near_highest = near_highest_kernel,
+            .near_ray = near_ray_kernel,
             .sweep_triangle = sweep_triangle_kernel,
             .nearest_part = nearest_part_kernel,
             .is_behind = is_behind_kernel,

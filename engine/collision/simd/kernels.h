@@ -134,6 +134,11 @@ struct Kernels {
     // may touch. Returns their number, or leads_out.
     std::uint32_t (*near_sweep)(const NearTriangles& near, const V3& radii, const V3& from, const V3& move,
                                 EllipsoidQuery& query, NearCandidate* out);
+    // The largest y of the triangles of the neighbourhood that a vertical line through the way may cross
+    // below `from`, but for those that are steeper than `cosine`; -infinity if there are none.
+    float (*near_highest)(const NearTriangles& near, const V3& from, const V3& to, double cosine);
+    // Finds the triangles of the neighbourhood that the ray's line may cross; returns their number.
+    std::uint32_t (*near_ray)(const NearTriangles& near, const RayPath& path, std::uint32_t* out);
 
     // Finds the first touch of a triangle; false if there is none with t <= t_max.
     bool (*sweep_triangle)(const LeafTriangle& triangle, const EllipsoidQuery& query, double t_max,

@@ -4,6 +4,7 @@
 
 #include "queries/instance_paths.h"
 #include "queries/leaf_filter.h"
+#include "queries/near_impl.h"
 
 namespace slipface::detail {
 namespace {
@@ -143,8 +144,9 @@ void sweep_kernel(const WorldView& world, const EllipsoidQuery& query, const Swe
 }
 
 // Bit k is set where the ray's line certainly misses triangle k, in the sheared coordinates of the ray
-// (ray.cpp). An edge function has an error below its slack.
-inline std::uint32_t ray_misses(const RayPath& path, const Lanes (&v)[9]) {
+// (ray.cpp). An edge function has an error below its slack. corner(k, axis): of the triangles, world.
+template <class Corners>
+inline std::uint32_t ray_misses(const RayPath& path, const Corners& corner) {
     Lanes x[3];
     Lanes y[3];
     Lanes xs[3];
@@ -153,7 +155,7 @@ inline std::uint32_t ray_misses(const RayPath& path, const Lanes (&v)[9]) {
     const Lanes sy = Lanes::all(path.sy);
     for (int k = 0; k < 3; ++k) {
         const auto along = [&](int axis) {
-            return v[3 * k + axis] - Lanes::all(path.centre[axis]) - Lanes::all(path.rest[axis]);
+            return corner(k, axis) - Lanes::all(path.centre[axis]) - Lanes::all(path.rest[axis]);
         };
         const Lanes ax = along(path.kx);
         const Lanes ay = along(path.ky);
@@ -186,7 +188,7 @@ void ray_kernel(const WorldView& world, const V3& origin, const V3& direction, c
         lanes_of_leaf(leaf, v);
         std::uint32_t mask = present(leaf);
         if (path.usable) {
-            mask &= ~ray_misses(path, v);
+            mask &= ~ray_misses(path, [&](int k, int axis) { return v[3 * k + axis]; });
             if (mask == 0) return now;
         }
         Lanes enter;
@@ -195,6 +197,17 @@ void ray_kernel(const WorldView& world, const V3& origin, const V3& direction, c
             now = consider(context, leaf, first_lane(mask));
         return now;
     });
+}
+
+std::uint32_t near_ray_kernel(const NearTriangles& near, const RayPath& path, std::uint32_t* out) {
+    std::uint32_t found = 0;
+    for (std::uint32_t first = 0; first < near.count; first += 8) {
+        const auto corner = [&](int k, int axis) { return Lanes::load(near.corner[3 * k + axis] + first); };
+        std::uint32_t mask = present(near, first) & ~ray_misses(path, corner);
+        for (; mask != 0; mask &= mask - 1)
+            out[found++] = first + first_lane(mask);
+    }
+    return found;
 }
 
 struct LanePoint {

@@ -17,6 +17,7 @@ struct NearTriangles {
     double reach[4] = {-1.0, -1.0, -1.0};  // largest offset of the body's centre, world; negative: none
 
     std::uint32_t count = 0;
+    float clear = 0.0F;                  // the least clearance
     float corner[9][near_capacity + 8];  // [3 * corner + axis], world
     // In sphere space, relative to `centre`.
     float seen[9][near_capacity + 8];  // corners, like `corner`
@@ -27,6 +28,8 @@ struct NearTriangles {
     float offset[near_capacity + 8];
     float slack[near_capacity + 8];
     float slack_per_length[near_capacity + 8];
+    // The square of how far the body can go in sphere space, at least, before it touches the triangle.
+    float clearance[near_capacity + 8];
     std::uint32_t id[near_capacity + 8];
 };
 

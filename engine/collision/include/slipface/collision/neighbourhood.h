@@ -34,5 +34,13 @@ std::optional<Contact> sweep_ellipsoid(const Neighbourhood& near, const Vec3& ra
 std::size_t find_overlaps(const Neighbourhood& near, const Vec3& radii, const Vec3& centre,
                           std::span<Overlap> out);
 bool overlaps_any(const Neighbourhood& near, const Vec3& radii, const Vec3& centre);
+std::optional<RayHit> cast_ray(const Neighbourhood& near, const Vec3& origin, const Vec3& direction,
+                               double max_t = std::numeric_limits<double>::infinity(),
+                               RayStops stops = RayStops::solid);
+
+// No vertical line through the way from `from` to `to` meets a triangle between this height and from.y,
+// metres; the rise of the way itself does not count, nor do triangles whose normal has an |y| below `cosine`.
+// A bound, not the exact height: infinity if the way leads out of the neighbourhood.
+double highest_below(const Neighbourhood& near, const Vec3& from, const Vec3& to, double cosine);
 
 }  // namespace slipface
