@@ -13,6 +13,7 @@
 #include "app/ui_renderer.h"
 #include "panels/viewport_panel.h"
 #include "tools/lab/link.h"
+#include "tools/session/import_card.h"
 #include "widgets/imgui_compat.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
@@ -138,6 +139,10 @@ void App::key_pressed(const KeyPress& press) {
         if (!GImGui->OpenPopupStack.empty()) return;
         if (editor.show_shortcuts && !GImGui->ActiveId) {
             editor.show_shortcuts = false;
+            return;
+        }
+        if (editor.import_card.shown && !GImGui->ActiveId) {
+            close_import_card(editor);
             return;
         }
         if (editor.layout.focus && !GImGui->ActiveId) {

@@ -127,6 +127,7 @@ TEST_F(WindowTest, TheImportCardPlacesTheSpawn) {
     EXPECT_FALSE(has_spawn(level));
     ASSERT_EQ(run("click \"Viewport/Import/In view\""), "");
     EXPECT_NEAR(level.spawn.x(), 1.5, 0.1);
+    ASSERT_EQ(run("key Escape\nwait 1\nexpect no_widget \"Viewport/Import/In view\""), "");
 }
 
 TEST_F(WindowTest, TheSelectionsTintIsNotSeenWhileWalking) {
