@@ -38,9 +38,10 @@ double slope_cosine(double angle) {
 }
 
 const SurfaceType& surface_of(const Mover& mover, SurfaceId surface) {
+    if (mover.settings.surface_types && surface < mover.scene.surfaces.size())
+        return mover.scene.surfaces[surface];
     static const SurfaceType plain;
-    if (!mover.settings.surface_types || surface >= mover.scene.surfaces.size()) return plain;
-    return mover.scene.surfaces[surface];
+    return plain;
 }
 
 const SurfaceType& support_of(const Mover& mover) {

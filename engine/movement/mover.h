@@ -90,7 +90,8 @@ struct Scratch {
     std::uint32_t ignored_platform = no_id;  // the one that carries or pushes the player now
     int sweeps = 0;
     int contacts = 0;
-    bool end_is_free = false;  // by the last check
+    bool ends_free = false;    // as began_free; false: unknown
+    bool end_is_free = false;  // by the last check: but for one-sided faces
 };
 
 struct Mover : Given, Motion, Scratch {

@@ -11,7 +11,8 @@ namespace {
 
 bool ends_inside(Mover& mover, const Vec3& from) {
     if (mover.position == from) return false;
-    mover.end_is_free = !overlaps_scene(mover, mover.position);
+    mover.ends_free = is_free(mover, mover.position);
+    mover.end_is_free = mover.ends_free || !overlaps_scene(mover, mover.position);
     // A player who began inside may be on the way out.
     return !mover.end_is_free && !overlaps_scene(mover, from);
 }

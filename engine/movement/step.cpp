@@ -60,6 +60,7 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
     StepResult result{.state = state};
     result.state.position = position_in_scene(scene, state);
     bool hazard = false;
+    bool free = false;  // where the next part begins; false: unknown
     const double part_s = dt / parts;
     // How far the player can get in the next parts, m. From rest it takes time to reach walking speed.
     const auto longest_move = [&](int count) {
@@ -87,6 +88,7 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
                      .jump_pressed = input.jump && !before.jump_held,
                      .walkable_cosine = walkable_cosine},
                     around);
+        mover.began_free = free;
         // Platforms stand already where the whole step ends, so only its first part moves with them.
         if (part == 0) leave_geometry(mover);
         if (part == 0) move_with_platforms(mover);
@@ -100,6 +102,7 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
         result.sweeps += mover.sweeps;
         result.contacts += mover.contacts;
         result.end_is_free = mover.end_is_free;
+        free = mover.ends_free || (mover.began_free && result.state.position == before.position);
         hazard = hazard || result.state.hazard;
     }
     result.state.hazard = hazard;
