@@ -89,7 +89,7 @@ def inside_blender(job_path):
                 found = min(fits)[2]
                 used.add(found)
                 ids[o][polygon.index] = found + 1
-        missing = 0
+        cut = []
         for o, polygon in rest:  # the nearest face of its material with the same vector of area
             key, normal = world(o, polygon)
             vector = [polygon.area * x for x in normal]
@@ -97,19 +97,43 @@ def inside_blender(job_path):
                     if m not in used and material(o, polygon) in (None, job["materials"][m]) and
                     math.dist(job["vectors"][m], vector) < 2e-3 * polygon.area + 1e-5 and
                     math.dist(job["centroids"][m], key) ** 2 < 4 * polygon.area + 1e-4]
-            missing += not fits
             if fits:
                 found = min(fits)[1]
                 used.add(found)
                 ids[o][polygon.index] = found + 1
+            else:
+                cut.append((o, polygon))
+        missing = len(cut) - pieces(cut, used, ids, world, material)
         for o in objects:
             o.data.attributes.new("face_id", "INT", "FACE").data.foreach_set("value", ids[o])
             o["before"] = [x for row in o.matrix_world for x in row]
             first = len(places)
             places.extend(o.matrix_world @ v.co for v in o.data.vertices)
             loops.extend([first + v for v in p.vertices] for p in o.data.polygons)
-            owners.extend(ids[o])
+            owners.extend((number, material(o, p)) for number, p in zip(ids[o], o.data.polygons))
         return missing, (BVHTree.FromPolygons(places, loops), owners)
+
+    def pieces(cut, used, ids, world, material):
+        """Numbers the polygons that together are one face: of its material, in its plane and with its area."""
+        of, numbered = {}, 0
+        for o, polygon in cut:
+            key, normal = world(o, polygon)
+            for m, at in enumerate(job["centroids"]):
+                whole = math.hypot(*job["vectors"][m])
+                if m not in used and whole > polygon.area and material(o, polygon) in (None, job["materials"][m]) and \
+                        sum(a * b for a, b in zip(job["vectors"][m], normal)) > 0.999 * whole and \
+                        abs(sum((a - b) * n for a, b, n in zip(at, key, normal))) < 2e-3 and \
+                        math.dist(at, key) ** 2 < 4 * whole:
+                    of.setdefault(m, []).append((o, polygon))
+        for m, found in of.items():
+            whole = math.hypot(*job["vectors"][m])
+            if abs(sum(polygon.area for _, polygon in found) - whole) > 0.01 * whole:
+                continue  # some are of another face
+            for o, polygon in found:
+                if ids[o][polygon.index] < 0:
+                    ids[o][polygon.index] = m + 1
+                    numbered += 1
+        return numbered
 
     def spread(a, b, c, n):
         """n * n points of a triangle, each for an equal part of its area."""
@@ -119,19 +143,23 @@ def inside_blender(job_path):
                     yield a + (i + third) / n * (b - a) + (k + third) / n * (c - a)
 
     def covered(mesh, polygon, triangles, back, original):
-        """{number of an original face: area of it that the polygon covers}, by its nearest points."""
+        """{number of an original face: area of it that the polygon covers}, by its nearest points: of all faces,
+        and of those of its material where there are any."""
         tree, owners = original
+        own = mesh.materials[polygon.material_index].name if mesh.materials else None
         normal = (back.to_3x3().inverted().transposed() @ polygon.normal).normalized()
-        area = {}
+        by_place, by_material = {}, {}
         for corners in triangles:
             a, b, c = (back @ mesh.vertices[v].co for v in corners)
             size = (b - a).cross(c - a).length
             for point in spread(a, b, c, 12 if len(triangles) < 9 else 6):
                 at = [(d, i) for _, n, i, d in tree.find_nearest_range(point, 0.6) if n.dot(normal) > 0.5]
-                number = owners[min(at)[1]] if at else 0
-                area[number] = area.get(number, 0.0) + size
-        whole = sum(area.values()) or 1.0
-        return {number: size / whole for number, size in area.items()}
+                same = [(d, i) for d, i in at if owners[i][1] == own]
+                for area, faces in ((by_place, at), (by_material, same or at)):
+                    number = owners[min(faces)[1]][0] if faces else 0
+                    area[number] = area.get(number, 0.0) + size
+        whole = sum(by_place.values()) or 1.0
+        return [{number: size / whole for number, size in area.items()} for area in (by_place, by_material)]
 
     def write(path, original):
         bpy.ops.wm.obj_export(filepath=path)
@@ -163,7 +191,7 @@ def inside_blender(job_path):
                 n = side * n.normalized()
                 rows.append((number, c.x, c.z, -c.y, n.x, n.z, -n.y))
                 if original:
-                    rows[-1] += (covered(mesh, polygon, triangles[polygon.index], back, original),)
+                    rows[-1] += tuple(covered(mesh, polygon, triangles[polygon.index], back, original))
             shown.to_mesh_clear()
         json.dump(rows, open(path + ".truth", "w"))
 
@@ -671,16 +699,18 @@ class Score:
         return " %.1f %% | %d | %d | %d |" % (100.0 * self.right / max(1, self.faces), self.wrong, self.unsaid, self.listed)
 
 
-def expected(types, covered):
-    """The types that a merged face may have: clear from 55 % of its area, none below 45 %, and a question between."""
-    area = {}
-    for number, share in covered.items():
-        kind = types[int(number) - 1] if int(number) > 0 else None
-        area[kind] = area.get(kind, 0.0) + share
-    best = max(area, key=area.get)
-    if area[best] > 0.55:
-        return {best}
-    return {None} | {kind for kind in area if area[kind] > 0.45}
+def expected(types, *readings):
+    """The types that a merged face may have. By its place or by its material, one is clear from 55 % of its area,
+    none below 45 %, and a question between; so is one of which place and material say different things."""
+    may = set()
+    for covered in readings:
+        area = {}
+        for number, share in covered.items():
+            kind = types[int(number) - 1] if int(number) > 0 else None
+            area[kind] = area.get(kind, 0.0) + share
+        best = max(area, key=area.get)
+        may |= {best} if area[best] > 0.55 else {None} | {kind for kind in area if area[kind] > 0.45}
+    return may if len(may) == 1 else may | {None}
 
 
 def score(types, truth, rows, guessed, original):
@@ -697,7 +727,7 @@ def score(types, truth, rows, guessed, original):
     guesses = {places.take(at, normal, taken) for at, normal in guessed}
     if truth and len(truth[0]) > 7:
         for k, t in enumerate(truth):
-            may, kind = expected(types, t[7]), got.get(k)
+            may, kind = expected(types, *t[7:]), got.get(k)
             result.unclear += len(may) > 1
             result.faces += None not in may
             result.right += None not in may and kind in may

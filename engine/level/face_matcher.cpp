@@ -76,8 +76,9 @@ MatchedOverrides FaceMatcher::run() && {
         without_outline([this](std::size_t i) { return match_union(i, false); });
         without_outline([this](std::size_t i) { return match_union(i, true); });
         without_outline([this](std::size_t i) { return match_area(i); });
-        match_covered(0.9);
-        match_covered(0.5);
+        match_covered(0.9, false);
+        match_covered(0.5, false);
+        match_covered(0.9, true);
         run_stage(Stage::nearest, [this](std::size_t i) { return match_nearest(i); });
     }
     collect();
@@ -123,13 +124,14 @@ void FaceMatcher::claim(FaceId face, std::size_t i, MatchStage stage) {
     result_.overrides[face] = types_[i];
 }
 
-// Faces of the key's material with a triangle in the box, ascending.
-std::vector<FaceId> FaceMatcher::faces_in(std::size_t i, const Aabb& box) {
+// Faces with a triangle in the box, of the key's material unless any will do; ascending.
+std::vector<FaceId> FaceMatcher::faces_in(std::size_t i, const Aabb& box, bool any_material) {
     std::vector<FaceId> faces;
     for (const TriangleId triangle : lookup_.tree()->triangles_in(box)) {
         ++lookup_.visits;
         const FaceId face = lookup_.tree()->triangle_face(triangle);
-        if ((faces.empty() || faces.back() != face) && index_.base(face) == bases_[i]) faces.push_back(face);
+        const bool known = !faces.empty() && faces.back() == face;
+        if (!known && (any_material || index_.base(face) == bases_[i])) faces.push_back(face);
     }
     ++lookup_.visits;
     return faces;

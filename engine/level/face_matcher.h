@@ -46,7 +46,7 @@ class FaceMatcher {
     bool is_wanted(std::size_t i) const;  // not found yet, and to be searched
     bool is_free(FaceId face) const { return claims_[face] == MatchStage::none; }
     void claim(FaceId face, std::size_t i, MatchStage stage);
-    std::vector<FaceId> faces_in(std::size_t i, const Aabb& box);
+    std::vector<FaceId> faces_in(std::size_t i, const Aabb& box, bool any_material = false);
     std::vector<FaceId> faces_around(std::size_t i, double reach);
     template <class Match>
     void run_stage(MatchStage stage, Match match);
@@ -76,8 +76,10 @@ class FaceMatcher {
         double distance, area;
         bool flat;  // the face lies in the old one's plane
     };
-    void match_covered(double least_dot);
-    void find_covers(std::size_t i, double least_dot, std::vector<Cover>& covers);
+    // `any_material`: a new face may also cover old ones of other materials than its own.
+    void match_covered(double least_dot, bool any_material);
+    bool is_covered(std::size_t i) const;  // found so by new faces; others may cover it, too
+    void find_covers(std::size_t i, double least_dot, bool any_material, std::vector<Cover>& covers);
 
     // match_nearest.cpp
     bool match_nearest(std::size_t i);
@@ -96,6 +98,7 @@ class FaceMatcher {
     std::vector<std::optional<SurfaceId>> types_;  // [stored]
     std::vector<std::string> bases_;               // [stored]
     std::vector<std::vector<Vec3>> outlines_;      // [stored] after the motion; empty if it is not known
+    std::vector<bool> likely_;                     // [stored] the outline is only a likely one
     std::vector<bool> lost_;      // [stored] not to be searched: nothing found could be trusted
     std::vector<bool> doubtful_;  // [stored] what is found is a guess
     // Faces that match_covered() did not give the type of the stored one, sorted.

@@ -16,16 +16,24 @@ constexpr double filled_fraction = 0.35;
 
 constexpr double more_than_half = 0.52;  // of a new face: half of it is a question
 
+constexpr double part_of_it = 0.01;  // of a new face: what it has of one that it came from
+
 constexpr double left_fraction = 0.1;  // of an old face, by what is still there
 
-// A tilted face leaves the plane; a parallel one off it is another face. In the old face's size.
+// A parallel face off the plane is another face, in the old face's size. A tilted one leaves the plane, in
+// the larger one's size.
 constexpr double off_plane = 0.02, off_plane_by_tilt = 0.7;
 
 constexpr double wide = 0.1;  // in the old face's size: how far from its outline faces are looked for
 
 }  // namespace
 
-void FaceMatcher::find_covers(std::size_t i, double least_dot, std::vector<Cover>& covers) {
+bool FaceMatcher::is_covered(std::size_t i) const {
+    return found_[i] == MatchStage::plane && !outlines_[i].empty() && !likely_[i];
+}
+
+void FaceMatcher::find_covers(std::size_t i, double least_dot, bool any_material,
+                              std::vector<Cover>& covers) {
     const FaceKey& key = this->key(i);
     const double size = std::sqrt(key.area);
     const Vec3 normal = unit_or_zero(key.normal);
@@ -34,27 +42,31 @@ void FaceMatcher::find_covers(std::size_t i, double least_dot, std::vector<Cover
         box.add(corner);
     box.min -= Vec3::Constant(wide * size + position_tolerance(key.centroid));
     box.max += Vec3::Constant(wide * size + position_tolerance(key.centroid));
-    for (const FaceId face : faces_in(i, box)) {
+    for (const FaceId face : faces_in(i, box, any_material)) {
         const FaceKey& candidate = index_.key(face);
         const double along = candidate.normal.dot(normal);
         if (!is_free(face) || !(along > least_dot)) continue;
         const double tilt = candidate.normal.cross(normal).norm();
         const double off = std::abs(candidate.normal.dot(candidate.centroid - key.centroid));
-        if (off > (off_plane + off_plane_by_tilt * tilt) * size + position_tolerance(key.centroid)) continue;
+        const double bend = tilt * std::max(size, std::sqrt(candidate.area));
+        if (off > off_plane * size + off_plane_by_tilt * bend + position_tolerance(key.centroid)) continue;
         lookup_.visits += mesh_.face_corner_count(face);
         const bool flat = along > 0.9995 && off <= 1e-3 * size + position_tolerance(key.centroid);
-        covers.push_back({face, i, off, 0.0, flat});
+        if (flat || is_wanted(i)) covers.push_back({face, i, off, 0.0, flat});
     }
 }
 
-void FaceMatcher::match_covered(double least_dot) {
+void FaceMatcher::match_covered(double least_dot, bool any_material) {
     std::vector<Cover> all;
-    std::vector<bool> likely(stored_.size(), false);
+    likely_.resize(stored_.size(), false);
     for (std::size_t i = 0; i < stored_.size() && lookup_.visits < max_visits; ++i) {
-        if (!is_wanted(i) || !(key(i).area > 0.0) || unit_or_zero(key(i).normal).isZero()) continue;
-        likely[i] = outlines_[i].empty();
-        if (likely[i]) outlines_[i] = likely_outline(key(i));
-        find_covers(i, least_dot, all);
+        if (!is_wanted(i) && !(any_material && is_covered(i))) continue;
+        if (!(key(i).area > 0.0) || unit_or_zero(key(i).normal).isZero()) continue;
+        if (outlines_[i].empty()) {
+            outlines_[i] = likely_outline(key(i));
+            likely_[i] = true;
+        }
+        find_covers(i, least_dot, any_material, all);
     }
     std::stable_sort(all.begin(), all.end(), [](const Cover& a, const Cover& b) { return a.face < b.face; });
     const auto each_face = [&](const auto& apply) {
@@ -87,18 +99,22 @@ void FaceMatcher::match_covered(double least_dot) {
         if (!cover.flat && flat[cover.i] > left_fraction * area && face.area < small * area) cover.area = 0.0;
     }
     const auto is_other = [&](std::size_t i) {
-        return likely[i] && total[i] < filled_fraction * key(i).area;
+        return likely_[i] && total[i] < filled_fraction * key(i).area;
     };
     std::vector<double> given(stored_.size(), 0.0);  // of `total`: by faces that have its type now
     each_face([&](std::span<Cover> covers) {
         const FaceId face = covers[0].face;
         std::map<SurfaceId, double> shares;
+        double own = 0.0;  // on faces of its material: a merged face has that of one of them
         for (const Cover& cover : covers) {
             if (is_other(cover.i)) continue;
             shares[*types_[cover.i]] += cover.area;
+            own += bases_[cover.i] == index_.base(face) ? cover.area : 0.0;
         }
+        const double area = index_.key(face).area;
+        if (own <= part_of_it * area) return;
         for (const auto& [type, share] : shares) {
-            if (share <= more_than_half * index_.key(face).area) continue;
+            if (share <= more_than_half * area) continue;
             claims_[face] = MatchStage::plane;
             result_.overrides[face] = type;
         }
@@ -113,7 +129,7 @@ void FaceMatcher::match_covered(double least_dot) {
         if (total[i] <= left_fraction * key(i).area) continue;
         if (given[i] > 0.5 * total[i])
             found_[i] = MatchStage::plane;
-        else if (total[i] > 0.5 * key(i).area)
+        else if (any_material && total[i] > 0.5 * key(i).area)
             lost_[i] = true;  // left for the user
     }
 }

@@ -189,10 +189,12 @@ MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces) {
     std::vector<std::uint32_t> rest(mesh.groups.size(), no_id);
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         const std::uint32_t root = pieces.root(face);
-        std::uint32_t& part = size[root] < small_part ? rest[mesh.face_group[face]] : number[root];
+        const bool small = size[root] < small_part;
+        std::uint32_t& part = small ? rest[mesh.face_group[face]] : number[root];
         if (part == no_id) {
             part = static_cast<std::uint32_t>(result.parts.size());
             result.parts.emplace_back();
+            result.scattered.push_back(small);
         }
         result.of[face] = part;
         ++result.parts[part].faces;

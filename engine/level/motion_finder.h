@@ -44,6 +44,11 @@ class MotionFinder {
             turned;  // what the order of the faces says, though staying explains as much
     };
 
+    struct Move {
+        PartMotion motion;
+        std::size_t parts = 0;  // that made it
+    };
+
     // part_search.cpp: each part by itself
     void find(std::size_t part);
     void consider(std::size_t part, const PartMotion& motion);
@@ -76,14 +81,23 @@ class MotionFinder {
     // part_vote.cpp: the parts together
     void vote();
     void exchange(std::size_t part);
+    void doubt(std::size_t part);
+    bool is_unexplained(std::size_t part);
+    bool lies_as_before(std::size_t part);
+
+    // part_follow.cpp: what the others did
+    static bool is_explained(const Part& part) {
+        return !part.best.is_identity() || part.staying.corners >= 0.5;
+    }
     void collect_moves();
+    std::size_t parts_with_motion(std::size_t part) const;
+    void join_the_most(std::size_t part);
     void one_part_each_place();
     bool is_claimed(std::size_t part, const PartMotion& motion) const;
     void search_edited();
     void follow(std::size_t part);
-    void doubt(std::size_t part);
-    bool is_unexplained(std::size_t part);
-    bool lies_as_before(std::size_t part);
+    bool stays_edited(std::size_t part);
+    double alike_there(std::size_t part, const PartMotion& motion);
 
     FaceLookup& lookup_;
     const Mesh& mesh_;
@@ -95,7 +109,7 @@ class MotionFinder {
     SimilarFaces similar_;
     std::vector<Part> parts_;
     std::vector<PartMotion> known_;       // the parts' best, to be tried with the next parts
-    std::vector<PartMotion> moves_;       // the different motions of the parts that moved
+    std::vector<Move> moves_;             // the different motions of the parts that moved
     std::vector<Aabb> places_;            // [part] of the parts that moved: where; else empty
     std::vector<PartMotion> candidates_;  // all that nearly explain as much
     std::size_t candidates_part_ = 0, candidates_of_part_ = 0, votes_ = 0;

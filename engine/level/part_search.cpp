@@ -54,8 +54,11 @@ std::vector<PartMotion> MotionFinder::run() && {
     trust_order();
     vote();
     collect_moves();
-    for (std::size_t part = 0; part < parts_.size(); ++part)
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
         exchange(part);
+        join_the_most(part);
+    }
+    collect_moves();
     one_part_each_place();
     search_edited();
     std::vector<PartMotion> motions;

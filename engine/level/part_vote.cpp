@@ -78,8 +78,9 @@ void MotionFinder::vote() {
 
 bool MotionFinder::is_unexplained(std::size_t i) {
     const Part& part = parts_[i];
-    return !support_.points(i).empty() && part.best.is_identity() && part.best_support.corners < lost_below &&
-           part.best_support.keys < lost_below && !support_.has_similar_box(i);
+    return !support_.points(i).empty() && !part.voted && part.best.is_identity() &&
+           part.best_support.corners < lost_below && part.best_support.keys < lost_below &&
+           !support_.has_similar_box(i);
 }
 
 // Whether nearly all of the part's faces have one of their material a little off their place, in directions
@@ -114,16 +115,6 @@ bool MotionFinder::lies_as_before(std::size_t i) {
     return (directions / static_cast<double>(found)).determinant() > can_slide;
 }
 
-void MotionFinder::collect_moves() {
-    constexpr std::size_t max_moves = 64;
-    for (const Part& part : parts_) {
-        if (part.best.is_identity() || moves_.size() == max_moves) continue;
-        if (std::none_of(moves_.begin(), moves_.end(),
-                         [&](const PartMotion& known) { return same(stored_.bounds, known, part.best); }))
-            moves_.push_back(part.best);
-    }
-}
-
 // Two equal parts that a motion of others put into each other's place look as if they had stayed, but the
 // order of their faces says that they did not.
 void MotionFinder::exchange(std::size_t i) {
@@ -132,7 +123,8 @@ void MotionFinder::exchange(std::size_t i) {
     if (moves_.empty()) return;
     const double staying = ranks(i, part.best);
     if (staying >= 0.9) return;
-    for (const PartMotion& motion : moves_) {
+    for (const Move& move : moves_) {
+        const PartMotion& motion = move.motion;
         const MotionSupport found = support_.support(i, motion, enough_anchors_);
         if (found.sum() < part.staying.sum() - 1e-9 || ranks(i, motion) <= staying) continue;
         part.best = motion;
@@ -141,71 +133,6 @@ void MotionFinder::exchange(std::size_t i) {
         part.voted = true;
         return;
     }
-}
-
-// Whether another part that moved is where the motion puts this one. Parts that lay on each other may stay
-// so.
-bool MotionFinder::is_claimed(std::size_t i, const PartMotion& motion) const {
-    const Aabb box = support_.moved_box(i, motion);
-    for (std::size_t k = 0; k < parts_.size(); ++k) {
-        if (k == i || places_[k].empty()) continue;
-        if (similar_box(places_[k], box, box_slack) &&
-            !similar_box(stored_.parts[k].box, stored_.parts[i].box, box_slack))
-            return true;
-    }
-    return false;
-}
-
-// Of parts that look as if they had all moved to one place, the one did whose motion is others', too, or that
-// did the least. The others were edited.
-void MotionFinder::one_part_each_place() {
-    places_.resize(parts_.size());
-    std::vector<std::pair<double, std::size_t>> order;
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-        const Part& part = parts_[i];
-        if (part.best.is_identity()) continue;
-        places_[i] = support_.moved_box(i, part.best);
-        const Aabb& box = stored_.parts[i].box;
-        order.push_back({(part.voted ? 10.0 : 0.0) + part.best_support.sum() -
-                             0.1 * std::min(effort(part.best, box.centre(), box.size().norm()), 2.0),
-                         i});
-    }
-    std::stable_sort(order.begin(), order.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (const auto& [rating, i] : order) {
-        Part& part = parts_[i];
-        if (part.certain || !is_claimed(i, part.best)) continue;
-        part.best = PartMotion{};
-        part.best_support = part.staying;
-        part.best_rating = 0.0;
-        places_[i] = Aabb{};
-    }
-}
-
-// Parts that were edited so much that most of their rim is gone, and moved, too.
-void MotionFinder::search_edited() {
-    edited_ = true;
-    enough_anchors_ = 0.25;
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-        if (!is_unexplained(i)) continue;
-        Part& part = parts_[i];
-        follow(i);
-        if (part.best.is_identity()) {
-            try_boxes(i);
-            try_faces(i);
-        }
-        if (part.best.is_identity()) try_points(i);
-        if (part.best.is_identity()) continue;
-        part.best.guessed = true;
-        places_[i] = support_.moved_box(i, part.best);
-    }
-}
-
-// The motion of other parts, if it puts the part into a part of its size.
-void MotionFinder::follow(std::size_t i) {
-    for (const PartMotion& motion : moves_)
-        consider(i, motion);
-    parts_[i].voted = !parts_[i].best.is_identity();
 }
 
 // Whether the motion of the part is a question: it explains little, or others explain as much and give faces

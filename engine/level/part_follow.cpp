@@ -1,0 +1,191 @@
+// Parts that move with the others of their object, though an edit left little of them.
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "motion_finder.h"
+#include "motion_fit.h"
+#include "slipface/level/material_name.h"
+
+namespace slipface {
+namespace {
+
+constexpr double enough_of_edited = 0.25;  // anchor corners of a part that an edit changed, too
+constexpr std::size_t others = 2;          // parts with a motion that say what the rest did
+constexpr double enough_alike = 0.4;
+
+}  // namespace
+
+// What the parts did, those of most parts first. To stay is a motion, too.
+void MotionFinder::collect_moves() {
+    constexpr std::size_t max_moves = 64;
+    moves_.clear();
+    for (const Part& part : parts_) {
+        if (!is_explained(part) || moves_.size() == max_moves) continue;
+        if (std::none_of(moves_.begin(), moves_.end(),
+                         [&](const Move& known) { return same(stored_.bounds, known.motion, part.best); }))
+            moves_.push_back({part.best, 0});
+    }
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+        if (is_explained(parts_[i]))
+            for (Move& move : moves_)
+                move.parts += same(stored_.parts[i].box, move.motion, parts_[i].best) ? 1 : 0;
+    std::stable_sort(moves_.begin(), moves_.end(),
+                     [](const Move& a, const Move& b) { return a.parts > b.parts; });
+}
+
+// The number of parts that made the part's motion.
+std::size_t MotionFinder::parts_with_motion(std::size_t i) const {
+    for (const Move& move : moves_)
+        if (same(stored_.parts[i].box, move.motion, parts_[i].best)) return move.parts;
+    return 1;
+}
+
+// A damaged part also looks like another one, turned, which is whole. If the motion of most parts explains it
+// nearly as well, that is its own.
+void MotionFinder::join_the_most(std::size_t i) {
+    Part& part = parts_[i];
+    if (part.certain || part.best.is_identity() || part.best_support.sum() > 2.0 - 1e-9) return;
+    const std::size_t own = parts_with_motion(i);
+    for (const Move& move : moves_) {
+        if (move.parts <= std::max(own, others)) return;
+        if (move.motion.is_identity()) continue;
+        const MotionSupport found = support_.support(i, move.motion, enough_of_edited);
+        if (found.corners < enough_of_edited || found.sum() < part.best_support.sum() - vote_slack ||
+            support_.is_taken(i, move.motion) || !support_.becomes_box(i, move.motion, box_slack))
+            continue;
+        part.best = move.motion;
+        part.best_support = found;
+        part.voted = true;
+        return;
+    }
+}
+
+// Whether another part that moved is where the motion puts this one. Parts that lay on each other may stay
+// so.
+bool MotionFinder::is_claimed(std::size_t i, const PartMotion& motion) const {
+    const Aabb box = support_.moved_box(i, motion);
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+        if (k == i || places_[k].empty()) continue;
+        if (similar_box(places_[k], box, box_slack) &&
+            !similar_box(stored_.parts[k].box, stored_.parts[i].box, box_slack))
+            return true;
+    }
+    return false;
+}
+
+// Of parts that look as if they had all moved to one place, the one did whose motion is others', too, or that
+// did the least. The others were edited.
+void MotionFinder::one_part_each_place() {
+    places_.resize(parts_.size());
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        const Part& part = parts_[i];
+        if (part.best.is_identity()) continue;
+        places_[i] = support_.moved_box(i, part.best);
+        const Aabb& box = stored_.parts[i].box;
+        const auto shared = static_cast<double>(parts_with_motion(i) - 1);
+        order.push_back({10.0 * shared + part.best_support.sum() -
+                             0.1 * std::min(effort(part.best, box.centre(), box.size().norm()), 2.0),
+                         i});
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [rating, i] : order) {
+        Part& part = parts_[i];
+        if (part.certain || !is_claimed(i, part.best)) continue;
+        part.best = PartMotion{};
+        part.best_support = part.staying;
+        part.best_rating = 0.0;
+        part.voted = false;
+        places_[i] = Aabb{};
+    }
+}
+
+// Parts that were edited so much that most of their rim is gone, and moved, too.
+void MotionFinder::search_edited() {
+    edited_ = true;
+    enough_anchors_ = enough_of_edited;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        if (!is_unexplained(i)) continue;
+        Part& part = parts_[i];
+        follow(i);
+        if (!part.voted) {
+            try_boxes(i);
+            try_faces(i);
+            if (part.best.is_identity()) try_points(i);
+            if (part.best.is_identity()) part.voted = stays_edited(i);
+            if (part.best.is_identity() && !part.voted) continue;
+        }
+        part.best.guessed = true;
+        places_[i] = support_.moved_box(i, part.best);
+    }
+}
+
+// The motion of other parts, if it puts the part into a part of its size, or if what lies there is like it.
+void MotionFinder::follow(std::size_t i) {
+    Part& part = parts_[i];
+    for (const Move& move : moves_) {
+        consider(i, move.motion);
+        part.voted = !part.best.is_identity();
+        if (part.voted) return;
+    }
+    for (const Move& move : moves_) {
+        if (move.parts < others) return;
+        if (move.motion.is_identity() || is_claimed(i, move.motion) ||
+            alike_there(i, move.motion) < enough_alike)
+            continue;
+        part.best = move.motion;
+        part.best_support = support_.support(i, part.best, 0.0);
+        part.voted = true;
+        return;
+    }
+}
+
+// What is left of the part is where it was, as other parts are.
+bool MotionFinder::stays_edited(std::size_t i) {
+    const bool stay = std::any_of(moves_.begin(), moves_.end(), [](const Move& move) {
+        return move.motion.is_identity() && move.parts >= others;
+    });
+    return stay && !is_claimed(i, PartMotion{}) && alike_there(i, PartMotion{}) >= enough_alike;
+}
+
+// How much of the part's painted area the faces of its materials have that lie in its box after the motion:
+// what an edit left of it. A piece that reaches out of the box is another one, or turned, and one of as many
+// faces that is not where it was moved.
+double MotionFinder::alike_there(std::size_t i, const PartMotion& motion) {
+    const CollisionWorld* const tree = lookup_.tree();
+    if (tree == nullptr || lookup_.visits > max_visits) return 0.0;
+    const MeshParts& all = support_.all();
+    Aabb box = support_.moved_box(i, motion);
+    const Vec3 slack = Vec3::Constant(box_slack * box.size().norm());
+    box.min -= slack;
+    box.max += slack;
+    const auto is_in = [&](const Vec3& position) {
+        return ((position - box.min).array() >= 0.0).all() && ((box.max - position).array() >= 0.0).all();
+    };
+    std::map<std::string, double> area;  // [base material] in the box
+    for (const TriangleId triangle : tree->triangles_in(box)) {
+        ++lookup_.visits;
+        const FaceId face = tree->triangle_face(triangle);
+        Vec3 corners[3];
+        for (std::size_t c = 0; c < 3; ++c)
+            corners[c] = mesh_.corner_position(mesh_.triangles[triangle][c]).cast<double>();
+        if (!std::all_of(std::begin(corners), std::end(corners), is_in)) continue;
+        const PaintPart& piece = all.parts[all.of[face]];
+        if (!all.scattered[all.of[face]] && !(is_in(piece.box.min) && is_in(piece.box.max))) continue;
+        if (motion.is_identity() && piece.faces == stored_.parts[i].faces) return 0.0;
+        area[index_.base(face)] += 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+    }
+    double painted = 0.0, found = 0.0;
+    for (const FaceKey* key : support_.keys(i)) {
+        const double size = moved_key(*key, motion).area;
+        double& left = area[base_material(key->material, surfaces_)];
+        painted += size;
+        found += std::min(size, left);
+        left -= std::min(size, left);
+    }
+    return painted > 0.0 ? found / painted : 0.0;
+}
+
+}  // namespace slipface
