@@ -77,6 +77,7 @@ class MotionFinder {
     bool keeps_order();
     bool turns_in_place(std::size_t part, const PartMotion& motion) const;
     std::vector<PartMotion> rank_motions(std::size_t part);
+    bool may_have_turned();
 
     // part_vote.cpp: the parts together
     void vote();

@@ -102,23 +102,27 @@ void MotionFinder::one_part_each_place() {
     }
 }
 
-// Parts that were edited so much that most of their rim is gone, and moved, too.
+// Parts that were edited so much that most of their rim is gone, and moved, too. First those that say
+// something about their motion, then those that follow them.
 void MotionFinder::search_edited() {
     edited_ = true;
     enough_anchors_ = enough_of_edited;
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-        if (!is_unexplained(i)) continue;
-        Part& part = parts_[i];
-        follow(i);
-        if (!part.voted) {
-            try_boxes(i);
-            try_faces(i);
-            if (part.best.is_identity()) try_points(i);
-            if (part.best.is_identity()) part.voted = stays_edited(i);
+    for (const bool last : {false, true}) {
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            if (!is_unexplained(i)) continue;
+            Part& part = parts_[i];
+            follow(i);
+            if (!part.voted && !last) {
+                try_boxes(i);
+                try_faces(i);
+                if (part.best.is_identity()) try_points(i);
+            }
+            if (last && part.best.is_identity() && !part.voted) part.voted = stays_edited(i);
             if (part.best.is_identity() && !part.voted) continue;
+            part.best.guessed = true;
+            places_[i] = support_.moved_box(i, part.best);
         }
-        part.best.guessed = true;
-        places_[i] = support_.moved_box(i, part.best);
+        collect_moves();
     }
 }
 

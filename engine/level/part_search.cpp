@@ -61,10 +61,12 @@ std::vector<PartMotion> MotionFinder::run() && {
     collect_moves();
     one_part_each_place();
     search_edited();
+    const bool symmetric = may_have_turned();
     std::vector<PartMotion> motions;
     for (std::size_t part = 0; part < parts_.size(); ++part) {
         doubt(part);
         PartMotion& best = parts_[part].best;
+        best.guessed = best.guessed || symmetric;
         best.flipped = support_.is_flipped(part, best);
         if (is_unexplained(part)) (lies_as_before(part) ? best.guessed : best.lost) = true;
         motions.push_back(best);

@@ -14,11 +14,14 @@ class PartTypes {
 
     // True if a painted face is where the other motion puts a face of another type, or none.
     bool differ(std::size_t part, const PartMotion& a, const PartMotion& b) const;
+    // The same for all faces together, when all parts make the motion.
+    bool all_differ(const PartMotion& a, const PartMotion& b) const;
 
   private:
-    bool all_found(std::size_t part, const PartMotion& from, const PartMotion& to) const;
+    using Faces = std::vector<const StoredOverride*>;
+    static bool all_found(const Faces& faces, const PartMotion& from, const PartMotion& to);
 
-    std::vector<std::vector<const StoredOverride*>> faces_;  // [part]
+    std::vector<Faces> faces_;  // [part]
 };
 
 }  // namespace slipface

@@ -44,13 +44,23 @@ void MotionFinder::vote() {
             for (const std::size_t k : voter.motions)
                 ++votes[k];
         std::size_t most = no_id;
-        const auto cost = [&](std::size_t k) {
-            return effort(candidates_[k], stored_.bounds.centre(), stored_.bounds.size().norm());
+        // Of motions of as many parts the one that keeps more of their order, else the one that does less.
+        const auto rating = [&](std::size_t k) {
+            double order = 0.0;
+            for (const Voter& voter : voters)
+                for (std::size_t own = 0; own < voter.motions.size(); ++own)
+                    if (voter.motions[own] == k) order += ranks(voter.part, voter.exact[own]);
+            return order / static_cast<double>(votes[k]) -
+                   0.1 * effort(candidates_[k], stored_.bounds.centre(), stored_.bounds.size().norm());
         };
-        for (std::size_t k = 0; k < votes.size(); ++k)
-            if (votes[k] >= 2 && (most == no_id || votes[k] > votes[most] ||
-                                  (votes[k] == votes[most] && cost(k) < cost(most))))
-                most = k;
+        double best = 0.0;
+        for (std::size_t k = 0; k < votes.size(); ++k) {
+            if (votes[k] < 2 || (most != no_id && votes[k] < votes[most])) continue;
+            const double own = rating(k);
+            if (most != no_id && votes[k] == votes[most] && own <= best) continue;
+            most = k;
+            best = own;
+        }
         if (most == no_id) break;
         std::erase_if(voters, [&](const Voter& voter) {
             const auto own = std::find(voter.motions.begin(), voter.motions.end(), most);

@@ -405,12 +405,12 @@ TEST(FaceMatch, ASymmetricPartTurnedInItsPlaceIsAGuess) {
         EXPECT_TRUE(wrong_faces(after, loaded).empty()) << one.motion.matrix();
         EXPECT_EQ(loaded.level.guessed.size(), painted) << "it is listed";
     }
-    // The same places in another order: nothing turned.
+    // The same places in another order: nothing turned, but the whole level may have been mirrored.
     for (unsigned seed = 0; seed < 20; ++seed) {
         const Faces other = shuffled(faces, seed);
         const LoadedLevel loaded = rematch(faces, other);
         EXPECT_TRUE(wrong_faces(other, loaded).empty()) << seed;
-        EXPECT_TRUE(loaded.level.guessed.empty());
+        EXPECT_GE(loaded.level.guessed.size(), painted) << seed;
     }
     // Sorted along the other axis.
     Faces sorted = faces;

@@ -140,27 +140,123 @@ MeshPtr mirrored_mesh(const Faces& faces) {
     return *build_mesh(std::move(soup));
 }
 
+Faces mirrored(Faces faces) {
+    for (Face& face : faces) {
+        for (Vec3f& corner : face.corners)
+            corner.x() = -corner.x();
+        std::reverse(face.corners.begin(), face.corners.end());
+    }
+    return faces;
+}
+
 // Two halves that mirror each other, with different paint: mirrored as a whole, it looks as if nothing had
 // happened.
+Faces symmetric_level(Random& random) {
+    Faces faces = row_of_boxes(random, 0.3f).faces;
+    for (Face face : mirrored(faces)) {
+        face.painted = static_cast<int>(random() % 6) - 1;
+        faces.push_back(face);
+    }
+    return faces;
+}
+
+// Where a tool sorts faces and vertices, too, nothing says whether it was mirrored.
+TEST(Parts, ASymmetricLevelThatIsSortedIsAQuestion) {
+    for (unsigned seed = 0; seed < 100; ++seed) {
+        Random random(seed);
+        const Faces faces = symmetric_level(random);
+        const Faces after = shuffled(seed % 2 == 0 ? mirrored(faces) : faces, seed);
+        EXPECT_EQ(wrong_and_unsaid(after, rematch(faces, after)), 0u) << seed;
+    }
+}
+
 TEST(Parts, ASymmetricLevelThatIsMirroredKeepsItsTypes) {
     for (unsigned seed = 0; seed < 100; ++seed) {
         Random random(seed);
-        Faces faces = row_of_boxes(random, 0.3f).faces;
-        const std::size_t half = faces.size();
-        for (std::size_t i = 0; i < half; ++i) {
-            Face face = faces[i];
-            for (Vec3f& corner : face.corners)
-                corner.x() = -corner.x();
-            std::reverse(face.corners.begin(), face.corners.end());
-            face.painted = static_cast<int>(random() % 6) - 1;
-            faces.push_back(face);
-        }
+        const Faces faces = symmetric_level(random);
         const Result<LoadedLevel> loaded =
             level_from_json(level_to_json(level_of(faces)), "test.slipface.json", mirrored_mesh(faces));
         ASSERT_TRUE(loaded.ok()) << loaded.error().text();
         EXPECT_TRUE(wrong_faces(faces, *loaded).empty()) << seed << ": " << loaded->match.text();
         EXPECT_TRUE(loaded->level.guessed.empty()) << seed;
     }
+}
+
+// A decimation leaves small parts hardly a corner, but they did what the others of their object did.
+TEST(Parts, DamagedOnesFollowTheOthers) {
+    std::size_t found = 0, painted = 0;
+    for (unsigned seed = 0; seed < 60; ++seed) {
+        Random random(seed);
+        const Row row = row_of_boxes(random, 0.4f);
+        Faces after = row.faces;
+        std::vector<bool> damaged(after.size(), false);
+        for (std::size_t i = 2; i < row.first.size(); i += 3) {
+            const Vec3f size = after[row.first[i] + 1].corners[2] - row.low[i];  // the far upper corner
+            std::map<std::array<float, 3>, Vec3f> to;
+            for (std::size_t face = row.first[i]; face < row.first[i] + 6; ++face) {
+                damaged[face] = true;
+                for (Vec3f& corner : after[face].corners) {
+                    const auto [at, added] = to.try_emplace({corner.x(), corner.y(), corner.z()}, corner);
+                    for (int axis = 0; axis < 3 && added; ++axis)
+                        at->second[axis] += (corner[axis] > row.low[i][axis] ? -1.0f : 1.0f) * size[axis] *
+                                            between(random, 0.02f, 0.1f);
+                    corner = at->second;
+                }
+            }
+        }
+        const Eigen::Affine3f motion(Eigen::Translation3f(between(random, 1, 9), 0, between(random, 1, 9)) *
+                                     Eigen::AngleAxisf(between(random, 0.1f, 3), Vec3f::UnitY()));
+        for (Face& face : after)
+            for (Vec3f& corner : face.corners)
+                corner = motion * corner;
+        const LoadedLevel loaded = rematch(row.faces, rounded(after));
+        EXPECT_EQ(wrong_and_unsaid(after, loaded), 0u) << seed << ": " << loaded.match.text();
+        for (std::size_t i = 0; i < after.size(); ++i) {
+            if (!damaged[i] || after[i].painted < 0) continue;
+            ++painted;
+            found += loaded.level.overrides[i] == static_cast<SurfaceId>(after[i].painted) ? 1 : 0;
+        }
+    }
+    RecordProperty("found", static_cast<int>(found));
+    RecordProperty("painted", static_cast<int>(painted));
+    EXPECT_GT(static_cast<double>(found), 0.9 * static_cast<double>(painted));
+}
+
+// Four tiles become one face, which has the material of one of them, whatever the others were made of.
+TEST(Parts, AMergedFaceHasTheTypeOfMostOfItsTiles) {
+    constexpr std::size_t side = 16;
+    std::size_t clear = 0;
+    for (unsigned seed = 0; seed < 30; ++seed) {
+        Random random(seed);
+        Faces before = tiles(side), after;
+        for (Face& face : before) {
+            face.painted = static_cast<int>(random() % 3);
+            face.material = random() % 2 == 0 ? "stone" : "wood";
+        }
+        std::vector<std::optional<int>> wanted;  // [of `after`] what more than half of it is painted with
+        for (std::size_t z = 0; z < side; z += 2) {
+            for (std::size_t x = 0; x < side; x += 2) {
+                const std::size_t block[] = {z * side + x, (z + 1) * side + x, (z + 1) * side + x + 1,
+                                             z * side + x + 1};
+                Face& face = after.emplace_back(before[block[random() % 4]]);
+                std::array<int, 3> count{};
+                for (std::size_t k = 0; k < 4; ++k) {
+                    face.corners[k] = before[block[k]].corners[k];
+                    ++count[static_cast<std::size_t>(before[block[k]].painted)];
+                }
+                const auto most = std::max_element(count.begin(), count.end());
+                wanted.push_back(*most > 2 ? std::optional(static_cast<int>(most - count.begin()))
+                                           : std::nullopt);
+                clear += *most > 2 ? 1 : 0;
+            }
+        }
+        const LoadedLevel loaded = rematch(before, after);
+        for (std::size_t i = 0; i < after.size(); ++i) {
+            const auto& type = loaded.level.overrides.at(i);
+            EXPECT_EQ(type ? std::optional<int>(*type) : std::nullopt, wanted[i]) << seed << ", face " << i;
+        }
+    }
+    EXPECT_GT(clear, 100u);
 }
 
 }  // namespace
