@@ -43,7 +43,7 @@ using Problems = std::vector<Problem>;
 std::size_t find_open_edges(const Patient& patient, Problems& out);  // T-junctions and cracks
 void find_slivers(const Patient& patient, Problems& out);            // faces with triangles too thin
 void find_duplicates(const Patient& patient, Problems& out);         // the same corners twice
-void find_overlaps(const Patient& patient, Problems& out);           // coplanar faces that overlap
+std::size_t find_overlaps(const Patient& patient, Problems& out);    // coplanar faces that overlap
 void find_flipped(const Patient& patient, Problems& out);  // wound the other way than their neighbours
 std::size_t find_acute_corners(const Patient& patient, Problems& out);  // wedges that the player can enter
 std::size_t find_limit_slopes(const Patient& patient, Problems& out);

@@ -72,7 +72,7 @@ constexpr Check checks[] = {
     {doctor::find_open_edges, 0.2, ProblemKind::crack},
     {all_tried<doctor::find_slivers>, 0.05},
     {all_tried<doctor::find_duplicates>, 0.1},
-    {all_tried<doctor::find_overlaps>, 0.3},
+    {doctor::find_overlaps, 0.3, ProblemKind::overlap},
     {all_tried<doctor::find_flipped>, 0.05},
     {doctor::find_acute_corners, 0.1, ProblemKind::acute_corner},
     {doctor::find_limit_slopes, 0.02, ProblemKind::slope_limit},

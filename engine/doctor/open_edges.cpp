@@ -98,7 +98,7 @@ std::vector<Ends> look_beyond(const Patient& patient, std::span<const OpenEdge> 
     std::vector<Ends> ends(open.size(), nothing);
     const FacingEdges facing(open, widest);
     // Where very many edges lie near each other, the search ends with the nearest.
-    const std::size_t steps = std::max<std::size_t>(256, 100'000'000 / facing.group_count());
+    const std::size_t steps = std::max<std::size_t>(256, 60'000'000 / facing.group_count());
     const double rounding =
         rounding_of(patient.mesh.bounds.min.cast<double>(), patient.mesh.bounds.max.cast<double>());
     parallel_for(facing.group_count(), 8, [&](std::size_t begin, std::size_t end) {

@@ -9,6 +9,8 @@
 namespace slipface::doctor {
 namespace {
 
+constexpr double thinnest = 1.0 / 1000.0;  // height of a triangle as a fraction of its longest edge
+
 std::array<Vec3f, 3> corners_of(const Mesh& mesh, TriangleId triangle) {
     const auto& corners = mesh.triangles[triangle];
     return {mesh.corner_position(corners[0]), mesh.corner_position(corners[1]),
@@ -61,7 +63,10 @@ void fill(TriangleBlock& block, const Mesh& mesh, std::span<const NearItem> item
                    c = corners[2].cast<double>();
         const Vec3f centre = ((a + b + c) / 3.0).cast<float>();
         const Vec3 cross = (b - a).cross(c - a);
-        const Vec3f normal = (cross / cross.norm()).cast<float>();
+        const double area = cross.norm();
+        const double size = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+        block.thin[lane] = int{!(area > thinnest * size * size)};
+        const Vec3f normal = (cross / area).cast<float>();
         for (std::size_t axis = 0; axis < 3; ++axis) {
             block.centre[axis][lane] = centre[static_cast<int>(axis)];
             block.normal[axis][lane] = normal[static_cast<int>(axis)];

@@ -17,6 +17,7 @@ struct TriangleBlock {
     Boxes boxes;
     std::array<Lanes, 3> centre{};  // mean of a triangle's corners
     std::array<Lanes, 3> normal{};  // unit; not finite for a triangle without area
+    LaneMask thin{};                // the triangle is so thin that it has no plane
     std::array<TriangleId, lanes> id;
     std::size_t count = 0;  // lanes in use; the other ids are no_id
     Box around;
