@@ -23,6 +23,8 @@ void print_doctor_json(const DoctorReport& report, const Grades* grades, std::os
     json["counts"] = OutputJson::object();
     for (const ProblemKindInfo& kind : problem_kinds())
         json["counts"][kind.name] = report.count(kind.kind);
+    for (const ProblemKindInfo& kind : problem_kinds())
+        if (report.untried_of(kind.kind) > 0) json["untried"][kind.name] = report.untried_of(kind.kind);
     json["list"] = OutputJson::array();
     for (const Problem& problem : report.problems) {
         OutputJson row{{"kind", info_of(problem.kind).name}, {"text", problem.text}};
@@ -62,6 +64,10 @@ void print_doctor_text(const DoctorReport& report, std::ostream& out) {
     constexpr std::size_t max_shown = 20;
     for (const ProblemKindInfo& kind : problem_kinds()) {
         const std::size_t count = report.count(kind.kind);
+        const std::size_t untried = report.untried_of(kind.kind);
+        if (untried > 0)
+            out << fmt::format("{}: {} were not tried, because there are too many\n", kind.label,
+                               counted(untried, "more place"));
         if (count == 0) continue;
         out << fmt::format("{}: {}\n  {}\n", kind.label, count, kind.meaning);
         std::size_t shown = 0;

@@ -48,6 +48,14 @@ void head_row(Editor& editor) {
     ImGui::AlignTextToFramePadding();
     const std::size_t total = total_now(editor);
     ImGui::TextUnformatted(total == 0 ? "No problems" : counted(total, "problem").c_str());
+    std::size_t untried = 0;
+    for (const ProblemKindInfo& kind : problem_kinds())
+        untried += editor.session.report->untried_of(kind.kind);
+    if (untried > 0) {
+        ImGui::SameLine();
+        ui::muted_text(fmt::format("{} were not tried", counted(untried, "place")).c_str());
+        ui::tooltip("There are too many places where a player might catch or fall: the first were tried");
+    }
     if (report_is_current(editor)) return;
     ImGui::SameLine();
     ImGui::TextColored(ui::palette().accent, "%s", icons::warning);

@@ -1,6 +1,9 @@
-// The checks, one function each. Each appends its problems in ascending order of face.
+// The checks, one function each. Each appends its problems in ascending order of face, and returns how many
+// places it has left untried because there are too many.
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <optional>
 
 #include "slipface/collision/collision_world.h"
@@ -27,6 +30,8 @@ struct Patient {
     const Topology& topology;
     const ResolvedSurfaces& resolved;
     WorldOnDemand& world_on_demand;
+    // About how many steps, sweeps and rays the checks have tried, whose number follows from the level alone.
+    std::atomic<std::size_t>& effort;
 
     const CollisionWorld& world() const { return world_on_demand.get(); }
 
@@ -35,14 +40,14 @@ struct Patient {
 
 using Problems = std::vector<Problem>;
 
-void find_open_edges(const Patient& patient, Problems& out);     // T-junctions and cracks
-void find_slivers(const Patient& patient, Problems& out);        // faces with triangles too thin
-void find_duplicates(const Patient& patient, Problems& out);     // the same corners twice
-void find_overlaps(const Patient& patient, Problems& out);       // coplanar faces that overlap
-void find_flipped(const Patient& patient, Problems& out);        // wound the other way than their neighbours
-void find_acute_corners(const Patient& patient, Problems& out);  // wedges that the player can enter
-void find_limit_slopes(const Patient& patient, Problems& out);
-void find_limit_steps(const Patient& patient, Problems& out);
+std::size_t find_open_edges(const Patient& patient, Problems& out);  // T-junctions and cracks
+void find_slivers(const Patient& patient, Problems& out);            // faces with triangles too thin
+void find_duplicates(const Patient& patient, Problems& out);         // the same corners twice
+std::size_t find_overlaps(const Patient& patient, Problems& out);    // coplanar faces that overlap
+void find_flipped(const Patient& patient, Problems& out);  // wound the other way than their neighbours
+std::size_t find_acute_corners(const Patient& patient, Problems& out);  // wedges that the player can enter
+std::size_t find_limit_slopes(const Patient& patient, Problems& out);
+std::size_t find_limit_steps(const Patient& patient, Problems& out);
 void find_orphans(const Patient& patient, Problems& out);
 void find_missing_textures(const Patient& patient, Problems& out);
 

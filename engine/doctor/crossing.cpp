@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "slipface/base/parallel.h"
 #include "slipface/movement/step.h"
 
 namespace slipface::doctor {
@@ -49,6 +50,7 @@ std::optional<PlayerState> standing_at(const Patient& patient, const Vec3& feet)
     const MovementSettings& settings = patient.level.movement;
     const double reach = 0.5 * settings.radii.y();
     const Vec3 above = feet + Vec3(0.0, settings.radii.y() + reach, 0.0);
+    ++patient.effort;
     if (overlaps_any(patient.world(), settings.radii, above)) return std::nullopt;
     const Vec3 down(0.0, -2.0 * reach, 0.0);
     const auto floor = sweep_ellipsoid(patient.world(), settings.radii, above, down);
@@ -72,6 +74,7 @@ bool floor_all_round(const Patient& patient, const Vec3& at) {
     const double reach = 0.5 * patient.level.movement.radii.y();
     const double radius = 3.0 * std::max(patient.level.movement.radii.x(), patient.level.movement.radii.z());
     std::size_t missing = 0, longest = 0;
+    patient.effort += every_30_degrees.size();
     for (std::size_t i = 0; i < 2 * every_30_degrees.size(); ++i) {
         const Vec2& heading = every_30_degrees[i % every_30_degrees.size()];
         const Vec3 from = at + Vec3(radius * heading.x(), reach, radius * heading.y());
@@ -103,6 +106,7 @@ Passage walk_between(const Patient& patient, const PlayerState& begin, const Pla
     const double lost = std::min(begin.position.y(), end.position.y()) - settings.radii.y();
     PlayerState state = begin;
     for (int tick = 0; tick < ticks; ++tick) {
+        ++patient.effort;
         state = step(scene, settings, state, {.wish = heading}, dt).state;
         const Vec3 made = state.position - begin.position;
         if (made.x() * along.x() + made.z() * along.z() >= 0.98 * length) return Passage::passes;
@@ -137,6 +141,10 @@ Passage climb_between(const Patient& patient, const Vec3& low, const Vec3& high)
 
 Passage cross_all_directions(const Patient& patient, const Vec3& position) {
     const double reach = 1.5 * std::max(patient.level.movement.radii.x(), patient.level.movement.radii.z());
+    // Sweeps cost more among very many triangles.
+    constexpr std::size_t many = 100, per_triangle = 5;
+    const std::size_t triangles = find_overlaps(patient.world(), patient.level.movement.radii, position, {});
+    patient.effort += per_triangle * (std::max(triangles, many) - many);
     Passage worst = Passage::unknown;
     for (const Vec2& heading : every_5_degrees) {
         worst = std::max(worst, cross(patient, position, heading, reach, reach));
@@ -157,6 +165,7 @@ bool wedges(const Patient& patient, const Vec3& centre) {
     const double away = settings.radii.minCoeff();
     constexpr int second = 60;
     for (const Vec2& in : every_30_degrees) {
+        patient.effort += second;
         PlayerState caught;
         caught.position = centre;
         for (int tick = 0; tick < second; ++tick)
@@ -165,6 +174,7 @@ bool wedges(const Patient& patient, const Vec3& centre) {
         const bool leaves =
             std::any_of(every_30_degrees.begin(), every_30_degrees.end(), [&](const Vec2& out) {
                 PlayerState state = caught;
+                patient.effort += 2 * second;
                 for (int tick = 0; tick < 2 * second; ++tick)
                     state =
                         step(scene, settings, state, {.wish = out, .jump = tick > 5 && tick < second / 2}, dt)
@@ -174,6 +184,23 @@ bool wedges(const Patient& patient, const Vec3& centre) {
         if (!leaves) return true;
     }
     return false;
+}
+
+std::size_t try_in_turn(const Patient& patient, std::size_t count,
+                        const std::function<void(std::size_t)>& try_one) {
+    constexpr std::size_t batch = 32, highest_effort = 3'000'000;
+    if (count > 0) patient.world();
+    const std::size_t before = patient.effort;
+    std::size_t tried = 0;
+    while (tried < count && patient.effort - before < highest_effort) {
+        const std::size_t first = tried, last = std::min(count, first + batch);
+        parallel_for(last - first, 4, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                try_one(first + i);
+        });
+        tried = last;
+    }
+    return tried;
 }
 
 }  // namespace slipface::doctor

@@ -1,6 +1,8 @@
 // Whether a player can walk past a position, tested with the level's own movement.
 #pragma once
 
+#include <functional>
+
 #include "checks.h"
 
 namespace slipface::doctor {
@@ -32,5 +34,11 @@ bool drops_through(const Patient& patient, const Vec3& position);
 // True if there is a heading in which a player at `centre`, pushed for a second, gets stuck: in the next two
 // seconds neither the stick in any direction nor a jump frees the player.
 bool wedges(const Patient& patient, const Vec3& centre);
+
+// Calls try_one(i) for i from 0, in parallel, until all of `count` are tried or they have cost some seconds
+// of processor time, which Patient::effort counts. Returns how many were tried, on any number of threads the
+// same.
+std::size_t try_in_turn(const Patient& patient, std::size_t count,
+                        const std::function<void(std::size_t)>& try_one);
 
 }  // namespace slipface::doctor

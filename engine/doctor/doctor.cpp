@@ -56,15 +56,29 @@ constexpr ProblemKindInfo kinds[] = {
 };
 static_assert(std::size(kinds) == problem_kind_count);
 
+// Checks that leave no place untried return nothing.
+template <auto run>
+std::size_t all_tried(const doctor::Patient& patient, doctor::Problems& out) {
+    run(patient, out);
+    return 0;
+}
+
 struct Check {
-    void (*run)(const doctor::Patient&, doctor::Problems&);
-    double fraction;  // of the whole time, roughly
+    std::size_t (*run)(const doctor::Patient&, doctor::Problems&);
+    double fraction;                              // of the whole time, roughly
+    ProblemKind tries = ProblemKind::t_junction;  // what it leaves untried where there is too much
 };
 constexpr Check checks[] = {
-    {doctor::find_open_edges, 0.2},       {doctor::find_slivers, 0.05},     {doctor::find_duplicates, 0.1},
-    {doctor::find_overlaps, 0.3},         {doctor::find_flipped, 0.05},     {doctor::find_acute_corners, 0.1},
-    {doctor::find_limit_slopes, 0.02},    {doctor::find_limit_steps, 0.03}, {doctor::find_orphans, 0.0},
-    {doctor::find_missing_textures, 0.0},
+    {doctor::find_open_edges, 0.2, ProblemKind::crack},
+    {all_tried<doctor::find_slivers>, 0.05},
+    {all_tried<doctor::find_duplicates>, 0.1},
+    {doctor::find_overlaps, 0.3, ProblemKind::overlap},
+    {all_tried<doctor::find_flipped>, 0.05},
+    {doctor::find_acute_corners, 0.1, ProblemKind::acute_corner},
+    {doctor::find_limit_slopes, 0.02, ProblemKind::slope_limit},
+    {doctor::find_limit_steps, 0.03, ProblemKind::step_limit},
+    {all_tried<doctor::find_orphans>, 0.0},
+    {all_tried<doctor::find_missing_textures>, 0.0},
 };
 constexpr double preparation = 0.15;
 
@@ -91,14 +105,15 @@ DoctorReport examine(const Level& level, const DoctorProgress& progress) {
     const doctor::Topology topology(*level.mesh);
     const ResolvedSurfaces resolved = resolve_surfaces(level);
     doctor::WorldOnDemand world(level);
-    const doctor::Patient patient{level, *level.mesh, topology, resolved, world};
+    std::atomic<std::size_t> effort = 0;
+    const doctor::Patient patient{level, *level.mesh, topology, resolved, world, effort};
 
     double done = preparation;
     std::vector<Problem> found;
     for (const Check& check : checks) {
         report.cancelled = !go_on(done);
         if (report.cancelled) break;
-        check.run(patient, found);
+        report.untried[static_cast<std::size_t>(check.tries)] += check.run(patient, found);
         done += check.fraction;
     }
     std::stable_sort(found.begin(), found.end(),

@@ -8,99 +8,12 @@
 
 #include "checks.h"
 #include "crossing.h"
+#include "facing_edges.h"
 #include "slipface/base/parallel.h"
+#include "slipface/collision/neighbourhood.h"
 
 namespace slipface::doctor {
 namespace {
-
-struct Cell {
-    std::int64_t x, y, z;
-    friend auto operator<=>(const Cell&, const Cell&) = default;
-};
-
-// The corners of open edges, sorted into cubes.
-class CornerGrid {
-  public:
-    CornerGrid(const Topology& topology, std::vector<std::uint32_t> corners, double cell)
-        : topology_(topology), cell_(cell) {
-        entries_.reserve(corners.size());
-        for (const std::uint32_t vertex : corners)
-            entries_.push_back({cell_of(topology.position[vertex]), vertex});
-        std::sort(entries_.begin(), entries_.end());
-    }
-
-    // Calls visit(vertex) for every corner in the box, each once.
-    template <class Visit>
-    void each_in(const Vec3& min, const Vec3& max, Visit visit) const {
-        const Cell low = cell_of(min), high = cell_of(max);
-        const double cells =
-            (static_cast<double>(high.x - low.x) + 1) * (static_cast<double>(high.y - low.y) + 1);
-        if (cells > static_cast<double>(entries_.size())) {
-            for (const Entry& entry : entries_)
-                if (inside(entry.vertex, min, max)) visit(entry.vertex);
-            return;
-        }
-        for (std::int64_t x = low.x; x <= high.x; ++x) {
-            for (std::int64_t y = low.y; y <= high.y; ++y) {
-                auto entry = std::lower_bound(entries_.begin(), entries_.end(), Entry{{x, y, low.z}, 0});
-                for (; entry != entries_.end() && entry->cell <= Cell{x, y, high.z}; ++entry)
-                    if (inside(entry->vertex, min, max)) visit(entry->vertex);
-            }
-        }
-    }
-
-  private:
-    struct Entry {
-        Cell cell;
-        std::uint32_t vertex;
-        friend auto operator<=>(const Entry&, const Entry&) = default;
-    };
-
-    std::int64_t index(double value) const {
-        // Coordinates beyond what a float distinguishes share a cell.
-        return static_cast<std::int64_t>(std::floor(std::clamp(value / cell_, -1e15, 1e15)));
-    }
-    Cell cell_of(const Vec3& p) const { return {index(p.x()), index(p.y()), index(p.z())}; }
-    bool inside(std::uint32_t vertex, const Vec3& min, const Vec3& max) const {
-        const Vec3& p = topology_.position[vertex];
-        return (p.array() >= min.array()).all() && (p.array() <= max.array()).all();
-    }
-
-    const Topology& topology_;
-    double cell_;
-    std::vector<Entry> entries_;
-};
-
-// An edge that one face has, seen from that face.
-struct OpenEdge {
-    EdgeUse use;
-    Vec3 a, b;
-    Vec3 along;    // unit, from a to b
-    Vec3 outside;  // unit, in the face's plane, away from the face
-    Vec3 normal;   // of the face
-    double length;
-};
-
-// Nothing for an edge or a face without size.
-std::optional<OpenEdge> open_edge(const Patient& patient, const EdgeUse& use) {
-    const Topology& topology = patient.topology;
-    OpenEdge edge{
-        use, topology.position[use.from], topology.position[use.to], {}, {}, topology.normal[use.face], 0.0};
-    edge.length = (edge.b - edge.a).norm();
-    if (!(edge.length > 0.0) || edge.normal.isZero()) return std::nullopt;
-    edge.along = (edge.b - edge.a) / edge.length;
-    // The face lies to the left of its edges, seen against its normal.
-    const Vec3 forward = use.forward ? edge.along : Vec3(-edge.along);
-    edge.outside = forward.cross(edge.normal).normalized();
-    return edge;
-}
-
-// The surface of `edge` goes on beyond it as that of `other`: they face each other along one line, turned by
-// no more than 60 degrees.
-bool goes_on(const OpenEdge& edge, const OpenEdge& other) {
-    return std::abs(edge.along.dot(other.along)) > 0.999 && edge.outside.dot(other.outside) < -0.5 &&
-           edge.normal.dot(other.normal) > 0.5;
-}
 
 // The nearest point of the edge.
 Vec3 on_edge(const OpenEdge& edge, const Vec3& point) {
@@ -125,9 +38,15 @@ const char* words_of(Passage passage) {
 
 // The part of a gap between `p` and `q` is open, and a player's body gets near it from the side of `normal`.
 bool is_open_and_reachable(const Patient& patient, const Vec3& p, const Vec3& q, const Vec3& normal) {
+    patient.effort += 2;
     const double width = (p - q).norm();
     const Vec3 middle = 0.5 * (p + q);
-    if (closest_point(patient.world(), middle, 0.4 * width)) return false;
+    const Vec3 within = Vec3::Constant(0.4 * width);
+    if (overlaps_any(patient.world(), within, middle)) return false;
+    // In a tangle of triangles, which boxes do not tell apart, a query that finds nothing has looked at most.
+    if (!Neighbourhood(patient.world(), within, middle, Vec3::Zero()).holds(within, middle, Vec3::Zero()))
+        patient.effort += patient.mesh.triangle_count() / 128;
+    if (closest_point(patient.world(), middle, within.x())) return false;
     const Vec3& radii = patient.level.movement.radii;
     // The body's centre when it touches the plane there, and a little more.
     const Vec3 scaled = normal.cwiseProduct(radii);
@@ -135,105 +54,151 @@ bool is_open_and_reachable(const Patient& patient, const Vec3& p, const Vec3& q,
     return !overlaps_any(patient.world(), 0.95 * radii, centre);
 }
 
+// What is near an end of an open edge, where its surface goes on.
+struct Beyond {
+    std::uint32_t on = no_id;    // an edge that the end lies on, of the first face
+    std::uint32_t edge = no_id;  // on the other side of the narrowest gap
+    double width = 0.0;          // of that gap, metres
+};
+using Ends = std::array<Beyond, 2>;
+
+// `corner`: an end of `other`, looked at with open[index]. `coarsest`: what corners are rounded by at most.
+void look_at(const Patient& patient, std::span<const OpenEdge> open, std::uint32_t index,
+             const OpenEdge& other, std::uint32_t corner, double coarsest, Beyond& found) {
+    const OpenEdge& edge = open[index];
+    if (corner == edge.use.from || corner == edge.use.to) return;
+    const Vec3& p = patient.topology.position[corner];
+    const Vec3 q = on_edge(edge, p);
+    const double width = (p - q).norm();
+    if (width > found.width && width > coarsest) return;
+    const double along = (q - edge.a).norm();
+    const double rounding = rounding_of(edge.a, edge.b);
+    if (width <= rounding) {
+        const bool at_end = along <= rounding || edge.length - along <= rounding;
+        const auto order = [&](std::uint32_t i) { return std::pair(open[i].use.face, i); };
+        if (!at_end && (found.on == no_id || order(index) < order(found.on))) found.on = index;
+        return;
+    }
+    // A gap has its other side in front of the edge, above or below it.
+    const Vec3 over = (p - q) / width;
+    if (std::abs(over.dot(edge.along)) > 0.5 || over.dot(edge.outside) < -0.1 ||
+        over.dot(other.outside) > 0.1)
+        return;
+    if (std::pair(width, index) < std::pair(found.width, found.edge)) {
+        found.edge = index;
+        found.width = width;
+    }
+}
+
+// [edge] The ends of `open`. `widest`: of a gap, metres.
+std::vector<Ends> look_beyond(const Patient& patient, std::span<const OpenEdge> open, double widest) {
+    Ends nothing;
+    for (Beyond& end : nothing)
+        end.width = widest;
+    std::vector<Ends> ends(open.size(), nothing);
+    const FacingEdges facing(open, widest);
+    // Where very many edges lie near each other, the search ends with the nearest.
+    const std::size_t steps = std::max<std::size_t>(256, 60'000'000 / facing.group_count());
+    const double rounding =
+        rounding_of(patient.mesh.bounds.min.cast<double>(), patient.mesh.bounds.max.cast<double>());
+    parallel_for(facing.group_count(), 8, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t group = begin; group < end; ++group) {
+            const auto others = facing.edges_of(group);
+            const auto width = [&] {
+                double widest_left = rounding;
+                for (const std::uint32_t other : others)
+                    widest_left = std::max({widest_left, ends[other][0].width, ends[other][1].width});
+                return widest_left;
+            };
+            std::size_t left = steps;
+            facing.each_facing(group, width(), left, [&](std::uint32_t index) {
+                for (const std::uint32_t other : others) {
+                    if (!goes_on(open[index], open[other])) continue;
+                    left -= std::min<std::size_t>(left, 1);
+                    look_at(patient, open, index, open[other], open[other].use.from, rounding,
+                            ends[other][0]);
+                    look_at(patient, open, index, open[other], open[other].use.to, rounding, ends[other][1]);
+                }
+                return width();
+            });
+        }
+    });
+    return ends;
+}
+
+struct Gap {
+    const OpenEdge* edge;
+    const OpenEdge* other;
+    std::uint32_t corner;
+    double width;
+    Vec3 p, q;
+};
+
+// What the gap does to a player. Nothing if something fills it, or no player gets there.
+std::optional<Passage> passage_of(const Patient& patient, const Gap& gap) {
+    const Vec3& radii = patient.level.movement.radii;
+    const Vec3 normal = (gap.edge->normal + gap.other->normal).normalized();
+    std::optional<Passage> worst;
+    // Beside its corner, where gaps may cross, and further inside.
+    const double away = std::min(0.5 * gap.other->length, 2.5 * std::max(radii.x(), radii.z()));
+    for (const double along : {std::min(0.25 * gap.other->length, gap.width), away}) {
+        const Vec3 inside = inward(*gap.other, gap.corner) * along;
+        const Vec3 p = gap.p + inside, q = on_edge(*gap.edge, gap.q + inside);
+        if (!is_open_and_reachable(patient, p, q, normal)) continue;
+        const Passage passage = cross_all_directions(patient, 0.5 * (p + q));
+        worst = std::max(worst.value_or(Passage::unknown), passage);
+    }
+    // Where gaps cross there is more room than in either.
+    const Vec3 crossing = 0.5 * (gap.p + gap.q) - inward(*gap.other, gap.corner) * (0.5 * gap.width);
+    if (worst && drops_through(patient, crossing)) worst = Passage::falls;
+    return worst;
+}
+
 }  // namespace
 
-void find_open_edges(const Patient& patient, Problems& out) {
-    const Topology& topology = patient.topology;
-    std::vector<OpenEdge> open;
-    topology.each_edge([&](std::size_t first, std::size_t last) {
-        if (last - first != 1) return;
-        if (const auto edge = open_edge(patient, topology.edges[first])) open.push_back(*edge);
-    });
-    if (open.empty()) return;
-    std::vector<std::uint32_t> corners;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_at;  // a corner and an open edge there
-    double length = 0.0;
-    for (std::uint32_t i = 0; i < open.size(); ++i) {
-        for (const std::uint32_t corner : {open[i].use.from, open[i].use.to}) {
-            corners.push_back(corner);
-            edges_at.emplace_back(corner, i);
-        }
-        length += open[i].length;
-    }
-    std::sort(corners.begin(), corners.end());
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    std::sort(edges_at.begin(), edges_at.end());
+std::size_t find_open_edges(const Patient& patient, Problems& out) {
+    const std::vector<OpenEdge> open = open_edges(patient.topology);
+    if (open.empty()) return 0;
     // Wider than the body is a hole that everybody sees.
     const Vec3& radii = patient.level.movement.radii;
-    const double widest = 2.0 * std::min(radii.x(), radii.z());
-    const double cell = std::max(widest, length / static_cast<double>(open.size()));
-    const CornerGrid grid(topology, corners, cell);
-
-    // The open edge at a corner that goes on from `edge`, if there is one.
-    const auto continuation = [&](const OpenEdge& edge, std::uint32_t corner) -> const OpenEdge* {
-        auto at = std::lower_bound(edges_at.begin(), edges_at.end(), std::pair(corner, 0u));
-        for (; at != edges_at.end() && at->first == corner; ++at)
-            if (goes_on(edge, open[at->second])) return &open[at->second];
-        return nullptr;
+    const std::vector<Ends> ends = look_beyond(patient, open, 2.0 * std::min(radii.x(), radii.z()));
+    // Of each corner the first face that it lies on, and the narrowest gap.
+    struct Junction {
+        std::uint32_t corner, edge;
     };
-    struct Gap {
-        const OpenEdge* edge;
-        const OpenEdge* other;
-        std::uint32_t corner;
-        double width;
-        Vec3 p, q;
-    };
+    std::vector<Junction> junctions;
     std::vector<Gap> gaps;
-    Problems found;
-    for (const OpenEdge& edge : open) {
-        const double rounding = rounding_of(edge.a, edge.b);
-        const Vec3 reach = Vec3::Constant(widest);
-        grid.each_in(
-            edge.a.cwiseMin(edge.b) - reach, edge.a.cwiseMax(edge.b) + reach, [&](std::uint32_t vertex) {
-                if (vertex == edge.use.from || vertex == edge.use.to) return;
-                const Vec3 p = topology.position[vertex];
-                const Vec3 q = on_edge(edge, p);
-                const double along = (q - edge.a).norm();
-                const double width = (p - q).norm();
-                if (width > widest) return;
-                const bool at_end = along <= rounding || edge.length - along <= rounding;
-                if (width <= rounding) {
-                    if (!at_end && continuation(edge, vertex))
-                        found.push_back(
-                            {ProblemKind::t_junction, edge.use.face, no_id, p, vertex,
-                             "A corner lies on this face's edge, " + metres(along) + " from its end"});
-                    return;
-                }
-                // A gap has its other side in front of the edge, above or below it.
-                const Vec3 over = (p - q) / width;
-                if (std::abs(over.dot(edge.along)) > 0.5 || over.dot(edge.outside) < -0.1) return;
-                const OpenEdge* const other = continuation(edge, vertex);
-                if (!other || over.dot(other->outside) > 0.1) return;
-                gaps.push_back({&edge, other, vertex, width, p, q});
-            });
-    }
-    // One gap has two sides and several edges: the narrowest of each corner counts.
-    std::sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) {
-        return std::tie(a.corner, a.width, a.edge) < std::tie(b.corner, b.width, b.edge);
-    });
-    gaps.erase(std::unique(gaps.begin(), gaps.end(),
-                           [](const Gap& a, const Gap& b) { return a.corner == b.corner; }),
-               gaps.end());
-    std::vector<std::optional<Passage>> passages(gaps.size());
-    if (!gaps.empty()) patient.world();
-    parallel_for(gaps.size(), 8, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Gap& gap = gaps[i];
-            const Vec3 normal = (gap.edge->normal + gap.other->normal).normalized();
-            // Beside its corner, where gaps may cross, and further inside.
-            const double away = std::min(0.5 * gap.other->length, 2.5 * std::max(radii.x(), radii.z()));
-            for (const double along : {std::min(0.25 * gap.other->length, gap.width), away}) {
-                const Vec3 inside = inward(*gap.other, gap.corner) * along;
-                const Vec3 p = gap.p + inside, q = on_edge(*gap.edge, gap.q + inside);
-                if (!is_open_and_reachable(patient, p, q, normal)) continue;
-                const Passage passage = cross_all_directions(patient, 0.5 * (p + q));
-                passages[i] = std::max(passages[i].value_or(Passage::unknown), passage);
-            }
-            // Where gaps cross there is more room than in either.
-            const Vec3 crossing = 0.5 * (gap.p + gap.q) - inward(*gap.other, gap.corner) * (0.5 * gap.width);
-            if (passages[i] && drops_through(patient, crossing)) passages[i] = Passage::falls;
+    for (std::uint32_t other = 0; other < open.size(); ++other) {
+        for (const std::size_t i : {0, 1}) {
+            const std::uint32_t corner = i == 0 ? open[other].use.from : open[other].use.to;
+            const Beyond& end = ends[other][i];
+            const Vec3& p = patient.topology.position[corner];
+            if (end.on != no_id) junctions.push_back({corner, end.on});
+            if (end.edge == no_id) continue;
+            const OpenEdge& edge = open[end.edge];
+            gaps.push_back({&edge, &open[other], corner, end.width, p, on_edge(edge, p)});
         }
-    });
+    }
+    const auto keep_first = [](auto& list, const auto& key) {
+        std::sort(list.begin(), list.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+        list.erase(std::unique(list.begin(), list.end(),
+                               [](const auto& a, const auto& b) { return a.corner == b.corner; }),
+                   list.end());
+    };
+    keep_first(junctions,
+               [&](const Junction& at) { return std::tuple(at.corner, open[at.edge].use.face, at.edge); });
+    keep_first(gaps, [](const Gap& gap) { return std::tuple(gap.corner, gap.width, gap.edge, gap.other); });
+    Problems found;
+    for (const Junction& at : junctions) {
+        const OpenEdge& edge = open[at.edge];
+        const Vec3& p = patient.topology.position[at.corner];
+        found.push_back({ProblemKind::t_junction, edge.use.face, no_id, p, at.corner,
+                         "A corner lies on this face's edge, " + metres((on_edge(edge, p) - edge.a).norm()) +
+                             " from its end"});
+    }
+    std::vector<std::optional<Passage>> passages(gaps.size());
+    const std::size_t tried =
+        try_in_turn(patient, gaps.size(), [&](std::size_t i) { passages[i] = passage_of(patient, gaps[i]); });
     // A gap between two faces is one problem: where it does most, and is narrowest.
     std::map<std::pair<FaceId, FaceId>, std::size_t> worst;
     for (std::size_t i = 0; i < gaps.size(); ++i) {
@@ -251,20 +216,13 @@ void find_open_edges(const Patient& patient, Problems& out) {
                                      words_of(*passages[i]))});
     }
     std::stable_sort(found.begin(), found.end(), [](const Problem& a, const Problem& b) {
-        return std::tie(a.kind, a.index, a.face) < std::tie(b.kind, b.index, b.face);
+        return std::pair(a.face, a.index) < std::pair(b.face, b.index);
     });
-    found.erase(std::unique(found.begin(), found.end(),
-                            [](const Problem& a, const Problem& b) {
-                                return a.kind == b.kind && a.index == b.index &&
-                                       a.kind == ProblemKind::t_junction;
-                            }),
-                found.end());
-    std::stable_sort(found.begin(), found.end(),
-                     [](const Problem& a, const Problem& b) { return a.face < b.face; });
     for (Problem& problem : found) {
         problem.index = 0;
         out.push_back(std::move(problem));
     }
+    return gaps.size() - tried;
 }
 
 }  // namespace slipface::doctor

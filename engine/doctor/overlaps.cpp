@@ -12,7 +12,6 @@
 namespace slipface::doctor {
 namespace {
 
-constexpr double thinnest = 1.0 / 1000.0;  // height of a triangle as a fraction of its longest edge
 constexpr double off_plane_of_size = 1e-5;
 constexpr double off_plane_of_position = 8.0 * 0x1p-24;
 
@@ -53,7 +52,7 @@ Flat flatten(const std::array<Vec3, 3>& corners, int drop) {
     return flat;
 }
 
-// A triangle, to tell which others lie over it.
+// A triangle that is not thin, to tell which others lie over it.
 class CoveredTriangle {
   public:
     CoveredTriangle(const Patient& patient, TriangleId triangle)
@@ -63,8 +62,6 @@ class CoveredTriangle {
         const double area = cross.norm();
         const double size = std::max({(corners_[1] - corners_[0]).norm(), (corners_[2] - corners_[1]).norm(),
                                       (corners_[0] - corners_[2]).norm()});
-        vague_ = !(area > thinnest * size * size);
-        if (vague_) return;
         normal_ = cross / area;
         normal_.cwiseAbs().maxCoeff(&drop_);
         const double largest = std::max({corners_[0].cwiseAbs().maxCoeff(), corners_[1].cwiseAbs().maxCoeff(),
@@ -74,7 +71,6 @@ class CoveredTriangle {
     }
 
     bool is_covered_by(const Patient& patient, TriangleId other) {
-        if (vague_) return false;
         const auto corners = corners_of(patient, other);
         for (const Vec3& corner : corners)
             if (std::abs(normal_.dot(corner - corners_[0])) > off_plane_) return false;
@@ -92,11 +88,10 @@ class CoveredTriangle {
   private:
     Vec3 normal_of_face_;
     std::array<Vec3, 3> corners_;
-    bool vague_ = true;           // too thin to have a plane
-    Vec3 normal_ = Vec3::Zero();  // unit
-    int drop_ = 0;                // the axis to look along
-    double off_plane_ = 0.0;      // metres; what is farther away lies in another plane
-    double margin_ = 0.0;         // metres; what overlaps by less only touches
+    Vec3 normal_;       // unit
+    int drop_;          // the axis to look along
+    double off_plane_;  // metres; what is farther away lies in another plane
+    double margin_;     // metres; what overlaps by less only touches
     Flat flat_;
     std::optional<FlatEdges> edges_;  // of flat_, from the first time they are needed
 };
@@ -123,6 +118,7 @@ class CoveredBlock {
         const Mesh& mesh = patient.mesh;
         constexpr auto of_position = static_cast<float>(off_plane_of_position * 0x1p24);
         for (std::size_t lane = 0; lane < block.count; ++lane) {
+            if (block.thin[lane] != 0) continue;  // it has no plane
             limit_[lane] = mesh.face_first_triangle[mesh.triangle_face[block.id[lane]]];
             const Box box = block.boxes.at(lane);
             // And the rounding of two centres, along the normal.
@@ -138,7 +134,9 @@ class CoveredBlock {
     // Only triangles below this can be an answer to one of them: of faces before, and before the one known.
     TriangleId limit() const { return highest_; }
 
-    void look_in(const Patient& patient, const TriangleBlock& other) {
+    // Returns how much work it was.
+    std::size_t look_in(const Patient& patient, const TriangleBlock& other) {
+        std::size_t work = 4;
         // What is farther away is rounded by more.
         const float slack = 6.0f * 0x1p-24f * (extent_ + other.around.extent());
         const LaneMask touching = block_->boxes.touching(other.around);
@@ -148,18 +146,21 @@ class CoveredBlock {
             if (!any(near)) continue;
             for (std::size_t lane = 0; lane < other.count; ++lane) {
                 if (near[lane] == 0 || other.id[lane] >= limit_[of]) continue;
+                ++work;
                 if (!covered(patient, of).is_covered_by(patient, other.id[lane])) continue;
                 limit_[of] = other.id[lane];
                 find_limit();
             }
         }
+        return work;
     }
 
     // over[triangle]: the first triangle of a face before its own that lies over it.
     void write(const Mesh& mesh, std::span<TriangleId> over) const {
         for (std::size_t lane = 0; lane < block_->count; ++lane) {
             const TriangleId id = block_->id[lane];
-            if (limit_[lane] < mesh.face_first_triangle[mesh.triangle_face[id]]) over[id] = limit_[lane];
+            const bool found = limit_[lane] < mesh.face_first_triangle[mesh.triangle_face[id]];
+            if (found && block_->thin[lane] == 0) over[id] = limit_[lane];
         }
     }
 
@@ -184,51 +185,70 @@ class CoveredBlock {
     std::array<std::uint8_t, lanes> index_of_;  // [lane] in triangles_, or none
 };
 
-// [triangle] The first triangle of a face before its own that lies over it, or no_id.
-std::vector<TriangleId> triangles_over(const Patient& patient) {
+// Finds what lies over the triangles of a group, which takes about `most` steps of work. False if that was
+// not enough.
+bool look_over(const Patient& patient, const TriangleBlocks& triangles, float rounding, std::size_t group,
+               std::size_t most, std::span<TriangleId> over) {
+    std::vector<CoveredBlock> covered;
+    covered.reserve(lanes);
+    for (const TriangleBlock& block : triangles.blocks_of(group))
+        covered.emplace_back(patient, block, rounding);
+    std::size_t work = 0;
+    const auto limit = [&] {
+        TriangleId highest = 0;
+        for (const CoveredBlock& block : covered)
+            highest = std::max(highest, block.limit());
+        return work < most ? highest : 0;
+    };
+    const BlockGroup& own = triangles.group(group);
+    triangles.each_group_touching(own.around, limit(), [&](std::size_t index) {
+        const BlockGroup& other = triangles.group(index);
+        const auto blocks = triangles.blocks_of(index);
+        const LaneMask touching = own.boxes.touching(other.around);
+        for (std::size_t i = 0; i < covered.size(); ++i) {
+            if (touching[i] == 0 || other.lowest >= covered[i].limit()) continue;
+            const LaneMask near = other.boxes.touching(covered[i].box());
+            for (std::size_t k = 0; k < blocks.size(); ++k) {
+                if (near[k] == 0 || other.lowest_of[k] >= covered[i].limit()) continue;
+                work += covered[i].look_in(patient, blocks[k]);
+            }
+        }
+        ++work;
+        return limit();
+    });
+    for (const CoveredBlock& block : covered)
+        block.write(patient.mesh, over);
+    return work < most;
+}
+
+// over[triangle]: the first triangle of a face before its own that lies over it, or no_id. Returns how many
+// triangles were not compared with all that are near, because there are too many.
+std::size_t find_triangles_over(const Patient& patient, std::span<TriangleId> over) {
     const Mesh& mesh = patient.mesh;
-    std::vector<TriangleId> over(mesh.triangle_count(), no_id);
     const auto rounding = static_cast<float>(
         0x1p-24 * std::max(mesh.bounds.min.cwiseAbs().maxCoeff(), mesh.bounds.max.cwiseAbs().maxCoeff()));
     const TriangleBlocks triangles(mesh);
-    parallel_for(triangles.group_count(), 8, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t group = begin; group < end; ++group) {
-            std::vector<CoveredBlock> covered;
-            covered.reserve(lanes);
-            for (const TriangleBlock& block : triangles.blocks_of(group))
-                covered.emplace_back(patient, block, rounding);
-            const auto limit = [&] {
-                TriangleId highest = 0;
-                for (const CoveredBlock& block : covered)
-                    highest = std::max(highest, block.limit());
-                return highest;
-            };
-            const BlockGroup& own = triangles.group(group);
-            triangles.each_group_touching(own.around, limit(), [&](std::size_t index) {
-                const BlockGroup& other = triangles.group(index);
-                const auto blocks = triangles.blocks_of(index);
-                const LaneMask touching = own.boxes.touching(other.around);
-                for (std::size_t i = 0; i < covered.size(); ++i) {
-                    if (touching[i] == 0 || other.lowest >= covered[i].limit()) continue;
-                    const LaneMask near = other.boxes.touching(covered[i].box());
-                    for (std::size_t k = 0; k < blocks.size(); ++k)
-                        if (near[k] != 0 && other.lowest_of[k] < covered[i].limit())
-                            covered[i].look_in(patient, blocks[k]);
-                }
-                return limit();
-            });
-            for (const CoveredBlock& block : covered)
-                block.write(mesh, over);
-        }
-    });
-    return over;
+    std::vector<std::uint8_t> unfinished(triangles.group_count(), 1);
+    const auto look = [&](std::size_t most) {
+        parallel_for(unfinished.size(), 8, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t group = begin; group < end; ++group)
+                if (unfinished[group] != 0 && look_over(patient, triangles, rounding, group, most, over))
+                    unfinished[group] = 0;
+        });
+        return static_cast<std::size_t>(std::count(unfinished.begin(), unfinished.end(), 1));
+    };
+    // Groups of large triangles have more work than others: as much together.
+    std::size_t left = look(8'000);
+    if (left > 0) left = look(60'000'000 / left);
+    return std::min(left * lanes * lanes, mesh.triangle_count());
 }
 
 }  // namespace
 
-void find_overlaps(const Patient& patient, Problems& out) {
+std::size_t find_overlaps(const Patient& patient, Problems& out) {
     const Mesh& mesh = patient.mesh;
-    const std::vector<TriangleId> over = triangles_over(patient);
+    std::vector<TriangleId> over(mesh.triangle_count(), no_id);
+    const std::size_t untried = find_triangles_over(patient, over);
     FaceId last = no_id;
     for (TriangleId t = 0; t < over.size(); ++t) {
         const FaceId face = mesh.triangle_face[t];
@@ -241,6 +261,7 @@ void find_overlaps(const Patient& patient, Problems& out) {
         out.push_back({ProblemKind::overlap, face, other, (corners[0] + corners[1] + corners[2]) / 3.0, 0,
                        fmt::format("Overlaps face {} in one plane", other)});
     }
+    return untried;
 }
 
 }  // namespace slipface::doctor

@@ -8,7 +8,6 @@
 
 #include "checks.h"
 #include "crossing.h"
-#include "slipface/base/parallel.h"
 #include "slipface/mesh/texture_file.h"
 
 namespace slipface {
@@ -98,6 +97,7 @@ struct Ground {
     bool floor = false;  // flat enough to stand on
 };
 std::optional<Ground> ground_below(const Patient& patient, const Vec3& from, double depth) {
+    ++patient.effort;
     const auto hit = cast_ray(patient.world(), from, Vec3(0.0, -1.0, 0.0), depth);
     if (!hit) return std::nullopt;
     const double steepest = patient.surface(hit->face).max_slope.value_or(patient.level.movement.max_slope);
@@ -238,10 +238,15 @@ std::vector<Step> steps_of(const Patient& patient) {
 
 }  // namespace
 
-void find_acute_corners(const Patient& patient, Problems& out) {
+std::size_t find_acute_corners(const Patient& patient, Problems& out) {
     const Topology& topology = patient.topology;
-    const Vec3& radii = patient.level.movement.radii;
-    const std::size_t before = out.size();
+    struct Corner {
+        FaceId a, b;
+        Vec3 middle;
+        std::array<std::optional<Rest>, 2> rests;
+        std::optional<double> angle;  // at which the player wedges
+    };
+    std::vector<Corner> corners;
     topology.each_edge([&](std::size_t first, std::size_t last) {
         if (last - first != 2) return;
         const FaceId a = topology.edges[first].face, b = topology.edges[first + 1].face;
@@ -249,28 +254,37 @@ void find_acute_corners(const Patient& patient, Problems& out) {
         const Vec3 middle = 0.5 * (topology.position[topology.edges[first].from] +
                                    topology.position[topology.edges[first].to]);
         // From both sides, for the player may be behind the faces as well.
-        for (const double side : {1.0, -1.0}) {
-            const auto rest = rest_in_corner(patient.mesh, radii, middle, side * topology.normal[a],
-                                             side * topology.normal[b], b);
-            if (!rest || !player_fits(patient, rest->centre, a, b) || !wedges(patient, rest->centre))
-                continue;
-            out.push_back({ProblemKind::acute_corner, a, b, middle, 0,
-                           fmt::format("Faces {} and {} meet at {} as the player sees it", a, b,
-                                       degrees(rest->angle))});
-            break;
+        Corner corner{a, b, middle, {}, {}};
+        for (const std::size_t side : {0, 1}) {
+            const double sign = side == 0 ? 1.0 : -1.0;
+            corner.rests[side] = rest_in_corner(patient.mesh, patient.level.movement.radii, middle,
+                                                sign * topology.normal[a], sign * topology.normal[b], b);
+        }
+        if (corner.rests[0] || corner.rests[1]) corners.push_back(corner);
+    });
+    const std::size_t tried = try_in_turn(patient, corners.size(), [&](std::size_t i) {
+        for (const std::optional<Rest>& rest : corners[i].rests) {
+            if (corners[i].angle || !rest) continue;
+            if (player_fits(patient, rest->centre, corners[i].a, corners[i].b) &&
+                wedges(patient, rest->centre))
+                corners[i].angle = rest->angle;
         }
     });
+    const std::size_t before = out.size();
+    for (const Corner& corner : corners)
+        if (corner.angle)
+            out.push_back({ProblemKind::acute_corner, corner.a, corner.b, corner.middle, 0,
+                           fmt::format("Faces {} and {} meet at {} as the player sees it", corner.a, corner.b,
+                                       degrees(*corner.angle))});
     std::stable_sort(out.begin() + static_cast<std::ptrdiff_t>(before), out.end(),
                      [](const Problem& x, const Problem& y) { return x.face < y.face; });
+    return corners.size() - tried;
 }
 
-void find_limit_slopes(const Patient& patient, Problems& out) {
+std::size_t find_limit_slopes(const Patient& patient, Problems& out) {
     std::vector<Ramp> ramps = ramps_of(patient);
-    if (!ramps.empty()) patient.world();
-    parallel_for(ramps.size(), 8, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            ramps[i].passage = climb_ramp(patient, ramps[i].face);
-    });
+    const std::size_t tried = try_in_turn(
+        patient, ramps.size(), [&](std::size_t i) { ramps[i].passage = climb_ramp(patient, ramps[i].face); });
     for (const Ramp& ramp : ramps) {
         const bool at_limit = std::abs(ramp.slope - ramp.limit) <= rounding_band;
         const bool too_steep = ramp.passage == Passage::catches && ramp.slope > ramp.limit;
@@ -281,15 +295,15 @@ void find_limit_slopes(const Patient& patient, Problems& out) {
                        fmt::format("Rises by {}; the limit is {}: {}", degrees(ramp.slope),
                                    degrees(ramp.limit), words)});
     }
+    return ramps.size() - tried;
 }
 
-void find_limit_steps(const Patient& patient, Problems& out) {
+std::size_t find_limit_steps(const Patient& patient, Problems& out) {
     std::vector<Step> steps = steps_of(patient);
-    if (!steps.empty()) patient.world();
-    parallel_for(steps.size(), 8, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            steps[i].passage = climb_between(patient, steps[i].below, steps[i].above);
+    const std::size_t tried = try_in_turn(patient, steps.size(), [&](std::size_t i) {
+        steps[i].passage = climb_between(patient, steps[i].below, steps[i].above);
     });
+    const std::size_t untried = steps.size() - tried;
     std::erase_if(steps, [](const Step& step) { return step.passage != Passage::catches; });
     // The steps of a flight are one problem: of one group and height.
     const auto flight_of = [&](const Step& step) {
@@ -313,6 +327,7 @@ void find_limit_steps(const Patient& patient, Problems& out) {
     }
     std::sort(found.begin(), found.end(), [](const Problem& a, const Problem& b) { return a.face < b.face; });
     out.insert(out.end(), found.begin(), found.end());
+    return untried;
 }
 
 void find_orphans(const Patient& patient, Problems& out) {

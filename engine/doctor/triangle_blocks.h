@@ -4,64 +4,20 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
+#include "boxes.h"
 #include "slipface/mesh/mesh.h"
 
 namespace slipface::doctor {
-
-inline constexpr std::size_t lanes = 8;
-using Lanes = std::array<float, lanes>;
-using LaneMask = std::array<std::int32_t, lanes>;  // 0 or 1, as wide as a float: such loops are vectorised
-
-inline bool any(const LaneMask& mask) {
-    std::int32_t all = 0;
-    for (const std::int32_t one : mask)
-        all |= one;
-    return all != 0;
-}
-
-struct Box {
-    Vec3f min = Vec3f::Constant(std::numeric_limits<float>::infinity());
-    Vec3f max = Vec3f::Constant(-std::numeric_limits<float>::infinity());
-
-    void add(const Vec3f& low, const Vec3f& high) {
-        min = min.cwiseMin(low);
-        max = max.cwiseMax(high);
-    }
-    float extent() const { return (max - min).sum(); }  // at least its diagonal
-};
-
-// Eight boxes. One that was never set touches nothing.
-struct Boxes {
-    std::array<Lanes, 3> min, max;
-
-    Boxes();
-    void set(std::size_t lane, const Box& box);
-    Box at(std::size_t lane) const {
-        return {{min[0][lane], min[1][lane], min[2][lane]}, {max[0][lane], max[1][lane], max[2][lane]}};
-    }
-    LaneMask touching(const Box& box) const {
-        const float low[3] = {box.min.x(), box.min.y(), box.min.z()};
-        const float high[3] = {box.max.x(), box.max.y(), box.max.z()};
-        LaneMask touches;
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            touches[lane] = int{min[0][lane] <= high[0]} & int{min[1][lane] <= high[1]} &
-                            int{min[2][lane] <= high[2]} & int{max[0][lane] >= low[0]} &
-                            int{max[1][lane] >= low[1]} & int{max[2][lane] >= low[2]};
-        }
-        return touches;
-    }
-};
 
 // Triangles near each other and of about one size. Rounded: good for a first look.
 struct TriangleBlock {
     Boxes boxes;
     std::array<Lanes, 3> centre{};  // mean of a triangle's corners
     std::array<Lanes, 3> normal{};  // unit; not finite for a triangle without area
+    LaneMask thin{};                // the triangle is so thin that it has no plane
     std::array<TriangleId, lanes> id;
     std::size_t count = 0;  // lanes in use; the other ids are no_id
     Box around;

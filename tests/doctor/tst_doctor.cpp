@@ -1,5 +1,8 @@
 // Each kind of problem: a mesh that has exactly one, and the mended mesh that has none.
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <random>
 #include <set>
 
 #include "level/faces.h"
@@ -154,6 +157,65 @@ TEST(Doctor, RampsThatAreTooSteepAreFound) {
     Faces alone = ramp(limit + 0.02);
     alone.pop_back();
     EXPECT_EQ(count(alone, ProblemKind::slope_limit), 0u) << "it leads nowhere";
+}
+
+// 2000 strips with corners on a grid of 1/64 m, all in one plane within a body's width of each other.
+TEST(Doctor, CornersAmongManyEdgesLieOnTheFirstFace) {
+    std::mt19937 random(7);
+    const auto grid = [&](int from, int to) {
+        return from + static_cast<int>(random() % static_cast<unsigned>(to - from));
+    };
+    struct Strip {
+        int x, z, wide, deep;
+    };
+    std::vector<Strip> strips(2000);
+    Faces faces;
+    for (Strip& strip : strips) {
+        strip = {grid(0, 100), grid(0, 100), grid(1, 8), grid(1, 8)};
+        // Each at its own height, so that no two share an edge, lower than what corners are rounded by.
+        faces.push_back(floor_at(float(strip.x) / 64, float(strip.z) / 64, float(strip.wide) / 64,
+                                 float(strip.deep) / 64, float(faces.size()) * 0x1p-34f));
+    }
+    // A corner lies inside an edge of another strip, which goes on on the other side.
+    std::map<FaceId, std::size_t> expected;
+    for (std::size_t i = 0; i < strips.size(); ++i) {
+        const Strip& s = strips[i];
+        for (const int x : {s.x, s.x + s.wide}) {
+            for (const int z : {s.z, s.z + s.deep}) {
+                const auto first = std::find_if(strips.begin(), strips.end(), [&](const Strip& o) {
+                    const int beside_x = x == s.x ? o.x + o.wide : o.x,
+                              beside_z = z == s.z ? o.z + o.deep : o.z;
+                    return (x == beside_x && z > o.z && z < o.z + o.deep) ||
+                           (z == beside_z && x > o.x && x < o.x + o.wide);
+                });
+                if (first != strips.end()) ++expected[static_cast<FaceId>(first - strips.begin())];
+            }
+        }
+    }
+    const DoctorReport report = examine(test::level_of(faces));
+    std::size_t total = 0;
+    for (const auto& [face, corners] : expected)
+        total += corners;
+    EXPECT_EQ(report.count(ProblemKind::t_junction), total);
+    std::map<FaceId, std::size_t> listed;
+    for (const Problem& problem : report.problems)
+        if (problem.kind == ProblemKind::t_junction) ++listed[problem.face];
+    ASSERT_FALSE(listed.empty());
+    listed.erase(std::prev(listed.end()));  // the list may end within it
+    for (const auto& [face, corners] : listed)
+        EXPECT_EQ(corners, expected[face]) << face;
+}
+
+// Too many gaps to send walkers over each: the first are tried, the others are counted.
+TEST(Doctor, GapsBeyondAllPatienceAreCountedUntried) {
+    Faces faces;
+    for (int i = 0; i < 60; ++i)
+        for (int j = 0; j < 60; ++j)
+            faces.push_back(floor_at(float(i), float(j), 0.999f, 0.999f));
+    const DoctorReport report = examine(test::level_of(faces));
+    EXPECT_GT(report.count(ProblemKind::crack), 0u);
+    EXPECT_GT(report.untried_of(ProblemKind::crack), 0u);
+    EXPECT_EQ(report.untried_of(ProblemKind::step_limit), 0u);
 }
 
 TEST(Doctor, OrphansAndMissingTexturesAreListed) {

@@ -56,9 +56,13 @@ struct DoctorReport {
 
     std::vector<Problem> problems;  // by kind, then by face
     std::array<std::size_t, problem_kind_count> counts{};
+    // Places where walkers would have shown whether there is such a problem, but there are too many: the
+    // first are tried, for some seconds of processor time per kind.
+    std::array<std::size_t, problem_kind_count> untried{};
     bool cancelled = false;  // true: the lists are not complete
 
     std::size_t count(ProblemKind kind) const { return counts[static_cast<std::size_t>(kind)]; }
+    std::size_t untried_of(ProblemKind kind) const { return untried[static_cast<std::size_t>(kind)]; }
     std::size_t total() const;
 };
 
@@ -66,8 +70,8 @@ struct DoctorReport {
 using DoctorProgress = std::function<bool(double)>;
 
 // Examines the level's mesh for a player with the level's settings. Of the disk it reads only the texture
-// folder. The time is about linear in the size of the mesh. The report does not depend on the number of
-// threads.
+// folder. The time is about linear in the size of the mesh: where very many edges lie within a body's width
+// of each other, not all pairs of them are compared. The report does not depend on the number of threads.
 DoctorReport examine(const Level& level, const DoctorProgress& progress = {});
 
 }  // namespace slipface
