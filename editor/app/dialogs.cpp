@@ -1,4 +1,6 @@
 // The one window on top of everything: a message, the question about unsaved changes, or the file browser.
+#include <imgui_internal.h>
+
 #include <algorithm>
 
 #include "app/dialog_parts.h"
@@ -137,8 +139,12 @@ void dialogs(Parts& parts) {
     const DialogKind kind = dialog_kind(parts.editor);
     if (kind != DialogKind::file) parts.browser.shown = FileDialogKind::none;
     constexpr const char* id = "##dialog";
-    if (kind == DialogKind::none && !ImGui::IsPopupOpen(id)) return;
-    if (kind != DialogKind::none && !ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
+    if (kind == DialogKind::none) {
+        // Closed before its next frame, which would show it empty.
+        if (ImGui::IsPopupOpen(id)) ImGui::ClosePopupToLevel(0, true);
+        return;
+    }
+    if (!ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
 
     const float scale = ui::scale();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;

@@ -169,7 +169,7 @@ std::size_t find_open_edges(const Patient& patient, Problems& out) {
     std::vector<Junction> junctions;
     std::vector<Gap> gaps;
     for (std::uint32_t other = 0; other < open.size(); ++other) {
-        for (const std::size_t i : {0, 1}) {
+        for (std::size_t i = 0; i < 2; ++i) {
             const std::uint32_t corner = i == 0 ? open[other].use.from : open[other].use.to;
             const Beyond& end = ends[other][i];
             const Vec3& p = patient.topology.position[corner];

@@ -255,7 +255,7 @@ std::size_t find_acute_corners(const Patient& patient, Problems& out) {
                                    topology.position[topology.edges[first].to]);
         // From both sides, for the player may be behind the faces as well.
         Corner corner{a, b, middle, {}, {}};
-        for (const std::size_t side : {0, 1}) {
+        for (std::size_t side = 0; side < 2; ++side) {
             const double sign = side == 0 ? 1.0 : -1.0;
             corner.rests[side] = rest_in_corner(patient.mesh, patient.level.movement.radii, middle,
                                                 sign * topology.normal[a], sign * topology.normal[b], b);
