@@ -73,7 +73,8 @@ class MotionFinder {
     // part_order.cpp: what the order of the faces says
     void try_order(std::size_t part);
     void trust_order();
-    double ranks(std::size_t part, const PartMotion& motion);
+    double order(std::size_t part, const PartMotion& motion);
+    double ranks(std::size_t part, const PartMotion& motion);  // 0 if a tool sorted the faces
     bool keeps_order();
     bool turns_in_place(std::size_t part, const PartMotion& motion) const;
     std::vector<PartMotion> rank_motions(std::size_t part);
