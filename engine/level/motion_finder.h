@@ -18,7 +18,8 @@ inline constexpr double lost_below = 0.3;            // of the anchor corners
 inline constexpr double in_place = 0.85;             // fraction of anchor corners of a part that stayed
 inline constexpr double vertices_in_order = 0.7;     // of PartSupport::vertex_order_kept(): not by chance
 inline constexpr std::size_t few_anchors = 8;        // faces that can come into any order by chance
-inline constexpr double vote_slack = 0.3;            // by which parts yield to the motion of other parts
+inline constexpr std::size_t few_parts = 3;
+inline constexpr double vote_slack = 0.3;  // by which parts yield to the motion of other parts
 
 class MotionFinder {
   public:
@@ -47,6 +48,7 @@ class MotionFinder {
     struct Move {
         PartMotion motion;
         std::size_t parts = 0;  // that made it
+        bool of_all = false;    // all others could have made it, too
     };
 
     // part_search.cpp: each part by itself
@@ -73,7 +75,8 @@ class MotionFinder {
     // part_order.cpp: what the order of the faces says
     void try_order(std::size_t part);
     void trust_order();
-    double ranks(std::size_t part, const PartMotion& motion);
+    double order(std::size_t part, const PartMotion& motion);
+    double ranks(std::size_t part, const PartMotion& motion);  // 0 if a tool sorted the faces
     bool keeps_order();
     bool turns_in_place(std::size_t part, const PartMotion& motion) const;
     std::vector<PartMotion> rank_motions(std::size_t part);
@@ -91,6 +94,7 @@ class MotionFinder {
         return !part.best.is_identity() || part.staying.corners >= 0.5;
     }
     void collect_moves();
+    bool is_of_all(const PartMotion& motion);
     std::size_t parts_with_motion(std::size_t part) const;
     void join_the_most(std::size_t part);
     void one_part_each_place();

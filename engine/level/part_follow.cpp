@@ -34,6 +34,15 @@ void MotionFinder::collect_moves() {
                      [](const Move& a, const Move& b) { return a.parts > b.parts; });
 }
 
+// Whether all parts made the motion, or could have.
+bool MotionFinder::is_of_all(const PartMotion& motion) {
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+        if (!support_.points(i).empty() && !same(stored_.parts[i].box, motion, parts_[i].best) &&
+            support_.support(i, motion, enough_anchors_).sum() < parts_[i].best_support.sum() - 1e-9)
+            return false;
+    return true;
+}
+
 // The number of parts that made the part's motion.
 std::size_t MotionFinder::parts_with_motion(std::size_t i) const {
     for (const Move& move : moves_)
@@ -61,12 +70,12 @@ void MotionFinder::join_the_most(std::size_t i) {
     }
 }
 
-// Whether another part that moved is where the motion puts this one. Parts that lay on each other may stay
-// so.
+// Whether another part is where the motion puts this one, by a motion of its own. Parts that lay on each
+// other may stay so.
 bool MotionFinder::is_claimed(std::size_t i, const PartMotion& motion) const {
     const Aabb box = support_.moved_box(i, motion);
     for (std::size_t k = 0; k < parts_.size(); ++k) {
-        if (k == i || places_[k].empty()) continue;
+        if (k == i || places_[k].empty() || same(stored_.parts[i].box, parts_[k].best, motion)) continue;
         if (similar_box(places_[k], box, box_slack) &&
             !similar_box(stored_.parts[k].box, stored_.parts[i].box, box_slack))
             return true;

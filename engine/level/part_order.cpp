@@ -9,11 +9,14 @@ namespace slipface {
 
 // How much of the order of the part's faces is kept, 1 if all are where they were in it; and as much again
 // for its vertices, of which no wrong motion keeps the order by chance.
-double MotionFinder::ranks(std::size_t i, const PartMotion& motion) {
-    if (!has_order_) return 0.0;
+double MotionFinder::order(std::size_t i, const PartMotion& motion) {
     const double faces = std::max(support_.ranks_kept(i, motion), 0.9 * support_.order_kept(i, motion));
     const std::optional<double> vertices = support_.vertex_order_kept(i, motion);
     return faces + (vertices && *vertices >= vertices_in_order ? *vertices : 0.0);
+}
+
+double MotionFinder::ranks(std::size_t i, const PartMotion& motion) {
+    return has_order_ ? order(i, motion) : 0.0;
 }
 
 // Whether the parts that stayed have their faces or vertices in the old order. If not, a tool has sorted

@@ -54,6 +54,8 @@ std::vector<PartMotion> MotionFinder::run() && {
     trust_order();
     vote();
     collect_moves();
+    for (Move& move : moves_)
+        move.of_all = move.parts > few_parts && !move.motion.is_identity() && is_of_all(move.motion);
     for (std::size_t part = 0; part < parts_.size(); ++part) {
         exchange(part);
         join_the_most(part);

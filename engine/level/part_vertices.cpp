@@ -11,8 +11,7 @@ namespace {
 
 constexpr double nearly_all = 0.9;  // of what the parts' vertices can say
 constexpr std::size_t little = 12;  // points beyond those that a motion needs
-constexpr std::size_t few_parts = 3;
-constexpr std::size_t needed = 4;  // points for an affine motion
+constexpr std::size_t needed = 4;   // points for an affine motion
 
 constexpr std::size_t max_place = 2000;             // vertices of a part that is searched for corners
 constexpr std::size_t max_distances = 200'000'000;  // compared in all

@@ -131,12 +131,22 @@ void MotionFinder::exchange(std::size_t i) {
     Part& part = parts_[i];
     if (part.searched || part.certain || !part.best.is_identity() || support_.points(i).size() < 3) return;
     if (moves_.empty()) return;
-    const double staying = ranks(i, part.best);
-    if (staying >= 0.9) return;
+    // Symmetric parts of a level that was mirrored as a whole are out of order where they seem to have
+    // stayed, so has_order_ says little. Both orders, of faces and vertices, come back by no wrong motion.
+    constexpr double both_orders = 1.5;
+    const double staying = order(i, part.best);
+    if (staying >= (has_order_ ? 0.9 : both_orders)) return;
     for (const Move& move : moves_) {
         const PartMotion& motion = move.motion;
+        if (motion.is_identity()) continue;
         const MotionSupport found = support_.support(i, motion, enough_anchors_);
-        if (found.sum() < part.staying.sum() - 1e-9 || ranks(i, motion) <= staying) continue;
+        if (found.sum() < part.staying.sum() - 1e-9) continue;
+        const double moved = order(i, motion);
+        if (!has_order_ && moved < both_orders && !move.of_all) {
+            part.best.guessed = part.best.guessed || types_.differ(i, PartMotion{}, motion);
+            continue;
+        }
+        if (moved <= staying && !move.of_all) continue;
         part.best = motion;
         part.best.guessed = types_.differ(i, PartMotion{}, motion);
         part.best_support = found;

@@ -222,6 +222,31 @@ TEST(Parts, DamagedOnesFollowTheOthers) {
     EXPECT_GT(static_cast<double>(found), 0.9 * static_cast<double>(painted));
 }
 
+// Two parts in nearly the same box, as a room and its lining: scaled along one axis, their boxes may be as
+// alike as boxes of equal parts are.
+TEST(Parts, OneInsideAnotherIsFoundScaledUnevenly) {
+    for (unsigned seed = 0; seed < 100; ++seed) {
+        Random random(seed);
+        const Vec3f size(between(random, 5, 9), between(random, 2, 4), between(random, 2, 4));
+        Faces faces = box(Vec3f::Zero(), size, random);
+        const Vec3f smaller = size.cwiseProduct(Vec3f(1, between(random, 0.8f, 0.97f), 1));
+        for (const Face& face : box(Vec3f(0.01f, 0, 0.01f), smaller - Vec3f(0.02f, 0, 0.02f), random))
+            faces.push_back(face);
+        std::map<std::array<float, 3>, float> moved;  // so that they are not symmetric
+        for (Face& face : faces)
+            for (Vec3f& corner : face.corners)
+                corner.x() += moved.try_emplace({corner.x(), corner.y(), corner.z()}, between(random, 0, 1))
+                                  .first->second;
+        Faces after = faces;
+        const float scale = between(random, 1.2f, 2.5f);
+        for (Face& face : after)
+            for (Vec3f& corner : face.corners)
+                corner.x() *= scale;
+        const LoadedLevel loaded = rematch(faces, rounded(after));
+        EXPECT_TRUE(wrong_faces(after, loaded).empty()) << seed << ": " << loaded.match.text();
+    }
+}
+
 // Four tiles become one face, which has the material of one of them, whatever the others were made of.
 TEST(Parts, AMergedFaceHasTheTypeOfMostOfItsTiles) {
     constexpr std::size_t side = 16;
