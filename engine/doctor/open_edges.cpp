@@ -90,8 +90,10 @@ void look_at(const Patient& patient, std::span<const OpenEdge> open, std::uint32
     }
 }
 
-// [edge] The ends of `open`. `widest`: of a gap, metres.
-std::vector<Ends> look_beyond(const Patient& patient, std::span<const OpenEdge> open, double widest) {
+// [edge] The ends of `open`. `widest`: of a gap, metres. Counts the edges that were not compared with all
+// others within that width.
+std::vector<Ends> look_beyond(const Patient& patient, std::span<const OpenEdge> open, double widest,
+                              std::atomic<std::size_t>& cut) {
     Ends nothing;
     for (Beyond& end : nothing)
         end.width = widest;
@@ -121,6 +123,7 @@ std::vector<Ends> look_beyond(const Patient& patient, std::span<const OpenEdge> 
                 }
                 return width();
             });
+            if (left == 0) cut += others.size();
         }
     });
     return ends;
@@ -161,7 +164,8 @@ std::size_t find_open_edges(const Patient& patient, Problems& out) {
     if (open.empty()) return 0;
     // Wider than the body is a hole that everybody sees.
     const Vec3& radii = patient.level.movement.radii;
-    const std::vector<Ends> ends = look_beyond(patient, open, 2.0 * std::min(radii.x(), radii.z()));
+    std::atomic<std::size_t> cut = 0;
+    const std::vector<Ends> ends = look_beyond(patient, open, 2.0 * std::min(radii.x(), radii.z()), cut);
     // Of each corner the first face that it lies on, and the narrowest gap.
     struct Junction {
         std::uint32_t corner, edge;
@@ -222,7 +226,7 @@ std::size_t find_open_edges(const Patient& patient, Problems& out) {
         problem.index = 0;
         out.push_back(std::move(problem));
     }
-    return gaps.size() - tried;
+    return cut + gaps.size() - tried;
 }
 
 }  // namespace slipface::doctor
