@@ -182,7 +182,7 @@ TEST_F(ImportBsp, SkyThatTheMapListsIsUndrawn) {
     Map map;
     map.add_texture("textures/skies/space", sky, solid);
     map.add_texture("textures/base/floor", 0, solid);
-    for (const std::uint32_t texture : {0, 1, 0})
+    for (const std::uint32_t texture : {0U, 1U, 0U})
         map.add_polygon({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, texture);
     const auto imported = import_map(map.bytes());
     ASSERT_TRUE(imported) << imported.error().text();
