@@ -54,7 +54,7 @@ void head_row(Editor& editor) {
     if (untried > 0) {
         ImGui::SameLine();
         ui::muted_text(fmt::format("{} were not tried", counted(untried, "place")).c_str());
-        ui::tooltip("There are too many places where a player might catch or fall: the first were tried");
+        ui::tooltip("There are too many places that could have a problem: the first were tried");
     }
     if (report_is_current(editor)) return;
     ImGui::SameLine();

@@ -18,8 +18,8 @@ inline constexpr double lost_below = 0.3;            // of the anchor corners
 inline constexpr double in_place = 0.85;             // fraction of anchor corners of a part that stayed
 inline constexpr double vertices_in_order = 0.7;     // of PartSupport::vertex_order_kept(): not by chance
 inline constexpr std::size_t few_anchors = 8;        // faces that can come into any order by chance
-inline constexpr std::size_t few_parts = 3;
-inline constexpr double vote_slack = 0.3;  // by which parts yield to the motion of other parts
+inline constexpr std::size_t few_parts = 3;          // of which too little is known to be sure
+inline constexpr double vote_slack = 0.3;            // by which parts yield to the motion of other parts
 
 class MotionFinder {
   public:
@@ -96,7 +96,7 @@ class MotionFinder {
     void collect_moves();
     bool is_of_all(const PartMotion& motion);
     std::size_t parts_with_motion(std::size_t part) const;
-    void join_the_most(std::size_t part);
+    void yield_to_most(std::size_t part);
     void one_part_each_place();
     bool is_claimed(std::size_t part, const PartMotion& motion) const;
     void search_edited();

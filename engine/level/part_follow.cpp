@@ -52,7 +52,7 @@ std::size_t MotionFinder::parts_with_motion(std::size_t i) const {
 
 // A damaged part also looks like another one, turned, which is whole. If the motion of most parts explains it
 // nearly as well, that is its own.
-void MotionFinder::join_the_most(std::size_t i) {
+void MotionFinder::yield_to_most(std::size_t i) {
     Part& part = parts_[i];
     if (part.certain || part.best.is_identity() || part.best_support.sum() > 2.0 - 1e-9) return;
     const std::size_t own = parts_with_motion(i);

@@ -58,7 +58,7 @@ std::vector<PartMotion> MotionFinder::run() && {
         move.of_all = move.parts > few_parts && !move.motion.is_identity() && is_of_all(move.motion);
     for (std::size_t part = 0; part < parts_.size(); ++part) {
         exchange(part);
-        join_the_most(part);
+        yield_to_most(part);
     }
     collect_moves();
     one_part_each_place();

@@ -118,11 +118,9 @@ TEST_F(Neighbourhoods, RaysHitWhatTheyHitInTheWorld) {
         SCOPED_TRACE(i);
         const double far = random.below(4) == 0 ? 5000.0 : 0.0;
         const Vec3 at = far * random.direction();
-        Soup soup;
-        for (int k = 0; k < 100; ++k) {
-            const Vec3 corner = at + random.in_box(1.5);
-            soup.add(corner, corner + random.in_box(1), corner + random.in_box(1));
-        }
+        Soup soup = random_soup(random, 100, 1.5, 1);
+        for (Vec3f& position : soup.positions)
+            position += at.cast<float>();
         const CollisionWorld world = soup.world();
         const Vec3 radii(random.uniform(0.2, 1), random.uniform(0.2, 1), random.uniform(0.2, 1));
         const Vec3 reach(random.uniform(0, 0.5), random.uniform(0, 1), random.uniform(0, 0.5));
@@ -154,11 +152,9 @@ TEST_F(Neighbourhoods, BoundTheHeightBelowAWay) {
         SCOPED_TRACE(i);
         const double far = random.below(4) == 0 ? 5000.0 : 0.0;
         const Vec3 at = far * random.direction();
-        Soup soup;
-        for (int k = 0; k < 60; ++k) {
-            const Vec3 corner = at + random.in_box(1.5);
-            soup.add(corner, corner + random.in_box(1), corner + random.in_box(1));
-        }
+        Soup soup = random_soup(random, 60, 1.5, 1);
+        for (Vec3f& position : soup.positions)
+            position += at.cast<float>();
         const CollisionWorld world = soup.world();
         const double cosine = random.below(2) == 0 ? 0.0 : random.uniform(0, 1);
         const Vec3 from = at + random.in_box(0.5);

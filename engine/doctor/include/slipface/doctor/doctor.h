@@ -56,8 +56,8 @@ struct DoctorReport {
 
     std::vector<Problem> problems;  // by kind, then by face
     std::array<std::size_t, problem_kind_count> counts{};
-    // Places where walkers would have shown whether there is such a problem, but there are too many: the
-    // first are tried, for some seconds of processor time per kind.
+    // Places that could have such a problem, but there are too many to try: gaps, corners, ramps and steps
+    // where no walker was sent, and triangles and open edges not compared with all near them.
     std::array<std::size_t, problem_kind_count> untried{};
     bool cancelled = false;  // true: the lists are not complete
 
