@@ -101,7 +101,7 @@ class SceneReader {
         shapes_[number].insert(shapes_[number].end(), node.mMeshes, node.mMeshes + node.mNumMeshes);
         for (unsigned i = 0; i < node.mNumMeshes; ++i) {
             if (node.mMeshes[i] >= scene_.mNumMeshes)
-                return Error{location_, "a node has a mesh that is not there"};
+                return Error{location_, "a node refers to a missing mesh"};
             if (auto status = add_mesh(*scene_.mMeshes[node.mMeshes[i]], world); !status) return status;
         }
         return {};
