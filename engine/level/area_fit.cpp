@@ -216,7 +216,7 @@ bool AreaFit::fits_box(const PartMotion& motion) const {
 // squares.
 PartMotion AreaFit::refined(std::span<const Sample> samples, PartMotion motion) {
     constexpr double of_corner = 0.1, of_exact = 1.0;  // weights, beside that of a sample of average size
-    constexpr int rounds = 5;
+    constexpr int rounds = 8;
     const Vec3 middle = box_.centre();
     for (int round = 0; round < rounds; ++round) {
         Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
@@ -237,13 +237,14 @@ PartMotion AreaFit::refined(std::span<const Sample> samples, PartMotion motion) 
             add(point, key.normal, key.normal.dot(point - key.centroid), sample.weight);
         }
         const bool last = round + 1 == rounds;
+        const double reach = (last ? 0.2 : round < 2 ? 4.0 : round < 4 ? 2.0 : 1.0) * slack_;
         for (const std::vector<Vec3>* corners : {&old_.corners, &exact_}) {
             const bool exact = corners == &exact_;
             if (last && !exact) continue;
             for (const Vec3& corner : *corners) {
                 const Vec3 point = motion(corner);
                 const Vec3* best = nullptr;
-                double nearest = last ? 0.2 * slack_ : slack_;
+                double nearest = reach;
                 for (const Vec3& other : new_.corners) {
                     const double distance = (other - point).norm();
                     if (distance > nearest) continue;

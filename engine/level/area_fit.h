@@ -56,9 +56,10 @@ class AreaFit {
     };
     struct Side {  // the painted faces, or the mesh's
         std::vector<Face> faces;
-        std::vector<Direction> directions;
-        std::vector<Vec3> corners;  // some of them; painted ones up to 1 % of their face's extent
-        std::vector<Vec3> edges;    // some; as long as they are
+        std::vector<Direction> directions;  // those of most area
+        std::size_t kinds = 0;              // of directions
+        std::vector<Vec3> corners;          // some of them; painted ones up to 1 % of their face's extent
+        std::vector<Vec3> edges;            // some; as long as they are
     };
 
     std::uint32_t material(const std::string& base);
@@ -76,7 +77,7 @@ class AreaFit {
     static void find_directions(Side& side);
     std::vector<Eigen::Matrix3d> turns() const;
     std::vector<Eigen::Matrix3d> turns_of_pairs() const;
-    std::vector<Eigen::Matrix3d> turns_of_edges() const;
+    std::vector<Eigen::Matrix3d> turns_of_edges(const Vec3& old_normal, const Vec3& new_normal) const;
     double shared_area(const Eigen::Matrix3d& turn) const;
     std::vector<Vec3> offsets(const Eigen::Matrix3d& turn) const;
     std::vector<Vec3> offsets_of_planes(const Eigen::Matrix3d& turn, const Vec3 (&normals)[3]) const;

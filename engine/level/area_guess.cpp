@@ -2,16 +2,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "area_fit.h"
 
 namespace slipface {
 namespace {
 
-constexpr std::size_t max_directions = 24, max_turns = 32, max_planes = 60;
+constexpr std::size_t max_directions = 24, max_turns = 32, max_planes = 60, flat_sides = 4;
 constexpr std::size_t max_faces = 20'000;  // the largest, of which directions are made
 constexpr double one_direction = 0.99992;  // the cosine of 0.7 degrees
 constexpr double flat_enough = 0.02;       // of the area: what is not in the direction of a floor
+constexpr double near_axis = 0.98;         // the cosine of 11 degrees
+constexpr double steep = 0.6;              // the sine of an edge's slope
 constexpr double few_planes = 0.3;         // of the area: less than this in common directions is a hill
 
 // The frame of two directions.
@@ -29,7 +32,44 @@ void add_turn(std::vector<Eigen::Matrix3d>& turns, const Eigen::Matrix3d& turn) 
     turns.push_back(turn);
 }
 
-// The directions of edges across `normal`, either way, the ones of most length first.
+// The mean of a hill's normals; the axis that it is near.
+template <class Faces>
+Vec3 mean_normal(const Faces& faces) {
+    Vec3 sum = Vec3::Zero();
+    for (const auto& face : faces)
+        sum += face.area * face.normal;
+    const Vec3 mean = unit_or_zero(sum.normalized());
+    const Vec3 axis = mean.array().round();
+    return axis.dot(mean) > near_axis ? axis : mean;
+}
+
+// The direction across `normal` along which the points' box is smallest: that of a rectangle's side.
+Vec3 side_of_rectangle(const std::vector<Vec3>& points, const Vec3& normal) {
+    constexpr int steps = 180;  // of a right angle
+    const Vec3 x = normal.unitOrthogonal(), y = normal.cross(x);
+    Vec3 best = x;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < steps; ++i) {
+        // Along the side of a square, which is as good as a circle.
+        const double t = 2.0 * i / steps - 1.0;
+        const Vec3 along = (x + t * y).normalized(), across = normal.cross(along);
+        double ends[4] = {1e300, -1e300, 1e300, -1e300};
+        for (const Vec3& point : points) {
+            const double u = along.dot(point), v = across.dot(point);
+            ends[0] = std::min(ends[0], u);
+            ends[1] = std::max(ends[1], u);
+            ends[2] = std::min(ends[2], v);
+            ends[3] = std::max(ends[3], v);
+        }
+        const double area = (ends[1] - ends[0]) * (ends[3] - ends[2]);
+        if (area >= smallest) continue;
+        smallest = area;
+        best = along;
+    }
+    return best;
+}
+
+// The directions of edges as they are seen along `normal`, either way, the ones of most length first.
 std::vector<Vec3> edge_directions(const std::vector<Vec3>& edges, const Vec3& normal, std::size_t most) {
     struct Bundle {
         Vec3 along;
@@ -37,7 +77,8 @@ std::vector<Vec3> edge_directions(const std::vector<Vec3>& edges, const Vec3& no
     };
     std::vector<Vec3> sorted;
     for (const Vec3& edge : edges)
-        if (std::abs(edge.dot(normal)) < 0.01 * edge.norm()) sorted.push_back(edge);
+        if (std::abs(edge.dot(normal)) < steep * edge.norm())
+            sorted.push_back(edge - normal.dot(edge) * normal);
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const Vec3& a, const Vec3& b) { return a.squaredNorm() > b.squaredNorm(); });
     std::vector<Bundle> bundles;
@@ -78,6 +119,7 @@ void AreaFit::find_directions(Side& side) {
     }
     std::stable_sort(side.directions.begin(), side.directions.end(),
                      [](const Direction& a, const Direction& b) { return a.area > b.area; });
+    side.kinds = side.directions.size();
     if (side.directions.size() > max_directions) side.directions.resize(max_directions);
 }
 
@@ -90,8 +132,18 @@ std::vector<Eigen::Matrix3d> AreaFit::turns() const {
         if (std::abs(direction.normal.dot(old_.directions[0].normal)) < one_direction)
             other += direction.area;
     }
-    if (common < few_planes * all) return {};
-    return other < flat_enough * all ? turns_of_edges() : turns_of_pairs();
+    const bool hill =
+        common < few_planes * all || (old_.kinds > max_directions && 2 * old_.kinds > old_.faces.size());
+    if (hill) return turns_of_edges(mean_normal(old_.faces), mean_normal(new_.faces));
+    if (other >= flat_enough * all) return turns_of_pairs();
+    std::vector<Eigen::Matrix3d> turns;
+    for (std::size_t i = 0; i < new_.directions.size() && i < flat_sides; ++i) {
+        const Direction& side = new_.directions[i];
+        if (side.area < 0.2 * new_.directions[0].area) break;
+        for (const Eigen::Matrix3d& turn : turns_of_edges(old_.directions[0].normal, side.normal))
+            add_turn(turns, turn);
+    }
+    return turns;
 }
 
 // How much painted area is in directions in which the mesh has faces of its material.
@@ -141,19 +193,22 @@ std::vector<Eigen::Matrix3d> AreaFit::turns_of_pairs() const {
     return best;
 }
 
-// Of faces in one direction: by the edges, too.
-std::vector<Eigen::Matrix3d> AreaFit::turns_of_edges() const {
-    constexpr std::size_t sides = 4, old_edges = 2, new_edges = 10;
+// Of a floor or a hill, which looks in one direction: by its edges, too.
+std::vector<Eigen::Matrix3d> AreaFit::turns_of_edges(const Vec3& old_normal, const Vec3& new_normal) const {
+    constexpr std::size_t old_edges = 2, new_edges = 10;
     std::vector<Eigen::Matrix3d> turns;
-    const Vec3& normal = old_.directions[0].normal;
-    for (std::size_t i = 0; i < new_.directions.size() && i < sides; ++i) {
-        const Direction& side = new_.directions[i];
-        if (side.area < 0.2 * new_.directions[0].area) break;
-        for (const Vec3& from : edge_directions(old_.edges, normal, old_edges))
-            for (const Vec3& to : edge_directions(new_.edges, side.normal, new_edges))
-                for (const double sign : {1.0, -1.0})
-                    add_turn(turns, frame(side.normal, sign * to) * frame(normal, from).transpose());
-    }
+    if (old_normal.isZero() || new_normal.isZero()) return turns;
+    const auto add = [&](const Vec3& from, const Vec3& to) {
+        for (const double sign : {1.0, -1.0})
+            add_turn(turns, frame(new_normal, sign * to) * frame(old_normal, from).transpose());
+    };
+    for (const Vec3& from : edge_directions(old_.edges, old_normal, old_edges))
+        for (const Vec3& to : edge_directions(new_.edges, new_normal, new_edges))
+            add(from, to);
+    const Vec3 from = side_of_rectangle(old_.corners, old_normal),
+               to = side_of_rectangle(new_.corners, new_normal);
+    add(from, to);
+    add(from, new_normal.cross(to));
     return turns;
 }
 
@@ -288,7 +343,8 @@ std::vector<Vec3> AreaFit::offsets_of_corners(const Eigen::Matrix3d& turn) const
                 ++votes[index(at.x() + (k & 1), at.y() + (k >> 1 & 1), at.z() + (k >> 2))];
         }
     }
-    std::vector<Vec3> offsets;
+    // The middle, too: the turn may be known too little for corners to meet.
+    std::vector<Vec3> offsets{turn * (-0.5 * (low + high))};
     for (std::size_t peak = 0; peak < peaks; ++peak) {
         const auto best = std::max_element(votes.begin(), votes.end());
         if (*best < 3) break;

@@ -19,7 +19,15 @@ struct Sheet {
     Vec3 origin, right, up;
     std::vector<Face> tiles;  // materials and types only; row by row
 
-    Vec3 at(double column, double row) const { return origin + column * right + row * up; }
+    std::vector<double> heights;  // of a hill, of each corner, row by row; else none
+
+    Vec3 at(double column, double row) const {
+        const Vec3 flat = origin + column * right + row * up;
+        if (heights.empty()) return flat;
+        const auto corner = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns + 1) +
+                            static_cast<std::size_t>(column);
+        return flat + Vec3(0, heights[corner], 0);
+    }
     Face face(double left, double low, double right_end, double high) const {
         Face face;
         for (const auto& [column, row] :
@@ -32,7 +40,7 @@ struct Sheet {
 // Patches of three by three tiles have one material and one type.
 Sheet random_sheet(Random& random, const Vec3& origin, const Vec3& right, const Vec3& up) {
     Sheet sheet{
-        9 + static_cast<int>(random() % 6), 7 + static_cast<int>(random() % 6), origin, right, up, {}};
+        9 + static_cast<int>(random() % 6), 7 + static_cast<int>(random() % 6), origin, right, up, {}, {}};
     std::map<std::pair<int, int>, Face> patches;
     for (int row = 0; row < sheet.rows; ++row) {
         for (int column = 0; column < sheet.columns; ++column) {
@@ -57,18 +65,18 @@ void add_tiles(const Sheet& sheet, Faces& faces) {
     }
 }
 
-// The sheet cut into rectangles of up to nine tiles, its rim drawn in by less than a fifth of a tile. Each
-// has the material of its middle tile and is painted with the type of most of its area; -2: none has clearly
-// most.
-void add_merged(const Sheet& sheet, Random& random, Faces& faces) {
+// The sheet cut into rectangles of up to `most` by `most` tiles, a flat one's rim drawn in by less than a
+// fifth of a tile. Each has the material of its middle tile and is painted with the type of most of its area;
+// -2: none has clearly most.
+void add_merged(const Sheet& sheet, Random& random, Faces& faces, unsigned most = 3) {
     const auto inside = [&](int position, int end) {
-        const double rim = between(random, 0.05, 0.2);
+        const double rim = sheet.heights.empty() ? between(random, 0.05, 0.2) : 0.0;
         return position == 0 ? rim : position == end ? end - rim : position;
     };
     for (int low = 0, high = 0; low < sheet.rows; low = high) {
-        high = std::min(sheet.rows, low + 1 + static_cast<int>(random() % 3));
+        high = std::min(sheet.rows, low + 1 + static_cast<int>(random() % most));
         for (int left = 0, end = 0; left < sheet.columns; left = end) {
-            end = std::min(sheet.columns, left + 1 + static_cast<int>(random() % 3));
+            end = std::min(sheet.columns, left + 1 + static_cast<int>(random() % most));
             Face face = sheet.face(inside(left, sheet.columns), inside(low, sheet.rows),
                                    inside(end, sheet.columns), inside(high, sheet.rows));
             std::map<int, int> count;
@@ -154,6 +162,50 @@ TEST(Area, AMergedLevelThatTurnedAsAWholeIsFound) {
     EXPECT_GT(count.clear, 2000u);
     EXPECT_GT(static_cast<double>(count.right), 0.95 * static_cast<double>(count.clear));
     EXPECT_LE(100 * count.wrong, count.clear);
+}
+
+TEST(Area, AMergedHillThatTurnedIsFound) {
+    Count count;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        Random random(seed);
+        const double tile = between(random, 0.5, 3);
+        Sheet hill = random_sheet(random, Vec3(3, 0.2, 5), Vec3(tile, 0, 0), Vec3(0, 0, -tile));
+        for (int i = 0; i < (hill.columns + 1) * (hill.rows + 1); ++i)
+            hill.heights.push_back(between(random, 0, 0.4 * tile));
+        for (Face& patch : hill.tiles)
+            patch.material = "grass";
+        Faces before, after;
+        add_tiles(hill, before);
+        add_merged(hill, random, after, 2);
+        after = moved(after, random_turn(random, Vec3::UnitY()));
+        count.add(after, rematch(before, after));
+    }
+    EXPECT_GT(count.clear, 1000u);
+    EXPECT_GT(static_cast<double>(count.right), 0.8 * static_cast<double>(count.clear));
+    EXPECT_LE(50 * count.wrong, count.clear);
+}
+
+// Remeshing gives a part many faces of one material, whatever it was made of. Another part keeps its
+// materials.
+TEST(Area, ARemeshedFloorKeepsItsTypesThoughNotItsMaterials) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        Random random(seed);
+        Faces before, after;
+        const Sheet floor = random_sheet(random, Vec3(3, 0.2, 5), Vec3(1, 0, 0), Vec3(0, 0, -1));
+        const Sheet other = random_sheet(random, Vec3(40, 1, 5), Vec3(1, 0, 0), Vec3(0, 0, -1));
+        add_tiles(floor, before);
+        add_tiles(other, before);
+        for (int row = 0; row < 2 * floor.rows; ++row) {
+            for (int column = 0; column < 2 * floor.columns; ++column) {
+                Face face = floor.face(0.5 * column, 0.5 * row, 0.5 * (column + 1), 0.5 * (row + 1));
+                face.painted =
+                    floor.tiles[static_cast<std::size_t>(row / 2 * floor.columns + column / 2)].painted;
+                after.push_back(face);
+            }
+        }
+        add_tiles(other, after);
+        EXPECT_TRUE(wrong_faces(after, rematch(before, after)).empty()) << seed;
+    }
 }
 
 // A square floor of one material and without a rim that says more looks the same after each quarter turn.
