@@ -307,7 +307,7 @@ std::vector<Vec3> AreaFit::offsets_of_planes(const Eigen::Matrix3d& turn, const 
 // parts.
 std::vector<Vec3> AreaFit::offsets_of_corners(const Eigen::Matrix3d& turn) const {
     constexpr std::size_t peaks = 4;
-    constexpr double most_cells = 30'000.0;
+    constexpr double max_cells = 30'000.0;
     // Everything here is turned back: a step takes a corner of the mesh to where it was.
     std::vector<Vec3> back;
     for (const Vec3& corner : new_.corners)
@@ -326,7 +326,7 @@ std::vector<Vec3> AreaFit::offsets_of_corners(const Eigen::Matrix3d& turn) const
     if (!(low.array() < high.array()).all()) return {};
     double cell = slack_;
     const auto cells = [&] { return ((high - low) / cell).array().ceil() + 2.0; };
-    while (cells().prod() > most_cells)
+    while (cells().prod() > max_cells)
         cell *= 1.2;
     const Eigen::Vector3i count = cells().cast<int>();
     std::vector<std::uint32_t> votes(static_cast<std::size_t>(count.prod()), 0);
