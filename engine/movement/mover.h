@@ -62,6 +62,9 @@ NearPlatforms platforms_near(const MovementScene& scene, const Vec3& radii, cons
 // Half-extents of the region that is cached for a step of that length, m. Queries beyond it are slower.
 Vec3 reach_of_step(const MovementSettings& settings, double length);
 
+// Sweeps of one pass of collide and slide, at most, whatever the settings say.
+inline constexpr int slide_capacity = 8;
+
 // What can be touched around a position. It refers to the scene.
 struct Surroundings {
     Neighbourhood near;  // of what stands still
@@ -94,7 +97,20 @@ struct Scratch {
     bool end_is_free = false;  // by the last check: but for one-sided faces
 };
 
-struct Mover : Given, Motion, Scratch {
+// What a pass of collide and slide met.
+struct Met {
+    Vec3 point;              // touched, world space
+    Vec3 normal;             // of the contact
+    TriangleId triangle;     // touched, in its world
+    std::uint32_t platform;  // that the triangle belongs to, or no_id
+    bool walkable;           // flat enough to stand on
+};
+struct LatestPass {
+    std::array<Met, slide_capacity> met;  // in order
+    int met_count = 0;
+};
+
+struct Mover : Given, Motion, Scratch, LatestPass {
     Mover(const Given& given, const Surroundings& surroundings)
         : Given(given), Scratch{.around = surroundings} {
         position = given.state.position;
@@ -173,6 +189,7 @@ struct Refusal {
 // Queries of the whole scene: what stands still, and every platform but the ignored one.
 struct SceneContact {
     Contact contact;
+    TriangleId triangle = no_id;  // touched, in its world
     std::uint32_t platform = no_id;
     double depth = 0.0;  // metres behind the contact plane already, where the seam filter replaced it
     bool back = false;   // the middle of a triangle was touched from behind; known only while tracing
@@ -196,6 +213,7 @@ struct Swept {
     Vec3 reached = Vec3::Zero();
     double used = 1.0;                              // fraction of the move that was made
     std::optional<Contact> contact = std::nullopt;  // t is a fraction of the move
+    TriangleId triangle = no_id;                    // touched, in its world
     std::uint32_t platform = no_id;                 // that the contact's face belongs to
 };
 Swept sweep_with_skin(Mover& mover, Pass pass, int iteration, const Vec3& move);
@@ -219,9 +237,8 @@ std::optional<Deflection> go_straight_ahead(Mover& mover, const Hit& hit);
 
 // Holds the earlier planes of a pass against the latest deflection.
 struct Corner {
-    static constexpr int capacity = 8;
-    std::array<Vec3, capacity> planes;
-    std::array<bool, capacity> constrains_velocity;
+    std::array<Vec3, slide_capacity> planes;
+    std::array<bool, slide_capacity> constrains_velocity;
     int count = 0;
 };
 void respect_corner(const Corner& corner, const Vec3& remainder, const Vec3& velocity,
