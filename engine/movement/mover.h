@@ -85,6 +85,7 @@ struct Surroundings {
 // Scratch: what the phases leave for one another. It is gone when the part ends.
 struct Scratch {
     const Surroundings& around;
+    const SurfaceType& stood_on;          // before
     Vec3 velocity_before = Vec3::Zero();  // at the start of the part: what a bounce gives back lies between
     bool was_grounded = false;            // before, and does not jump now
     bool jumped = false;
@@ -110,9 +111,11 @@ struct LatestPass {
     int met_count = 0;
 };
 
+const SurfaceType& type_stood_on(const Given& given);  // before
+
 struct Mover : Given, Motion, Scratch, LatestPass {
     Mover(const Given& given, const Surroundings& surroundings)
-        : Given(given), Scratch{.around = surroundings} {
+        : Given(given), Scratch{.around = surroundings, .stood_on = type_stood_on(given)} {
         position = given.state.position;
         jumping = given.state.jumping;
         trapped = given.state.trapped;
@@ -156,8 +159,10 @@ Vec3 slide_along(const Vec3& v, const Vec3& normal);
 double slope_cosine(double angle);
 
 // Surfaces. `default` for unknown ids and when surface types are switched off.
-const SurfaceType& surface_of(const Mover& mover, SurfaceId surface);
-const SurfaceType& support_of(const Mover& mover);                      // what the player stood on before
+const SurfaceType& surface_of(const Given& given, SurfaceId surface);
+inline const SurfaceType& support_of(const Mover& mover) {  // what the player stood on before
+    return mover.stood_on;
+}
 Support support_before(const Mover& mover);                             // the same as faces and normals
 double walkable_limit(const Mover& mover, const SurfaceType& surface);  // least N.y that can be stood on
 inline bool is_walkable(const Mover& mover, const Vec3& normal, const SurfaceType& surface) {
@@ -200,7 +205,7 @@ std::size_t overlaps_in_scene(const Mover& mover, const Vec3& centre, std::span<
 bool overlaps_scene(const Mover& mover, const Vec3& centre);
 bool is_free(const Mover& mover, const Vec3& centre);  // of one-sided faces, too
 std::optional<RayHit> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& move);
-const CollisionWorld& world_of(const Mover& mover, std::uint32_t platform);
+const CollisionWorld& world_of(const Given& given, std::uint32_t platform);
 // Replaces the normal of a touch of an edge that is inside a flat or concave surface by the face's. Returns
 // how deep the ellipsoid at `centre` is behind that face's plane, metres; 0 where nothing was replaced.
 double filter_seam(const Mover& mover, const Vec3& centre, std::uint32_t platform, Contact& contact);
@@ -273,7 +278,7 @@ void climb(Mover& mover);
 // 6. The feet are lifted to the terrain. False if there is no room above it.
 bool clamp_to_terrain(Mover& mover, const Vec3& from);
 // 7. A position inside geometry is not accepted: the player stays at `safe` and stops.
-PlayerState accept(Mover& mover, const Motion& safe, bool room_above_terrain);
+PlayerState accept(Mover& mover, const Vec3& safe, bool room_above_terrain);
 
 // Parts of a walk.
 // Returns how much more the ground could have changed the velocity, m/s; 0 where all of it was used, and in

@@ -63,9 +63,9 @@ NearPlatforms platforms_near(const MovementScene& scene, const Vec3& radii, cons
     return near;
 }
 
-const CollisionWorld& world_of(const Mover& mover, std::uint32_t platform) {
-    return platform < mover.scene.platforms.size() ? *mover.scene.platforms[platform].collision
-                                                   : mover.scene.collision;
+const CollisionWorld& world_of(const Given& given, std::uint32_t platform) {
+    return platform < given.scene.platforms.size() ? *given.scene.platforms[platform].collision
+                                                   : given.scene.collision;
 }
 
 std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Vec3& move) {
