@@ -50,21 +50,45 @@ std::optional<Refusal> lift_move_drop(Mover& mover, const Motion& before, const 
                  .on_ice = true});
 }
 
-// True if a body that is lifted by up to `height` is stopped at this contact no later than the plain move
-// was: the touched point, lifted as far, still lies in the touched triangle. So the triangle is a vertical
-// wall; one that leans away as rounding of its corners does lets the lifted body less than `negligible`
-// metres further.
-bool goes_on_above(const Mover& mover, const Met& met, double height, double negligible) {
-    if (met.walkable || !(std::abs(met.normal.y()) * height < negligible)) return false;
-    const std::array<Vec3, 3> corners = world_of(mover, met.platform).triangle(met.triangle);
+// How far up the triangle goes on from `point`, which lies in its plane; metres. 0 if it is no vertical wall,
+// but for a lean by less than `lean`, or is not there.
+double goes_up(const std::array<Vec3, 3>& corners, const Vec3& point, double lean, double negligible) {
     const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-    if (!(std::abs(normal.y()) * height < negligible * normal.norm())) return false;
-    const Vec3 lifted = met.point + Vec3(0.0, height, 0.0);
+    const double length = normal.norm();
+    if (!(std::abs(normal.y()) < lean * length)) return 0.0;
+    if (!(std::abs(normal.dot(corners[0] - point)) < negligible * length)) return 0.0;
+    const Vec3 along(normal.z(), 0.0, -normal.x());
+    double low = negligible, high = 0.0;
+    const auto reach = [&](double y) {
+        low = std::min(low, y);
+        high = std::max(high, y);
+    };
     for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3 edge = corners[(k + 1) % 3] - corners[k];
-        if (!(edge.cross(lifted - corners[k]).dot(normal) >= 0.0)) return false;
+        const Vec3 from = corners[k] - point, to = corners[(k + 1) % 3] - point;
+        const double left = along.dot(from), right = along.dot(to);
+        if (left == 0.0) reach(from.y());
+        if (left * right < 0.0) reach(from.y() + (to.y() - from.y()) * (left / (left - right)));
     }
-    return true;
+    return low < negligible ? high : 0.0;
+}
+
+// True if a body that is lifted by up to `height` is stopped at this contact no later than the plain move
+// was: the touched point, lifted as far, still lies in the touched triangle, or in its neighbour of the same
+// polygon. So they are a vertical wall; one that leans away as rounding of its corners does lets the lifted
+// body less than `negligible` metres further.
+bool goes_on_above(const Mover& mover, const Met& met, double height, double negligible) {
+    const double lean = negligible / height;
+    if (met.walkable || !(std::abs(met.normal.y()) < lean)) return false;
+    const CollisionWorld& world = world_of(mover, met.platform);
+    const auto type = [&](TriangleId triangle) { return world.face_surface(world.triangle_face(triangle)); };
+    Vec3 top = met.point;
+    // The triangles of a polygon have consecutive numbers.
+    for (const TriangleId id : {met.triangle, met.triangle + 1, met.triangle - 1}) {
+        if (id >= world.triangle_count() || (id != met.triangle && type(id) != type(met.triangle))) continue;
+        top.y() += goes_up(world.triangle(id), top, lean, negligible);
+        if (top.y() >= met.point.y() + height) return true;
+    }
+    return false;
 }
 
 // The displacement that a slow or oblique move lacks to get two skins into the walls that stopped it. A
