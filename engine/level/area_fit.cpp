@@ -88,6 +88,7 @@ void AreaFit::collect_old(std::span<const std::size_t> parts) {
     face_size_ = extents[extents.size() / 2];
     slack_ = 0.05 * face_size_ + 4.0 * position_tolerance(box_.max);
     old_.corners.insert(old_.corners.begin(), exact_.begin(), exact_.end());
+    thin_out(old_.corners, max_edges);
     remove_near(old_.corners, slack_);
     thin_out(old_.corners, max_old_corners);
     thin_out(old_.edges, max_edges);
@@ -129,6 +130,7 @@ std::vector<AreaFit::Sample> AreaFit::samples_of(std::span<const std::size_t> pa
         for (const std::uint32_t i : painted_[part])
             all += stored_[i].key.area;
     std::vector<Sample> samples;
+    if (!(all > 0.0 && std::isfinite(all))) return samples;
     const double step = 5.0 * all / static_cast<double>(most);
     double next = 0.5 * step, sum = 0.0;
     for (const std::size_t part : parts) {
@@ -268,6 +270,7 @@ PartMotion AreaFit::refined(std::span<const Sample> samples, PartMotion motion) 
         turn.col(0).normalize();
         turn.col(1) = (turn.col(1) - turn.col(0).dot(turn.col(1)) * turn.col(0)).normalized();
         turn.col(2) = turn.col(0).cross(turn.col(1));
+        if (!turn.allFinite()) break;
         motion.linear = turn * motion.linear;
         motion.offset = centre + step.tail<3>() - motion.linear * middle;
     }
@@ -295,7 +298,10 @@ std::vector<AreaMotion> AreaFit::motions(std::span<const std::size_t> parts, std
     const std::vector<Sample> few = samples_of(parts, few_samples), many = samples_of(parts, many_samples);
     const auto better = [](const AreaMotion& a, const AreaMotion& b) { return a.covered > b.covered; };
     std::vector<AreaMotion> rough;
+    const std::size_t pairs = old_.corners.size() * new_.corners.size();
+    work_ += 50 * (old_.faces.size() + new_.faces.size() + old_.edges.size() + new_.edges.size());
     for (const Eigen::Matrix3d& turn : turns()) {
+        work_ += 4 * pairs;
         for (const Vec3& offset : offsets(turn)) {
             if (!may_search()) return found;
             PartMotion motion;
@@ -312,6 +318,7 @@ std::vector<AreaMotion> AreaFit::motions(std::span<const std::size_t> parts, std
     }
     for (const AreaMotion& candidate : rough) {
         if (!may_search()) break;
+        work_ += 10 * pairs;
         const PartMotion motion = refined(many, candidate.motion);
         found.push_back({motion, covered(many, motion, 0.0), corners_met(motion)});
     }

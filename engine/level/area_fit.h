@@ -31,9 +31,11 @@ class AreaFit {
     double covered(std::span<const std::size_t> parts, const PartMotion& motion);
 
     // True if any more work is allowed.
-    bool may_search() const { return lookup_.visits < max_visits / 2; }
+    bool may_search() const { return lookup_.visits < max_visits / 2 && work_ < max_work; }
 
   private:
+    static constexpr std::size_t max_work = 3'000'000'000;  // corners compared, about
+
     struct Face {
         Vec3 centroid, normal;
         double area = 0.0;
@@ -97,6 +99,7 @@ class AreaFit {
     Side old_, new_;
     std::vector<Vec3> exact_;  // some of the parts' corners
     Aabb box_;                 // of the parts
+    std::size_t work_ = 0;
     double face_size_ = 0.0;
     double slack_ = 0.0;  // units: how far a corner is from where it was, up to rounding
 };

@@ -10,7 +10,7 @@ namespace slipface {
 namespace {
 
 constexpr std::size_t max_directions = 24, max_turns = 32, max_planes = 60, flat_sides = 4;
-constexpr std::size_t max_faces = 20'000;  // the largest, of which directions are made
+constexpr std::size_t max_faces = 5'000;   // the largest, of which directions are made
 constexpr double one_direction = 0.99992;  // the cosine of 0.7 degrees
 constexpr double flat_enough = 0.02;       // of the area: what is not in the direction of a floor
 constexpr double near_axis = 0.98;         // the cosine of 11 degrees
@@ -323,7 +323,7 @@ std::vector<Vec3> AreaFit::offsets_of_corners(const Eigen::Matrix3d& turn) const
         low[axis] = box_.min[axis] - along[outside] - room[axis];
         high[axis] = box_.max[axis] - along[along.size() - 1 - outside] + room[axis];
     }
-    if (!(low.array() < high.array()).all()) return {};
+    if (!(low.array() < high.array()).all() || !(high - low).allFinite()) return {};
     double cell = slack_;
     const auto cells = [&] { return ((high - low) / cell).array().ceil() + 2.0; };
     while (cells().prod() > max_cells)

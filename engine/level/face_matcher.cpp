@@ -138,12 +138,12 @@ std::vector<FaceId> FaceMatcher::faces_in(std::size_t i, const Aabb& box, bool a
     return faces;
 }
 
-std::vector<FaceId> FaceMatcher::faces_around(std::size_t i, double reach, bool any_material) {
+std::vector<FaceId> FaceMatcher::faces_around(std::size_t i, double reach) {
     const Vec3& centroid = key(i).centroid;
     Aabb box;
     box.add(centroid - Vec3::Constant(reach));
     box.add(centroid + Vec3::Constant(reach));
-    return faces_in(i, box, any_material);
+    return faces_in(i, box);
 }
 
 void FaceMatcher::collect() {

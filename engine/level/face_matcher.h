@@ -48,7 +48,7 @@ class FaceMatcher {
     bool is_free(FaceId face) const { return claims_[face] == MatchStage::none; }
     void claim(FaceId face, std::size_t i, MatchStage stage);
     std::vector<FaceId> faces_in(std::size_t i, const Aabb& box, bool any_material = false);
-    std::vector<FaceId> faces_around(std::size_t i, double reach, bool any_material = false);
+    std::vector<FaceId> faces_around(std::size_t i, double reach);
     template <class Match>
     void run_stage(MatchStage stage, Match match);
     void move();

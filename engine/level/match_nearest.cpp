@@ -29,12 +29,17 @@ bool FaceMatcher::match_extruded(std::size_t i) {
     const double exact = 1e-3 * std::sqrt(key.area) + position_tolerance(key.centroid);
     FaceId best = no_id;
     double best_distance = max_extrusion * extent;
-    for (const FaceId face : faces_around(i, best_distance, true)) {
+    Aabb box;
+    for (const double side : {best_distance, -best_distance}) {
+        box.add(key.centroid + side * normal - Vec3::Constant(exact));
+        box.add(key.centroid + side * normal + Vec3::Constant(exact));
+    }
+    for (const FaceId face : faces_in(i, box, true)) {
         const FaceKey& candidate = index_.key(face);
         if (!(candidate.normal.dot(normal) > 0.9995)) continue;
         const Vec3 offset = candidate.centroid - key.centroid;
         const double along = std::abs(normal.dot(offset));
-        if (std::abs(along) <= exact) {
+        if (along <= exact) {
             if (index_.covers(face, key.centroid, normal)) return false;
             continue;
         }
