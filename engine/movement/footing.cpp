@@ -53,6 +53,11 @@ bool climbs_by_steps(const Mover& mover, const Vec3& from, const Vec3& to, doubl
     return true;
 }
 
+// The last sample between `from` and `to`, at the height of `from`.
+Vec3 last_sample(const Vec3& from, const Vec3& to) {
+    return from + horizontal(to - from) * (static_cast<double>(samples - 1) / samples);
+}
+
 // True if no sample between `from` and `to` finds ground as high as `height`.
 bool is_lower(const Mover& mover, const Vec3& from, const Vec3& to, double height) {
     if (!mover.scene.platforms.empty() || mover.scene.heightfield != nullptr) return false;
@@ -97,6 +102,11 @@ bool on_rim(Mover& mover, const Contact& contact) {
     const std::optional<double> below = ground_below(mover, centre, above + samples * step);
     if (!below) return say(Decision::step_rim_no_ground, Decision::snap_rim_no_ground, samples * step);
     double height = *below;
+    // Mostly nothing leads up to it. Why not is for a trace.
+    if (const double needed = contact.point.y() - step;
+        mover.trace == nullptr && height < needed &&
+        is_lower(mover, centre, last_sample(centre, contact.point), needed))
+        return false;
     if (contact.point.y() - height > step && !climbs_by_steps(mover, centre, contact.point, step, height))
         return say(Decision::step_rim_no_steps, Decision::snap_rim_no_steps, contact.point.y() - *below);
     const double rise = contact.point.y() - height;
@@ -114,8 +124,7 @@ bool no_higher_than_steps(const Mover& mover, const Motion& begin, const Contact
     from.y() = std::max(from.y(), mover.position.y());
     // Mostly nothing leads up, and that is known without looking at every sample.
     const Vec3 lifted(mover.position.x(), from.y(), mover.position.z());
-    const Vec3 last =
-        lifted + horizontal(contact.point - lifted) * (static_cast<double>(samples - 1) / samples);
+    const Vec3 last = last_sample(lifted, contact.point);
     const double needed = contact.point.y() - step;
     if (is_lower(mover, from, lifted, needed) && is_lower(mover, lifted, last, needed)) return false;
     for (const Vec3& to : {mover.position, contact.point}) {

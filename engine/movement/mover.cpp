@@ -29,7 +29,7 @@ double slope_cosine(double angle) {
     // Taylor series to x^22: the first term left out is below 2e-18 at pi/2.
     const double square = angle * angle;
     double sum = 1.0;
-    constexpr std::array<double, 11> factors{
+    static constexpr std::array<double, 11> factors{
         1.0 / (22 * 21), 1.0 / (20 * 19), 1.0 / (18 * 17), 1.0 / (16 * 15), 1.0 / (14 * 13), 1.0 / (12 * 11),
         1.0 / (10 * 9),  1.0 / (8 * 7),   1.0 / (6 * 5),   1.0 / (4 * 3),   1.0 / (2 * 1)};
     for (const double factor : factors)

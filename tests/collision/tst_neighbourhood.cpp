@@ -63,6 +63,7 @@ TEST_F(Neighbourhoods, TellAsMuchAtTheirEndsAsTheirWorld) {
             const Neighbourhood near(world, radii, centre, reach);
             stayed += near.holds(radii, from, end - from);
             EXPECT_EQ(overlaps_any(near, radii, end), overlap) << path;
+            EXPECT_EQ(overlaps_any(Neighbourhood(world, radii, end, reach), radii, end), overlap) << path;
             EXPECT_TRUE(same(sweep_ellipsoid(near, radii, from, end - from), contact)) << path;
         }
     }

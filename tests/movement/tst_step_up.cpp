@@ -72,6 +72,8 @@ TEST(StepUp, WhatIsSparedWouldHaveLedNoFurther) {
                 TraceRecorder trace;
                 const StepResult every = step(strips.scene(), s, state, input, dt, &trace);
                 const StepResult result = step(whole.scene(), s, state, input, dt);
+                TraceRecorder reasons;
+                ASSERT_TRUE(step(whole.scene(), s, state, input, dt, &reasons).state == result.state);
                 spared += result.sweeps < every.sweeps ? 1 : 0;
                 climbed += has_decision(trace, "step_up", true, "Stepped up") ? 1 : 0;
                 if ((result.state.position - every.state.position).norm() > 1e-6) {

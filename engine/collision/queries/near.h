@@ -27,6 +27,14 @@ inline bool covers(const NearTriangles& near, const Vec3& point) {
     return true;
 }
 
+// True for the body that the neighbourhood was built for, where it was then.
+inline bool is_built_for(const NearTriangles& near, const Vec3& radii, const Vec3& centre) {
+    const auto same = [](const Vec3& v, const double(&of)[4]) {
+        return v.x() == of[0] && v.y() == of[1] && v.z() == of[2];
+    };
+    return near.reach[0] >= 0.0 && same(centre, near.centre) && same(radii, near.radii);
+}
+
 // The triangles that a query may touch, earliest possible touch first.
 class NearCandidates {
   public:

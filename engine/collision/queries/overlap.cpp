@@ -117,6 +117,7 @@ std::size_t find_overlaps(const Neighbourhood& near, const Vec3& radii, const Ve
 }
 
 bool overlaps_any(const Neighbourhood& near, const Vec3& radii, const Vec3& centre) {
+    if (near.triangles().clear > 0.0F && is_built_for(near.triangles(), radii, centre)) return false;
     NearCandidates candidates(near, radii, centre);
     if (candidates.lead_out()) return overlaps_any(near.world(), radii, centre);
     for (; const NearCandidate* next = candidates.take();) {
