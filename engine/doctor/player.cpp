@@ -322,16 +322,11 @@ std::size_t find_limit_steps(const Patient& patient, Problems& out) {
         steps[i].passage = climb_between(here, steps[i].below, steps[i].above);
         return !here.is_spent();
     });
-<<<<<<< HEAD
-    const std::size_t untried = steps.size() - tried;
     const MovementSettings& settings = patient.level.movement;
     // At a step that the settings allow, something else is in the way, such as a rail that stands on it.
     std::erase_if(steps, [&](const Step& step) {
         return step.passage != Passage::catches || (settings.step_up && step.height <= settings.step_height);
     });
-=======
-    std::erase_if(steps, [](const Step& step) { return step.passage != Passage::catches; });
->>>>>>> 38c3993939ff01195be1924c219eaf0e1e6bde7d
     // The steps of a flight are one problem: of one group and height.
     const auto flight_of = [&](const Step& step) {
         return std::pair(patient.mesh.face_group[step.face], std::llround(step.height * 1000.0));

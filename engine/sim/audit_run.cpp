@@ -7,6 +7,7 @@
 #include "audit_checks.h"
 #include "slipface/base/hash.h"
 #include "slipface/movement/first_contact.h"
+#include "step_attempts.h"
 
 namespace slipface {
 namespace {
@@ -34,20 +35,43 @@ class HeatSink final : public TraceSink {
         if (const double length = wish_.norm(); length > 0.0) wish_ /= length;
     }
     void add(const TraceRecord& record) override {
+        switch (std::visit([&](const auto& one) { return attempts_.note(one); }, record)) {
+            case StepAttempts::Seen::begins: before_step_ = touched_now_.size(); break;
+            case StepAttempts::Seen::acted:
+                for (std::size_t i = 0; i < before_step_; ++i)
+                    touched_now_[i].lost_us = 0;
+                break;
+            case StepAttempts::Seen::refused: touched_now_.resize(before_step_); break;
+            case StepAttempts::Seen::nothing: break;
+        }
         const auto* response = std::get_if<ResponseRecord>(&record);
         if (!response || response->face >= heat_.size()) return;
-        FaceHeat& heat = heat_[response->face];
-        if (touched_.arrives(response->face, tick_, gap_)) ++heat.visits;
+        touched_now_.push_back({response->face, 0});
         if (!(wished_speed_ > 0.0)) return;
         // Only what was wished counts: the floor takes the fall of every tick and costs nothing.
         const double lost =
             (response->remainder_before - response->remainder_after).dot(wish_) / wished_speed_;
-        if (lost > 0.0) heat.lost_us += static_cast<std::uint64_t>(1e6 * std::min(lost, dt_));
+        if (lost > 0.0) touched_now_.back().lost_us = static_cast<std::uint64_t>(1e6 * std::min(lost, dt_));
+    }
+    // After the tick.
+    void finish() {
+        for (const Touched& one : touched_now_) {
+            FaceHeat& heat = heat_[one.face];
+            if (touched_.arrives(one.face, tick_, gap_)) ++heat.visits;
+            heat.lost_us += one.lost_us;
+        }
     }
 
   private:
+    struct Touched {
+        FaceId face;
+        std::uint64_t lost_us;
+    };
     std::vector<FaceHeat>& heat_;
     RecentFaces& touched_;
+    std::vector<Touched> touched_now_;
+    StepAttempts attempts_;
+    std::size_t before_step_ = 0;
     std::uint64_t tick_, gap_;
     Vec3 wish_;
     double wished_speed_, dt_;
@@ -269,6 +293,7 @@ bool AuditRun::tick(const AuditTick& now, std::vector<FaceHeat>* heat) {
     const TickResult result =
         play_tick(scene, settings_, before, input, options.dt, *start_, sink ? &*sink : nullptr);
     if (result.crowded) spend_effort(scene, before);
+    if (sink) sink->finish();
     state_ = result.state;
     life_hash_ = state_hash(state_, life_hash_);
     ++steps_;

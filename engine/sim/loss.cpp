@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "slipface/sim/stops.h"
+#include "step_attempts.h"
 
 namespace slipface {
 namespace {
@@ -49,10 +50,7 @@ class Reader {
     double towards(const Vec3& v) const { return v.dot(heading_); }
 
     void take(std::size_t index, const SweepRecord& sweep) {
-        if (sweep.pass == Pass::step && !stepping_) {
-            stepping_ = true;
-            before_step_ = taken_;
-        }
+        if (attempts_.note(sweep) == StepAttempts::Seen::begins) before_step_ = taken_;
         sweep_ = &sweep;
         if (!carrying_) return;
         carrying_ = false;
@@ -80,19 +78,11 @@ class Reader {
     }
 
     void take(std::size_t index, const DecisionRecord& decision) {
-        const DecisionInfo& info = decision_info(decision.kind);
-        const bool of_step = std::string_view(info.hack) == "step_up";
-        const bool of_rim =
-            decision.kind >= Decision::step_rim && decision.kind <= Decision::step_rim_blocked;
-        if (of_step && !of_rim) {
-            step_decision_ = decision;
-            stepping_ = false;
-            // Of the plain move and the step one counts, the other was taken back.
-            if (info.outcome == Outcome::acted) {
-                taken_.clear();
-            } else if (decision.kind != Decision::step_up_off && decision.kind != Decision::step_up_in_air) {
-                taken_ = before_step_;
-            }
+        if (StepAttempts::decides(decision)) step_decision_ = decision;
+        switch (attempts_.note(decision)) {
+            case StepAttempts::Seen::acted: taken_.clear(); break;
+            case StepAttempts::Seen::refused: taken_ = before_step_; break;
+            default: break;
         }
         switch (decision.kind) {
             case Decision::surface_carried:
@@ -215,7 +205,7 @@ class Reader {
     std::optional<DecisionRecord> step_decision_;
     std::optional<Loss> special_;
     bool carrying_ = false;
-    bool stepping_ = false;  // since a step was tried, until what became of it
+    StepAttempts attempts_;
     double carried_m_ = 0.0;
     std::size_t carried_record_ = 0;
     DecisionRecord carrier_;
