@@ -106,6 +106,7 @@ class MotionFinder {
     bool is_of_all(const PartMotion& motion);
     std::size_t parts_with_motion(std::size_t part) const;
     void yield_to_most(std::size_t part);
+    void follow_level();
     void one_part_each_place();
     bool is_claimed(std::size_t part, const PartMotion& motion) const;
     void search_edited();

@@ -70,6 +70,32 @@ void MotionFinder::yield_to_most(std::size_t i) {
     }
 }
 
+// What most parts did, the others did that it explains entirely, though they look like another part, too, or
+// rounding joined them to their neighbours.
+void MotionFinder::follow_level() {
+    std::size_t painted = 0;
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+        painted += support_.points(i).empty() ? 0 : 1;
+    if (moves_.empty() || moves_[0].motion.is_identity() ||
+        moves_[0].parts <= std::max(few_parts, painted / 2))
+        return;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        Part& part = parts_[i];
+        if (part.certain || support_.points(i).empty() || part.staying.corners >= 0.5 ||
+            same(stored_.parts[i].box, moves_[0].motion, part.best))
+            continue;
+        const PartMotion motion = refitted(i, moves_[0].motion).value_or(moves_[0].motion);
+        const MotionSupport found = support_.support(i, motion, 1.0 - 1e-9);
+        if (found.sum() < 2.0 - 1e-9) continue;
+        const bool own = !part.best.is_identity() && part.best_support.sum() > 2.0 - 1e-9;
+        const bool unclear = own && types_.differ(i, part.best, motion);
+        part.best = motion;
+        part.best.guessed = unclear;
+        part.best_support = found;
+        part.voted = true;
+    }
+}
+
 // Whether another part is where the motion puts this one, by a motion of its own. Parts that lay on each
 // other may stay so.
 bool MotionFinder::is_claimed(std::size_t i, const PartMotion& motion) const {

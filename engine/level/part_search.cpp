@@ -62,6 +62,8 @@ std::vector<PartMotion> MotionFinder::run() && {
         yield_to_most(part);
     }
     collect_moves();
+    follow_level();
+    collect_moves();
     one_part_each_place();
     fit_areas();
     collect_moves();

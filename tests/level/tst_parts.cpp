@@ -222,6 +222,30 @@ TEST(Parts, DamagedOnesFollowTheOthers) {
     EXPECT_GT(static_cast<double>(found), 0.9 * static_cast<double>(painted));
 }
 
+// At a hundredth of its size six decimals join what is less than a tenth of a millimetre apart.
+TEST(Parts, OnesThatRoundingJoinsFollowTheLevel) {
+    for (unsigned seed = 0; seed < 8; ++seed) {
+        Random random(seed);
+        Faces faces;
+        for (int i = 0; i < 12; ++i) {
+            const Vec3f size(between(random, 0.3f, 3.0f), between(random, 0.3f, 3.0f),
+                             between(random, 0.3f, 3.0f));
+            const Vec3f low(5.0f * static_cast<float>(i), between(random, 0, 2), between(random, -9, 9));
+            const int count = i < 2 ? 3 : 1;  // in a stack
+            for (int k = 0; k < count; ++k)
+                for (const Face& face :
+                     box(low + static_cast<float>(k) * Vec3f(0, size.y() + 3e-5f, 0), size, random))
+                    faces.push_back(face);
+        }
+        Faces after = faces;
+        for (Face& face : after)
+            for (Vec3f& corner : face.corners)
+                corner *= 0.01f;
+        const LoadedLevel loaded = rematch(faces, rounded(after));
+        EXPECT_TRUE(wrong_faces(after, loaded).empty()) << seed << ": " << loaded.match.text();
+    }
+}
+
 // Two parts in nearly the same box, as a room and its lining: scaled along one axis, their boxes may be as
 // alike as boxes of equal parts are.
 TEST(Parts, OneInsideAnotherIsFoundScaledUnevenly) {
