@@ -1,6 +1,7 @@
 // Finds the cause of the motion lost in one tick.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "slipface/sim/stops.h"
 
@@ -86,11 +87,11 @@ class Reader {
             decision.kind >= Decision::step_rim && decision.kind <= Decision::step_rim_blocked;
         if (of_step && !of_rim) {
             step_decision_ = decision;
-            stepping_ = false;
+            const bool tried = std::exchange(stepping_, false);
             // Of the plain move and the step one counts, the other was taken back.
             if (info.outcome == Outcome::acted) {
                 taken_.clear();
-            } else if (decision.kind != Decision::step_up_off && decision.kind != Decision::step_up_in_air) {
+            } else if (tried) {
                 taken_ = before_step_;
             }
         }
