@@ -102,6 +102,9 @@ void print_audit(const AuditReport& report, double seconds, std::ostream& out) {
         print_row(out, "starts", fmt::format("{} places that a search reached", report.starts));
     if (!report.shard.whole()) print_row(out, "shard", shard_text(report.shard));
     print_row(out, "steps", fmt::format("{}", report.steps));
+    if (report.untried > 0)
+        print_row(out, "untried",
+                  fmt::format("{} steps, where too many triangles lie in one place", report.untried));
     if (seconds > 0.0)
         print_row(out, "rate",
                   fmt::format("{:.0f} steps a second", static_cast<double>(report.steps) / seconds));

@@ -1,9 +1,11 @@
 // Reading the level's geometry again, and attaching orphans to faces.
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "document/document.h"
 #include "document/faces.h"
+#include "slipface/base/parallel.h"
 #include "slipface/exchange/name_materials.h"
 
 namespace slipface {
@@ -13,10 +15,16 @@ static FacePart part_of(const MeshPtr& mesh, FaceId first) {
 }
 
 Status Document::rebuild_geometry() {
-    Result<CollisionWorld> collision = build_collision_world(level_);
-    if (!collision) return collision.error();
-    collision_ = std::move(collision).value();
-    if (own_part_.mesh != own_mesh(level_)) own_part_ = part_of(own_mesh(level_), 0);
+    std::optional<Result<CollisionWorld>> collision;
+    FacePart part = own_part_.mesh == own_mesh(level_) ? std::move(own_part_) : FacePart();
+    // Side by side, because much of either runs on one thread.
+    parallel_for(2, 1, [&](std::size_t begin, std::size_t end) {
+        if (begin == 0) collision.emplace(build_collision_world(level_));
+        if (end == 2 && part.mesh == nullptr) part = part_of(own_mesh(level_), 0);
+    });
+    own_part_ = std::move(part);
+    if (!*collision) return collision->error();
+    collision_ = std::move(*collision).value();
     whole_part_.reset();
     mark_hidden();
     return {};

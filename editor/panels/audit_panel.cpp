@@ -139,6 +139,7 @@ void audit_panel(Editor& editor, FrameContext& frame) {
     fact("Hazards", std::to_string(report.hazards), column);
     if (report.crushed > 0) fact("Crushed", std::to_string(report.crushed), column);
     if (report.falls > 0) fact("Falls", std::to_string(report.falls), column);
+    if (report.untried > 0) fact("Steps untried", std::to_string(report.untried), column);
     if (report.cancelled) ui::muted_text("Cancelled before the end");
     if (!job.fits(*editor.document))
         ui::muted_text("The level was changed since; run it again for its heat map");

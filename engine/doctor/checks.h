@@ -2,7 +2,6 @@
 // places it has left untried because there are too many.
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <optional>
 
@@ -30,10 +29,18 @@ struct Patient {
     const Topology& topology;
     const ResolvedSurfaces& resolved;
     WorldOnDemand& world_on_demand;
-    // About how many steps, sweeps and rays the checks have tried, whose number follows from the level alone.
-    std::atomic<std::size_t>& effort;
+    // About how many steps, sweeps and rays have been tried at a place, whose number follows from the level
+    // alone.
+    std::size_t& effort;
 
     const CollisionWorld& world() const { return world_on_demand.get(); }
+
+    // What queries within `box` cost beyond the usual: among very many triangles, which boxes do not tell
+    // apart, one is as slow as thousands.
+    std::size_t effort_among_many(std::size_t queries, const Aabb& box) const;
+    void spend(std::size_t queries, const Aabb& box) const { effort += effort_among_many(queries, box); }
+    // Too much for one place.
+    bool is_spent() const { return effort > 300'000; }
 
     const SurfaceType& surface(FaceId face) const { return level.surfaces[resolved.surface[face]]; }
 };

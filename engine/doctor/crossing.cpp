@@ -39,6 +39,23 @@ MovementScene scene_of(const Patient& patient) {
     return {.collision = patient.world(), .surfaces = patient.level.surfaces};
 }
 
+// After a step of a player at `position`.
+void spend_step(const Patient& patient, const StepResult& result, const Vec3& position) {
+    constexpr std::size_t queries = 8;
+    ++patient.effort;
+    if (!result.crowded) return;
+    const MovementSettings& settings = patient.level.movement;
+    const Vec3 reach = settings.radii.array() + settings.step_height + settings.walk_speed * dt;
+    patient.spend(queries, {position - reach, position + reach});
+}
+
+// Before `count` walks begin or end within `reach` of a position on the ground.
+void spend_ends(const Patient& patient, const Vec3& position, double reach, std::size_t count) {
+    constexpr std::size_t queries = 4;
+    const Vec3 around = 2.0 * patient.level.movement.radii + Vec3(reach, 0.0, reach);
+    patient.spend(queries * count, {position - around, position + around});
+}
+
 bool is_free(const Patient& patient, const Vec3& from, const Vec3& move) {
     return !overlaps_any(patient.world(), patient.level.movement.radii, from) &&
            !sweep_ellipsoid(patient.world(), patient.level.movement.radii, from, move);
@@ -51,7 +68,7 @@ std::optional<PlayerState> standing_at(const Patient& patient, const Vec3& feet)
     const double reach = 0.5 * settings.radii.y();
     const Vec3 above = feet + Vec3(0.0, settings.radii.y() + reach, 0.0);
     ++patient.effort;
-    if (overlaps_any(patient.world(), settings.radii, above)) return std::nullopt;
+    if (patient.is_spent() || overlaps_any(patient.world(), settings.radii, above)) return std::nullopt;
     const Vec3 down(0.0, -2.0 * reach, 0.0);
     const auto floor = sweep_ellipsoid(patient.world(), settings.radii, above, down);
     if (!floor) return std::nullopt;
@@ -106,8 +123,10 @@ Passage walk_between(const Patient& patient, const PlayerState& begin, const Pla
     const double lost = std::min(begin.position.y(), end.position.y()) - settings.radii.y();
     PlayerState state = begin;
     for (int tick = 0; tick < ticks; ++tick) {
-        ++patient.effort;
-        state = step(scene, settings, state, {.wish = heading}, dt).state;
+        const StepResult result = step(scene, settings, state, {.wish = heading}, dt);
+        state = result.state;
+        spend_step(patient, result, state.position);
+        if (patient.is_spent()) return Passage::unknown;
         const Vec3 made = state.position - begin.position;
         if (made.x() * along.x() + made.z() * along.z() >= 0.98 * length) return Passage::passes;
         if (state.position.y() < lost)
@@ -133,6 +152,8 @@ Passage cross_between(const Patient& patient, const Vec3& from, const Vec3& to) 
 }
 
 Passage climb_between(const Patient& patient, const Vec3& low, const Vec3& high) {
+    for (const Vec3& end : {low, high})
+        spend_ends(patient, end, 0.0, 1);
     const auto begin = standing_at(patient, low);
     const auto end = standing_at(patient, high);
     if (!begin || !end || !(begin->position.y() < end->position.y())) return Passage::unknown;
@@ -141,10 +162,7 @@ Passage climb_between(const Patient& patient, const Vec3& low, const Vec3& high)
 
 Passage cross_all_directions(const Patient& patient, const Vec3& position) {
     const double reach = 1.5 * std::max(patient.level.movement.radii.x(), patient.level.movement.radii.z());
-    // Sweeps cost more among very many triangles.
-    constexpr std::size_t many = 100, per_triangle = 5;
-    const std::size_t triangles = find_overlaps(patient.world(), patient.level.movement.radii, position, {});
-    patient.effort += per_triangle * (std::max(triangles, many) - many);
+    spend_ends(patient, position, reach, 2 * every_5_degrees.size());
     Passage worst = Passage::unknown;
     for (const Vec2& heading : every_5_degrees) {
         worst = std::max(worst, cross(patient, position, heading, reach, reach));
@@ -164,43 +182,58 @@ bool wedges(const Patient& patient, const Vec3& centre) {
     const MovementScene scene = scene_of(patient);
     const double away = settings.radii.minCoeff();
     constexpr int second = 60;
+    const auto step_on = [&](PlayerState& state, const PlayerInput& input) {
+        if (patient.is_spent()) return;
+        const StepResult result = step(scene, settings, state, input, dt);
+        state = result.state;
+        spend_step(patient, result, state.position);
+    };
     for (const Vec2& in : every_30_degrees) {
-        patient.effort += second;
         PlayerState caught;
         caught.position = centre;
         for (int tick = 0; tick < second; ++tick)
-            caught = step(scene, settings, caught, {.wish = in}, dt).state;
+            step_on(caught, {.wish = in});
         // A jump on the way, as players try; where it ends counts, not how high it went.
         const bool leaves =
             std::any_of(every_30_degrees.begin(), every_30_degrees.end(), [&](const Vec2& out) {
                 PlayerState state = caught;
-                patient.effort += 2 * second;
                 for (int tick = 0; tick < 2 * second; ++tick)
-                    state =
-                        step(scene, settings, state, {.wish = out, .jump = tick > 5 && tick < second / 2}, dt)
-                            .state;
+                    step_on(state, {.wish = out, .jump = tick > 5 && tick < second / 2});
                 return (state.position - caught.position).norm() > away;
             });
+        if (patient.is_spent()) return false;
         if (!leaves) return true;
     }
     return false;
 }
 
 std::size_t try_in_turn(const Patient& patient, std::size_t count,
-                        const std::function<void(std::size_t)>& try_one) {
-    constexpr std::size_t batch = 32, highest_effort = 3'000'000;
+                        const std::function<bool(const Patient&, std::size_t)>& try_one) {
+    constexpr std::size_t largest_batch = 32, highest_effort = 3'000'000;
     if (count > 0) patient.world();
-    const std::size_t before = patient.effort;
-    std::size_t tried = 0;
-    while (tried < count && patient.effort - before < highest_effort) {
-        const std::size_t first = tried, last = std::min(count, first + batch);
-        parallel_for(last - first, 4, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                try_one(first + i);
+    std::size_t effort = 0, next = 0, untried = 0;
+    std::size_t dearest = highest_effort / 4;  // of those tried; at first a guess
+    while (next < count && effort < highest_effort) {
+        const std::size_t batch =
+            std::min({count - next, largest_batch, (highest_effort - effort) / dearest + 1});
+        std::array<std::size_t, largest_batch> efforts{};
+        std::array<bool, largest_batch> found_out{};
+        parallel_for(batch, 4, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const Patient here{patient.level,           patient.mesh, patient.topology, patient.resolved,
+                                   patient.world_on_demand, efforts[i]};
+                found_out[i] = try_one(here, next + i);
+            }
         });
-        tried = last;
+        dearest = next == 0 ? 1 : dearest;
+        for (std::size_t i = 0; i < batch; ++i) {
+            effort += efforts[i];
+            dearest = std::max(dearest, efforts[i]);
+            if (!found_out[i]) ++untried;
+        }
+        next += batch;
     }
-    return tried;
+    return untried + count - next;
 }
 
 }  // namespace slipface::doctor

@@ -35,10 +35,10 @@ bool drops_through(const Patient& patient, const Vec3& position);
 // seconds neither the stick in any direction nor a jump frees the player.
 bool wedges(const Patient& patient, const Vec3& centre);
 
-// Calls try_one(i) for i from 0, in parallel, until all of `count` are tried or they have cost some seconds
-// of processor time, which Patient::effort counts. Returns how many were tried, on any number of threads the
-// same.
+// Calls try_one(patient, i) for i from 0, in parallel, until all of `count` are tried or they have cost some
+// seconds of processor time, which Patient::effort counts, for each on its own. try_one returns false if one
+// took too much to find out. Returns how many are left untried, on any number of threads the same.
 std::size_t try_in_turn(const Patient& patient, std::size_t count,
-                        const std::function<void(std::size_t)>& try_one);
+                        const std::function<bool(const Patient&, std::size_t)>& try_one);
 
 }  // namespace slipface::doctor

@@ -105,7 +105,7 @@ DoctorReport examine(const Level& level, const DoctorProgress& progress) {
     const doctor::Topology topology(*level.mesh);
     const ResolvedSurfaces resolved = resolve_surfaces(level);
     doctor::WorldOnDemand world(level);
-    std::atomic<std::size_t> effort = 0;
+    std::size_t effort = 0;
     const doctor::Patient patient{level, *level.mesh, topology, resolved, world, effort};
 
     double done = preparation;
@@ -134,6 +134,11 @@ const CollisionWorld& WorldOnDemand::get() {
         world_ = world ? std::move(*world) : CollisionWorld();
     }
     return *world_;
+}
+
+std::size_t Patient::effort_among_many(std::size_t queries, const Aabb& box) const {
+    constexpr std::size_t usual = 128;  // triangles
+    return queries * world().crowd_in(box, mesh.triangle_count()) / usual;
 }
 
 std::string metres(double value) {

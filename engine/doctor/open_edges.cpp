@@ -10,7 +10,6 @@
 #include "crossing.h"
 #include "facing_edges.h"
 #include "slipface/base/parallel.h"
-#include "slipface/collision/neighbourhood.h"
 
 namespace slipface::doctor {
 namespace {
@@ -43,9 +42,7 @@ bool is_open_and_reachable(const Patient& patient, const Vec3& p, const Vec3& q,
     const Vec3 middle = 0.5 * (p + q);
     const Vec3 within = Vec3::Constant(0.4 * width);
     if (overlaps_any(patient.world(), within, middle)) return false;
-    // In a tangle of triangles, which boxes do not tell apart, a query that finds nothing has looked at most.
-    if (!Neighbourhood(patient.world(), within, middle, Vec3::Zero()).holds(within, middle, Vec3::Zero()))
-        patient.effort += patient.mesh.triangle_count() / 128;
+    patient.spend(2, {middle - within, middle + within});
     if (closest_point(patient.world(), middle, within.x())) return false;
     const Vec3& radii = patient.level.movement.radii;
     // The body's centre when it touches the plane there, and a little more.
@@ -201,8 +198,10 @@ std::size_t find_open_edges(const Patient& patient, Problems& out) {
                              " from its end"});
     }
     std::vector<std::optional<Passage>> passages(gaps.size());
-    const std::size_t tried =
-        try_in_turn(patient, gaps.size(), [&](std::size_t i) { passages[i] = passage_of(patient, gaps[i]); });
+    const std::size_t untried = try_in_turn(patient, gaps.size(), [&](const Patient& here, std::size_t i) {
+        passages[i] = passage_of(here, gaps[i]);
+        return !here.is_spent();
+    });
     // A gap between two faces is one problem: where it does most, and is narrowest.
     std::map<std::pair<FaceId, FaceId>, std::size_t> worst;
     for (std::size_t i = 0; i < gaps.size(); ++i) {
@@ -226,7 +225,7 @@ std::size_t find_open_edges(const Patient& patient, Problems& out) {
         problem.index = 0;
         out.push_back(std::move(problem));
     }
-    return cut + gaps.size() - tried;
+    return cut + untried;
 }
 
 }  // namespace slipface::doctor

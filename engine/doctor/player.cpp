@@ -46,6 +46,7 @@ std::optional<Rest> rest_in_corner(const Mesh& mesh, const Vec3& radii, const Ve
 // The player touches both faces there and nothing else is in the way.
 bool player_fits(const Patient& patient, const Vec3& centre, FaceId a, FaceId b) {
     const Vec3& radii = patient.level.movement.radii;
+    patient.spend(2, {centre - radii, centre + radii});
     if (overlaps_any(patient.world(), 0.98 * radii, centre)) return false;
     std::array<Overlap, 64> touched;
     const std::size_t count =
@@ -118,8 +119,11 @@ std::optional<Vec3> floor_at_end(const Patient& patient, Vec3 at, Vec3 normal, d
     constexpr double same_heading = 0.87;  // cosine of 30 degrees
     const double radius = patient.level.movement.radii.minCoeff();
     const double stride = radius / 8.0, above = 0.75 * radius;
-    const int maximum = 2000;
+    constexpr int maximum = 2000, some = 8;
     for (int i = 0; i < maximum; ++i) {
+        const Vec3 around = Vec3::Constant(some * stride);
+        if (i % some == 0) patient.spend(some, {at - around, at + around});
+        if (patient.is_spent()) return std::nullopt;
         const auto ground = ground_below(patient, at + Vec3(0.0, above, 0.0), 2.0 * above);
         if (!ground) return std::nullopt;
         at.y() = ground->height;
@@ -186,7 +190,10 @@ struct Step {
     Vec3 below = Vec3::Zero(), above = Vec3::Zero();
     Passage passage = Passage::unknown;
 };
-std::vector<Step> steps_of(const Patient& patient) {
+// Counts the faces that were not looked at, because there are too many triangles.
+std::vector<Step> steps_of(const Patient& patient, std::size_t& untried) {
+    constexpr std::size_t some = 8, rays = 8, highest_effort = 500'000;
+    std::size_t effort = 0, looked_at = 0;
     const double highest = 0.5 * patient.level.movement.radii.y();
     const double rolls = rolled_over(patient.level.movement);
     const double beside = 0.02 * patient.level.movement.radii.minCoeff();
@@ -200,6 +207,14 @@ std::vector<Step> steps_of(const Patient& patient) {
         const Vec3 centre = face_centroid(patient.mesh, face);
         const Extent extent = extent_of(patient, face, centre, out);
         if (extent.high - extent.low > 2.0 * highest) continue;
+        if (effort > highest_effort) {
+            ++untried;
+            continue;
+        }
+        if (looked_at++ % some == 0) {
+            const Vec3 around(half_radius, highest, half_radius);
+            effort += patient.effort_among_many(some * rays, {centre - around, centre + around});
+        }
         // A step up is one from the side to which its face looks; where nothing is wound well, from either.
         for (const double side : {1.0, -1.0}) {
             const double rim = side > 0.0 ? extent.far : -extent.near;
@@ -262,13 +277,13 @@ std::size_t find_acute_corners(const Patient& patient, Problems& out) {
         }
         if (corner.rests[0] || corner.rests[1]) corners.push_back(corner);
     });
-    const std::size_t tried = try_in_turn(patient, corners.size(), [&](std::size_t i) {
+    const std::size_t untried = try_in_turn(patient, corners.size(), [&](const Patient& here, std::size_t i) {
         for (const std::optional<Rest>& rest : corners[i].rests) {
             if (corners[i].angle || !rest) continue;
-            if (player_fits(patient, rest->centre, corners[i].a, corners[i].b) &&
-                wedges(patient, rest->centre))
+            if (player_fits(here, rest->centre, corners[i].a, corners[i].b) && wedges(here, rest->centre))
                 corners[i].angle = rest->angle;
         }
+        return !here.is_spent();
     });
     const std::size_t before = out.size();
     for (const Corner& corner : corners)
@@ -278,13 +293,15 @@ std::size_t find_acute_corners(const Patient& patient, Problems& out) {
                                        degrees(*corner.angle))});
     std::stable_sort(out.begin() + static_cast<std::ptrdiff_t>(before), out.end(),
                      [](const Problem& x, const Problem& y) { return x.face < y.face; });
-    return corners.size() - tried;
+    return untried;
 }
 
 std::size_t find_limit_slopes(const Patient& patient, Problems& out) {
     std::vector<Ramp> ramps = ramps_of(patient);
-    const std::size_t tried = try_in_turn(
-        patient, ramps.size(), [&](std::size_t i) { ramps[i].passage = climb_ramp(patient, ramps[i].face); });
+    const std::size_t untried = try_in_turn(patient, ramps.size(), [&](const Patient& here, std::size_t i) {
+        ramps[i].passage = climb_ramp(here, ramps[i].face);
+        return !here.is_spent();
+    });
     for (const Ramp& ramp : ramps) {
         const bool at_limit = std::abs(ramp.slope - ramp.limit) <= rounding_band;
         const bool too_steep = ramp.passage == Passage::catches && ramp.slope > ramp.limit;
@@ -295,15 +312,16 @@ std::size_t find_limit_slopes(const Patient& patient, Problems& out) {
                        fmt::format("Rises by {}; the limit is {}: {}", degrees(ramp.slope),
                                    degrees(ramp.limit), words)});
     }
-    return ramps.size() - tried;
+    return untried;
 }
 
 std::size_t find_limit_steps(const Patient& patient, Problems& out) {
-    std::vector<Step> steps = steps_of(patient);
-    const std::size_t tried = try_in_turn(patient, steps.size(), [&](std::size_t i) {
-        steps[i].passage = climb_between(patient, steps[i].below, steps[i].above);
+    std::size_t untried = 0;
+    std::vector<Step> steps = steps_of(patient, untried);
+    untried += try_in_turn(patient, steps.size(), [&](const Patient& here, std::size_t i) {
+        steps[i].passage = climb_between(here, steps[i].below, steps[i].above);
+        return !here.is_spent();
     });
-    const std::size_t untried = steps.size() - tried;
     std::erase_if(steps, [](const Step& step) { return step.passage != Passage::catches; });
     // The steps of a flight are one problem: of one group and height.
     const auto flight_of = [&](const Step& step) {

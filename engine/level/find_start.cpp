@@ -53,15 +53,23 @@ bool has_floor(const MovementScene& scene, const MovementSettings& settings, con
     return first_contact(scene, settings.radii, centre, {0.0, -depth_below(scene, centre), 0.0}).has_value();
 }
 
-// The shortest of a few ways out, to the side and aslant.
+// The shortest of a few ways out, to the side and aslant. `all_tried`: false if there were too many triangles
+// to try them all.
 std::optional<Moved> pushed_out(const MovementScene& scene, const MovementSettings& settings,
-                                const Vec3& centre, double less_than) {
+                                const Vec3& centre, double less_than, bool& all_tried) {
     const double step = settings.radii.minCoeff() / 8.0;
+    const Vec3 reach = settings.radii.array() + less_than;
+    Aabb around{centre - reach, centre + reach};
+    around.min.y() -= depth_below(scene, centre);
+    const std::size_t crowd = crowd_in(scene, around);
+    SearchEffort effort;
     for (int i = 1; i * step < less_than; ++i) {
         for (int y = 0; y <= 1; ++y) {
             for (int z = -1; z <= 1; ++z) {
                 for (int x = -1; x <= 1; ++x) {
                     if (x == 0 && z == 0) continue;
+                    all_tried = effort.spend(crowd);
+                    if (!all_tried) return std::nullopt;
                     const Vec3 to = centre + Vec3(x, y, z).normalized() * (i * step);
                     if (has_room(scene, settings, settings.radii, to) && has_floor(scene, settings, to))
                         return Moved{to, i * step};
@@ -124,7 +132,7 @@ class StartFinder {
     StartFinder(const MovementScene& scene, const Vec3& offset, const MovementSettings& settings)
         : scene_(scene), offset_(offset), settings_(settings) {}
 
-    Start at(const Spawn& spawn) const {
+    Start at(const Spawn& spawn) {
         Start start{
             .position = spawn.position, .yaw = spawn.yaw, .spawn = spawn.name, .stands = true, .note = {}};
         const Vec3 centre = spawn.position + offset_;
@@ -144,7 +152,7 @@ class StartFinder {
         return elsewhere(start, subject + " lies inside the level");
     }
 
-    Start without_spawn() const {
+    Start without_spawn() {
         Start start;
         Vec3 centre = offset_;
         std::string note;
@@ -164,10 +172,11 @@ class StartFinder {
 
   private:
     // Says in `note` how.
-    std::optional<Vec3> made_to_fit(const Vec3& centre, std::string& note) const {
+    std::optional<Vec3> made_to_fit(const Vec3& centre, std::string& note) {
         const auto up = lifted(scene_, settings_, centre);
         const double limit = longest_push * settings_.radii.y();
-        const auto out = pushed_out(scene_, settings_, centre, up ? std::min(up->distance, limit) : limit);
+        const auto out =
+            pushed_out(scene_, settings_, centre, up ? std::min(up->distance, limit) : limit, all_tried_);
         if (!up && !out) return std::nullopt;
         const bool sideways = out && (!up || out->distance < up->distance);
         note = fmt::format(" {} {}", sideways ? "pushed out of the level by" : "lifted onto the floor by",
@@ -175,8 +184,9 @@ class StartFinder {
         return sideways ? out->centre : up->centre;
     }
 
-    Start elsewhere(Start start, const std::string& why) const {
-        if (const auto floor = find_open_floor(scene_, settings_)) {
+    Start elsewhere(Start start, const std::string& why) {
+        const auto floor = find_open_floor(scene_, settings_, &all_tried_);
+        if (floor) {
             start.position = *floor - offset_;
             start.yaw = open_yaw(scene_, *floor);
             start.note = why + "; the player begins on open floor near the middle of the level";
@@ -187,12 +197,14 @@ class StartFinder {
             start.stands = false;
             start.note = why + ", and there is no floor with room for the player: the player falls";
         }
+        if (!all_tried_) start.note += ". Too many triangles lie in one place to look everywhere";
         return start;
     }
 
     const MovementScene& scene_;
     const Vec3& offset_;
     const MovementSettings& settings_;
+    bool all_tried_ = true;
 };
 
 }  // namespace
@@ -237,7 +249,7 @@ Vec3 centre_on(const Vec3& point, const Vec3& normal, const MovementSettings& se
 
 Result<Start> find_start(const Level& level, const MovementScene& scene, const Vec3& offset,
                          const MovementSettings& settings, std::string_view name) {
-    const StartFinder finder(scene, offset, settings);
+    StartFinder finder(scene, offset, settings);
     const std::vector<Spawn> spawns = all_spawns(level);
     if (name.empty()) return spawns.empty() ? finder.without_spawn() : finder.at(spawns.front());
     std::string names;

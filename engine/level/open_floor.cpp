@@ -38,17 +38,22 @@ class OpenFloor {
         columns_ = count_along(size.x(), settings_.radii.x());
         rows_ = count_along(size.z(), settings_.radii.z());
         cell_ = Vec2(size.x() / columns_, size.z() / rows_);
-        first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
-        for (int row = 0; row < rows_; ++row) {
-            for (int column = 0; column < columns_; ++column) {
-                first_[cell_index(column, row)] = samples_.size();
-                sample_column(column, row);
-            }
-        }
-        first_.back() = samples_.size();
+        crowd_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
+        for (const auto& [column, row] : from_the_middle())
+            sample_column(column, row);
+        const auto cell_of = [&](const Sample& sample) { return cell_index(sample.column, sample.row); };
+        std::stable_sort(samples_.begin(), samples_.end(),
+                         [&](const Sample& a, const Sample& b) { return cell_of(a) < cell_of(b); });
+        first_.assign(crowd_.size() + 1, samples_.size());
+        for (std::size_t i = samples_.size(); i-- > 0;)
+            first_[cell_of(samples_[i])] = i;
+        for (std::size_t cell = crowd_.size(); cell-- > 0;)
+            first_[cell] = std::min(first_[cell], first_[cell + 1]);
+        effort_ = SearchEffort();
         link_all();
         return choose();
     }
+    bool all_tried() const { return all_tried_; }
 
   private:
     const Heightfield* terrain() const { return settings_.heightfield ? scene_.heightfield : nullptr; }
@@ -62,13 +67,37 @@ class OpenFloor {
                static_cast<std::size_t>(column);
     }
 
+    // The columns and rows of the grid, the nearest to its middle first.
+    std::vector<std::pair<int, int>> from_the_middle() const {
+        std::vector<std::pair<int, int>> cells;
+        for (int row = 0; row < rows_; ++row)
+            for (int column = 0; column < columns_; ++column)
+                cells.emplace_back(column, row);
+        const auto distance2 = [&](const std::pair<int, int>& cell) {
+            const int x = 2 * cell.first + 1 - columns_, z = 2 * cell.second + 1 - rows_;
+            return x * x + z * z;
+        };
+        std::stable_sort(cells.begin(), cells.end(),
+                         [&](const auto& a, const auto& b) { return distance2(a) < distance2(b); });
+        return cells;
+    }
+    // Before queries in the column of a cell.
+    bool spend(std::size_t cell) {
+        const bool go_on = effort_.spend(crowd_[cell]);
+        all_tried_ = all_tried_ && go_on;
+        return go_on;
+    }
+
     void sample_column(int column, int row) {
         const double x = bounds_.min.x() + (column + 0.5) * cell_.x();
         const double z = bounds_.min.z() + (row + 0.5) * cell_.y();
         const double step =
             1e-9 * (1.0 + bounds_.max.cwiseAbs().maxCoeff() + bounds_.min.cwiseAbs().maxCoeff());
         double y = bounds_.max.y() + 1.0;
-        for (int layer = 0; layer < max_layers; ++layer) {
+        const Vec3 body = settings_.radii + Vec3(0.0, y - bounds_.min.y(), 0.0);
+        const std::size_t cell = cell_index(column, row);
+        crowd_[cell] = crowd_in(scene_, {Vec3(x, y, z) - body, Vec3(x, y, z) + body});
+        for (int layer = 0; layer < max_layers && spend(cell); ++layer) {
             const auto hit = cast_ray(scene_.collision, {x, y, z}, {0.0, -1.0, 0.0});
             if (!hit) break;
             if (hit->back_face == backs_ && !is_hazard(hit->face))
@@ -104,13 +133,13 @@ class OpenFloor {
         return i;
     }
 
-    bool connected(const Vec3& from, const Vec3& to) const {
+    bool connected(const Vec3& from, const Vec3& to, std::size_t cell) {
         const double raise = settings_.step_up ? settings_.step_height : settings_.skin;
         const Vec3 path = to - from;
         if (std::abs(path.y()) > raise + Vec2(path.x(), path.z()).norm() * std::tan(settings_.max_slope))
             return false;
         const Vec3 up(0.0, raise, 0.0);
-        return !first_contact(scene_, settings_.radii, from + up, path);
+        return spend(cell) && !first_contact(scene_, settings_.radii, from + up, path);
     }
 
     void link_all() {
@@ -125,7 +154,7 @@ class OpenFloor {
     void link(std::size_t i, int column, int row) {
         const std::size_t cell = cell_index(column, row);
         for (std::size_t k = first_[cell]; k < first_[cell + 1]; ++k) {
-            if (!connected(samples_[i].centre, samples_[k].centre)) continue;
+            if (!connected(samples_[i].centre, samples_[k].centre, cell)) continue;
             ++samples_[i].links;
             ++samples_[k].links;
             const std::size_t a = root(i), b = root(k);
@@ -168,6 +197,9 @@ class OpenFloor {
     Aabb bounds_;
     int columns_ = 0, rows_ = 0;
     Vec2 cell_ = Vec2::Zero();
+    std::vector<std::size_t> crowd_;  // [cell] about how many triangles a query there looks at
+    SearchEffort effort_;
+    bool all_tried_ = true;
     std::vector<Sample> samples_;     // sorted by cell
     std::vector<std::size_t> first_;  // [cell] its first sample; one more at the end
     std::vector<std::size_t> parent_;
@@ -175,10 +207,16 @@ class OpenFloor {
 
 }  // namespace
 
-std::optional<Vec3> find_open_floor(const MovementScene& scene, const MovementSettings& settings) {
-    if (const auto floor = OpenFloor(scene, settings, false).find()) return floor;
+std::optional<Vec3> find_open_floor(const MovementScene& scene, const MovementSettings& settings,
+                                    bool* all_tried) {
     // A level whose faces are wound the other way round throughout still holds the player.
-    return OpenFloor(scene, settings, true).find();
+    for (const bool backs : {false, true}) {
+        OpenFloor search(scene, settings, backs);
+        const auto floor = search.find();
+        if (all_tried != nullptr) *all_tried = *all_tried && search.all_tried();
+        if (floor) return floor;
+    }
+    return std::nullopt;
 }
 
 }  // namespace slipface

@@ -1,7 +1,8 @@
 #include "start_room.h"
 
 #include <algorithm>
-#include <array>
+
+#include "slipface/collision/filter.h"
 
 namespace slipface {
 
@@ -18,11 +19,10 @@ std::optional<double> lowest_centre(const MovementScene& scene, const MovementSe
 
 bool overlaps_solid(const CollisionWorld& world, const Vec3& radii, const Vec3& centre) {
     if (!overlaps_any(world, radii, centre)) return false;
-    std::array<Overlap, 64> overlaps;
-    const std::size_t count = std::min(overlaps.size(), find_overlaps(world, radii, centre, overlaps));
-    return std::any_of(
-        overlaps.begin(), overlaps.begin() + static_cast<std::ptrdiff_t>(count),
-        [&](const Overlap& overlap) { return !world.surface_rule(overlap.surface).one_sided; });
+    QueryFilter two_sided;
+    for (std::size_t i = 0; i < two_sided.ignored.size(); ++i)
+        two_sided.ignored[i] = world.surface_rule(static_cast<SurfaceId>(i)).one_sided;
+    return two_sided.ignored.none() || overlaps_any(world, radii, centre, two_sided);
 }
 
 }  // namespace

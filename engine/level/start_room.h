@@ -1,6 +1,8 @@
 // Tests for room and floor at a possible start of a player.
 #pragma once
 
+#include <algorithm>
+
 #include "slipface/collision/collision_world.h"
 #include "slipface/movement/first_contact.h"
 #include "slipface/movement/settings.h"
@@ -17,5 +19,20 @@ bool fits(const MovementScene& scene, const MovementSettings& settings, const Ve
 // floor so near.
 std::optional<Vec3> drop(const MovementScene& scene, const MovementSettings& settings, const Vec3& centre,
                          double depth);
+
+// What a search may look at. Where very many triangles lie in one place, which boxes do not tell apart, it
+// would take minutes; what it then finds depends on the level alone.
+class SearchEffort {
+  public:
+    // Before a few queries that look at so many triangles each. False: the search should end without them.
+    bool spend(std::size_t crowd) {
+        if (left_ == 0) return false;
+        left_ -= std::min(left_, crowd);
+        return true;
+    }
+
+  private:
+    std::size_t left_ = 100'000'000;
+};
 
 }  // namespace slipface

@@ -12,4 +12,12 @@ std::optional<Contact> first_contact(const MovementScene& scene, const Vec3& rad
     return first;
 }
 
+std::size_t crowd_in(const MovementScene& scene, const Aabb& box) {
+    constexpr auto all = std::numeric_limits<std::size_t>::max();
+    std::size_t crowd = scene.collision.crowd_in(box, all);
+    for (const MovingPart& part : scene.platforms)
+        crowd += part.collision->crowd_in(box, all);
+    return crowd;
+}
+
 }  // namespace slipface

@@ -102,6 +102,7 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
         result.sweeps += mover.sweeps;
         result.contacts += mover.contacts;
         result.end_is_free = mover.end_is_free;
+        result.crowded = result.crowded || around.near.triangles().reach[0] < 0.0;
         free = mover.ends_free || (mover.began_free && result.state.position == before.position);
         hazard = hazard || result.state.hazard;
     }

@@ -13,6 +13,7 @@
 #include "slipface/base/version.h"
 #include "slipface/level/level_scene.h"
 #include "slipface/level/shown_mesh.h"
+#include "slipface/movement/first_contact.h"
 #include "slipface/sim/story.h"
 
 namespace slipface {
@@ -89,7 +90,11 @@ std::optional<std::string> problem_of(const Level& level, const TickScene& scene
     if (const auto inside = overlaps_deeply(at_first, level.movement, at))
         return fmt::format("lies inside face {}; every walker would start stuck", inside->face);
     PlayerState state = start.player;
-    for (std::size_t tick = 0; static_cast<double>(tick) * dt < 1.0; ++tick) {
+    const Vec3& radii = level.movement.radii;
+    const std::size_t crowd = crowd_in(at_first, {at - radii, at + radii});
+    // Among very many triangles a second takes too long.
+    const std::size_t ticks = 4'000'000 / std::max<std::size_t>(crowd, 1);
+    for (std::size_t tick = 0; static_cast<double>(tick) * dt < 1.0 && tick < ticks; ++tick) {
         const TickResult result = play_tick(scene.at(tick, dt), level.movement, state, {}, dt, start);
         if (result.respawn == Respawn::hazard)
             return fmt::format("is deadly: a player who stands still is killed after {:.2f} s on {}",

@@ -217,6 +217,7 @@ std::string audit_to_json(const AuditReport& report) {
     json["closed"] = report.closed;
     if (report.cancelled) json["cancelled"] = true;
     json["steps"] = report.steps;
+    if (report.untried > 0) json["untried"] = report.untried;
     json["lives"] = report.lives;
     json["hazards"] = report.hazards;
     json["crushed"] = report.crushed;
@@ -270,6 +271,7 @@ Result<AuditReport> audit_from_json(std::string_view text, const std::string& lo
     report.closed = reader.truth("closed");
     report.cancelled = reader.member("cancelled") && reader.truth("cancelled");
     report.steps = reader.number<std::uint64_t>("steps");
+    if (reader.member("untried")) report.untried = reader.number<std::uint64_t>("untried");
     report.lives = reader.number<std::uint64_t>("lives");
     report.hazards = reader.number<std::uint64_t>("hazards");
     report.crushed = reader.number<std::uint64_t>("crushed");
@@ -312,6 +314,7 @@ Result<AuditReport> merge_audits(const std::vector<AuditPart>& parts) {
         const AuditReport& report = part.report;
         whole.cancelled |= report.cancelled;
         whole.steps += report.steps;
+        whole.untried += report.untried;
         whole.lives += report.lives;
         whole.hazards += report.hazards;
         whole.crushed += report.crushed;

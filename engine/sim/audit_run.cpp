@@ -16,6 +16,8 @@ constexpr double stuck_free_s = 0.25;
 constexpr double stuck_distance = 0.01;
 constexpr double near_ground = 0.05;
 constexpr double visit_gap_s = 0.5;
+constexpr std::uint64_t triangles_per_step = 600;
+constexpr std::uint64_t least_effort = 1'000'000;  // triangles, however short the audit
 
 // The contacts of a step, for the heat map.
 class HeatSink final : public TraceSink {
@@ -149,7 +151,8 @@ AuditRun::AuditRun(AuditArena& arena, const MovementSettings& settings, std::uin
       settings_(settings),
       number_(number),
       walker_(arena.options.seed, number, 0, arena.options.dt),
-      watch_(arena.options.dt) {
+      watch_(arena.options.dt),
+      effort_left_(std::max(triangles_per_step * arena.ticks, least_effort)) {
     begin_life();
 }
 
@@ -249,6 +252,13 @@ void AuditRun::add_heat(std::vector<FaceHeat>& heat, const MovementScene& scene,
     }
 }
 
+void AuditRun::spend_effort(const MovementScene& scene, const PlayerState& before) {
+    const Vec3 at = position_in_scene(scene, before);
+    const double motion = (before.velocity.norm() + settings_.walk_speed) * arena_->options.dt;
+    const Vec3 reach = settings_.radii.array() + settings_.step_height + motion;
+    effort_left_ -= std::min<std::uint64_t>(effort_left_, crowd_in(scene, {at - reach, at + reach}));
+}
+
 bool AuditRun::tick(const AuditTick& now, std::vector<FaceHeat>* heat) {
     const auto& [level, scene, rides] = now;
     const AuditOptions& options = arena_->options;
@@ -258,6 +268,7 @@ bool AuditRun::tick(const AuditTick& now, std::vector<FaceHeat>* heat) {
     const PlayerState before = state_;
     const TickResult result =
         play_tick(scene, settings_, before, input, options.dt, *start_, sink ? &*sink : nullptr);
+    if (result.crowded) spend_effort(scene, before);
     state_ = result.state;
     life_hash_ = state_hash(state_, life_hash_);
     ++steps_;
@@ -295,6 +306,7 @@ bool AuditRun::tick(const AuditTick& now, std::vector<FaceHeat>* heat) {
 
 void AuditRun::add_to(AuditReport& report) const {
     report.steps += steps_;
+    if (effort_left_ == 0) report.untried += arena_->ticks - steps_;
     report.lives += lives_;
     report.hazards += hazards_;
     report.crushed += crushed_;

@@ -38,7 +38,8 @@ TickResult play_tick(const MovementScene& scene, const MovementSettings& setting
                       .stepped = step_result.state,
                       .respawn = Respawn::none,
                       .contacts = step_result.contacts,
-                      .end_is_free = step_result.end_is_free};
+                      .end_is_free = step_result.end_is_free,
+                      .crowded = step_result.crowded};
     if (result.state.hazard) {
         result.respawn = Respawn::hazard;
     } else if (position_in_scene(scene, result.state).y() < start.lowest) {

@@ -108,6 +108,7 @@ TEST_F(Filter, AnswersAsAWorldOfWhatItSees) {
                 EXPECT_TRUE(same(closest_point(in.world, from, 2.0, filter), first_of(near)));
                 std::vector<Overlap> touched(in.soup.triangles.size());
                 ASSERT_EQ(find_overlaps(in.world, radii, from, touched, filter), overlaps.size());
+                EXPECT_EQ(overlaps_any(in.world, radii, from, filter), !overlaps.empty());
                 for (std::size_t k = 0; k < overlaps.size(); ++k)
                     EXPECT_TRUE(same(touched[k], overlaps[k]));
 

@@ -80,7 +80,7 @@ bool same_list(const std::vector<T>& a, std::size_t na, const std::vector<T>& b,
 
 TEST_F(Instances, AnswerAsTheirTriangles) {
     Random random(71);
-    std::size_t hits = 0, pierced = 0, near_hits = 0, overlapped = 0;
+    std::size_t hits = 0, pierced = 0, near_hits = 0, overlapped = 0, crowds = 0, everything = 0;
     for (int round = 0; round < 60; ++round) {
         SCOPED_TRACE(round);
         const Pair pair = random_pair(random, round % 3);
@@ -140,12 +140,18 @@ TEST_F(Instances, AnswerAsTheirTriangles) {
         box.add(pair.middle + random.in_box(3));
         box.add(pair.middle + random.in_box(3));
         EXPECT_EQ(pair.shared.triangles_in(box), pair.flat.triangles_in(box));
+        const std::size_t all = pair.flat.triangle_count(), crowd = pair.shared.crowd_in(box, all);
+        EXPECT_GE(crowd, find_overlaps(pair.shared, 0.5 * box.size(), box.centre(), {}));
+        EXPECT_LE(crowd, all);
+        crowds += crowd;
+        everything += all;
     }
     const std::size_t paths = simd_paths().size();
     EXPECT_GT(hits, 1000 * paths);
     EXPECT_GT(pierced, 500 * paths);
     EXPECT_GT(near_hits, 300 * paths);
     EXPECT_GT(overlapped, 2000 * paths);
+    EXPECT_LT(crowds, everything / 2);
 }
 
 TEST(InstancesTogether, SweepInBatches) {

@@ -206,6 +206,20 @@ TEST(Doctor, CornersAmongManyEdgesLieOnTheFirstFace) {
         EXPECT_EQ(corners, expected[face]) << face;
 }
 
+// Ramps and walls among very many triangles that boxes do not tell apart.
+TEST(Doctor, InATangleWhatWouldTakeTooLongIsCountedUntried) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> within(0.0f, 0.001f);
+    Faces faces(60'000);
+    for (auto& face : faces)
+        for (int corner = 0; corner < 3; ++corner)
+            face.corners.push_back({within(random), within(random), within(random)});
+    const DoctorReport report = examine(test::level_of(faces));
+    EXPECT_GT(report.untried_of(ProblemKind::slope_limit), 0u);
+    EXPECT_GT(report.untried_of(ProblemKind::step_limit), 0u);
+    EXPECT_EQ(examine(test::level_of(faces)).untried, report.untried);
+}
+
 // Too many gaps to send walkers over each: the first are tried, the others are counted.
 TEST(Doctor, GapsBeyondAllPatienceAreCountedUntried) {
     Faces faces;

@@ -146,6 +146,47 @@ TEST(FindStart, OpenFloorHoldsThePlayerWhereverItIs) {
     }
 }
 
+// Triangles that boxes do not tell apart, so that each query looks at all.
+Faces tangle(std::size_t count, const Vec3& low, const Vec3& high) {
+    Draw draw(7);
+    Faces faces(count);
+    for (auto& face : faces)
+        for (int corner = 0; corner < 3; ++corner)
+            face.corners.push_back(draw.in(low, high).cast<float>());
+    return faces;
+}
+
+TEST(FindStart, AmongTooManyTrianglesTheSearchEndsAndSaysSo) {
+    // Not at the origin, where a player would be lifted onto them without a search.
+    const auto flat = [](std::size_t count) {
+        return without_spawn(tangle(count, {8, -0.001, 8}, {12, 0.001, 12}));
+    };
+    const Start start = start_of(flat(100'000));
+    EXPECT_THAT(start.note, HasSubstr("Too many triangles lie in one place to look everywhere"));
+    // What it looked at is the middle.
+    EXPECT_TRUE(start.stands);
+    EXPECT_LT(Vec2(start.position.x() - 10, start.position.z() - 10).norm(), 1.5);
+    EXPECT_THAT(start_of(flat(1000)).note, Not(HasSubstr("Too many")));
+}
+
+TEST(FindStart, OneTwoSidedTriangleAmongManyOneSidedTakesTheRoom) {
+    Faces faces;
+    for (int i = 0; i < 200; ++i)
+        add_quad(faces, {-1, 0.001 * i, -1}, {-1, 0.001 * i, 1}, {1, 0.001 * i, 1}, {1, 0.001 * i, -1});
+    Level level = level_of(faces);
+    level.spawn = {0, 0.5, 0};
+    SurfaceType valve;
+    valve.name = "valve";
+    valve.one_sided = true;
+    level.surfaces.push_back(valve);
+    const auto one_sided = static_cast<SurfaceId>(level.surfaces.size() - 1);
+    for (std::size_t face = 0; face < faces.size(); ++face)
+        level.overrides[face] = one_sided;
+    EXPECT_EQ(start_of(level).note, "");
+    level.overrides.back().reset();
+    EXPECT_THAT(start_of(level).note, HasSubstr("lifted"));
+}
+
 TEST(FindStart, WithoutFloorThereIsNone) {
     Faces walls, crumb, steep;
     add_quad(walls, {-5, 0, 0}, {5, 0, 0}, {5, 8, 0}, {-5, 8, 0});

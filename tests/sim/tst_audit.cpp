@@ -107,6 +107,36 @@ TEST(Audit, ShardsMergedAreTheWhole) {
     EXPECT_THAT(mixed([](AuditReport& r) { r.shard.count = 4; }), HasSubstr("is part"));
 }
 
+// A floor of very many triangles that boxes do not tell apart.
+TEST(Audit, WalkersInACrowdOfTrianglesEndAndTheirStepsAreCountedUntried) {
+    constexpr int count = 20'000;
+    PolygonSoup soup;
+    soup.face_first_corner = {0};
+    for (int i = 0; i < count; ++i) {
+        const auto y = -1e-6f * static_cast<float>(i);
+        for (const Vec3f& corner : {Vec3f(-4, y, -4), Vec3f(-4, y, 4), Vec3f(4, y, 4), Vec3f(4, y, -4)})
+            soup.corner_position.push_back(corner);
+        soup.face_first_corner.push_back(static_cast<std::uint32_t>(soup.corner_position.size()));
+    }
+    Level level;
+    level.mesh = build_mesh(std::move(soup)).value();
+    level.overrides.resize(level.mesh->face_count());
+    level.spawn = {0.0, 1.0, 0.0};
+    AuditOptions options = short_audit();
+    const AuditReport whole = run_audit(level, options).value();
+    EXPECT_GT(whole.untried, 0u);
+    EXPECT_GT(whole.steps, options.walkers);
+    EXPECT_EQ(whole.steps + whole.untried, 7u * 240u);
+    EXPECT_EQ(run_audit(box_level(), options).value().untried, 0u);
+    std::vector<AuditPart> parts;
+    for (const std::uint32_t number : {1u, 2u}) {
+        options.shard = {number, 2};
+        const std::string part = audit_to_json(run_audit(level, options).value());
+        parts.push_back({std::to_string(number), audit_from_json(part, "part").value()});
+    }
+    EXPECT_EQ(audit_to_json(merge_audits(parts).value()), audit_to_json(whole));
+}
+
 TEST(Audit, PaintSpawnAndPlatformsMakeAnotherAudit) {
     Level level = box_level();
     const std::uint64_t plain = run_audit(level, short_audit()).value().scene_fingerprint;

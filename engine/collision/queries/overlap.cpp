@@ -106,6 +106,16 @@ bool overlaps_any(const CollisionWorld& world, const Vec3& radii, const Vec3& ce
     return found;
 }
 
+bool overlaps_any(const CollisionWorld& world, const Vec3& radii, const Vec3& centre,
+                  const QueryFilter& filter) {
+    bool found = false;
+    visit_near(world.impl(), radii, centre, [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
+        found = filter.sees(leaf.id, world.impl().surface_of(leaf.id)) && overlaps(world.impl(), query, leaf);
+        return !found;
+    });
+    return found;
+}
+
 std::size_t find_overlaps(const Neighbourhood& near, const Vec3& radii, const Vec3& centre,
                           std::span<Overlap> out) {
     NearCandidates candidates(near, radii, centre, Vec3::Zero());
@@ -126,53 +136,99 @@ bool overlaps_any(const Neighbourhood& near, const Vec3& radii, const Vec3& cent
     return false;
 }
 
+namespace {
+
+bool touches(const Aabb& box, int axis, float low, float high) {
+    return double{low} <= box.max[axis] && double{high} >= box.min[axis];
+}
+
+// Calls visit(leaf) for the leaves whose boxes touch `box`, until it returns false.
+template <class Visit>
+void visit_leaves(const TreeView& tree, const Aabb& box, Visit visit) {
+    if (tree.nodes == nullptr) return;
+    std::array<std::uint32_t, traversal_stack> open;
+    std::size_t count = 0;
+    open[count++] = 0;
+    while (count > 0) {
+        const BvhNode& node = tree.nodes[open[--count]];
+        for (int k = 0; k < 8; ++k) {
+            bool hit = node.bound[0][k] <= node.bound[3][k];
+            for (int axis = 0; axis < 3; ++axis)
+                hit = hit && touches(box, axis, node.bound[axis][k], node.bound[axis + 3][k]);
+            if (!hit) continue;
+            if ((node.child[k] & leaf_bit) == 0) {
+                open[count++] = node.child[k];
+            } else {
+                const std::size_t leaf = node.child[k] & leaf_index_mask;
+                if (!visit(*reinterpret_cast<const Leaf*>(tree.leaves + leaf * leaf_alignment))) return;
+            }
+        }
+    }
+}
+
+// The box in the space of the mesh that holds all of `box`.
+Aabb in_mesh(const InstanceView& view, const Aabb& box) {
+    const Vec3 middle = 0.5 * (box.min + box.max);
+    const Vec3 half = 0.5 * (box.max - box.min).array() + view.slack;
+    Vec3 centre = Vec3::Zero(), reach = Vec3::Zero();
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int of = 0; of < 3; ++of) {
+            centre[axis] += view.inverse[axis][of] * (middle[of] - view.offset[of]);
+            reach[axis] += std::abs(view.inverse[axis][of]) * half[of];
+        }
+    }
+    return {centre - reach, centre + reach};
+}
+
+}  // namespace
+
 std::vector<TriangleId> CollisionWorld::triangles_in(const Aabb& box) const {
     std::vector<TriangleId> found;
-    const auto intersects = [&box](int axis, float low, float high) {
-        return double{low} <= box.max[axis] && double{high} >= box.min[axis];
-    };
     const auto test = [&](const LeafTriangle& triangle) {
         bool hit = true;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto& at = triangle.at[axis];
             const auto [low, high] = std::minmax({at[0], at[1], at[2]});
-            hit = hit && intersects(static_cast<int>(axis), low, high);
+            hit = hit && touches(box, static_cast<int>(axis), low, high);
         }
         if (hit) found.push_back(triangle.id);
     };
-    const auto search_leaf = [&](const Leaf& leaf) {
+    visit_leaves(impl_->bvh.view(), box, [&](const Leaf& leaf) {
         for (std::size_t lane = 0; lane < leaf_size(leaf); ++lane)
             test(leaf_triangle(leaf, lane));
-    };
-    std::vector<std::uint32_t> open;
-    if (!impl_->bvh.nodes.empty()) open.push_back(0);
-    while (!open.empty()) {
-        const BvhNode& node = impl_->bvh.nodes[open.back()];
-        open.pop_back();
-        for (int k = 0; k < 8; ++k) {
-            bool hit = node.bound[0][k] <= node.bound[3][k];
-            for (int axis = 0; axis < 3; ++axis)
-                hit = hit && intersects(axis, node.bound[axis][k], node.bound[axis + 3][k]);
-            if (!hit) continue;
-            if ((node.child[k] & leaf_bit) != 0) {
-                search_leaf(impl_->bvh.leaf_at(node.child[k] & leaf_index_mask));
-            } else {
-                open.push_back(node.child[k]);
-            }
-        }
-    }
+        return true;
+    });
     // Of an instance every triangle is tested if its box touches.
     for (std::size_t i = 0; i < impl_->views.size(); ++i) {
         const LeafTriangle bounds = impl_->boxes.triangle(static_cast<TriangleId>(i));
         bool hit = true;
         for (int axis = 0; axis < 3; ++axis)
-            hit = hit && intersects(axis, bounds.at[axis][0], bounds.at[axis][1]);
+            hit = hit && touches(box, axis, bounds.at[axis][0], bounds.at[axis][1]);
         const InstanceView& view = impl_->views[i];
         for (TriangleId t = 0; hit && t < impl_->placed[i].mesh->triangle_count(); ++t)
             test(impl_->triangle(view.first + t));
     }
     std::sort(found.begin(), found.end());
     return found;
+}
+
+std::size_t CollisionWorld::crowd_in(const Aabb& box, std::size_t most) const {
+    const Aabb inside{box.min.cwiseMax(impl_->bounds.min), box.max.cwiseMin(impl_->bounds.max)};
+    if ((inside.min.array() > inside.max.array()).any()) return 0;
+    std::size_t count = 0;
+    const auto add = [&](const Leaf& leaf) {
+        count += leaf_size(leaf);
+        return count < most;
+    };
+    visit_leaves(impl_->bvh.view(), inside, add);
+    visit_leaves(impl_->boxes.view(), inside, [&](const Leaf& boxes) {
+        for (std::size_t lane = 0; lane < leaf_size(boxes) && count < most; ++lane) {
+            const InstanceView& view = impl_->views[leaf_id(boxes, lane)];
+            visit_leaves(view.tree, in_mesh(view, inside), add);
+        }
+        return count < most;
+    });
+    return std::min(count, most);
 }
 
 }  // namespace slipface

@@ -30,6 +30,8 @@ std::optional<ClosestPoint> closest_point(const CollisionWorld& world, const Vec
                                           const QueryFilter& filter);
 std::size_t find_overlaps(const CollisionWorld& world, const Vec3& radii, const Vec3& centre,
                           std::span<Overlap> out, const QueryFilter& filter);
+bool overlaps_any(const CollisionWorld& world, const Vec3& radii, const Vec3& centre,
+                  const QueryFilter& filter);
 
 // The contact of the sweep with each triangle as if it were alone in the world, the earliest first; of equal
 // t interior before edge before vertex, then the lowest triangle. Writes as many of the first as `out` holds

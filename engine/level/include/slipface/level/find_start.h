@@ -54,8 +54,11 @@ Result<Start> settle_start(Level& level, std::string_view name = {});
 // Neighbours are connected where the player, raised by a step, can move straight from one to the other. Of
 // the connected floors at least half as large as the largest and not smaller than the player, the result is
 // the sample nearest to the middle; samples with four connections come first. Heights above the lowest sample
-// count double, so that a room is preferred to its roof. The same level gives the same bits.
-std::optional<Vec3> find_open_floor(const MovementScene& scene, const MovementSettings& settings);
+// count double, so that a room is preferred to its roof. The same level gives the same bits. Where very many
+// triangles lie in one place, the columns nearest to the middle alone are sampled, and `all_tried`, if given,
+// becomes false.
+std::optional<Vec3> find_open_floor(const MovementScene& scene, const MovementSettings& settings,
+                                    bool* all_tried = nullptr);
 
 // The centre of a player who rests a skin away from the plane through `point` with the unit normal `normal`.
 Vec3 centre_on(const Vec3& point, const Vec3& normal, const MovementSettings& settings);

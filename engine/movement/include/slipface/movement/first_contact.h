@@ -1,4 +1,4 @@
-// A sweep of a whole movement scene, without the rules of a step.
+// Queries of a whole movement scene, without the rules of a step.
 #pragma once
 
 #include <optional>
@@ -12,5 +12,8 @@ namespace slipface {
 // platforms; nothing if there is none.
 std::optional<Contact> first_contact(const MovementScene& scene, const Vec3& radii, const Vec3& from,
                                      const Vec3& move);
+
+// CollisionWorld::crowd_in() of all of them together.
+std::size_t crowd_in(const MovementScene& scene, const Aabb& box);
 
 }  // namespace slipface

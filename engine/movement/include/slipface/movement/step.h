@@ -66,6 +66,8 @@ struct StepResult {
     int contacts = 0;
     // True: the end was checked, and the ellipsoid overlaps no two-sided face there. False: unknown.
     bool end_is_free = false;
+    // True: there were too many triangles around to collect them once, so that each query looked for its own.
+    bool crowded = false;
 };
 
 // The state after `dt` seconds, 1e-4 or more. A dt above 0.25 s, when the game itself was held up, is moved

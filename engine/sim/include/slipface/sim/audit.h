@@ -93,6 +93,9 @@ struct AuditReport {
 
     // The results.
     std::uint64_t steps = 0;
+    // Steps not made, because very many triangles lie where the walkers went: a walker ends there when each
+    // query of its steps has looked at more than 600 on average over its whole duration.
+    std::uint64_t untried = 0;
     std::uint64_t lives = 0;
     std::uint64_t hazards = 0;
     std::uint64_t crushed = 0;  // times a platform trapped a walker (PlayerState::trapped)

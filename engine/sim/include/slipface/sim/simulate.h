@@ -51,6 +51,7 @@ struct TickResult {
     Respawn respawn = Respawn::none;
     int contacts = 0;
     bool end_is_free = false;  // StepResult::end_is_free, of `stepped`
+    bool crowded = false;      // StepResult::crowded
 };
 TickResult play_tick(const MovementScene& scene, const MovementSettings& settings, const PlayerState& before,
                      const PlayerInput& input, double dt, const RunStart& start, TraceSink* trace = nullptr);
