@@ -13,7 +13,10 @@ constexpr std::uint8_t border_color[4] = {14, 17, 22, 135};
 constexpr float border_width = 1.2f;
 constexpr float shortest_border = 2.5f;  // pixels; keeps dense geometry from turning black
 constexpr double line_bias = 2.0;        // pixels by which lines lie in front of their faces
-constexpr std::size_t triangles_per_draw = std::size_t{1} << 15U;
+constexpr std::size_t triangles_per_piece = std::size_t{1} << 15U;
+// Of a call with triangles that reach over the image's border, Mesa's clipping visits all vertices again and
+// again.
+constexpr std::size_t triangles_per_call = 512;
 constexpr GLuint64 longest_wait_ns = 100'000'000;
 
 }  // namespace
@@ -146,11 +149,13 @@ void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat
 // most two pieces are in flight: one that is being drawn, and the next.
 void LevelRenderer::Impl::draw_in_pieces(const DrawBatch& batch) {
     GLsync last = nullptr;
-    for (std::size_t done = 0; done < batch.count; done += triangles_per_draw) {
-        const std::size_t count = std::min(triangles_per_draw, batch.count - done);
-        gl->DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * (batch.first + done)),
-                       static_cast<GLsizei>(3 * count));
-        if (batch.count <= triangles_per_draw) return;
+    for (std::size_t done = 0; done < batch.count; done += triangles_per_piece) {
+        const std::size_t count = std::min(triangles_per_piece, batch.count - done);
+        for (std::size_t called = 0; called < count; called += triangles_per_call) {
+            gl->DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * (batch.first + done + called)),
+                           static_cast<GLsizei>(3 * std::min(triangles_per_call, count - called)));
+        }
+        if (batch.count <= triangles_per_piece) return;
         GLsync now = gl->FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
         gl->Flush();
         if (last != nullptr) {
