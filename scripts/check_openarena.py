@@ -10,7 +10,7 @@ map, as docs/levels.md has it:
   open      rays that hit no brush either: the map itself is open there
   stand     spawns from which a player who walks to and fro for a second stands on ground afterwards, of those tried
 
-    scripts/check_openarena.py [--program build/release/editor/slipface] [--rays 400] [--spawns 4] [MAP...]
+    scripts/check_openarena.py [--program build/release/editor/slipface] [--rays 400] [--spawns 4] [MAP... | FILE.bsp...]
 """
 import argparse, glob, json, os, pathlib, re, struct, subprocess, sys, tempfile, zipfile
 
@@ -193,10 +193,13 @@ def main():
     except ImportError:
         skip("no numpy (apt-get install python3-numpy)")
     packs = sorted(glob.glob("/usr/share/games/openarena/*/pak*.pk3"))
-    if not packs:
+    files = [name for name in options.maps if name.endswith(".bsp")]
+    if not packs and not files:
         skip("no OpenArena (apt-get install openarena-081-maps openarena-085-data)")
     found = {}
-    for pack in packs:
+    for name in files:
+        found[pathlib.Path(name).stem] = pathlib.Path(name).read_bytes()
+    for pack in packs if not files else []:
         with zipfile.ZipFile(pack) as file:
             for name in file.namelist():
                 if name.startswith("maps/") and name.endswith(".bsp"):
@@ -204,7 +207,7 @@ def main():
     print("| map | faces | undrawn | area | rays at brushes | late | escaped | open | stand |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|")
     bad = 0
     for name in sorted(found):
-        if options.maps and name not in options.maps:
+        if options.maps and not files and name not in options.maps:
             continue
         with tempfile.TemporaryDirectory() as folder:
             bsp = f"{folder}/{name}.bsp"

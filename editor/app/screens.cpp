@@ -148,6 +148,8 @@ std::optional<std::pair<int, int>> parse_size(std::string_view text) {
 
 namespace {
 
+constexpr int game_width = 1280, game_height = 720;
+
 // The open level as a game draws it, from the editor's viewpoint.
 Result<Image> game_image(const GlTable& gl, const Editor& editor) {
     Result<std::unique_ptr<GeometricManager>> made = GeometricManager::make(editor.document->snapshot());
@@ -161,7 +163,7 @@ Result<Image> game_image(const GlTable& gl, const Editor& editor) {
         find_start(geometry.level(), scene.at(0, 0.0), scene.offset(), player.settings);
     player.state = geometry.player_at(start ? start->position : geometry.level().spawn);
 
-    Framebuffer target(gl, 1280, 720);
+    Framebuffer target(gl, game_width, game_height);
     GlGraphics graphics(gl);
     graphics.style = editor.style;
     target.bind();
@@ -185,6 +187,7 @@ Status write_images(const fs::path& level, const fs::path& editor_png, const fs:
     (*host)->settle();
     if (const Status status = save_png(editor_png, (*host)->screenshot()); !status) return status;
     if (!editor.document) return {};
+    fit_framed_pane(editor, editor.panes.active, 1.0 * game_width / game_height);
     const Result<Image> image = game_image((*host)->context().gl(), editor);
     return image ? save_png(level_png, *image) : image.error();
 }

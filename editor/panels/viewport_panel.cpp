@@ -188,6 +188,9 @@ void viewport_panel(Editor& editor, FrameContext& frame) {
     state.min = active.min;
     state.size = {std::max(1.0f, active.max.x - active.min.x), std::max(1.0f, active.max.y - active.min.y)};
     editor.view_aspect = static_cast<double>(state.size.x) / static_cast<double>(state.size.y);
+    for (std::size_t pane = 0; pane < Panes::maximum; ++pane)
+        if (const PaneRect rect = pane_rects(one)[pane]; rect.width > 0.0)
+            fit_framed_pane(editor, pane, rect.width * size.x / std::max(1.0, rect.height * size.y));
     const Rect whole{min, {min.x + size.x, min.y + size.y}};
     const LegendLayout key = legend_layout(editor, whole.min, whole.max);
     if (editor.playtest) {

@@ -13,8 +13,6 @@
 namespace slipface {
 namespace {
 
-constexpr double opening_aspect = 1.6;  // the window is not known yet; framing again corrects it
-
 std::string brush_name(const Editor& editor) {
     if (!editor.brush) return "unset";
     const std::vector<SurfaceType>& surfaces = editor.document->level().surfaces;
@@ -93,7 +91,7 @@ void adopt_document(Editor& editor, std::unique_ptr<Document> opened, const std:
         const ViewCamera usual;
         editor.view.yaw = usual.yaw;
         editor.view.pitch = usual.pitch;
-        editor.view.frame(shown_bounds(document), opening_aspect);
+        frame_pane(editor, editor.panes.active);
     }
     editor.status = "Opened " + path.filename().string() + ", " + counted(document.face_count(), "face");
     if (const std::size_t hidden = document.hidden().size(); hidden > 0)

@@ -322,7 +322,11 @@ std::size_t find_limit_steps(const Patient& patient, Problems& out) {
         steps[i].passage = climb_between(here, steps[i].below, steps[i].above);
         return !here.is_spent();
     });
-    std::erase_if(steps, [](const Step& step) { return step.passage != Passage::catches; });
+    const MovementSettings& settings = patient.level.movement;
+    // At a step that the settings allow, something else is in the way, such as a rail that stands on it.
+    std::erase_if(steps, [&](const Step& step) {
+        return step.passage != Passage::catches || (settings.step_up && step.height <= settings.step_height);
+    });
     // The steps of a flight are one problem: of one group and height.
     const auto flight_of = [&](const Step& step) {
         return std::pair(patient.mesh.face_group[step.face], std::llround(step.height * 1000.0));
@@ -330,7 +334,6 @@ std::size_t find_limit_steps(const Patient& patient, Problems& out) {
     std::map<std::pair<std::uint32_t, long long>, std::vector<const Step*>> flights;
     for (const Step& step : steps)
         flights[flight_of(step)].push_back(&step);
-    const MovementSettings& settings = patient.level.movement;
     const std::string climbs = settings.step_up ? "Step height is " + metres(settings.step_height)
                                                 : "Step up is off; without it the player climbs only " +
                                                       metres(rolled_over(settings));

@@ -128,13 +128,6 @@ class ShaderReader {
     ImportedRules out_;
 };
 
-std::uint32_t u32_at(std::string_view bytes, std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 4; i-- > 0;)
-        value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
-    return value;
-}
-
 }  // namespace
 
 Result<ImportedRules> read_shaders(std::string_view text, const std::string& location) {
@@ -142,27 +135,12 @@ Result<ImportedRules> read_shaders(std::string_view text, const std::string& loc
 }
 
 Result<ImportedRules> read_bsp_flags(std::string_view bytes, const std::string& location) {
-    constexpr std::size_t lump_entry = 8 + 8;  // lump 0, the entities, comes first
-    constexpr std::size_t texture_size = 72, name_size = 64;
-    if (bytes.size() < 144 || !bytes.starts_with("IBSP") || u32_at(bytes, 4) != 46)
-        return Error{location, "is no Quake 3 map; expected IBSP of version 46"};
-    const std::size_t begin = u32_at(bytes, lump_entry);
-    const std::size_t size = u32_at(bytes, lump_entry + 4);
-    if (begin > bytes.size() || size > bytes.size() - begin || size % texture_size != 0)
-        return Error{location, fmt::format("declares {} bytes of textures at {}, but has {} bytes", size,
-                                           begin, bytes.size())};
-    if (size / texture_size > max_rules) return Error{location, "gives more than 100000 rules"};
+    const auto textures = bsp_textures(bytes, location);
+    if (!textures) return textures.error();
+    if (textures->size() > max_rules) return Error{location, "gives more than 100000 rules"};
     ImportedRules out;
-    for (std::size_t i = 0; i < size / texture_size; ++i) {
-        const std::size_t at = begin + i * texture_size;
-        const std::uint32_t surface = u32_at(bytes, at + name_size);
-        const std::uint32_t contents = u32_at(bytes, at + name_size + 4);
-        const char* type = bsp_surface_type(surface, contents);
-        if (type == nullptr) continue;
-        const std::string_view name = bytes.substr(at, name_size);
-        const std::string_view used = name.substr(0, name.find('\0'));
-        if (!used.empty()) add_rule(std::string(used), type, out);
-    }
+    for (const auto& [name, type] : *textures)
+        if (type != nullptr && !name.empty()) add_rule(std::string(name), type, out);
     return out;
 }
 

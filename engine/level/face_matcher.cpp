@@ -76,6 +76,7 @@ MatchedOverrides FaceMatcher::run() && {
         without_outline([this](std::size_t i) { return match_union(i, false); });
         without_outline([this](std::size_t i) { return match_union(i, true); });
         without_outline([this](std::size_t i) { return match_area(i); });
+        run_stage(Stage::nearest, [this](std::size_t i) { return match_extruded(i); });
         match_covered(0.9, false);
         match_covered(0.5, false);
         match_covered(0.9, true);
@@ -137,12 +138,12 @@ std::vector<FaceId> FaceMatcher::faces_in(std::size_t i, const Aabb& box, bool a
     return faces;
 }
 
-std::vector<FaceId> FaceMatcher::faces_around(std::size_t i, double reach) {
+std::vector<FaceId> FaceMatcher::faces_around(std::size_t i, double reach, bool any_material) {
     const Vec3& centroid = key(i).centroid;
     Aabb box;
     box.add(centroid - Vec3::Constant(reach));
     box.add(centroid + Vec3::Constant(reach));
-    return faces_in(i, box);
+    return faces_in(i, box, any_material);
 }
 
 void FaceMatcher::collect() {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "face_index.h"
+#include "mesh_parts.h"
 #include "slipface/collision/collision_world.h"
 
 namespace slipface {
@@ -47,7 +48,7 @@ class FaceMatcher {
     bool is_free(FaceId face) const { return claims_[face] == MatchStage::none; }
     void claim(FaceId face, std::size_t i, MatchStage stage);
     std::vector<FaceId> faces_in(std::size_t i, const Aabb& box, bool any_material = false);
-    std::vector<FaceId> faces_around(std::size_t i, double reach);
+    std::vector<FaceId> faces_around(std::size_t i, double reach, bool any_material = false);
     template <class Match>
     void run_stage(MatchStage stage, Match match);
     void move();
@@ -78,10 +79,12 @@ class FaceMatcher {
     };
     // `any_material`: a new face may also cover old ones of other materials than its own.
     void match_covered(double least_dot, bool any_material);
+    bool is_remade(FaceId face, std::size_t i);
     bool is_covered(std::size_t i) const;  // found so by new faces; others may cover it, too
     void find_covers(std::size_t i, double least_dot, bool any_material, std::vector<Cover>& covers);
 
     // match_nearest.cpp
+    bool match_extruded(std::size_t i);
     bool match_nearest(std::size_t i);
     bool is_refused(FaceId face, std::size_t i) const;
 
@@ -103,6 +106,8 @@ class FaceMatcher {
     std::vector<bool> doubtful_;  // [stored] what is found is a guess
     // Faces that match_covered() did not give the type of the stored one, sorted.
     std::vector<std::pair<FaceId, std::size_t>> refused_;
+    std::optional<MeshParts> pieces_;  // of the mesh, found when they are needed
+    std::vector<bool> mixed_;          // [of these] has several materials
     std::size_t union_visits_ = 0;
     bool bent_ = false;  // what match_union() looks for
     MatchedOverrides result_;

@@ -6,6 +6,7 @@
 
 #include "face_cover.h"
 #include "face_matcher.h"
+#include "part_support.h"
 
 namespace slipface {
 namespace {
@@ -24,12 +25,47 @@ constexpr double left_fraction = 0.1;  // of an old face, by what is still there
 // the larger one's size.
 constexpr double off_plane = 0.02, off_plane_by_tilt = 0.7;
 
+constexpr std::size_t few_pieces = 3;  // a bevel leaves one of a face; remeshing, many
+
+constexpr double remade_slack = 0.2;  // of a part's box: a small one loses a voxel on each side
+
 constexpr double wide = 0.1;  // in the old face's size: how far from its outline faces are looked for
 
 }  // namespace
 
 bool FaceMatcher::is_covered(std::size_t i) const {
     return found_[i] == MatchStage::plane && !outlines_[i].empty() && !likely_[i];
+}
+
+// Whether the face is of a part of one material that fills the box of the stored face's part: remeshed, which
+// loses the materials.
+bool FaceMatcher::is_remade(FaceId face, std::size_t i) {
+    const std::size_t old = i < parts_.of.size() ? parts_.of[i] : 0;
+    if (old == 0 || old > parts_.parts.size()) return false;
+    if (!pieces_) {
+        pieces_ = mesh_parts(mesh_, surfaces_);
+        mixed_.resize(pieces_->parts.size(), false);
+        for (FaceId other = 0; other < mesh_.face_count(); ++other) {
+            const std::uint32_t piece = pieces_->of[other];
+            const FaceId first = pieces_->sorted[pieces_->first[piece]];
+            if (index_.base(other) != index_.base(first)) mixed_[piece] = true;
+        }
+    }
+    const std::uint32_t piece = pieces_->of[face];
+    if (mixed_[piece] || pieces_->scattered[piece]) return false;
+    const PaintPart& part = parts_.parts[old - 1];
+    Aabb box = part.box;
+    if (const PartMotion* motion = motion_of(i)) {
+        box = {};
+        for (int corner = 0; corner < 8; ++corner) {
+            Vec3 at = part.box.min;
+            for (int axis = 0; axis < 3; ++axis)
+                if ((corner >> axis & 1) != 0) at[axis] = part.box.max[axis];
+            box.add((*motion)(at));
+        }
+    }
+    return pieces_->parts[piece].faces != part.faces &&
+           similar_box(pieces_->parts[piece].box, box, remade_slack);
 }
 
 void FaceMatcher::find_covers(std::size_t i, double least_dot, bool any_material,
@@ -78,6 +114,7 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
     };
     // Of each old face, covered by new ones, and by those of them in its plane.
     std::vector<double> total(stored_.size(), 0.0), flat(stored_.size(), 0.0);
+    std::vector<std::size_t> pieces(stored_.size(), 0);  // these
     each_face([&](std::span<Cover> covers) {
         std::vector<OldFace> old;
         for (const Cover& cover : covers)
@@ -88,7 +125,9 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
         for (std::size_t k = 0; k < covers.size(); ++k) {
             covers[k].area = areas[k];
             total[covers[k].i] += areas[k];
-            if (covers[k].flat) flat[covers[k].i] += areas[k];
+            if (!covers[k].flat) continue;
+            flat[covers[k].i] += areas[k];
+            pieces[covers[k].i] += areas[k] > part_of_it * key(covers[k].i).area ? 1 : 0;
         }
     });
     // Beside what is left of a face in its plane, small tilted faces are not it: its edges were bevelled.
@@ -96,7 +135,9 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
         const double area = key(cover.i).area;
         const FaceKey& face = index_.key(cover.face);
         const double small = face.normal.dot(unit_or_zero(key(cover.i).normal)) < 0.97 ? 0.25 : 0.08;
-        if (!cover.flat && flat[cover.i] > left_fraction * area && face.area < small * area) cover.area = 0.0;
+        if (!cover.flat && flat[cover.i] > left_fraction * area && face.area < small * area &&
+            (pieces[cover.i] < few_pieces || !is_remade(cover.face, cover.i)))
+            cover.area = 0.0;
     }
     const auto is_other = [&](std::size_t i) {
         return likely_[i] && total[i] < filled_fraction * key(i).area;
@@ -109,7 +150,8 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
         for (const Cover& cover : covers) {
             if (is_other(cover.i)) continue;
             shares[*types_[cover.i]] += cover.area;
-            own += bases_[cover.i] == index_.base(face) ? cover.area : 0.0;
+            const bool same = bases_[cover.i] == index_.base(face);
+            own += same || (any_material && is_remade(face, cover.i)) ? cover.area : 0.0;
         }
         const double area = index_.key(face).area;
         if (own <= part_of_it * area) return;

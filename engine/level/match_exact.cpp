@@ -50,11 +50,15 @@ bool FaceMatcher::match_location(std::size_t i) {
 // then the nearest, then the lowest index.
 bool FaceMatcher::claim_best(std::size_t i, const std::vector<FaceId>& faces) {
     const FaceKey& key = this->key(i);
-    FaceId best = no_id;
+    FaceId best = no_id, taken = no_id;
     int best_rank = 0;
     double best_distance = 0.0;
     for (const FaceId face : faces) {
-        if (!is_free(face)) continue;
+        if (!is_free(face)) {
+            // Of faces at one place a tool has left one: whose type it has is a question.
+            if (result_.overrides[face] != types_[i]) taken = face;
+            continue;
+        }
         const int rank = index_.key(face).material == key.material ? 0
                          : index_.base(face) == bases_[i]          ? 1
                                                                    : 2;
@@ -65,7 +69,10 @@ bool FaceMatcher::claim_best(std::size_t i, const std::vector<FaceId>& faces) {
             best_distance = distance;
         }
     }
-    if (best == no_id) return false;
+    if (best == no_id) {
+        if (taken != no_id) result_.guessed.push_back(taken);
+        return false;
+    }
     claim(best, i, MatchStage::exact);
     return true;
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "area_fit.h"
 #include "face_matcher.h"
 #include "part_support.h"
 #include "part_types.h"
@@ -89,6 +90,14 @@ class MotionFinder {
     bool is_unexplained(std::size_t part);
     bool lies_as_before(std::size_t part);
 
+    // part_area.cpp: what little is left says
+    void fit_areas();
+    void fit_level(AreaFit& fit, const std::vector<std::size_t>& painted);
+    void accept_area(std::size_t part, const PartMotion& motion);
+    const PartMotion* clear_one(AreaFit& fit, std::span<const std::size_t> parts,
+                                const std::vector<AreaMotion>& motions);
+    bool is_missing(std::size_t part);
+
     // part_follow.cpp: what the others did
     static bool is_explained(const Part& part) {
         return !part.best.is_identity() || part.staying.corners >= 0.5;
@@ -109,6 +118,7 @@ class MotionFinder {
     const FaceIndex& index_;
     const SurfaceTable surfaces_;
     const PaintParts& stored_;
+    const std::vector<StoredOverride>& overrides_;
     PartSupport support_;
     PartTypes types_;
     SimilarFaces similar_;

@@ -29,6 +29,7 @@ MotionFinder::MotionFinder(FaceLookup& lookup, SurfaceTable surfaces, const Pain
       index_(lookup.index),
       surfaces_(surfaces),
       stored_(parts),
+      overrides_(stored),
       support_(mesh_, index_, surfaces, parts, stored),
       types_(parts, stored),
       similar_(mesh_, index_),
@@ -62,6 +63,8 @@ std::vector<PartMotion> MotionFinder::run() && {
     }
     collect_moves();
     one_part_each_place();
+    fit_areas();
+    collect_moves();
     search_edited();
     const bool symmetric = may_have_turned();
     std::vector<PartMotion> motions;

@@ -77,6 +77,9 @@ class PartSupport {
     // The mesh's parts at the part's points after the motion, of each point.
     std::vector<std::uint32_t> parts_at(std::size_t part, const PartMotion& motion);
 
+    // True if a part that stayed, painted or not, is where the mesh's part is.
+    bool is_occupied(std::uint32_t part_of_mesh);
+
     // True if the motion puts the part where another one stayed.
     bool is_taken(std::size_t part, const PartMotion& motion);
 

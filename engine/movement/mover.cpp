@@ -37,17 +37,17 @@ double slope_cosine(double angle) {
     return sum;
 }
 
-const SurfaceType& surface_of(const Mover& mover, SurfaceId surface) {
-    if (mover.settings.surface_types && surface < mover.scene.surfaces.size())
-        return mover.scene.surfaces[surface];
+const SurfaceType& surface_of(const Given& given, SurfaceId surface) {
+    if (given.settings.surface_types && surface < given.scene.surfaces.size())
+        return given.scene.surfaces[surface];
     static const SurfaceType plain;
     return plain;
 }
 
-const SurfaceType& support_of(const Mover& mover) {
-    const PlayerState& state = mover.state;
-    const CollisionWorld& world = world_of(mover, state.ground_platform);
-    return surface_of(mover,
+const SurfaceType& type_stood_on(const Given& given) {
+    const PlayerState& state = given.state;
+    const CollisionWorld& world = world_of(given, state.ground_platform);
+    return surface_of(given,
                       state.ground_face == no_id ? default_surface : world.face_surface(state.ground_face));
 }
 

@@ -62,6 +62,9 @@ NearPlatforms platforms_near(const MovementScene& scene, const Vec3& radii, cons
 // Half-extents of the region that is cached for a step of that length, m. Queries beyond it are slower.
 Vec3 reach_of_step(const MovementSettings& settings, double length);
 
+// Sweeps of one pass of collide and slide, at most, whatever the settings say.
+inline constexpr int slide_capacity = 8;
+
 // What can be touched around a position. It refers to the scene.
 struct Surroundings {
     Neighbourhood near;  // of what stands still
@@ -82,6 +85,7 @@ struct Surroundings {
 // Scratch: what the phases leave for one another. It is gone when the part ends.
 struct Scratch {
     const Surroundings& around;
+    const SurfaceType& stood_on;          // before
     Vec3 velocity_before = Vec3::Zero();  // at the start of the part: what a bounce gives back lies between
     bool was_grounded = false;            // before, and does not jump now
     bool jumped = false;
@@ -94,9 +98,24 @@ struct Scratch {
     bool end_is_free = false;  // by the last check: but for one-sided faces
 };
 
-struct Mover : Given, Motion, Scratch {
+// What a pass of collide and slide met.
+struct Met {
+    Vec3 point;              // touched, world space
+    Vec3 normal;             // of the contact
+    TriangleId triangle;     // touched, in its world
+    std::uint32_t platform;  // that the triangle belongs to, or no_id
+    bool walkable;           // flat enough to stand on
+};
+struct LatestPass {
+    std::array<Met, slide_capacity> met;  // in order
+    int met_count = 0;
+};
+
+const SurfaceType& type_stood_on(const Given& given);  // before
+
+struct Mover : Given, Motion, Scratch, LatestPass {
     Mover(const Given& given, const Surroundings& surroundings)
-        : Given(given), Scratch{.around = surroundings} {
+        : Given(given), Scratch{.around = surroundings, .stood_on = type_stood_on(given)} {
         position = given.state.position;
         jumping = given.state.jumping;
         trapped = given.state.trapped;
@@ -140,8 +159,10 @@ Vec3 slide_along(const Vec3& v, const Vec3& normal);
 double slope_cosine(double angle);
 
 // Surfaces. `default` for unknown ids and when surface types are switched off.
-const SurfaceType& surface_of(const Mover& mover, SurfaceId surface);
-const SurfaceType& support_of(const Mover& mover);                      // what the player stood on before
+const SurfaceType& surface_of(const Given& given, SurfaceId surface);
+inline const SurfaceType& support_of(const Mover& mover) {  // what the player stood on before
+    return mover.stood_on;
+}
 Support support_before(const Mover& mover);                             // the same as faces and normals
 double walkable_limit(const Mover& mover, const SurfaceType& surface);  // least N.y that can be stood on
 inline bool is_walkable(const Mover& mover, const Vec3& normal, const SurfaceType& surface) {
@@ -173,6 +194,7 @@ struct Refusal {
 // Queries of the whole scene: what stands still, and every platform but the ignored one.
 struct SceneContact {
     Contact contact;
+    TriangleId triangle = no_id;  // touched, in its world
     std::uint32_t platform = no_id;
     double depth = 0.0;  // metres behind the contact plane already, where the seam filter replaced it
     bool back = false;   // the middle of a triangle was touched from behind; known only while tracing
@@ -183,7 +205,7 @@ std::size_t overlaps_in_scene(const Mover& mover, const Vec3& centre, std::span<
 bool overlaps_scene(const Mover& mover, const Vec3& centre);
 bool is_free(const Mover& mover, const Vec3& centre);  // of one-sided faces, too
 std::optional<RayHit> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& move);
-const CollisionWorld& world_of(const Mover& mover, std::uint32_t platform);
+const CollisionWorld& world_of(const Given& given, std::uint32_t platform);
 // Replaces the normal of a touch of an edge that is inside a flat or concave surface by the face's. Returns
 // how deep the ellipsoid at `centre` is behind that face's plane, metres; 0 where nothing was replaced.
 double filter_seam(const Mover& mover, const Vec3& centre, std::uint32_t platform, Contact& contact);
@@ -196,6 +218,7 @@ struct Swept {
     Vec3 reached = Vec3::Zero();
     double used = 1.0;                              // fraction of the move that was made
     std::optional<Contact> contact = std::nullopt;  // t is a fraction of the move
+    TriangleId triangle = no_id;                    // touched, in its world
     std::uint32_t platform = no_id;                 // that the contact's face belongs to
 };
 Swept sweep_with_skin(Mover& mover, Pass pass, int iteration, const Vec3& move);
@@ -219,9 +242,8 @@ std::optional<Deflection> go_straight_ahead(Mover& mover, const Hit& hit);
 
 // Holds the earlier planes of a pass against the latest deflection.
 struct Corner {
-    static constexpr int capacity = 8;
-    std::array<Vec3, capacity> planes;
-    std::array<bool, capacity> constrains_velocity;
+    std::array<Vec3, slide_capacity> planes;
+    std::array<bool, slide_capacity> constrains_velocity;
     int count = 0;
 };
 void respect_corner(const Corner& corner, const Vec3& remainder, const Vec3& velocity,
@@ -256,7 +278,7 @@ void climb(Mover& mover);
 // 6. The feet are lifted to the terrain. False if there is no room above it.
 bool clamp_to_terrain(Mover& mover, const Vec3& from);
 // 7. A position inside geometry is not accepted: the player stays at `safe` and stops.
-PlayerState accept(Mover& mover, const Motion& safe, bool room_above_terrain);
+PlayerState accept(Mover& mover, const Vec3& safe, bool room_above_terrain);
 
 // Parts of a walk.
 // Returns how much more the ground could have changed the velocity, m/s; 0 where all of it was used, and in

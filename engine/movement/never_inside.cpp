@@ -42,13 +42,13 @@ PlayerState state_after(const Mover& mover) {
 
 }  // namespace
 
-PlayerState accept(Mover& mover, const Motion& safe, bool room_above_terrain) {
+PlayerState accept(Mover& mover, const Vec3& safe, bool room_above_terrain) {
     const bool finite = mover.position.allFinite() && mover.velocity.allFinite();
-    if (finite && room_above_terrain && !ends_inside(mover, safe.position)) return state_after(mover);
-    decide(mover, Decision::never_inside, {.value = finite ? (mover.position - safe.position).norm() : 0.0},
+    if (finite && room_above_terrain && !ends_inside(mover, safe)) return state_after(mover);
+    decide(mover, Decision::never_inside, {.value = finite ? (mover.position - safe).norm() : 0.0},
            mover.support.face);
     PlayerState after = mover.state;
-    after.position = safe.position;
+    after.position = safe;
     after.velocity = Vec3::Zero();
     after.jump_held = mover.jump_held;
     after.hazard = mover.hazard;

@@ -63,9 +63,9 @@ NearPlatforms platforms_near(const MovementScene& scene, const Vec3& radii, cons
     return near;
 }
 
-const CollisionWorld& world_of(const Mover& mover, std::uint32_t platform) {
-    return platform < mover.scene.platforms.size() ? *mover.scene.platforms[platform].collision
-                                                   : mover.scene.collision;
+const CollisionWorld& world_of(const Given& given, std::uint32_t platform) {
+    return platform < given.scene.platforms.size() ? *given.scene.platforms[platform].collision
+                                                   : given.scene.collision;
 }
 
 std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Vec3& move) {
@@ -77,6 +77,7 @@ std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Ve
                    if (!contact) return;
                    // The numbers in the world are wanted by the seam filter, those of the mesh by everybody
                    // else.
+                   const TriangleId triangle = contact->triangle;
                    double depth = 0.0;
                    if (!mover.began_free && contact->feature != Feature::interior)
                        depth = filter_seam(mover, from + contact->t * move, platform, *contact);
@@ -86,7 +87,7 @@ std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Ve
                            0.0;
                    contact->triangle = number_in_mesh(contact->triangle, triangles);
                    if (!best || earlier(*contact, best->contact))
-                       best = SceneContact{*contact, platform, depth, back};
+                       best = SceneContact{*contact, triangle, platform, depth, back};
                });
     return best;
 }

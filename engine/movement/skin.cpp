@@ -44,6 +44,7 @@ Swept sweep_with_skin(Mover& mover, Pass pass, int iteration, const Vec3& move) 
         swept.contact = found->contact;
         depth = found->depth;
         back = found->back;
+        swept.triangle = found->triangle;
         swept.platform = found->platform;
     }
 

@@ -10,7 +10,8 @@ Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move) {
     Corner corner;
     Vec3 remainder = move;
     double done = 0.0;
-    const int slides = std::clamp(mover.settings.max_slides, 1, Corner::capacity);
+    mover.met_count = 0;
+    const int slides = std::clamp(mover.settings.max_slides, 1, slide_capacity);
     const double negligible = 1e-9 * mover.settings.skin;
     for (int i = 0; i < slides; ++i) {
         if (!(remainder.norm() > negligible)) return Vec3::Zero();
@@ -30,6 +31,11 @@ Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move) {
                                   (pass == Pass::vertical && on_rim(mover, *swept.contact)),
                       .remainder = remainder,
                       .done = done};
+        mover.met[static_cast<std::size_t>(mover.met_count++)] = {.point = hit.contact.point,
+                                                                  .normal = hit.contact.normal,
+                                                                  .triangle = swept.triangle,
+                                                                  .platform = hit.platform,
+                                                                  .walkable = hit.walkable};
         touch(mover, hit);
         const Vec3 velocity = mover.velocity;
         Deflection deflection = respond(mover, hit);

@@ -74,7 +74,8 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
     // Not in an optional, which would fill its 19 KB with zeros in every step.
     Surroundings around(scene, settings, result.state.position, longest_move(std::min(shared, parts)));
     for (int part = 0; part < parts; ++part) {
-        const PlayerState before = result.state;
+        const PlayerState& before = result.state;
+        const Vec3 begin = before.position;
         if (part > 0 && !around.cover(settings, before.position, longest_move(1)))
             std::construct_at(&around, scene, settings, before.position,
                               longest_move(std::min(shared, parts - part)));
@@ -92,18 +93,18 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
         // Platforms stand already where the whole step ends, so only its first part moves with them.
         if (part == 0) leave_geometry(mover);
         if (part == 0) move_with_platforms(mover);
-        const Motion safe = mover;
+        const Vec3 safe = mover.position;
         move_with_surface(mover);
         const Drive drive = choose_drive(mover);
         move_player(mover, drive);
-        const bool room = clamp_to_terrain(mover, safe.position);
+        const bool room = clamp_to_terrain(mover, safe);
         result.state = accept(mover, safe, room);
 
         result.sweeps += mover.sweeps;
         result.contacts += mover.contacts;
         result.end_is_free = mover.end_is_free;
         result.crowded = result.crowded || around.near.triangles().reach[0] < 0.0;
-        free = mover.ends_free || (mover.began_free && result.state.position == before.position);
+        free = mover.ends_free || (mover.began_free && result.state.position == begin);
         hazard = hazard || result.state.hazard;
     }
     result.state.hazard = hazard;

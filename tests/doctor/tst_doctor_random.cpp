@@ -425,6 +425,33 @@ TEST(DoctorRandom, FindsNoStepsInSunkSlabsAndHighRims) {
     }
 }
 
+// A step that can be climbed, on which a rail stands in the way.
+TEST(DoctorRandom, FindsNoStepUnderARail) {
+    for (unsigned seed = 0; seed < 100; ++seed) {
+        Random random(8500 + seed);
+        const MovementSettings settings = random_settings(random);
+        const double radius = settings.radii.x();
+        const double rise = random.between(0.5, 0.95) * settings.step_height;
+        // So high that the doctor's rays for the floor behind the lower half of the riser begin inside it.
+        const double rail = 0.5 * rise + random.between(0.51, 0.56) * settings.radii.y();
+        const double to = random.between(-0.9, 0.9) * radius;
+        Scene scene(random);
+        scene.floor(-6.0, -6.0, 0.0, 6.0);
+        scene.floor(0.0, -1.0, 3.0, 1.0, rise);
+        scene.wall(0.0, -1.0, 1.0, 0.0, 0.5 * rise);
+        scene.wall(0.0, -1.0, 1.0, 0.5 * rise, rise);
+        const double deep = random.between(0.2, 0.5);
+        scene.wall(0.0, -1.0, to, rise, rail);
+        scene.floor(0.0, -1.0, deep, to, rail);
+        scene.add({{0, rail, to}, {0, rise, to}, {deep, rise, to}, {deep, rail, to}});
+        scene.add({{deep, rise, -1}, {deep, rail, -1}, {deep, rail, to}, {deep, rise, to}});
+        const DoctorReport report = examine(scene.level(settings));
+        for (const Problem& problem : report.problems)  // the rail may be a step itself
+            EXPECT_TRUE(problem.kind != ProblemKind::step_limit || (problem.face != 2 && problem.face != 3))
+                << "seed " << seed << ": " << problem.text;
+    }
+}
+
 // A tile whose neighbour on one side is cut in two has a corner on its edge. A walker does not notice: it
 // ends where it ends on the floor in which that edge has a corner, too.
 TEST(DoctorRandom, FindsTJunctionsThatAWalkerDoesNotNotice) {

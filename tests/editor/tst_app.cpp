@@ -1,3 +1,5 @@
+#include <random>
+
 #include "app/parts.h"
 #include "app_fixture.h"
 #include "panels/viewport_panel.h"
@@ -277,6 +279,34 @@ TEST_F(AppTest, SmallAndLargeWindowsWork) {
         if (c.width < 400) continue;
         EXPECT_GE(view.size.x, 0.3f * static_cast<float>(c.width)) << c.width;
         EXPECT_EQ(host->screenshot().width, c.width);
+    }
+}
+
+// The window's shape is not known when a level is opened from the command line.
+TEST_F(AppTest, ALevelOpensWholeInWindowsOfAnyShape) {
+    std::mt19937 random(41);
+    std::uniform_int_distribution<int> size(500, 1800);
+    for (int i = 0; i < 5; ++i) {
+        OffscreenOptions options;
+        options.width = size(random);
+        options.height = size(random);
+        start(options);
+        ASSERT_EQ(run(i % 2 == 1 ? "command view.four_panes" : "command view.one_pane"), "");
+        host->frame();
+        const Camera camera = editor().view.camera();
+        const Aabb& box = document().bounds();
+        for (const double x : {box.min.x(), box.max.x()})
+            for (const double y : {box.min.y(), box.max.y()})
+                for (const double z : {box.min.z(), box.max.z()}) {
+                    const Vec3 at = project(camera, {x, y, z}, {editor().view_aspect, 1.0});
+                    EXPECT_TRUE(at.x() > 0.0 && at.x() < editor().view_aspect) << options.width;
+                    EXPECT_TRUE(at.y() > 0.0 && at.y() < 1.0) << options.height;
+                }
+        editor().view.orbit({20, 0});
+        const ViewCamera moved = editor().view;
+        ASSERT_EQ(run(i % 2 == 1 ? "command view.one_pane" : "command view.two_panes"), "");
+        host->frame();
+        EXPECT_EQ(editor().view.distance, moved.distance) << "a view that was moved stays";
     }
 }
 

@@ -111,6 +111,8 @@ TEST(CommandTable, NothingBreaksWithoutALevel) {
 }
 
 TEST_F(EditorTest, EveryCommandRunsOnALevel) {
+    const std::filesystem::path started_in = std::filesystem::current_path();
+    std::filesystem::current_path(folder);  // where no review is
     for (const std::string state : {"plain", "selected", "hovered", "playing", "probing", "stroke"}) {
         for (const Command& command : commands()) {
             SCOPED_TRACE(state + " " + command.id);
@@ -134,6 +136,7 @@ TEST_F(EditorTest, EveryCommandRunsOnALevel) {
             ASSERT_TRUE(editor.document);
         }
     }
+    std::filesystem::current_path(started_in);
 }
 
 TEST_F(EditorTest, HackCommandsToggleUndoably) {

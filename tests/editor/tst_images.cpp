@@ -25,6 +25,7 @@ TEST_F(ImagesTest, TheLevelIsDrawnAsAGameDrawsItWithThePlayerAtItsSpawn) {
     Editor expected;
     open_level(expected, obj);
     ASSERT_TRUE(expected.document);
+    fit_framed_pane(expected, 0, 1280.0 / 720.0);
     const Camera camera = expected.view.camera();
     const Level& opened_level = expected.document->level();
     auto context = make_offscreen_context();

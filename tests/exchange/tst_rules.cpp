@@ -82,9 +82,9 @@ TEST_F(Rules, MapsGiveTypesByTheirFlags) {
 TEST_F(Rules, BrokenMapsAreRefused) {
     const std::string good = bsp(texture("a", 2, 0));
     EXPECT_THAT(error_of("q.bsp", good.substr(0, 100)), HasSubstr("no Quake 3 map"));
-    EXPECT_THAT(error_of("q.bsp", good.substr(0, good.size() - 1)), HasSubstr("declares"));
-    EXPECT_THAT(error_of("q.bsp", bsp(texture("a", 2, 0), 0xFFFFFFF0)), HasSubstr("declares"));
-    EXPECT_THAT(error_of("q.bsp", bsp("short")), HasSubstr("declares"));
+    EXPECT_THAT(error_of("q.bsp", good.substr(0, good.size() - 1)), HasSubstr("does not fit"));
+    EXPECT_THAT(error_of("q.bsp", bsp(texture("a", 2, 0), 0xFFFFFFF0)), HasSubstr("does not fit"));
+    EXPECT_THAT(error_of("q.bsp", bsp("short")), HasSubstr("does not fit"));
 }
 
 TEST_F(Rules, ListsAndOtherLevels) {

@@ -210,6 +210,37 @@ TEST(FaceMatch, AnExtrudedFaceIsFoundAlongItsNormal) {
     EXPECT_EQ(loaded.match.by_nearest, 1u);
 }
 
+// Strips that moved further than they are wide, in front of a tilted wall.
+TEST(FaceMatch, ExtrudedStripsAreFoundAlongTheirNormal) {
+    Faces faces;
+    for (int i = 0; i < 12; ++i) {
+        const float x = 0.5f * static_cast<float>(i);
+        faces.push_back(quad({x, 1, 0}, {x, 1, 2}, {x + 0.1f, 1, 2}, {x + 0.1f, 1, 0}));
+        faces.back().painted = i % 3 == 0 ? -1 : i % 2 == 0 ? ice : sticky;
+    }
+    Faces after = faces;
+    for (Face& face : after)
+        for (Vec3f& corner : face.corners)
+            corner.y() += face.painted < 0 ? 0.0f : 0.6f;
+    const Face wall = quad({-1, 0.9f, -1}, {-1, 0.9f, 3}, {9, 1.5f, 3}, {9, 1.5f, -1});
+    faces.push_back(wall);
+    after.push_back(wall);
+    const LoadedLevel loaded = rematch(faces, after);
+    EXPECT_TRUE(wrong_faces(after, loaded).empty());
+    EXPECT_EQ(loaded.match.by_nearest, 8u);
+}
+
+TEST(FaceMatch, OfFacesAtOnePlaceTheOneThatIsLeftIsAQuestion) {
+    Faces faces = tiles(5);
+    faces[12].painted = sticky;
+    faces.push_back(faces[12]);
+    faces.back().painted = ice;
+    const Faces after(faces.begin(), faces.end() - 1);
+    const LoadedLevel loaded = rematch(faces, after);
+    EXPECT_EQ(loaded.level.guessed, std::vector<FaceId>{12});
+    EXPECT_EQ(loaded.match.orphaned, 1u);
+}
+
 TEST(FaceMatch, AFaceWithAMovedCornerIsFound) {
     Faces faces = tiles(5);
     faces[12].painted = sticky;

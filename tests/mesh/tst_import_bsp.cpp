@@ -47,10 +47,11 @@ class ImportBsp : public ScratchFolder {
         options.transform = how;
         return import_mesh(folder / "map.bsp", options);
     }
-    std::string error_of(const Map& map) const {
-        const auto imported = import_map(map.bytes());
+    std::string error_of(const std::string& bytes) const {
+        const auto imported = import_map(bytes);
         return imported ? "read" : imported.error().text();
     }
+    std::string error_of(const Map& map) const { return error_of(map.bytes()); }
 };
 
 // Distance along the ray of the first triangle whose front it meets; infinite for none.
@@ -343,11 +344,11 @@ TEST_F(ImportBsp, WhatDoesNotFitIsRefused) {
         EXPECT_FALSE(import_map(good.substr(0, size))) << size;
     Map map = small_map();
     map.faces = face(2, 1, 0, 5);
-    EXPECT_THAT(error_of(map), HasSubstr("face 0 has a texture"));
+    EXPECT_THAT(error_of(map), HasSubstr("face 0 refers to a missing texture"));
     map.faces = face(0, 1, 0xFFFFFFFF, 5);
-    EXPECT_THAT(error_of(map), HasSubstr("face 0 has a texture"));
+    EXPECT_THAT(error_of(map), HasSubstr("face 0 refers to a missing texture"));
     map.faces = face(0, 1, 12, 0xFFFFFFFF);
-    EXPECT_THAT(error_of(map), HasSubstr("face 0 has a texture"));
+    EXPECT_THAT(error_of(map), HasSubstr("face 0 refers to a missing texture"));
     map.faces = face(0, 3, 0, 2, 0, 3);
     EXPECT_THAT(error_of(map), HasSubstr("of 2 vertices"));
     map.faces = face(0, 2, 0, 9, 0, 0, 3, 4);
@@ -359,6 +360,29 @@ TEST_F(ImportBsp, WhatDoesNotFitIsRefused) {
     map = small_map();
     map.vertices.replace(0, 4, u32(0x7FC00000));
     EXPECT_THAT(error_of(map), HasSubstr("not within"));
+}
+
+TEST_F(ImportBsp, AnotherGamesMapIsRefusedByItsVersion) {
+    std::string map = small_map().bytes();
+    map[4] = 78;
+    EXPECT_THAT(error_of(map), HasSubstr("found IBSP of version 78, expected IBSP of version 46"));
+    map[0] = 'V';
+    EXPECT_THAT(error_of(map), HasSubstr("found VBSP of version 78"));
+    EXPECT_THAT(error_of("no map at all" + map), HasSubstr("found another kind of file"));
+    EXPECT_THAT(error_of("IBS"), HasSubstr("found 3 bytes"));
+}
+
+// Maps of real games have up to 20,000 brushes.
+TEST_F(ImportBsp, ThousandsOfBrushesBesideEachOtherAreRead) {
+    Map map;
+    const std::uint32_t caulk = map.add_texture("caulk", nodraw, solid);
+    for (int y = 0; y < 120; ++y)
+        for (int z = 0; z < 100; ++z)
+            map.add_box({Vec3(-500, 50 * y, 50 * z), Vec3(500, 50 * y + 30, 50 * z + 30)}, caulk);
+    map.add_world();
+    const auto mesh = import_map(map.bytes());
+    ASSERT_TRUE(mesh) << mesh.error().text();
+    EXPECT_EQ(mesh->mesh->face_count(), 6u * 12000u);
 }
 
 // Thousands of brushes in one place: refused in bounded time, not worked on for hours.

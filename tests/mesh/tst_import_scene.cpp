@@ -335,6 +335,21 @@ TEST_F(ImportScene, FilesOutsideTheFolderAreNotRead) {
     EXPECT_TRUE(import_as("sub/level.gltf", two_nodes("secret.bin")));
 }
 
+TEST_F(ImportScene, PointsAndLinesAreOneWarning) {
+    std::string text =
+        "AC3Db\nMATERIAL \"m\" rgb 1 1 1 amb 1 1 1 emis 0 0 0 spec 0 0 0 shi 0 trans 0\n"
+        "OBJECT world\nkids 3\n";
+    const std::string vertices = "OBJECT poly\nnumvert 3\n0 0 0\n1 0 0\n0 1 0\n";
+    for (int i = 0; i < 2; ++i)
+        text += vertices + "numsurf 1\nSURF 0x22\nmat 0\nrefs 3\n0 0 0\n1 0 0\n2 0 0\nkids 0\n";
+    text += vertices + "numsurf 1\nSURF 0x20\nmat 0\nrefs 3\n0 0 0\n1 0 0\n2 0 0\nkids 0\n";
+    const auto result = import_as("level.ac", text);
+    ASSERT_TRUE(result) << result.error().text();
+    EXPECT_EQ(result->mesh->face_count(), 1U);
+    ASSERT_EQ(result->warnings.size(), 1U);
+    EXPECT_THAT(result->warnings[0].text(), HasSubstr("dropped 4 points and lines of 2 meshes"));
+}
+
 TEST_F(ImportScene, BadFilesAreRefused) {
     for (const char* name : {"level.ply", "level.gltf", "level.glb", "level.stl", "level.off", "level.dae"}) {
         for (const std::string_view text :

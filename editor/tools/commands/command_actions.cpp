@@ -94,7 +94,7 @@ void frame_selection(Editor& editor) {
     frame_selected(editor, editor.view_aspect);
 }
 void frame_all(Editor& editor) {
-    editor.view.frame(shown_bounds(*editor.document), editor.view_aspect);
+    frame_pane(editor, editor.panes.active);
 }
 
 void toggle_overlay(Editor& editor) {

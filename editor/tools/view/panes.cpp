@@ -36,17 +36,40 @@ const ViewCamera& pane_view(const Editor& editor, std::size_t pane) {
 void set_pane_count(Editor& editor, std::size_t count) {
     Panes& panes = editor.panes;
     count = std::clamp<std::size_t>(count, 1, Panes::maximum);
-    constexpr double usual_aspect = 1.6;
     const Vec3 directions[] = {Vec3::UnitZ(), Vec3::UnitY(), Vec3::UnitZ(), Vec3::UnitX()};
     for (std::size_t pane = std::max<std::size_t>(1, panes.count); pane < count; ++pane) {
         ViewCamera& view = panes.waiting[pane];
         view.orthographic = true;
         view.look_from(directions[pane]);
-        if (editor.document) view.frame(shown_bounds(*editor.document), usual_aspect);
+        frame_pane(editor, pane);
     }
     if (panes.active >= count) activate_pane(editor, 0);
     panes.count = count;
     panes.maximised = false;
+}
+
+namespace {
+
+ViewCamera& view_of_pane(Editor& editor, std::size_t pane) {
+    return pane == editor.panes.active ? editor.view : editor.panes.waiting[pane];
+}
+
+}  // namespace
+
+void frame_pane(Editor& editor, std::size_t pane) {
+    if (!editor.document) return;
+    ViewCamera& view = view_of_pane(editor, pane);
+    view.frame(shown_bounds(*editor.document), editor.view_aspect);
+    editor.panes.framed[pane] = FramedView{view};
+}
+
+void fit_framed_pane(Editor& editor, std::size_t pane, double aspect) {
+    std::optional<FramedView>& framed = editor.panes.framed[pane];
+    if (!framed || framed->aspect == aspect || !editor.document) return;
+    ViewCamera& view = view_of_pane(editor, pane);
+    if (view != framed->view) return framed.reset();
+    view.frame(shown_bounds(*editor.document), aspect);
+    framed = FramedView{view, aspect};
 }
 
 void activate_pane(Editor& editor, std::size_t pane) {

@@ -3,12 +3,18 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "tools/view/view_camera.h"
 
 namespace slipface {
 
 struct Editor;
+
+struct FramedView {
+    ViewCamera view;
+    double aspect = 0.0;  // width / height; 0: not drawn yet
+};
 
 // The active pane's camera is Editor::view; the others' are in `waiting`.
 struct Panes {
@@ -18,6 +24,8 @@ struct Panes {
     std::size_t active = 0;  // the one that the mouse and commands use
     bool maximised = false;  // only the active one is shown
     std::array<ViewCamera, maximum> waiting;
+    // How the level was framed when it, or the pane, opened; empty once the view has been moved.
+    std::array<std::optional<FramedView>, maximum> framed;
     double across = 0.5, down = 0.5;  // positions of the borders between them, as fractions of the view
 };
 
@@ -30,6 +38,10 @@ const ViewCamera& pane_view(const Editor& editor, std::size_t pane);
 
 // Panes that are shown for the first time begin as top, front and right views of the level.
 void set_pane_count(Editor& editor, std::size_t count);
+// Shows all of the level in a pane; a view that is not moved until then fits the pane when it is drawn.
+void frame_pane(Editor& editor, std::size_t pane);
+// `aspect`: width / height of the pane as it is drawn now.
+void fit_framed_pane(Editor& editor, std::size_t pane, double aspect);
 void activate_pane(Editor& editor, std::size_t pane);  // ignored unless it is shown
 
 }  // namespace slipface

@@ -31,6 +31,8 @@ class ViewCamera {
     void look_from(const Vec3& direction);
     // "Top", "Front", ... along an axis, otherwise "Orthographic" or "Perspective".
     const char* name() const;
+
+    bool operator==(const ViewCamera&) const = default;
 };
 
 }  // namespace slipface

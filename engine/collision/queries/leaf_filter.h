@@ -14,6 +14,11 @@ struct LanePlane {
     Lanes slack;
     Lanes slack_per_length;
 
+    // Bit k is set where a sphere at rest does not touch the plane; `size`: that of `at`.
+    std::uint32_t apart_at_rest(const LaneVec& at, Lanes size) const {
+        return lanes_above(lanes_abs(offset - dot(normal, at)),
+                           slack + slack_per_length * size + Lanes::all(1.0F + determinant_rounding));
+    }
     // As LeafFilter::apart_by_plane for the path from `at` by `along`; `motions`: the sum of their sizes.
     Lanes apart_until(const LaneVec& at, const LaneVec& along, Lanes motions) const {
         const Lanes zero = Lanes::all(0.0F);

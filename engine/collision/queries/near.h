@@ -34,8 +34,13 @@ class NearCandidates {
         : count_(
               kernels().near_sweep(near.triangles(), v3(radii), v3(from), v3(move), query_, list_.data())) {}
 
+    // A body at rest.
+    NearCandidates(const Neighbourhood& near, const Vec3& radii, const Vec3& centre)
+        : count_(kernels().near_rest(near.triangles(), v3(radii), v3(centre), query_, list_.data())) {}
+
     // True if the query does not fit the neighbourhood; then the other members are not valid.
     bool lead_out() const { return count_ == leads_out; }
+    bool none() const { return count_ == 0; }
     const EllipsoidQuery& query() const { return query_; }
 
     // The next triangle that may be touched no later than `limit`, or null.

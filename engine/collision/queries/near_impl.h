@@ -192,18 +192,56 @@ void near_kernel(const WorldView& view, const WorldExtent& world, const V3& radi
     around.store(out.reach);
 }
 
+inline bool is_for(const NearTriangles& near, const V3& radii) {
+    return radii.x == near.radii[0] && radii.y == near.radii[1] && radii.z == near.radii[2];
+}
+inline bool covers_offset(const NearTriangles& near, const Three& offset) {
+    return three_not_above(offset.abs(), three_at(near.reach)).bits() == 7;
+}
+
+std::uint32_t near_rest_kernel(const NearTriangles& near, const V3& radii, const V3& centre,
+                               EllipsoidQuery& query, NearCandidate* out) {
+    const Three offset = Three(centre) - three_at(near.centre);
+    if (!is_for(near, radii) || !covers_offset(near, offset)) return leads_out;
+    const Three inverse = three_at(near.inverse);
+    const Three rest = offset * inverse;
+    const auto distance = static_cast<float>((rest * rest).sum());
+    if (near.clear > distance) return 0;
+
+    float p[4];
+    rest.rounded().store(p);
+    const LaneVec at = all(p);
+    const LaneVec zero = all({0.0F, 0.0F, 0.0F, 0.0F});
+    const LaneSpherePath path(zero, zero, zero, zero);
+    const Lanes size = size_of(at);
+    std::uint32_t found = 0;
+    for (std::uint32_t first = 0; first < near.count; first += 8) {
+        std::uint32_t mask =
+            present(near, first) & ~lanes_above(Lanes::load(near.clearance + first), Lanes::all(distance));
+        if (mask == 0) continue;
+        mask &= ~load_plane(near, first).apart_at_rest(at, size);
+        if (mask == 0) continue;
+        const LeafFilter filter(
+            path, at,
+            {load_vec(near.seen, first), load_vec(near.seen + 3, first), load_vec(near.seen + 6, first)},
+            {load_vec(near.edge, first), load_vec(near.edge + 3, first), load_vec(near.edge + 6, first)});
+        mask &= ~filter.apart_at_rest(mask, 1.0F);
+        for (; mask != 0; mask &= mask - 1)
+            out[found++] = {first + first_lane(mask), 0.0F};
+    }
+    if (found != 0) query = {centre, radii, inverse.vec(), {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+    return found;
+}
+
 std::uint32_t near_sweep_kernel(const NearTriangles& near, const V3& radii, const V3& from, const V3& move,
                                 EllipsoidQuery& query, NearCandidate* out) {
-    if (radii.x != near.radii[0] || radii.y != near.radii[1] || radii.z != near.radii[2]) return leads_out;
+    if (!is_for(near, radii)) return leads_out;
     const Three inverse = three_at(near.inverse);
     const Three begin = Three(from) - three_at(near.centre);
     const Three end = begin + Three(move);
-    const Three reach = three_at(near.reach);
-    if ((three_not_above(begin.abs(), reach) & three_not_above(end.abs(), reach)).bits() != 7)
-        return leads_out;
+    if (!covers_offset(near, begin) || !covers_offset(near, end)) return leads_out;
     const Three start = begin * inverse;
     const Three d = Three(move) * inverse;
-    query = {from, radii, inverse.vec(), move, d.vec()};
     // No point of the path is further from the centre than one of its ends.
     const Three finish = end * inverse;
     const auto furthest = static_cast<float>(larger((start * start).sum(), (finish * finish).sum()));
@@ -242,6 +280,7 @@ std::uint32_t near_sweep_kernel(const NearTriangles& near, const V3& radii, cons
             out[found++] = {first + lane, times[lane]};
         }
     }
+    if (found != 0) query = {from, radii, inverse.vec(), move, d.vec()};
     return found;
 }
 

@@ -118,7 +118,7 @@ bool overlaps_any(const CollisionWorld& world, const Vec3& radii, const Vec3& ce
 
 std::size_t find_overlaps(const Neighbourhood& near, const Vec3& radii, const Vec3& centre,
                           std::span<Overlap> out) {
-    NearCandidates candidates(near, radii, centre, Vec3::Zero());
+    NearCandidates candidates(near, radii, centre);
     if (candidates.lead_out()) return find_overlaps(near.world(), radii, centre, out);
     Overlaps found(near.world().impl(), out);
     for (; const NearCandidate* next = candidates.take();)
@@ -127,7 +127,7 @@ std::size_t find_overlaps(const Neighbourhood& near, const Vec3& radii, const Ve
 }
 
 bool overlaps_any(const Neighbourhood& near, const Vec3& radii, const Vec3& centre) {
-    NearCandidates candidates(near, radii, centre, Vec3::Zero());
+    NearCandidates candidates(near, radii, centre);
     if (candidates.lead_out()) return overlaps_any(near.world(), radii, centre);
     for (; const NearCandidate* next = candidates.take();) {
         if (overlaps(near.world().impl(), candidates.query(), near_triangle(near.triangles(), next->index)))

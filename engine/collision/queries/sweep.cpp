@@ -102,7 +102,7 @@ std::optional<Contact> sweep_ellipsoid(const Neighbourhood& near, const Vec3& ra
                                        const Vec3& move) {
     NearCandidates candidates(near, radii, from, move);
     if (candidates.lead_out()) return sweep_ellipsoid(near.world(), radii, from, move);
-    if (is_zero(v3(move))) return std::nullopt;
+    if (candidates.none() || is_zero(v3(move))) return std::nullopt;
     Search search{near.world().impl(), candidates.query(), true};
     for (; const NearCandidate* next = candidates.take(time_limit(search.hit.t));)
         search.consider(near_triangle(near.triangles(), next->index));

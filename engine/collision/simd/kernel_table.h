@@ -19,6 +19,7 @@ constexpr Kernels kernel_table(const char* name, std::size_t wave_worth) {
             .closest = closest_kernel,
             .near = near_kernel,
             .near_sweep = near_sweep_kernel,
+            .near_rest = near_rest_kernel,
             .near_highest = near_highest_kernel,
             .near_ray = near_ray_kernel,
             .sweep_triangle = sweep_triangle_kernel,

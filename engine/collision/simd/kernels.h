@@ -130,10 +130,13 @@ struct Kernels {
     // reach.
     void (*near)(const WorldView& view, const WorldExtent& world, const V3& radii, const V3& centre,
                  const V3& reach, NearTriangles& out);
-    // Prepares the query of a sweep (`move` may be 0) and finds the triangles of the neighbourhood that it
-    // may touch. Returns their number, or leads_out.
+    // Finds the triangles of the neighbourhood that a sweep (`move` may be 0) may touch, and prepares its
+    // query if there are any. Returns their number, or leads_out.
     std::uint32_t (*near_sweep)(const NearTriangles& near, const V3& radii, const V3& from, const V3& move,
                                 EllipsoidQuery& query, NearCandidate* out);
+    // The same for a body at rest.
+    std::uint32_t (*near_rest)(const NearTriangles& near, const V3& radii, const V3& centre,
+                               EllipsoidQuery& query, NearCandidate* out);
     // The largest y of the triangles of the neighbourhood that a vertical line through the way may cross
     // below `from`, but for those that are steeper than `cosine`; -infinity if there are none.
     float (*near_highest)(const NearTriangles& near, const V3& from, const V3& to, double cosine);

@@ -17,6 +17,7 @@
 #include "folder_io.h"
 #include "obj/declared_counts.h"
 #include "obj/obj_text.h"
+#include "slipface/base/counted.h"
 #include "slipface/mesh/import.h"
 
 namespace slipface {
@@ -86,6 +87,10 @@ class SceneReader {
                 open.push_back({node->mChildren[i], world, number});
         }
         if (soup_.face_material.empty()) return Error{location_, "has no faces"};
+        if (dropped_ > 0)
+            warnings_.add(location_, fmt::format("dropped {} of {}",
+                                                 counted(dropped_, "point or line", "points and lines"),
+                                                 counted(meshes_with_dropped_, "mesh", "meshes")));
         drop_empty_nodes();
         return std::move(soup_);
     }
@@ -101,7 +106,7 @@ class SceneReader {
         shapes_[number].insert(shapes_[number].end(), node.mMeshes, node.mMeshes + node.mNumMeshes);
         for (unsigned i = 0; i < node.mNumMeshes; ++i) {
             if (node.mMeshes[i] >= scene_.mNumMeshes)
-                return Error{location_, "a node has a mesh that is not there"};
+                return Error{location_, "a node refers to a missing mesh"};
             if (auto status = add_mesh(*scene_.mMeshes[node.mMeshes[i]], world); !status) return status;
         }
         return {};
@@ -112,11 +117,11 @@ class SceneReader {
         const unsigned number = std::min(mesh.mMaterialIndex, std::max(scene_.mNumMaterials, 1U) - 1);
         static const SceneMaterial none;
         const SceneMaterial& material = number < materials_.size() ? materials_[number] : none;
-        std::size_t dropped = 0;
+        const std::size_t dropped_before = dropped_;
         for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
             const aiFace& face = mesh.mFaces[i];
             if (face.mNumIndices < 3) {
-                ++dropped;
+                ++dropped_;
                 continue;
             }
             // A polygon may visit a vertex twice, where a bridge leads to a hole in it.
@@ -137,10 +142,7 @@ class SceneReader {
             soup_.face_material.push_back(number);
             soup_.face_group.push_back(group_);
         }
-        if (dropped > 0) {
-            warnings_.add(location_, fmt::format("dropped {} points and lines of mesh {}", dropped,
-                                                 in_quotes(text_of(mesh.mName))));
-        }
+        if (dropped_ > dropped_before) ++meshes_with_dropped_;
         return {};
     }
 
@@ -195,6 +197,7 @@ class SceneReader {
     WarningList& warnings_;
     const std::vector<SceneMaterial> materials_;
     PolygonSoup soup_;
+    std::size_t dropped_ = 0, meshes_with_dropped_ = 0;      // faces of fewer than three corners
     std::uint32_t group_ = 0;                                // of the faces being added
     std::map<std::uint32_t, std::vector<unsigned>> shapes_;  // meshes of each node
 };

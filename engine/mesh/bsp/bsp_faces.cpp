@@ -45,10 +45,9 @@ class FaceReader {
   private:
     void add_materials() {
         for (std::size_t i = 0; i < file_.textures.count(); ++i) {
-            const std::string_view name = file_.textures.at(i).substr(0, 64);
             bool converted = false;
             Material material;
-            material.name = utf8_name(name.substr(0, name.find('\0')), converted);
+            material.name = utf8_name(file_.texture_name(i), converted);
             out_.soup.materials.push_back(std::move(material));
         }
     }
@@ -59,9 +58,8 @@ class FaceReader {
         const BspRange points = bsp_range_at(face, 12), corners = bsp_range_at(face, 20);
         if (texture >= file_.textures.count() || !points.within(file_.vertices.count()) ||
             !corners.within(file_.indices.count()))
-            return Error{
-                location_,
-                fmt::format("face {} has a texture, vertices or indices that are not there", number)};
+            return Error{location_,
+                         fmt::format("face {} refers to a missing texture, vertices or indices", number)};
         material_ = texture;
         origin_ = number < origins_.size() ? origins_[number].cast<float>() : Vec3f(Vec3f::Zero());
         if (kind == patch_face) return add_patch(number, points, u32_at(face, 96), u32_at(face, 100));

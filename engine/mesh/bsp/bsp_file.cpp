@@ -5,12 +5,24 @@
 
 #include <tuple>
 
+#include "slipface/mesh/bsp_flags.h"
+
 namespace slipface {
+namespace {
+
+std::string kind_of(std::string_view bytes) {
+    if (bytes.size() < 8) return fmt::format("{} bytes", bytes.size());
+    if (bytes.substr(1, 3) != "BSP" || bytes[0] < 'A' || bytes[0] > 'Z') return "another kind of file";
+    return fmt::format("{}BSP of version {}", bytes[0], u32_at(bytes, 4));
+}
+
+}  // namespace
 
 Result<BspFile> open_bsp(std::string_view bytes, const std::string& location) {
     constexpr std::size_t header_size = 144;
     if (bytes.size() < header_size || !bytes.starts_with("IBSP") || u32_at(bytes, 4) != 46)
-        return Error{location, "is no Quake 3 map; expected IBSP of version 46"};
+        return Error{location,
+                     fmt::format("is no Quake 3 map; found {}, expected IBSP of version 46", kind_of(bytes))};
     BspFile file;
     BspLump entities;
     for (auto [lump, number] :
@@ -29,6 +41,16 @@ Result<BspFile> open_bsp(std::string_view bytes, const std::string& location) {
     }
     file.entities = entities.bytes;
     return file;
+}
+
+Result<std::vector<BspTexture>> bsp_textures(std::string_view bytes, const std::string& location) {
+    const auto file = open_bsp(bytes, location);
+    if (!file) return file.error();
+    std::vector<BspTexture> textures;
+    for (std::size_t i = 0; i < file->textures.count(); ++i)
+        textures.push_back(
+            {file->texture_name(i), bsp_surface_type(file->surface_flags(i), file->contents(i))});
+    return textures;
 }
 
 }  // namespace slipface

@@ -57,6 +57,10 @@ struct BspFile {
     BspLump indices{{}, 4};     // relative to the first vertex of the face
     BspLump faces{{}, 104};
 
+    std::string_view texture_name(std::size_t texture) const {
+        const std::string_view name = textures.at(texture).substr(0, 64);
+        return name.substr(0, name.find('\0'));
+    }
     std::uint32_t surface_flags(std::size_t texture) const { return u32_at(textures.at(texture), 64); }
     std::uint32_t contents(std::size_t texture) const { return u32_at(textures.at(texture), 68); }
 };

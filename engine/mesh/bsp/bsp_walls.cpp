@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unsupported/Eigen/BVH>
 #include <utility>
 
 namespace slipface {
@@ -27,42 +29,51 @@ struct Brush {
     Aabb bounds;
 };
 
-bool touch(const Aabb& a, const Aabb& b) {
-    return ((a.min.array() <= b.max.array() + tolerance) && (b.min.array() <= a.max.array() + tolerance))
-        .all();
+using Box = Eigen::AlignedBox3d;
+
+// Grown, so that boxes touch if they are no farther apart than the tolerance.
+Box box_of(const Aabb& bounds) {
+    return {bounds.min - Vec3::Constant(tolerance / 2), bounds.max + Vec3::Constant(tolerance / 2)};
 }
 
-// Boxes sorted by their lower x, to find those that touch another box.
-class BoxesAlongX {
+// A tree of boxes, to find those that touch another box.
+class Boxes {
   public:
-    explicit BoxesAlongX(std::vector<Aabb> boxes) : boxes_(std::move(boxes)) {
-        for (std::size_t i = 0; i < boxes_.size(); ++i) {
-            order_.push_back(i);
-            longest_ = std::max(longest_, boxes_[i].size().x());
-        }
-        std::stable_sort(order_.begin(), order_.end(), [this](std::size_t a, std::size_t b) {
-            return boxes_[a].min.x() < boxes_[b].min.x();
-        });
+    explicit Boxes(const std::vector<Box>& boxes) {
+        std::vector<Numbered> numbered;
+        for (const Box& box : boxes)
+            numbered.emplace_back(box, numbered.size());
+        any_ = !numbered.empty();
+        tree_.init(numbered.begin(), numbered.end(), boxes.begin(), boxes.end());
     }
 
     // The boxes that touch `box`, ascending. Adds the number of boxes examined to `work`.
-    std::vector<std::size_t> touching(const Aabb& box, std::size_t& work) const {
-        const auto begins = [this](std::size_t i, double x) { return boxes_[i].min.x() < x; };
-        auto at =
-            std::lower_bound(order_.begin(), order_.end(), box.min.x() - longest_ - 2 * tolerance, begins);
-        std::vector<std::size_t> found;
-        for (; at != order_.end() && boxes_[*at].min.x() <= box.max.x() + tolerance; ++at) {
-            ++work;
-            if (touch(boxes_[*at], box)) found.push_back(*at);
-        }
-        std::sort(found.begin(), found.end());
-        return found;
+    std::vector<std::size_t> touching(const Box& box, std::size_t& work) const {
+        Visitor visitor{box, work, {}};
+        if (any_) Eigen::BVIntersect(tree_, visitor);
+        std::sort(visitor.found.begin(), visitor.found.end());
+        return std::move(visitor.found);
     }
 
   private:
-    std::vector<Aabb> boxes_;
-    std::vector<std::size_t> order_;
-    double longest_ = 0;
+    using Numbered = std::pair<Box, std::size_t>;
+    struct Visitor {
+        const Box& box;
+        std::size_t& work;
+        std::vector<std::size_t> found;
+
+        bool intersectVolume(const Box& volume) {
+            ++work;
+            return volume.intersects(box);
+        }
+        bool intersectObject(const Numbered& one) {
+            ++work;
+            if (one.first.intersects(box)) found.push_back(one.second);
+            return false;  // go on
+        }
+    };
+    bool any_ = false;
+    Eigen::KdBVH<double, 3, Numbered> tree_;
 };
 
 class WallFinder {
@@ -72,22 +83,19 @@ class WallFinder {
 
     Status add_brushes(const BspRange& range, const Vec3& origin, bool world) {
         if (!range.within(file_.brushes.count()))
-            return Error{location_,
-                         "a model refers to missing brushes (likewise in bsp_faces.cpp, bsp_walls.cpp, "
-                         "import_bsp.cpp, import_scene.cpp: \"has ... that are not there\" -> \"refers to "
-                         "missing ...\")"};
+            return Error{location_, "a model refers to missing brushes"};
         for (std::size_t i = range.first; i < range.first + range.count; ++i)
             if (auto status = add_brush(i, origin, world); !status) return status;
         return {};
     }
 
     Result<std::vector<BspWall>> run(Progress* progress) {
-        std::vector<Aabb> brush_boxes, drawn_boxes;
+        std::vector<Box> brush_boxes, drawn_boxes;
         for (const Brush& brush : brushes_)
-            brush_boxes.push_back(brush.bounds);
+            brush_boxes.push_back(box_of(brush.bounds));
         for (const BspTriangle& triangle : drawn_)
-            drawn_boxes.push_back(bounds_of({triangle.begin(), triangle.end()}));
-        const BoxesAlongX brushes(std::move(brush_boxes)), drawn(std::move(drawn_boxes));
+            drawn_boxes.push_back(box_of(bounds_of({triangle.begin(), triangle.end()})));
+        const Boxes brushes(brush_boxes), drawn(drawn_boxes);
         for (std::size_t i = 0; i < brushes_.size(); ++i) {
             if (cancelled(progress)) return cancelled_error(location_);
             advance(progress, static_cast<double>(i) / static_cast<double>(brushes_.size()));
@@ -112,7 +120,7 @@ class WallFinder {
         const std::size_t texture = u32_at(record, 8);
         if (!sides.within(file_.sides.count()) || texture >= file_.textures.count())
             return Error{location_,
-                         fmt::format("brush {} has sides or a texture that are not there", number)};
+                         fmt::format("brush {} refers to missing sides or a missing texture", number)};
         if ((file_.contents(texture) & bsp::contents_wall) == 0 || sides.count > max_sides) return {};
         Brush brush{texture, sides.first, world, {}, {}, {}};
         for (std::size_t i = 0; i < sides.count; ++i) {
@@ -121,7 +129,7 @@ class WallFinder {
                 u32_at(file_.sides.at(sides.first + i), 4) >= file_.textures.count())
                 return Error{
                     location_,
-                    fmt::format("side {} of brush {} has a plane or a texture that is not there", i, number)};
+                    fmt::format("side {} of brush {} refers to a missing plane or texture", i, number)};
             brush.planes.push_back(plane_at(plane));
             if (!(brush.planes.back().normal.norm() > 0.5)) return {};
             brush.planes.back().distance += brush.planes.back().normal.dot(origin);
@@ -159,8 +167,7 @@ class WallFinder {
         return polygon;
     }
 
-    Status add_side(std::size_t brush, std::size_t side, const BoxesAlongX& brushes,
-                    const BoxesAlongX& drawn) {
+    Status add_side(std::size_t brush, std::size_t side, const Boxes& brushes, const Boxes& drawn) {
         const ConvexPolygon& whole = brushes_[brush].polygons[side];
         const Plane& plane = brushes_[brush].planes[side];
         std::vector<ConvexPolygon> parts{whole};
@@ -168,7 +175,7 @@ class WallFinder {
             parts.clear();
             if (auto status = open_parts(0, 0, whole, plane, parts).status; !status) return status;
         }
-        const Aabb box = bounds_of(whole);
+        const Box box = box_of(bounds_of(whole));
         for (const std::size_t other : brushes.touching(box, work_)) {
             if (parts.empty()) return {};
             if (other != brush && hides(brushes_[other], plane, other < brush))
@@ -258,8 +265,7 @@ class WallFinder {
             const std::int32_t next = i32_at(record, static_cast<std::size_t>(child));
             if (next >= 0) {
                 if (static_cast<std::size_t>(next) >= file_.nodes.count())
-                    return {Error{location_, fmt::format("node {} has a child that is not there", node)},
-                            false};
+                    return {Error{location_, fmt::format("node {} refers to a missing child", node)}, false};
                 const Open open = open_parts(static_cast<std::size_t>(next), depth + 1, *part, plane, out);
                 if (!open.status) return open;
                 all = all && open.all;
@@ -267,7 +273,7 @@ class WallFinder {
             }
             const auto leaf = static_cast<std::size_t>(-(static_cast<std::int64_t>(next) + 1));
             if (leaf >= file_.leaves.count())
-                return {Error{location_, fmt::format("node {} has a leaf that is not there", node)}, false};
+                return {Error{location_, fmt::format("node {} refers to a missing leaf", node)}, false};
             const bool open = i32_at(file_.leaves.at(leaf), 0) >= 0;
             if (open) out.push_back(*part);
             all = all && open;

@@ -42,7 +42,7 @@ Result<std::vector<Vec3>> origins_of_faces(const BspFile& file, const std::vecto
         if (model.number == 0 || model.origin.isZero(0.0)) continue;
         const BspRange faces = bsp_range_at(file.models.at(model.number), 24);
         if (!faces.within(file.faces.count()))
-            return Error{location, fmt::format("model {} has faces that are not there", model.number)};
+            return Error{location, fmt::format("model {} refers to missing faces", model.number)};
         origins.resize(file.faces.count(), Vec3::Zero());
         std::fill_n(origins.begin() + static_cast<std::ptrdiff_t>(faces.first), faces.count, model.origin);
     }

@@ -5,6 +5,7 @@
 // When blocked: tried only where a wall stopped the plain move, and used only where it leads further. Along a
 // wall both lead equally far, so the player gains no speed there. Every move: the lecture's own form.
 #include <algorithm>
+#include <cmath>
 
 #include "mover.h"
 
@@ -15,18 +16,25 @@ namespace {
 // The distance gained must be worth it, as a fraction of the move.
 constexpr double worth = 1e-3;
 
+double lift(const MovementSettings& settings) {
+    return settings.step_height + 2.0 * settings.skin;
+}
+
 // Lift, move, drop. The lift leaves room for the skin on both sides of the rim; what may be climbed is judged
-// by where the player lands.
-std::optional<Refusal> lift_move_drop(Mover& mover, const Motion& before, const Vec3& flat) {
+// by where the player lands. `judge` may refuse before the drop.
+template <class Judge>
+std::optional<Refusal> lift_move_drop(Mover& mover, const Motion& before, const Vec3& flat,
+                                      const Judge& judge) {
     const double height = mover.settings.step_height;
     const double skin = mover.settings.skin;
     mover.motion() = before;
-    mover.position = sweep_with_skin(mover, Pass::step, 0, Vec3(0.0, height + 2.0 * skin, 0.0)).reached;
+    mover.position = sweep_with_skin(mover, Pass::step, 0, Vec3(0.0, lift(mover.settings), 0.0)).reached;
     const double lifted = mover.position.y() - before.position.y();
     if (!(lifted > skin)) return Refusal{Decision::step_up_no_room, {.value = lifted}};
 
     collide_and_slide(mover, Pass::horizontal, flat);
     if (mover.stuck || mover.climbing) return Refusal{Decision::step_up_held};
+    if (const std::optional<Refusal> refusal = judge()) return refusal;
 
     const double drop =
         mover.position.y() - before.position.y() + press_down(mover, Vec3::UnitY(), Vec3::Zero());
@@ -40,6 +48,47 @@ std::optional<Refusal> lift_move_drop(Mover& mover, const Motion& before, const 
                 {.own_response = Decision::step_up_own_response,
                  .too_steep = Decision::step_up_too_steep,
                  .on_ice = true});
+}
+
+// How far up the triangle goes on from `point`, which lies in its plane; metres. 0 if it is no vertical wall,
+// but for a lean by less than `lean`, or is not there.
+double goes_up(const std::array<Vec3, 3>& corners, const Vec3& point, double lean, double negligible) {
+    const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    const double length = normal.norm();
+    if (!(std::abs(normal.y()) < lean * length)) return 0.0;
+    if (!(std::abs(normal.dot(corners[0] - point)) < negligible * length)) return 0.0;
+    const Vec3 along(normal.z(), 0.0, -normal.x());
+    double low = negligible, high = 0.0;
+    const auto reach = [&](double y) {
+        low = std::min(low, y);
+        high = std::max(high, y);
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 from = corners[k] - point, to = corners[(k + 1) % 3] - point;
+        const double left = along.dot(from), right = along.dot(to);
+        if (left == 0.0) reach(from.y());
+        if (left * right < 0.0) reach(from.y() + (to.y() - from.y()) * (left / (left - right)));
+    }
+    return low < negligible ? high : 0.0;
+}
+
+// True if a body that is lifted by up to `height` is stopped at this contact no later than the plain move
+// was: the touched point, lifted as far, still lies in the touched triangle, or in its neighbour of the same
+// polygon. So they are a vertical wall; one that leans away as rounding of its corners does lets the lifted
+// body less than `negligible` metres further.
+bool goes_on_above(const Mover& mover, const Met& met, double height, double negligible) {
+    const double lean = negligible / height;
+    if (met.walkable || !(std::abs(met.normal.y()) < lean)) return false;
+    const CollisionWorld& world = world_of(mover, met.platform);
+    const auto type = [&](TriangleId triangle) { return world.face_surface(world.triangle_face(triangle)); };
+    Vec3 top = met.point;
+    // The triangles of a polygon have consecutive numbers.
+    for (const TriangleId id : {met.triangle, met.triangle + 1, met.triangle - 1}) {
+        if (id >= world.triangle_count() || (id != met.triangle && type(id) != type(met.triangle))) continue;
+        top.y() += goes_up(world.triangle(id), top, lean, negligible);
+        if (top.y() >= met.point.y() + height) return true;
+    }
+    return false;
 }
 
 // The displacement that a slow or oblique move lacks to get two skins into the walls that stopped it. A
@@ -67,7 +116,17 @@ bool step_up(Mover& mover, const Motion& before, const Vec3& flat) {
 
     const Vec3 heading = direction_of(flat);
     const double least = worth * flat.norm();
+    // Where all that was met are walls that go on above, the lifted move is the plain one.
+    const auto goes_on = [&](const Met& wall) {
+        return goes_on_above(mover, wall, lift(mover.settings), 0.1 * least);
+    };
+    if (std::all_of(mover.met.begin(), mover.met.begin() + mover.met_count, goes_on))
+        return refuse({Decision::step_up_no_further, {.value = 0.0, .limit = least}});
     const auto gained = [&] { return (mover.position - plain.position).dot(heading); };
+    const auto no_further = [&]() -> std::optional<Refusal> {
+        if (gained() > least) return std::nullopt;
+        return Refusal{Decision::step_up_no_further, {.value = gained(), .limit = least}};
+    };
     const auto accept = [&] {
         decide(mover, Decision::stepped_up,
                {.value = mover.position.y() - before.position.y(), .limit = mover.settings.step_height},
@@ -75,14 +134,17 @@ bool step_up(Mover& mover, const Motion& before, const Vec3& flat) {
         return true;
     };
     const Vec3 push = push_into_walls(plain, flat, 2.0 * mover.settings.skin);
-    std::optional<Refusal> refusal = lift_move_drop(mover, before, flat);
-    if (!refusal && !(gained() > least))
-        return refuse({Decision::step_up_no_further, {.value = gained(), .limit = least}});
+    // A second attempt follows where this one cannot drop, and does not where it can.
+    std::optional<Refusal> refusal =
+        lift_move_drop(mover, before, flat, [&] { return push.isZero(0.0) ? no_further() : std::nullopt; });
+    if (!refusal) {
+        if (const std::optional<Refusal> after = no_further()) return refuse(*after);
+    }
     const bool climbed = mover.position.y() - plain.position.y() > 0.1 * gained();
     if (!refusal && (climbed || push.isZero(0.0))) return accept();
 
     const Motion beside = mover;
-    if (!push.isZero(0.0) && !lift_move_drop(mover, before, flat + push) && gained() > least &&
+    if (!push.isZero(0.0) && !lift_move_drop(mover, before, flat + push, no_further) && gained() > least &&
         mover.position.y() - plain.position.y() > 0.5 * mover.settings.skin) {
         return accept();
     }
@@ -92,7 +154,8 @@ bool step_up(Mover& mover, const Motion& before, const Vec3& flat) {
 }
 
 bool step_every_move(Mover& mover, const Motion& before, const Vec3& flat) {
-    if (const auto refusal = lift_move_drop(mover, before, flat)) {
+    const auto anywhere = [] { return std::optional<Refusal>(); };
+    if (const auto refusal = lift_move_drop(mover, before, flat, anywhere)) {
         decide(mover, refusal->why, refusal->quantity, before.support.face);
         mover.motion() = before;
         return false;

@@ -3,6 +3,11 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "slipface/base/result.h"
 
 namespace slipface {
 
@@ -19,5 +24,14 @@ std::span<const BspParameter> bsp_parameters();
 
 // The surface type for the flags of a map's texture; null if no parameter gives one.
 const char* bsp_surface_type(std::uint32_t surface_flags, std::uint32_t contents);
+
+struct BspTexture {
+    std::string_view name;
+    const char* type;  // as of bsp_surface_type
+};
+
+// The textures of a map. Errors: no map of Quake 3, lumps that do not fit into the file. `bytes` must outlive
+// the result.
+Result<std::vector<BspTexture>> bsp_textures(std::string_view bytes, const std::string& location);
 
 }  // namespace slipface

@@ -1,0 +1,230 @@
+// Sheets of tiles that an edit merged into few faces with no corner left at the rim, and that moved, too:
+// only their areas say where they went.
+#include <array>
+
+#include "faces.h"
+
+namespace slipface::test {
+namespace {
+
+using Random = std::mt19937;
+
+double between(Random& random, double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+// Tiles of a flat sheet: position (column, row) is at origin + column * right + row * up.
+struct Sheet {
+    int columns, rows;
+    Vec3 origin, right, up;
+    std::vector<Face> tiles;  // materials and types only; row by row
+
+    std::vector<double> heights;  // of a hill, of each corner, row by row; else none
+
+    Vec3 at(double column, double row) const {
+        const Vec3 flat = origin + column * right + row * up;
+        if (heights.empty()) return flat;
+        const auto corner = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns + 1) +
+                            static_cast<std::size_t>(column);
+        return flat + Vec3(0, heights[corner], 0);
+    }
+    Face face(double left, double low, double right_end, double high) const {
+        Face face;
+        for (const auto& [column, row] :
+             {std::pair{left, low}, {right_end, low}, {right_end, high}, {left, high}})
+            face.corners.push_back(at(column, row).cast<float>());
+        return face;
+    }
+};
+
+// Patches of three by three tiles have one material and one type.
+Sheet random_sheet(Random& random, const Vec3& origin, const Vec3& right, const Vec3& up) {
+    Sheet sheet{
+        9 + static_cast<int>(random() % 6), 7 + static_cast<int>(random() % 6), origin, right, up, {}, {}};
+    std::map<std::pair<int, int>, Face> patches;
+    for (int row = 0; row < sheet.rows; ++row) {
+        for (int column = 0; column < sheet.columns; ++column) {
+            const auto [patch, added] = patches.try_emplace({column / 3, row / 3});
+            if (added) patch->second.material = random() % 2 == 0 ? "stone" : "wood";
+            if (added) patch->second.painted = static_cast<int>(random() % 6) - 1;
+            sheet.tiles.push_back(patch->second);
+        }
+    }
+    return sheet;
+}
+
+void add_tiles(const Sheet& sheet, Faces& faces) {
+    for (int row = 0; row < sheet.rows; ++row) {
+        for (int column = 0; column < sheet.columns; ++column) {
+            Face face = sheet.face(column, row, column + 1, row + 1);
+            const Face& tile = sheet.tiles[static_cast<std::size_t>(row * sheet.columns + column)];
+            face.material = tile.material;
+            face.painted = tile.painted;
+            faces.push_back(face);
+        }
+    }
+}
+
+// The sheet cut into rectangles of up to `most` by `most` tiles, a flat one's rim drawn in by less than a
+// fifth of a tile. Each has the material of its middle tile and is painted with the type of most of its area;
+// -2: none has clearly most.
+void add_merged(const Sheet& sheet, Random& random, Faces& faces, unsigned most = 3) {
+    const auto inside = [&](int position, int end) {
+        const double rim = sheet.heights.empty() ? between(random, 0.05, 0.2) : 0.0;
+        return position == 0 ? rim : position == end ? end - rim : position;
+    };
+    for (int low = 0, high = 0; low < sheet.rows; low = high) {
+        high = std::min(sheet.rows, low + 1 + static_cast<int>(random() % most));
+        for (int left = 0, end = 0; left < sheet.columns; left = end) {
+            end = std::min(sheet.columns, left + 1 + static_cast<int>(random() % most));
+            Face face = sheet.face(inside(left, sheet.columns), inside(low, sheet.rows),
+                                   inside(end, sheet.columns), inside(high, sheet.rows));
+            std::map<int, int> count;
+            for (int row = low; row < high; ++row)
+                for (int column = left; column < end; ++column)
+                    ++count[sheet.tiles[static_cast<std::size_t>(row * sheet.columns + column)].painted];
+            face.material =
+                sheet.tiles[static_cast<std::size_t>((low + high) / 2 * sheet.columns + (left + end) / 2)]
+                    .material;
+            face.painted = -2;
+            for (const auto& [type, tiles] : count)
+                if (tiles > 0.6 * (high - low) * (end - left)) face.painted = type;
+            faces.push_back(face);
+        }
+    }
+}
+
+struct Count {
+    std::size_t clear = 0, right = 0, wrong = 0;
+    void add(const Faces& after, const LoadedLevel& loaded) {
+        for (std::size_t i = 0; i < after.size(); ++i) {
+            const auto& type = loaded.level.overrides.at(i);
+            if (after[i].painted >= 0) {
+                ++clear;
+                right += type && int{*type} == after[i].painted ? 1 : 0;
+            }
+            wrong += after[i].painted != -2 && type && int{*type} != after[i].painted ? 1 : 0;
+        }
+    }
+};
+
+Faces moved(Faces faces, const Eigen::Affine3d& motion) {
+    for (Face& face : faces)
+        for (Vec3f& corner : face.corners)
+            corner = (motion * corner.cast<double>()).cast<float>();
+    return rounded(faces);
+}
+
+Eigen::Affine3d random_turn(Random& random, const Vec3& axis) {
+    return Eigen::Translation3d(between(random, -9, 9), between(random, -2, 2), between(random, -9, 9)) *
+           Eigen::AngleAxisd(between(random, 0.1, 3), axis);
+}
+
+TEST(Area, AMergedFloorThatTurnedIsFound) {
+    Count count;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        Random random(seed);
+        const double tile = between(random, 0.5, 3);
+        const Sheet floor = random_sheet(random, Vec3(3, 0.2, 5), Vec3(tile, 0, 0), Vec3(0, 0, -tile));
+        Faces before, after;
+        add_tiles(floor, before);
+        add_merged(floor, random, after);
+        after = moved(after, random_turn(random, Vec3::UnitY()));
+        count.add(after, rematch(before, after));
+    }
+    EXPECT_GT(count.clear, 500u);
+    EXPECT_GT(static_cast<double>(count.right), 0.95 * static_cast<double>(count.clear));
+    EXPECT_LE(100 * count.wrong, count.clear);
+}
+
+// A floor and walls, some of them alike.
+TEST(Area, AMergedLevelThatTurnedAsAWholeIsFound) {
+    Count count;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        Random random(seed);
+        const double tile = between(random, 0.5, 3);
+        std::vector<Sheet> sheets{random_sheet(random, Vec3(3, 0.2, 5), Vec3(tile, 0, 0), Vec3(0, 0, -tile))};
+        for (int i = 0; i < 4; ++i) {
+            const Vec3 origin(between(random, -40, 40), between(random, 0, 3), between(random, -40, 40));
+            const bool along = random() % 2 == 0;
+            sheets.push_back(random_sheet(random, origin, along ? Vec3(tile, 0, 0) : Vec3(0, 0, tile),
+                                          Vec3(0, 0.7 * tile, 0)));
+        }
+        Faces before, after;
+        for (const Sheet& sheet : sheets) {
+            add_tiles(sheet, before);
+            add_merged(sheet, random, after);
+        }
+        const Vec3 axis = Vec3(between(random, -1, 1), 1, between(random, -1, 1)).normalized();
+        after = moved(after, random_turn(random, axis));
+        count.add(after, rematch(before, after));
+    }
+    EXPECT_GT(count.clear, 2000u);
+    EXPECT_GT(static_cast<double>(count.right), 0.95 * static_cast<double>(count.clear));
+    EXPECT_LE(100 * count.wrong, count.clear);
+}
+
+TEST(Area, AMergedHillThatTurnedIsFound) {
+    Count count;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        Random random(seed);
+        const double tile = between(random, 0.5, 3);
+        Sheet hill = random_sheet(random, Vec3(3, 0.2, 5), Vec3(tile, 0, 0), Vec3(0, 0, -tile));
+        for (int i = 0; i < (hill.columns + 1) * (hill.rows + 1); ++i)
+            hill.heights.push_back(between(random, 0, 0.4 * tile));
+        for (Face& patch : hill.tiles)
+            patch.material = "grass";
+        Faces before, after;
+        add_tiles(hill, before);
+        add_merged(hill, random, after, 2);
+        after = moved(after, random_turn(random, Vec3::UnitY()));
+        count.add(after, rematch(before, after));
+    }
+    EXPECT_GT(count.clear, 1000u);
+    EXPECT_GT(static_cast<double>(count.right), 0.8 * static_cast<double>(count.clear));
+    EXPECT_LE(50 * count.wrong, count.clear);
+}
+
+// Remeshing gives a part many faces of one material, whatever it was made of. Another part keeps its
+// materials.
+TEST(Area, ARemeshedFloorKeepsItsTypesThoughNotItsMaterials) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        Random random(seed);
+        Faces before, after;
+        const Sheet floor = random_sheet(random, Vec3(3, 0.2, 5), Vec3(1, 0, 0), Vec3(0, 0, -1));
+        const Sheet other = random_sheet(random, Vec3(40, 1, 5), Vec3(1, 0, 0), Vec3(0, 0, -1));
+        add_tiles(floor, before);
+        add_tiles(other, before);
+        for (int row = 0; row < 2 * floor.rows; ++row) {
+            for (int column = 0; column < 2 * floor.columns; ++column) {
+                Face face = floor.face(0.5 * column, 0.5 * row, 0.5 * (column + 1), 0.5 * (row + 1));
+                face.painted =
+                    floor.tiles[static_cast<std::size_t>(row / 2 * floor.columns + column / 2)].painted;
+                after.push_back(face);
+            }
+        }
+        add_tiles(other, after);
+        EXPECT_TRUE(wrong_faces(after, rematch(before, after)).empty()) << seed;
+    }
+}
+
+// A square floor of one material and without a rim that says more looks the same after each quarter turn.
+TEST(Area, AMergedFloorThatLooksTheSameTurnedIsListed) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        Random random(seed);
+        Sheet floor = random_sheet(random, Vec3(3, 0.2, 5), Vec3(1, 0, 0), Vec3(0, 0, -1));
+        floor.columns = floor.rows = 7;
+        for (Face& tile : floor.tiles)
+            tile.material = "stone";
+        Faces before, after;
+        add_tiles(floor, before);
+        add_merged(floor, random, after);
+        Count count;
+        after = moved(after, random_turn(random, Vec3::UnitY()));
+        count.add(after, rematch(before, after));
+        EXPECT_EQ(count.wrong, 0u) << seed;
+    }
+}
+
+}  // namespace
+}  // namespace slipface::test
