@@ -76,14 +76,12 @@ bool LevelRenderer::Impl::upload_geometry(Warnings& warnings) {
                                             " MiB); nothing is drawn"});
         return false;
     }
-    blocks.assign((order.triangles.size() + triangles_per_block - 1) / triangles_per_block, {});
     std::vector<LevelVertex> vertices;
     vertices.reserve(std::min(3 * order.triangles.size(), 3 * triangles_per_upload));
     for (std::size_t first = 0; first < order.triangles.size(); first += triangles_per_upload) {
         const std::size_t count = std::min(triangles_per_upload, order.triangles.size() - first);
         vertices.clear();
         append_vertices(*mesh, std::span(order.triangles).subspan(first, count), origin, vertices);
-        add_to_blocks(vertices, first, blocks);
         gl->BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(3 * first * sizeof(LevelVertex)),
                           static_cast<GLsizeiptr>(vertices.size() * sizeof(LevelVertex)), vertices.data());
     }

@@ -13,7 +13,10 @@ constexpr std::uint8_t border_color[4] = {14, 17, 22, 135};
 constexpr float border_width = 1.2f;
 constexpr float shortest_border = 2.5f;  // pixels; keeps dense geometry from turning black
 constexpr double line_bias = 2.0;        // pixels by which lines lie in front of their faces
-constexpr std::size_t triangles_per_draw = std::size_t{1} << 15U;
+constexpr std::size_t triangles_per_piece = std::size_t{1} << 15U;
+// Of a call with triangles that reach over the image's border, Mesa's clipping visits all vertices again and
+// again.
+constexpr std::size_t triangles_per_call = 512;
 constexpr GLuint64 longest_wait_ns = 100'000'000;
 
 }  // namespace
@@ -132,43 +135,27 @@ void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat
         if (*wanted != program) set_level_uniforms(*wanted, camera, height, clip, style);
         program = *wanted;
         gl->BindTexture(GL_TEXTURE_2D, textured ? textures.name(batch.texture) : white_texture);
-        if (places.empty()) draw_in_pieces(batch, clip);
+        if (places.empty()) draw_in_pieces(batch);
         for (const Place& place : places) {
             set_place(program, place);
-            draw_in_pieces(batch, clip);
+            draw_in_pieces(batch);
         }
     }
     gl->Disable(GL_CULL_FACE);
     gl->FrontFace(GL_CCW);
 }
 
-// `triangle`: its place in drawing order. What moves leaves its box, and an instance lies elsewhere.
-bool LevelRenderer::Impl::may_be_seen(std::size_t triangle, const Mat4f& clip) const {
-    return !places.empty() || !moving.empty() ||
-           slipface::may_be_seen(blocks[triangle / triangles_per_block], clip);
-}
-
 // A software rasteriser stores its commands, some hundred bytes per triangle, until it has drawn them. So at
 // most two pieces are in flight: one that is being drawn, and the next.
-void LevelRenderer::Impl::draw_in_pieces(const DrawBatch& batch, const Mat4f& clip) {
+void LevelRenderer::Impl::draw_in_pieces(const DrawBatch& batch) {
     GLsync last = nullptr;
-    std::size_t in_piece = 0;  // triangles
-    const std::size_t end = batch.first + batch.count;
-    const auto next_block = [&](std::size_t triangle) {
-        return std::min(end, (triangle / triangles_per_block + 1) * triangles_per_block);
-    };
-    for (std::size_t first = batch.first; first < end;) {
-        const std::size_t limit = std::min(end, first + triangles_per_draw - in_piece);
-        std::size_t stop = first;
-        while (stop < limit && may_be_seen(stop, clip))
-            stop = std::min(limit, next_block(stop));
-        if (stop > first)
-            gl->DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * first),
-                           static_cast<GLsizei>(3 * (stop - first)));
-        in_piece += stop - first;
-        first = stop < limit ? next_block(stop) : stop;
-        if (in_piece < triangles_per_draw) continue;
-        in_piece = 0;
+    for (std::size_t done = 0; done < batch.count; done += triangles_per_piece) {
+        const std::size_t count = std::min(triangles_per_piece, batch.count - done);
+        for (std::size_t called = 0; called < count; called += triangles_per_call) {
+            gl->DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * (batch.first + done + called)),
+                           static_cast<GLsizei>(3 * std::min(triangles_per_call, count - called)));
+        }
+        if (batch.count <= triangles_per_piece) return;
         GLsync now = gl->FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
         gl->Flush();
         if (last != nullptr) {
@@ -177,7 +164,7 @@ void LevelRenderer::Impl::draw_in_pieces(const DrawBatch& batch, const Mat4f& cl
         }
         last = now;
     }
-    if (last != nullptr) gl->DeleteSync(last);
+    gl->DeleteSync(last);
 }
 
 void LevelRenderer::Impl::draw_lines(const LineBuffer& lines, float shortest) {

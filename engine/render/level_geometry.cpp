@@ -136,29 +136,6 @@ void append_moved_vertices(const Mesh& mesh, std::span<const TriangleId> triangl
     }
 }
 
-void add_to_blocks(std::span<const LevelVertex> vertices, std::size_t first, std::span<BlockBox> boxes) {
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        BlockBox& box = boxes[(first + i / 3) / triangles_per_block];
-        const Vec3f at(vertices[i].position[0], vertices[i].position[1], vertices[i].position[2]);
-        box.min = box.min.cwiseMin(at);
-        box.max = box.max.cwiseMax(at);
-    }
-}
-
-bool may_be_seen(const BlockBox& box, const Mat4f& clip_from_local) {
-    const Vec3f centre = 0.5f * (box.min + box.max), half = 0.5f * (box.max - box.min);
-    const auto reaches_inside = [&](const Eigen::RowVector4f& plane) {
-        const Vec3f normal = plane.head<3>();
-        const float farthest = normal.dot(centre) + plane[3] + normal.cwiseAbs().dot(half);
-        // The shader rounds, too.
-        const float size = normal.cwiseAbs().dot(centre.cwiseAbs() + half) + std::abs(plane[3]);
-        return farthest >= -1e-5f * size;
-    };
-    const auto row = [&](int i) { return Eigen::RowVector4f(clip_from_local.row(i)); };
-    return reaches_inside(row(3)) && reaches_inside(row(3) + row(0)) && reaches_inside(row(3) - row(0)) &&
-           reaches_inside(row(3) + row(1)) && reaches_inside(row(3) - row(1));
-}
-
 std::vector<LineInstance> face_border_lines(const Mesh& mesh, std::span<const std::uint8_t> highlights,
                                             const Vec3& origin, const std::uint8_t (&color)[4], float width) {
     std::vector<Edge> edges;

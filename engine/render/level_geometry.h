@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -50,20 +49,6 @@ void append_vertices(const Mesh& mesh, std::span<const TriangleId> triangles, co
 // The same for triangles moved by `pose`.
 void append_moved_vertices(const Mesh& mesh, std::span<const TriangleId> triangles, const Pose& pose,
                            const Vec3& origin, std::vector<LevelVertex>& vertices);
-
-// Triangles that follow each other in drawing order are left out of an image together, if none of them can be
-// in it.
-inline constexpr std::size_t triangles_per_block = 1024;
-
-// The box of a block's vertices, relative to the drawing origin.
-struct BlockBox {
-    Vec3f min = Vec3f::Constant(std::numeric_limits<float>::infinity());
-    Vec3f max = Vec3f::Constant(-std::numeric_limits<float>::infinity());
-};
-// Adds the vertices to [block] `boxes`. `first`: the first triangle's place in drawing order.
-void add_to_blocks(std::span<const LevelVertex> vertices, std::size_t first, std::span<BlockBox> boxes);
-// False: all of the box lies on the far side of one border of the image, or behind the eye.
-bool may_be_seen(const BlockBox& box, const Mat4f& clip_from_local);
 
 // The borders of all faces that are not hidden (highlight bit 2), each edge once, ascending by vertex pair.
 std::vector<LineInstance> face_border_lines(const Mesh& mesh, std::span<const std::uint8_t> highlights,

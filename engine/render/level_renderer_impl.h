@@ -45,7 +45,6 @@ struct LevelRenderer::Impl {
     MeshPtr mesh;
     Vec3 origin = Vec3::Zero();
     std::vector<DrawBatch> batches;
-    std::vector<BlockBox> blocks;          // of triangles_per_block triangles in drawing order
     std::vector<std::uint8_t> highlights;  // [face]
     std::vector<std::uint32_t> parts;      // [face] its moving part, or no_id; empty: none moves
     std::vector<MovingRun> moving;         // of parts, in drawing order
@@ -87,8 +86,7 @@ struct LevelRenderer::Impl {
     void set_level_uniforms(unsigned program, const Camera& camera, int height, const Mat4f& clip,
                             const LevelStyle& style);
     void draw_faces(const Camera& camera, int height, const Mat4f& clip, const LevelStyle& style);
-    bool may_be_seen(std::size_t triangle, const Mat4f& clip) const;
-    void draw_in_pieces(const DrawBatch& batch, const Mat4f& clip);
+    void draw_in_pieces(const DrawBatch& batch);
     void set_place(unsigned program, const Place& place);
     void draw_lines(const LineBuffer& lines, float shortest);
     void reset_state(int width, int height);

@@ -1,11 +1,8 @@
 #include <glad/gl.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <random>
 
 #include "drawing.h"
 #include "slipface/render/level_renderer.h"
@@ -53,45 +50,6 @@ TEST_F(LevelRendererTest, SameBytesTwice) {
         EXPECT_EQ(draw(renderer, *named_view("iso", yard.mesh->bounds, 1.5), 300, 200, style), image);
     }
     EXPECT_EQ(images[0], images[1]);
-}
-
-// Hills of several blocks. Where neighbours are drawn far apart, every block reaches into every image.
-MeshPtr hills(bool shuffled) {
-    constexpr int n = 80;
-    std::vector<std::pair<int, int>> cells;
-    for (int i = 0; i < n; ++i)
-        for (int k = 0; k < n; ++k)
-            cells.emplace_back(i, k);
-    if (shuffled) std::shuffle(cells.begin(), cells.end(), std::mt19937(5));
-    const auto at = [](int i, int k) { return Vec3(i, 3.0 * std::sin(0.3 * i) * std::cos(0.2 * k), k); };
-    MeshBuilder builder;
-    builder.material("stone", {0.5f, 0.5f, 0.5f}, "");
-    for (const auto& [i, k] : cells)
-        builder.face({at(i, k), at(i, k + 1), at(i + 1, k + 1), at(i + 1, k)});
-    return builder.build();
-}
-
-TEST_F(LevelRendererTest, LeavesNothingOutThatTheImageShows) {
-    LevelRenderer in_order(gl()), shuffled(gl());
-    in_order.set_mesh(hills(false), "");
-    shuffled.set_mesh(hills(true), "");
-    std::mt19937 random(9);
-    std::uniform_real_distribution<double> anywhere(-20.0, 100.0), height(-5.0, 30.0);
-    for (int i = 0; i < 40; ++i) {
-        Camera camera;
-        camera.eye = {anywhere(random), height(random), anywhere(random)};
-        camera.target = {anywhere(random), 0.0, anywhere(random)};
-        camera.orthographic = i % 4 == 0;
-        LevelStyle style;
-        style.back_faces = true;
-        const Image some = draw(in_order, camera, side, side, style);
-        const Image all = draw(shuffled, camera, side, side, style);
-        int different = 0;
-        for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x)
-                different += delta(some, all, x, y) > 0 ? 1 : 0;
-        EXPECT_LE(different, 3) << i;  // where two faces are equally near, the last one is drawn
-    }
 }
 
 TEST_F(LevelRendererTest, WithoutMeshOnlyTheGradient) {
