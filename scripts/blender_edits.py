@@ -716,6 +716,9 @@ def expected(types, *readings):
 def score(types, truth, rows, guessed, original):
     result = Score()
     places = Places(truth)
+    twins = {}  # original faces at one place
+    for number, (mid, vector, _, _) in enumerate(original):
+        twins.setdefault(tuple(round(x, 3) for x in mid + vector), []).append(number)
     got, taken = {}, set()
     for at, normal, kind in rows:
         face = places.take(at, normal, taken, lambda k: truth[k][0] > 0 and types[int(truth[k][0]) - 1] == kind)
@@ -727,9 +730,6 @@ def score(types, truth, rows, guessed, original):
     guesses = {places.take(at, normal, taken) for at, normal in guessed}
     if truth and len(truth[0]) > 7:
         # Of several original faces at one place Blender's nearest point is on any: the type of each is right.
-        twins = {}
-        for number, (mid, vector, _, _) in enumerate(original):
-            twins.setdefault(tuple(round(x, 3) for x in mid + vector), []).append(number)
         other = list(types)
         for numbers in twins.values():
             for number, twin in zip(numbers, numbers[1:] + numbers[:1]):
@@ -746,6 +746,12 @@ def score(types, truth, rows, guessed, original):
         return result
     right, wrong, unsaid = set(), set(), set()
     existing = {int(t[0]) for t in truth if t[0] > 0 and types[int(t[0]) - 1]}
+    # Of several at one place that Blender merged, the one that is left may have the type of each.
+    left = {int(t[0]) for t in truth}
+    merged = {}
+    for numbers in twins.values():
+        gone = {types[number] for number in numbers if number + 1 not in left}
+        merged.update((number + 1, gone) for number in numbers if gone)
     for k, t in enumerate(truth):
         number, kind = int(t[0]), got.get(k)
         if kind is None or number < 0:
@@ -755,7 +761,7 @@ def score(types, truth, rows, guessed, original):
             number, true = -1 - k, types[near]
         else:
             true = types[number - 1]
-        if true == kind:
+        if true == kind or kind in merged.get(number, ()):
             right.add(number)
         else:
             wrong.add(number)
