@@ -82,6 +82,7 @@ class FaceMatcher {
     };
     // `any_material`: a new face may also cover old ones of other materials than its own.
     void match_covered(double least_dot, bool any_material);
+    const MeshParts& pieces();
     bool is_remade(FaceId face, std::size_t i);
     bool is_covered(std::size_t i) const;  // found so by new faces; others may cover it, too
     void find_covers(std::size_t i, double least_dot, bool any_material, std::vector<Cover>& covers);

@@ -103,6 +103,8 @@ bool FaceMatcher::match_repeated(std::size_t i) {
 // A face of which one corner moved, perhaps farther than it is wide: the others come one after another as
 // before.
 bool FaceMatcher::match_corners(std::size_t i) {
+    const std::size_t part = i < parts_.of.size() ? parts_.of[i] : 0;
+    if (part == 0 || part > parts_.parts.size()) return false;
     if (outlines_[i].empty() || likely_[i] || !sharpen(i)) return false;
     const FaceKey& key = this->key(i);
     const std::vector<Vec3>& corners = outlines_[i];
@@ -115,6 +117,7 @@ bool FaceMatcher::match_corners(std::size_t i) {
     FaceId best = no_id;
     for (const FaceId face : faces_in(i, box)) {
         if (!is_free(face) || mesh_.face_corner_count(face) != count ||
+            pieces().parts[pieces().of[face]].faces != parts_.parts[part - 1].faces ||
             !(index_.key(face).normal.dot(key.normal) > 0.5))
             continue;
         const std::uint32_t first = mesh_.face_first_corner[face];
