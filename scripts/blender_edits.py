@@ -142,6 +142,17 @@ def inside_blender(job_path):
                 for third in (1 / 3, 2 / 3) if i + k < n - 1 else (1 / 3,):
                     yield a + (i + third) / n * (b - a) + (k + third) / n * (c - a)
 
+    def unchanged(mesh, polygon, number, back):
+        """Whether the polygon is the original face with its number. Its nearest points can be those of a neighbour:
+        of faces narrower than a millimetre."""
+        corners = [back @ mesh.vertices[v].co for v in polygon.vertices]
+        c, n = sum(corners, Vector()) / len(corners), Vector()
+        for i, corner in enumerate(corners):
+            n += (corner - c).cross(corners[(i + 1) % len(corners)] - c) / 2
+        return number > 0 and len(corners) == job["corners"][number - 1] and \
+            math.dist((c.x, c.z, -c.y), job["centroids"][number - 1]) < 1e-3 and \
+            math.dist((n.x, n.z, -n.y), job["vectors"][number - 1]) < 1e-3 * n.length + 1e-5
+
     def covered(mesh, polygon, triangles, back, original):
         """{number of an original face: area of it that the polygon covers}, by its nearest points: of all faces,
         and of those of its material where there are any."""
@@ -190,7 +201,9 @@ def inside_blender(job_path):
                     n += (corner - c).cross(corners[(i + 1) % len(corners)] - c)
                 n = side * n.normalized()
                 rows.append((number, c.x, c.z, -c.y, n.x, n.z, -n.y))
-                if original:
+                if original and unchanged(mesh, polygon, number, back):
+                    rows[-1] += ({number: 1.0}, {number: 1.0})
+                elif original:
                     rows[-1] += tuple(covered(mesh, polygon, triangles[polygon.index], back, original))
             shown.to_mesh_clear()
         json.dump(rows, open(path + ".truth", "w"))
