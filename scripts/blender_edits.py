@@ -142,6 +142,17 @@ def inside_blender(job_path):
                 for third in (1 / 3, 2 / 3) if i + k < n - 1 else (1 / 3,):
                     yield a + (i + third) / n * (b - a) + (k + third) / n * (c - a)
 
+    def unchanged(mesh, polygon, number, back):
+        """Whether the polygon is the original face with its number. Its nearest points can be those of a neighbour:
+        of faces narrower than a millimetre."""
+        corners = [back @ mesh.vertices[v].co for v in polygon.vertices]
+        c, n = sum(corners, Vector()) / len(corners), Vector()
+        for i, corner in enumerate(corners):
+            n += (corner - c).cross(corners[(i + 1) % len(corners)] - c) / 2
+        return number > 0 and len(corners) == job["corners"][number - 1] and \
+            math.dist((c.x, c.z, -c.y), job["centroids"][number - 1]) < 1e-3 and \
+            math.dist((n.x, n.z, -n.y), job["vectors"][number - 1]) < 1e-3 * n.length + 1e-5
+
     def covered(mesh, polygon, triangles, back, original):
         """{number of an original face: area of it that the polygon covers}, by its nearest points: of all faces,
         and of those of its material where there are any."""
@@ -190,7 +201,9 @@ def inside_blender(job_path):
                     n += (corner - c).cross(corners[(i + 1) % len(corners)] - c)
                 n = side * n.normalized()
                 rows.append((number, c.x, c.z, -c.y, n.x, n.z, -n.y))
-                if original:
+                if original and unchanged(mesh, polygon, number, back):
+                    rows[-1] += ({number: 1.0}, {number: 1.0})
+                elif original:
                     rows[-1] += tuple(covered(mesh, polygon, triangles[polygon.index], back, original))
             shown.to_mesh_clear()
         json.dump(rows, open(path + ".truth", "w"))
@@ -716,6 +729,9 @@ def expected(types, *readings):
 def score(types, truth, rows, guessed, original):
     result = Score()
     places = Places(truth)
+    twins = {}  # original faces at one place
+    for number, (mid, vector, _, _) in enumerate(original):
+        twins.setdefault(tuple(round(x, 3) for x in mid + vector), []).append(number)
     got, taken = {}, set()
     for at, normal, kind in rows:
         face = places.take(at, normal, taken, lambda k: truth[k][0] > 0 and types[int(truth[k][0]) - 1] == kind)
@@ -727,9 +743,6 @@ def score(types, truth, rows, guessed, original):
     guesses = {places.take(at, normal, taken) for at, normal in guessed}
     if truth and len(truth[0]) > 7:
         # Of several original faces at one place Blender's nearest point is on any: the type of each is right.
-        twins = {}
-        for number, (mid, vector, _, _) in enumerate(original):
-            twins.setdefault(tuple(round(x, 3) for x in mid + vector), []).append(number)
         other = list(types)
         for numbers in twins.values():
             for number, twin in zip(numbers, numbers[1:] + numbers[:1]):
@@ -746,6 +759,12 @@ def score(types, truth, rows, guessed, original):
         return result
     right, wrong, unsaid = set(), set(), set()
     existing = {int(t[0]) for t in truth if t[0] > 0 and types[int(t[0]) - 1]}
+    # Of several at one place that Blender merged, the one that is left may have the type of each.
+    left = {int(t[0]) for t in truth}
+    merged = {}
+    for numbers in twins.values():
+        gone = {types[number] for number in numbers if number + 1 not in left}
+        merged.update((number + 1, gone) for number in numbers if gone)
     for k, t in enumerate(truth):
         number, kind = int(t[0]), got.get(k)
         if kind is None or number < 0:
@@ -755,7 +774,7 @@ def score(types, truth, rows, guessed, original):
             number, true = -1 - k, types[near]
         else:
             true = types[number - 1]
-        if true == kind:
+        if true == kind or kind in merged.get(number, ()):
             right.add(number)
         else:
             wrong.add(number)

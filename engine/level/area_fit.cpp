@@ -165,7 +165,7 @@ FaceId AreaFit::face_under(const Sample& sample, const Vec3& point, const Vec3& 
     FaceId best = no_id;
     double nearest = off_plane * sample.size + position_tolerance(point);
     for (const TriangleId triangle : lookup_.tree()->triangles_in(box)) {
-        ++lookup_.visits;
+        ++visits_;
         const FaceId face = lookup_.tree()->triangle_face(triangle);
         if (!is_place_[face] || of_mesh_[mesh_.face_material[face]] != sample.material) continue;
         const FaceKey& key = index_.key(face);

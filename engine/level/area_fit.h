@@ -30,11 +30,12 @@ class AreaFit {
     // What of the parts' painted area lies on the mesh after the motion.
     double covered(std::span<const std::size_t> parts, const PartMotion& motion);
 
-    // True if any more work is allowed.
-    bool may_search() const { return lookup_.visits < max_visits / 2 && work_ < max_work; }
+    // True if any more work is allowed. What is done here takes nothing from the stages that follow.
+    bool may_search() const { return visits_ < max_area_visits && work_ < max_work; }
 
   private:
-    static constexpr std::size_t max_work = 3'000'000'000;  // corners compared, about
+    static constexpr std::size_t max_work = 3'000'000'000;          // corners compared, about
+    static constexpr std::size_t max_area_visits = max_visits / 2;  // faces examined
 
     struct Face {
         Vec3 centroid, normal;
@@ -99,7 +100,7 @@ class AreaFit {
     Side old_, new_;
     std::vector<Vec3> exact_;  // some of the parts' corners
     Aabb box_;                 // of the parts
-    std::size_t work_ = 0;
+    std::size_t work_ = 0, visits_ = 0;
     double face_size_ = 0.0;
     double slack_ = 0.0;  // units: how far a corner is from where it was, up to rounding
 };

@@ -76,9 +76,12 @@ MatchedOverrides FaceMatcher::run() && {
         without_outline([this](std::size_t i) { return match_union(i, false); });
         without_outline([this](std::size_t i) { return match_union(i, true); });
         without_outline([this](std::size_t i) { return match_area(i); });
+        sharpen_outlines();
+        run_stage(Stage::nearest, [this](std::size_t i) { return match_repeated(i); });
         run_stage(Stage::nearest, [this](std::size_t i) { return match_extruded(i); });
         match_covered(0.9, false);
         match_covered(0.5, false);
+        run_stage(Stage::nearest, [this](std::size_t i) { return match_corners(i); });
         match_covered(0.9, true);
         run_stage(Stage::nearest, [this](std::size_t i) { return match_nearest(i); });
     }

@@ -54,6 +54,9 @@ class FaceMatcher {
     void move();
     const PartMotion* motion_of(std::size_t i) const;
     bool find_outlines();
+    void sharpen_outlines();  // sharp_outline.cpp
+    bool sharpen(std::size_t i);
+    double rounding(std::size_t i) const;  // of the outline's corners
     void collect();
     void add_orphan(std::size_t i);
 
@@ -79,12 +82,15 @@ class FaceMatcher {
     };
     // `any_material`: a new face may also cover old ones of other materials than its own.
     void match_covered(double least_dot, bool any_material);
+    const MeshParts& pieces();
     bool is_remade(FaceId face, std::size_t i);
     bool is_covered(std::size_t i) const;  // found so by new faces; others may cover it, too
     void find_covers(std::size_t i, double least_dot, bool any_material, std::vector<Cover>& covers);
 
     // match_nearest.cpp
     bool match_extruded(std::size_t i);
+    bool match_repeated(std::size_t i);
+    bool match_corners(std::size_t i);
     bool match_nearest(std::size_t i);
     bool is_refused(FaceId face, std::size_t i) const;
 
@@ -101,6 +107,7 @@ class FaceMatcher {
     std::vector<std::optional<SurfaceId>> types_;  // [stored]
     std::vector<std::string> bases_;               // [stored]
     std::vector<std::vector<Vec3>> outlines_;      // [stored] after the motion; empty if it is not known
+    std::vector<bool> sharp_;                      // [stored] the outline is exact
     std::vector<bool> likely_;                     // [stored] the outline is only a likely one
     std::vector<bool> lost_;      // [stored] not to be searched: nothing found could be trusted
     std::vector<bool> doubtful_;  // [stored] what is found is a guess
@@ -108,7 +115,7 @@ class FaceMatcher {
     std::vector<std::pair<FaceId, std::size_t>> refused_;
     std::optional<MeshParts> pieces_;  // of the mesh, found when they are needed
     std::vector<bool> mixed_;          // [of these] has several materials
-    std::size_t union_visits_ = 0;
+    std::size_t union_visits_ = 0, outline_visits_ = 0;
     bool bent_ = false;  // what match_union() looks for
     MatchedOverrides result_;
 };

@@ -107,6 +107,12 @@ std::vector<Vec3> FaceOutlines::corners(std::size_t i, const FaceKey& key) const
     return offsets;
 }
 
+// By rounding and by what it carried, a step along each axis; the plane's tilt against them lengthens it.
+double FaceOutlines::rounding(std::size_t i, const FaceKey& key) const {
+    const int head = static_cast<unsigned char>(bytes(i)[0]);
+    return 2.5 * extent_of(head >> 4, key.area) / full_step;
+}
+
 std::string_view FaceOutlines::bytes(std::size_t i) const {
     const std::size_t end = i + 1 < first_.size() ? first_[i + 1] : bytes_.size();
     return std::string_view(bytes_).substr(first_[i], end - first_[i]);

@@ -23,6 +23,9 @@ class FaceOutlines {
     // up to 1 % of the polygon's extent.
     std::vector<Vec3> corners(std::size_t i, const FaceKey& key) const;
 
+    // How far at most the face's corners are from these, seen along its normal.
+    double rounding(std::size_t i, const FaceKey& key) const;
+
     // The bytes of outline `i`, and back: of several one after another; false if `bytes` are none.
     std::string_view bytes(std::size_t i) const;
     bool add_bytes(std::string_view bytes);

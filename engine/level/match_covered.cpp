@@ -37,22 +37,26 @@ bool FaceMatcher::is_covered(std::size_t i) const {
     return found_[i] == MatchStage::plane && !outlines_[i].empty() && !likely_[i];
 }
 
+const MeshParts& FaceMatcher::pieces() {
+    if (pieces_) return *pieces_;
+    pieces_ = mesh_parts(mesh_, surfaces_);
+    mixed_.resize(pieces_->parts.size(), false);
+    for (FaceId face = 0; face < mesh_.face_count(); ++face) {
+        const std::uint32_t piece = pieces_->of[face];
+        const FaceId first = pieces_->sorted[pieces_->first[piece]];
+        if (index_.base(face) != index_.base(first)) mixed_[piece] = true;
+    }
+    return *pieces_;
+}
+
 // Whether the face is of a part of one material that fills the box of the stored face's part: remeshed, which
 // loses the materials.
 bool FaceMatcher::is_remade(FaceId face, std::size_t i) {
     const std::size_t old = i < parts_.of.size() ? parts_.of[i] : 0;
     if (old == 0 || old > parts_.parts.size()) return false;
-    if (!pieces_) {
-        pieces_ = mesh_parts(mesh_, surfaces_);
-        mixed_.resize(pieces_->parts.size(), false);
-        for (FaceId other = 0; other < mesh_.face_count(); ++other) {
-            const std::uint32_t piece = pieces_->of[other];
-            const FaceId first = pieces_->sorted[pieces_->first[piece]];
-            if (index_.base(other) != index_.base(first)) mixed_[piece] = true;
-        }
-    }
-    const std::uint32_t piece = pieces_->of[face];
-    if (mixed_[piece] || pieces_->scattered[piece]) return false;
+    const MeshParts& pieces = this->pieces();
+    const std::uint32_t piece = pieces.of[face];
+    if (mixed_[piece] || pieces.scattered[piece]) return false;
     const PaintPart& part = parts_.parts[old - 1];
     Aabb box = part.box;
     if (const PartMotion* motion = motion_of(i)) {
@@ -64,8 +68,7 @@ bool FaceMatcher::is_remade(FaceId face, std::size_t i) {
             box.add((*motion)(at));
         }
     }
-    return pieces_->parts[piece].faces != part.faces &&
-           similar_box(pieces_->parts[piece].box, box, remade_slack);
+    return pieces.parts[piece].faces != part.faces && similar_box(pieces.parts[piece].box, box, remade_slack);
 }
 
 void FaceMatcher::find_covers(std::size_t i, double least_dot, bool any_material,

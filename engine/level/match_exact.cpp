@@ -47,9 +47,10 @@ bool FaceMatcher::match_location(std::size_t i) {
 }
 
 // Claims the best free face of `faces`: the same material before the same base name before any other,
-// then the nearest, then the lowest index.
+// then one that looks the same way, then the nearest, then the lowest index.
 bool FaceMatcher::claim_best(std::size_t i, const std::vector<FaceId>& faces) {
     const FaceKey& key = this->key(i);
+    const auto looks_back = [&](FaceId face) { return index_.key(face).normal.dot(key.normal) < 0.0; };
     FaceId best = no_id, taken = no_id;
     int best_rank = 0;
     double best_distance = 0.0;
@@ -59,9 +60,10 @@ bool FaceMatcher::claim_best(std::size_t i, const std::vector<FaceId>& faces) {
             if (result_.overrides[face] != types_[i]) taken = face;
             continue;
         }
-        const int rank = index_.key(face).material == key.material ? 0
-                         : index_.base(face) == bases_[i]          ? 1
-                                                                   : 2;
+        const int material = index_.key(face).material == key.material ? 0
+                             : index_.base(face) == bases_[i]          ? 1
+                                                                       : 2;
+        const int rank = 2 * material + (looks_back(face) ? 1 : 0);
         const double distance = (index_.key(face).centroid - key.centroid).norm();
         if (best == no_id || rank < best_rank || (rank == best_rank && distance < best_distance)) {
             best = face;
@@ -74,6 +76,8 @@ bool FaceMatcher::claim_best(std::size_t i, const std::vector<FaceId>& faces) {
         return false;
     }
     claim(best, i, MatchStage::exact);
+    // A sliver, which rounding may turn over, or the one behind it.
+    if (looks_back(best)) result_.guessed.push_back(best);
     return true;
 }
 

@@ -65,6 +65,81 @@ bool FaceMatcher::match_extruded(std::size_t i) {
     return true;
 }
 
+// A face that had a corner twice, which a tool took out. Of several with the same corners it is the one that
+// comes as late as before.
+bool FaceMatcher::match_repeated(std::size_t i) {
+    const FaceKey& key = this->key(i);
+    std::vector<Vec3> corners = outlines_[i];
+    const auto same = [&](const Vec3& a, const Vec3& b) {
+        return (a - b).norm() <= 2.0 * position_tolerance(key.centroid);
+    };
+    corners.erase(std::unique(corners.begin(), corners.end(), same), corners.end());
+    while (corners.size() > 1 && same(corners.front(), corners.back()))
+        corners.pop_back();
+    if (corners.size() < 3 || corners.size() == outlines_[i].size()) return false;
+    Aabb box;
+    for (const Vec3& corner : corners)
+        box.add(corner);
+    box.min -= Vec3::Constant(position_tolerance(key.centroid));
+    box.max += Vec3::Constant(position_tolerance(key.centroid));
+    std::vector<FaceId> found;
+    for (const FaceId face : faces_in(i, box)) {
+        if (mesh_.face_corner_count(face) != corners.size() ||
+            !(index_.key(face).normal.dot(key.normal) > 0.0))
+            continue;
+        const std::uint32_t first = mesh_.face_first_corner[face];
+        const auto has = [&](const Vec3& corner) {
+            for (std::uint32_t c = 0; c < corners.size(); ++c)
+                if (same(mesh_.corner_position(first + c).cast<double>(), corner)) return true;
+            return false;
+        };
+        if (std::all_of(corners.begin(), corners.end(), has)) found.push_back(face);
+    }
+    if (key.copy >= found.size() || !is_free(found[key.copy])) return false;
+    claim(found[key.copy], i, MatchStage::nearest);
+    return true;
+}
+
+// A face of which one corner moved, perhaps farther than it is wide: the others come one after another as
+// before.
+bool FaceMatcher::match_corners(std::size_t i) {
+    const std::size_t part = i < parts_.of.size() ? parts_.of[i] : 0;
+    if (part == 0 || part > parts_.parts.size()) return false;
+    if (outlines_[i].empty() || likely_[i] || !sharpen(i)) return false;
+    const FaceKey& key = this->key(i);
+    const std::vector<Vec3>& corners = outlines_[i];
+    const std::size_t count = corners.size();
+    Aabb box;
+    for (const Vec3& corner : corners)
+        box.add(corner);
+    box.min -= Vec3::Constant(position_tolerance(key.centroid));
+    box.max += Vec3::Constant(position_tolerance(key.centroid));
+    FaceId best = no_id;
+    for (const FaceId face : faces_in(i, box)) {
+        if (!is_free(face) || mesh_.face_corner_count(face) != count ||
+            pieces().parts[pieces().of[face]].faces != parts_.parts[part - 1].faces ||
+            !(index_.key(face).normal.dot(key.normal) > 0.5))
+            continue;
+        const std::uint32_t first = mesh_.face_first_corner[face];
+        std::size_t most = 0;
+        for (std::size_t turn = 0; turn < count; ++turn) {
+            std::size_t same = 0;
+            for (std::uint32_t c = 0; c < count; ++c) {
+                const Vec3 position = mesh_.corner_position(first + c).cast<double>();
+                const double distance = (position - corners[(c + turn) % count]).norm();
+                same += distance <= 2.0 * position_tolerance(key.centroid) ? 1 : 0;
+            }
+            most = std::max(most, same);
+        }
+        if (most + 1 < count) continue;
+        if (best != no_id) return false;
+        best = face;
+    }
+    if (best == no_id) return false;
+    claim(best, i, MatchStage::nearest);
+    return true;
+}
+
 bool FaceMatcher::match_nearest(std::size_t i) {
     const FaceKey& key = this->key(i);
     const Vec3 normal = unit_or_zero(key.normal);

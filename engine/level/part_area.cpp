@@ -30,6 +30,7 @@ void MotionFinder::fit_areas() {
         painted.push_back(i);
         if (!is_missing(i)) continue;
         if (!fit) fit.emplace(lookup_, surfaces_, stored_, overrides_);
+        if (!fit->may_search()) continue;
         if (fit->covered(std::span(&i, 1), PartMotion{}) < edited_area) missing.push_back(i);
     }
     if (missing.empty()) return;
