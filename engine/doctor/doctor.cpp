@@ -138,7 +138,7 @@ const CollisionWorld& WorldOnDemand::get() {
 
 std::size_t Patient::effort_among_many(std::size_t queries, const Aabb& box) const {
     constexpr std::size_t usual = 128;  // triangles
-    return queries * world().crowd_in(box, mesh.triangle_count()) / usual;
+    return queries * world().crowd_in(box) / usual;
 }
 
 std::string metres(double value) {

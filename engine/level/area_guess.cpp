@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "area_fit.h"
 
@@ -338,8 +339,8 @@ std::vector<Vec3> AreaFit::offsets_of_corners(const Eigen::Matrix3d& turn) const
             const Vec3 step = from - to;
             if (!((step.array() >= low.array()).all() && (step.array() < high.array()).all())) continue;
             const Eigen::Vector3i at = ((step - low) / cell).cast<int>();
-            for (int k = 0; k < 8;
-                 ++k)  // the ends of the cell, so that no edge of cells divides what is near
+            // The ends of the cell, so that no edge of cells divides what is near.
+            for (int k = 0; k < 8; ++k)
                 ++votes[index(at.x() + (k & 1), at.y() + (k >> 1 & 1), at.z() + (k >> 2))];
         }
     }

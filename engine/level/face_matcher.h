@@ -49,6 +49,7 @@ class FaceMatcher {
     void claim(FaceId face, std::size_t i, MatchStage stage);
     std::vector<FaceId> faces_in(std::size_t i, const Aabb& box, bool any_material = false);
     std::vector<FaceId> faces_around(std::size_t i, double reach);
+    std::vector<FaceId> faces_at_outline(std::size_t i);
     template <class Match>
     void run_stage(MatchStage stage, Match match);
     void move();

@@ -65,6 +65,15 @@ bool FaceMatcher::match_extruded(std::size_t i) {
     return true;
 }
 
+// Those that touch the box of the outline.
+std::vector<FaceId> FaceMatcher::faces_at_outline(std::size_t i) {
+    Aabb box;
+    for (const Vec3& corner : outlines_[i])
+        box.add(corner);
+    const Vec3 room = Vec3::Constant(position_tolerance(key(i).centroid));
+    return faces_in(i, {box.min - room, box.max + room});
+}
+
 // A face that had a corner twice, which a tool took out. Of several with the same corners it is the one that
 // comes as late as before.
 bool FaceMatcher::match_repeated(std::size_t i) {
@@ -77,13 +86,8 @@ bool FaceMatcher::match_repeated(std::size_t i) {
     while (corners.size() > 1 && same(corners.front(), corners.back()))
         corners.pop_back();
     if (corners.size() < 3 || corners.size() == outlines_[i].size()) return false;
-    Aabb box;
-    for (const Vec3& corner : corners)
-        box.add(corner);
-    box.min -= Vec3::Constant(position_tolerance(key.centroid));
-    box.max += Vec3::Constant(position_tolerance(key.centroid));
     std::vector<FaceId> found;
-    for (const FaceId face : faces_in(i, box)) {
+    for (const FaceId face : faces_at_outline(i)) {
         if (mesh_.face_corner_count(face) != corners.size() ||
             !(index_.key(face).normal.dot(key.normal) > 0.0))
             continue;
@@ -109,13 +113,8 @@ bool FaceMatcher::match_corners(std::size_t i) {
     const FaceKey& key = this->key(i);
     const std::vector<Vec3>& corners = outlines_[i];
     const std::size_t count = corners.size();
-    Aabb box;
-    for (const Vec3& corner : corners)
-        box.add(corner);
-    box.min -= Vec3::Constant(position_tolerance(key.centroid));
-    box.max += Vec3::Constant(position_tolerance(key.centroid));
     FaceId best = no_id;
-    for (const FaceId face : faces_in(i, box)) {
+    for (const FaceId face : faces_at_outline(i)) {
         if (!is_free(face) || mesh_.face_corner_count(face) != count ||
             pieces().parts[pieces().of[face]].faces != parts_.parts[part - 1].faces ||
             !(index_.key(face).normal.dot(key.normal) > 0.5))

@@ -13,10 +13,9 @@ std::optional<Contact> first_contact(const MovementScene& scene, const Vec3& rad
 }
 
 std::size_t crowd_in(const MovementScene& scene, const Aabb& box) {
-    constexpr auto all = std::numeric_limits<std::size_t>::max();
-    std::size_t crowd = scene.collision.crowd_in(box, all);
+    std::size_t crowd = scene.collision.crowd_in(box);
     for (const MovingPart& part : scene.platforms)
-        crowd += part.collision->crowd_in(box, all);
+        crowd += part.collision->crowd_in(box);
     return crowd;
 }
 

@@ -29,6 +29,9 @@ std::array<PaneRect, Panes::maximum> pane_rects(const Panes& panes) {
     return rects;
 }
 
+ViewCamera& pane_view(Editor& editor, std::size_t pane) {
+    return pane == editor.panes.active ? editor.view : editor.panes.waiting[pane];
+}
 const ViewCamera& pane_view(const Editor& editor, std::size_t pane) {
     return pane == editor.panes.active ? editor.view : editor.panes.waiting[pane];
 }
@@ -48,17 +51,9 @@ void set_pane_count(Editor& editor, std::size_t count) {
     panes.maximised = false;
 }
 
-namespace {
-
-ViewCamera& view_of_pane(Editor& editor, std::size_t pane) {
-    return pane == editor.panes.active ? editor.view : editor.panes.waiting[pane];
-}
-
-}  // namespace
-
 void frame_pane(Editor& editor, std::size_t pane) {
     if (!editor.document) return;
-    ViewCamera& view = view_of_pane(editor, pane);
+    ViewCamera& view = pane_view(editor, pane);
     view.frame(shown_bounds(*editor.document), editor.view_aspect);
     editor.panes.framed[pane] = FramedView{view};
 }
@@ -66,7 +61,7 @@ void frame_pane(Editor& editor, std::size_t pane) {
 void fit_framed_pane(Editor& editor, std::size_t pane, double aspect) {
     std::optional<FramedView>& framed = editor.panes.framed[pane];
     if (!framed || framed->aspect == aspect || !editor.document) return;
-    ViewCamera& view = view_of_pane(editor, pane);
+    ViewCamera& view = pane_view(editor, pane);
     if (view != framed->view) return framed.reset();
     view.frame(shown_bounds(*editor.document), aspect);
     framed = FramedView{view, aspect};

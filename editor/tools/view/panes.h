@@ -34,6 +34,7 @@ struct PaneRect {
 };
 // The rectangle of each pane; width 0: not shown.
 std::array<PaneRect, Panes::maximum> pane_rects(const Panes& panes);
+ViewCamera& pane_view(Editor& editor, std::size_t pane);
 const ViewCamera& pane_view(const Editor& editor, std::size_t pane);
 
 // Panes that are shown for the first time begin as top, front and right views of the level.

@@ -143,7 +143,7 @@ bool touches(const Aabb& box, int axis, float low, float high) {
     return double{low} <= box.max[axis] && double{high} >= box.min[axis];
 }
 
-// Calls visit(leaf) for the leaves whose boxes touch `box`, until it returns false.
+// Calls visit(leaf) for the leaves whose boxes touch `box`.
 template <class Visit>
 void visit_leaves(const TreeView& tree, const Aabb& box, Visit visit) {
     if (tree.nodes == nullptr) return;
@@ -161,7 +161,7 @@ void visit_leaves(const TreeView& tree, const Aabb& box, Visit visit) {
                 open[count++] = node.child[k];
             } else {
                 const std::size_t leaf = node.child[k] & leaf_index_mask;
-                if (!visit(*reinterpret_cast<const Leaf*>(tree.leaves + leaf * leaf_alignment))) return;
+                visit(*reinterpret_cast<const Leaf*>(tree.leaves + leaf * leaf_alignment));
             }
         }
     }
@@ -197,7 +197,6 @@ std::vector<TriangleId> CollisionWorld::triangles_in(const Aabb& box) const {
     visit_leaves(impl_->bvh.view(), box, [&](const Leaf& leaf) {
         for (std::size_t lane = 0; lane < leaf_size(leaf); ++lane)
             test(leaf_triangle(leaf, lane));
-        return true;
     });
     // Of an instance every triangle is tested if its box touches.
     for (std::size_t i = 0; i < impl_->views.size(); ++i) {
@@ -213,23 +212,19 @@ std::vector<TriangleId> CollisionWorld::triangles_in(const Aabb& box) const {
     return found;
 }
 
-std::size_t CollisionWorld::crowd_in(const Aabb& box, std::size_t most) const {
+std::size_t CollisionWorld::crowd_in(const Aabb& box) const {
     const Aabb inside{box.min.cwiseMax(impl_->bounds.min), box.max.cwiseMin(impl_->bounds.max)};
     if ((inside.min.array() > inside.max.array()).any()) return 0;
     std::size_t count = 0;
-    const auto add = [&](const Leaf& leaf) {
-        count += leaf_size(leaf);
-        return count < most;
-    };
+    const auto add = [&](const Leaf& leaf) { count += leaf_size(leaf); };
     visit_leaves(impl_->bvh.view(), inside, add);
     visit_leaves(impl_->boxes.view(), inside, [&](const Leaf& boxes) {
-        for (std::size_t lane = 0; lane < leaf_size(boxes) && count < most; ++lane) {
+        for (std::size_t lane = 0; lane < leaf_size(boxes); ++lane) {
             const InstanceView& view = impl_->views[leaf_id(boxes, lane)];
             visit_leaves(view.tree, in_mesh(view, inside), add);
         }
-        return count < most;
     });
-    return std::min(count, most);
+    return count;
 }
 
 }  // namespace slipface

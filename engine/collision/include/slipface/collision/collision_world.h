@@ -121,10 +121,10 @@ class CollisionWorld {
 
     // All triangles, solid or not, whose boxes touch `box`, ascending. Allocates. For tools and tests.
     std::vector<TriangleId> triangles_in(const Aabb& box) const;
-    // About how many triangles a query that stays within `box` looks at, counted up to `most`: those of all
-    // leaves that touch it. Large where boxes do not tell triangles apart, so that each query there is slow;
-    // for searches that end before they take too long. The same on every machine.
-    std::size_t crowd_in(const Aabb& box, std::size_t most) const;
+    // About how many triangles a query that stays within `box` looks at: those of all leaves that touch it.
+    // Large where boxes do not tell triangles apart, so that each query there is slow; for searches that end
+    // before they take too long. The same on every machine.
+    std::size_t crowd_in(const Aabb& box) const;
 
     struct Impl;
     const Impl& impl() const { return *impl_; }
