@@ -1,17 +1,27 @@
 #include "export_parts.h"
 #include "slipface/base/files.h"
+#include "slipface/level/level_sources.h"
 
 namespace slipface {
 namespace {
 
 namespace fs = std::filesystem;
 
-Status check_target(const Level& level, const fs::path& path) {
-    if (!level.mesh) return Error{path.string(), "the level has no geometry"};
-    std::error_code error;
-    for (const fs::path& own : {level.mesh_path, level.file_path})
-        if (path == own || fs::equivalent(path, own, error))
+// All that the level was read from.
+std::vector<fs::path> own_files(const Level& level) {
+    LevelSources sources = level_sources(level);
+    std::vector<fs::path> files{level.mesh_path, level.file_path};
+    for (const std::vector<fs::path>& some : {sources.meshes, sources.textures, sources.maps})
+        files.insert(files.end(), some.begin(), some.end());
+    return files;
+}
+
+Status check_own(const std::vector<fs::path>& own, const fs::path& path) {
+    for (const fs::path& file : own) {
+        std::error_code error;
+        if (path == file || fs::equivalent(path, file, error))
             return Error{path.string(), "is a file of the level itself; expected another name"};
+    }
     return {};
 }
 
@@ -32,17 +42,21 @@ Status add_file(ExportedFile file, std::vector<ExportedFile>& files) {
 Status export_level(const Level& level, const ExportTargets& targets, std::span<const GltfNode> nodes) {
     std::vector<ExportedFile> files;
     Status status;
+    if (!level.mesh) return Error{level.mesh_path.string(), "the level has no geometry"};
+    const std::vector<fs::path> own = own_files(level);
     const auto add = [&](const std::optional<fs::path>& target, const auto& make) {
         if (!target || !status) return;
-        status = check_target(level, *target);
+        status = check_own(own, *target);
         if (!status) return;
         Result<std::vector<ExportedFile>> made = make(*target);
         if (!made) {
             status = made.error();
             return;
         }
-        for (std::size_t i = 0; i < made->size() && status; ++i)
-            status = add_file(std::move((*made)[i]), files);
+        for (std::size_t i = 0; i < made->size() && status; ++i) {
+            status = check_own(own, (*made)[i].path);
+            if (status) status = add_file(std::move((*made)[i]), files);
+        }
     };
     add(targets.obj, [&](const fs::path& path) { return obj_files(level, path); });
     add(targets.gltf, [&](const fs::path& path) { return gltf_files(level, path, nodes); });

@@ -4,7 +4,6 @@
 #include <map>
 
 #include "export_parts.h"
-#include "material_blocks.h"
 #include "pictures_beside.h"
 #include "slipface/base/parallel.h"
 
@@ -95,11 +94,6 @@ Result<std::vector<ExportedFile>> obj_files(const Level& level, const fs::path& 
     if (!materials) return materials.error();
     fs::path library = path;
     library.replace_extension(".mtl");
-    for (const fs::path& own : named_libraries(level)) {
-        std::error_code error;
-        if (fs::equivalent(library, own, error))
-            return Error{library.string(), "is the level's own material library; expected another name"};
-    }
     PicturesBeside beside(path);
     std::string mtl = mtl_text(level, *materials, beside);
     std::string obj = obj_text(level, *materials, library.filename().string());

@@ -105,18 +105,6 @@ std::vector<Library> read_libraries(const Level& level, std::string_view obj) {
 
 }  // namespace
 
-std::vector<fs::path> named_libraries(const Level& level) {
-    if (to_lower(level.mesh_path.extension().string()) != ".obj") return {};
-    const Result<std::string> obj = read_file(level.mesh_path);
-    if (!obj) return {};
-    std::vector<fs::path> paths;
-    for (const ObjStatement& statement : obj_statements(*obj))
-        if (statement.kind == ObjStatement::Kind::library)
-            paths.push_back(level.mesh_path.parent_path() /
-                            obj->substr(statement.name_begin, statement.name_end - statement.name_begin));
-    return paths;
-}
-
 std::vector<MaterialPatch> patch_libraries(const Level& level, std::string_view obj,
                                            const TypedMaterials& materials) {
     std::vector<Library> libraries = read_libraries(level, obj);

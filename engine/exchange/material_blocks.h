@@ -12,10 +12,6 @@ struct MaterialPatch {
     std::string before, after;
 };
 
-// The material libraries that the level's OBJ file names, also those outside its folder. Empty if the
-// geometry is no OBJ or cannot be read.
-std::vector<std::filesystem::path> named_libraries(const Level& level);
-
 // The changes that add the typed materials to the material libraries of an OBJ text: a copy of the material's
 // lines under the new name, with a tinted colour. A name that the library already has is not added. Libraries
 // outside the level's folder, and those that cannot be read, are not changed.

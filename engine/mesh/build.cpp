@@ -170,6 +170,7 @@ MeshPtr make(PolygonSoup soup) {
     mesh->materials = std::move(soup.materials);
     mesh->groups = std::move(soup.groups);
     mesh->nodes = std::move(soup.nodes);
+    mesh->other_files = std::move(soup.other_files);
     set_corners(soup, *mesh);
     cut_faces(*mesh);
     for (const Vec3f& position : mesh->positions)

@@ -49,7 +49,8 @@ class GuardedStream final : public Assimp::IOStream {
 
 }  // namespace
 
-FolderIo::FolderIo(const fs::path& folder) : folder_(folder) {}
+FolderIo::FolderIo(const fs::path& folder, std::vector<std::string>& asked_for)
+    : folder_(folder), asked_for_(asked_for) {}
 
 bool FolderIo::readable(const fs::path& file) const {
     std::error_code error;
@@ -65,7 +66,11 @@ bool FolderIo::Exists(const char* file) const {
 }
 
 Assimp::IOStream* FolderIo::Open(const char* file, const char* mode) {
-    if (std::strpbrk(mode, "wa+") != nullptr || !readable(file)) return nullptr;
+    if (std::strpbrk(mode, "wa+") != nullptr) return nullptr;
+    if (lies_within(file, folder_) &&
+        std::find(asked_for_.begin(), asked_for_.end(), file) == asked_for_.end())
+        asked_for_.emplace_back(file);
+    if (!readable(file)) return nullptr;
     auto bytes = read_file(file);
     return bytes ? new GuardedStream(std::move(*bytes)) : nullptr;
 }

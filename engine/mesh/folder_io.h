@@ -2,6 +2,8 @@
 
 #include <assimp/IOSystem.hpp>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace slipface {
 
@@ -9,7 +11,8 @@ namespace slipface {
 // program read a device, a pipe or private keys.
 class FolderIo final : public Assimp::IOSystem {
   public:
-    explicit FolderIo(const std::filesystem::path& folder);
+    // `asked_for`: gets the path of each file below the folder that is opened or missing, once.
+    FolderIo(const std::filesystem::path& folder, std::vector<std::string>& asked_for);
 
     bool Exists(const char* file) const override;
     char getOsSeparator() const override { return '/'; }
@@ -19,6 +22,7 @@ class FolderIo final : public Assimp::IOSystem {
   private:
     bool readable(const std::filesystem::path& file) const;
     std::filesystem::path folder_;
+    std::vector<std::string>& asked_for_;
 };
 
 }  // namespace slipface

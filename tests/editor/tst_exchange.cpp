@@ -117,7 +117,7 @@ TEST_F(Exchange, ExportsRefuseTheLevelsOwnFilesInTheDialog) {
     const std::string geometry = read_text(obj);
     ASSERT_EQ(
         run("export obj grid.obj\nexpect message \"Cannot export grid.obj:*of the level itself*\"\n"
-            "click \"Message/OK\"\nexport obj stone.obj\nexpect message \"*own material library*\"\n"
+            "click \"Message/OK\"\nexport obj stone.obj\nexpect message \"*stone.mtl*of the level itself*\"\n"
             "click \"Message/OK\"\nexport gltf nowhere/a.gltf\nexpect message \"Cannot export a.gltf*\"\n"
             "click \"Message/OK\"\nexport game grid.obj\nexpect message \"Cannot export*\""),
         "");

@@ -2,6 +2,8 @@
 #include <random>
 
 #include "level_fixture.h"
+#include "slipface/exchange/export.h"
+#include "slipface/level/level_file.h"
 #include "tools/commands/commands.h"
 
 namespace slipface {
@@ -260,6 +262,31 @@ TEST_F(HotReload, AChangedMaterialIsSeen) {
     EXPECT_EQ(kd(), Vec3f(0.9f, 0.2f, 0.3f));
     EXPECT_EQ(document().resolved().surface[5], ice);
     EXPECT_EQ(document().history().back().name, "Reload grid.obj");
+}
+
+// Blender writes the geometry of a .gltf into a .bin beside it; where only that changes, the level did.
+TEST_F(HotReload, AChangedBufferIsSeen) {
+    const auto export_to = [&](const fs::path& gltf) {
+        const Result<LoadedLevel> level = load_level(obj);
+        ASSERT_TRUE(level) << level.error().text();
+        ASSERT_TRUE(export_level(level->level, {.gltf = gltf}));
+    };
+    fs::create_directory(folder / "new");
+    export_to(folder / "grid.gltf");
+    std::string moved = floor_and_wall_obj(n);
+    moved.replace(moved.find("v 3 0 3\n"), 7, "v 3.4 0 3");  // the bounds stay
+    write_text(obj, moved);
+    export_to(folder / "new" / "grid.gltf");
+    open_level(editor, folder / "grid.gltf");
+    ASSERT_FALSE(editor.message);
+    seconds(3);
+    const std::uint64_t before = document().level().mesh.fingerprint();
+    fs::copy_file(folder / "new" / "grid.bin", folder / "grid.bin", fs::copy_options::overwrite_existing);
+    seconds(4);
+    EXPECT_NE(document().level().mesh.fingerprint(), before);
+    EXPECT_EQ(document().history().back().name, "Reload grid.gltf");
+    EXPECT_TRUE(read_text(folder / "grid.gltf") == read_text(folder / "new" / "grid.gltf"))
+        << "only the buffer was to change";
 }
 
 TEST_F(HotReload, AChangedTextureIsReadAgain) {

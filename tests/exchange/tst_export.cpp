@@ -152,15 +152,50 @@ TEST_F(Export, WritesAllTargetsOrNone) {
         EXPECT_TRUE(std::filesystem::exists(path(name))) << name;
 }
 
-TEST_F(Export, NeverWritesOverTheLevelsMaterials) {
-    write("stone.mtl", "newmtl stone\n");
-    const Level level = open("mtllib stone.mtl\n" + grid_obj(2, {"stone"}));
-    const Status status = export_level(level, {.obj = path("stone.obj")});
-    ASSERT_FALSE(status);
-    EXPECT_THAT(status.error().text(), testing::HasSubstr("stone.mtl"));
-    EXPECT_EQ(read("stone.mtl"), "newmtl stone\n");
-    EXPECT_FALSE(exists("stone.obj"));
-    EXPECT_TRUE(export_level(level, {.obj = path("other.obj")}));
+// A level reads more files than its geometry. Under whatever name it is exported, they stay as they are.
+TEST_F(Export, NeverWritesOverWhatTheLevelReads) {
+    std::filesystem::create_directory(path("pictures"));
+    ASSERT_TRUE(save_png(path("pictures/stone.png"), make_image(2, 2, 200, 100, 50)));
+    ASSERT_TRUE(export_level(painted(), {.gltf = path("game.gltf")}));
+    write("pot.mtl", "newmtl clay\n");
+    write("pot.obj", "mtllib pot.mtl\n" + grid_obj(2, {"clay"}));
+    const std::vector<std::vector<std::string>> levels = {
+        {"level.obj", "level.mtl", "pictures/stone.png"},
+        {"game.gltf", "game.bin", "pictures/stone.png"},
+    };
+    for (std::vector<std::string> own : levels) {
+        Level level = open_path(own[0]);
+        level.props.emplace_back().mesh = "pot.obj";
+        place_props(level);
+        level.heightfield.emplace().file = "hills.png";
+        level.light.emplace().image = "light.png";
+        own.insert(own.end(), {"pot.obj", "pot.mtl", "hills.png", "light.png"});
+        for (const char* map : {"hills.png", "light.png"})
+            write(map, map);
+        std::map<std::string, std::string> before;
+        for (const std::string& file : own) {
+            ASSERT_TRUE(exists(file)) << file;
+            before[file] = read(file);
+        }
+        for (const std::string& file : own) {
+            for (const char* ending : {"", ".obj", ".gltf"}) {
+                std::filesystem::path target = path(file);
+                if (*ending != 0) target.replace_extension(ending);
+                for (const ExportTargets& targets :
+                     {ExportTargets{.obj = target}, ExportTargets{.gltf = target},
+                      ExportTargets{.flat = target}}) {
+                    const Status status = export_level(level, targets);
+                    if (target == path(file)) {
+                        ASSERT_FALSE(status) << target;
+                        EXPECT_THAT(status.error().text(), testing::HasSubstr("of the level itself"));
+                    }
+                    for (const auto& [kept, bytes] : before)
+                        ASSERT_EQ(read(kept), bytes) << kept << " after exporting " << target;
+                }
+            }
+        }
+        EXPECT_TRUE(export_level(level, {.obj = path("other.obj")}));
+    }
 }
 
 // Objects, their tree, copies and colours of a glTF, read, painted, exported and read again.

@@ -9,7 +9,7 @@
 #include "slipface/base/counted.h"
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
-#include "slipface/mesh/texture_file.h"
+#include "slipface/level/level_sources.h"
 #include "tools/editor.h"
 
 namespace slipface {
@@ -94,55 +94,6 @@ bool same_materials(const Mesh& a, const Mesh& b) {
                       });
 }
 
-// The MTL files beside an OBJ: which of them it names is not asked, for a change of another is no change of
-// its materials.
-std::vector<fs::path> material_libraries(const fs::path& mesh) {
-    std::vector<fs::path> files;
-    if (to_lower(mesh.extension().string()) != ".obj") return files;
-    std::error_code error;
-    for (fs::directory_iterator it(mesh.parent_path(), error), end; !error && it != end; it.increment(error))
-        if (to_lower(it->path().extension().string()) == ".mtl" && files.size() < max_watched)
-            files.push_back(it->path());
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
-// The files of the props' meshes, there or missing, and their material libraries.
-void add_prop_files(const Level& level, std::vector<fs::path>& files) {
-    for (const PropMesh& mesh : level.placed.meshes) {
-        const fs::path path = level.mesh_path.parent_path() / mesh.file;
-        if (!lies_within(path, level.mesh_path.parent_path())) continue;
-        files.push_back(path);
-        const std::vector<fs::path> libraries = material_libraries(path);
-        files.insert(files.end(), libraries.begin(), libraries.end());
-    }
-    std::sort(files.begin(), files.end());
-    files.erase(std::unique(files.begin(), files.end()), files.end());
-    if (files.size() > max_watched) files.resize(max_watched);
-}
-
-// Where they are, or would be.
-std::vector<fs::path> texture_files(const Level& level) {
-    std::set<fs::path> files;
-    const auto add = [&](const std::string& texture, const fs::path& folder) {
-        if (texture.empty() || files.size() >= max_watched) return;
-        const FoundTexture found = find_texture(texture, folder, TextureAccess::folder);
-        if (!found.refused) files.insert(found.path.value_or(folder / texture));
-    };
-    const fs::path folder = level.mesh_path.parent_path();
-    const auto add_of_mesh = [&](const Mesh& mesh, const fs::path& from) {
-        for (const Material& material : mesh.materials)
-            if (!material.picture) add(material.texture, from);
-    };
-    add_of_mesh(*own_mesh(level), folder);
-    for (const PropMesh& mesh : level.placed.meshes)
-        if (mesh.mesh) add_of_mesh(*mesh.mesh, (folder / mesh.file).parent_path());
-    std::set<std::string_view> textures;
-    for (const Prop& prop : level.props)
-        if (textures.insert(prop.texture).second) add(prop.texture, folder);
-    return {files.begin(), files.end()};
-}
-
 // Whether the files, read again, have the same geometry and materials.
 bool same_content(const Level& a, const Level& b) {
     if (a.mesh.fingerprint() != b.mesh.fingerprint() || !same_materials(*own_mesh(a), *own_mesh(b)))
@@ -189,9 +140,10 @@ void reload_geometry(Editor& editor) {
 
 void watch_files(Editor& editor) {
     const Level& level = editor.document->level();
-    std::vector<fs::path> others = material_libraries(level.mesh_path);
-    add_prop_files(level, others);
-    editor.session.watch.start(level.mesh_path, level.file_path, others, texture_files(level));
+    LevelSources sources = level_sources(level);
+    for (std::vector<fs::path>* files : {&sources.meshes, &sources.textures})
+        if (files->size() > max_watched) files->resize(max_watched);
+    editor.session.watch.start(level.mesh_path, level.file_path, sources.meshes, sources.textures);
     forget_broken(editor);
 }
 

@@ -231,9 +231,10 @@ bool reads_scenes() {
 Result<ImportedSoup> read_scene(const std::filesystem::path& path, const std::string& extension,
                                 std::string bytes, WarningList& warnings, Progress* progress) {
     const std::string location = path.string();
+    std::vector<std::string> asked_for;
     Assimp::Importer importer;
-    importer.SetIOHandler(new FolderIo(path.parent_path()));         // the importer deletes it
-    importer.SetProgressHandler(new CancelledByProgress(progress));  // and this
+    importer.SetIOHandler(new FolderIo(path.parent_path(), asked_for));  // the importer deletes it
+    importer.SetProgressHandler(new CancelledByProgress(progress));      // and this
     const aiScene* scene = importer.ReadFile(location, 0);
     if (cancelled(progress)) return cancelled_error(path);
     if (scene == nullptr)
@@ -243,6 +244,8 @@ Result<ImportedSoup> read_scene(const std::filesystem::path& path, const std::st
     if (!is_gltf) std::string().swap(bytes);
     auto soup = SceneReader(*scene, frame, extension, location, warnings).run();
     if (!soup) return soup.error();
+    std::erase(asked_for, location);
+    soup->other_files = std::move(asked_for);
     ImportedSoup imported{.soup = std::move(*soup), .frame = frame.frame};
     if (is_gltf) imported.type_table = add_gltf_types(bytes, location, imported.soup.materials, warnings);
     return imported;

@@ -79,6 +79,7 @@ void members(Bytes& bytes, Answer& answer) {
             bytes.number(material.diffuse.data()[i]);
     });
     bytes.list(soup.groups, [&](auto& group) { bytes.text(group); });
+    bytes.list(soup.other_files, [&](auto& file) { bytes.text(file); });
     bytes.list(soup.nodes, [&](auto& node) {
         bytes.text(node.name);
         bytes.number(node.parent);

@@ -7,13 +7,13 @@
 namespace slipface {
 namespace {
 
-std::vector<Material> materials_of(const std::filesystem::path& path, const std::vector<NameOnLine>& names,
-                                   const std::vector<NameOnLine>& libraries, WarningList& warnings) {
+void add_materials(const std::filesystem::path& path, ObjPolygons& polygons, WarningList& warnings) {
     MaterialsByName known;
-    const bool any_library = load_libraries(path, libraries, known, warnings);
-    std::vector<Material> materials;
-    materials.reserve(names.size());
-    for (const NameOnLine& used : names) {
+    const bool any_library =
+        load_libraries(path, polygons.libraries, known, polygons.soup.other_files, warnings);
+    std::vector<Material>& materials = polygons.soup.materials;
+    materials.reserve(polygons.materials.size());
+    for (const NameOnLine& used : polygons.materials) {
         const auto found = known.find(used.name);
         materials.push_back(found != known.end() ? found->second : named_material(used.name));
         if (found == known.end() && any_library && !used.name.empty()) {
@@ -22,7 +22,6 @@ std::vector<Material> materials_of(const std::filesystem::path& path, const std:
                 fmt::format("material {} is in no material library: grey is used", in_quotes(used.name)));
         }
     }
-    return materials;
 }
 
 }  // namespace
@@ -32,7 +31,7 @@ Result<PolygonSoup> import_obj(const std::filesystem::path& path, std::string te
     auto polygons = read_obj(std::move(text), path.string(), warnings, progress);
     if (cancelled(progress)) return cancelled_error(path);
     if (!polygons) return polygons.error();
-    polygons->soup.materials = materials_of(path, polygons->materials, polygons->libraries, warnings);
+    add_materials(path, *polygons, warnings);
     return std::move(polygons->soup);
 }
 

@@ -73,10 +73,12 @@ bool has_parent_step(const fs::path& path) {
 // Loads each library once, however often and in whatever spelling it is named.
 class LibraryLoader {
   public:
-    LibraryLoader(const fs::path& obj, MaterialsByName& materials, WarningList& warnings)
+    LibraryLoader(const fs::path& obj, MaterialsByName& materials, std::vector<std::string>& files,
+                  WarningList& warnings)
         : obj_(obj),
           folder_(obj.parent_path().empty() ? fs::path(".") : obj.parent_path()),
           materials_(materials),
+          files_(files),
           warnings_(warnings) {}
 
     void load(const NameOnLine& statement) {
@@ -109,7 +111,9 @@ class LibraryLoader {
         const fs::path relative = inside(name);
         if (!seen_.insert(relative.string()).second) return;
         if (relative.empty()) return warnings_.add(location, "mtllib names no file: ignored");
+        files_.push_back((folder_ / relative).string());
         if (relative != fs::path(name).lexically_normal()) {
+            files_.push_back((folder_ / name).string());
             warnings_.add(
                 location,
                 fmt::format("material library {} lies outside the level's folder: {} is used instead",
@@ -135,6 +139,7 @@ class LibraryLoader {
     const fs::path& obj_;
     fs::path folder_;
     MaterialsByName& materials_;
+    std::vector<std::string>& files_;
     WarningList& warnings_;
     std::set<std::string> seen_;
     std::uint64_t bytes_left_ = max_library_bytes;
@@ -177,8 +182,8 @@ void read_mtl(std::string text, const std::string& location, const fs::path& fol
 }
 
 bool load_libraries(const fs::path& obj, const std::vector<NameOnLine>& libraries, MaterialsByName& materials,
-                    WarningList& warnings) {
-    LibraryLoader loader(obj, materials, warnings);
+                    std::vector<std::string>& files, WarningList& warnings) {
+    LibraryLoader loader(obj, materials, files, warnings);
     for (const NameOnLine& library : libraries)
         loader.load(library);
     return loader.any();

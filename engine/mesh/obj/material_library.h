@@ -27,8 +27,8 @@ void read_mtl(std::string text, const std::string& location, const std::filesyst
               MaterialsByName& materials, WarningList& warnings);
 
 // Loads the libraries that an OBJ file names, if they lie in its folder or below; each that cannot be read
-// gives a warning. Returns whether any was read.
+// gives a warning. Appends the paths of all that are named to `files`. Returns whether any was read.
 bool load_libraries(const std::filesystem::path& obj, const std::vector<NameOnLine>& libraries,
-                    MaterialsByName& materials, WarningList& warnings);
+                    MaterialsByName& materials, std::vector<std::string>& files, WarningList& warnings);
 
 }  // namespace slipface

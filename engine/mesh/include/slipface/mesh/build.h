@@ -20,6 +20,7 @@ struct PolygonSoup {
     std::vector<Material> materials;           // empty: one without a name
     std::vector<std::string> groups;           // empty: one without a name
     std::vector<MeshNode> nodes;               // as in Mesh
+    std::vector<std::string> other_files;      // as in Mesh
 };
 
 // Builds a mesh. Welds corners at exactly the same position into one vertex (-0 counts as 0) and numbers

@@ -45,6 +45,9 @@ struct Mesh {
     std::vector<Material> materials;                      // at least one
     std::vector<std::string> groups;                      // object and group names; at least one
     std::vector<MeshNode> nodes;                          // parents first; empty if the file has no tree
+    // Paths of the other files that this one names, read or not: MTL files, buffers of glTF. Pictures are in
+    // `materials`.
+    std::vector<std::string> other_files;
     Aabb bounds;
     std::uint64_t fingerprint = 0;  // of positions, faces and material names
 
