@@ -38,7 +38,7 @@ void add_texture_warnings(LoadedLevel& loaded) {
     std::set<std::string> known;
     for (const Material& material : loaded.level.mesh->materials) {
         if (material.texture.empty() || !known.insert(material.texture).second) continue;
-        const std::string location = fmt::format("material \"{}\"", material.name);
+        const std::string location = location_of(material);
         if (material.picture) {
             const Status status = check_image_header(*material.picture, "picture " + material.texture);
             if (!status) found.push_back({location, status.error().text()});

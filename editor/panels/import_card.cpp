@@ -129,17 +129,20 @@ void spawn_rows(Editor& editor, float value_at) {
 
 }  // namespace
 
-void import_card(Editor& editor, const ImVec2& view_min, const ImVec2& view_size) {
-    if (!editor.import_card.shown || !editor.document) return;
+float import_card(Editor& editor, const ImVec2& min, const ImVec2& size) {
+    if (!editor.import_card.shown || !editor.document || editor.playtest) return 0;
     refresh_import_card(editor);
-    const float scale = ui::scale(), value_at = 112 * scale, width = 352 * scale, margin = 14 * scale;
-    ImGui::SetNextWindowPos({view_min.x + margin, view_min.y + margin});
+    const float scale = ui::scale(), value_at = 112 * scale, width = 352 * scale, gap = 4 * scale;
+    const bool beside = size.x - width >= 240 * scale;  // else it covers a part of the view
+    const float margin = beside ? 0 : 14 * scale;
+    ImGui::SetNextWindowPos({min.x + margin, min.y + margin});
     // A low view scrolls the card instead of letting it cover what lies below.
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(80 * scale, view_size.y - 2 * margin)});
+    const float highest = std::max(80 * scale, size.y - 2 * margin);
+    ImGui::SetNextWindowSizeConstraints({width, beside ? highest : 0}, {width, highest});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {16 * scale, 12 * scale});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8 * scale);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0f, scale));
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ui::palette().popup);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, beside ? 0 : 8 * scale);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, beside ? 0 : std::max(1.0f, scale));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, beside ? ui::palette().panel : ui::palette().popup);
     ImGui::Begin("##import card", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -176,6 +179,7 @@ void import_card(Editor& editor, const ImVec2& view_min, const ImVec2& view_size
     ImGui::SameLine(ImGui::GetContentRegionMax().x - 100 * scale);  // left of the scroll bar, if there is one
     if (ui::primary_button("Done", true, {100 * scale, 0})) close_import_card(editor);
     ImGui::End();
+    return beside ? width + gap : 0;
 }
 
 }  // namespace slipface

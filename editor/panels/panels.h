@@ -48,8 +48,9 @@ struct FrameContext {
 
 // Image, gestures, overlays, legend, playtest HUD.
 void viewport_panel(Editor& editor, FrameContext& frame);
-// The card about unit, axis and size, if shown; in the view's upper left corner.
-void import_card(Editor& editor, const ImVec2& view_min, const ImVec2& view_size);
+// The card about unit, axis and size, if shown: at the left of this room, or over its corner where the view
+// beside it would be too narrow. Returns the width that the view leaves to it.
+float import_card(Editor& editor, const ImVec2& min, const ImVec2& size);
 void palette_panel(Editor& editor);     // surface types: choose, edit, counts
 void rules_panel(Editor& editor);       // types for materials by their names; the level's materials
 void spawns_panel(Editor& editor);      // spawns: add, rename, delete, choose; the fall limit

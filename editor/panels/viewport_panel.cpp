@@ -169,9 +169,11 @@ void viewport_panel(Editor& editor, FrameContext& frame) {
         state.gesture = Gesture::none;
     editor.style.max_slope = editor.document->level().movement.max_slope;
 
-    const ImVec2 min = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-    const ImVec2 size{std::max(1.0f, room.x), std::max(1.0f, room.y)};
+    ImVec2 min = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
     const ui::Scope scope("Viewport");
+    const float card = import_card(editor, min, size);
+    min.x += card;
+    size = {std::max(1.0f, size.x - card), std::max(1.0f, size.y)};
     Panes one = editor.panes;
     if (editor.playtest) one.maximised = true;
     const auto rect_of_pane = [&](std::size_t pane) { return position_of(pane_rects(one)[pane], min, size); };
@@ -231,7 +233,6 @@ void viewport_panel(Editor& editor, FrameContext& frame) {
     draw_tool_preview(editor, state);
     draw_legend(editor, key);
     draw_view_cube(editor, state);
-    import_card(editor, state.min, state.size);
 }
 
 }  // namespace slipface

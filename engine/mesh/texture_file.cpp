@@ -25,6 +25,10 @@ FoundTexture find_texture(const std::string& authored, const std::filesystem::pa
     return found;
 }
 
+std::string location_of(const Material& material) {
+    return material.name.empty() ? "a material without a name" : "material \"" + material.name + "\"";
+}
+
 std::vector<std::string> outside_textures(const Mesh& mesh, const std::filesystem::path& folder) {
     std::vector<std::string> textures;
     for (const Material& material : mesh.materials) {

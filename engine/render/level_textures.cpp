@@ -76,7 +76,7 @@ Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& fold
         return checker_texture;
     };
     const auto load_one = [&](const Material& material) -> std::uint32_t {
-        const std::string position = "material \"" + material.name + "\"";
+        const std::string position = location_of(material);
         const auto [path, refused] =
             material.picture ? FoundTexture{} : find_texture(material.texture, folder, access);
         if (refused)

@@ -24,6 +24,9 @@ struct FoundTexture {
 FoundTexture find_texture(const std::string& authored, const std::filesystem::path& folder,
                           TextureAccess access);
 
+// For messages: material "stone", or a material without a name.
+std::string location_of(const Material& material);
+
 // The existing images outside `folder` that the mesh's materials name, each once, in the order of the
 // materials.
 std::vector<std::string> outside_textures(const Mesh& mesh, const std::filesystem::path& folder);
