@@ -17,13 +17,6 @@ constexpr double vague = 3.5e-3;  // radians, 0.2 degrees: a normal off by more 
 
 }  // namespace
 
-std::array<Vec3, 3> corners_of(const Patient& patient, TriangleId triangle) {
-    std::array<Vec3, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i)
-        corners[i] = patient.topology.position[patient.topology.vertex[patient.mesh.triangles[triangle][i]]];
-    return corners;
-}
-
 std::vector<std::uint32_t> sorted_loop(const Patient& patient, FaceId face) {
     const auto first = patient.topology.vertex.begin() + patient.mesh.face_first_corner[face];
     const auto last = patient.topology.vertex.begin() + patient.mesh.face_first_corner[face + 1];

@@ -66,11 +66,11 @@ class TriangleBlocks {
                 continue;
             }
             const BlockGroup& group = levels_[at.level][at.node];
-            const LaneMask touching = group.boxes.touching(box);
-            for (std::size_t lane = lanes; lane-- > 0;) {
-                if (touching[lane] != 0 && group.lowest_of[lane] < limit)
-                    open[count++] = {at.level - 1, at.node * lanes + lane};
-            }
+            const std::size_t first = count;
+            each_bit(bits_of(group.boxes.touching(box)), [&](std::size_t lane) {
+                if (group.lowest_of[lane] < limit) open[count++] = {at.level - 1, at.node * lanes + lane};
+            });
+            std::reverse(open.begin() + first, open.begin() + count);
         }
     }
 
