@@ -60,8 +60,7 @@ class CoveredTriangle {
           corners_(corners_of(patient, triangle)) {
         const Vec3 cross = (corners_[1] - corners_[0]).cross(corners_[2] - corners_[0]);
         const double area = cross.norm();
-        const double size = std::max({(corners_[1] - corners_[0]).norm(), (corners_[2] - corners_[1]).norm(),
-                                      (corners_[0] - corners_[2]).norm()});
+        const double size = longest_edge(corners_);
         normal_ = cross / area;
         normal_.cwiseAbs().maxCoeff(&drop_);
         const double largest = std::max({corners_[0].cwiseAbs().maxCoeff(), corners_[1].cwiseAbs().maxCoeff(),
@@ -166,6 +165,7 @@ class CoveredBlock {
 
     CoveredTriangle& covered(const Patient& patient, std::size_t lane) {
         if (index_of_[lane] == none) {
+            triangles_.reserve(lanes);
             index_of_[lane] = static_cast<std::uint8_t>(triangles_.size());
             triangles_.emplace_back(patient, block_->id[lane]);
         }
