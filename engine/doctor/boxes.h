@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -14,11 +15,20 @@ inline constexpr std::size_t lanes = 8;
 using Lanes = std::array<float, lanes>;
 using LaneMask = std::array<std::int32_t, lanes>;  // 0 or 1, as wide as a float: such loops are vectorised
 
-inline bool any(const LaneMask& mask) {
-    std::int32_t all = 0;
-    for (const std::int32_t one : mask)
-        all |= one;
-    return all != 0;
+// The lanes of a mask, each a bit.
+inline std::uint32_t bits_of(const LaneMask& mask) {
+    constexpr std::array<std::int32_t, lanes> bit{1, 2, 4, 8, 16, 32, 64, 128};
+    std::int32_t bits = 0;
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        bits |= -mask[lane] & bit[lane];
+    return static_cast<std::uint32_t>(bits);
+}
+
+// Calls visit(lane) for each.
+template <class Visit>
+void each_bit(std::uint32_t bits, Visit visit) {
+    for (; bits != 0; bits &= bits - 1)
+        visit(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
 struct Box {

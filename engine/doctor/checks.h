@@ -58,7 +58,12 @@ std::size_t find_limit_steps(const Patient& patient, Problems& out);
 void find_orphans(const Patient& patient, Problems& out);
 void find_missing_textures(const Patient& patient, Problems& out);
 
-std::array<Vec3, 3> corners_of(const Patient& patient, TriangleId triangle);
+inline std::array<Vec3, 3> corners_of(const Patient& patient, TriangleId triangle) {
+    std::array<Vec3, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i)
+        corners[i] = patient.mesh.corner_position(patient.mesh.triangles[triangle][i]).cast<double>();
+    return corners;
+}
 std::vector<std::uint32_t> sorted_loop(const Patient& patient, FaceId face);  // welded vertices, ascending
 
 std::string metres(double value);     // "0.40 mm", "12 cm", "1.25 m"

@@ -15,14 +15,21 @@ namespace {
 
 constexpr double vague = 3.5e-3;  // radians, 0.2 degrees: a normal off by more misleads movement
 
-}  // namespace
-
-std::array<Vec3, 3> corners_of(const Patient& patient, TriangleId triangle) {
-    std::array<Vec3, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i)
-        corners[i] = patient.topology.position[patient.topology.vertex[patient.mesh.triangles[triangle][i]]];
-    return corners;
+// Number by number: Eigen would load two at once that were just stored one by one, for which the processor
+// waits.
+using Side = std::array<double, 3>;
+Side side(const Vec3f& from, const Vec3f& to) {
+    return {double{to.x()} - double{from.x()}, double{to.y()} - double{from.y()},
+            double{to.z()} - double{from.z()}};
 }
+Side cross(const Side& a, const Side& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double squared(const Side& v) {
+    return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+}
+
+}  // namespace
 
 std::vector<std::uint32_t> sorted_loop(const Patient& patient, FaceId face) {
     const auto first = patient.topology.vertex.begin() + patient.mesh.face_first_corner[face];
@@ -39,14 +46,17 @@ void find_slivers(const Patient& patient, Problems& out) {
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         double worst = 0.0, longest_there = 0.0, height_there = 0.0;
         for (TriangleId t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1]; ++t) {
-            const auto c = corners_of(patient, t);
-            const double longest2 = std::max(
-                {(c[1] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm(), (c[0] - c[2]).squaredNorm()});
-            const double across2 = (c[1] - c[0]).cross(c[2] - c[0]).squaredNorm();
+            const auto [i, j, k] = mesh.triangles[t];
+            const Vec3f a = mesh.corner_position(i), b = mesh.corner_position(j), c = mesh.corner_position(k);
+            const Side ab = side(a, b), ca = side(c, a);
+            const double longest2 = std::max({squared(ab), squared(side(b, c)), squared(ca)});
+            const double across2 = squared(cross(ab, ca));
             if (across2 > high * high * longest2) continue;
             const double longest = std::sqrt(longest2);
             const double height = longest > 0.0 ? std::sqrt(across2) / longest : 0.0;
-            const double rounding = std::max(rounding_of(c[0], c[1]), rounding_of(c[1], c[2]));
+            const Vec3 middle = b.cast<double>();
+            const double rounding =
+                std::max(rounding_of(a.cast<double>(), middle), rounding_of(middle, c.cast<double>()));
             const double off = height > rounding ? rounding / height : 1.0;
             if (off > worst) {
                 worst = off;

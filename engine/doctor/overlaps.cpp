@@ -60,8 +60,7 @@ class CoveredTriangle {
           corners_(corners_of(patient, triangle)) {
         const Vec3 cross = (corners_[1] - corners_[0]).cross(corners_[2] - corners_[0]);
         const double area = cross.norm();
-        const double size = std::max({(corners_[1] - corners_[0]).norm(), (corners_[2] - corners_[1]).norm(),
-                                      (corners_[0] - corners_[2]).norm()});
+        const double size = longest_edge(corners_);
         normal_ = cross / area;
         normal_.cwiseAbs().maxCoeff(&drop_);
         const double largest = std::max({corners_[0].cwiseAbs().maxCoeff(), corners_[1].cwiseAbs().maxCoeff(),
@@ -139,19 +138,16 @@ class CoveredBlock {
         std::size_t work = 4;
         // What is farther away is rounded by more.
         const float slack = 6.0f * 0x1p-24f * (extent_ + other.around.extent());
-        const LaneMask touching = block_->boxes.touching(other.around);
-        for (std::size_t of = 0; of < block_->count; ++of) {
-            if (touching[of] == 0 || other.lowest >= limit_[of]) continue;
-            const LaneMask near = look(*block_, of, other, off_plane_[of] + slack);
-            if (!any(near)) continue;
-            for (std::size_t lane = 0; lane < other.count; ++lane) {
-                if (near[lane] == 0 || other.id[lane] >= limit_[of]) continue;
+        each_bit(bits_of(block_->boxes.touching(other.around)), [&](std::size_t of) {
+            if (other.lowest >= limit_[of]) return;
+            each_bit(bits_of(look(*block_, of, other, off_plane_[of] + slack)), [&](std::size_t lane) {
+                if (other.id[lane] >= limit_[of]) return;
                 ++work;
-                if (!covered(patient, of).is_covered_by(patient, other.id[lane])) continue;
+                if (!covered(patient, of).is_covered_by(patient, other.id[lane])) return;
                 limit_[of] = other.id[lane];
                 find_limit();
-            }
-        }
+            });
+        });
         return work;
     }
 
@@ -169,6 +165,7 @@ class CoveredBlock {
 
     CoveredTriangle& covered(const Patient& patient, std::size_t lane) {
         if (index_of_[lane] == none) {
+            triangles_.reserve(lanes);
             index_of_[lane] = static_cast<std::uint8_t>(triangles_.size());
             triangles_.emplace_back(patient, block_->id[lane]);
         }
@@ -204,15 +201,12 @@ bool look_over(const Patient& patient, const TriangleBlocks& triangles, float ro
     triangles.each_group_touching(own.around, limit(), [&](std::size_t index) {
         const BlockGroup& other = triangles.group(index);
         const auto blocks = triangles.blocks_of(index);
-        const LaneMask touching = own.boxes.touching(other.around);
-        for (std::size_t i = 0; i < covered.size(); ++i) {
-            if (touching[i] == 0 || other.lowest >= covered[i].limit()) continue;
-            const LaneMask near = other.boxes.touching(covered[i].box());
-            for (std::size_t k = 0; k < blocks.size(); ++k) {
-                if (near[k] == 0 || other.lowest_of[k] >= covered[i].limit()) continue;
-                work += covered[i].look_in(patient, blocks[k]);
-            }
-        }
+        each_bit(bits_of(own.boxes.touching(other.around)), [&](std::size_t i) {
+            if (other.lowest >= covered[i].limit()) return;
+            each_bit(bits_of(other.boxes.touching(covered[i].box())), [&](std::size_t k) {
+                if (other.lowest_of[k] < covered[i].limit()) work += covered[i].look_in(patient, blocks[k]);
+            });
+        });
         ++work;
         return limit();
     });

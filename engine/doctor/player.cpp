@@ -21,6 +21,12 @@ constexpr double rounding_band = 0.1 * degree;  // closer to the limit than mode
 constexpr double steep_band =
     5.0 * degree;  // a ramp that is steeper by more is meant to be a wall or a slide
 
+// In sphere space, where the player is a unit sphere, the planes meet at 90 degrees or more, as nearly
+// everywhere. Planes transform by the inverse transpose: normals are multiplied by the radii.
+bool is_wide(const Vec3& radii, const Vec3& normal_a, const Vec3& normal_b) {
+    return normal_a.cwiseProduct(radii).dot(normal_b.cwiseProduct(radii)) >= 0.0;
+}
+
 // The player, resting in the corner of faces a and b at `edge_point`, touching both. Nothing if the planes
 // form no corner there that is sharper than the limit. `angle` is the free angle in sphere space.
 struct Rest {
@@ -29,12 +35,9 @@ struct Rest {
 };
 std::optional<Rest> rest_in_corner(const Mesh& mesh, const Vec3& radii, const Vec3& edge_point,
                                    const Vec3& normal_a, const Vec3& normal_b, FaceId face_b) {
-    // Planes transform by the inverse transpose: normals are multiplied by the radii.
-    const Vec3 scaled_a = normal_a.cwiseProduct(radii), scaled_b = normal_b.cwiseProduct(radii);
-    if (scaled_a.dot(scaled_b) >= 0.0) return std::nullopt;  // 90 degrees or more, as nearly everywhere
     // The other face in front of this one: a valley, not a ridge.
     if (normal_a.dot(face_centroid(mesh, face_b) - edge_point) <= 0.0) return std::nullopt;
-    const Vec3 a = scaled_a.normalized(), b = scaled_b.normalized();
+    const Vec3 a = normal_a.cwiseProduct(radii).normalized(), b = normal_b.cwiseProduct(radii).normalized();
     const double between = std::acos(std::clamp(a.dot(b), -1.0, 1.0));
     const double angle = 3.141592653589793 - between;
     if (!(angle < sharpest) || !(angle > 1e-4)) return std::nullopt;
@@ -255,6 +258,7 @@ std::vector<Step> steps_of(const Patient& patient, std::size_t& untried) {
 
 std::size_t find_acute_corners(const Patient& patient, Problems& out) {
     const Topology& topology = patient.topology;
+    const Vec3& radii = patient.level.movement.radii;
     struct Corner {
         FaceId a, b;
         Vec3 middle;
@@ -265,15 +269,16 @@ std::size_t find_acute_corners(const Patient& patient, Problems& out) {
     topology.each_edge([&](std::size_t first, std::size_t last) {
         if (last - first != 2) return;
         const FaceId a = topology.edges[first].face, b = topology.edges[first + 1].face;
-        if (a == b || !patient.surface(a).solid || !patient.surface(b).solid) return;
+        if (a == b || is_wide(radii, topology.normal[a], topology.normal[b])) return;
+        if (!patient.surface(a).solid || !patient.surface(b).solid) return;
         const Vec3 middle = 0.5 * (topology.position[topology.edges[first].from] +
                                    topology.position[topology.edges[first].to]);
         // From both sides, for the player may be behind the faces as well.
         Corner corner{a, b, middle, {}, {}};
         for (std::size_t side = 0; side < 2; ++side) {
             const double sign = side == 0 ? 1.0 : -1.0;
-            corner.rests[side] = rest_in_corner(patient.mesh, patient.level.movement.radii, middle,
-                                                sign * topology.normal[a], sign * topology.normal[b], b);
+            corner.rests[side] = rest_in_corner(patient.mesh, radii, middle, sign * topology.normal[a],
+                                                sign * topology.normal[b], b);
         }
         if (corner.rests[0] || corner.rests[1]) corners.push_back(corner);
     });

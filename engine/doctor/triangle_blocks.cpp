@@ -64,7 +64,7 @@ void fill(TriangleBlock& block, const Mesh& mesh, std::span<const NearItem> item
         const Vec3f centre = ((a + b + c) / 3.0).cast<float>();
         const Vec3 cross = (b - a).cross(c - a);
         const double area = cross.norm();
-        const double size = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+        const double size = longest_edge({a, b, c});
         block.thin[lane] = int{!(area > thinnest * size * size)};
         const Vec3f normal = (cross / area).cast<float>();
         for (std::size_t axis = 0; axis < 3; ++axis) {

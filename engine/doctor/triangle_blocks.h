@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -11,6 +12,12 @@
 #include "slipface/mesh/mesh.h"
 
 namespace slipface::doctor {
+
+// Of a triangle, metres.
+inline double longest_edge(const std::array<Vec3, 3>& c) {
+    return std::sqrt(
+        std::max({(c[1] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm(), (c[0] - c[2]).squaredNorm()}));
+}
 
 // Triangles near each other and of about one size. Rounded: good for a first look.
 struct TriangleBlock {
@@ -66,11 +73,11 @@ class TriangleBlocks {
                 continue;
             }
             const BlockGroup& group = levels_[at.level][at.node];
-            const LaneMask touching = group.boxes.touching(box);
-            for (std::size_t lane = lanes; lane-- > 0;) {
-                if (touching[lane] != 0 && group.lowest_of[lane] < limit)
-                    open[count++] = {at.level - 1, at.node * lanes + lane};
-            }
+            const std::size_t first = count;
+            each_bit(bits_of(group.boxes.touching(box)), [&](std::size_t lane) {
+                if (group.lowest_of[lane] < limit) open[count++] = {at.level - 1, at.node * lanes + lane};
+            });
+            std::reverse(open.begin() + first, open.begin() + count);
         }
     }
 

@@ -254,6 +254,10 @@ std::uint32_t near_sweep_kernel(const NearTriangles& near, const V3& radii, cons
     const LaneVec at = all(p);
     const LaneVec zero = all({0.0F, 0.0F, 0.0F, 0.0F});
     const LaneSpherePath path(zero, zero, zero, all(motion));
+    // The plane that a short move crosses mostly is one that it touches: to make sure costs more than the
+    // exact test. In radii.
+    const bool is_short =
+        __builtin_fabsf(motion[0]) + __builtin_fabsf(motion[1]) + __builtin_fabsf(motion[2]) < 0.3F;
     const Lanes until = Lanes::all(time_limit(1.0));
     const Lanes motions = size_of(at) + until * path.d_size;
     std::uint32_t found = 0;
@@ -265,14 +269,17 @@ std::uint32_t near_sweep_kernel(const NearTriangles& near, const V3& radii, cons
         const Lanes plane = load_plane(near, first).apart_until(at, path.d, motions);
         mask &= ~lanes_above(plane, until);
         if (mask == 0) continue;
-        const LeafFilter filter(
-            path, at,
-            {load_vec(near.seen, first), load_vec(near.seen + 3, first), load_vec(near.seen + 6, first)},
-            {load_vec(near.edge, first), load_vec(near.edge + 3, first), load_vec(near.edge + 6, first)});
-        const Lanes after = filter.apart_by_border(plane, until);
-        mask &= ~lanes_above(after, until);
-        if (mask == 0) continue;
-        mask &= ~filter.apart_beside(until);
+        Lanes after = plane;
+        if (!is_short || (mask & (mask - 1)) != 0) {
+            const LeafFilter filter(
+                path, at,
+                {load_vec(near.seen, first), load_vec(near.seen + 3, first), load_vec(near.seen + 6, first)},
+                {load_vec(near.edge, first), load_vec(near.edge + 3, first), load_vec(near.edge + 6, first)});
+            after = filter.apart_by_border(plane, until);
+            mask &= ~lanes_above(after, until);
+            if (mask == 0) continue;
+            mask &= ~filter.apart_beside(until);
+        }
         alignas(32) float times[8];
         after.store(times);
         for (; mask != 0; mask &= mask - 1) {

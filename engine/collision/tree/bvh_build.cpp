@@ -1,7 +1,8 @@
 // Top-down construction of a binary tree by cost: each range of triangles is split in two, in tasks. The
 // cheapest way to give its inner nodes to nodes of eight children is planned on the way back up (bvh_plan.h).
 // Afterwards memory is assigned in a fixed order, and nodes and leaves are written in parallel. No step
-// depends on the order of the tasks.
+// depends on the order of the tasks. Items are many and large: a list of them ends as soon as another takes
+// its place, and of a leaf's items only the numbers of the triangles stay.
 
 #include <algorithm>
 #include <cmath>
@@ -24,12 +25,14 @@ constexpr std::uint32_t cells_from = 8192;  // triangles
 constexpr int max_lists = 3;
 
 struct Range {
-    std::uint32_t first = 0;
+    std::uint32_t first = 0;  // in the order of the tree
     std::uint32_t count = 0;
-    int depth = 0;       // of the binary tree
-    bool mixed = false;  // more than one body
-    int lists = 0;       // of cells in which it or a range around it was sorted
-    // At least cells_worth_it cells, as long as the items are still sorted by cell in another list.
+    Item* items = nullptr;  // unset while the range has cells
+    ItemList own_items;     // if no range around it has them
+    int depth = 0;          // of the binary tree
+    bool mixed = false;     // more than one body
+    int lists = 0;          // of cells in which it or a range around it was sorted
+    // At least cells_worth_it cells, as long as the items are those of a list sorted by cell.
     std::span<Cell> cells;
     const Item* by_cell = nullptr;  // that list
     Box box;                        // of the items
@@ -58,36 +61,66 @@ struct Node {
 struct Source {
     std::span<const Vec3f> positions;
     std::span<const std::array<std::uint32_t, 3>> triangles;
+    std::span<const std::uint32_t> bodies;
     LeafForm form;
+
+    std::uint32_t body(std::uint32_t triangle) const { return bodies.empty() ? 0 : bodies[triangle]; }
 };
+
+std::span<Item> items_of(const Range& range) {
+    return {range.items, range.count};
+}
+
+// Computes the boxes of the items and whether they belong to several bodies.
+void measure(Range& range) {
+    range.box = Box();
+    range.centres = Box();
+    range.mixed = false;
+    for (const Item& item : items_of(range)) {
+        range.box.add(box_of(item));
+        range.centres.add(centre_of(item));
+        range.mixed = range.mixed || item.body != range.items->body;
+    }
+}
+
+// All triangles.
+Range whole(const Source& source) {
+    Range range;
+    range.count = static_cast<std::uint32_t>(source.triangles.size());
+    range.own_items = ItemList(range.count);
+    range.items = range.own_items.begin();
+    parallel_for(range.count, parallel_grain, [&](std::size_t begin, std::size_t end) {
+        for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+            Item& item = range.items[i];
+            const Vec3f& a = source.positions[source.triangles[i][0]];
+            const Vec3f& b = source.positions[source.triangles[i][1]];
+            const Vec3f& c = source.positions[source.triangles[i][2]];
+            for (int axis = 0; axis < 3; ++axis) {
+                item.min[axis] = std::min(std::min(a[axis], b[axis]), c[axis]);
+                item.max[axis] = std::max(std::max(a[axis], b[axis]), c[axis]);
+            }
+            item.triangle = i;
+            item.body = source.body(i);
+        }
+    });
+    measure(range);
+    return range;
+}
 
 class Builder {
   public:
-    Builder(std::span<Item> items, const Source& source) : items_(items), source_(source) {}
+    explicit Builder(const Source& source) : source_(source) {}
 
-    // The tree over a range.
-    std::unique_ptr<Node> build(const Range& root) {
+    // The tree over all triangles.
+    std::unique_ptr<Node> build(Range all) {
+        order_ = std::make_unique_for_overwrite<std::uint32_t[]>(all.count);
         Plan plan{};
         BinaryNodes nodes(blocks_);
-        const BinaryNode* top = divide_up(root, nodes, plan);
+        const BinaryNode* top = divide_up(std::move(all), nodes, plan);
         return collapse(*top);
     }
 
-    // Computes the boxes of the items and whether they belong to several bodies.
-    void measure(Range& range) const {
-        range.box = Box();
-        range.centres = Box();
-        range.mixed = false;
-        for (const Item& item : items_of(range)) {
-            range.box.add(box_of(item));
-            range.centres.add(centre_of(item));
-            range.mixed = range.mixed || item.body != items_[range.first].body;
-        }
-    }
-
   private:
-    std::span<Item> items_of(const Range& range) const { return items_.subspan(range.first, range.count); }
-
     // A leaf is tested eight triangles at a time, so splitting it further saves nothing.
     static bool is_leaf(const Range& range) {
         return range.count <= leaf_capacity && !range.mixed && range.cells.empty();
@@ -95,23 +128,29 @@ class Builder {
 
     // The binary tree over a range, and how it is best cut into nodes.
     BinaryNode* divide_up(Range range, BinaryNodes& nodes, Plan& plan) {
+        if (!range.cells.empty() && range.cells.size() < cells_worth_it) collect_items(range);
         BinaryNode& node = nodes.add(range.box, range.first, range.count);
-        if (is_leaf(range)) return &node;
+        if (is_leaf(range)) {
+            for (std::uint32_t i = 0; i < range.count; ++i)
+                order_[range.first + i] = range.items[i].triangle;
+            return &node;
+        }
         // Clutter in a wide landscape fills few cells of it and gets cells of its own, while items beside it
         // still wait in the list of the landscape's.
         std::vector<Cell> cells;
-        std::unique_ptr<Item[]> by_cell;
+        ItemList by_cell;
         if (range.count >= cells_from && !range.mixed && range.cells.empty() && range.lists < max_lists) {
-            by_cell = std::make_unique_for_overwrite<Item[]>(range.count);
-            cells = sort_into_cells(items_of(range), range.centres, {by_cell.get(), range.count});
+            by_cell = ItemList(range.count);
+            cells = sort_into_cells(items_of(range), range.centres, {by_cell.begin(), range.count});
             if (cells.empty()) {
-                by_cell.reset();
+                by_cell = {};
             } else {
                 range.centres = Box();
                 for (const Cell& cell : cells)
                     range.centres.add(centre_of(cell));
                 range.cells = cells;
-                range.by_cell = by_cell.get();
+                range.by_cell = by_cell.begin();
+                range.own_items = {};
                 ++range.lists;
             }
         }
@@ -121,15 +160,16 @@ class Builder {
         std::array<Plan, 2> plans{};  // nothing for leaves
         if (range.count < parallel_grain) {
             for (std::size_t i = 0; i < 2; ++i)
-                node.half[i] = divide_up(half[i], nodes, plans[i]);
+                node.half[i] = divide_up(std::move(half[i]), nodes, plans[i]);
         } else {
             parallel_for(2, 1, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i) {
                     BinaryNodes own(blocks_);
-                    node.half[i] = divide_up(half[i], own, plans[i]);
+                    node.half[i] = divide_up(std::move(half[i]), own, plans[i]);
                 }
             });
         }
+        lists_.give_back(std::move(range.own_items));
         plan = planned(node, plans[0], plans[1]);
         return &node;
     }
@@ -171,7 +211,7 @@ class Builder {
             both.add(parts.box[i + 1]);
             const BinaryNode &part = *parts.part[i], &next = *parts.part[i + 1];
             if (!part.is_leaf() || !next.is_leaf() || parts.size[i] + parts.size[i + 1] > leaf_capacity ||
-                items_[part.first].body != items_[next.first].body ||
+                body_of(part) != body_of(next) ||
                 both.area() > parts.box[i].area() + parts.box[i + 1].area()) {
                 ++i;
                 continue;
@@ -181,7 +221,7 @@ class Builder {
     }
 
     // Divides the items of a range; returns the left part.
-    Range divide(Range range, Range& right) {
+    Range divide(Range& range, Range& right) {
         Range left;
         if (!range.cells.empty()) {
             if (divide_by_cost(range, range.cells, left, right)) return left;
@@ -189,8 +229,10 @@ class Builder {
         }
         if (!range.mixed && divide_by_cost(range, items_of(range), left, right)) return left;
         left.first = range.first;
+        left.items = range.items;
         left.count = range.mixed ? part_bodies(range) : halve(range);
         right.first = range.first + left.count;
+        right.items = range.items + left.count;
         right.count = range.count - left.count;
         measure(left);
         measure(right);
@@ -219,34 +261,34 @@ class Builder {
         fill(right, sides.second, split.right, range.first + left.count);
         if constexpr (std::is_same_v<Boxed, Cell>) {
             left.by_cell = right.by_cell = range.by_cell;
-            take_cells(left, list.first(sides.first.size));
-            take_cells(right, list.last(sides.second.size));
+            left.cells = list.first(sides.first.size);
+            right.cells = list.last(sides.second.size);
+        } else {
+            left.items = range.items;
+            right.items = range.items + left.count;
         }
         return true;
     }
 
-    void take_cells(Range& range, std::span<Cell> cells) {
-        range.cells = cells;
-        if (cells.size() < cells_worth_it) collect_items(range);
-    }
-
     // Collects the items of a range from its cells.
     void collect_items(Range& range) {
-        Item* to = &items_[range.first];
+        range.own_items = lists_.take(range.count);
+        range.items = range.own_items.begin();
+        Item* to = range.items;
         for (const Cell& cell : range.cells)
             to = std::copy_n(range.by_cell + cell.first, cell.count, to);
         range.cells = {};
         measure(range);
     }
 
-    std::uint32_t halve(const Range& range) {
+    static std::uint32_t halve(const Range& range) {
         alignas(16) float size[4];
         (range.centres.max - range.centres.min).store(size);
         std::size_t axis = 0;
         for (std::size_t i = 1; i < 3; ++i) {
             if (size[i] > size[axis]) axis = i;
         }
-        Item* begin = &items_[range.first];
+        Item* begin = range.items;
         const std::uint32_t half = range.count / 2;
         std::nth_element(begin, begin + half, begin + range.count, [axis](const Item& a, const Item& b) {
             const float ca = 0.5F * a.min[axis] + 0.5F * a.max[axis];
@@ -257,8 +299,8 @@ class Builder {
     }
 
     // Sorts by body, and cuts between two bodies near the middle of their number.
-    std::uint32_t part_bodies(const Range& range) {
-        Item* begin = &items_[range.first];
+    static std::uint32_t part_bodies(const Range& range) {
+        Item* begin = range.items;
         Item* end = begin + range.count;
         const auto by_body = [](const Item& a, const Item& b) {
             return a.body < b.body || (a.body == b.body && a.triangle < b.triangle);
@@ -276,10 +318,9 @@ class Builder {
         alignas(Leaf) std::array<std::byte, leaf_capacity * largest_leaf> bytes;
         for (std::uint32_t i = 0; i < parts.count; ++i) {
             if (!parts.part[i]->is_leaf()) continue;
-            Item* begin = &items_[parts.part[i]->first];
-            std::sort(begin, begin + parts.size[i],
-                      [](const Item& a, const Item& b) { return a.triangle < b.triangle; });
-            pack({begin, parts.size[i]}, &bytes[node.leaf_bytes], node.children[i]);
+            const std::span triangles(&order_[parts.part[i]->first], parts.size[i]);
+            std::ranges::sort(triangles);
+            pack(triangles, &bytes[node.leaf_bytes], node.children[i]);
             node.leaf_bytes += node.children[i].bytes;
         }
         if (node.leaf_bytes == 0) return;
@@ -287,26 +328,29 @@ class Builder {
         node.leaves = std::make_unique<std::byte[]>(node.leaf_bytes + sizeof(std::uint32_t));
         std::copy_n(bytes.begin(), node.leaf_bytes, node.leaves.get());
     }
-    void pack(std::span<const Item> items, std::byte* to, Child& child) const {
+    void pack(std::span<const std::uint32_t> triangles, std::byte* to, Child& child) const {
         std::array<LeafTriangle, leaf_capacity> list;
-        for (std::size_t lane = 0; lane < items.size(); ++lane) {
-            list[lane].id = items[lane].triangle;
+        for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
+            list[lane].id = triangles[lane];
             for (std::size_t k = 0; k < 3; ++k) {
                 const Vec3f& at = source_.positions[source_.triangles[list[lane].id][k]];
                 for (std::size_t axis = 0; axis < 3; ++axis)
                     list[lane].at[axis][k] = at[static_cast<Eigen::Index>(axis)];
             }
         }
-        const PackedLeaf leaf(std::span<const LeafTriangle>(list).first(items.size()),
+        const PackedLeaf leaf(std::span<const LeafTriangle>(list).first(triangles.size()),
                               source_.form == LeafForm::any);
         leaf.write(to);
         child.bytes = static_cast<std::uint16_t>(leaf.bytes());
         child.bytes_before = static_cast<std::uint16_t>(leaf.bytes_before());
     }
 
-    std::span<Item> items_;
+    std::uint32_t body_of(const BinaryNode& leaf) const { return source_.body(order_[leaf.first]); }
+
     const Source& source_;
+    std::unique_ptr<std::uint32_t[]> order_;  // the triangles of all leaves
     BinaryBlocks blocks_;
+    ItemLists lists_;
 };
 
 // Assigns memory: nodes before the nodes below them, leaves in the order in which a walk reaches them.
@@ -361,44 +405,23 @@ Bvh build_bvh(std::span<const Vec3f> positions, std::span<const std::array<std::
               std::span<const std::uint32_t> bodies, LeafForm form) {
     Bvh bvh;
     if (triangles.empty()) return bvh;
-    const auto count = static_cast<std::uint32_t>(triangles.size());
-    auto items = std::make_unique_for_overwrite<Item[]>(count);
-    parallel_for(count, parallel_grain, [&](std::size_t begin, std::size_t end) {
-        for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
-            const Vec3f& a = positions[triangles[i][0]];
-            const Vec3f& b = positions[triangles[i][1]];
-            const Vec3f& c = positions[triangles[i][2]];
-            for (int axis = 0; axis < 3; ++axis) {
-                items[i].min[axis] = std::min(std::min(a[axis], b[axis]), c[axis]);
-                items[i].max[axis] = std::max(std::max(a[axis], b[axis]), c[axis]);
-            }
-            items[i].triangle = i;
-            items[i].body = bodies.empty() ? 0 : bodies[i];
-        }
-    });
-    const Source source{positions, triangles, form};
-    Range all;
-    all.count = count;
-    std::unique_ptr<Node> root;
-    {
-        Builder builder({items.get(), count}, source);
-        builder.measure(all);
-        root = builder.build(all);
-    }
-    items.reset();
+    const Source source{positions, triangles, bodies, form};
+    Range all = whole(source);
+    const Box box = all.box;
+    const std::unique_ptr<Node> root = Builder(source).build(std::move(all));
     MemoryLayout layout;
     layout.give(*root, 1);
 
     alignas(16) float low[4];
     alignas(16) float high[4];
-    all.box.min.store(low);
-    all.box.max.store(high);
+    box.min.store(low);
+    box.max.store(high);
     std::copy_n(low, 3, bvh.low.begin());
     std::copy_n(high, 3, bvh.high.begin());
     bvh.depth = layout.depth;
     bvh.nodes.resize(layout.nodes.size());
     bvh.leaves.resize(layout.bytes + leaf_overread);
-    bvh.leaf_of = TriangleLeaves(count, layout.bytes / leaf_alignment);
+    bvh.leaf_of = TriangleLeaves(triangles.size(), layout.bytes / leaf_alignment);
     parallel_for(layout.nodes.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             write(*layout.nodes[i], bvh);

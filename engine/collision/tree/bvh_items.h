@@ -4,6 +4,9 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <mutex>
+#include <vector>
 
 #include "simd/four.h"
 
@@ -43,6 +46,47 @@ struct alignas(16) Cell {
     std::uint32_t count;
 
     std::uint32_t weight() const { return count; }
+};
+
+class ItemList {
+  public:
+    ItemList() = default;
+    // Of undefined items.
+    explicit ItemList(std::size_t size) : items_(std::make_unique_for_overwrite<Item[]>(size)), size_(size) {}
+
+    Item* begin() { return items_.get(); }
+    std::size_t size() const { return size_; }
+
+  private:
+    std::unique_ptr<Item[]> items_;
+    std::size_t size_ = 0;
+};
+
+// Short lists, of which many tasks need one after the other. They are used again, because what a task leaves
+// in memory would soon fill the gaps between them.
+class ItemLists {
+  public:
+    // At least `size` long.
+    ItemList take(std::size_t size) {
+        if (size > short_list) return ItemList(size);
+        const std::scoped_lock lock(mutex_);
+        if (spare_.empty()) return ItemList(short_list);
+        ItemList list = std::move(spare_.back());
+        spare_.pop_back();
+        return list;
+    }
+    // Any list, which may be one that was taken.
+    void give_back(ItemList list) {
+        if (list.size() != short_list) return;
+        const std::scoped_lock lock(mutex_);
+        spare_.push_back(std::move(list));
+    }
+
+  private:
+    static constexpr std::size_t short_list = 4096;
+
+    std::mutex mutex_;
+    std::vector<ItemList> spare_;
 };
 
 // The fourth component holds the bits of an integer, which arithmetic must not see: as a float it could be a

@@ -99,19 +99,20 @@ std::optional<double> read_number(std::string_view word) {
 }
 
 std::size_t find_binary(std::string_view text) {
+    // Blocks of a constant size and no branch, so that the compiler can process many bytes at once.
     constexpr std::size_t block = 4096;
-    for (std::size_t begin = 0; begin < text.size(); begin += block) {
-        const std::string_view part = text.substr(begin, block);
-        // Without a branch, so that the compiler can process many bytes at once.
-        bool all_text = true;
-        for (const char c : part)
-            all_text &= is_text(static_cast<unsigned char>(c));
-        if (all_text) continue;
-        const auto found = std::find_if_not(part.begin(), part.end(),
-                                            [](char c) { return is_text(static_cast<unsigned char>(c)); });
-        return begin + static_cast<std::size_t>(found - part.begin());
+    std::size_t begin = 0;
+    for (; text.size() - begin >= block; begin += block) {
+        std::uint8_t others = 0;
+        for (std::size_t i = 0; i < block; ++i)
+            others |= std::uint8_t{!is_text(static_cast<unsigned char>(text[begin + i]))};
+        if (others != 0) break;
     }
-    return std::string_view::npos;
+    const auto rest = text.substr(begin);
+    const auto found = std::find_if_not(rest.begin(), rest.end(),
+                                        [](char c) { return is_text(static_cast<unsigned char>(c)); });
+    return found == rest.end() ? std::string_view::npos
+                               : begin + static_cast<std::size_t>(found - rest.begin());
 }
 
 std::size_t line_of(std::string_view text, std::size_t position) {
