@@ -102,8 +102,8 @@ class MotionFinder {
                                           const std::vector<AreaMotion>& motions, double least);
     bool is_missing(std::size_t part);
 
-    // part_pairs.cpp: what faces that an edit left as they were say
-    std::optional<PartMotion> motion_of_pairs(std::span<const std::size_t> parts);
+    // part_kept.cpp: what faces that an edit left as they were say
+    std::optional<PartMotion> motion_of_kept(std::span<const std::size_t> parts);
     double kept(std::span<const FaceKey* const> painted, const PartMotion& motion) const;
 
     // part_follow.cpp: what the others did

@@ -1,5 +1,5 @@
-// Parts of whose corners an edit left too few, by their areas: first all parts together, as a level that was
-// turned as a whole, then each by itself.
+// Parts of whose corners an edit left too few: they did what most of the painted faces did. If that is not
+// known, the faces that are left say it, then the areas of all parts together, then of each by itself.
 #include <algorithm>
 #include <numeric>
 
@@ -39,7 +39,7 @@ void MotionFinder::fit_areas() {
     std::erase_if(missing,
                   [&](std::size_t i) { return fit.covered(std::span(&i, 1), PartMotion{}) >= edited_area; });
     if (missing.empty()) return;
-    std::optional<PartMotion> level = motion_of_pairs(missing);
+    std::optional<PartMotion> level = motion_of_kept(missing);
     if (!level && !most) {
         std::vector<FaceId> faces(mesh_.face_count());
         std::iota(faces.begin(), faces.end(), FaceId{0});
@@ -108,7 +108,7 @@ void MotionFinder::follow_areas(AreaFit& fit, std::span<const std::size_t> parts
 
 void MotionFinder::accept_area(std::size_t i, const PartMotion& motion) {
     Part& part = parts_[i];
-    part.best = motion.is_identity() ? motion : refitted(i, motion).value_or(motion);
+    part.best = motion;
     part.best_support = support_.support(i, motion, 0.0);
     part.best.guessed = true;
     part.voted = true;

@@ -297,6 +297,55 @@ TEST(Area, SmallModelsFollowTheirLevel) {
     EXPECT_LE(100 * (tiles.wrong + boxes.wrong), tiles.clear + boxes.clear);
 }
 
+// Remeshing rounds the edges of boxes, so that no face of a small one is left in its plane. What is nearest
+// to a side that was not painted has no type.
+TEST(Area, ARemeshedBoxKeepsItsTypesAtItsRoundedEdges) {
+    Count count;
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        Random random(seed);
+        Faces before, after;
+        for (int i = 0; i < 6; ++i) {
+            const Vec3 low(4.0 * i, between(random, 0, 2), between(random, -9, 9));
+            const double size = between(random, 0.5, 2);
+            constexpr int cells = 6;
+            for (int axis = 0; axis < 3; ++axis) {
+                for (const bool far : {false, true}) {
+                    const int type = static_cast<int>(random() % 6) - 1;
+                    const auto at = [&](double u, double v) {  // of a unit cube
+                        Vec3 point;
+                        point[axis] = far ? 1.0 : 0.0;
+                        point[(axis + 1) % 3] = far ? u : v;
+                        point[(axis + 2) % 3] = far ? v : u;
+                        return point;
+                    };
+                    const auto rounded_off = [&](const Vec3& point) {
+                        const Vec3 inner = point.cwiseMax(0.4).cwiseMin(0.6);
+                        return Vec3(inner + 0.4 * (point - inner).normalized());
+                    };
+                    const auto add = [&](Faces& faces, double u, double v, double step, bool round) {
+                        Face face;
+                        face.material = "wood";
+                        face.painted = type;
+                        for (const auto& [a, b] :
+                             {std::pair{u, v}, {u + step, v}, {u + step, v + step}, {u, v + step}})
+                            face.corners.push_back(
+                                (low + size * (round ? rounded_off(at(a, b)) : at(a, b))).cast<float>());
+                        faces.push_back(face);
+                    };
+                    add(before, 0, 0, 1, false);
+                    for (int row = 0; row < cells; ++row)
+                        for (int column = 0; column < cells; ++column)
+                            add(after, 1.0 * row / cells, 1.0 * column / cells, 1.0 / cells, true);
+                }
+            }
+        }
+        count.add(after, rematch(before, after));
+    }
+    EXPECT_GT(count.clear, 1000u);
+    EXPECT_GT(static_cast<double>(count.right), 0.95 * static_cast<double>(count.clear));
+    EXPECT_LE(100 * count.wrong, count.clear);
+}
+
 // A square floor of one material and without a rim that says more looks the same after each quarter turn.
 TEST(Area, AMergedFloorThatLooksTheSameTurnedIsListed) {
     for (unsigned seed = 0; seed < 20; ++seed) {

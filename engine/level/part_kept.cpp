@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t max_painted = 4000, max_rare = 200;  // faces
 constexpr std::size_t max_alike = 8;                       // faces that a rare one may be
 constexpr std::size_t max_checked = 400;                   // faces that tell how good a motion is
-constexpr std::size_t most_motions = 16;
+constexpr std::size_t max_rated = 16;
 constexpr std::size_t max_threes = 3000;  // threes of faces
 constexpr double same_area = 2e-3;        // a level file rounds it
 constexpr double same_normal = 0.999;
@@ -31,7 +31,7 @@ struct Rare {
 
 }  // namespace
 
-std::optional<PartMotion> MotionFinder::motion_of_pairs(std::span<const std::size_t> parts) {
+std::optional<PartMotion> MotionFinder::motion_of_kept(std::span<const std::size_t> parts) {
     std::map<std::string, std::uint32_t> bases;
     using Sized = std::tuple<std::uint32_t, double, FaceId>;
     std::vector<Sized> sized;
@@ -45,7 +45,7 @@ std::optional<PartMotion> MotionFinder::motion_of_pairs(std::span<const std::siz
         is_one[part + 1] = true;
     std::vector<const FaceKey*> painted;
     for (std::size_t i = 0; i < overrides_.size() && i < stored_.of.size(); ++i)
-        if (stored_.of[i] > 0 && is_one[stored_.of[i]] && overrides_[i].key.area > 0.0)
+        if (stored_.of[i] < is_one.size() && is_one[stored_.of[i]] && overrides_[i].key.area > 0.0)
             painted.push_back(&overrides_[i].key);
     std::vector<Rare> rare;
     const std::size_t step = painted.size() / max_painted + 1;
@@ -125,7 +125,7 @@ std::optional<PartMotion> MotionFinder::motion_of_pairs(std::span<const std::siz
                         try_three(rare[i], x, rare[k], y);
     std::stable_sort(found.begin(), found.end(),
                      [](const Found& a, const Found& b) { return a.faces > b.faces; });
-    if (found.size() > most_motions) found.resize(most_motions);
+    if (found.size() > max_rated) found.resize(max_rated);
 
     std::vector<AreaMotion> motions;
     for (const Found& one : found)
