@@ -18,6 +18,7 @@ constexpr std::size_t max_alike = 8;                       // faces that a rare 
 constexpr std::size_t max_checked = 400;                   // faces that tell how good a motion is
 constexpr std::size_t max_rated = 16;
 constexpr std::size_t max_threes = 3000;  // threes of faces
+constexpr std::size_t max_twos = 40'000;  // for which a third is looked for
 constexpr double same_area = 2e-3;        // a level file rounds it
 constexpr double same_normal = 0.999;
 constexpr double enough_kept = 8.0;  // faces
@@ -94,13 +95,14 @@ std::optional<PartMotion> MotionFinder::motion_of_kept(std::span<const std::size
         std::size_t faces;
     };
     std::vector<Found> found;
-    std::size_t tried = 0;
+    std::size_t pairs = 0, tried = 0;
     const auto known = [&](const Rare& a, FaceId x, const Rare& b, FaceId y) {
         return std::any_of(found.begin(), found.end(), [&](const Found& one) {
             return hits(one.motion, a, x) && hits(one.motion, b, y);
         });
     };
     const auto try_three = [&](const Rare& a, FaceId x, const Rare& b, FaceId y) {
+        if (++pairs > max_twos) return;
         for (const Rare& c : rare) {
             const Vec3 sides[] = {b.key->centroid - a.key->centroid, c.key->centroid - a.key->centroid};
             if (!(sides[0].cross(sides[1]).norm() > 0.1 * sides[0].norm() * sides[1].norm())) continue;
