@@ -83,6 +83,7 @@ MatchedOverrides FaceMatcher::run() && {
         match_covered(0.5, false);
         run_stage(Stage::nearest, [this](std::size_t i) { return match_corners(i); });
         match_covered(0.9, true);
+        match_remade();
         run_stage(Stage::nearest, [this](std::size_t i) { return match_nearest(i); });
     }
     collect();
@@ -129,15 +130,16 @@ void FaceMatcher::claim(FaceId face, std::size_t i, MatchStage stage) {
 }
 
 // Faces with a triangle in the box, of the key's material unless any will do; ascending.
-std::vector<FaceId> FaceMatcher::faces_in(std::size_t i, const Aabb& box, bool any_material) {
+std::vector<FaceId> FaceMatcher::faces_in(std::size_t i, const Aabb& box, bool any_material,
+                                          std::size_t& visits) const {
     std::vector<FaceId> faces;
     for (const TriangleId triangle : lookup_.tree()->triangles_in(box)) {
-        ++lookup_.visits;
+        ++visits;
         const FaceId face = lookup_.tree()->triangle_face(triangle);
         const bool known = !faces.empty() && faces.back() == face;
         if (!known && (any_material || index_.base(face) == bases_[i])) faces.push_back(face);
     }
-    ++lookup_.visits;
+    ++visits;
     return faces;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "face_index.h"
@@ -47,7 +48,11 @@ class FaceMatcher {
     bool is_wanted(std::size_t i) const;  // not found yet, and to be searched
     bool is_free(FaceId face) const { return claims_[face] == MatchStage::none; }
     void claim(FaceId face, std::size_t i, MatchStage stage);
-    std::vector<FaceId> faces_in(std::size_t i, const Aabb& box, bool any_material = false);
+    std::vector<FaceId> faces_in(std::size_t i, const Aabb& box, bool any_material,
+                                 std::size_t& visits) const;
+    std::vector<FaceId> faces_in(std::size_t i, const Aabb& box, bool any_material = false) {
+        return faces_in(i, box, any_material, lookup_.visits);
+    }
     std::vector<FaceId> faces_around(std::size_t i, double reach);
     std::vector<FaceId> faces_at_outline(std::size_t i);
     template <class Match>
@@ -86,7 +91,12 @@ class FaceMatcher {
     const MeshParts& pieces();
     bool is_remade(FaceId face, std::size_t i);
     bool is_covered(std::size_t i) const;  // found so by new faces; others may cover it, too
-    void find_covers(std::size_t i, double least_dot, bool any_material, std::vector<Cover>& covers);
+    void find_covers(std::size_t i, double least_dot, bool any_material, std::vector<Cover>& covers,
+                     std::size_t& visits) const;
+
+    // match_remade.cpp
+    void match_remade();
+    void claim_nearest(FaceId face, std::span<const std::size_t> painted, const Aabb* box);
 
     // match_nearest.cpp
     bool match_extruded(std::size_t i);
@@ -110,6 +120,8 @@ class FaceMatcher {
     std::vector<std::vector<Vec3>> outlines_;      // [stored] after the motion; empty if it is not known
     std::vector<bool> sharp_;                      // [stored] the outline is exact
     std::vector<bool> likely_;                     // [stored] the outline is only a likely one
+    enum class Flat : std::uint8_t { none, few, whole, whole_in_few };
+    std::vector<Flat> flat_;      // [stored] what is left in its plane: some in few pieces, or all of it
     std::vector<bool> lost_;      // [stored] not to be searched: nothing found could be trusted
     std::vector<bool> doubtful_;  // [stored] what is found is a guess
     // Faces that match_covered() did not give the type of the stored one, sorted.

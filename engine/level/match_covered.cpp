@@ -7,6 +7,7 @@
 #include "face_cover.h"
 #include "face_matcher.h"
 #include "part_support.h"
+#include "slipface/base/parallel.h"
 
 namespace slipface {
 namespace {
@@ -20,6 +21,7 @@ constexpr double more_than_half = 0.52;  // of a new face: half of it is a quest
 constexpr double part_of_it = 0.01;  // of a new face: what it has of one that it came from
 
 constexpr double left_fraction = 0.1;  // of an old face, by what is still there
+constexpr double nearly_whole = 0.97;
 
 // A parallel face off the plane is another face, in the old face's size. A tilted one leaves the plane, in
 // the larger one's size.
@@ -71,8 +73,8 @@ bool FaceMatcher::is_remade(FaceId face, std::size_t i) {
     return pieces.parts[piece].faces != part.faces && similar_box(pieces.parts[piece].box, box, remade_slack);
 }
 
-void FaceMatcher::find_covers(std::size_t i, double least_dot, bool any_material,
-                              std::vector<Cover>& covers) {
+void FaceMatcher::find_covers(std::size_t i, double least_dot, bool any_material, std::vector<Cover>& covers,
+                              std::size_t& visits) const {
     const FaceKey& key = this->key(i);
     const double size = std::sqrt(key.area);
     const Vec3 normal = unit_or_zero(key.normal);
@@ -81,7 +83,7 @@ void FaceMatcher::find_covers(std::size_t i, double least_dot, bool any_material
         box.add(corner);
     box.min -= Vec3::Constant(wide * size + position_tolerance(key.centroid));
     box.max += Vec3::Constant(wide * size + position_tolerance(key.centroid));
-    for (const FaceId face : faces_in(i, box, any_material)) {
+    for (const FaceId face : faces_in(i, box, any_material, visits)) {
         const FaceKey& candidate = index_.key(face);
         const double along = candidate.normal.dot(normal);
         if (!is_free(face) || !(along > least_dot)) continue;
@@ -89,7 +91,7 @@ void FaceMatcher::find_covers(std::size_t i, double least_dot, bool any_material
         const double off = std::abs(candidate.normal.dot(candidate.centroid - key.centroid));
         const double bend = tilt * std::max(size, std::sqrt(candidate.area));
         if (off > off_plane * size + off_plane_by_tilt * bend + position_tolerance(key.centroid)) continue;
-        lookup_.visits += mesh_.face_corner_count(face);
+        visits += mesh_.face_corner_count(face);
         const bool flat = along > 0.9995 && off <= 1e-3 * size + position_tolerance(key.centroid);
         if (flat || is_wanted(i)) covers.push_back({face, i, off, 0.0, flat});
     }
@@ -98,14 +100,29 @@ void FaceMatcher::find_covers(std::size_t i, double least_dot, bool any_material
 void FaceMatcher::match_covered(double least_dot, bool any_material) {
     std::vector<Cover> all;
     likely_.resize(stored_.size(), false);
-    for (std::size_t i = 0; i < stored_.size() && lookup_.visits < max_visits; ++i) {
+    flat_.resize(stored_.size(), Flat::none);
+    std::vector<std::size_t> searched;
+    for (std::size_t i = 0; i < stored_.size(); ++i) {
         if (!is_wanted(i) && !(any_material && is_covered(i))) continue;
         if (!(key(i).area > 0.0) || unit_or_zero(key(i).normal).isZero()) continue;
         if (outlines_[i].empty()) {
             outlines_[i] = likely_outline(key(i));
             likely_[i] = true;
         }
-        find_covers(i, least_dot, any_material, all);
+        searched.push_back(i);
+    }
+    constexpr std::size_t at_once = 256;  // then the work is counted
+    for (std::size_t begin = 0; begin < searched.size() && lookup_.visits < max_visits; begin += at_once) {
+        std::vector<std::vector<Cover>> covers(std::min(at_once, searched.size() - begin));
+        std::vector<std::size_t> visits(covers.size(), 0);
+        parallel_for(covers.size(), 32, [&](std::size_t first, std::size_t end) {
+            for (std::size_t k = first; k < end; ++k)
+                find_covers(searched[begin + k], least_dot, any_material, covers[k], visits[k]);
+        });
+        for (std::size_t k = 0; k < covers.size(); ++k) {
+            all.insert(all.end(), covers[k].begin(), covers[k].end());
+            lookup_.visits += visits[k];
+        }
     }
     std::stable_sort(all.begin(), all.end(), [](const Cover& a, const Cover& b) { return a.face < b.face; });
     const auto each_face = [&](const auto& apply) {
@@ -133,6 +150,13 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
             pieces[covers[k].i] += areas[k] > part_of_it * key(covers[k].i).area ? 1 : 0;
         }
     });
+    for (std::size_t i = 0; i < stored_.size(); ++i) {
+        const bool few = pieces[i]<few_pieces, whole = flat[i]> nearly_whole * key(i).area;
+        const Flat left = whole ? few ? Flat::whole_in_few : Flat::whole
+                          : few && flat[i] > left_fraction * key(i).area ? Flat::few
+                                                                         : Flat::none;
+        flat_[i] = std::max(flat_[i], left);
+    }
     // Beside what is left of a face in its plane, small tilted faces are not it: its edges were bevelled.
     for (Cover& cover : all) {
         const double area = key(cover.i).area;

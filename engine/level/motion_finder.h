@@ -49,6 +49,7 @@ class MotionFinder {
     struct Move {
         PartMotion motion;
         std::size_t parts = 0;  // that made it
+        std::size_t faces = 0;  // of them, painted
         bool of_all = false;    // all others could have made it, too
     };
 
@@ -92,11 +93,18 @@ class MotionFinder {
 
     // part_area.cpp: what little is left says
     void fit_areas();
-    void fit_level(AreaFit& fit, const std::vector<std::size_t>& painted);
+    std::optional<PartMotion> motion_of_most() const;
+    void follow_areas(AreaFit& fit, std::span<const std::size_t> parts, const PartMotion& level);
     void accept_area(std::size_t part, const PartMotion& motion);
-    const PartMotion* clear_one(AreaFit& fit, std::span<const std::size_t> parts,
-                                const std::vector<AreaMotion>& motions);
+    std::optional<PartMotion> clear_one(AreaFit& fit, std::span<const std::size_t> parts,
+                                        const std::vector<AreaMotion>& motions);
+    std::optional<PartMotion> of_one_kind(std::span<const std::size_t> parts,
+                                          const std::vector<AreaMotion>& motions, double least);
     bool is_missing(std::size_t part);
+
+    // part_kept.cpp: what faces that an edit left as they were say
+    std::optional<PartMotion> motion_of_kept(std::span<const std::size_t> parts);
+    double kept(std::span<const FaceKey* const> painted, const PartMotion& motion) const;
 
     // part_follow.cpp: what the others did
     static bool is_explained(const Part& part) {
@@ -124,6 +132,7 @@ class MotionFinder {
     PartTypes types_;
     SimilarFaces similar_;
     std::vector<Part> parts_;
+    std::vector<std::size_t> painted_;    // [part] its painted faces
     std::vector<PartMotion> known_;       // the parts' best, to be tried with the next parts
     std::vector<Move> moves_;             // the different motions of the parts that moved
     std::vector<Aabb> places_;            // [part] of the parts that moved: where; else empty

@@ -1,6 +1,7 @@
-// Parts of whose corners an edit left too few, by their areas: first all parts together, as a level that was
-// turned as a whole, then each by itself.
+// Parts of whose corners an edit left too few: they did what most of the painted faces did. If that is not
+// known, the faces that are left say it, then the areas of all parts together, then of each by itself.
 #include <algorithm>
+#include <numeric>
 
 #include "area_fit.h"
 #include "motion_finder.h"
@@ -11,6 +12,8 @@ namespace {
 constexpr double enough_area = 0.6;  // of the paint, after a motion
 constexpr double less_area = 0.06;   // by which another motion is as good
 constexpr double more_than_staying = 0.2;
+constexpr double some_faces = 0.1;    // of a part's painted ones, where they were before a motion
+constexpr std::size_t many = 10;      // parts with as many faces as one are a level
 constexpr double edited_area = 0.85;  // of a part's paint where it was: it was edited in its place
 
 }  // namespace
@@ -23,19 +26,27 @@ bool MotionFinder::is_missing(std::size_t i) {
 }
 
 void MotionFinder::fit_areas() {
-    std::vector<std::size_t> missing, painted;
-    std::optional<AreaFit> fit;
+    std::vector<std::size_t> painted, missing;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         if (support_.points(i).empty()) continue;
         painted.push_back(i);
-        if (!is_missing(i)) continue;
-        if (!fit) fit.emplace(lookup_, surfaces_, stored_, overrides_);
-        if (!fit->may_search()) continue;
-        if (fit->covered(std::span(&i, 1), PartMotion{}) < edited_area) missing.push_back(i);
+        if (is_missing(i)) missing.push_back(i);
     }
     if (missing.empty()) return;
+    AreaFit fit(lookup_, surfaces_, stored_, overrides_);
+    const std::optional<PartMotion> most = motion_of_most();
+    if (most && !most->is_identity()) return follow_areas(fit, painted, *most);
+    std::erase_if(missing,
+                  [&](std::size_t i) { return fit.covered(std::span(&i, 1), PartMotion{}) >= edited_area; });
+    if (missing.empty()) return;
+    std::optional<PartMotion> level = motion_of_kept(missing);
+    if (!level && !most) {
+        std::vector<FaceId> faces(mesh_.face_count());
+        std::iota(faces.begin(), faces.end(), FaceId{0});
+        level = clear_one(fit, painted, fit.motions(painted, faces));
+    }
+    if (level) follow_areas(fit, most ? missing : painted, *level);
     const MeshParts& all = support_.all();
-    fit_level(*fit, painted);
     std::vector<bool> taken(all.parts.size(), false);
     const auto take = [&](std::size_t i) {
         for (const std::uint32_t part : support_.parts_at(i, parts_[i].best))
@@ -52,35 +63,46 @@ void MotionFinder::fit_areas() {
         std::vector<AreaMotion> found;
         for (std::uint32_t part = 0; part < taken.size(); ++part) {
             const double other = all.parts[part].box.size().norm();
-            if (taken[part] || other < 0.5 * size || other > 2.0 * size || !fit->may_search()) continue;
+            if (taken[part] || other < 0.5 * size || other > 2.0 * size || !fit.may_search()) continue;
             places.assign(all.sorted.begin() + all.first[part], all.sorted.begin() + all.first[part + 1]);
-            const std::vector<AreaMotion> there = fit->motions(std::span(&i, 1), places);
+            const std::vector<AreaMotion> there = fit.motions(std::span(&i, 1), places);
             found.insert(found.end(), there.begin(), there.end());
         }
         std::stable_sort(found.begin(), found.end(),
                          [](const AreaMotion& a, const AreaMotion& b) { return a.covered > b.covered; });
-        const PartMotion* const motion = clear_one(*fit, std::span(&i, 1), found);
-        if (motion == nullptr) continue;
+        const std::optional<PartMotion> motion = clear_one(fit, std::span(&i, 1), found);
+        if (!motion) continue;
         accept_area(i, *motion);
         take(i);
     }
 }
 
-// The motion that all parts made, if they did.
-void MotionFinder::fit_level(AreaFit& fit, const std::vector<std::size_t>& painted) {
-    std::vector<FaceId> faces(mesh_.face_count());
-    for (FaceId face = 0; face < faces.size(); ++face)
-        faces[face] = face;
-    const std::vector<AreaMotion> found = fit.motions(painted, faces);
-    const PartMotion* const motion = clear_one(fit, painted, found);
-    if (motion == nullptr) return;
-    for (const std::size_t i : painted) {
+// What the parts with most of the painted faces did, if they have half of them.
+std::optional<PartMotion> MotionFinder::motion_of_most() const {
+    std::size_t all = 0;
+    for (const std::size_t faces : painted_)
+        all += faces;
+    for (const Move& move : moves_)
+        if (2 * move.faces > all) return move.motion;
+    return std::nullopt;
+}
+
+// Parts that no motion of their own explains did what the level did. One with many faces does so only if it
+// puts some of them onto faces; an edit may leave too little of a model to tell.
+void MotionFinder::follow_areas(AreaFit& fit, std::span<const std::size_t> parts, const PartMotion& level) {
+    std::size_t all = 0;
+    for (const std::size_t i : parts)
+        all += painted_[i];
+    for (const std::size_t i : parts) {
         Part& part = parts_[i];
         const bool own = !part.best.is_identity() && part.best_support.sum() > 2.0 - 1e-9;
         const bool stays = part.best.is_identity() && !is_missing(i);
-        if (own || stays || part.certain) continue;
-        // Of what is missing little may be left.
-        if (is_missing(i) || fit.covered(std::span(&i, 1), *motion) >= enough_area) accept_area(i, *motion);
+        if (own || stays || part.certain || same(stored_.parts[i].box, part.best, level)) continue;
+        const double there = fit.covered(std::span(&i, 1), level);
+        const bool small = many * painted_[i] < all;
+        if (there >= enough_area || support_.support(i, level, 0.0).keys >= some_faces ||
+            (small && there >= fit.covered(std::span(&i, 1), part.best)))
+            accept_area(i, level);
     }
 }
 
@@ -93,22 +115,28 @@ void MotionFinder::accept_area(std::size_t i, const PartMotion& motion) {
     places_[i] = support_.moved_box(i, motion);
 }
 
-// The first of the motions of these parts, or one of those that cover as much which keeps the order of the
-// vertices as no other does; null if it is a question which of them is theirs, or if none covers clearly more
-// than staying does.
-const PartMotion* MotionFinder::clear_one(AreaFit& fit, std::span<const std::size_t> parts,
-                                          const std::vector<AreaMotion>& motions) {
-    constexpr double much_more = 0.4;
+// One of the motions of these parts; none if it is a question which of them is theirs, or if none covers
+// clearly more than staying does.
+std::optional<PartMotion> MotionFinder::clear_one(AreaFit& fit, std::span<const std::size_t> parts,
+                                                  const std::vector<AreaMotion>& motions) {
     if (motions.empty() || motions[0].covered < enough_area ||
         motions[0].covered < fit.covered(parts, PartMotion{}) + more_than_staying)
-        return nullptr;
+        return std::nullopt;
+    return of_one_kind(parts, motions, motions[0].covered - less_area);
+}
+
+// The first of the motions that cover at least as much, or that of them which keeps the order of the vertices
+// as no other does; none if they give faces different types.
+std::optional<PartMotion> MotionFinder::of_one_kind(std::span<const std::size_t> parts,
+                                                    const std::vector<AreaMotion>& motions, double least) {
+    constexpr double much_more = 0.25;
     struct Kind {
         const PartMotion* motion;
         double order;
     };
     std::vector<Kind> kinds;
     for (const AreaMotion& one : motions) {
-        if (one.covered < motions[0].covered - less_area) continue;
+        if (one.covered < least) continue;
         const bool known = std::any_of(kinds.begin(), kinds.end(), [&](const Kind& kind) {
             return std::none_of(parts.begin(), parts.end(),
                                 [&](std::size_t i) { return types_.differ(i, *kind.motion, one.motion); });
@@ -127,8 +155,8 @@ const PartMotion* MotionFinder::clear_one(AreaFit& fit, std::span<const std::siz
                      [](const Kind& a, const Kind& b) { return a.order > b.order; });
     if (kinds.size() > 1 &&
         (kinds[0].order < vertices_in_order || kinds[1].order > kinds[0].order - much_more))
-        return nullptr;
-    return kinds[0].motion;
+        return std::nullopt;
+    return *kinds[0].motion;
 }
 
 }  // namespace slipface

@@ -24,12 +24,15 @@ void MotionFinder::collect_moves() {
         if (!is_explained(part) || moves_.size() == max_moves) continue;
         if (std::none_of(moves_.begin(), moves_.end(),
                          [&](const Move& known) { return same(stored_.bounds, known.motion, part.best); }))
-            moves_.push_back({part.best, 0});
+            moves_.push_back({part.best});
     }
     for (std::size_t i = 0; i < parts_.size(); ++i)
         if (is_explained(parts_[i]))
-            for (Move& move : moves_)
-                move.parts += same(stored_.parts[i].box, move.motion, parts_[i].best) ? 1 : 0;
+            for (Move& move : moves_) {
+                if (!same(stored_.parts[i].box, move.motion, parts_[i].best)) continue;
+                ++move.parts;
+                move.faces += painted_[i];
+            }
     std::stable_sort(moves_.begin(), moves_.end(),
                      [](const Move& a, const Move& b) { return a.parts > b.parts; });
 }

@@ -33,7 +33,11 @@ MotionFinder::MotionFinder(FaceLookup& lookup, SurfaceTable surfaces, const Pain
       support_(mesh_, index_, surfaces, parts, stored),
       types_(parts, stored),
       similar_(mesh_, index_),
-      parts_(parts.parts.size()) {}
+      parts_(parts.parts.size()),
+      painted_(parts.parts.size(), 0) {
+    for (const std::uint16_t part : parts.of)
+        if (part > 0 && part <= painted_.size()) ++painted_[part - 1u];
+}
 
 std::vector<PartMotion> MotionFinder::run() && {
     std::size_t painted = 0, gone = 0;
