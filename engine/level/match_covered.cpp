@@ -151,10 +151,13 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
         }
     });
     for (std::size_t i = 0; i < stored_.size(); ++i) {
-        const bool few = pieces[i]<few_pieces, whole = flat[i]> nearly_whole * key(i).area;
-        const Flat left = whole ? few ? Flat::whole_in_few : Flat::whole
-                          : few && flat[i] > left_fraction * key(i).area ? Flat::few
-                                                                         : Flat::none;
+        const bool few = pieces[i] < few_pieces;
+        const bool whole = flat[i] > nearly_whole * key(i).area;
+        Flat left = Flat::none;
+        if (whole)
+            left = few ? Flat::whole_in_few : Flat::whole;
+        else if (few && flat[i] > left_fraction * key(i).area)
+            left = Flat::few;
         flat_[i] = std::max(flat_[i], left);
     }
     // Beside what is left of a face in its plane, small tilted faces are not it: its edges were bevelled.
