@@ -79,9 +79,9 @@ MatchedOverrides FaceMatcher::run() && {
         sharpen_outlines();
         run_stage(Stage::nearest, [this](std::size_t i) { return match_repeated(i); });
         run_stage(Stage::nearest, [this](std::size_t i) { return match_extruded(i); });
+        run_stage(Stage::nearest, [this](std::size_t i) { return match_corners(i); });
         match_covered(0.9, false);
         match_covered(0.5, false);
-        run_stage(Stage::nearest, [this](std::size_t i) { return match_corners(i); });
         match_covered(0.9, true);
         run_stage(Stage::nearest, [this](std::size_t i) { return match_nearest(i); });
     }
@@ -102,6 +102,7 @@ void FaceMatcher::run_stage(MatchStage stage, Match match) {
 // Of the faces that are still wanted; false if there are none.
 bool FaceMatcher::find_outlines() {
     outlines_.resize(stored_.size());
+    likely_.resize(stored_.size(), false);
     bool wanted = false;
     for (std::size_t i = 0; i < stored_.size(); ++i) {
         if (!is_wanted(i) || stored_[i].key.normal.isZero()) continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "face_index.h"
@@ -90,9 +91,12 @@ class FaceMatcher {
 
     // match_nearest.cpp
     bool match_extruded(std::size_t i);
+    std::size_t joined_corners(FaceId face, std::span<const Vec3> positions, double slack);
     bool match_repeated(std::size_t i);
     bool match_corners(std::size_t i);
     bool match_nearest(std::size_t i);
+    std::vector<Vec3> corners_left(std::size_t i);
+    bool is_joined(FaceId face, std::span<const Vec3> corners);
     bool is_refused(FaceId face, std::size_t i) const;
 
     const Mesh& mesh_;

@@ -97,7 +97,6 @@ void FaceMatcher::find_covers(std::size_t i, double least_dot, bool any_material
 
 void FaceMatcher::match_covered(double least_dot, bool any_material) {
     std::vector<Cover> all;
-    likely_.resize(stored_.size(), false);
     for (std::size_t i = 0; i < stored_.size() && lookup_.visits < max_visits; ++i) {
         if (!is_wanted(i) && !(any_material && is_covered(i))) continue;
         if (!(key(i).area > 0.0) || unit_or_zero(key(i).normal).isZero()) continue;
