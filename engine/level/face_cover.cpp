@@ -10,8 +10,7 @@ namespace {
 
 using Polygon = std::vector<Vec2>;
 
-constexpr double overlapping =
-    1.1;  // of a new face's area: what it covers of old ones, if they lie on each other
+constexpr double overlapping = 1.1;  // of a new face's area: more than it can cover of faces side by side
 
 double cross(const Vec2& a, const Vec2& b) {
     return a.x() * b.y() - a.y() * b.x();
@@ -41,7 +40,7 @@ void keep_left(Polygon& polygon, Polygon& scratch, const Vec2& a, const Vec2& b)
 
 // Of old faces that lie on each other the one that a new face of this area is, if it is much like one of
 // them. `covered`: of each, by the new face; `sizes`: of each.
-std::optional<std::size_t> most_alike(std::span<const double> covered, std::span<const double> sizes,
+std::optional<std::size_t> alike_face(std::span<const double> covered, std::span<const double> sizes,
                                       double area) {
     constexpr double alike = 0.5, much_more = 1.25;
     std::size_t best = 0;
@@ -113,7 +112,7 @@ std::vector<double> covered_areas(const Mesh& mesh, FaceId face, std::span<const
         }
     }
     if (std::accumulate(covered.begin(), covered.end(), 0.0) > overlapping * area) {
-        if (const std::optional<std::size_t> own = most_alike(covered, sizes, area)) {
+        if (const std::optional<std::size_t> own = alike_face(covered, sizes, area)) {
             const double common = covered[*own];
             std::fill(covered.begin(), covered.end(), 0.0);
             covered[*own] = common;

@@ -58,6 +58,7 @@ class FaceMatcher {
     bool find_outlines();
     void sharpen_outlines();  // sharp_outline.cpp
     bool sharpen(std::size_t i);
+    bool is_rough(std::size_t i, FaceId face) const;
     double rounding(std::size_t i) const;  // of the outline's corners
     void collect();
     void add_orphan(std::size_t i);
@@ -86,6 +87,7 @@ class FaceMatcher {
     void match_covered(double least_dot, bool any_material);
     const MeshParts& pieces();
     bool is_remade(FaceId face, std::size_t i);
+    bool is_off_plane(FaceId face, const FaceKey& key) const;
     bool is_covered(std::size_t i) const;  // found so by new faces; others may cover it, too
     void find_covers(std::size_t i, double least_dot, bool any_material, std::vector<Cover>& covers);
 

@@ -31,6 +31,11 @@ constexpr double remade_slack = 0.2;  // of a part's box: a small one loses a vo
 
 constexpr double wide = 0.1;  // in the old face's size: how far from its outline faces are looked for
 
+// Distance from its plane up to which a face lies in it.
+double in_plane(const FaceKey& key) {
+    return 1e-3 * std::sqrt(key.area) + position_tolerance(key.centroid);
+}
+
 }  // namespace
 
 bool FaceMatcher::is_covered(std::size_t i) const {
@@ -81,6 +86,7 @@ void FaceMatcher::find_covers(std::size_t i, double least_dot, bool any_material
         box.add(corner);
     box.min -= Vec3::Constant(wide * size + position_tolerance(key.centroid));
     box.max += Vec3::Constant(wide * size + position_tolerance(key.centroid));
+    bool looked = likely_[i];  // for the exact outline
     for (const FaceId face : faces_in(i, box, any_material)) {
         const FaceKey& candidate = index_.key(face);
         const double along = candidate.normal.dot(normal);
@@ -90,9 +96,25 @@ void FaceMatcher::find_covers(std::size_t i, double least_dot, bool any_material
         const double bend = tilt * std::max(size, std::sqrt(candidate.area));
         if (off > off_plane * size + off_plane_by_tilt * bend + position_tolerance(key.centroid)) continue;
         lookup_.visits += mesh_.face_corner_count(face);
-        const bool flat = along > 0.9995 && off <= 1e-3 * size + position_tolerance(key.centroid);
+        if (!looked && is_rough(i, face)) {
+            looked = true;
+            sharpen(i);
+        }
+        const bool flat = along > 0.9995 && off <= in_plane(key);
         if (flat || is_wanted(i)) covers.push_back({face, i, off, 0.0, flat});
     }
+}
+
+// Whether all of the face lies before the plane, or all of it behind.
+bool FaceMatcher::is_off_plane(FaceId face, const FaceKey& key) const {
+    const Vec3 normal = unit_or_zero(key.normal);
+    bool before = true, behind = true;
+    for (std::uint32_t c = mesh_.face_first_corner[face]; c < mesh_.face_first_corner[face + 1]; ++c) {
+        const double height = normal.dot(mesh_.corner_position(c).cast<double>() - key.centroid);
+        before = before && height > in_plane(key);
+        behind = behind && height < -in_plane(key);
+    }
+    return before || behind;
 }
 
 void FaceMatcher::match_covered(double least_dot, bool any_material) {
@@ -132,12 +154,17 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
             pieces[covers[k].i] += areas[k] > part_of_it * key(covers[k].i).area ? 1 : 0;
         }
     });
-    // Beside what is left of a face in its plane, small tilted faces are not it: its edges were bevelled.
+    // Beside what is left of a face in its plane, small tilted faces are not it: its edges were bevelled. Nor
+    // are faces that lie before or behind it, or across it.
     for (Cover& cover : all) {
         const double area = key(cover.i).area;
         const FaceKey& face = index_.key(cover.face);
-        const double small = face.normal.dot(unit_or_zero(key(cover.i).normal)) < 0.97 ? 0.25 : 0.08;
-        if (!cover.flat && flat[cover.i] > left_fraction * area && face.area < small * area &&
+        const double along = face.normal.dot(unit_or_zero(key(cover.i).normal));
+        const bool across = along < 0.97;
+        const bool another = (along > 0.9995 && is_off_plane(cover.face, key(cover.i))) ||
+                             (across && flat[cover.i] > 0.5 * area) ||
+                             face.area < (across ? 0.25 : 0.08) * area;
+        if (!cover.flat && flat[cover.i] > left_fraction * area && another &&
             (pieces[cover.i] < few_pieces || !is_remade(cover.face, cover.i)))
             cover.area = 0.0;
     }

@@ -64,16 +64,28 @@ TEST(Reshaped, EqualPartsOfWhichVerticesMovedStay) {
     EXPECT_LE(count.listed * 50, count.painted);
 }
 
-// Every corner 6 cm from its old edges.
-Face inset(Face face) {
+// Every corner this far from its old edges.
+Face inset(Face face, float width) {
     const std::vector<Vec3f> old = face.corners;
     const std::size_t count = old.size();
     for (std::size_t c = 0; c < count; ++c) {
         const Vec3f to_next = (old[(c + 1) % count] - old[c]).normalized();
         const Vec3f to_last = (old[(c + count - 1) % count] - old[c]).normalized();
-        face.corners[c] += 0.06f / to_next.cross(to_last).norm() * (to_next + to_last);
+        face.corners[c] += width / to_next.cross(to_last).norm() * (to_next + to_last);
     }
     return face;
+}
+
+// The face inset, and the rim around it.
+void add_inset(const Face& face, float width, Faces& faces) {
+    const Face inner = inset(face, width);
+    faces.push_back(inner);
+    for (std::size_t c = 0; c < face.corners.size(); ++c) {
+        const std::size_t next = (c + 1) % face.corners.size();
+        faces.push_back({{face.corners[c], face.corners[next], inner.corners[next], inner.corners[c]},
+                         face.material,
+                         face.painted});
+    }
 }
 
 // A quad cut along one diagonal lies on the same quad cut along the other: compilers of maps leave such
@@ -90,13 +102,57 @@ TEST(Reshaped, InsetTrianglesOnOthersKeepTheirTypes) {
             for (const Face& face : {Face{{a, b, c}}, Face{{a, c, d}}, Face{{b, c, d}}, Face{{a, b, d}}}) {
                 before.push_back(face);
                 before.back().painted = static_cast<int>(random() % 5);
-                after.push_back(inset(before.back()));
+                after.push_back(inset(before.back(), 0.06f));
             }
         }
         add(count, after, rematch(before, after));
     }
     EXPECT_EQ(count.wrong, 0u);
     EXPECT_LE(count.listed * 100, count.painted);
+}
+
+// A rim of 1 cm lies over the neighbour's outline if that is only known to 1 % of 20 m.
+TEST(Reshaped, RimsOfLargeInsetTrianglesAreTheirs) {
+    Count count;
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        Random random(seed);
+        Faces before, after;
+        for (int i = 0; i < 12; ++i) {
+            const auto height = static_cast<float>(i);
+            Vec3f last(20, height, 0);
+            for (int k = 1; k <= 8; ++k) {
+                const float angle = 0.18f * static_cast<float>(k);
+                const auto radius = static_cast<float>(drawn(random, 14, 22));
+                const Vec3f next(radius * std::cos(angle), height, -radius * std::sin(angle));
+                const Face face{{Vec3f(0, height, 0), last, next}, "stone", drawn_type(random)};
+                before.push_back(face);
+                add_inset(face, 0.01f, after);
+                last = next;
+            }
+        }
+        add(count, after, rematch(before, after));
+    }
+    EXPECT_EQ(count.wrong, 0u);
+    EXPECT_LE(count.listed * 100, count.painted);
+}
+
+// Unpainted tiles close behind painted ones do not have their types, whatever these became.
+TEST(Reshaped, TilesBehindInsetOnesStayUnpainted) {
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        Random random(seed);
+        Faces before = tiles(5, static_cast<float>(drawn(random, 0.002, 0.018)));
+        for (const Face& face : tiles(5, 0.0f))
+            before.push_back(face);
+        Faces after;
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            if (i < 25) before[i].painted = static_cast<int>(random() % 5);
+            if (i < 25)
+                add_inset(before[i], 0.05f, after);
+            else
+                after.push_back(before[i]);
+        }
+        EXPECT_TRUE(wrong_faces(after, rematch(before, after)).empty()) << seed;
+    }
 }
 
 // Floors close above each other: where a tile was deleted, its type is not that of the one above or below.
