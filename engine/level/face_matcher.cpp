@@ -79,14 +79,24 @@ MatchedOverrides FaceMatcher::run() && {
         sharpen_outlines();
         run_stage(Stage::nearest, [this](std::size_t i) { return match_repeated(i); });
         run_stage(Stage::nearest, [this](std::size_t i) { return match_extruded(i); });
-        run_stage(Stage::nearest, [this](std::size_t i) { return match_corners(i); });
+        if (has_as_many_faces())
+            run_stage(Stage::nearest, [this](std::size_t i) { return match_corners(i); });
         match_covered(0.9, false);
         match_covered(0.5, false);
+        run_stage(Stage::nearest, [this](std::size_t i) { return match_corners(i); });
         match_covered(0.9, true);
         run_stage(Stage::nearest, [this](std::size_t i) { return match_nearest(i); });
     }
     collect();
     return std::move(result_);
+}
+
+// As before: nothing was cut or merged.
+bool FaceMatcher::has_as_many_faces() const {
+    std::size_t before = 0;
+    for (const PaintPart& part : parts_.parts)
+        before += part.faces;
+    return before == mesh_.face_count();
 }
 
 bool FaceMatcher::is_wanted(std::size_t i) const {

@@ -54,6 +54,7 @@ class FaceMatcher {
     template <class Match>
     void run_stage(MatchStage stage, Match match);
     void move();
+    bool has_as_many_faces() const;
     const PartMotion* motion_of(std::size_t i) const;
     bool find_outlines();
     void sharpen_outlines();  // sharp_outline.cpp

@@ -136,25 +136,6 @@ TEST(Reshaped, RimsOfLargeInsetTrianglesAreTheirs) {
     EXPECT_LE(count.listed * 100, count.painted);
 }
 
-// Unpainted tiles close behind painted ones do not have their types, whatever these became.
-TEST(Reshaped, TilesBehindInsetOnesStayUnpainted) {
-    for (unsigned seed = 1; seed <= 10; ++seed) {
-        Random random(seed);
-        Faces before = tiles(5, static_cast<float>(drawn(random, 0.002, 0.018)));
-        for (const Face& face : tiles(5, 0.0f))
-            before.push_back(face);
-        Faces after;
-        for (std::size_t i = 0; i < before.size(); ++i) {
-            if (i < 25) before[i].painted = static_cast<int>(random() % 5);
-            if (i < 25)
-                add_inset(before[i], 0.05f, after);
-            else
-                after.push_back(before[i]);
-        }
-        EXPECT_TRUE(wrong_faces(after, rematch(before, after)).empty()) << seed;
-    }
-}
-
 // Floors close above each other: where a tile was deleted, its type is not that of the one above or below.
 TEST(Reshaped, DeletedTilesAreNotTheOnesBehind) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
