@@ -165,8 +165,10 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
                              (across && flat[cover.i] > 0.5 * area) ||
                              face.area < (across ? 0.25 : 0.08) * area;
         if (!cover.flat && flat[cover.i] > left_fraction * area && another &&
-            (pieces[cover.i] < few_pieces || !is_remade(cover.face, cover.i)))
+            (pieces[cover.i] < few_pieces || !is_remade(cover.face, cover.i))) {
+            total[cover.i] -= cover.area;
             cover.area = 0.0;
+        }
     }
     const auto is_other = [&](std::size_t i) {
         return likely_[i] && total[i] < filled_fraction * key(i).area;

@@ -136,6 +136,24 @@ TEST(Reshaped, RimsOfLargeInsetTrianglesAreTheirs) {
     EXPECT_LE(count.listed * 100, count.painted);
 }
 
+// Unpainted plates close above tiles do not have the types of these, though the tiles were inset or bevelled.
+TEST(Reshaped, PlatesAboveInsetTilesStayUnpainted) {
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        Random random(seed);
+        const Faces plates = tiles(8, static_cast<float>(drawn(random, 0.002, 0.018)));
+        Faces before = tiles(8, 0.0f);
+        for (Face& face : before)
+            face.painted = static_cast<int>(random() % 5);
+        Faces after = before;
+        for (const std::size_t tile : std::array<std::size_t, 5>{9, 20, 30, 43, 54}) {
+            after[tile] = inset(after[tile], static_cast<float>(drawn(random, 0.02, 0.2)));
+            before.push_back(plates[tile]);
+            after.push_back(plates[tile]);
+        }
+        EXPECT_TRUE(wrong_faces(after, rematch(before, after)).empty()) << seed;
+    }
+}
+
 // Floors close above each other: where a tile was deleted, its type is not that of the one above or below.
 TEST(Reshaped, DeletedTilesAreNotTheOnesBehind) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
