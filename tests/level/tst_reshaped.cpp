@@ -21,7 +21,7 @@ void add(Count& count, const Faces& after, const LoadedLevel& loaded) {
 // Equal lamps of three rings, as models stand in maps, each face with a type of its own.
 Faces lamps(Random& random) {
     Faces faces;
-    for (int lamp = 0; lamp < 12; ++lamp) {
+    for (int lamp = 0; lamp < 30; ++lamp) {
         const auto at = [&](int ring, int side) {
             const float angle = 0.785398163f * static_cast<float>(side % 8);
             const float radius = ring == 1 ? 0.3f : 0.2f;
@@ -51,7 +51,7 @@ TEST(Reshaped, EqualPartsOfWhichVerticesMovedStay) {
             for (Vec3f& corner : face.corners) {
                 const auto [at, added] =
                     moved.emplace(std::array{corner.x(), corner.y(), corner.z()}, corner);
-                if (added && random() % 4 == 0)
+                if (added && random() % 3 == 0)
                     at->second += Vec3(drawn(random, -0.03, 0.03), drawn(random, -0.03, 0.03),
                                        drawn(random, -0.03, 0.03))
                                       .cast<float>();
@@ -120,8 +120,8 @@ TEST(Reshaped, RimsOfLargeInsetTrianglesAreTheirs) {
         for (int i = 0; i < 12; ++i) {
             const auto height = static_cast<float>(i);
             Vec3f last(20, height, 0);
-            for (int k = 1; k <= 8; ++k) {
-                const float angle = 0.18f * static_cast<float>(k);
+            for (int k = 1; k <= 3; ++k) {
+                const float angle = 0.5f * static_cast<float>(k);
                 const auto radius = static_cast<float>(drawn(random, 14, 22));
                 const Vec3f next(radius * std::cos(angle), height, -radius * std::sin(angle));
                 const Face face{{Vec3f(0, height, 0), last, next}, "stone", drawn_type(random)};
