@@ -10,6 +10,8 @@ unsaid: of the wrong ones, those that are not in the list of guesses.
 
 Where faces are merged, the number that Blender keeps is that of an arbitrary one of them, so there Blender's nearest
 points on the original say which faces each new one covers: the type of more than half of its area is its type.
+A bevel, an inset or a moved vertex can turn a face over or push it off its place, if it is smaller than that. Such a
+face no longer exists, and its number's type or that of the face in whose place it is now is right.
 """
 import argparse
 import json
@@ -31,6 +33,8 @@ RIGID = "rigid"
 OTHER = "other"
 # New faces that cover several old ones.
 MERGED = "merged"
+# Faces that an edit narrower than they are leaves in their place.
+RESHAPED = "reshaped"
 
 # ---------------------------------------------------------------------------------------------------------------
 # Inside Blender
@@ -172,7 +176,24 @@ def inside_blender(job_path):
         whole = sum(by_place.values()) or 1.0
         return [{number: size / whole for number, size in area.items()} for area in (by_place, by_material)]
 
-    def write(path, original):
+    def lies_on(mesh, polygon, triangles, back, original):
+        """{number of an original face: area of it that has the polygon's nearest points}. Original faces that lie on
+        each other have all of them."""
+        tree, owners = original
+        normal = (back.to_3x3().inverted().transposed() @ polygon.normal).normalized()
+        on, whole = {}, 0.0
+        for corners in triangles:
+            a, b, c = (back @ mesh.vertices[v].co for v in corners)
+            size = (b - a).cross(c - a).length
+            for point in spread(a, b, c, 6):
+                whole += size
+                at = [(d, i) for _, n, i, d in tree.find_nearest_range(point, 0.6) if n.dot(normal) > 0.5]
+                nearest = min(at)[0] + 1e-4 if at else 0.0
+                for number in {owners[i][0] for d, i in at if d <= nearest}:
+                    on[number] = on.get(number, 0.0) + size
+        return {number: area / (whole or 1.0) for number, area in on.items()}
+
+    def write(path, original, kind):
         bpy.ops.wm.obj_export(filepath=path)
         rows = []
         graph = bpy.context.evaluated_depsgraph_get()
@@ -201,10 +222,13 @@ def inside_blender(job_path):
                     n += (corner - c).cross(corners[(i + 1) % len(corners)] - c)
                 n = side * n.normalized()
                 rows.append((number, c.x, c.z, -c.y, n.x, n.z, -n.y))
-                if original and unchanged(mesh, polygon, number, back):
-                    rows[-1] += ({number: 1.0}, {number: 1.0})
-                elif original:
-                    rows[-1] += tuple(covered(mesh, polygon, triangles[polygon.index], back, original))
+                if not original:
+                    continue
+                face = (mesh, polygon, triangles[polygon.index], back, original)
+                if unchanged(mesh, polygon, number, back):
+                    rows[-1] += ({number: 1.0},) * (2 if kind == MERGED else 1)
+                else:
+                    rows[-1] += tuple(covered(*face)) if kind == MERGED else (lies_on(*face),)
             shown.to_mesh_clear()
         json.dump(rows, open(path + ".truth", "w"))
 
@@ -298,7 +322,10 @@ def inside_blender(job_path):
     def bevel(o, r):
         def change(b):
             edges = [e for e in b.edges if len(e.link_faces) == 2 and e.calc_face_angle(0.0) > 0.5]
-            bmesh.ops.bevel(b, geom=edges, offset=r.uniform(0.02, 0.08), segments=r.choice([1, 2]), affect="EDGES")
+            made = bmesh.ops.bevel(b, geom=edges, offset=r.uniform(0.02, 0.08), segments=r.choice([1, 2]), affect="EDGES")
+            number = b.faces.layers.int["face_id"]
+            for face in made["faces"]:  # they are between faces; Blender gives them the number of one of these
+                face[number] = 0
         bm_edit(o, change)
 
     def dissolve(o):
@@ -443,12 +470,12 @@ def inside_blender(job_path):
         ("subdivided", OTHER, lambda o, r: each(o, subdivide)),
         ("one object subdivided, then moved", OTHER,
          lambda o, r: (lambda x: (subdivide(x), apply(x, Matrix.Translation((by(r, 1, 9), 0, 0)))))(big(o, r))),
-        ("faces inset", OTHER, lambda o, r: each(o, inset, r, r.uniform(0.1, 0.5))),
+        ("faces inset", RESHAPED, lambda o, r: each(o, inset, r, r.uniform(0.1, 0.5))),
         ("faces poked", OTHER, lambda o, r: each(o, poke, r, r.uniform(0.1, 0.5))),
         ("faces extruded", OTHER, lambda o, r: each(o, extrude, r, r.uniform(0.02, 0.2))),
         ("extruded, then turned", OTHER,
          lambda o, r: (each(o, extrude, r, 0.05), to_all(o, turn(r.uniform(0.1, 3))))),
-        ("edges bevelled", OTHER, lambda o, r: each(o, bevel, r)),
+        ("edges bevelled", RESHAPED, lambda o, r: each(o, bevel, r)),
         ("flat areas dissolved", MERGED, lambda o, r: each(o, dissolve)),
         ("flat areas dissolved, then moved", MERGED,
          lambda o, r: (each(o, dissolve), to_all(o, Matrix.Translation((by(r, 1, 9), by(r, 1, 9), 0))))),
@@ -458,7 +485,7 @@ def inside_blender(job_path):
                                   apply(x, turn(r.uniform(0.1, 3)), center(x))))(big(o, r))),
         ("remeshed", MERGED, lambda o, r: remesh(big(o, r))),
         ("cut with the knife", OTHER, lambda o, r: each(o, knife, r)),
-        ("vertices moved", OTHER, lambda o, r: each(o, jitter, r, r.uniform(0.02, 0.2))),
+        ("vertices moved", RESHAPED, lambda o, r: each(o, jitter, r, r.uniform(0.02, 0.2))),
         ("thickened (solidify)", OTHER, lambda o, r: modifier(big(o, r), "SOLIDIFY", thickness=0.2)),
         ("a mirrored half added (modifier)", OTHER, lambda o, r: modifier(big(o, r), "MIRROR")),
         ("edges split", OTHER, lambda o, r: each(o, lambda x: modifier(x, "EDGE_SPLIT"))),
@@ -476,7 +503,7 @@ def inside_blender(job_path):
         change(objects, random.Random(job["seed"] * 1000 + i))
         folder = os.path.join(job["folder"], "%02d" % i)
         os.makedirs(folder, exist_ok=True)
-        write(os.path.join(folder, "level.obj"), original if kind == MERGED else None)
+        write(os.path.join(folder, "level.obj"), original if kind in (MERGED, RESHAPED) else None, kind)
         progress["done"].append((name, kind, folder))
         json.dump(progress, open(job_path + ".progress", "w"))
     json.dump(progress["done"], open(job_path + ".done", "w"))
@@ -741,7 +768,7 @@ def score(types, truth, rows, guessed, original):
             got[face] = kind
     taken = set()
     guesses = {places.take(at, normal, taken) for at, normal in guessed}
-    if truth and len(truth[0]) > 7:
+    if truth and len(truth[0]) > 8:
         # Of several original faces at one place Blender's nearest point is on any: the type of each is right.
         other = list(types)
         for numbers in twins.values():
@@ -758,7 +785,11 @@ def score(types, truth, rows, guessed, original):
             result.unsaid += kind is not None and kind not in may and k not in guesses
         return result
     right, wrong, unsaid = set(), set(), set()
-    existing = {int(t[0]) for t in truth if t[0] > 0 and types[int(t[0]) - 1]}
+    # [reshaped face] the original faces in whose place it may be: one or two, or up to four that it lies between.
+    lies_on = [{int(n) for n, share in t[7].items() if share > (0.45 if t[0] > 0 else 0.2)} if len(t) > 7 else set()
+               for t in truth]
+    existing = {int(t[0]) for t in truth if t[0] > 0 and types[int(t[0]) - 1] and
+                (len(t) < 8 or t[7].get(str(int(t[0])), 0.0) > 0.55)}
     # Of several at one place that Blender merged, the one that is left may have the type of each.
     left = {int(t[0]) for t in truth}
     merged = {}
@@ -774,7 +805,7 @@ def score(types, truth, rows, guessed, original):
             number, true = -1 - k, types[near]
         else:
             true = types[number - 1]
-        if true == kind or kind in merged.get(number, ()):
+        if true == kind or kind in merged.get(number, ()) or kind in {types[n - 1] for n in lies_on[k] if n > 0}:
             right.add(number)
         else:
             wrong.add(number)

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace slipface {
 namespace {
 
 using Polygon = std::vector<Vec2>;
+
+constexpr double overlapping = 1.1;  // of a new face's area: more than it can cover of faces side by side
 
 double cross(const Vec2& a, const Vec2& b) {
     return a.x() * b.y() - a.y() * b.x();
@@ -33,6 +36,22 @@ void keep_left(Polygon& polygon, Polygon& scratch, const Vec2& a, const Vec2& b)
             scratch.push_back(here + side / (side - next_side) * (next - here));
     }
     polygon.swap(scratch);
+}
+
+// Of old faces that lie on each other the one that a new face of this area is, if it is much like one of
+// them. `covered`: of each, by the new face; `sizes`: of each.
+std::optional<std::size_t> alike_face(std::span<const double> covered, std::span<const double> sizes,
+                                      double area) {
+    constexpr double alike = 0.5, much_more = 1.25;
+    std::size_t best = 0;
+    double most = 0.0, second = 0.0;
+    for (std::size_t i = 0; i < covered.size(); ++i) {
+        const double common = covered[i] / std::max(sizes[i], area);
+        second = std::max(second, std::min(common, most));
+        if (common > most) best = i;
+        most = std::max(most, common);
+    }
+    return most >= alike && most >= much_more * second ? std::optional(best) : std::nullopt;
 }
 
 struct Plane {
@@ -76,9 +95,13 @@ std::vector<double> covered_areas(const Mesh& mesh, FaceId face, std::span<const
         if (size < 0.0) std::swap(triangle[1], triangle[2]);
         area += std::abs(size);
     }
-    std::vector<double> covered(faces.size(), 0.0);
+    std::vector<double> covered(faces.size(), 0.0), sizes;
     Polygon cut, scratch;
     for (std::size_t i = 0; i < faces.size(); ++i) {
+        cut.clear();
+        for (const Vec3& corner : faces[i].outline)
+            cut.push_back(plane(corner));
+        sizes.push_back(std::abs(signed_area(cut)));
         for (const Polygon& triangle : triangles) {
             cut.clear();
             for (const Vec3& corner : faces[i].outline)
@@ -86,6 +109,14 @@ std::vector<double> covered_areas(const Mesh& mesh, FaceId face, std::span<const
             for (std::size_t k = 0; k < 3 && !cut.empty(); ++k)
                 keep_left(cut, scratch, triangle[k], triangle[(k + 1) % 3]);
             covered[i] += std::abs(signed_area(cut));
+        }
+    }
+    if (std::accumulate(covered.begin(), covered.end(), 0.0) > overlapping * area) {
+        if (const std::optional<std::size_t> own = alike_face(covered, sizes, area)) {
+            const double common = covered[*own];
+            std::fill(covered.begin(), covered.end(), 0.0);
+            covered[*own] = common;
+            return covered;
         }
     }
     std::vector<std::size_t> order(faces.size());

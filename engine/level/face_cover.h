@@ -18,7 +18,8 @@ struct OldFace {
 };
 
 // [of `faces`] how much of `face`'s area lies on each of them, seen along its normal; the rest lies on none.
-// Where old faces lie on each other the nearest count. Equally near ones (`slack`) share the area.
+// Where old faces lie on each other, and `face` is much more like one of them than like the others, that one
+// counts; else the nearest do. Equally near ones (`slack`) share the area.
 std::vector<double> covered_areas(const Mesh& mesh, FaceId face, std::span<const OldFace> faces,
                                   double slack);
 

@@ -51,7 +51,8 @@ struct MatchedOverrides {
 //    Parts of a bent face lie near its plane instead of in it; together they have its vector of area.
 // 3. nearest: the face of the same material with the nearest centroid, at most the old face's size away. Its
 //    normal differs by less than 26 degrees, its area by less than a factor of 4, and the line through the
-//    old centre along the old normal hits it (or the face only moved along that normal).
+//    old centre along the old normal hits it (or the face only moved along that normal). Before stage 2: a
+//    face that was extruded, or of which one corner moved.
 // A face found for one type is never given to another. An override without a face, or with an unknown type,
 // becomes an orphan.
 MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,

@@ -79,6 +79,8 @@ MatchedOverrides FaceMatcher::run() && {
         sharpen_outlines();
         run_stage(Stage::nearest, [this](std::size_t i) { return match_repeated(i); });
         run_stage(Stage::nearest, [this](std::size_t i) { return match_extruded(i); });
+        if (has_as_many_faces())
+            run_stage(Stage::nearest, [this](std::size_t i) { return match_corners(i); });
         match_covered(0.9, false);
         match_covered(0.5, false);
         run_stage(Stage::nearest, [this](std::size_t i) { return match_corners(i); });
@@ -88,6 +90,14 @@ MatchedOverrides FaceMatcher::run() && {
     }
     collect();
     return std::move(result_);
+}
+
+// As before: nothing was cut or merged.
+bool FaceMatcher::has_as_many_faces() const {
+    std::size_t before = 0;
+    for (const PaintPart& part : parts_.parts)
+        before += part.faces;
+    return before == mesh_.face_count();
 }
 
 bool FaceMatcher::is_wanted(std::size_t i) const {
@@ -103,6 +113,7 @@ void FaceMatcher::run_stage(MatchStage stage, Match match) {
 // Of the faces that are still wanted; false if there are none.
 bool FaceMatcher::find_outlines() {
     outlines_.resize(stored_.size());
+    likely_.resize(stored_.size(), false);
     bool wanted = false;
     for (std::size_t i = 0; i < stored_.size(); ++i) {
         if (!is_wanted(i) || stored_[i].key.normal.isZero()) continue;

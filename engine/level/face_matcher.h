@@ -58,10 +58,12 @@ class FaceMatcher {
     template <class Match>
     void run_stage(MatchStage stage, Match match);
     void move();
+    bool has_as_many_faces() const;
     const PartMotion* motion_of(std::size_t i) const;
     bool find_outlines();
     void sharpen_outlines();  // sharp_outline.cpp
     bool sharpen(std::size_t i);
+    bool is_rough(std::size_t i, FaceId face) const;
     double rounding(std::size_t i) const;  // of the outline's corners
     void collect();
     void add_orphan(std::size_t i);
@@ -86,13 +88,19 @@ class FaceMatcher {
         double distance, area;
         bool flat;  // the face lies in the old one's plane
     };
+    // Of one old face.
+    struct Covers {
+        std::vector<Cover> found;
+        std::size_t visits = 0;
+        bool rough = false;  // rounding of the outline could move it over one of the new faces
+    };
     // `any_material`: a new face may also cover old ones of other materials than its own.
     void match_covered(double least_dot, bool any_material);
     const MeshParts& pieces();
     bool is_remade(FaceId face, std::size_t i);
+    bool is_off_plane(FaceId face, const FaceKey& key) const;
     bool is_covered(std::size_t i) const;  // found so by new faces; others may cover it, too
-    void find_covers(std::size_t i, double least_dot, bool any_material, std::vector<Cover>& covers,
-                     std::size_t& visits) const;
+    Covers find_covers(std::size_t i, double least_dot, bool any_material) const;
 
     // match_remade.cpp
     void match_remade();
@@ -100,9 +108,12 @@ class FaceMatcher {
 
     // match_nearest.cpp
     bool match_extruded(std::size_t i);
+    std::size_t joined_corners(FaceId face, std::span<const Vec3> positions, double slack);
     bool match_repeated(std::size_t i);
     bool match_corners(std::size_t i);
     bool match_nearest(std::size_t i);
+    std::vector<Vec3> corners_left(std::size_t i);
+    bool is_joined(FaceId face, std::span<const Vec3> corners);
     bool is_refused(FaceId face, std::size_t i) const;
 
     const Mesh& mesh_;

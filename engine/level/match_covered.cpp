@@ -33,6 +33,11 @@ constexpr double remade_slack = 0.2;  // of a part's box: a small one loses a vo
 
 constexpr double wide = 0.1;  // in the old face's size: how far from its outline faces are looked for
 
+// Distance from its plane up to which a face lies in it.
+double in_plane(const FaceKey& key) {
+    return 1e-3 * std::sqrt(key.area) + position_tolerance(key.centroid);
+}
+
 }  // namespace
 
 bool FaceMatcher::is_covered(std::size_t i) const {
@@ -73,8 +78,8 @@ bool FaceMatcher::is_remade(FaceId face, std::size_t i) {
     return pieces.parts[piece].faces != part.faces && similar_box(pieces.parts[piece].box, box, remade_slack);
 }
 
-void FaceMatcher::find_covers(std::size_t i, double least_dot, bool any_material, std::vector<Cover>& covers,
-                              std::size_t& visits) const {
+FaceMatcher::Covers FaceMatcher::find_covers(std::size_t i, double least_dot, bool any_material) const {
+    Covers covers;
     const FaceKey& key = this->key(i);
     const double size = std::sqrt(key.area);
     const Vec3 normal = unit_or_zero(key.normal);
@@ -83,7 +88,7 @@ void FaceMatcher::find_covers(std::size_t i, double least_dot, bool any_material
         box.add(corner);
     box.min -= Vec3::Constant(wide * size + position_tolerance(key.centroid));
     box.max += Vec3::Constant(wide * size + position_tolerance(key.centroid));
-    for (const FaceId face : faces_in(i, box, any_material, visits)) {
+    for (const FaceId face : faces_in(i, box, any_material, covers.visits)) {
         const FaceKey& candidate = index_.key(face);
         const double along = candidate.normal.dot(normal);
         if (!is_free(face) || !(along > least_dot)) continue;
@@ -91,15 +96,28 @@ void FaceMatcher::find_covers(std::size_t i, double least_dot, bool any_material
         const double off = std::abs(candidate.normal.dot(candidate.centroid - key.centroid));
         const double bend = tilt * std::max(size, std::sqrt(candidate.area));
         if (off > off_plane * size + off_plane_by_tilt * bend + position_tolerance(key.centroid)) continue;
-        visits += mesh_.face_corner_count(face);
-        const bool flat = along > 0.9995 && off <= 1e-3 * size + position_tolerance(key.centroid);
-        if (flat || is_wanted(i)) covers.push_back({face, i, off, 0.0, flat});
+        covers.visits += mesh_.face_corner_count(face);
+        covers.rough = covers.rough || (!likely_[i] && is_rough(i, face));
+        const bool flat = along > 0.9995 && off <= in_plane(key);
+        if (flat || is_wanted(i)) covers.found.push_back({face, i, off, 0.0, flat});
     }
+    return covers;
+}
+
+// Whether all of the face lies before the plane, or all of it behind.
+bool FaceMatcher::is_off_plane(FaceId face, const FaceKey& key) const {
+    const Vec3 normal = unit_or_zero(key.normal);
+    bool before = true, behind = true;
+    for (std::uint32_t c = mesh_.face_first_corner[face]; c < mesh_.face_first_corner[face + 1]; ++c) {
+        const double height = normal.dot(mesh_.corner_position(c).cast<double>() - key.centroid);
+        before = before && height > in_plane(key);
+        behind = behind && height < -in_plane(key);
+    }
+    return before || behind;
 }
 
 void FaceMatcher::match_covered(double least_dot, bool any_material) {
     std::vector<Cover> all;
-    likely_.resize(stored_.size(), false);
     flat_.resize(stored_.size(), Flat::none);
     std::vector<std::size_t> searched;
     for (std::size_t i = 0; i < stored_.size(); ++i) {
@@ -113,15 +131,15 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
     }
     constexpr std::size_t at_once = 256;  // then the work is counted
     for (std::size_t begin = 0; begin < searched.size() && lookup_.visits < max_visits; begin += at_once) {
-        std::vector<std::vector<Cover>> covers(std::min(at_once, searched.size() - begin));
-        std::vector<std::size_t> visits(covers.size(), 0);
+        std::vector<Covers> covers(std::min(at_once, searched.size() - begin));
         parallel_for(covers.size(), 32, [&](std::size_t first, std::size_t end) {
             for (std::size_t k = first; k < end; ++k)
-                find_covers(searched[begin + k], least_dot, any_material, covers[k], visits[k]);
+                covers[k] = find_covers(searched[begin + k], least_dot, any_material);
         });
         for (std::size_t k = 0; k < covers.size(); ++k) {
-            all.insert(all.end(), covers[k].begin(), covers[k].end());
-            lookup_.visits += visits[k];
+            all.insert(all.end(), covers[k].found.begin(), covers[k].found.end());
+            lookup_.visits += covers[k].visits;
+            if (covers[k].rough) sharpen(searched[begin + k]);
         }
     }
     std::stable_sort(all.begin(), all.end(), [](const Cover& a, const Cover& b) { return a.face < b.face; });
@@ -160,14 +178,21 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
             left = Flat::few;
         flat_[i] = std::max(flat_[i], left);
     }
-    // Beside what is left of a face in its plane, small tilted faces are not it: its edges were bevelled.
+    // Beside what is left of a face in its plane, small tilted faces are not it: its edges were bevelled. Nor
+    // are faces that lie before or behind it, or across it.
     for (Cover& cover : all) {
         const double area = key(cover.i).area;
         const FaceKey& face = index_.key(cover.face);
-        const double small = face.normal.dot(unit_or_zero(key(cover.i).normal)) < 0.97 ? 0.25 : 0.08;
-        if (!cover.flat && flat[cover.i] > left_fraction * area && face.area < small * area &&
-            (pieces[cover.i] < few_pieces || !is_remade(cover.face, cover.i)))
+        const double along = face.normal.dot(unit_or_zero(key(cover.i).normal));
+        const bool across = along < 0.97;
+        const bool another = (along > 0.9995 && is_off_plane(cover.face, key(cover.i))) ||
+                             (across && flat[cover.i] > 0.5 * area) ||
+                             face.area < (across ? 0.25 : 0.08) * area;
+        if (!cover.flat && flat[cover.i] > left_fraction * area && another &&
+            (pieces[cover.i] < few_pieces || !is_remade(cover.face, cover.i))) {
+            total[cover.i] -= cover.area;
             cover.area = 0.0;
+        }
     }
     const auto is_other = [&](std::size_t i) {
         return likely_[i] && total[i] < filled_fraction * key(i).area;

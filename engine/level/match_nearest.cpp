@@ -17,7 +17,34 @@ bool FaceMatcher::is_refused(FaceId face, std::size_t i) const {
     return std::binary_search(refused_.begin(), refused_.end(), std::pair{face, i});
 }
 
-// A face of the same outline that moved along the normal: extruded. Nothing is where it was.
+// How many corners of the face an edge joins to one of these positions.
+std::size_t FaceMatcher::joined_corners(FaceId face, std::span<const Vec3> positions, double slack) {
+    const auto corner_at = [&](std::uint32_t c) -> Vec3 { return mesh_.corner_position(c).cast<double>(); };
+    std::vector<Vec3> free;  // not joined yet
+    for (std::uint32_t c = mesh_.face_first_corner[face]; c < mesh_.face_first_corner[face + 1]; ++c)
+        free.push_back(corner_at(c));
+    for (const Vec3& position : positions) {
+        const auto join = [&](const Vec3& a, const Vec3& b) {
+            if ((a - position).norm() > slack) return;
+            std::erase_if(free, [&](const Vec3& corner) { return (corner - b).norm() <= slack; });
+        };
+        const Vec3 room = Vec3::Constant(slack);
+        for (const TriangleId triangle : lookup_.tree()->triangles_in({position - room, position + room})) {
+            const FaceId side = lookup_.tree()->triangle_face(triangle);
+            const std::uint32_t first = mesh_.face_first_corner[side], count = mesh_.face_corner_count(side);
+            lookup_.visits += count;
+            for (std::uint32_t k = 0; k < count && side != face; ++k) {
+                const Vec3 here = corner_at(first + k), next = corner_at(first + (k + 1) % count);
+                join(here, next);
+                join(next, here);
+            }
+        }
+    }
+    return mesh_.face_corner_count(face) - free.size();
+}
+
+// A face of the same outline that moved along the normal, with sides between: extruded. Nothing is where it
+// was.
 bool FaceMatcher::match_extruded(std::size_t i) {
     const FaceKey& key = this->key(i);
     const Vec3 normal = unit_or_zero(key.normal);
@@ -57,6 +84,10 @@ bool FaceMatcher::match_extruded(std::size_t i) {
             return false;
         };
         if (!std::all_of(outline.begin(), outline.end(), has)) continue;
+        std::vector<Vec3> before;
+        for (std::uint32_t c = first; c < first + outline.size(); ++c)
+            before.emplace_back(mesh_.corner_position(c).cast<double>() - offset);
+        if (joined_corners(face, before, exact) < 2) continue;
         best = face;
         best_distance = along;
     }
@@ -108,17 +139,18 @@ bool FaceMatcher::match_repeated(std::size_t i) {
 // before.
 bool FaceMatcher::match_corners(std::size_t i) {
     const std::size_t part = i < parts_.of.size() ? parts_.of[i] : 0;
-    if (part == 0 || part > parts_.parts.size()) return false;
-    if (outlines_[i].empty() || likely_[i] || !sharpen(i)) return false;
+    if (part == 0 || part > parts_.parts.size() || outlines_[i].empty() || likely_[i]) return false;
     const FaceKey& key = this->key(i);
     const std::vector<Vec3>& corners = outlines_[i];
     const std::size_t count = corners.size();
-    FaceId best = no_id;
-    for (const FaceId face : faces_at_outline(i)) {
-        if (!is_free(face) || mesh_.face_corner_count(face) != count ||
-            pieces().parts[pieces().of[face]].faces != parts_.parts[part - 1].faces ||
-            !(index_.key(face).normal.dot(key.normal) > 0.5))
-            continue;
+    std::vector<FaceId> faces = faces_at_outline(i);
+    std::erase_if(faces, [&](FaceId face) {
+        return !is_free(face) || mesh_.face_corner_count(face) != count ||
+               pieces().parts[pieces().of[face]].faces != parts_.parts[part - 1].faces ||
+               !(index_.key(face).normal.dot(key.normal) > 0.5);
+    });
+    if (faces.empty() || !sharpen(i)) return false;
+    std::erase_if(faces, [&](FaceId face) {
         const std::uint32_t first = mesh_.face_first_corner[face];
         std::size_t most = 0;
         for (std::size_t turn = 0; turn < count; ++turn) {
@@ -130,13 +162,43 @@ bool FaceMatcher::match_corners(std::size_t i) {
             }
             most = std::max(most, same);
         }
-        if (most + 1 < count) continue;
-        if (best != no_id) return false;
-        best = face;
-    }
-    if (best == no_id) return false;
-    claim(best, i, MatchStage::nearest);
+        return most + 1 < count;
+    });
+    if (faces.size() != 1) return false;
+    claim(faces[0], i, MatchStage::nearest);
     return true;
+}
+
+// The vertices that are still where the old face had corners, or nearly there if it is not known exactly
+// where.
+std::vector<Vec3> FaceMatcher::corners_left(std::size_t i) {
+    std::vector<Vec3> left;
+    if (outlines_[i].empty() || likely_[i]) return left;
+    const double exact = 2.0 * position_tolerance(key(i).centroid);
+    const double reach = sharpen(i) ? exact : exact + rounding(i);
+    for (const Vec3& corner : outlines_[i]) {
+        const Vec3 room = Vec3::Constant(reach);
+        std::optional<Vec3> nearest;
+        for (const TriangleId triangle : lookup_.tree()->triangles_in({corner - room, corner + room})) {
+            ++lookup_.visits;
+            for (const std::uint32_t c : mesh_.triangles[triangle]) {
+                const Vec3 position = mesh_.corner_position(c).cast<double>();
+                const double distance = (position - corner).norm();
+                if (distance <= (nearest ? (*nearest - corner).norm() : reach)) nearest = position;
+            }
+        }
+        if (nearest) left.push_back(*nearest);
+    }
+    return left;
+}
+
+// Whether the face has one of these corners, or an edge joins them.
+bool FaceMatcher::is_joined(FaceId face, std::span<const Vec3> corners) {
+    const double slack = 2.0 * position_tolerance(index_.key(face).centroid);
+    for (std::uint32_t c = mesh_.face_first_corner[face]; c < mesh_.face_first_corner[face + 1]; ++c)
+        for (const Vec3& corner : corners)
+            if ((mesh_.corner_position(c).cast<double>() - corner).norm() <= slack) return true;
+    return joined_corners(face, corners, slack) > 0;
 }
 
 bool FaceMatcher::match_nearest(std::size_t i) {
@@ -144,6 +206,10 @@ bool FaceMatcher::match_nearest(std::size_t i) {
     const Vec3 normal = unit_or_zero(key.normal);
     if (normal.isZero() || !(key.area > 0.0)) return false;
     const double size = std::sqrt(key.area);
+    // A face of which half of the corners are where they were was deleted, not moved, if nothing joins
+    // another one to them.
+    const std::vector<Vec3> left = corners_left(i);
+    const bool stays = !left.empty() && 2 * left.size() >= outlines_[i].size();
     FaceId best = no_id;
     double best_distance = 0.0;
     for (const FaceId face : faces_around(i, size)) {
@@ -158,6 +224,7 @@ bool FaceMatcher::match_nearest(std::size_t i) {
         const double sideways = (offset - normal.dot(offset) * normal).norm();
         if (sideways > 0.02 * size && !index_.covers(face, key.centroid, normal)) continue;
         if (sideways > max_sideways * size) continue;  // more of it is where a neighbour was
+        if (stays && !is_joined(face, left)) continue;
         best = face;
         best_distance = distance;
     }

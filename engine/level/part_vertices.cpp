@@ -10,6 +10,7 @@ namespace slipface {
 namespace {
 
 constexpr double nearly_all = 0.9;  // of what the parts' vertices can say
+constexpr double most = 0.6;        // of a part's vertices are where they were, and some were moved
 constexpr std::size_t little = 12;  // points beyond those that a motion needs
 constexpr std::size_t needed = 4;   // points for an affine motion
 
@@ -18,7 +19,8 @@ constexpr std::size_t max_distances = 200'000'000;  // compared in all
 
 }  // namespace
 
-// The motion that puts each point onto the vertex of its number. Identity if they are where they were.
+// The motion that puts each point onto the vertex of its number. Identity if most of them are where they
+// were.
 std::optional<PartMotion> MotionFinder::motion_of_vertices(std::size_t i) {
     const std::vector<Vec3>& points = support_.points(i);
     const std::vector<std::uint32_t>& numbers = support_.numbers(i);
@@ -43,7 +45,12 @@ std::optional<PartMotion> MotionFinder::motion_of_vertices(std::size_t i) {
     };
     if (fits(PartMotion{})) return PartMotion{};
     const std::optional<PartMotion> motion = fit_affine(from, to, false);
-    return motion && fits(*motion) ? motion : std::nullopt;
+    if (motion && fits(*motion)) return motion;
+    Eigen::Index kept = 0;
+    for (Eigen::Index k = 0; k < count; ++k)
+        kept += support_.hits(PartMotion{}, from.col(k), to.col(k)) ? 1 : 0;
+    return static_cast<double>(kept) >= most * static_cast<double>(count) ? std::optional(PartMotion{})
+                                                                          : std::nullopt;
 }
 
 // If the numbers of nearly all vertices explain the mesh, they decide, even where a symmetric level looks as

@@ -144,6 +144,14 @@ bool FaceMatcher::sharpen(std::size_t i) {
     return sharp_[i];
 }
 
+// Whether rounding of the outline could move it over a face as narrow as this.
+bool FaceMatcher::is_rough(std::size_t i, FaceId face) const {
+    std::vector<Vec3> corners;
+    for (std::uint32_t c = mesh_.face_first_corner[face]; c < mesh_.face_first_corner[face + 1]; ++c)
+        corners.emplace_back(mesh_.corner_position(c).cast<double>());
+    return rounding(i) > rough * narrowest(corners, index_.key(face).area);
+}
+
 // Those that rounding could make another face's.
 void FaceMatcher::sharpen_outlines() {
     sharp_.assign(stored_.size(), false);

@@ -161,6 +161,16 @@ inline Faces random_polygons(std::size_t count, float spread, unsigned seed) {
     return faces;
 }
 
+using Random = std::mt19937;
+
+inline double drawn(Random& random, double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+inline int drawn_type(Random& random) {
+    return static_cast<int>(random() % 6) - 1;
+}
+
 inline std::size_t painted_count(const Faces& faces) {
     return static_cast<std::size_t>(
         std::count_if(faces.begin(), faces.end(), [](const Face& f) { return f.painted >= 0; }));

@@ -199,12 +199,22 @@ TEST(FaceMatch, AFaceOverPartsOfTilesHasTheTypeOfMostOfIt) {
     EXPECT_EQ(loaded.level.guessed, std::vector<FaceId>{0});
 }
 
+// A face moved by `out`, and the sides that a tool puts between.
+void extrude(Faces& faces, std::size_t face, const Vec3f& out) {
+    const std::vector<Vec3f> base = faces[face].corners;
+    for (Vec3f& corner : faces[face].corners)
+        corner += out;
+    for (std::size_t c = 0; c < base.size(); ++c) {
+        const std::size_t next = (c + 1) % base.size();
+        faces.push_back(quad(base[c], base[next], base[next] + out, base[c] + out));
+    }
+}
+
 TEST(FaceMatch, AnExtrudedFaceIsFoundAlongItsNormal) {
     Faces faces = tiles(5);
     faces[12].painted = sticky;
     Faces after = faces;
-    for (Vec3f& corner : after[12].corners)
-        corner.y() += 0.5f;
+    extrude(after, 12, {0, 0.5f, 0});
     const LoadedLevel loaded = rematch(faces, after);
     EXPECT_TRUE(wrong_faces(after, loaded).empty());
     EXPECT_EQ(loaded.match.by_nearest, 1u);
@@ -219,15 +229,27 @@ TEST(FaceMatch, ExtrudedStripsAreFoundAlongTheirNormal) {
         faces.back().painted = i % 3 == 0 ? -1 : i % 2 == 0 ? ice : sticky;
     }
     Faces after = faces;
-    for (Face& face : after)
-        for (Vec3f& corner : face.corners)
-            corner.y() += face.painted < 0 ? 0.0f : 0.6f;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        if (faces[i].painted >= 0) extrude(after, i, {0, 0.6f, 0});
     const Face wall = quad({-1, 0.9f, -1}, {-1, 0.9f, 3}, {9, 1.5f, 3}, {9, 1.5f, -1});
     faces.push_back(wall);
     after.push_back(wall);
     const LoadedLevel loaded = rematch(faces, after);
     EXPECT_TRUE(wrong_faces(after, loaded).empty());
     EXPECT_EQ(loaded.match.by_nearest, 8u);
+}
+
+// Shelves of the same outline above each other: one that is deleted has not become the next.
+TEST(FaceMatch, AFaceAboveADeletedOneIsAnother) {
+    Faces faces;
+    for (int i = 0; i < 6; ++i) {
+        faces.push_back(tiles(1, 1.5f * static_cast<float>(i)).front());
+        faces.back().painted = i % 2 == 0 ? ice : -1;
+    }
+    const Faces after(faces.begin() + 1, faces.end());
+    const LoadedLevel loaded = rematch(faces, after);
+    EXPECT_TRUE(wrong_faces(after, loaded).empty());
+    EXPECT_EQ(loaded.match.orphaned, 1u);
 }
 
 TEST(FaceMatch, OfFacesAtOnePlaceTheOneThatIsLeftIsAQuestion) {
@@ -520,14 +542,8 @@ TEST(FaceMatch, ExtrudedCratesThatTurnedKeepTheirSides) {
         Faces faces = crates(seed);
         Faces after = faces;
         for (std::size_t i = seed; i < faces.size(); i += 9) {
-            const std::vector<Vec3f> base = faces[i].corners;
-            const Vec3f out = 0.3f * (base[1] - base[0]).cross(base[2] - base[0]).normalized();
-            for (Vec3f& corner : after[i].corners)
-                corner += out;
-            for (std::size_t c = 0; c < base.size(); ++c) {
-                const std::size_t next = (c + 1) % base.size();
-                after.push_back(quad(base[c], base[next], base[next] + out, base[c] + out));
-            }
+            const std::vector<Vec3f>& base = faces[i].corners;
+            extrude(after, i, 0.3f * (base[1] - base[0]).cross(base[2] - base[0]).normalized());
         }
         after = rounded(with_first_turned(after, after.size(), turned(77.0f, Vec3f::UnitY()), false));
         const LoadedLevel loaded = rematch(faces, after);

@@ -4,16 +4,6 @@
 namespace slipface::test {
 namespace {
 
-using Random = std::mt19937;
-
-double drawn(Random& random, double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-int drawn_type(Random& random) {
-    return static_cast<int>(random() % 6) - 1;
-}
-
 // A triangle cut into four at the middles of its edges.
 void add_quarters(const Face& face, Faces& faces) {
     Vec3f middle[3];

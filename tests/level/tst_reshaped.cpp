@@ -1,0 +1,174 @@
+// Faces that bevels, insets and moved or deleted neighbours leave in another shape.
+#include <array>
+#include <map>
+
+#include "faces.h"
+
+namespace slipface::test {
+namespace {
+
+// Of `after`: painted faces, and those of them and of the unpainted ones with another type.
+struct Count {
+    std::size_t painted = 0, listed = 0, wrong = 0;
+};
+
+void add(Count& count, const Faces& after, const LoadedLevel& loaded) {
+    count.painted += painted_count(after);
+    for (const std::size_t face : wrong_faces(after, loaded))
+        ++(loaded.level.overrides[face] ? count.wrong : count.listed);
+}
+
+// Equal lamps of three rings, as models stand in maps, each face with a type of its own.
+Faces lamps(Random& random) {
+    Faces faces;
+    for (int lamp = 0; lamp < 30; ++lamp) {
+        const auto at = [&](int ring, int side) {
+            const float angle = 0.785398163f * static_cast<float>(side % 8);
+            const float radius = ring == 1 ? 0.3f : 0.2f;
+            return Vec3f(3.0f * static_cast<float>(lamp) + radius * std::cos(angle),
+                         0.3f * static_cast<float>(ring), radius * std::sin(angle));
+        };
+        for (int ring = 0; ring < 3; ++ring) {
+            for (int side = 0; side < 8; ++side) {
+                faces.push_back(
+                    quad(at(ring, side), at(ring + 1, side), at(ring + 1, side + 1), at(ring, side + 1)));
+                faces.back().painted = drawn_type(random);
+            }
+        }
+    }
+    return faces;
+}
+
+// With so many moved vertices one lamp is like another as much as it is like itself.
+TEST(Reshaped, EqualPartsOfWhichVerticesMovedStay) {
+    Count count;
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        Random random(seed);
+        const Faces before = lamps(random);
+        Faces after = before;
+        std::map<std::array<float, 3>, Vec3f> moved;
+        for (Face& face : after) {
+            for (Vec3f& corner : face.corners) {
+                const auto [at, added] =
+                    moved.emplace(std::array{corner.x(), corner.y(), corner.z()}, corner);
+                if (added && random() % 3 == 0)
+                    at->second += Vec3(drawn(random, -0.03, 0.03), drawn(random, -0.03, 0.03),
+                                       drawn(random, -0.03, 0.03))
+                                      .cast<float>();
+                corner = at->second;
+            }
+        }
+        add(count, after, rematch(before, after));
+    }
+    EXPECT_EQ(count.wrong, 0u);
+    EXPECT_LE(count.listed * 50, count.painted);
+}
+
+// Every corner this far from its old edges.
+Face inset(Face face, float width) {
+    const std::vector<Vec3f> old = face.corners;
+    const std::size_t count = old.size();
+    for (std::size_t c = 0; c < count; ++c) {
+        const Vec3f to_next = (old[(c + 1) % count] - old[c]).normalized();
+        const Vec3f to_last = (old[(c + count - 1) % count] - old[c]).normalized();
+        face.corners[c] += width / to_next.cross(to_last).norm() * (to_next + to_last);
+    }
+    return face;
+}
+
+// The face inset, and the rim around it.
+void add_inset(const Face& face, float width, Faces& faces) {
+    const Face inner = inset(face, width);
+    faces.push_back(inner);
+    for (std::size_t c = 0; c < face.corners.size(); ++c) {
+        const std::size_t next = (c + 1) % face.corners.size();
+        faces.push_back({{face.corners[c], face.corners[next], inner.corners[next], inner.corners[c]},
+                         face.material,
+                         face.painted});
+    }
+}
+
+// A quad cut along one diagonal lies on the same quad cut along the other: compilers of maps leave such
+// faces. What is left of each triangle is still most like itself.
+TEST(Reshaped, InsetTrianglesOnOthersKeepTheirTypes) {
+    Count count;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        Random random(seed);
+        Faces before, after;
+        for (int i = 0; i < 20; ++i) {
+            const float x = 2.0f * static_cast<float>(i);
+            const auto width = static_cast<float>(drawn(random, 0.7, 1.5));
+            const Vec3f a(x, 0, 0), b(x, 0, 1), c(x + width, 0, 1), d(x + width, 0, 0);
+            for (const Face& face : {Face{{a, b, c}}, Face{{a, c, d}}, Face{{b, c, d}}, Face{{a, b, d}}}) {
+                before.push_back(face);
+                before.back().painted = static_cast<int>(random() % 5);
+                after.push_back(inset(before.back(), 0.06f));
+            }
+        }
+        add(count, after, rematch(before, after));
+    }
+    EXPECT_EQ(count.wrong, 0u);
+    EXPECT_LE(count.listed * 100, count.painted);
+}
+
+// A rim of 1 cm lies over the neighbour's outline if that is only known to 1 % of 20 m.
+TEST(Reshaped, RimsOfLargeInsetTrianglesAreTheirs) {
+    Count count;
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        Random random(seed);
+        Faces before, after;
+        for (int i = 0; i < 12; ++i) {
+            const auto height = static_cast<float>(i);
+            Vec3f last(20, height, 0);
+            for (int k = 1; k <= 3; ++k) {
+                const float angle = 0.5f * static_cast<float>(k);
+                const auto radius = static_cast<float>(drawn(random, 14, 22));
+                const Vec3f next(radius * std::cos(angle), height, -radius * std::sin(angle));
+                const Face face{{Vec3f(0, height, 0), last, next}, "stone", drawn_type(random)};
+                before.push_back(face);
+                add_inset(face, 0.01f, after);
+                last = next;
+            }
+        }
+        add(count, after, rematch(before, after));
+    }
+    EXPECT_EQ(count.wrong, 0u);
+    EXPECT_LE(count.listed * 100, count.painted);
+}
+
+// Unpainted plates close above tiles do not have the types of these, though the tiles were inset or bevelled.
+TEST(Reshaped, PlatesAboveInsetTilesStayUnpainted) {
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        Random random(seed);
+        const Faces plates = tiles(8, static_cast<float>(drawn(random, 0.002, 0.018)));
+        Faces before = tiles(8, 0.0f);
+        for (Face& face : before)
+            face.painted = static_cast<int>(random() % 5);
+        Faces after = before;
+        for (const std::size_t tile : std::array<std::size_t, 5>{9, 20, 30, 43, 54}) {
+            after[tile] = inset(after[tile], static_cast<float>(drawn(random, 0.02, 0.2)));
+            before.push_back(plates[tile]);
+            after.push_back(plates[tile]);
+        }
+        EXPECT_TRUE(wrong_faces(after, rematch(before, after)).empty()) << seed;
+    }
+}
+
+// Floors close above each other: where a tile was deleted, its type is not that of the one above or below.
+TEST(Reshaped, DeletedTilesAreNotTheOnesBehind) {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        Random random(seed);
+        Faces before;
+        for (int floor = 0; floor < 4; ++floor)
+            for (const Face& face : tiles(6, 0.4f * static_cast<float>(floor)))
+                before.push_back(face);
+        for (Face& face : before)
+            face.painted = drawn_type(random);
+        Faces after = before;
+        std::erase_if(after, [&](const Face&) { return random() % 6 == 0; });
+        EXPECT_TRUE(wrong_faces(after, rematch(before, after)).empty()) << seed;
+    }
+}
+
+}  // namespace
+}  // namespace slipface::test
