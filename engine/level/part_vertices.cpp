@@ -118,7 +118,7 @@ void MotionFinder::try_points(std::size_t i) {
 }
 
 void MotionFinder::try_corners(std::size_t i, const std::array<Vec3, 3>& from, std::span<const Vec3> to) {
-    constexpr std::size_t most = 200;  // motions
+    constexpr std::size_t max_found = 200;  // motions
     const bool flat = stored_.parts[i].box.size().minCoeff() <= 0.0;
     const double slack = 4.0 * (position_tolerance(from[0]) + position_tolerance(to[0]));
     const auto apart = [&](const Vec3& a, const Vec3& b, int k, int l) {
@@ -132,7 +132,7 @@ void MotionFinder::try_corners(std::size_t i, const std::array<Vec3, 3>& from, s
     std::size_t found = 0;
     for (const Vec3& a : to) {
         for (const Vec3& b : to) {
-            if (distances_ > max_distances || guesses_ > max_guesses || found > most) return;
+            if (distances_ > max_distances || guesses_ > max_guesses || found > max_found) return;
             if (!apart(a, b, 0, 1)) continue;
             for (const Vec3& c : to) {
                 if (!apart(a, c, 0, 2) || !apart(b, c, 1, 2)) continue;
