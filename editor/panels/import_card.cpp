@@ -1,4 +1,4 @@
-// The card in the view's corner about how the geometry's file was read: size, scale, axis, spawn, open edges.
+// The card beside the view about how the geometry's file was read: size, scale, axis, spawn, open edges.
 #include <fmt/format.h>
 
 #include <array>
