@@ -10,6 +10,7 @@ unsaid: of the wrong ones, those that are not in the list of guesses.
 
 Where faces are merged, the number that Blender keeps is that of an arbitrary one of them, so there Blender's nearest
 points on the original say which faces each new one covers: the type of more than half of its area is its type.
+A face that is as it was has its own type, though others may lie nearer to it: it may be narrower than rounding.
 A bevel, an inset or a moved vertex can turn a face over or push it off its place, if it is smaller than that. Such a
 face no longer exists, and its number's type or that of the face in whose place it is now is right.
 """
@@ -753,7 +754,22 @@ def expected(types, *readings):
     return may if len(may) == 1 else may | {None}
 
 
-def score(types, truth, rows, guessed, original):
+def unchanged(truth, edited, original):
+    """The faces of `truth` that are, in the edited file, what and where their number's face was."""
+    places, taken, same = Places(truth), set(), set()
+    for mid, vector, _, corners in edited:
+        size = math.hypot(*vector)
+        face = places.take(mid, [x / size for x in vector] if size > 0.0 else vector, taken)
+        if face is None or truth[face][0] <= 0:
+            continue
+        old_mid, old_vector, _, old_corners = original[int(truth[face][0]) - 1]
+        if corners == old_corners and math.dist(mid, old_mid) < places.step and \
+                math.dist(vector, old_vector) < 1e-4 + 1e-3 * size:
+            same.add(face)
+    return same
+
+
+def score(types, truth, rows, guessed, original, edited):
     result = Score()
     places = Places(truth)
     twins = {}  # original faces at one place
@@ -774,8 +790,10 @@ def score(types, truth, rows, guessed, original):
         for numbers in twins.values():
             for number, twin in zip(numbers, numbers[1:] + numbers[:1]):
                 other[number] = types[twin]
+        same = unchanged(truth, edited, original)
         for k, t in enumerate(truth):
-            may, kind = expected(types, *t[7:]) | expected(other, *t[7:]), got.get(k)
+            readings = [{int(t[0]): 1.0}] if k in same else t[7:]
+            may, kind = expected(types, *readings) | expected(other, *readings), got.get(k)
             may |= {None} if len(may) > 1 else set()
             result.unclear += len(may) > 1
             result.faces += None not in may
@@ -885,7 +903,7 @@ def main():
                 here = os.path.join(place, "level.slipface.json")
                 shutil.copy(level_file, here)
                 save(program, edited, folder)
-                one = score(types, truth, *found_paint(here), faces)
+                one = score(types, truth, *found_paint(here), faces, read_obj(edited))
                 total.setdefault((p, edit, kind), Score()).add(one)
                 if one.wrong or one.unplaced:
                     print("  %s, %s: %s" % (name, edit, vars(one)), file=sys.stderr)

@@ -72,6 +72,7 @@ class FaceMatcher {
     bool match_hash(std::size_t i);
     bool match_location(std::size_t i);
     bool claim_best(std::size_t i, const std::vector<FaceId>& faces);
+    bool has_other_corners(std::size_t i, FaceId face) const;
 
     // match_whole.cpp: of an old face without an outline, new faces that together are the whole of it
     bool match_plane(std::size_t i);

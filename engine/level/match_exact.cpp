@@ -76,9 +76,31 @@ bool FaceMatcher::claim_best(std::size_t i, const std::vector<FaceId>& faces) {
         return false;
     }
     claim(best, i, MatchStage::exact);
-    // A sliver, which rounding may turn over, or the one behind it.
-    if (looks_back(best)) result_.guessed.push_back(best);
+    // A sliver, which rounding may turn over, or the one behind it; or a face that only is as large.
+    if (looks_back(best) || has_other_corners(i, best)) result_.guessed.push_back(best);
     return true;
+}
+
+// Whether a corner of the face is none of the stored face's, as far as its outline is known.
+bool FaceMatcher::has_other_corners(std::size_t i, FaceId face) const {
+    const FaceKey& key = this->key(i);
+    if (i >= parts_.outlines.count() || index_.key(face).loop_hash == key.loop_hash) return false;
+    std::vector<Vec3> outline = parts_.outlines.corners(i, stored_[i].key);
+    if (outline.empty()) return false;
+    if (const PartMotion* motion = motion_of(i))
+        for (Vec3& corner : outline)
+            corner = (*motion)(corner);
+    const Vec3 normal = unit_or_zero(key.normal);
+    for (std::uint32_t c = mesh_.face_first_corner[face]; c < mesh_.face_first_corner[face + 1]; ++c) {
+        const Vec3 corner = mesh_.corner_position(c).cast<double>();
+        const double reach = rounding(i) + 4.0 * position_tolerance(corner);
+        if (std::none_of(outline.begin(), outline.end(), [&](const Vec3& old) {
+                const Vec3 offset = corner - old;
+                return (offset - normal.dot(offset) * normal).norm() <= reach;
+            }))
+            return true;
+    }
+    return false;
 }
 
 }  // namespace slipface

@@ -32,15 +32,13 @@ bool MotionFinder::keeps_order() {
     return kept >= 0.75 * all;
 }
 
-// True if the motion puts the part's box onto itself. Not a reflection in a diagonal, which is what sorting
-// along another axis looks like.
+// True if the motion puts the part's box onto itself; a layer close to a flat part is another place. Not a
+// reflection in a diagonal, which is what sorting along another axis looks like.
 bool MotionFinder::turns_in_place(std::size_t i, const PartMotion& motion) const {
     const Eigen::Matrix3d turn = motion.linear.array().round();
     const bool quarter = turn.determinant() > 0.0 && turn.trace() == 1.0;
     const Vec3 centre = stored_.parts[i].box.centre();
-    const bool in_its_place =
-        (motion(centre) - centre).norm() < box_slack * stored_.parts[i].box.size().norm();
-    return in_its_place && turn.isUnitary() && motion.linear.isApprox(turn, 1e-4) &&
+    return support_.hits(motion, centre, centre) && turn.isUnitary() && motion.linear.isApprox(turn, 1e-4) &&
            (turn.isDiagonal() || quarter) && !turn.isIdentity();
 }
 

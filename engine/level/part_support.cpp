@@ -255,14 +255,35 @@ MotionSupport PartSupport::support(std::size_t part, const PartMotion& motion, d
 }
 
 bool PartSupport::is_flipped(std::size_t part, const PartMotion& motion) const {
-    std::size_t same = 0, other = 0;
-    for (const FaceKey* key : samples_[part].keys) {
+    // Painted or not: where an edit cut the part's faces, what lies there is a neighbour's.
+    std::vector<FaceKey> rim;
+    for (const AnchorFace& anchor : stored_.parts[part].anchors) {
+        FaceKey key;
+        Vec3 vector = Vec3::Zero();
+        for (std::size_t c = 0; c < anchor.corners.size(); ++c) {
+            const Vec3 here = (anchor.corners[c] - anchor.corners[0]).cast<double>();
+            const Vec3 next =
+                (anchor.corners[(c + 1) % anchor.corners.size()] - anchor.corners[0]).cast<double>();
+            key.centroid += anchor.corners[c].cast<double>() / static_cast<double>(anchor.corners.size());
+            vector += 0.5 * here.cross(next);
+        }
+        key.area = vector.norm();
+        if (!(key.area > 0.0)) continue;
+        key.normal = vector / key.area;
+        rim.push_back(key);
+    }
+    std::vector<const FaceKey*> faces = samples_[part].keys;
+    for (const FaceKey& key : rim)
+        faces.push_back(&key);
+    std::size_t same = 0, other = 0, both = 0;
+    for (const FaceKey* key : faces) {
         bool same_material = false;
         const Side side = find_face(*key, motion, same_material);
         same += side == Side::same ? 1 : 0;
         other += side == Side::other ? 1 : 0;
+        both += side == Side::both ? 1 : 0;
     }
-    return other > same;
+    return other > same && 2 * other > faces.size() - both;
 }
 
 bool PartSupport::stays_inside(std::size_t i, const PartMotion& motion) const {

@@ -65,7 +65,7 @@ class PartSupport {
         return (motion(from) - to).norm() <= tolerance(motion, from, to);
     }
 
-    // True if more of the painted faces look the other way than this way.
+    // True if most of the painted faces and of those at the rim are there, but look the other way.
     bool is_flipped(std::size_t part, const PartMotion& motion) const;
 
     // The part is not where it was: what lies in its box now is another one.

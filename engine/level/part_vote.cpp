@@ -185,12 +185,19 @@ void MotionFinder::doubt(std::size_t i) {
                (few || other.ranks >= best_ranks - same_order) && !same(box, other.motion, part.best) &&
                types_.differ(i, part.best, other.motion);
     });
+    // A few faces of which some were deleted also look like a whole piece elsewhere. What only they did is a
+    // question if the motion of others explains some of them, too.
+    const bool alone =
+        few && parts_with_motion(i) < 2 && std::any_of(moves_.begin(), moves_.end(), [&](const Move& move) {
+            return move.parts > 1 && !move.motion.is_identity() &&
+                   support_.support(i, move.motion, lost_below).corners >= lost_below;
+        });
     const bool turned = effort(part.best, box.centre(), box.size().norm()) > more_effort;
     // No wrong motion of many corners keeps the order of the vertices.
     const bool ordered = support_.vertex_order_kept(i, part.best).value_or(0.0) >= vertices_in_order;
     part.best.lost = !stays && part.best.guessed &&
                      ((unclear && turned) || (!ordered && part.best_support.sum() < hardly));
-    part.best.guessed = part.best.guessed || unclear;
+    part.best.guessed = part.best.guessed || unclear || alone;
 }
 
 }  // namespace slipface

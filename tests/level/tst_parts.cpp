@@ -308,5 +308,46 @@ TEST(Parts, AMergedFaceHasTheTypeOfMostOfItsTiles) {
     EXPECT_GT(clear, 100u);
 }
 
+// Pairs of equal pieces of six faces, three of them painted in one of each pair, all moved. Where a face of
+// it was deleted, it is less like itself than like the other one.
+TEST(Parts, DamagedPiecesThatLookLikeOthersAreNotTheseUnsaid) {
+    std::size_t wrong = 0;
+    for (unsigned seed = 1; seed <= 30; ++seed) {
+        Random random(seed);
+        Faces before = tiles(5);
+        for (Face& face : before)
+            face.painted = static_cast<int>(random() % 5);
+        std::vector<std::size_t> first;  // [painted piece]
+        for (int pair = 0; pair < 8; ++pair) {
+            std::vector<Vec3f> rim;
+            for (int i = 0; i < 7; ++i)
+                rim.emplace_back(0.3f * static_cast<float>(i), between(random, 0.5f, 2.0f),
+                                 between(random, -0.3f, 0.3f));
+            first.push_back(before.size());
+            for (const bool painted : {true, false}) {
+                const Vec3f at(between(random, 20, 90), between(random, 0, 3), between(random, -40, 40));
+                for (std::size_t i = 1; i < rim.size(); ++i)
+                    before.push_back({{at, at + rim[i - 1], at + rim[i]},
+                                      "stone",
+                                      painted && i % 2 != 0 ? static_cast<int>(random() % 5) : -1});
+            }
+        }
+        Faces after = before;
+        for (Face& face : after)
+            for (Vec3f& corner : face.corners)
+                corner.x() += 1.0f;
+        for (std::size_t piece = first.size(); piece-- > 0;)
+            if (random() % 2 == 0) after.erase(after.begin() + static_cast<std::ptrdiff_t>(first[piece]));
+        const LoadedLevel loaded = rematch(before, after);
+        const std::vector<FaceId>& guessed = loaded.level.guessed;
+        for (const std::size_t face : wrong_faces(after, loaded))
+            wrong += loaded.level.overrides[face] &&
+                             !std::binary_search(guessed.begin(), guessed.end(), static_cast<FaceId>(face))
+                         ? 1
+                         : 0;
+    }
+    EXPECT_EQ(wrong, 0u);
+}
+
 }  // namespace
 }  // namespace slipface::test

@@ -170,5 +170,104 @@ TEST(Reshaped, DeletedTilesAreNotTheOnesBehind) {
     }
 }
 
+// An unpainted copy of a floor lies close to it; some tiles of the floor are inset, so that only the copy has
+// as many faces as the floor had.
+TEST(Reshaped, AFloorWithInsetTilesIsNotTheLayerOnIt) {
+    for (unsigned seed = 1; seed <= 30; ++seed) {
+        Random random(seed);
+        const int side = 4 + static_cast<int>(random() % 7);
+        const auto gap = static_cast<float>(drawn(random, 0.002, 0.05) * (random() % 2 == 0 ? 1 : -1));
+        Faces before = tiles(side), layer = tiles(side, 0.1f + gap);
+        for (Face& face : before)
+            face.painted = static_cast<int>(random() % 5);
+        Faces after;
+        const double inset_share = drawn(random, 0.02, 0.5);
+        for (const Face& face : before) {
+            if (after.empty() || drawn(random, 0, 1) < inset_share)
+                add_inset(face, static_cast<float>(drawn(random, 0.05, 0.3)), after);
+            else
+                after.push_back(face);
+        }
+        before.insert(before.end(), layer.begin(), layer.end());
+        after.insert(after.end(), layer.begin(), layer.end());
+        EXPECT_TRUE(wrong_faces(after, rematch(before, after)).empty()) << seed;
+    }
+}
+
+// Four quarters of a quad.
+void add_four_quads(const Face& face, Faces& faces) {
+    const std::vector<Vec3f>& at = face.corners;
+    const Vec3f centre = 0.25f * (at[0] + at[1] + at[2] + at[3]);
+    for (std::size_t c = 0; c < 4; ++c)
+        faces.push_back({{at[c], 0.5f * (at[c] + at[(c + 1) % 4]), centre, 0.5f * (at[c] + at[(c + 3) % 4])},
+                         face.material,
+                         face.painted});
+}
+
+// A small crate stands against an unpainted one twice as large. After both are subdivided, a quarter of the
+// large one's side is where the small one's was, and looks the other way.
+TEST(Reshaped, ASubdividedCrateIsNotTheSideOfTheOneBehind) {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        Random random(seed);
+        const auto size = static_cast<float>(drawn(random, 0.5, 3));
+        Faces before = tiles(5);
+        for (Face& face : before)
+            face.painted = drawn_type(random);
+        const Vec3f place(30.0f, 0.0f, static_cast<float>(drawn(random, -9, 9)));
+        const auto add_crate = [&](const Vec3f& low, float edge, bool painted) {
+            const auto at = [&](int x, int y, int z) {
+                return Vec3f(
+                    low + edge * Vec3f(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)));
+            };
+            for (const Face& face : {quad(at(0, 0, 0), at(1, 0, 0), at(1, 0, 1), at(0, 0, 1)),
+                                     quad(at(0, 1, 0), at(0, 1, 1), at(1, 1, 1), at(1, 1, 0)),
+                                     quad(at(0, 0, 0), at(0, 1, 0), at(1, 1, 0), at(1, 0, 0)),
+                                     quad(at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)),
+                                     quad(at(0, 0, 0), at(0, 0, 1), at(0, 1, 1), at(0, 1, 0)),
+                                     quad(at(1, 0, 0), at(1, 1, 0), at(1, 1, 1), at(1, 0, 1))})
+                before.push_back({face.corners, "crate", painted && random() % 2 == 0 ? 1 : -1});
+        };
+        add_crate(place - Vec3f(size, 0, 0), size, true);
+        before.back().painted = 2;  // the side at the large one
+        add_crate(place, 2.0f * size, false);
+        Faces after;
+        for (const Face& face : before)
+            add_four_quads(face, after);
+        EXPECT_TRUE(wrong_faces(after, rematch(before, after)).empty()) << seed;
+    }
+}
+
+// An edit that collapses edges can leave a triangle with the middle and the area that another one had.
+TEST(Reshaped, ATriangleOfTheSamePlaceAndSizeWithOtherCornersIsAGuess) {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        Random random(seed);
+        const Vec3f at(static_cast<float>(drawn(random, 20, 30)), 1.0f, 0.0f);
+        const auto step = static_cast<float>(drawn(random, 0.2, 2));
+        const auto triangle = [&](int a, int b, int top, int painted) {
+            return Face{{at + Vec3f(0, 0, step * static_cast<float>(a)),
+                         at + Vec3f(0, 0, step * static_cast<float>(b)),
+                         at + Vec3f(1, 0, step * static_cast<float>(top))},
+                        "stone",
+                        painted};
+        };
+        Faces before = tiles(5);
+        for (int i = 0; i < 6; ++i)  // the floor beside it
+            before.push_back(quad(at + Vec3f(-1, 0, step * static_cast<float>(i)),
+                                  at + Vec3f(-1, 0, step * static_cast<float>(i + 1)),
+                                  at + Vec3f(0, 0, step * static_cast<float>(i + 1)),
+                                  at + Vec3f(0, 0, step * static_cast<float>(i))));
+        for (Face& face : before)
+            face.painted = drawn_type(random);
+        Faces after = before;
+        before.push_back(triangle(1, 2, 0, 3));
+        after.push_back(triangle(0, 1, 2, 3));
+        const LoadedLevel loaded = rematch(before, after);
+        const auto last = static_cast<FaceId>(after.size() - 1);
+        const bool found = last < loaded.level.overrides.size() && loaded.level.overrides[last].has_value();
+        EXPECT_TRUE(!found || loaded.level.guessed == std::vector<FaceId>{last}) << seed;
+        EXPECT_TRUE(rematch(before, shuffled(rounded(before), seed)).level.guessed.empty()) << seed;
+    }
+}
+
 }  // namespace
 }  // namespace slipface::test
