@@ -46,8 +46,6 @@ Status export_level(const Level& level, const ExportTargets& targets, std::span<
     const std::vector<fs::path> own = own_files(level);
     const auto add = [&](const std::optional<fs::path>& target, const auto& make) {
         if (!target || !status) return;
-        status = check_own(own, *target);
-        if (!status) return;
         Result<std::vector<ExportedFile>> made = make(*target);
         if (!made) {
             status = made.error();

@@ -1,14 +1,12 @@
 // Reading the open level's files again when another program has written them.
 #include <algorithm>
 #include <iterator>
-#include <set>
 #include <utility>
 #include <vector>
 
 #include "document/selection.h"
 #include "slipface/base/counted.h"
 #include "slipface/base/files.h"
-#include "slipface/base/text.h"
 #include "slipface/level/level_sources.h"
 #include "tools/editor.h"
 
