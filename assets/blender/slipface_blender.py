@@ -630,6 +630,12 @@ def read_level(scene, path):
 # Import
 
 
+def words_of(error):
+    """What Blender's importer or exporter says of its failure: the last line, where it shows the whole call stack."""
+    lines = [line for line in str(error).strip().splitlines() if not line.startswith("Location:")]
+    return lines[-1].removeprefix("Error: ") if lines else "Blender does not say why"
+
+
 def level_file_for(path):
     return os.path.splitext(path)[0] + ".slipface.json"
 
@@ -645,17 +651,23 @@ def import_level(context, path):
         raise LevelError("%s: there is no such file" % path)
     ending = os.path.splitext(path)[1].lower()
     before = set(context.scene.objects)
-    if ending == ".obj":
-        bpy.ops.wm.obj_import(filepath=path)
-    elif ending in (".gltf", ".glb"):
-        bpy.ops.import_scene.gltf(filepath=path, merge_vertices=False)
-    else:
-        raise LevelError("%s: expected an OBJ or glTF file; import others with Blender, then read the level file" % path)
+    try:
+        if ending == ".obj":
+            bpy.ops.wm.obj_import(filepath=path)
+        elif ending in (".gltf", ".glb"):
+            bpy.ops.import_scene.gltf(filepath=path, merge_vertices=False)
+        else:
+            raise LevelError("%s: expected an OBJ or glTF file; import others with Blender, then read the level file" % path)
+    except RuntimeError as error:
+        raise LevelError("%s: %s" % (path, words_of(error))) from error
+    new = set(context.scene.objects) - before
+    if not any(thing.type == "MESH" and thing.data.polygons for thing in new):
+        raise LevelError("%s: it has no faces" % path)
     level = level or {}
     upright = Matrix(UPRIGHT[level.get("up", "y")]).to_4x4()
     change = BLENDER_FROM_LEVEL @ Matrix.Scale(level.get("scale", 1), 4) @ upright @ BLENDER_FROM_LEVEL.inverted()
     if change != Matrix():
-        for thing in set(context.scene.objects) - before:
+        for thing in new:
             if thing.parent is None:
                 thing.matrix_world = change @ thing.matrix_world
     context.view_layer.update()
@@ -888,7 +900,7 @@ def export_level(context, path, identity="MATERIAL", only_selected=False):
                 bpy.ops.export_scene.gltf(filepath=path, use_selection=True, export_extras=True, export_animations=False,
                                           export_format="GLB" if ending == ".glb" else "GLTF_SEPARATE")
         except RuntimeError as error:
-            raise LevelError("%s: %s" % (path, error)) from error
+            raise LevelError("%s: %s" % (path, words_of(error))) from error
     finally:
         for thing in things:
             bpy.data.objects.remove(thing)

@@ -354,6 +354,28 @@ def hostile_level_files(place):
 
 
 @case
+def hostile_geometry(place):
+    import bpy
+
+    wrong = [("bad.gltf", b"{", "json"), ("old.gltf", b'{"asset": {"version": "1.0"}}', "2.0"),
+             ("lone.gltf", b'{"asset": {"version": "2.0"}, "buffers": [{"uri": "gone.bin", "byteLength": 4}], '
+                           b'"bufferViews": [{"buffer": 0, "byteLength": 4}], "accessors": [{"bufferView": 0, '
+                           b'"componentType": 5126, "count": 1, "type": "SCALAR"}], "nodes": [{"mesh": 0}], "meshes": '
+                           b'[{"primitives": [{"attributes": {"POSITION": 0}}]}], "scenes": [{"nodes": [0]}], "scene": 0}',
+              "gone.bin"),
+             ("short.glb", b"glTF\1\0\0\0\x14\0\0\0\0\0\0\0JSON", "version"), ("empty.obj", b"", "no faces"),
+             ("points.obj", b"v 0 0 0\nv 1 0 0\np 1 2\n", "no faces"), ("level.fbx", b"", "OBJ or glTF")]
+    for name, data, why in wrong:
+        path = os.path.join(place, name)
+        open(path, "wb").write(data)
+        try:
+            bpy.ops.slipface.import_level(filepath=path)
+            raise AssertionError("takes %s" % name)
+        except RuntimeError as error:
+            expect(name in str(error) and why in str(error) and "Traceback" not in str(error), str(error)[:500])
+
+
+@case
 def a_hundred_thousand_faces(place):
     import bpy
     import numpy as np
