@@ -113,7 +113,7 @@ TEST_F(ObjReader, JoinsItsPartsAsIfTheyWereOne) {
         text += random() % 3 == 0 ? "\r\n" : random() % 2 == 0 ? "  # all\n" : "  \n";
         if (block % 1000 == 0) {
             line_of_warning.push_back(1 + static_cast<std::size_t>(std::ranges::count(text, '\n')));
-            text += "l 1 2\n";
+            text += fmt::format("wobble{} 1 2\n", block);
         }
     }
     const auto imported = import(text);
