@@ -12,6 +12,7 @@
 #include "slipface/mesh/open_edges.h"
 #include "slipface/mesh/size_doubt.h"
 #include "slipface/mesh/texture_file.h"
+#include "slipface/mesh/up_doubt.h"
 
 namespace slipface::cli {
 namespace {
@@ -167,6 +168,10 @@ void print_info_json(const LevelInfo& info, std::ostream& out) {
         json["import"]["doubt"] = doubt->text();
         json["import"]["better_scale"] = doubt->better_scale;
     }
+    if (const auto doubt = up_doubt(mesh, read)) {
+        json["import"]["up_doubt"] = doubt->text();
+        json["import"]["better_up"] = up_axis_names[static_cast<std::size_t>(doubt->better_up)];
+    }
     json["spawns_in_file"] = OutputJson::array();
     for (const FoundSpawn& spawn : info.loaded.found_spawns)
         json["spawns_in_file"].push_back(
@@ -202,6 +207,7 @@ void print_import(const LevelInfo& info, std::ostream& out) {
     print_row(out, "up axis",
               fmt::format("{} ({})", up_axis_names[static_cast<std::size_t>(read.up)],
                           assumed(read.up_from, read.up_reason)));
+    if (const auto doubt = up_doubt(*level.mesh, read)) print_row(out, "", doubt->text());
     if (const std::size_t count = info.loaded.found_spawns.size(); count > 0)
         print_row(out, "spawns in file", std::to_string(count));
     print_row(out, "open edges", std::to_string(open_edge_count(*level.mesh)));

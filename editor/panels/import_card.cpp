@@ -48,6 +48,13 @@ void reason(ImportSource source, const std::string& text, float value_at) {
     note(fmt::format("{}: {}", source == ImportSource::declared ? "Declared" : "Guessed", text), value_at);
 }
 
+// Says what is doubtful of the control above, and puts the cursor where a button may cure it.
+void doubted(const char* text, float value_at) {
+    ImGui::SetCursorPosX(value_at);
+    ImGui::TextColored(ui::palette().accent, "%s %s", icons::warning, text);
+    ImGui::SetCursorPosX(value_at);
+}
+
 void scale_rows(Editor& editor, float value_at) {
     const ImportSummary& summary = editor.document->level().import_summary;
     ImportTransform transform = editor.document->level().import_transform;
@@ -82,9 +89,15 @@ void axis_rows(Editor& editor, float value_at) {
     const bool chosen = ui::combo("##Up axis", &index, names.data(), static_cast<int>(names.size()),
                                   "The upward axis of the file");
     reason(summary.up_from, summary.up_reason, value_at);
-    if (!chosen) return;
+    std::optional<UpAxis> up;
+    if (chosen) up = static_cast<UpAxis>(index);
+    if (const std::optional<UpDoubt>& doubt = editor.import_card.up_doubt) {
+        doubted("Seems to lie on its side", value_at);
+        if (ui::button("Turn upright", doubt->text().c_str())) up = doubt->better_up;
+    }
+    if (!up) return;
     ImportTransform transform = editor.document->level().import_transform;
-    transform.up = static_cast<UpAxis>(index);
+    transform.up = up;
     change_import(editor, transform);
 }
 
@@ -94,12 +107,9 @@ void size_rows(Editor& editor, float value_at) {
     const Vec3 size = (summary.size.array() < smallest_shown_m).select(0.0, summary.size);
     ImGui::TextUnformatted(fmt::format("{:.5g} x {:.5g} x {:.5g} m", size.x(), size.y(), size.z()).c_str());
     ui::tooltip("Width (x), height (y) and depth (z)");
-    const std::optional<SizeDoubt> doubt = editor.import_card.doubt;
+    const std::optional<SizeDoubt> doubt = editor.import_card.size_doubt;
     if (!doubt) return;
-    ImGui::SetCursorPosX(value_at);
-    ImGui::TextColored(ui::palette().accent, "%s Too %s for a player", icons::warning,
-                       doubt->too_large ? "large" : "small");
-    ImGui::SetCursorPosX(value_at);
+    doubted(doubt->too_large ? "Too large for a player" : "Too small for a player", value_at);
     if (!ui::button("Rescale", fmt::format("With a scale of {:.6g} the level is {:.3g} m large",
                                            doubt->better_scale, doubt->better_extent)
                                    .c_str()))

@@ -2,6 +2,7 @@
 #include <imgui_internal.h>
 
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
 
@@ -128,6 +129,19 @@ TEST_F(WindowTest, TheImportCardPlacesTheSpawn) {
     ASSERT_EQ(run("click \"Viewport/Import/In view\""), "");
     EXPECT_NEAR(level.spawn.x(), 1.5, 0.1);
     ASSERT_EQ(run("key Escape\nwait 1\nexpect no_widget \"Viewport/Import/In view\""), "");
+}
+
+TEST_F(WindowTest, TheImportCardTurnsALevelUpright) {
+    const std::filesystem::path lying = folder / "lying.obj";  // its floor is across z
+    std::ofstream(lying)
+        << "v 0 0 0\nv 20 0 0\nv 20 30 0\nv 0 30 0\nv 0 0 3\nv 20 0 3\nf 1 2 3 4\nf 1 5 6 2\n";
+    ASSERT_EQ(run("open " + lying.string() +
+                  "\nwait 2\nclick \"Viewport/Import/Turn upright\"\nwait 2\n"
+                  "expect no_widget \"Viewport/Import/Turn upright\""),
+              "");
+    EXPECT_NEAR(document().level().import_summary.size.y(), 3.0, 1e-6);
+    ASSERT_EQ(run("key Ctrl+Z\nwait 2\nexpect widget \"Viewport/Import/Turn upright\""), "");
+    EXPECT_NEAR(document().level().import_summary.size.y(), 30.0, 1e-6);
 }
 
 TEST_F(WindowTest, TheSelectionsTintIsNotSeenWhileWalking) {

@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
+#include <vector>
 
 #include "mesh/mesh_test_tools.h"
 #include "slipface/mesh/size_doubt.h"
+#include "slipface/mesh/up_doubt.h"
 
 namespace slipface {
 namespace {
@@ -228,6 +231,51 @@ TEST_F(Units, ImplausibleSizesAreDoubted) {
         EXPECT_FALSE(size_doubt(*better->mesh, better->summary)) << "what the user gives is not doubted";
     }
     EXPECT_NEAR(size_doubt(*box(1856.0)->mesh, box(1856.0)->summary)->better_scale, 1.0 / 32, 1e-9);
+}
+
+// Rooms of random sizes with crates in them, upright along each axis.
+TEST_F(Units, LevelsThatLieOnTheirSideAreDoubted) {
+    std::mt19937 random(20261126);
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    for (int i = 0; i < 20; ++i) {
+        std::vector<Vec3> corners;  // +Y up
+        const auto add_box = [&](const Vec3& min, const Vec3& size) {
+            for (int corner = 0; corner < 8; ++corner)
+                corners.push_back(min +
+                                  size.cwiseProduct(Vec3(corner & 1, corner >> 1 & 1, corner >> 2 & 1)));
+        };
+        const Vec3 room(between(10, 60), between(2.5, 5), between(10, 60));
+        add_box(Vec3::Zero(), room);
+        for (int crate = static_cast<int>(between(0, 12)); crate > 0; --crate)
+            add_box(Vec3(between(1, 8), 0, between(1, 8)),
+                    Vec3(between(0.5, 1), between(0.5, 2), between(0.5, 1)));
+        const auto import_turned = [&](int axis, const ImportTransform& how) {
+            std::string text;
+            for (const Vec3& p : corners)
+                text += fmt::format("v {} {} {}\n", p[(4 - axis) % 3], p[(5 - axis) % 3], p[(6 - axis) % 3]);
+            for (std::size_t first = 1; first < corners.size(); first += 8)
+                for (const char* face : {"0 1 3 2", "4 5 7 6", "0 1 5 4", "2 3 7 6", "0 2 6 4", "1 3 7 5"}) {
+                    text += "f";
+                    for (const char* digit = face; *digit != 0; digit += digit[1] == 0 ? 1 : 2)
+                        text += fmt::format(" {}", first + static_cast<std::size_t>(*digit - '0'));
+                    text += "\n";
+                }
+            auto imported = import_as("level.obj", text, how);
+            EXPECT_TRUE(imported);
+            return up_doubt(*imported->mesh, imported->summary);
+        };
+        constexpr UpAxis axes[] = {UpAxis::x, UpAxis::y, UpAxis::z};
+        for (int axis = 0; axis < 3; ++axis) {
+            SCOPED_TRACE(fmt::format("room {}, up along axis {}", i, axis));
+            const auto doubt = import_turned(axis, {});
+            EXPECT_EQ(doubt.has_value(), axis != 1);
+            EXPECT_EQ(doubt ? doubt->better_up : UpAxis::y, axes[axis]);
+            EXPECT_FALSE(import_turned(axis, {.scale = {}, .up = axes[axis]}))
+                << "what the user gives is not doubted";
+        }
+    }
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ void refresh_import_card(Editor& editor) {
     if (card.mesh == level.mesh) return;
     card.mesh = level.mesh;
     card.open_edges = open_edge_count(*level.mesh);
-    card.doubt = size_doubt(*level.mesh, level.import_summary);
+    card.size_doubt = size_doubt(*level.mesh, level.import_summary);
+    card.up_doubt = up_doubt(*level.mesh, level.import_summary);
     card.scale_text = fmt::format("{:.9g}", level.import_summary.scale);
     card.problem.clear();
 }

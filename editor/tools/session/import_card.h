@@ -6,6 +6,7 @@
 #include <string>
 
 #include "slipface/mesh/size_doubt.h"
+#include "slipface/mesh/up_doubt.h"
 
 namespace slipface {
 
@@ -18,7 +19,8 @@ struct ImportCard {
     // The mesh, and facts computed from it.
     MeshPtr mesh;
     std::size_t open_edges = 0;
-    std::optional<SizeDoubt> doubt;
+    std::optional<SizeDoubt> size_doubt;
+    std::optional<UpDoubt> up_doubt;
 };
 
 // Called for each opened level. Shows the card if the level has no level file and the card was never closed
