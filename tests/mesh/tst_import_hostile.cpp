@@ -55,6 +55,9 @@ TEST_F(ImportHostile, WhatIsNoObjFile) {
     const auto ending = import_mesh(folder / "level.txt");
     ASSERT_FALSE(ending);
     EXPECT_THAT(ending.error().message, HasSubstr("'txt'"));
+    const auto blend = import_mesh(folder / "Level.BLEND");
+    ASSERT_FALSE(blend);
+    EXPECT_THAT(blend.error().message, HasSubstr("export it from there"));
 }
 
 TEST_F(ImportHostile, CoordinatesOutOfRange) {
