@@ -164,6 +164,25 @@ void sort_parts(const Mesh& mesh, SurfaceTable surfaces, MeshParts& parts) {
 
 }  // namespace
 
+std::uint32_t object_name(std::string_view name) {
+    return static_cast<std::uint32_t>(hash_blocks(name.data(), name.size()) % 0xFFFFFF) + 1;
+}
+
+std::vector<MeshObject> objects_of(const Mesh& mesh) {
+    std::vector<MeshObject> objects;
+    for (const std::string& name : mesh.groups)
+        objects.push_back({object_name(name), no_id, 0});
+    for (FaceId face = 0; face < mesh.face_count(); ++face) {
+        MeshObject& object = objects[mesh.face_group[face]];
+        for (std::uint32_t c = mesh.face_first_corner[face]; c < mesh.face_first_corner[face + 1]; ++c) {
+            const std::uint32_t number = vertex_number(mesh, mesh.corner_vertex[c]);
+            object.first_vertex = std::min(object.first_vertex, number);
+            object.last_vertex = std::max(object.last_vertex, number);
+        }
+    }
+    return objects;
+}
+
 MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces) {
     MeshParts result;
     result.first_there = welded(mesh);
@@ -187,13 +206,14 @@ MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces) {
     result.of.resize(mesh.face_count());
     std::vector<std::uint32_t> number(mesh.face_count(), no_id);
     std::vector<std::uint32_t> rest(mesh.groups.size(), no_id);
+    const std::vector<MeshObject> objects = objects_of(mesh);
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         const std::uint32_t root = pieces.root(face);
         const bool small = size[root] < small_part;
         std::uint32_t& part = small ? rest[mesh.face_group[face]] : number[root];
         if (part == no_id) {
             part = static_cast<std::uint32_t>(result.parts.size());
-            result.parts.emplace_back();
+            result.parts.emplace_back().object = objects[mesh.face_group[face]];
             result.scattered.push_back(small);
         }
         result.of[face] = part;

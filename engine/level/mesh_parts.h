@@ -20,6 +20,8 @@ inline std::uint32_t vertex_number(const Mesh& mesh, std::uint32_t vertex) {
     return mesh.vertex_number.empty() ? vertex : mesh.vertex_number[vertex];
 }
 
+std::vector<MeshObject> objects_of(const Mesh& mesh);  // [group]
+
 MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces);
 
 }  // namespace slipface

@@ -68,9 +68,17 @@ class MotionFinder {
     std::optional<PartMotion> refitted(std::size_t part, const PartMotion& rough) const;
     static bool same(const Aabb& box, const PartMotion& a, const PartMotion& b);  // for what lies in the box
 
+    // part_exchange.cpp: equal parts that seem to have changed places
+    enum class Exchange { none, unclear, by_tool };
+    using Motions = std::vector<std::optional<PartMotion>>;  // [part]
+    void undo_exchanges(Motions& says);
+    PartMotion most_made(const Motions& says) const;
+    Exchange exchange_of(std::size_t part, const PartMotion& says, const PartMotion& most);
+    std::uint32_t name_at(std::size_t part, const PartMotion& motion);
+
     // part_vertices.cpp: what the order of the vertices says
     void trust_vertices();
-    std::optional<PartMotion> motion_of_vertices(std::size_t part);
+    std::optional<PartMotion> motion_of_vertices(std::size_t part, bool by_object);
     void try_points(std::size_t part);
     void try_corners(std::size_t part, const std::array<Vec3, 3>& from, std::span<const Vec3> to);
 

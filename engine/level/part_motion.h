@@ -24,14 +24,25 @@ struct AnchorFace {
     friend bool operator==(const AnchorFace&, const AnchorFace&) = default;
 };
 
+// A group of the geometry's file, as the objects of modelling tools become.
+struct MeshObject {
+    std::uint32_t name = 0;          // object_name() of its name; 0: not known
+    std::uint32_t first_vertex = 0;  // the lowest number of its vertices in the geometry's file
+    std::uint32_t last_vertex = 0;   // the highest; not stored in level files
+};
+
 // A connected piece of a group, or all small pieces of a group together.
 struct PaintPart {
     std::uint32_t faces = 0;  // painted or not
+    MeshObject object;
     Aabb box;
     std::vector<AnchorFace> anchors;  // none if no face is painted
 };
 
 inline constexpr std::size_t max_paint_parts = 4096;  // of a level
+
+// 1 to 2^24 - 1, of a hash of the name.
+std::uint32_t object_name(std::string_view name);
 
 struct PaintParts {
     Aabb bounds;  // of the whole mesh

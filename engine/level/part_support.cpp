@@ -22,6 +22,8 @@ PartSupport::PartSupport(const Mesh& mesh, const FaceIndex& index, SurfaceTable 
         if (number >= vertex_of_.size()) vertex_of_.resize(number + std::size_t{1}, no_id);
         vertex_of_[number] = vertex;
     }
+    for (const MeshObject& object : objects_of(mesh))
+        objects_.emplace(object.name, object);
     samples_.resize(parts.parts.size());
     for (std::size_t part = 0; part < samples_.size(); ++part) {
         struct Point {
@@ -60,6 +62,14 @@ PartSupport::PartSupport(const Mesh& mesh, const FaceIndex& index, SurfaceTable 
             sample.keys[i] = sample.keys[i * step];
         sample.keys.resize(sample.keys.size() / step);
     }
+}
+
+std::uint32_t PartSupport::numbered_in_object(std::size_t part, std::uint32_t number) const {
+    const MeshObject& old = stored_.parts[part].object;
+    const auto found = objects_.find(old.name);
+    if (found == objects_.end() || number < old.first_vertex) return no_id;
+    const std::uint64_t now = std::uint64_t{found->second.first_vertex} + (number - old.first_vertex);
+    return now <= found->second.last_vertex ? numbered(static_cast<std::uint32_t>(now)) : no_id;
 }
 
 double PartSupport::tolerance(const PartMotion& motion, const Vec3& from, const Vec3& to) const {

@@ -1,6 +1,7 @@
 // How well motions of parts explain a mesh.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -42,6 +43,10 @@ class PartSupport {
     std::uint32_t numbered(std::uint32_t number) const {
         return number < vertex_of_.size() ? vertex_of_[number] : no_id;
     }
+
+    // The vertex with this number of the old file in the object of the part's name, wherever the new file has
+    // it.
+    std::uint32_t numbered_in_object(std::size_t part, std::uint32_t number) const;
 
     // Some of the part's painted faces.
     const std::vector<const FaceKey*>& keys(std::size_t part) const { return samples_[part].keys; }
@@ -119,8 +124,9 @@ class PartSupport {
     SurfaceTable surfaces_;
     const PaintParts& stored_;
     VertexGrid grid_;
-    std::vector<std::uint32_t> vertex_of_;  // [number in the file]
-    std::vector<Sample> samples_;           // [part]
+    std::vector<std::uint32_t> vertex_of_;         // [number in the file]
+    std::map<std::uint32_t, MeshObject> objects_;  // [name] of the new file
+    std::vector<Sample> samples_;                  // [part]
     std::optional<MeshParts> all_;
     std::vector<std::uint32_t> vertex_part_;  // [vertex] of the mesh
     std::vector<std::uint32_t> owner_;        // [part of the mesh] the stored part with its box, or no_id

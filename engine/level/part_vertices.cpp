@@ -19,14 +19,15 @@ constexpr std::size_t max_distances = 200'000'000;  // compared in all
 
 }  // namespace
 
-// The motion that puts each point onto the vertex of its number. Identity if most of them are where they
-// were.
-std::optional<PartMotion> MotionFinder::motion_of_vertices(std::size_t i) {
+// The motion that puts each point onto the vertex of its number, in the file or in its object. Identity if
+// most of them are where they were.
+std::optional<PartMotion> MotionFinder::motion_of_vertices(std::size_t i, bool by_object) {
     const std::vector<Vec3>& points = support_.points(i);
     const std::vector<std::uint32_t>& numbers = support_.numbers(i);
     std::vector<Vec3> old_points, new_points;
     for (std::size_t k = 0; k < numbers.size(); ++k) {
-        const std::uint32_t vertex = support_.numbered(numbers[k]);
+        const std::uint32_t vertex =
+            by_object ? support_.numbered_in_object(i, numbers[k]) : support_.numbered(numbers[k]);
         if (vertex == no_id) continue;  // rounding put two vertices at one position
         old_points.push_back(points[k]);
         new_points.push_back(mesh_.positions[vertex].cast<double>());
@@ -56,17 +57,19 @@ std::optional<PartMotion> MotionFinder::motion_of_vertices(std::size_t i) {
 // If the numbers of nearly all vertices explain the mesh, they decide, even where a symmetric level looks as
 // if nothing had happened, or where parts that are alike changed places.
 void MotionFinder::trust_vertices() {
-    std::vector<std::optional<PartMotion>> motions(parts_.size());
+    Motions motions(parts_.size());
     std::size_t all = 0, kept = 0, parts = 0;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         const std::size_t more = std::max(support_.points(i).size(), needed) - needed;
-        motions[i] = motion_of_vertices(i);
+        motions[i] = motion_of_vertices(i, true);  // tools write objects in another order than they read them
+        if (!motions[i]) motions[i] = motion_of_vertices(i, false);
         all += more;
         if (!motions[i] || more == 0) continue;
         kept += more;
         ++parts;
     }
     if (kept < little || static_cast<double>(kept) < nearly_all * static_cast<double>(all)) return;
+    undo_exchanges(motions);
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         Part& part = parts_[i];
         if (!motions[i]) continue;
@@ -76,7 +79,8 @@ void MotionFinder::trust_vertices() {
         if (unclear && parts < few_parts && !turns_in_place(i, *motions[i])) continue;
         part.certain = true;
         part.best = *motions[i];
-        part.best.guessed = unclear && parts < few_parts && types_.differ(i, PartMotion{}, part.best);
+        part.best.guessed = motions[i]->guessed ||
+                            (unclear && parts < few_parts && types_.differ(i, PartMotion{}, part.best));
         part.best_support = support_.support(i, part.best, 0.0);
         if (stays) continue;
         support_.set_gone(i);

@@ -339,6 +339,20 @@ class LevelReader {
                 !unpack_numbers(row.json().text, list.json().items[i].text, parts.parts[i]))
                 row.fail("the numbers of the vertices of a part's rim, as base64");
         });
+        if (const JsonNode objects = node["objects"]) {
+            const auto bytes = objects.json().kind == Json::Kind::string
+                                   ? from_base64(objects.json().text, Base64::plain)
+                                   : std::nullopt;
+            if (!bytes || bytes->size() != 7 * parts.parts.size()) {
+                objects.fail("the object of each part, as base64");
+                return;
+            }
+            const char* at = bytes->data();
+            for (PaintPart& part : parts.parts) {
+                part.object.name = static_cast<std::uint32_t>(take_bytes(at, 3));
+                part.object.first_vertex = static_cast<std::uint32_t>(take_bytes(at, 4));
+            }
+        }
         node["outlines"].each(max_json_values, [&](const JsonNode& row) {
             const auto bytes = row.json().kind == Json::Kind::string
                                    ? from_base64(row.json().text, Base64::plain)

@@ -20,6 +20,7 @@ struct Face {
     std::vector<Vec3f> corners;
     std::string material = "stone";
     int painted = -1;  // the surface that a test gives it; -1: unset
+    std::string object = {};
 };
 
 using Faces = std::vector<Face>;
@@ -39,6 +40,9 @@ inline MeshPtr mesh_of(const Faces& faces) {
             soup.materials.push_back(added);
         }
         soup.face_material.push_back(static_cast<std::uint32_t>(material));
+        const auto object = std::find(soup.groups.begin(), soup.groups.end(), face.object);
+        soup.face_group.push_back(static_cast<std::uint32_t>(object - soup.groups.begin()));
+        if (object == soup.groups.end()) soup.groups.push_back(face.object);
     }
     Result<MeshPtr> mesh = build_mesh(std::move(soup));
     if (!mesh) {

@@ -93,6 +93,62 @@ TEST(Parts, BoxesThatExchangePlacesKeepTheirTypes) {
     }
 }
 
+// Copies of one object, and a floor: in another order in the file, moved or not. `joined`: of one object
+// then.
+struct Copies {
+    Faces before, after;
+};
+
+Copies copies_in_another_order(Random& random, bool joined) {
+    Row row = row_of_boxes(random, 0.0f);
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i <= row.low.size(); ++i)
+        order.push_back(i);
+    const auto object_of = [&](std::size_t face) {
+        return face < row.first[0] ? 0 : (face - row.first[0]) / 6 + 1;
+    };
+    for (std::size_t face = 0; face < row.faces.size(); ++face)
+        row.faces[face].object = "object" + std::to_string(object_of(face));
+    std::shuffle(order.begin(), order.end(), random);
+    const bool all_move = random() % 4 == 0, some_move = !joined && random() % 2 == 0;
+    const Vec3f way(between(random, -9, 9), between(random, -1, 1), between(random, -9, 9));
+    Copies copies{row.faces, {}};
+    for (const std::size_t object : order) {
+        const bool moves = all_move || (some_move && object > 0 && random() % 3 == 0);
+        const Vec3f own = all_move ? way : Vec3f(0, 7, between(random, 10, 19));
+        for (std::size_t face = 0; face < row.faces.size(); ++face) {
+            if (object_of(face) != object) continue;
+            Face after = row.faces[face];
+            if (joined) after.object = "all";
+            for (Vec3f& corner : after.corners)
+                corner += moves ? own : Vec3f(Vec3f::Zero());
+            copies.after.push_back(after);
+        }
+    }
+    copies.after = rounded(copies.after);
+    return copies;
+}
+
+// Their vertices have other numbers then, even those of the copy that is at the same place in the file.
+TEST(Parts, CopiesInAnotherOrderKeepTheirTypes) {
+    for (unsigned seed = 0; seed < 300; ++seed) {
+        Random random(seed);
+        const Copies copies = copies_in_another_order(random, false);
+        const LoadedLevel loaded = rematch(copies.before, copies.after);
+        EXPECT_TRUE(wrong_faces(copies.after, loaded).empty()) << seed << ": " << loaded.match.text();
+        EXPECT_TRUE(loaded.level.guessed.empty()) << seed << ": " << loaded.match.text();
+    }
+}
+
+TEST(Parts, CopiesThatAreJoinedInAnotherOrderKeepTheirTypes) {
+    for (unsigned seed = 0; seed < 300; ++seed) {
+        Random random(seed);
+        const Copies copies = copies_in_another_order(random, true);
+        const LoadedLevel loaded = rematch(copies.before, copies.after);
+        EXPECT_TRUE(wrong_faces(copies.after, loaded).empty()) << seed << ": " << loaded.match.text();
+    }
+}
+
 // Where the order is lost, too, the boxes' sizes tell nearly equal ones apart, or they are questions.
 TEST(Parts, NearlyEqualBoxesInAnotherOrderGetNoWrongTypeUnsaid) {
     std::size_t found = 0, painted = 0;

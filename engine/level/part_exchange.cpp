@@ -1,0 +1,86 @@
+// Equal parts that seem to have changed places, because a tool wrote the objects in another order than it
+// read them: each has the vertices' numbers of the other. The objects' names say whether somebody really
+// moved them.
+#include <algorithm>
+#include <map>
+
+#include "motion_finder.h"
+
+namespace slipface {
+namespace {
+
+constexpr double entirely = 2.0 - 1e-9;  // MotionSupport::sum()
+
+}  // namespace
+
+// `says`: what the numbers of the vertices say. What a tool exchanged gets the motion that most parts made.
+void MotionFinder::undo_exchanges(Motions& says) {
+    const PartMotion most = most_made(says);
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        if (!says[i]) continue;
+        const Exchange exchange = exchange_of(i, *says[i], most);
+        if (exchange == Exchange::none) continue;
+        const bool unclear = exchange == Exchange::unclear && types_.differ(i, most, *says[i]);
+        says[i] = most;
+        says[i]->guessed = unclear;
+    }
+}
+
+PartMotion MotionFinder::most_made(const Motions& says) const {
+    constexpr std::size_t max_different = 64;
+    struct Made {
+        PartMotion motion;
+        std::size_t faces;
+    };
+    std::vector<Made> made{{PartMotion{}, 0}};
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        if (!says[i]) continue;
+        const auto known = std::find_if(made.begin(), made.end(), [&](const Made& one) {
+            return same(stored_.bounds, one.motion, *says[i]);
+        });
+        if (known != made.end())
+            known->faces += stored_.parts[i].faces;
+        else if (made.size() < max_different)
+            made.push_back({*says[i], stored_.parts[i].faces});
+    }
+    return std::max_element(made.begin(), made.end(),
+                            [](const Made& a, const Made& b) { return a.faces < b.faces; })
+        ->motion;
+}
+
+// by_tool: the part did what most did, and its name came with it. unclear: so it seems, but the names of the
+// objects are gone.
+MotionFinder::Exchange MotionFinder::exchange_of(std::size_t i, const PartMotion& says,
+                                                 const PartMotion& most) {
+    const PaintPart& part = stored_.parts[i];
+    const std::uint32_t name = part.object.name;
+    if (name == 0 || same(part.box, says, most) || support_.support(i, most, 0.9).sum() < entirely)
+        return Exchange::none;
+    if (name_at(i, says) == name) return Exchange::none;
+    if (name_at(i, most) == name) return Exchange::by_tool;
+    // Parts of one object keep their order when it gets another name, but not when objects are joined.
+    const PartMotion back{.linear = most.linear.inverse(), .offset = -(most.linear.inverse() * most.offset)};
+    const bool of_other_object =
+        std::any_of(stored_.parts.begin(), stored_.parts.end(), [&](const PaintPart& other) {
+            return other.faces == part.faces && other.object.name != name &&
+                   std::all_of(support_.points(i).begin(), support_.points(i).end(), [&](const Vec3& point) {
+                       const Vec3 there = back(says(point));
+                       const double slack = position_tolerance(there) * 4.0;
+                       return (there.array() >= other.box.min.array() - slack).all() &&
+                              (there.array() <= other.box.max.array() + slack).all();
+                   });
+        });
+    return of_other_object ? Exchange::unclear : Exchange::none;
+}
+
+// The name of the object at most of the part's points after the motion; 0: none.
+std::uint32_t MotionFinder::name_at(std::size_t i, const PartMotion& motion) {
+    std::map<std::uint32_t, std::size_t> count;
+    for (const std::uint32_t part : support_.parts_at(i, motion))
+        ++count[support_.all().parts[part].object.name];
+    const auto most = std::max_element(count.begin(), count.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most == count.end() ? 0 : most->first;
+}
+
+}  // namespace slipface
