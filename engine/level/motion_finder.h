@@ -75,6 +75,7 @@ class MotionFinder {
     PartMotion most_made(const Motions& says) const;
     Exchange exchange_of(std::size_t part, const PartMotion& says, const PartMotion& most);
     std::uint32_t name_at(std::size_t part, const PartMotion& motion);
+    std::uint32_t part_at(std::size_t part, const PartMotion& motion);
 
     // part_vertices.cpp: what the order of the vertices says
     void trust_vertices();

@@ -7,15 +7,12 @@
 #include "motion_finder.h"
 
 namespace slipface {
-namespace {
 
-constexpr double entirely = 2.0 - 1e-9;  // MotionSupport::sum()
-
-}  // namespace
-
-// `says`: what the numbers of the vertices say. What a tool exchanged gets the motion that most parts made.
+// `says`: what the numbers of the vertices say. What a tool exchanged gets the motion that most parts made,
+// and a part that they put there is open again.
 void MotionFinder::undo_exchanges(Motions& says) {
     const PartMotion most = most_made(says);
+    std::vector<bool> changed(parts_.size(), false), taken(support_.all().parts.size(), false);
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         if (!says[i]) continue;
         const Exchange exchange = exchange_of(i, *says[i], most);
@@ -23,6 +20,13 @@ void MotionFinder::undo_exchanges(Motions& says) {
         const bool unclear = exchange == Exchange::unclear && types_.differ(i, most, *says[i]);
         says[i] = most;
         says[i]->guessed = unclear;
+        changed[i] = true;
+        if (const std::uint32_t place = part_at(i, most); place != no_id) taken[place] = true;
+    }
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        if (!says[i] || changed[i]) continue;
+        const std::uint32_t place = part_at(i, *says[i]);
+        if (place != no_id && taken[place]) says[i].reset();
     }
 }
 
@@ -48,13 +52,14 @@ PartMotion MotionFinder::most_made(const Motions& says) const {
         ->motion;
 }
 
-// by_tool: the part did what most did, and its name came with it. unclear: so it seems, but the names of the
-// objects are gone.
+// by_tool: what most did explains the part as well, and its name came with it. unclear: so it seems, but the
+// names of the objects are gone.
 MotionFinder::Exchange MotionFinder::exchange_of(std::size_t i, const PartMotion& says,
                                                  const PartMotion& most) {
     const PaintPart& part = stored_.parts[i];
     const std::uint32_t name = part.object.name;
-    if (name == 0 || same(part.box, says, most) || support_.support(i, most, 0.9).sum() < entirely)
+    if (name == 0 || same(part.box, says, most) ||
+        support_.support(i, most, 0.0).sum() < support_.support(i, says, 0.0).sum() - 1e-9)
         return Exchange::none;
     if (name_at(i, says) == name) return Exchange::none;
     if (name_at(i, most) == name) return Exchange::by_tool;
@@ -73,14 +78,19 @@ MotionFinder::Exchange MotionFinder::exchange_of(std::size_t i, const PartMotion
     return of_other_object ? Exchange::unclear : Exchange::none;
 }
 
-// The name of the object at most of the part's points after the motion; 0: none.
 std::uint32_t MotionFinder::name_at(std::size_t i, const PartMotion& motion) {
+    const std::uint32_t part = part_at(i, motion);
+    return part == no_id ? 0 : support_.all().parts[part].object.name;
+}
+
+// The part of the mesh at most of the part's points after the motion; no_id: none.
+std::uint32_t MotionFinder::part_at(std::size_t i, const PartMotion& motion) {
     std::map<std::uint32_t, std::size_t> count;
     for (const std::uint32_t part : support_.parts_at(i, motion))
-        ++count[support_.all().parts[part].object.name];
+        ++count[part];
     const auto most = std::max_element(count.begin(), count.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
-    return most == count.end() ? 0 : most->first;
+    return most == count.end() ? no_id : most->first;
 }
 
 }  // namespace slipface

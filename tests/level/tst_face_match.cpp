@@ -624,6 +624,15 @@ TEST(FaceMatch, PartsOfOtherPaintAreIgnoredAndBrokenOnesAreErrors) {
     const auto refused = level_from_json(broken, "test.slipface.json", mesh_of(faces));
     ASSERT_FALSE(refused.ok());
     EXPECT_NE(refused.error().text().find("/parts/numbers/0"), std::string::npos) << refused.error().text();
+    const std::size_t objects = json.find("\"objects\": \"") + 12;
+    for (const char* text : {"AAAA", "?"}) {
+        std::string longer = json;
+        longer.insert(objects, text);
+        const auto no_objects = level_from_json(longer, "test.slipface.json", mesh_of(faces));
+        ASSERT_FALSE(no_objects.ok()) << text;
+        EXPECT_NE(no_objects.error().text().find("/parts/objects"), std::string::npos)
+            << no_objects.error().text();
+    }
 }
 
 TEST(FaceMatch, OrphansSurviveTwoRoundsAndComeBackWithTheirFace) {
