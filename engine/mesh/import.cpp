@@ -87,7 +87,8 @@ Status check_transform(const std::filesystem::path& path, const ImportTransform&
 Result<ImportedMesh> read_mesh(const std::filesystem::path& path, const ImportOptions& options) {
     if (mesh_format_of(path) == nullptr) {
         if (extension_of(path) == "blend")
-            return Error{path.string(), "only Blender reads its own files; export it from there as glTF or OBJ"};
+            return Error{path.string(),
+                         "only Blender reads its own files; export it from there as glTF or OBJ"};
         return Error{path.string(), fmt::format("is no level; found the ending {}, expected a file named {}",
                                                 in_quotes(extension_of(path)), mesh_formats_text())};
     }

@@ -1,4 +1,4 @@
-// Checks whether a level stands upright, as far as its shape tells.
+// Checks whether a level stands upright, judged by its shape.
 #pragma once
 
 #include <optional>
