@@ -72,7 +72,7 @@ class MotionFinder {
     enum class Exchange { none, unclear, by_tool };
     using Motions = std::vector<std::optional<PartMotion>>;  // [part]
     void undo_exchanges(Motions& says);
-    PartMotion most_made(const Motions& says) const;
+    PartMotion usual_motion(const Motions& says) const;
     Exchange exchange_of(std::size_t part, const PartMotion& says, const PartMotion& most);
     std::uint32_t name_at(std::size_t part, const PartMotion& motion);
     std::uint32_t part_at(std::size_t part, const PartMotion& motion);

@@ -11,7 +11,7 @@ namespace slipface {
 // `says`: what the numbers of the vertices say. What a tool exchanged gets the motion that most parts made,
 // and a part that they put there is open again.
 void MotionFinder::undo_exchanges(Motions& says) {
-    const PartMotion most = most_made(says);
+    const PartMotion most = usual_motion(says);
     std::vector<bool> changed(parts_.size(), false), taken(support_.all().parts.size(), false);
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         if (!says[i]) continue;
@@ -30,7 +30,7 @@ void MotionFinder::undo_exchanges(Motions& says) {
     }
 }
 
-PartMotion MotionFinder::most_made(const Motions& says) const {
+PartMotion MotionFinder::usual_motion(const Motions& says) const {
     constexpr std::size_t max_different = 64;
     struct Made {
         PartMotion motion;
