@@ -121,18 +121,26 @@ class Builder {
     }
 
   private:
-    // A leaf is tested eight triangles at a time, so splitting it further saves nothing.
-    static bool is_leaf(const Range& range) {
-        return range.count <= leaf_capacity && !range.mixed && range.cells.empty();
+    static bool fits_leaf(const Range& range) { return range.count <= leaf_capacity && !range.mixed; }
+    // True if two leaves may be worth more than one: neither is likely to be smaller than the largest
+    // triangle.
+    static bool worth_dividing(const Range& range) {
+        if (range.count < 3 || range.depth >= cost_split_depth) return false;
+        const float half = 0.5F * (reached(range.box) - leaf_worth);
+        for (const Item& item : items_of(range)) {
+            if (!(reached(box_of(item)) < half)) return false;
+        }
+        return true;
     }
 
     // The binary tree over a range, and how it is best cut into nodes.
     BinaryNode* divide_up(Range range, BinaryNodes& nodes, Plan& plan) {
         if (!range.cells.empty() && range.cells.size() < cells_worth_it) collect_items(range);
-        BinaryNode& node = nodes.add(range.box, range.first, range.count);
-        if (is_leaf(range)) {
+        BinaryNode& node = nodes.add(range.box, range.first, range.count, fits_leaf(range));
+        if (node.fits_leaf && !worth_dividing(range)) {
             for (std::uint32_t i = 0; i < range.count; ++i)
                 order_[range.first + i] = range.items[i].triangle;
+            plan = plan_of_leaf(range.box);
             return &node;
         }
         // Clutter in a wide landscape fills few cells of it and gets cells of its own, while items beside it
@@ -157,7 +165,7 @@ class Builder {
         std::array<Range, 2> half;
         half[0] = divide(range, half[1]);
         half[0].lists = half[1].lists = range.lists;
-        std::array<Plan, 2> plans{};  // nothing for leaves
+        std::array<Plan, 2> plans{};
         if (range.count < parallel_grain) {
             for (std::size_t i = 0; i < 2; ++i)
                 node.half[i] = divide_up(std::move(half[i]), nodes, plans[i]);
@@ -190,7 +198,7 @@ class Builder {
             std::copy_n(corner, 3, child.min);
             parts.box[i].max.store(corner);
             std::copy_n(corner, 3, child.max);
-            if (!part.is_leaf()) child.node = collapse(part);
+            if (!part.fits_leaf) child.node = collapse(part);
         };
         if (top.count < parallel_grain) {
             for (std::uint32_t i = 0; i < node->count; ++i)
@@ -210,9 +218,9 @@ class Builder {
             Box both = parts.box[i];
             both.add(parts.box[i + 1]);
             const BinaryNode &part = *parts.part[i], &next = *parts.part[i + 1];
-            if (!part.is_leaf() || !next.is_leaf() || parts.size[i] + parts.size[i + 1] > leaf_capacity ||
+            if (!part.fits_leaf || !next.fits_leaf || parts.size[i] + parts.size[i + 1] > leaf_capacity ||
                 body_of(part) != body_of(next) ||
-                both.area() > parts.box[i].area() + parts.box[i + 1].area()) {
+                leaf_cost(both) > leaf_cost(parts.box[i]) + leaf_cost(parts.box[i + 1])) {
                 ++i;
                 continue;
             }
@@ -317,7 +325,7 @@ class Builder {
     void pack_leaves(const Parts& parts, Node& node) {
         alignas(Leaf) std::array<std::byte, leaf_capacity * largest_leaf> bytes;
         for (std::uint32_t i = 0; i < parts.count; ++i) {
-            if (!parts.part[i]->is_leaf()) continue;
+            if (!parts.part[i]->fits_leaf) continue;
             const std::span triangles(&order_[parts.part[i]->first], parts.size[i]);
             std::ranges::sort(triangles);
             pack(triangles, &bytes[node.leaf_bytes], node.children[i]);

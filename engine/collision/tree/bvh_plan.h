@@ -1,7 +1,7 @@
-// A binary tree over the triangles, and how its inner nodes are given to nodes of eight children. A query
-// tests the eight boxes of a node at once, so a node costs the same however many children it has; the plan is
-// the one in which queries visit the fewest nodes (H. Ylitie, T. Karras, S. Laine, "Efficient incoherent ray
-// traversal on GPUs through compressed wide BVHs", 2017).
+// A binary tree over the triangles, and how it becomes nodes of eight children and leaves of up to eight
+// triangles. A query tests the eight boxes of a node, or the eight triangles of a leaf, at once, so both cost
+// the same however full they are; the plan is the one in which queries visit the fewest (H. Ylitie, T.
+// Karras, S. Laine, "Efficient incoherent ray traversal on GPUs through compressed wide BVHs", 2017).
 #pragma once
 
 #include <algorithm>
@@ -17,15 +17,17 @@
 namespace slipface::detail {
 
 struct BinaryNode {
-    std::array<BinaryNode*, 2> half;  // null for a leaf
+    std::array<BinaryNode*, 2> half;  // null: not divided
     float min[3];
     float max[3];
     std::uint32_t first;  // of its items
     std::uint32_t count;
-    // [slots - 2] how many of two to eight slots the first half gets; 0: one slot, as a node of its own.
+    // [slots - 2] how many of two to eight slots the first half gets; 0: one slot, as a node or leaf of its
+    // own.
     std::array<std::uint8_t, 7> left;
+    bool fits_leaf;
 
-    bool is_leaf() const { return half[0] == nullptr; }
+    bool divided() const { return half[0] != nullptr; }
     Box box() const { return {Four::of(min[0], min[1], min[2]), Four::of(max[0], max[1], max[2])}; }
 };
 
@@ -50,8 +52,8 @@ class BinaryNodes {
   public:
     explicit BinaryNodes(BinaryBlocks& blocks) : blocks_(blocks) {}
 
-    // Adds a leaf.
-    BinaryNode& add(const Box& box, std::uint32_t first, std::uint32_t count) {
+    // Adds a node that is not divided.
+    BinaryNode& add(const Box& box, std::uint32_t first, std::uint32_t count, bool fits_leaf) {
         if (next_ == end_) {
             next_ = blocks_.add();
             end_ = next_ + BinaryBlocks::size;
@@ -65,6 +67,7 @@ class BinaryNodes {
         std::copy_n(corner, 3, node.max);
         node.first = first;
         node.count = count;
+        node.fits_leaf = fits_leaf;
         return node;
     }
 
@@ -74,40 +77,49 @@ class BinaryNodes {
     BinaryNode* end_ = nullptr;
 };
 
-// [slots] the area of all nodes below a binary node that gets one to eight slots of the node above it.
+// How often queries reach a box, in cubic metres: where the centre of a body of about a metre can be for it
+// to touch the box before it has moved by two metres. That is the volume of the box with the body around it,
+// and the move times its area as seen from there, a quarter of its surface on average. Rays alone would count
+// surfaces, but most bodies are in the middle of a room when they move.
+inline float reached(const Box& box) {
+    const Four body = Four::all(1.0F);
+    alignas(16) float d[4];
+    (box.max - box.min + body).store(d);
+    return d[0] * d[1] * d[2] + (d[0] * d[1] + d[1] * d[2] + d[2] * d[0]);
+}
+// A leaf also takes memory, which must be worth it.
+inline constexpr float leaf_worth = 16.0F;
+inline float leaf_cost(const Box& box) {
+    return reached(box) + leaf_worth;
+}
+
+// [slots] what queries visit of a binary node that gets one to eight slots of the node above it.
 using Plan = std::array<float, 9>;
 
-// A query that moves a body of about a metre reaches a small box almost as often as one that is smaller
-// still, so boxes count with such a body around them.
-inline float visited_area(const Box& box) {
-    const Four half = Four::of(0.5F, 0.5F, 0.5F);
-    return Box{box.min - half, box.max + half}.area();
+inline Plan plan_of_leaf(const Box& box) {
+    Plan plan;
+    plan.fill(leaf_cost(box));
+    return plan;
 }
 
 // The plan of a node by those of its halves.
 inline Plan planned(BinaryNode& node, const Plan& first, const Plan& second) {
     Plan plan{};
-    plan[1] = visited_area(node.box());
-    node.left.fill(1);
-    if (node.half[0]->is_leaf() && node.half[1]->is_leaf()) return plan;
-    for (std::size_t slots = 8; slots >= 2; --slots) {
-        // A leaf needs one slot.
-        const std::size_t least = node.half[1]->is_leaf() ? slots - 1 : 1;
-        const std::size_t most = node.half[0]->is_leaf() ? 1 : slots - 1;
-        std::size_t best = least;
-        for (std::size_t left = least + 1; left <= most; ++left) {
+    for (std::size_t slots = 2; slots <= 8; ++slots) {
+        std::size_t best = 1;
+        for (std::size_t left = 2; left < slots; ++left) {
             if (first[left] + second[slots - left] < first[best] + second[slots - best]) best = left;
         }
         plan[slots] = first[best] + second[slots - best];
         node.left[slots - 2] = static_cast<std::uint8_t>(best);
     }
-    plan[1] += plan[8];
+    plan[1] = node.fits_leaf ? leaf_cost(node.box()) : reached(node.box()) + plan[8];
     for (std::size_t slots = 2; slots <= 8; ++slots) {
-        if (plan[slots] < plan[1] || slots == 8) continue;
+        // A node has the eight slots below it.
+        if (plan[slots] < plan[1] || (slots == 8 && !node.fits_leaf)) continue;
         plan[slots] = plan[1];
         node.left[slots - 2] = 0;
     }
-    plan[8] = plan[8] < plan[1] ? plan[8] : plan[1];
     return plan;
 }
 
@@ -133,7 +145,7 @@ struct Parts {
 
 // Divides a node among slots by its plan.
 inline void take_parts(const BinaryNode& node, std::size_t slots, Parts& parts) {
-    if (node.is_leaf() || slots == 1 || node.left[slots - 2] == 0) {
+    if (!node.divided() || slots == 1 || node.left[slots - 2] == 0) {
         parts.part[parts.count] = &node;
         parts.box[parts.count] = node.box();
         parts.size[parts.count++] = node.count;
