@@ -649,15 +649,17 @@ TYPES = ["ice", "sticky", "bouncy", "ladder", "hazard"]
 
 
 def paint(faces, seed):
-    """[face] a type or None: patches, and single faces among them."""
+    """[face] a type or None: patches, and single faces among them. Faces at one place have one type: the rows that
+    this script writes are without their corners and do not tell them apart."""
     r = random.Random(seed + 77)
-    patch = {}
+    patch, there = {}, {}
     types = []
-    for mid, _, material, _ in faces:
+    for mid, vector, material, _ in faces:
         key = (material, round(mid[0] / 4), round(mid[1] / 4), round(mid[2] / 4))
         if key not in patch:
             patch[key] = r.choice(TYPES + [None, None])
-        types.append(r.choice(TYPES + [None]) if r.random() < 0.25 else patch[key])
+        kind = r.choice(TYPES + [None]) if r.random() < 0.25 else patch[key]
+        types.append(there.setdefault((material, tuple(round(x, 5) for x in mid + vector)), kind))
     return types
 
 
