@@ -55,13 +55,20 @@ def inside_blender(job_path):
         return sorted((o for o in bpy.context.scene.objects if o.type == "MESH"), key=lambda o: o.name)
 
     def tag(objects):
-        """Gives each face its number in the OBJ."""
+        """Gives each face its number in the OBJ: by its corners in their order, which Blender keeps. Of faces that
+        are the same the first is the first."""
+        def different(corners):
+            """Without those that are there twice, the least one first."""
+            corners = [struct.pack("3f", *(x + 0.0 for x in c)) for i, c in enumerate(corners) if c not in corners[:i]]
+            first = corners.index(min(corners))
+            return tuple(corners[first:] + corners[:first])
+
         numbers = {}
-        for number, at in enumerate(job["centroids"]):
-            numbers.setdefault(tuple(round(x, 3) for x in at), []).append(number)
+        for number, corners in enumerate(job["outlines"]):
+            numbers.setdefault((different(corners), job["materials"][number]), []).append(number)
+        numbers = {key: found[::-1] for key, found in numbers.items()}
         used, places, loops, owners, ids = set(), [], [], [], {}
-        # Faces that Blender repaired when it read them: it takes out a corner that a face has twice, and cuts others
-        # into several, which have no number (-1).
+        # Faces that Blender repaired when it read them: it cuts some into several, which have no number (-1).
         rest = []
 
         def world(o, polygon):
@@ -75,25 +82,14 @@ def inside_blender(job_path):
 
         for o in objects:
             ids[o] = [-1] * len(o.data.polygons)
-            for polygon in o.data.polygons:
-                key, normal = world(o, polygon)
-                near = []
-                for dx in (0, -1, 1):
-                    for dy in (0, -1, 1):
-                        for dz in (0, -1, 1):
-                            k = tuple(round(round(v, 3) + d * 0.001, 3) for v, d in zip(key, (dx, dy, dz)))
-                            near.extend(numbers.get(k, []))
-                # Faces of a map can lie on each other: the material and the side tell them apart.
-                fits = [(material(o, polygon) not in (None, job["materials"][m]),
-                         -round(sum(a * b for a, b in zip(normal, job["vectors"][m])), 3), m)
-                        for m in near if job["corners"][m] == len(polygon.vertices) and m not in used and
-                        math.dist(job["centroids"][m], key) < 2e-3]
-                if not fits:
+            for polygon in o.data.polygons:  # Blender turns the axes of the object, not its vertices'
+                corners = [tuple(o.data.vertices[v].co) for v in polygon.vertices]
+                found = numbers.get((different(corners), material(o, polygon)))
+                if not found:
                     rest.append((o, polygon))
                     continue
-                found = min(fits)[2]
-                used.add(found)
-                ids[o][polygon.index] = found + 1
+                used.add(found[-1])
+                ids[o][polygon.index] = found.pop() + 1
         cut = []
         for o, polygon in rest:  # the nearest face of its material with the same vector of area
             key, normal = world(o, polygon)
@@ -195,12 +191,13 @@ def inside_blender(job_path):
         return {number: area / (whole or 1.0) for number, area in on.items()}
 
     def write(path, original, kind):
+        """Writes the level and its faces in the order of the file."""
         bpy.ops.wm.obj_export(filepath=path)
+        place = {line[2:-1]: k for k, line in enumerate(l for l in open(path) if l.startswith("o "))}
         rows = []
         graph = bpy.context.evaluated_depsgraph_get()
-        for o in bpy.context.scene.objects:
-            if o.type != "MESH":
-                continue
+        meshes = [o for o in bpy.context.scene.objects if o.type == "MESH"]
+        for o in sorted(meshes, key=lambda o: place.get(o.name.replace(" ", "_"), -1)):
             shown = o.evaluated_get(graph)
             mesh = shown.to_mesh()
             ids = [0] * len(mesh.polygons)
@@ -215,7 +212,7 @@ def inside_blender(job_path):
                     triangles[t.polygon_index].append(tuple(t.vertices))
                 before = list(o["before"])
                 back = Matrix([before[i:i + 4] for i in (0, 4, 8, 12)])
-            for polygon, number in zip(mesh.polygons, ids):
+            for polygon, number in sorted(zip(mesh.polygons, ids), key=lambda p: p[0].material_index):
                 corners = [o.matrix_world @ mesh.vertices[v].co for v in polygon.vertices]
                 c = sum(corners, Vector()) / len(corners)
                 n = Vector()
@@ -493,7 +490,7 @@ def inside_blender(job_path):
     ]
     progress = json.load(open(job_path + ".progress"))
     for i, (name, kind, change) in enumerate(edits):
-        if job["only"] not in name or i < progress["next"]:
+        if job["only"] not in name or kind not in job["kinds"] or i < progress["next"]:
             continue
         progress["next"] = i + 1
         json.dump(dict(progress, trying=name), open(job_path + ".progress", "w"))
@@ -614,9 +611,9 @@ def fetch_map(program, name, obj):
     subprocess.run([program, "export", source, "--obj", obj], check=True, stdout=subprocess.DEVNULL)
 
 
-def read_obj(path):
-    """The faces: centroid, area vector, material."""
-    vertices, faces, material = [], [], ""
+def polygons(path):
+    """The corners of each face and its material."""
+    vertices, material = [], ""
     for line in open(path):
         words = line.split()
         if not words:
@@ -626,16 +623,22 @@ def read_obj(path):
         elif words[0] == "usemtl":
             material = words[1]
         elif words[0] == "f":
-            c = [vertices[int(w.split("/")[0]) - 1] for w in words[1:]]
-            mid = tuple(sum(p[i] for p in c) / len(c) for i in range(3))
-            n = [0.0, 0.0, 0.0]
-            for i, p in enumerate(c):
-                a = [p[k] - mid[k] for k in range(3)]
-                b = [c[(i + 1) % len(c)][k] - mid[k] for k in range(3)]
-                n[0] += a[1] * b[2] - a[2] * b[1]
-                n[1] += a[2] * b[0] - a[0] * b[2]
-                n[2] += a[0] * b[1] - a[1] * b[0]
-            faces.append((mid, tuple(0.5 * x for x in n), material, len(c)))
+            yield [vertices[int(w.split("/")[0]) - 1] for w in words[1:]], material
+
+
+def read_obj(path):
+    """The faces: centroid, area vector, material, number of corners."""
+    faces = []
+    for c, material in polygons(path):
+        mid = tuple(sum(p[i] for p in c) / len(c) for i in range(3))
+        n = [0.0, 0.0, 0.0]
+        for i, p in enumerate(c):
+            a = [p[k] - mid[k] for k in range(3)]
+            b = [c[(i + 1) % len(c)][k] - mid[k] for k in range(3)]
+            n[0] += a[1] * b[2] - a[2] * b[1]
+            n[1] += a[2] * b[0] - a[0] * b[2]
+            n[2] += a[0] * b[1] - a[1] * b[0]
+        faces.append((mid, tuple(0.5 * x for x in n), material, len(c)))
     return faces
 
 
@@ -646,15 +649,17 @@ TYPES = ["ice", "sticky", "bouncy", "ladder", "hazard"]
 
 
 def paint(faces, seed):
-    """[face] a type or None: patches, and single faces among them."""
+    """[face] a type or None: patches, and single faces among them. Faces at one place have one type: the rows that
+    this script writes are without their corners and do not tell them apart."""
     r = random.Random(seed + 77)
-    patch = {}
+    patch, there = {}, {}
     types = []
-    for mid, _, material, _ in faces:
+    for mid, vector, material, _ in faces:
         key = (material, round(mid[0] / 4), round(mid[1] / 4), round(mid[2] / 4))
         if key not in patch:
             patch[key] = r.choice(TYPES + [None, None])
-        types.append(r.choice(TYPES + [None]) if r.random() < 0.25 else patch[key])
+        kind = r.choice(TYPES + [None]) if r.random() < 0.25 else patch[key]
+        types.append(there.setdefault((material, tuple(round(x, 5) for x in mid + vector)), kind))
     return types
 
 
@@ -705,15 +710,16 @@ def found_paint(level_file):
 
 
 class Places:
-    """The faces of `truth` by their place."""
+    """The faces of an edit by their place."""
 
-    def __init__(self, truth):
-        self.truth = truth
-        size = max(max(abs(x) for x in t[1:4]) for t in truth) if truth else 1.0
-        self.step = max(1e-3, 2e-5 * size)
+    def __init__(self, places):
+        """`places`: of each face its centroid and its normal."""
+        self.places = places
+        size = max((abs(x) for at, _ in places for x in at), default=1.0)
+        self.step = 2e-6 + 1e-6 * size  # what the rounding of Blender's file and of floats allows
         self.cells = {}
-        for k, t in enumerate(truth):
-            self.cells.setdefault(tuple(math.floor(x / self.step) for x in t[1:4]), []).append(k)
+        for k, (at, _) in enumerate(places):
+            self.cells.setdefault(tuple(math.floor(x / self.step) for x in at), []).append(k)
 
     def take(self, at, normal, taken, wanted=lambda face: False):
         """The face there that is not taken; of several at the very same place one that is wanted."""
@@ -722,8 +728,8 @@ class Places:
                 for k in self.cells.get((c[0] + dx, c[1] + dy, c[2] + dz), []) if k not in taken]
         if not near:
             return None
-        best = min(near, key=lambda k: round(math.dist(self.truth[k][1:4], at) / self.step -
-                   sum(a * b for a, b in zip(self.truth[k][4:7], normal)), 1) - 0.1 * wanted(k))
+        best = min(near, key=lambda k: round(math.dist(self.places[k][0], at) / self.step -
+                   sum(a * b for a, b in zip(self.places[k][1], normal)), 1) - 0.1 * wanted(k))
         taken.add(best)
         return best
 
@@ -754,24 +760,29 @@ def expected(types, *readings):
     return may if len(may) == 1 else may | {None}
 
 
-def unchanged(truth, edited, original):
+def unchanged(truth, edited, original, slack):
     """The faces of `truth` that are, in the edited file, what and where their number's face was."""
-    places, taken, same = Places(truth), set(), set()
-    for mid, vector, _, corners in edited:
-        size = math.hypot(*vector)
-        face = places.take(mid, [x / size for x in vector] if size > 0.0 else vector, taken)
-        if face is None or truth[face][0] <= 0:
+    same = set()
+    for k, (mid, vector, _, corners) in enumerate(edited):
+        if truth[k][0] <= 0:
             continue
-        old_mid, old_vector, _, old_corners = original[int(truth[face][0]) - 1]
-        if corners == old_corners and math.dist(mid, old_mid) < places.step and \
-                math.dist(vector, old_vector) < 1e-4 + 1e-3 * size:
-            same.add(face)
+        old_mid, old_vector, _, old_corners = original[int(truth[k][0]) - 1]
+        if corners == old_corners and math.dist(mid, old_mid) < slack and \
+                math.dist(vector, old_vector) < 1e-4 + 1e-3 * math.hypot(*vector):
+            same.add(k)
     return same
+
+
+def unit(vector):
+    length = math.hypot(*vector)
+    return [x / length for x in vector] if length > 0.0 else vector
 
 
 def score(types, truth, rows, guessed, original, edited):
     result = Score()
-    places = Places(truth)
+    places = Places([(mid, unit(vector)) for mid, vector, _, _ in edited])
+    if len(truth) != len(edited) or any(math.dist(t[1:4], e[0]) > places.step for t, e in zip(truth, edited)):
+        raise SystemExit("Blender wrote the faces in another order than its file says")
     twins = {}  # original faces at one place
     for number, (mid, vector, _, _) in enumerate(original):
         twins.setdefault(tuple(round(x, 3) for x in mid + vector), []).append(number)
@@ -783,14 +794,14 @@ def score(types, truth, rows, guessed, original, edited):
         else:
             got[face] = kind
     taken = set()
-    guesses = {places.take(at, normal, taken) for at, normal in guessed}
+    guesses = {places.take(at, normal, taken, lambda k: k in got) for at, normal in guessed}
     if truth and len(truth[0]) > 8:
         # Of several original faces at one place Blender's nearest point is on any: the type of each is right.
         other = list(types)
         for numbers in twins.values():
             for number, twin in zip(numbers, numbers[1:] + numbers[:1]):
                 other[number] = types[twin]
-        same = unchanged(truth, edited, original)
+        same = unchanged(truth, edited, original, places.step)
         for k, t in enumerate(truth):
             readings = [{int(t[0]): 1.0}] if k in same else t[7:]
             may, kind = expected(types, *readings) | expected(other, *readings), got.get(k)
@@ -842,6 +853,8 @@ def main():
     parser.add_argument("--shipped", nargs="*", default=[], help="names of levels in assets/levels")
     parser.add_argument("--map", nargs="*", default=[], help="geometry of strangers: a file, or ARCHIVE.pk3:NAME in it")
     parser.add_argument("--only", default="", help="edits whose name contains this")
+    kinds = [RIGID, OTHER, MERGED, RESHAPED]
+    parser.add_argument("--kinds", nargs="*", default=kinds, choices=kinds, help="edits of these kinds")
     parser.add_argument("--keep", help="folder for the files; its edits are used again")
     args = parser.parse_args()
     programs = args.program or [os.path.join(ROOT, "build/release/editor/slipface")]
@@ -876,9 +889,10 @@ def main():
         job = os.path.join(folder, "job.json")
         done = job + ".done"
         if not os.path.exists(done):
-            json.dump({"obj": obj, "folder": folder, "seed": seed, "only": args.only, "centroids": [f[0] for f in faces],
-                       "vectors": [f[1] for f in faces], "materials": [f[2] for f in faces],
-                       "corners": [f[3] for f in faces]}, open(job, "w"))
+            json.dump({"obj": obj, "folder": folder, "seed": seed, "only": args.only, "kinds": args.kinds,
+                       "centroids": [f[0] for f in faces], "vectors": [f[1] for f in faces],
+                       "materials": [f[2] for f in faces], "corners": [f[3] for f in faces],
+                       "outlines": [c for c, _ in polygons(obj)]}, open(job, "w"))
             json.dump({"next": 0, "done": []}, open(job + ".progress", "w"))
             while not os.path.exists(done):
                 run = subprocess.run(["blender", "--background", "--factory-startup", "--python-exit-code", "1",

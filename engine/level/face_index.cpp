@@ -86,14 +86,18 @@ bool FaceIndex::covers(FaceId face, const Vec3& point, const Vec3& direction) co
     return false;
 }
 
-bool FaceIndex::is_sliver(FaceId face, double tolerance) const {
+double FaceIndex::radius(FaceId face) const {
     const std::uint32_t first = mesh_.face_first_corner[face];
     double length = 0.0;
     for (std::uint32_t i = 0; i < mesh_.face_corner_count(face); ++i) {
         length =
             std::max(length, (mesh_.corner_position(first + i).cast<double>() - keys_[face].centroid).norm());
     }
-    return keys_[face].area <= 4.0 * tolerance * length;
+    return length;
+}
+
+bool FaceIndex::is_sliver(FaceId face, double tolerance) const {
+    return keys_[face].area <= 4.0 * tolerance * radius(face);
 }
 
 }  // namespace slipface

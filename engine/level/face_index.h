@@ -25,6 +25,9 @@ class FaceIndex {
     // True if the line through `point` along `direction` hits the face, on either side of `point`.
     bool covers(FaceId face, const Vec3& point, const Vec3& direction) const;
 
+    // Distance from the centroid to the farthest corner.
+    double radius(FaceId face) const;
+
     // True if the face is so narrow that rounding its corners can change its normal completely.
     bool is_sliver(FaceId face, double tolerance) const;
 

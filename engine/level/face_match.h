@@ -42,7 +42,9 @@ struct MatchedOverrides {
 // override is then searched for where its part went, and nothing is guessed for a lost part. Each stage
 // handles all overrides that are still without a face before the next stage starts:
 // 1. exact: the same loop hash at the same centroid; else the same centroid and normal and nearly the same
-//    area. The same material is preferred. FaceKey::copy distinguishes faces with the same corners.
+//    area, first as far as rounding moved the part's other corners, then farther. A corner that the face had
+//    twice may be gone. The same material is preferred, then the same corners. FaceKey::copy distinguishes
+//    faces with the same corners. A face is a guess if another one, of another type, fits as well.
 // 2. by plane: a new face has the type of the old faces of its material that cover more than half of it, seen
 //    along its normal; they lie in its plane, or nearly if it is tilted. If there is no such type, old faces
 //    of other materials count as well, where some of its material are among them. For old faces without an

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "mesh_collision.h"
 #include "slipface/level/material_name.h"
@@ -64,10 +65,32 @@ const PartMotion* FaceMatcher::motion_of(std::size_t i) const {
     return part > 0 && part <= motions_.size() ? &motions_[part - 1] : nullptr;
 }
 
+// How far the face's mean of corners can be from where its part's motion puts it: by what rounding did to the
+// part's other corners, and to the mean itself.
+double FaceMatcher::slack(std::size_t i) const {
+    constexpr double of_a_float = 1e-7, six_decimals = 2e-6;
+    const PartMotion* const motion = motion_of(i);
+    const double most = position_tolerance(key(i).centroid);
+    if (motion == nullptr) return most;
+    const double scale = motion->linear.colwise().norm().maxCoeff();
+    return std::min(most, 4.0 * motion->rest + six_decimals +
+                              of_a_float * (key(i).centroid.cwiseAbs().maxCoeff() +
+                                            scale * stored_[i].key.centroid.cwiseAbs().maxCoeff()));
+}
+
+// How far it is at most, wherever the part's other corners are.
+double FaceMatcher::wide_slack(std::size_t i) const {
+    const PartMotion* const motion = motion_of(i);
+    const double usual = position_tolerance(key(i).centroid);
+    if (motion == nullptr || !std::isfinite(motion->rest)) return usual;
+    return std::clamp(2.0 * motion->rest, usual, 4.0 * usual);
+}
+
 MatchedOverrides FaceMatcher::run() && {
     using Stage = MatchStage;
     run_stage(Stage::exact, [this](std::size_t i) { return match_hash(i); });
-    run_stage(Stage::exact, [this](std::size_t i) { return match_location(i); });
+    run_stage(Stage::exact, [this](std::size_t i) { return match_location(i, slack(i)); });
+    run_stage(Stage::exact, [this](std::size_t i) { return match_location(i, wide_slack(i)); });
     if (find_outlines() && lookup_.tree() != nullptr) {
         const auto without_outline = [&](auto match) {
             run_stage(Stage::plane, [&](std::size_t i) { return outlines_[i].empty() && match(i); });
@@ -77,7 +100,6 @@ MatchedOverrides FaceMatcher::run() && {
         without_outline([this](std::size_t i) { return match_union(i, true); });
         without_outline([this](std::size_t i) { return match_area(i); });
         sharpen_outlines();
-        run_stage(Stage::nearest, [this](std::size_t i) { return match_repeated(i); });
         run_stage(Stage::nearest, [this](std::size_t i) { return match_extruded(i); });
         if (has_as_many_faces())
             run_stage(Stage::nearest, [this](std::size_t i) { return match_corners(i); });
@@ -171,6 +193,8 @@ void FaceMatcher::collect() {
             case MatchStage::none: add_orphan(i); break;
         }
     }
+    for (const auto& [face, rival] : rivals_)
+        if (result_.overrides[face] != result_.overrides[rival]) result_.guessed.push_back(face);
     for (FaceId face = 0; face < claims_.size(); ++face)
         if (claims_[face] > MatchStage::exact) result_.guessed.push_back(face);
     std::sort(result_.guessed.begin(), result_.guessed.end());

@@ -60,6 +60,8 @@ class FaceMatcher {
     void move();
     bool has_as_many_faces() const;
     const PartMotion* motion_of(std::size_t i) const;
+    double slack(std::size_t i) const;
+    double wide_slack(std::size_t i) const;
     bool find_outlines();
     void sharpen_outlines();  // sharp_outline.cpp
     bool sharpen(std::size_t i);
@@ -70,8 +72,18 @@ class FaceMatcher {
 
     // match_exact.cpp
     bool match_hash(std::size_t i);
-    bool match_location(std::size_t i);
-    bool claim_best(std::size_t i, const std::vector<FaceId>& faces);
+    // `misfit`: how far its mean of corners and its rim are from those of the stored face.
+    struct Candidate {
+        FaceId face;
+        double misfit;
+    };
+    // `distance`: of the means.
+    Candidate candidate(std::size_t i, FaceId face, double distance) const;
+    bool match_location(std::size_t i, double slack);
+    bool may_repeat(std::size_t i) const;
+    void add_repeated(std::size_t i, double slack, std::vector<Candidate>& found);
+    bool is_as_before(std::size_t i, FaceId face, double slack) const;
+    bool claim_best(std::size_t i, const std::vector<Candidate>& faces);
     bool has_other_corners(std::size_t i, FaceId face) const;
 
     // match_whole.cpp: of an old face without an outline, new faces that together are the whole of it
@@ -110,7 +122,6 @@ class FaceMatcher {
     // match_nearest.cpp
     bool match_extruded(std::size_t i);
     std::size_t joined_corners(FaceId face, std::span<const Vec3> positions, double slack);
-    bool match_repeated(std::size_t i);
     bool match_corners(std::size_t i);
     bool match_nearest(std::size_t i);
     std::vector<Vec3> corners_left(std::size_t i);
@@ -138,6 +149,8 @@ class FaceMatcher {
     std::vector<bool> doubtful_;  // [stored] what is found is a guess
     // Faces that match_covered() did not give the type of the stored one, sorted.
     std::vector<std::pair<FaceId, std::size_t>> refused_;
+    // Faces found exactly, each with one that the stored face could have been as well.
+    std::vector<std::pair<FaceId, FaceId>> rivals_;
     std::optional<MeshParts> pieces_;  // of the mesh, found when they are needed
     std::vector<bool> mixed_;          // [of these] has several materials
     std::size_t union_visits_ = 0, outline_visits_ = 0;

@@ -105,36 +105,6 @@ std::vector<FaceId> FaceMatcher::faces_at_outline(std::size_t i) {
     return faces_in(i, {box.min - room, box.max + room});
 }
 
-// A face that had a corner twice, which a tool took out. Of several with the same corners it is the one that
-// comes as late as before.
-bool FaceMatcher::match_repeated(std::size_t i) {
-    const FaceKey& key = this->key(i);
-    std::vector<Vec3> corners = outlines_[i];
-    const auto same = [&](const Vec3& a, const Vec3& b) {
-        return (a - b).norm() <= 2.0 * position_tolerance(key.centroid);
-    };
-    corners.erase(std::unique(corners.begin(), corners.end(), same), corners.end());
-    while (corners.size() > 1 && same(corners.front(), corners.back()))
-        corners.pop_back();
-    if (corners.size() < 3 || corners.size() == outlines_[i].size()) return false;
-    std::vector<FaceId> found;
-    for (const FaceId face : faces_at_outline(i)) {
-        if (mesh_.face_corner_count(face) != corners.size() ||
-            !(index_.key(face).normal.dot(key.normal) > 0.0))
-            continue;
-        const std::uint32_t first = mesh_.face_first_corner[face];
-        const auto has = [&](const Vec3& corner) {
-            for (std::uint32_t c = 0; c < corners.size(); ++c)
-                if (same(mesh_.corner_position(first + c).cast<double>(), corner)) return true;
-            return false;
-        };
-        if (std::all_of(corners.begin(), corners.end(), has)) found.push_back(face);
-    }
-    if (key.copy >= found.size() || !is_free(found[key.copy])) return false;
-    claim(found[key.copy], i, MatchStage::nearest);
-    return true;
-}
-
 // A face of which one corner moved, perhaps farther than it is wide: the others come one after another as
 // before.
 bool FaceMatcher::match_corners(std::size_t i) {

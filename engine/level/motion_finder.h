@@ -55,6 +55,7 @@ class MotionFinder {
 
     // part_search.cpp: each part by itself
     void find(std::size_t part);
+    void find_flipped();
     void consider(std::size_t part, const PartMotion& motion);
     void try_known(std::size_t part);
     void try_ranks(std::size_t part);

@@ -73,22 +73,30 @@ void MotionFinder::yield_to_most(std::size_t i) {
     }
 }
 
-// What most parts did, the others did that it explains entirely, though they look like another part, too, or
-// rounding joined them to their neighbours.
+// What most parts did of which that is known, the others did that it explains entirely, though they look like
+// another part, too, or rounding joined them to their neighbours.
 void MotionFinder::follow_level() {
-    std::size_t painted = 0;
+    std::size_t explained = 0;
     for (std::size_t i = 0; i < parts_.size(); ++i)
-        painted += support_.points(i).empty() ? 0 : 1;
+        explained += !support_.points(i).empty() && is_explained(parts_[i]) ? 1 : 0;
     if (moves_.empty() || moves_[0].motion.is_identity() ||
-        moves_[0].parts <= std::max(few_parts, painted / 2))
+        moves_[0].parts <= std::max(few_parts, explained / 2))
         return;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         Part& part = parts_[i];
         if (part.certain || support_.points(i).empty() || part.staying.corners >= 0.5 ||
             same(stored_.parts[i].box, moves_[0].motion, part.best))
             continue;
-        const PartMotion motion = refitted(i, moves_[0].motion).value_or(moves_[0].motion);
-        const MotionSupport found = support_.support(i, motion, 1.0 - 1e-9);
+        PartMotion motion = moves_[0].motion;
+        MotionSupport found = support_.support(i, motion, 1.0 - 1e-9);
+        if (const std::optional<PartMotion> fitted = refitted(i, motion)) {
+            // Of a few corners that rounding moved a fit can be worse.
+            const MotionSupport better = support_.support(i, *fitted, 1.0 - 1e-9);
+            if (better.sum() >= found.sum()) {
+                motion = *fitted;
+                found = better;
+            }
+        }
         if (found.sum() < 2.0 - 1e-9) continue;
         const bool own = !part.best.is_identity() && part.best_support.sum() > 2.0 - 1e-9;
         const bool unclear = own && types_.differ(i, part.best, motion);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -76,6 +77,9 @@ struct PartMotion {
     // Another motion, or staying, explains the mesh nearly as well and gives faces other types, or this one
     // explains little of it. What it finds is a question to the user, even if it looks exact.
     bool guessed = false;
+    // How far at most its anchors' corners are from vertices of the mesh: what the rounding of the mesh's
+    // file left. Infinite if that is not known.
+    double rest = std::numeric_limits<double>::infinity();
 
     bool is_identity() const { return linear.isIdentity(0.0) && offset.isZero(0.0) && !flipped; }
     Vec3 operator()(const Vec3& position) const { return linear * position + offset; }

@@ -78,11 +78,39 @@ std::vector<PartMotion> MotionFinder::run() && {
         doubt(part);
         PartMotion& best = parts_[part].best;
         best.guessed = best.guessed || symmetric;
-        best.flipped = support_.is_flipped(part, best);
+        best.rest = support_.rest(part, best);
         if (is_unexplained(part)) (lies_as_before(part) ? best.guessed : best.lost) = true;
-        motions.push_back(best);
     }
+    find_flipped();
+    for (const Part& part : parts_)
+        motions.push_back(part.best);
     return motions;
+}
+
+// A part of which each face has one at its back looks as if nothing had happened. It did what most others
+// did, if the order of its faces does not say something else.
+void MotionFinder::find_flipped() {
+    using Looks = PartSupport::Looks;
+    std::vector<std::size_t> unclear;
+    std::size_t flipped = 0, others = 0;  // painted faces
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        const Looks looks = support_.looks(i, parts_[i].best);
+        parts_[i].best.flipped = looks == Looks::back;
+        if (looks == Looks::both)
+            unclear.push_back(i);
+        else
+            (looks == Looks::back ? flipped : others) += painted_[i];
+    }
+    for (const std::size_t i : unclear) {
+        PartMotion& best = parts_[i].best;
+        const Looks order = support_.looks_by_rank(i, best);
+        PartMotion back = best;
+        back.flipped = true;
+        const bool most = flipped > others, known = order != Looks::both;
+        const bool doubtful = (known && (order == Looks::back) != most) || (most && !known);
+        best.guessed = best.guessed || (doubtful && types_.differ(i, best, back));
+        best.flipped = known ? order == Looks::back : most;
+    }
 }
 
 void MotionFinder::find(std::size_t i) {

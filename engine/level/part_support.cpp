@@ -12,6 +12,22 @@ namespace {
 
 constexpr std::size_t max_sampled_keys = 48;  // of a part
 
+// Without material and hash.
+FaceKey anchor_key(const AnchorFace& anchor) {
+    FaceKey key;
+    Vec3 vector = Vec3::Zero();
+    for (std::size_t c = 0; c < anchor.corners.size(); ++c) {
+        const Vec3 here = (anchor.corners[c] - anchor.corners[0]).cast<double>();
+        const Vec3 next =
+            (anchor.corners[(c + 1) % anchor.corners.size()] - anchor.corners[0]).cast<double>();
+        key.centroid += anchor.corners[c].cast<double>() / static_cast<double>(anchor.corners.size());
+        vector += 0.5 * here.cross(next);
+    }
+    key.area = vector.norm();
+    if (key.area > 0.0) key.normal = vector / key.area;
+    return key;
+}
+
 }  // namespace
 
 PartSupport::PartSupport(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces,
@@ -89,6 +105,17 @@ double PartSupport::corners_hit(const Sample& sample, const PartMotion& motion, 
     return sample.points.empty()
                ? 0.0
                : 1.0 - static_cast<double>(misses) / static_cast<double>(sample.points.size());
+}
+
+double PartSupport::rest(std::size_t part, const PartMotion& motion) const {
+    std::optional<double> most;
+    for (const Vec3& point : samples_[part].points) {
+        const Vec3 to = motion(point);
+        const std::uint32_t vertex = grid_.nearest(to, tolerance(motion, point, to));
+        if (vertex == no_id) continue;
+        most = std::max(most.value_or(0.0), (mesh_.positions[vertex].cast<double>() - to).norm());
+    }
+    return most.value_or(PartMotion{}.rest);
 }
 
 // Whether the mesh has the painted face after the motion, and which way it looks.
@@ -264,24 +291,11 @@ MotionSupport PartSupport::support(std::size_t part, const PartMotion& motion, d
     return result;
 }
 
-bool PartSupport::is_flipped(std::size_t part, const PartMotion& motion) const {
+PartSupport::Looks PartSupport::looks(std::size_t part, const PartMotion& motion) const {
     // Painted or not: where an edit cut the part's faces, what lies there is a neighbour's.
     std::vector<FaceKey> rim;
-    for (const AnchorFace& anchor : stored_.parts[part].anchors) {
-        FaceKey key;
-        Vec3 vector = Vec3::Zero();
-        for (std::size_t c = 0; c < anchor.corners.size(); ++c) {
-            const Vec3 here = (anchor.corners[c] - anchor.corners[0]).cast<double>();
-            const Vec3 next =
-                (anchor.corners[(c + 1) % anchor.corners.size()] - anchor.corners[0]).cast<double>();
-            key.centroid += anchor.corners[c].cast<double>() / static_cast<double>(anchor.corners.size());
-            vector += 0.5 * here.cross(next);
-        }
-        key.area = vector.norm();
-        if (!(key.area > 0.0)) continue;
-        key.normal = vector / key.area;
-        rim.push_back(key);
-    }
+    for (const AnchorFace& anchor : stored_.parts[part].anchors)
+        if (const FaceKey key = anchor_key(anchor); key.area > 0.0) rim.push_back(key);
     std::vector<const FaceKey*> faces = samples_[part].keys;
     for (const FaceKey& key : rim)
         faces.push_back(&key);
@@ -293,7 +307,26 @@ bool PartSupport::is_flipped(std::size_t part, const PartMotion& motion) const {
         other += side == Side::other ? 1 : 0;
         both += side == Side::both ? 1 : 0;
     }
-    return other > same && 2 * other > faces.size() - both;
+    if (other > same && 2 * other > faces.size() - both) return Looks::back;
+    return same == 0 && 2 * both > faces.size() ? Looks::both : Looks::as_before;
+}
+
+PartSupport::Looks PartSupport::looks_by_rank(std::size_t part, const PartMotion& motion) {
+    constexpr double nearly_all = 0.9;
+    const std::vector<AnchorFace>& anchors = stored_.parts[part].anchors;
+    std::size_t same = 0, other = 0;
+    for (const AnchorFace& anchor : anchors) {
+        const FaceKey key = anchor_key(anchor), moved = moved_key(key, motion);
+        const double reach = std::min(4.0 * position_tolerance(moved.centroid),
+                                      tolerance(motion, key.centroid, moved.centroid));
+        for (const FaceId face : index_.near(moved.centroid, reach)) {
+            const double along = index_.key(face).normal.dot(moved.normal);
+            if (all().rank[face] == anchor.rank && std::abs(along) > 0.998) ++(along > 0.0 ? same : other);
+        }
+    }
+    if (static_cast<double>(same + other) < nearly_all * static_cast<double>(anchors.size()))
+        return Looks::both;
+    return other == 0 ? Looks::as_before : same == 0 ? Looks::back : Looks::both;
 }
 
 bool PartSupport::stays_inside(std::size_t i, const PartMotion& motion) const {

@@ -65,13 +65,19 @@ class PartSupport {
     // few are known.
     std::optional<double> vertex_order_kept(std::size_t part, const PartMotion& motion) const;
 
+    // PartMotion::rest of this motion.
+    double rest(std::size_t part, const PartMotion& motion) const;
+
     // True if `from` is where the motion puts it at `to`, up to rounding.
     bool hits(const PartMotion& motion, const Vec3& from, const Vec3& to) const {
         return (motion(from) - to).norm() <= tolerance(motion, from, to);
     }
 
-    // True if most of the painted faces and of those at the rim are there, but look the other way.
-    bool is_flipped(std::size_t part, const PartMotion& motion) const;
+    // Which way most of the painted faces and of those at the rim look, if they are there.
+    enum class Looks { as_before, back, both };  // `both`: every face has one at its back
+    Looks looks(std::size_t part, const PartMotion& motion) const;
+    // The same of those at the rim, if nearly all have their place in the file's order; else `both`.
+    Looks looks_by_rank(std::size_t part, const PartMotion& motion);
 
     // The part is not where it was: what lies in its box now is another one.
     void set_gone(std::size_t part) { samples_[part].gone = true; }
