@@ -15,11 +15,11 @@ namespace slipface {
 namespace {
 
 constexpr double most_points = 0.5;  // of a new face's points, for a type
-constexpr double some_points =
-    0.45;  // below this it loses a type that it has by plane, but not of a face in its plane
-constexpr double max_off = 0.5, max_metres = 0.5;  // from an old face, in its size, and in metres
-constexpr double max_beside =
-    0.3;  // of the distance from its plane: farther outside is the place of another face
+// With fewer it loses a type that it has by plane, unless it lies in an old face's plane.
+constexpr double some_points = 0.35;
+constexpr double max_off = 0.5, max_metres = 0.5;  // from an old face: in its size, and in all
+// Of the distance from its plane: what is farther outside is in another face's place.
+constexpr double max_beside = 0.3;
 constexpr double nearer = 0.9;       // of this distance: where a face is clearly nearer
 constexpr std::size_t few_bent = 5;  // one of so many changed faces may be bent by other edits
 constexpr double one_side = 0.5;     // the cosine of new and old normal
