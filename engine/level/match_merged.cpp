@@ -14,9 +14,9 @@
 namespace slipface {
 namespace {
 
-constexpr double most_points = 0.5;  // of a new face's points, for a type
+constexpr double enough_points = 0.5;  // of a new face's points, for a type
 // With fewer it loses a type that it has by plane, unless it lies in an old face's plane.
-constexpr double some_points = 0.35;
+constexpr double few_points = 0.35;
 constexpr double max_off = 0.5, max_metres = 0.5;  // from an old face: in its size, and in all
 // Of the distance from its plane: what is farther outside is in another face's place.
 constexpr double max_beside = 0.3;
@@ -217,14 +217,14 @@ void FaceMatcher::match_merged() {
 
 void FaceMatcher::take_votes(FaceId face, const Votes& votes) {
     for (const auto& [type, found] : votes.of) {
-        if (found <= most_points * votes.all) continue;
+        if (found <= enough_points * votes.all) continue;
         claims_[face] = MatchStage::plane;
         result_.overrides[face] = type;
         return;
     }
     if (is_free(face)) return;
     const auto own = votes.of.find(*result_.overrides[face]);
-    if (own != votes.of.end() && own->second > some_points * votes.all) return;
+    if (own != votes.of.end() && own->second > few_points * votes.all) return;
     claims_[face] = MatchStage::none;
     result_.overrides[face].reset();
 }
