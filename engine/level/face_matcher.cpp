@@ -108,6 +108,7 @@ MatchedOverrides FaceMatcher::run() && {
         run_stage(Stage::nearest, [this](std::size_t i) { return match_corners(i); });
         match_covered(0.9, true);
         match_remade();
+        match_merged();
         run_stage(Stage::nearest, [this](std::size_t i) { return match_nearest(i); });
     }
     collect();

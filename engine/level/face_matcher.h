@@ -1,6 +1,7 @@
 // The search for painted faces in a changed mesh. match_overrides() says what each stage does.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -12,6 +13,9 @@
 namespace slipface {
 
 enum class MatchStage : std::uint8_t { none, exact, plane, nearest };
+
+// Of a part's box: a small one loses a voxel on each side when it is remeshed.
+inline constexpr double remade_slack = 0.2;
 
 // Maximum number of faces examined in all, so that a file with a hundred thousand huge missing faces cannot
 // hang the editor.
@@ -111,6 +115,10 @@ class FaceMatcher {
     void match_covered(double least_dot, bool any_material);
     const MeshParts& pieces();
     bool is_remade(FaceId face, std::size_t i);
+    bool is_gone(std::size_t part);
+    bool is_new(const PaintPart& part) const;
+    Aabb moved_box(std::size_t part) const;
+    bool lies_in_plane(FaceId face, std::size_t i) const;
     bool is_off_plane(FaceId face, const FaceKey& key) const;
     bool is_covered(std::size_t i) const;  // found so by new faces; others may cover it, too
     Covers find_covers(std::size_t i, double least_dot, bool any_material) const;
@@ -118,6 +126,19 @@ class FaceMatcher {
     // match_remade.cpp
     void match_remade();
     void claim_nearest(FaceId face, std::span<const std::size_t> painted, const Aabb* box);
+
+    // match_merged.cpp
+    struct Votes {
+        std::map<SurfaceId, double> of;  // [type] by the face's points
+        double all = 0.0;
+        std::size_t visits = 0;
+    };
+    void match_merged();
+    std::vector<std::size_t> find_merged_parts();
+    double reach_of(std::size_t i) const;
+    bool is_nearer(std::size_t i, FaceId face, const Vec3& point, std::size_t& visits) const;
+    Votes votes_of(FaceId face, std::span<const std::size_t> old) const;
+    void take_votes(FaceId face, const Votes& votes);
 
     // match_nearest.cpp
     bool match_extruded(std::size_t i);
@@ -151,8 +172,10 @@ class FaceMatcher {
     std::vector<std::pair<FaceId, std::size_t>> refused_;
     // Faces found exactly, each with one that the stored face could have been as well.
     std::vector<std::pair<FaceId, FaceId>> rivals_;
+    std::vector<bool> merged_;         // [face] of a part that an edit made of fewer faces; or empty
     std::optional<MeshParts> pieces_;  // of the mesh, found when they are needed
     std::vector<bool> mixed_;          // [of these] has several materials
+    std::vector<bool> gone_;           // [stored part] nothing of it is as it was; found when it is needed
     std::size_t union_visits_ = 0, outline_visits_ = 0;
     bool bent_ = false;  // what match_union() looks for
     MatchedOverrides result_;

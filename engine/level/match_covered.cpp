@@ -29,8 +29,6 @@ constexpr double off_plane = 0.02, off_plane_by_tilt = 0.7;
 
 constexpr std::size_t few_pieces = 3;  // a bevel leaves one of a face; remeshing, many
 
-constexpr double remade_slack = 0.2;  // of a part's box: a small one loses a voxel on each side
-
 constexpr double wide = 0.1;  // in the old face's size: how far from its outline faces are looked for
 
 // Distance from its plane up to which a face lies in it.
@@ -56,26 +54,57 @@ const MeshParts& FaceMatcher::pieces() {
     return *pieces_;
 }
 
-// Whether the face is of a part of one material that fills the box of the stored face's part: remeshed, which
-// loses the materials.
+// Whether the face is of a part of one material that fills the box of the stored face's part, or of a piece
+// in the box of one of which nothing is left: remeshed, which loses the materials.
 bool FaceMatcher::is_remade(FaceId face, std::size_t i) {
     const std::size_t old = i < parts_.of.size() ? parts_.of[i] : 0;
     if (old == 0 || old > parts_.parts.size()) return false;
     const MeshParts& pieces = this->pieces();
     const std::uint32_t piece = pieces.of[face];
     if (mixed_[piece] || pieces.scattered[piece]) return false;
-    const PaintPart& part = parts_.parts[old - 1];
-    Aabb box = part.box;
-    if (const PartMotion* motion = motion_of(i)) {
-        box = {};
-        for (int corner = 0; corner < 8; ++corner) {
-            Vec3 at = part.box.min;
-            for (int axis = 0; axis < 3; ++axis)
-                if ((corner >> axis & 1) != 0) at[axis] = part.box.max[axis];
-            box.add((*motion)(at));
-        }
+    const PaintPart& part = pieces.parts[piece];
+    if (part.faces == parts_.parts[old - 1].faces) return false;
+    if (similar_box(part.box, moved_box(old - 1), remade_slack)) return true;
+    return is_gone(old - 1) && is_new(part) &&
+           lies_in(part.box, moved_box(old - 1), 1e-3 * part.box.size().norm());
+}
+
+// Whether no painted face of the part is as it was.
+bool FaceMatcher::is_gone(std::size_t part) {
+    if (gone_.empty()) {
+        gone_.resize(parts_.parts.size(), true);
+        for (std::size_t i = 0; i < stored_.size() && i < parts_.of.size(); ++i)
+            if (found_[i] == MatchStage::exact && parts_.of[i] > 0 && parts_.of[i] <= gone_.size())
+                gone_[parts_.of[i] - 1u] = false;
     }
-    return pieces.parts[piece].faces != part.faces && similar_box(pieces.parts[piece].box, box, remade_slack);
+    return gone_[part];
+}
+
+// Whether none of the stored parts is this part of the mesh, where it was before.
+bool FaceMatcher::is_new(const PaintPart& part) const {
+    return std::none_of(parts_.parts.begin(), parts_.parts.end(), [&](const PaintPart& old) {
+        return old.faces == part.faces && similar_box(old.box, part.box, 1e-3);
+    });
+}
+
+// The box of the stored part where it went.
+Aabb FaceMatcher::moved_box(std::size_t part) const {
+    const Aabb& old = parts_.parts[part].box;
+    if (part >= motions_.size()) return old;
+    Aabb box;
+    for (int corner = 0; corner < 8; ++corner) {
+        Vec3 at = old.min;
+        for (int axis = 0; axis < 3; ++axis)
+            if ((corner >> axis & 1) != 0) at[axis] = old.max[axis];
+        box.add(motions_[part](at));
+    }
+    return box;
+}
+
+bool FaceMatcher::lies_in_plane(FaceId face, std::size_t i) const {
+    const FaceKey &old = key(i), &here = index_.key(face);
+    return here.normal.dot(unit_or_zero(old.normal)) > 0.9995 &&
+           std::abs(here.normal.dot(here.centroid - old.centroid)) <= in_plane(old);
 }
 
 FaceMatcher::Covers FaceMatcher::find_covers(std::size_t i, double least_dot, bool any_material) const {
@@ -98,7 +127,7 @@ FaceMatcher::Covers FaceMatcher::find_covers(std::size_t i, double least_dot, bo
         if (off > off_plane * size + off_plane_by_tilt * bend + position_tolerance(key.centroid)) continue;
         covers.visits += mesh_.face_corner_count(face);
         covers.rough = covers.rough || (!likely_[i] && is_rough(i, face));
-        const bool flat = along > 0.9995 && off <= in_plane(key);
+        const bool flat = lies_in_plane(face, i);
         if (flat || is_wanted(i)) covers.found.push_back({face, i, off, 0.0, flat});
     }
     return covers;

@@ -79,7 +79,8 @@ std::vector<PartMotion> MotionFinder::run() && {
         PartMotion& best = parts_[part].best;
         best.guessed = best.guessed || symmetric;
         best.rest = support_.rest(part, best);
-        if (is_unexplained(part)) (lies_as_before(part) ? best.guessed : best.lost) = true;
+        if (is_unexplained(part))
+            (lies_as_before(part) || was_remade(part) ? best.guessed : best.lost) = true;
     }
     find_flipped();
     for (const Part& part : parts_)

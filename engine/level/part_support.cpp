@@ -166,8 +166,7 @@ const MeshParts& PartSupport::all() {
         for (std::size_t i = 0; i < stored_.parts.size() && owner_[part] == no_id && visits < 4'000'000;
              ++i, ++visits) {
             const Aabb& old = stored_.parts[i].box;
-            if (((box.min - old.min).array() >= -slack).all() &&
-                ((old.max - box.max).array() >= -slack).all() && size >= 0.5 * old.size().norm())
+            if (lies_in(box, old, slack) && size >= 0.5 * old.size().norm())
                 owner_[part] = static_cast<std::uint32_t>(i);
         }
         for (std::size_t i = 0; i < stored_.parts.size() && owner_[part] == no_id && visits < 8'000'000;
@@ -368,6 +367,10 @@ bool PartSupport::has_similar_box(std::size_t i) {
     const Aabb& old = stored_.parts[i].box;
     return std::any_of(all().parts.begin(), all().parts.end(),
                        [&](const PaintPart& part) { return similar_box(part.box, old, box_slack); });
+}
+
+bool lies_in(const Aabb& a, const Aabb& b, double slack) {
+    return ((a.min - b.min).array() >= -slack).all() && ((b.max - a.max).array() >= -slack).all();
 }
 
 bool similar_box(const Aabb& a, const Aabb& b, double slack) {

@@ -17,6 +17,9 @@ inline constexpr double box_slack = 0.05;
 // True if the corners of the boxes are at most this fraction of the diagonal of `b` apart.
 bool similar_box(const Aabb& a, const Aabb& b, double slack);
 
+// True if the box `a` lies in `b`, up to `slack` (units).
+bool lies_in(const Aabb& a, const Aabb& b, double slack);
+
 struct MotionSupport {
     double corners = 0.0, keys = 0.0;  // fractions
     double ranks = 0.0;                // fraction of anchors with their place in the file's order

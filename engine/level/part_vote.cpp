@@ -125,6 +125,48 @@ bool MotionFinder::lies_as_before(std::size_t i) {
     return (directions / static_cast<double>(found)).determinant() > can_slide;
 }
 
+// Whether pieces of one material lie in the part's box and most of their area in planes of its painted faces:
+// an edit made it of new faces and lost some of it, as remeshing does with walls that enclose nothing.
+bool MotionFinder::was_remade(std::size_t i) {
+    constexpr double most = 0.75, one_plane = 0.999;
+    constexpr std::size_t max_planes = 200;
+    const double slack = 1e-3 * stored_.parts[i].box.size().norm();
+    struct Plane {
+        Vec3 normal;
+        double offset;
+    };
+    std::vector<Plane> planes;
+    const auto is_in_one = [&](const Vec3& normal, const Vec3& point) {
+        return std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {
+            return std::abs(plane.normal.dot(normal)) > one_plane &&
+                   std::abs(plane.normal.dot(point) - plane.offset) <= slack;
+        });
+    };
+    for (const FaceKey* key : support_.keys(i)) {
+        const Vec3 normal = unit_or_zero(key->normal);
+        if (!normal.isZero() && planes.size() < max_planes && !is_in_one(normal, key->centroid))
+            planes.push_back({normal, normal.dot(key->centroid)});
+    }
+    const MeshParts& all = support_.all();
+    for (std::uint32_t piece = 0; piece < all.parts.size() && lookup_.visits < max_visits; ++piece) {
+        if (all.scattered[piece] || support_.is_occupied(piece) ||
+            all.parts[piece].faces == stored_.parts[i].faces ||
+            !lies_in(all.parts[piece].box, stored_.parts[i].box, slack))
+            continue;
+        double area = 0.0, in_planes = 0.0;
+        bool mixed = false;
+        for (std::uint32_t k = all.first[piece]; k < all.first[piece + 1]; ++k) {
+            ++lookup_.visits;
+            const FaceKey& key = index_.key(all.sorted[k]);
+            mixed = mixed || index_.base(all.sorted[k]) != index_.base(all.sorted[all.first[piece]]);
+            area += key.area;
+            in_planes += is_in_one(key.normal, key.centroid) ? key.area : 0.0;
+        }
+        if (!mixed && in_planes > most * area) return true;
+    }
+    return false;
+}
+
 // Two equal parts that a motion of others put into each other's place look as if they had stayed, but the
 // order of their faces says that they did not.
 void MotionFinder::exchange(std::size_t i) {

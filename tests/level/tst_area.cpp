@@ -185,6 +185,83 @@ TEST(Area, AMergedHillThatTurnedIsFound) {
     EXPECT_LE(50 * count.wrong, count.clear);
 }
 
+// Of a hill that was decimated few faces are left in the plane of an old one.
+TEST(Area, AMergedHillKeepsItsTypes) {
+    Count count;
+    for (unsigned seed = 0; seed < 60; ++seed) {
+        Random random(seed);
+        const double tile = between(random, 0.3, 2), height = between(random, 0.4, 0.7);
+        Sheet hill = random_sheet(random, Vec3(3, 0.2, 5), Vec3(tile, 0, 0), Vec3(0, 0, -tile));
+        for (int i = 0; i < (hill.columns + 1) * (hill.rows + 1); ++i)
+            hill.heights.push_back(between(random, 0, height * tile));
+        for (Face& patch : hill.tiles)
+            patch.material = "grass";
+        Faces before, after;
+        add_tiles(hill, before);
+        add_merged(hill, random, after, 3 + static_cast<unsigned>(random() % 2));
+        count.add(after, rematch(before, after));
+    }
+    EXPECT_GT(count.clear, 800u);
+    EXPECT_GT(static_cast<double>(count.right), 0.985 * static_cast<double>(count.clear));
+    EXPECT_LE(200 * count.wrong, count.clear);
+}
+
+// A voxel remesh of walls that enclose nothing leaves shells of some of them, of one material.
+TEST(Area, WhatIsLeftOfARemeshedHallKeepsItsTypes) {
+    Count count;
+    for (unsigned seed = 0; seed < 10; ++seed) {
+        Random random(seed);
+        const double tile = between(random, 0.5, 2);
+        const double width = 5 * tile, depth = 6 * tile;
+        Sheet floor = random_sheet(random, Vec3(3, 0.2, 5), Vec3(tile, 0, 0), Vec3(0, 0, -tile));
+        floor.columns = 5;
+        floor.rows = 6;
+        std::vector<Sheet> walls;
+        for (const bool far : {false, true}) {
+            walls.push_back(random_sheet(random, floor.origin + Vec3(far ? width : 0, 0, 0),
+                                         Vec3(0, 0, -tile), Vec3(0, tile, 0)));
+            walls.back().columns = 6;
+            walls.push_back(random_sheet(random, floor.origin + Vec3(0, 0, far ? -depth : 0),
+                                         Vec3(tile, 0, 0), Vec3(0, tile, 0)));
+            walls.back().columns = 5;
+        }
+        Faces before, after;
+        for (Face& face : floor.tiles)
+            face.material = "wood";
+        add_tiles(floor, before);
+        const std::size_t first = random() % 4, left = 1 + random() % 2;
+        for (std::size_t i = 0; i < walls.size(); ++i) {
+            Sheet& wall = walls[i];
+            wall.rows = 3;
+            for (Face& face : wall.tiles)
+                face.material = "plaster";
+            add_tiles(wall, before);
+            if ((i + 4 - first) % 4 >= left) continue;
+            // Voxels of 0.4 tiles, so that some lie across a border.
+            for (int row = 1; row < 7; ++row) {
+                for (int column = 1; column < 2 * wall.columns; ++column) {
+                    Face face = wall.face(0.4 * column, 0.4 * row, 0.4 * (column + 1), 0.4 * (row + 1));
+                    face.material = "wood";
+                    Face back = face;
+                    std::reverse(back.corners.begin(), back.corners.end());
+                    const auto whole = [](int at) { return (2 * at) % 5 < 4; };
+                    face.painted = -2;
+                    if (whole(column) && whole(row))
+                        face.painted =
+                            wall.tiles[static_cast<std::size_t>(2 * row / 5 * wall.columns + 2 * column / 5)]
+                                .painted;
+                    after.push_back(face);
+                    after.push_back(back);
+                }
+            }
+        }
+        count.add(after, rematch(before, after));
+    }
+    EXPECT_GT(count.clear, 300u);
+    EXPECT_GT(static_cast<double>(count.right), 0.98 * static_cast<double>(count.clear));
+    EXPECT_LE(200 * count.wrong, count.clear);
+}
+
 // Remeshing gives a part many faces of one material, whatever it was made of. Another part keeps its
 // materials.
 TEST(Area, ARemeshedFloorKeepsItsTypesThoughNotItsMaterials) {
