@@ -72,7 +72,7 @@ class MotionFinder {
     // part_exchange.cpp: equal parts that seem to have changed places
     enum class Exchange { none, unclear, by_tool };
     using Motions = std::vector<std::optional<PartMotion>>;  // [part]
-    void undo_exchanges(Motions& says);
+    void undo_exchanges(Motions& says, std::vector<bool> named);
     PartMotion usual_motion(const Motions& says) const;
     Exchange exchange_of(std::size_t part, const PartMotion& says, const PartMotion& most);
     std::uint32_t name_at(std::size_t part, const PartMotion& motion);

@@ -3,30 +3,39 @@
 // moved them.
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "motion_finder.h"
 
 namespace slipface {
 
-// `says`: what the numbers of the vertices say. What a tool exchanged gets the motion that most parts made,
-// and a part that they put there is open again.
-void MotionFinder::undo_exchanges(Motions& says) {
-    const PartMotion most = usual_motion(says);
-    std::vector<bool> changed(parts_.size(), false), taken(support_.all().parts.size(), false);
+// `says`: what the numbers of the vertices say, `named`: in the object of the part's name. What a tool
+// exchanged gets the motion that most parts made. What else goes to the place of one of these, or into
+// another object of the old file, is open again: its own object was deleted or got another name, and its
+// numbers are others' now.
+void MotionFinder::undo_exchanges(Motions& says, std::vector<bool> named) {
+    const PartMotion usual = usual_motion(says);
+    std::vector<bool> taken(support_.all().parts.size(), false);
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         if (!says[i]) continue;
-        const Exchange exchange = exchange_of(i, *says[i], most);
-        if (exchange == Exchange::none) continue;
-        const bool unclear = exchange == Exchange::unclear && types_.differ(i, most, *says[i]);
-        says[i] = most;
-        says[i]->guessed = unclear;
-        changed[i] = true;
-        if (const std::uint32_t place = part_at(i, most); place != no_id) taken[place] = true;
+        if (const Exchange exchange = exchange_of(i, *says[i], usual); exchange != Exchange::none) {
+            const bool unclear = exchange == Exchange::unclear && types_.differ(i, usual, *says[i]);
+            says[i] = usual;
+            says[i]->guessed = unclear;
+            named[i] = true;
+        }
+        if (!named[i]) continue;
+        if (const std::uint32_t place = part_at(i, *says[i]); place != no_id) taken[place] = true;
     }
+    std::set<std::uint32_t> names;
+    for (const PaintPart& part : stored_.parts)
+        names.insert(part.object.name);
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-        if (!says[i] || changed[i]) continue;
+        if (!says[i] || named[i]) continue;
         const std::uint32_t place = part_at(i, *says[i]);
-        if (place != no_id && taken[place]) says[i].reset();
+        if (place == no_id) continue;
+        const std::uint32_t name = support_.all().parts[place].object.name;
+        if (taken[place] || (name != stored_.parts[i].object.name && names.contains(name))) says[i].reset();
     }
 }
 

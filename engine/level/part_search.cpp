@@ -81,6 +81,7 @@ std::vector<PartMotion> MotionFinder::run() && {
         best.rest = support_.rest(part, best);
         if (is_unexplained(part))
             (lies_as_before(part) || was_remade(part) ? best.guessed : best.lost) = true;
+        if (!best.is_identity() && support_.is_another_object(part, best)) best.lost = true;
     }
     find_flipped();
     for (const Part& part : parts_)

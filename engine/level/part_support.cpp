@@ -197,6 +197,17 @@ bool PartSupport::is_taken(std::size_t i, const PartMotion& motion) {
     return 10 * taken > 3 * hits;
 }
 
+bool PartSupport::is_another_object(std::size_t i, const PartMotion& motion) {
+    const std::uint32_t name = stored_.parts[i].object.name;
+    const std::vector<std::uint32_t> parts = parts_at(i, motion);
+    const auto others = std::ranges::count_if(parts, [&](std::uint32_t part) {
+        const std::uint32_t owner = owner_[part], there = all_->parts[part].object.name;
+        return owner != no_id && !samples_[owner].gone && there != name &&
+               there == stored_.parts[owner].object.name;
+    });
+    return name != 0 && 2 * static_cast<std::size_t>(others) > parts.size();
+}
+
 std::vector<std::uint32_t> PartSupport::parts_at(std::size_t i, const PartMotion& motion) {
     all();
     std::vector<std::uint32_t> parts;

@@ -58,10 +58,12 @@ std::optional<PartMotion> MotionFinder::motion_of_vertices(std::size_t i, bool b
 // if nothing had happened, or where parts that are alike changed places.
 void MotionFinder::trust_vertices() {
     Motions motions(parts_.size());
+    std::vector<bool> named(parts_.size(), false);
     std::size_t all = 0, kept = 0, parts = 0;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         const std::size_t more = std::max(support_.points(i).size(), needed) - needed;
         motions[i] = motion_of_vertices(i, true);  // tools write objects in another order than they read them
+        named[i] = motions[i].has_value();
         if (!motions[i]) motions[i] = motion_of_vertices(i, false);
         all += more;
         if (!motions[i] || more == 0) continue;
@@ -69,7 +71,7 @@ void MotionFinder::trust_vertices() {
         ++parts;
     }
     if (kept < little || static_cast<double>(kept) < nearly_all * static_cast<double>(all)) return;
-    undo_exchanges(motions);
+    undo_exchanges(motions, named);
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         Part& part = parts_[i];
         if (!motions[i]) continue;

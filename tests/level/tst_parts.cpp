@@ -140,6 +140,25 @@ TEST(Parts, CopiesInAnotherOrderKeepTheirTypes) {
     }
 }
 
+// The numbers of a copy's vertices are those of the next one then, which nobody painted.
+TEST(Parts, ADeletedCopysTypesGoToNoOther) {
+    for (unsigned seed = 0; seed < 300; ++seed) {
+        Random random(seed);
+        Row row = row_of_boxes(random, 0.0f);
+        const std::size_t gone = random() % row.low.size();
+        Faces after;
+        for (std::size_t face = 0; face < row.faces.size(); ++face) {
+            const std::size_t box = face < row.first[0] ? no_id : (face - row.first[0]) / 6;
+            row.faces[face].object = "object" + std::to_string(box);
+            if (box != no_id && box != gone && random() % 2 == 0) row.faces[face].painted = -1;
+            if (box != gone) after.push_back(row.faces[face]);
+        }
+        after = rounded(after);
+        const LoadedLevel loaded = rematch(row.faces, after);
+        EXPECT_TRUE(wrong_faces(after, loaded).empty()) << seed << ": " << loaded.match.text();
+    }
+}
+
 TEST(Parts, CopiesThatAreJoinedInAnotherOrderKeepTheirTypes) {
     for (unsigned seed = 0; seed < 300; ++seed) {
         Random random(seed);
