@@ -200,7 +200,7 @@ bool PartSupport::is_taken(std::size_t i, const PartMotion& motion) {
 bool PartSupport::is_another_object(std::size_t i, const PartMotion& motion) {
     const std::uint32_t name = stored_.parts[i].object.name;
     const std::vector<std::uint32_t> parts = parts_at(i, motion);
-    const auto others = std::ranges::count_if(parts, [&](std::uint32_t part) {
+    const auto others = std::count_if(parts.begin(), parts.end(), [&](std::uint32_t part) {
         const std::uint32_t owner = owner_[part], there = all_->parts[part].object.name;
         return owner != no_id && !samples_[owner].gone && there != name &&
                there == stored_.parts[owner].object.name;

@@ -97,8 +97,8 @@ class PartSupport {
     // True if the motion puts the part where another one stayed.
     bool is_taken(std::size_t part, const PartMotion& motion);
 
-    // True if the motion puts most of the part where the old file had a part of another object, which is there
-    // still: objects are copies of each other, but none becomes another.
+    // True if the motion puts most of the part where the old file had a part of another object, which is
+    // there still: objects are copies of each other, but none becomes another.
     bool is_another_object(std::size_t part, const PartMotion& motion);
 
     // A part of equal tiles that lost some at its rim looks as if it had moved by a tile, but nothing of it
