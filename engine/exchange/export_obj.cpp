@@ -50,11 +50,48 @@ std::string mtl_text(const Level& level, const TypedMaterials& materials, Pictur
     return text;
 }
 
-void add_face(const Mesh& mesh, FaceId face, bool with_uv, std::string& text) {
+// Adds the vertices, those of each object by themselves, as modelling tools write and number them. Returns
+// the number of each corner's.
+std::vector<std::uint32_t> add_vertices(const Mesh& mesh, std::string& text) {
+    struct Vertex {
+        std::uint32_t in_file, vertex, corner;
+    };
+    std::vector<std::uint32_t> numbers(mesh.corner_vertex.size());
+    std::vector<Vertex> vertices;  // of one group, once for each corner
+    std::uint32_t count = 0;
+    const auto write_group = [&] {
+        std::sort(vertices.begin(), vertices.end(), [](const Vertex& a, const Vertex& b) {
+            return std::pair(a.in_file, a.corner) < std::pair(b.in_file, b.corner);
+        });
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            if (i == 0 || vertices[i].vertex != vertices[i - 1].vertex) {
+                const Vec3f& p = mesh.positions[vertices[i].vertex];
+                fmt::format_to(std::back_inserter(text), "v {} {} {}\n", p.x(), p.y(), p.z());
+                ++count;
+            }
+            numbers[vertices[i].corner] = count;
+        }
+        vertices.clear();
+    };
+    std::uint32_t group = 0;
+    for (const FaceId face : faces_by_group(mesh)) {
+        if (mesh.face_group[face] != group) write_group();
+        group = mesh.face_group[face];
+        for (std::uint32_t c = mesh.face_first_corner[face]; c < mesh.face_first_corner[face + 1]; ++c)
+            vertices.push_back(
+                {mesh.number_in_group(group, mesh.corner_vertex[c]), mesh.corner_vertex[c], c});
+    }
+    write_group();
+    return numbers;
+}
+
+// `numbers`: of the corners' vertices.
+void add_face(const Mesh& mesh, FaceId face, const std::vector<std::uint32_t>& numbers, bool with_uv,
+              std::string& text) {
     text += 'f';
     for (std::uint32_t corner = mesh.face_first_corner[face]; corner < mesh.face_first_corner[face + 1];
          ++corner) {
-        fmt::format_to(std::back_inserter(text), " {}", mesh.corner_vertex[corner] + 1);
+        fmt::format_to(std::back_inserter(text), " {}", numbers[corner]);
         if (with_uv) fmt::format_to(std::back_inserter(text), "/{}", corner + 1);
     }
     text += '\n';
@@ -63,8 +100,7 @@ void add_face(const Mesh& mesh, FaceId face, bool with_uv, std::string& text) {
 std::string obj_text(const Level& level, const TypedMaterials& materials, const std::string& library) {
     const Mesh& mesh = *level.mesh;
     std::string text = "mtllib " + library + "\n";
-    for (const Vec3f& p : mesh.positions)
-        fmt::format_to(std::back_inserter(text), "v {} {} {}\n", p.x(), p.y(), p.z());
+    const std::vector<std::uint32_t> numbers = add_vertices(mesh, text);
     const bool with_uv = textured(mesh);
     if (with_uv)
         for (const Vec2f& uv : mesh.corner_uv)
@@ -82,7 +118,7 @@ std::string obj_text(const Level& level, const TypedMaterials& materials, const 
             const std::string& wanted = materials.names[name];
             text += "usemtl " + (wanted.empty() ? std::string("none") : wanted) + "\n";
         }
-        add_face(mesh, face, with_uv, text);
+        add_face(mesh, face, numbers, with_uv, text);
     }
     return text;
 }

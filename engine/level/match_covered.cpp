@@ -65,8 +65,8 @@ bool FaceMatcher::is_remade(FaceId face, std::size_t i) {
     const PaintPart& part = pieces.parts[piece];
     if (part.faces == parts_.parts[old - 1].faces) return false;
     if (similar_box(part.box, moved_box(old - 1), remade_slack)) return true;
-    return is_gone(old - 1) && is_new(part) &&
-           lies_in(part.box, moved_box(old - 1), 1e-3 * part.box.size().norm());
+    return is_gone(old - 1) && lies_in(part.box, moved_box(old - 1), 1e-3 * part.box.size().norm()) &&
+           is_new(part);
 }
 
 // Whether no painted face of the part is as it was.
@@ -80,11 +80,15 @@ bool FaceMatcher::is_gone(std::size_t part) {
     return gone_[part];
 }
 
-// Whether none of the stored parts is this part of the mesh, where it was before.
+// Whether none of the stored parts is this part of the mesh, where it was before or went.
 bool FaceMatcher::is_new(const PaintPart& part) const {
-    return std::none_of(parts_.parts.begin(), parts_.parts.end(), [&](const PaintPart& old) {
-        return old.faces == part.faces && similar_box(old.box, part.box, 1e-3);
-    });
+    for (std::size_t i = 0; i < parts_.parts.size(); ++i) {
+        const PaintPart& old = parts_.parts[i];
+        if (old.faces == part.faces &&
+            (similar_box(old.box, part.box, 1e-3) || similar_box(moved_box(i), part.box, 1e-3)))
+            return false;
+    }
+    return true;
 }
 
 // The box of the stored part where it went.

@@ -87,7 +87,7 @@ AnchorFace anchor_face(const Mesh& mesh, const MeshParts& all, FaceId face) {
         const std::uint32_t corner = first + (start + c) % count;
         anchor.corners.push_back(mesh.corner_position(corner));
         const std::uint32_t vertex = all.first_there[mesh.corner_vertex[corner]];
-        anchor.numbers.push_back(vertex_number(mesh, vertex));
+        anchor.numbers.push_back(mesh.number_in_group(mesh.face_group[face], vertex));
     }
     return anchor;
 }
@@ -172,10 +172,15 @@ std::vector<MeshObject> objects_of(const Mesh& mesh) {
     std::vector<MeshObject> objects;
     for (const std::string& name : mesh.groups)
         objects.push_back({object_name(name), no_id, 0});
+    std::vector<bool> shared(mesh.positions.size(), false);
+    for (const GroupVertex& vertex : mesh.group_vertices)
+        shared[vertex.vertex] = true;
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
-        MeshObject& object = objects[mesh.face_group[face]];
+        const std::uint32_t group = mesh.face_group[face];
+        MeshObject& object = objects[group];
         for (std::uint32_t c = mesh.face_first_corner[face]; c < mesh.face_first_corner[face + 1]; ++c) {
-            const std::uint32_t number = vertex_number(mesh, mesh.corner_vertex[c]);
+            const std::uint32_t vertex = mesh.corner_vertex[c];
+            const std::uint32_t number = mesh.number_in_group(shared[vertex] ? group : no_id, vertex);
             object.first_vertex = std::min(object.first_vertex, number);
             object.last_vertex = std::max(object.last_vertex, number);
         }
@@ -189,11 +194,7 @@ MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces) {
     const std::vector<std::uint32_t>& first = result.first_there;
     Union pieces(mesh.face_count());
     std::vector<std::uint32_t> face_at(mesh.positions.size(), no_id);  // [welded vertex] last face there
-    std::vector<FaceId> order(mesh.face_count());
-    std::iota(order.begin(), order.end(), FaceId{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](FaceId a, FaceId b) { return mesh.face_group[a] < mesh.face_group[b]; });
-    for (const FaceId face : order) {
+    for (const FaceId face : faces_by_group(mesh)) {
         for (std::uint32_t c = mesh.face_first_corner[face]; c < mesh.face_first_corner[face + 1]; ++c) {
             std::uint32_t& last = face_at[first[mesh.corner_vertex[c]]];
             if (last != no_id && mesh.face_group[last] == mesh.face_group[face]) pieces.join(last, face);

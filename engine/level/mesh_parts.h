@@ -15,10 +15,6 @@ struct MeshParts {
     std::vector<std::uint32_t> rank;         // [face]
     std::vector<std::uint32_t> first_there;  // [vertex] the first vertex at the same position
 };
-// The vertex's index in the file of the geometry.
-inline std::uint32_t vertex_number(const Mesh& mesh, std::uint32_t vertex) {
-    return mesh.vertex_number.empty() ? vertex : mesh.vertex_number[vertex];
-}
 
 std::vector<MeshObject> objects_of(const Mesh& mesh);  // [group]
 

@@ -19,8 +19,8 @@ struct StoredOverride;
 struct AnchorFace {
     std::uint32_t rank = 0;  // number among the part's faces, sorted by base material and then as in the file
     std::vector<Vec3f> corners;
-    // [corner] the number of its vertex in the geometry's file, the first at that position; none in an older
-    // level file
+    // [corner] the number of its vertex in the geometry's file, the first of its object at that position;
+    // none in an older level file
     std::vector<std::uint32_t> numbers;
     friend bool operator==(const AnchorFace&, const AnchorFace&) = default;
 };

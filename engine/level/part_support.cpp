@@ -32,14 +32,22 @@ FaceKey anchor_key(const AnchorFace& anchor) {
 
 PartSupport::PartSupport(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces,
                          const PaintParts& parts, const std::vector<StoredOverride>& stored)
-    : mesh_(mesh), index_(index), surfaces_(surfaces), stored_(parts), grid_(mesh) {
-    for (std::uint32_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
-        const std::uint32_t number = vertex_number(mesh, vertex);
+    : mesh_(mesh),
+      index_(index),
+      surfaces_(surfaces),
+      stored_(parts),
+      grid_(mesh),
+      objects_(objects_of(mesh)) {
+    const auto add_number = [this](std::uint32_t number, std::uint32_t vertex) {
         if (number >= vertex_of_.size()) vertex_of_.resize(number + std::size_t{1}, no_id);
         vertex_of_[number] = vertex;
-    }
-    for (const MeshObject& object : objects_of(mesh))
-        objects_.emplace(object.name, object);
+    };
+    for (std::uint32_t vertex = 0; vertex < mesh.positions.size(); ++vertex)
+        add_number(mesh.vertex_number.empty() ? vertex : mesh.vertex_number[vertex], vertex);
+    for (const GroupVertex& vertex : mesh.group_vertices)
+        add_number(vertex.number, vertex.vertex);
+    for (std::uint32_t group = 0; group < objects_.size(); ++group)
+        group_of_.emplace(objects_[group].name, group);
     samples_.resize(parts.parts.size());
     for (std::size_t part = 0; part < samples_.size(); ++part) {
         struct Point {
@@ -82,10 +90,11 @@ PartSupport::PartSupport(const Mesh& mesh, const FaceIndex& index, SurfaceTable 
 
 std::uint32_t PartSupport::numbered_in_object(std::size_t part, std::uint32_t number) const {
     const MeshObject& old = stored_.parts[part].object;
-    const auto found = objects_.find(old.name);
-    if (found == objects_.end() || number < old.first_vertex) return no_id;
-    const std::uint64_t now = std::uint64_t{found->second.first_vertex} + (number - old.first_vertex);
-    return now <= found->second.last_vertex ? numbered(static_cast<std::uint32_t>(now)) : no_id;
+    const auto found = group_of_.find(old.name);
+    if (found == group_of_.end() || number < old.first_vertex) return no_id;
+    const MeshObject& object = objects_[found->second];
+    const std::uint64_t now = std::uint64_t{object.first_vertex} + (number - old.first_vertex);
+    return now <= object.last_vertex ? numbered(static_cast<std::uint32_t>(now)) : no_id;
 }
 
 double PartSupport::tolerance(const PartMotion& motion, const Vec3& from, const Vec3& to) const {
@@ -273,11 +282,15 @@ double PartSupport::order_kept(std::size_t i, const PartMotion& motion) const {
 std::optional<double> PartSupport::vertex_order_kept(std::size_t i, const PartMotion& motion) const {
     constexpr std::size_t enough = 6;
     const Sample& sample = samples_[i];
+    const auto group = group_of_.find(stored_.parts[i].object.name);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> found;  // old number, new number
     for (std::size_t k = 0; k < sample.numbers.size(); ++k) {
         const Vec3 to = motion(sample.points[k]);
         const std::uint32_t vertex = grid_.nearest(to, tolerance(motion, sample.points[k], to));
-        if (vertex != no_id) found.push_back({sample.numbers[k], vertex_number(mesh_, vertex)});
+        if (vertex != no_id)
+            found.push_back(
+                {sample.numbers[k],
+                 mesh_.number_in_group(group != group_of_.end() ? group->second : no_id, vertex)});
     }
     if (found.size() < enough) return std::nullopt;
     std::sort(found.begin(), found.end());

@@ -137,9 +137,10 @@ class PartSupport {
     SurfaceTable surfaces_;
     const PaintParts& stored_;
     VertexGrid grid_;
-    std::vector<std::uint32_t> vertex_of_;         // [number in the file]
-    std::map<std::uint32_t, MeshObject> objects_;  // [name] of the new file
-    std::vector<Sample> samples_;                  // [part]
+    std::vector<std::uint32_t> vertex_of_;             // [number in the file]
+    std::vector<MeshObject> objects_;                  // [group] of the new file
+    std::map<std::uint32_t, std::uint32_t> group_of_;  // [name]
+    std::vector<Sample> samples_;                      // [part]
     std::optional<MeshParts> all_;
     std::vector<std::uint32_t> vertex_part_;  // [vertex] of the mesh
     std::vector<std::uint32_t> owner_;        // [part of the mesh] the stored part with its box, or no_id

@@ -58,12 +58,16 @@ std::optional<PartMotion> MotionFinder::motion_of_vertices(std::size_t i, bool b
 // if nothing had happened, or where parts that are alike changed places.
 void MotionFinder::trust_vertices() {
     Motions motions(parts_.size());
-    std::vector<bool> named(parts_.size(), false);
+    // By their objects; and of these, that are in another place.
+    std::vector<bool> named(parts_.size(), false), moved(parts_.size(), false);
     std::size_t all = 0, kept = 0, parts = 0;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-        const std::size_t more = std::max(support_.points(i).size(), needed) - needed;
         motions[i] = motion_of_vertices(i, true);  // tools write objects in another order than they read them
         named[i] = motions[i].has_value();
+        const Vec3 centre = stored_.parts[i].box.centre();
+        moved[i] = named[i] && !support_.hits(*motions[i], centre, centre);
+        const std::size_t points = support_.points(i).size();
+        const std::size_t more = moved[i] ? points : std::max(points, needed) - needed;
         if (!motions[i]) motions[i] = motion_of_vertices(i, false);
         all += more;
         if (!motions[i] || more == 0) continue;
@@ -77,8 +81,9 @@ void MotionFinder::trust_vertices() {
         if (!motions[i]) continue;
         const bool stays = motions[i]->is_identity();
         const bool unclear = !stays && part.staying.sum() > 2.0 - 1e-9;
-        // A tool that sorts the vertices of a square floor along the other axis turns their numbers over.
-        if (unclear && parts < few_parts && !turns_in_place(i, *motions[i])) continue;
+        // A tool that sorts the vertices of a square floor along the other axis turns their numbers over. It
+        // leaves an object its place.
+        if (unclear && parts < few_parts && !moved[i] && !turns_in_place(i, *motions[i])) continue;
         part.certain = true;
         part.best = *motions[i];
         part.best.guessed = motions[i]->guessed ||

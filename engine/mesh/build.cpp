@@ -96,6 +96,37 @@ void fill_defaults(PolygonSoup& soup) {
     if (soup.groups.empty()) soup.groups.emplace_back();
 }
 
+// The vertices that a group has in the file besides the first at their position. `welded`, `in_file`: the
+// position of each vertex in the file, and the first vertex at each position.
+template <class VertexOf>
+std::vector<GroupVertex> find_group_vertices(const Mesh& mesh, const std::vector<std::uint32_t>& welded,
+                                             const std::vector<std::uint32_t>& in_file, VertexOf vertex_of) {
+    std::vector<GroupVertex> found;
+    if (mesh.groups.size() < 2 || welded.size() == in_file.size()) return found;
+    std::vector<std::uint32_t> seen_by(in_file.size(), no_id), lowest(in_file.size()), positions;
+    const auto end_group = [&](std::uint32_t group) {
+        for (const std::uint32_t position : positions)
+            if (lowest[position] != in_file[position]) found.push_back({group, position, lowest[position]});
+        positions.clear();
+    };
+    std::uint32_t group = 0;
+    for (const FaceId face : faces_by_group(mesh)) {
+        if (mesh.face_group[face] != group) end_group(group);
+        group = mesh.face_group[face];
+        for (std::uint32_t c = mesh.face_first_corner[face]; c < mesh.face_first_corner[face + 1]; ++c) {
+            const std::uint32_t vertex = vertex_of(c), position = welded[vertex];
+            if (seen_by[position] != group) {
+                seen_by[position] = group;
+                lowest[position] = vertex;
+                positions.push_back(position);
+            }
+            lowest[position] = std::min(lowest[position], vertex);
+        }
+    }
+    end_group(group);
+    return found;
+}
+
 // Numbers the vertices in the order in which corners first use them and removes unused ones. `in_file`: of
 // the positions.
 void number_by_first_use(const std::vector<Vec3f>& positions, const std::vector<std::uint32_t>& in_file,
@@ -111,6 +142,12 @@ void number_by_first_use(const std::vector<Vec3f>& positions, const std::vector<
         }
         vertex = number[vertex];
     }
+    for (GroupVertex& vertex : mesh.group_vertices)
+        vertex.vertex = number[vertex.vertex];
+    std::sort(mesh.group_vertices.begin(), mesh.group_vertices.end(),
+              [](const GroupVertex& a, const GroupVertex& b) {
+                  return std::pair(a.group, a.vertex) < std::pair(b.group, b.vertex);
+              });
 }
 
 void set_corners(PolygonSoup& soup, Mesh& mesh) {
@@ -118,7 +155,7 @@ void set_corners(PolygonSoup& soup, Mesh& mesh) {
     Welded welded = weld_positions(indexed ? soup.vertex_position : soup.corner_position);
     std::vector<Vec3f>().swap(soup.corner_position);
     std::vector<Vec3f>().swap(soup.vertex_position);
-    if (!indexed) {
+    if (!indexed && mesh.groups.size() < 2) {
         mesh.positions = std::move(welded.positions);
         mesh.corner_vertex = std::move(welded.index);
         return;
@@ -126,9 +163,17 @@ void set_corners(PolygonSoup& soup, Mesh& mesh) {
     std::vector<std::uint32_t> in_file(welded.positions.size());  // the first there
     for (std::size_t i = welded.index.size(); i-- > 0;)
         in_file[welded.index[i]] = static_cast<std::uint32_t>(i);
-    mesh.corner_vertex = std::move(soup.corner_vertex);
-    for (std::uint32_t& vertex : mesh.corner_vertex)
-        vertex = welded.index[vertex];
+    const auto vertex_of = [&](std::uint32_t corner) {
+        return indexed ? soup.corner_vertex[corner] : corner;
+    };
+    mesh.group_vertices = find_group_vertices(mesh, welded.index, in_file, vertex_of);
+    if (indexed) {
+        mesh.corner_vertex = std::move(soup.corner_vertex);
+        for (std::uint32_t& vertex : mesh.corner_vertex)
+            vertex = welded.index[vertex];
+    } else {
+        mesh.corner_vertex = std::move(welded.index);  // each corner has a vertex of its own
+    }
     number_by_first_use(welded.positions, in_file, mesh);
 }
 

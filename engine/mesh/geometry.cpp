@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
 #include "newell.h"
 #include "slipface/mesh/mesh.h"
 
@@ -12,6 +16,29 @@ Vec3 face_sum(const Mesh& mesh, FaceId face) {
 }
 
 }  // namespace
+
+std::uint32_t Mesh::number_in_group(std::uint32_t group, std::uint32_t vertex) const {
+    const std::uint32_t first = vertex_number.empty() ? vertex : vertex_number[vertex];
+    if (group == no_id) return first;
+    const auto found =
+        std::lower_bound(group_vertices.begin(), group_vertices.end(), std::pair(group, vertex),
+                         [](const GroupVertex& a, const std::pair<std::uint32_t, std::uint32_t>& b) {
+                             return std::pair(a.group, a.vertex) < b;
+                         });
+    const bool other = found != group_vertices.end() && found->group == group && found->vertex == vertex;
+    return other ? found->number : first;
+}
+
+std::vector<FaceId> faces_by_group(const Mesh& mesh) {
+    std::vector<std::uint32_t> next(mesh.groups.size() + 1, 0);  // [group]
+    for (const std::uint32_t group : mesh.face_group)
+        ++next[group + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<FaceId> faces(mesh.face_count());
+    for (FaceId face = 0; face < mesh.face_count(); ++face)
+        faces[next[mesh.face_group[face]]++] = face;
+    return faces;
+}
 
 Vec3 face_normal(const Mesh& mesh, FaceId face) {
     const Vec3 sum = face_sum(mesh, face);

@@ -58,6 +58,24 @@ TEST_F(Export, ObjBringsTypesInItsMaterials) {
         << "the rule says sticky, the paint default";
 }
 
+// As modelling tools write them: two objects that touch have vertices of their own, in the order in which
+// they were read.
+TEST_F(Export, ObjListsTheVerticesOfEachObjectInTheirOrder) {
+    const std::string low = "v 0 0 0\nv 1 0 1\nv 0 0 1\nv 1 0 0\n";
+    const std::string high = "v 1 0 0\nv 1 1 1\nv 1 0 1\nv 1 1 0\n";
+    const Level level = open(low + "o low\nf 1 3 2 4\n" + high + "o high\nf 5 8 6 7\n");
+    const Mesh& mesh = *level.mesh;
+    ASSERT_EQ(mesh.positions.size(), 6u);
+    std::vector<std::uint32_t> numbers;
+    for (const std::uint32_t group : {0u, 1u})
+        for (std::uint32_t c = 4 * group; c < 4 * group + 4; ++c)
+            numbers.push_back(mesh.number_in_group(mesh.face_group[group], mesh.corner_vertex[c]));
+    EXPECT_THAT(numbers, testing::ElementsAre(0, 2, 1, 3, 4, 7, 5, 6));
+    ASSERT_TRUE(export_level(level, {.obj = path("again.obj")}));
+    EXPECT_THAT(read("again.obj"), testing::HasSubstr(low + high));
+    EXPECT_EQ(open_path("again.obj").mesh->positions, mesh.positions);
+}
+
 TEST_F(Export, GltfBringsTypesInNamesAndExtras) {
     const Level level = painted();
     for (const char* name : {"game.gltf", "game.glb"}) {

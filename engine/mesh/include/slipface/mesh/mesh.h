@@ -29,11 +29,18 @@ struct MeshNode {
     Eigen::Matrix4f world = Eigen::Matrix4f::Identity();  // from the object's own space to the level's
 };
 
+// Groups that touch share vertices here, but each can have its own in the file.
+struct GroupVertex {
+    std::uint32_t group = 0, vertex = 0;
+    std::uint32_t number = 0;  // the index in the file of the group's first one there
+};
+
 // A *face* is one polygon of the file, in the winding of the file (counter-clockwise seen from the front).
 // Its corners are consecutive in the corner arrays. A *triangle* is three corner indices of one face.
 struct Mesh {
     std::vector<Vec3f> positions;                         // [vertex], metres; shared between faces
     std::vector<std::uint32_t> vertex_number;             // [vertex] its index in the file, or empty: as here
+    std::vector<GroupVertex> group_vertices;              // those with another one; by group, then by vertex
     std::vector<std::uint32_t> corner_vertex;             // [corner] index into positions
     std::vector<Vec2f> corner_uv;                         // [corner], V up; zero if the file gives none
     std::vector<std::uint32_t> face_first_corner;         // [face + 1], ends with the number of corners
@@ -59,7 +66,12 @@ struct Mesh {
         return face_first_corner[face + 1] - face_first_corner[face];
     }
     Vec3f corner_position(std::uint32_t corner) const { return positions[corner_vertex[corner]]; }
+    // The index of the vertex in the file; `group` no_id: of the first one at its position.
+    std::uint32_t number_in_group(std::uint32_t group, std::uint32_t vertex) const;
 };
+
+// All faces, group after group, those of a group in the order of the file.
+std::vector<FaceId> faces_by_group(const Mesh& mesh);
 
 using MeshPtr = std::shared_ptr<const Mesh>;
 
