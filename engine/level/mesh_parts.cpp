@@ -183,6 +183,14 @@ std::vector<MeshObject> objects_of(const Mesh& mesh) {
     return objects;
 }
 
+ObjectNames::ObjectNames(const Mesh& mesh, const PaintParts& parts) {
+    for (const PaintPart& part : parts.parts)
+        in_old.insert(part.object.name);
+    for (const std::string& name : mesh.groups)
+        of_group.push_back(object_name(name));
+    in_mesh.insert(of_group.begin(), of_group.end());
+}
+
 MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces) {
     MeshParts result;
     result.first_there = welded(mesh);

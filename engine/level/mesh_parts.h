@@ -1,6 +1,8 @@
 // All parts of a mesh, painted or not.
 #pragma once
 
+#include <set>
+
 #include "part_motion.h"
 
 namespace slipface {
@@ -21,6 +23,20 @@ inline std::uint32_t vertex_number(const Mesh& mesh, std::uint32_t vertex) {
 }
 
 std::vector<MeshObject> objects_of(const Mesh& mesh);  // [group]
+
+// The names (object_name()) of objects in the old file and in a mesh.
+struct ObjectNames {
+    ObjectNames(const Mesh& mesh, const PaintParts& parts);
+
+    // Whether what the mesh has in the object `now` is nothing of the old object `before`: the old file had
+    // both, and that one is still there.
+    bool differ(std::uint32_t before, std::uint32_t now) const {
+        return before != now && in_mesh.contains(before) && in_old.contains(now);
+    }
+
+    std::set<std::uint32_t> in_old, in_mesh;
+    std::vector<std::uint32_t> of_group;  // of the mesh
+};
 
 MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces);
 
