@@ -143,6 +143,7 @@ class FaceMatcher {
 
     // match_nearest.cpp
     std::vector<Vec3> edges_along(std::size_t i, const Vec3& normal);
+    bool has_grown(FaceId face, std::size_t i) const;
     bool match_extruded(std::size_t i);
     std::size_t joined_corners(FaceId face, std::span<const Vec3> positions, double slack);
     bool match_corners(std::size_t i);

@@ -68,13 +68,21 @@ std::vector<Vec3> FaceMatcher::edges_along(std::size_t i, const Vec3& normal) {
     return edges;
 }
 
+// Whether the face's object has more faces than the old one's had. If not, a far face is the bottom of a pit
+// that lost its lid.
+bool FaceMatcher::has_grown(FaceId face, std::size_t i) const {
+    const std::size_t part = i < parts_.of.size() ? parts_.of[i] : 0;
+    return part > 0 && part <= parts_.parts.size() &&
+           objects_.in_mesh.at(objects_.of_group[mesh_.face_group[face]]) >
+               objects_.in_old.at(parts_.parts[part - 1].object.name);
+}
+
 // A face of the same outline that moved along the normal, with sides between: extruded. Nothing is where it
 // was.
 bool FaceMatcher::match_extruded(std::size_t i) {
     const FaceKey& key = this->key(i);
     const Vec3 normal = unit_or_zero(key.normal);
     const std::vector<Vec3>& outline = outlines_[i];
-    const std::size_t part = i < parts_.of.size() ? parts_.of[i] : 0;
     if (outline.empty() || normal.isZero()) return false;
     double extent = 0.0;
     for (const Vec3& corner : outline)
@@ -107,11 +115,9 @@ bool FaceMatcher::match_extruded(std::size_t i) {
             std::vector<Vec3> before;
             for (std::uint32_t c = first; c < first + outline.size(); ++c)
                 before.emplace_back(mesh_.corner_position(c).cast<double>() - offset);
-            // Far away it may be the bottom of a pit that lost its lid; but then nothing was added.
             const bool far = offset.norm() > max_extrusion * extent;
             if (joined_corners(face, before, exact) < (far ? outline.size() : 2) ||
-                (far &&
-                 (part == 0 || pieces().parts[pieces().of[face]].faces <= parts_.parts[part - 1].faces)))
+                (far && !has_grown(face, i)))
                 continue;
             claim(face, i, MatchStage::nearest);
             return true;

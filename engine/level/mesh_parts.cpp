@@ -185,10 +185,11 @@ std::vector<MeshObject> objects_of(const Mesh& mesh) {
 
 ObjectNames::ObjectNames(const Mesh& mesh, const PaintParts& parts) {
     for (const PaintPart& part : parts.parts)
-        in_old.insert(part.object.name);
+        in_old[part.object.name] += part.faces;
     for (const std::string& name : mesh.groups)
         of_group.push_back(object_name(name));
-    in_mesh.insert(of_group.begin(), of_group.end());
+    for (const std::uint32_t group : mesh.face_group)
+        ++in_mesh[of_group[group]];
 }
 
 MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces) {

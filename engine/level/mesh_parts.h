@@ -1,7 +1,7 @@
 // All parts of a mesh, painted or not.
 #pragma once
 
-#include <set>
+#include <map>
 
 #include "part_motion.h"
 
@@ -24,7 +24,7 @@ inline std::uint32_t vertex_number(const Mesh& mesh, std::uint32_t vertex) {
 
 std::vector<MeshObject> objects_of(const Mesh& mesh);  // [group]
 
-// The names (object_name()) of objects in the old file and in a mesh.
+// The objects of the old file and of a mesh by their names (object_name()).
 struct ObjectNames {
     ObjectNames(const Mesh& mesh, const PaintParts& parts);
 
@@ -34,7 +34,7 @@ struct ObjectNames {
         return before != now && in_mesh.contains(before) && in_old.contains(now);
     }
 
-    std::set<std::uint32_t> in_old, in_mesh;
+    std::map<std::uint32_t, std::size_t> in_old, in_mesh;  // [name] number of faces
     std::vector<std::uint32_t> of_group;  // of the mesh
 };
 
