@@ -105,14 +105,18 @@ def inside_blender(job_path):
             else:
                 cut.append((o, polygon))
         missing = len(cut) - pieces(cut, used, ids, world, material)
+        original = {}
         for o in objects:
             o.data.attributes.new("face_id", "INT", "FACE").data.foreach_set("value", ids[o])
             o["before"] = [x for row in o.matrix_world for x in row]
             first = len(places)
             places.extend(o.matrix_world @ v.co for v in o.data.vertices)
-            loops.extend([first + v for v in p.vertices] for p in o.data.polygons)
+            own = [tuple(p.vertices) for p in o.data.polygons]
+            loops.extend([first + v for v in p] for p in own)
             owners.extend((number, material(o, p)) for number, p in zip(ids[o], o.data.polygons))
-        return missing, (BVHTree.FromPolygons(places, loops), owners)
+            original[o.name] = BVHTree.FromPolygons(places[first:], own), owners[-len(own):]
+        original[None] = BVHTree.FromPolygons(places, loops), owners
+        return missing, original
 
     def pieces(cut, used, ids, world, material):
         """Numbers the polygons that together are one face: of its material, in its plane and with its area."""
@@ -154,10 +158,24 @@ def inside_blender(job_path):
             math.dist((c.x, c.z, -c.y), job["centroids"][number - 1]) < 1e-3 and \
             math.dist((n.x, n.z, -n.y), job["vectors"][number - 1]) < 1e-3 * n.length + 1e-5
 
+    def nearest(original, point, normal, allowed=lambda i: True):
+        """[(distance, face, how far the point is beside it)] of the original faces that look the same way and are
+        nearest to the point, at most 0.6 m away: the nearest one, and all that are as near up to 0.1 mm."""
+        def beside(location, n):
+            return (point - location - (point - location).dot(n) * n).length
+
+        for reach in (0.01, 0.05, 0.2, 0.6):  # a large one finds very many faces
+            at = [(d, i, beside(location, n)) for location, n, i, d in original[0].find_nearest_range(point, reach)
+                  if n.dot(normal) > 0.5 and allowed(i)]
+            least = min(at)[0] + 1e-4 if at else 0.0
+            if at and (least <= reach or reach == 0.6):
+                return [one for one in at if one[0] <= least]
+        return []
+
     def covered(mesh, polygon, triangles, back, original):
         """{number of an original face: area of it that the polygon covers}, by its nearest points: of all faces,
         and of those of its material where there are any."""
-        tree, owners = original
+        owners = original[1]
         own = mesh.materials[polygon.material_index].name if mesh.materials else None
         normal = (back.to_3x3().inverted().transposed() @ polygon.normal).normalized()
         by_place, by_material = {}, {}
@@ -165,18 +183,19 @@ def inside_blender(job_path):
             a, b, c = (back @ mesh.vertices[v].co for v in corners)
             size = (b - a).cross(c - a).length
             for point in spread(a, b, c, 12 if len(triangles) < 9 else 6):
-                at = [(d, i) for _, n, i, d in tree.find_nearest_range(point, 0.6) if n.dot(normal) > 0.5]
-                same = [(d, i) for d, i in at if owners[i][1] == own]
+                at = nearest(original, point, normal)
+                same = nearest(original, point, normal, lambda i: owners[i][1] == own)
                 for area, faces in ((by_place, at), (by_material, same or at)):
                     number = owners[min(faces)[1]][0] if faces else 0
                     area[number] = area.get(number, 0.0) + size
         whole = sum(by_place.values()) or 1.0
         return [{number: size / whole for number, size in area.items()} for area in (by_place, by_material)]
 
-    def lies_on(mesh, polygon, triangles, back, original):
-        """{number of an original face: area of it that has the polygon's nearest points}. Original faces that lie on
-        each other have all of them."""
-        tree, owners = original
+    def lies_on(mesh, polygon, triangles, back, original, own):
+        """{number of an original face of the object: area of it that has the polygon's nearest points}. Original
+        faces that lie on each other have all of them. The face `own`, whose number the polygon has, is not where the
+        polygon lies beside it."""
+        owners = original[1]
         normal = (back.to_3x3().inverted().transposed() @ polygon.normal).normalized()
         on, whole = {}, 0.0
         for corners in triangles:
@@ -184,9 +203,8 @@ def inside_blender(job_path):
             size = (b - a).cross(c - a).length
             for point in spread(a, b, c, 6):
                 whole += size
-                at = [(d, i) for _, n, i, d in tree.find_nearest_range(point, 0.6) if n.dot(normal) > 0.5]
-                nearest = min(at)[0] + 1e-4 if at else 0.0
-                for number in {owners[i][0] for d, i in at if d <= nearest}:
+                for number in {owners[i][0] for d, i, beside in nearest(original, point, normal)
+                               if owners[i][0] != own or beside < 0.3 * d + 1e-3}:
                     on[number] = on.get(number, 0.0) + size
         return {number: area / (whole or 1.0) for number, area in on.items()}
 
@@ -204,6 +222,7 @@ def inside_blender(job_path):
             layer = mesh.attributes.get("face_id")
             if layer is not None and layer.domain == "FACE" and len(layer.data) == len(ids):
                 layer.data.foreach_get("value", ids)
+            between = json.loads(o.get("between", "{}"))
             side = -1.0 if o.matrix_world.determinant() < 0.0 else 1.0
             if original:
                 mesh.calc_loop_triangles()
@@ -222,11 +241,15 @@ def inside_blender(job_path):
                 rows.append((number, c.x, c.z, -c.y, n.x, n.z, -n.y))
                 if not original:
                     continue
-                face = (mesh, polygon, triangles[polygon.index], back, original)
+                face = (mesh, polygon, triangles[polygon.index], back)
                 if unchanged(mesh, polygon, number, back):
                     rows[-1] += ({number: 1.0},) * (2 if kind == MERGED else 1)
+                elif kind == MERGED:
+                    rows[-1] += tuple(covered(*face, original[None]))
                 else:
-                    rows[-1] += tuple(covered(*face)) if kind == MERGED else (lies_on(*face),)
+                    on = lies_on(*face, original[o.name], number)
+                    on.update((n, 1.0) for n in between.get(str(polygon.index), ()))
+                    rows[-1] += (on,)
             shown.to_mesh_clear()
         json.dump(rows, open(path + ".truth", "w"))
 
@@ -324,6 +347,14 @@ def inside_blender(job_path):
             number = b.faces.layers.int["face_id"]
             for face in made["faces"]:  # they are between faces; Blender gives them the number of one of these
                 face[number] = 0
+            # Of a strip the faces at its sides, of a corner those of its strips; a strip may be two side by side.
+            numbers = {face: {face[number]} - {0} for face in b.faces}
+            for _ in range(2):
+                beside = {face: set().union(*(numbers[f] for e in face.edges for f in e.link_faces))
+                          for face in made["faces"]}
+                numbers.update(beside)
+            b.faces.index_update()
+            o["between"] = json.dumps({face.index: sorted(numbers[face]) for face in made["faces"]})
         bm_edit(o, change)
 
     def dissolve(o):

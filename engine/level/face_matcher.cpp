@@ -30,6 +30,7 @@ FaceMatcher::FaceMatcher(const Mesh& mesh, SurfaceTable surfaces, const std::vec
       index_(lookup.index),
       parts_(parts),
       motions_(motions),
+      objects_(mesh, parts),
       claims_(mesh.face_count()),
       found_(stored.size(), MatchStage::none),
       types_(stored.size()),
@@ -63,6 +64,12 @@ void FaceMatcher::move() {
 const PartMotion* FaceMatcher::motion_of(std::size_t i) const {
     const std::size_t part = i < parts_.of.size() ? parts_.of[i] : 0;
     return part > 0 && part <= motions_.size() ? &motions_[part - 1] : nullptr;
+}
+
+bool FaceMatcher::is_of_another_object(FaceId face, std::size_t i) const {
+    const std::size_t part = i < parts_.of.size() ? parts_.of[i] : 0;
+    return part > 0 && part <= parts_.parts.size() &&
+           objects_.differ(parts_.parts[part - 1].object.name, objects_.of_group[mesh_.face_group[face]]);
 }
 
 // How far the face's mean of corners can be from where its part's motion puts it: by what rounding did to the
@@ -163,7 +170,8 @@ void FaceMatcher::claim(FaceId face, std::size_t i, MatchStage stage) {
     result_.overrides[face] = types_[i];
 }
 
-// Faces with a triangle in the box, of the key's material unless any will do; ascending.
+// Faces with a triangle in the box, of the key's material unless any will do; ascending. None of another
+// object.
 std::vector<FaceId> FaceMatcher::faces_in(std::size_t i, const Aabb& box, bool any_material,
                                           std::size_t& visits) const {
     std::vector<FaceId> faces;
@@ -171,18 +179,19 @@ std::vector<FaceId> FaceMatcher::faces_in(std::size_t i, const Aabb& box, bool a
         ++visits;
         const FaceId face = lookup_.tree()->triangle_face(triangle);
         const bool known = !faces.empty() && faces.back() == face;
-        if (!known && (any_material || index_.base(face) == bases_[i])) faces.push_back(face);
+        if (!known && !is_of_another_object(face, i) && (any_material || index_.base(face) == bases_[i]))
+            faces.push_back(face);
     }
     ++visits;
     return faces;
 }
 
-std::vector<FaceId> FaceMatcher::faces_around(std::size_t i, double reach) {
+std::vector<FaceId> FaceMatcher::faces_around(std::size_t i, double reach, bool any_material) {
     const Vec3& centroid = key(i).centroid;
     Aabb box;
     box.add(centroid - Vec3::Constant(reach));
     box.add(centroid + Vec3::Constant(reach));
-    return faces_in(i, box);
+    return faces_in(i, box, any_material);
 }
 
 void FaceMatcher::collect() {

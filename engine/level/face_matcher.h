@@ -51,13 +51,14 @@ class FaceMatcher {
     const FaceKey& key(std::size_t i) const { return (moved_.empty() ? stored_ : moved_)[i].key; }
     bool is_wanted(std::size_t i) const;  // not found yet, and to be searched
     bool is_free(FaceId face) const { return claims_[face] == MatchStage::none; }
+    bool is_of_another_object(FaceId face, std::size_t i) const;
     void claim(FaceId face, std::size_t i, MatchStage stage);
     std::vector<FaceId> faces_in(std::size_t i, const Aabb& box, bool any_material,
                                  std::size_t& visits) const;
     std::vector<FaceId> faces_in(std::size_t i, const Aabb& box, bool any_material = false) {
         return faces_in(i, box, any_material, lookup_.visits);
     }
-    std::vector<FaceId> faces_around(std::size_t i, double reach);
+    std::vector<FaceId> faces_around(std::size_t i, double reach, bool any_material = false);
     std::vector<FaceId> faces_at_outline(std::size_t i);
     template <class Match>
     void run_stage(MatchStage stage, Match match);
@@ -116,7 +117,7 @@ class FaceMatcher {
     const MeshParts& pieces();
     bool is_remade(FaceId face, std::size_t i);
     bool is_gone(std::size_t part);
-    bool is_new(const PaintPart& part) const;
+    bool is_new(const PaintPart& part, std::size_t old) const;
     Aabb moved_box(std::size_t part) const;
     bool lies_in_plane(FaceId face, std::size_t i) const;
     bool is_off_plane(FaceId face, const FaceKey& key) const;
@@ -141,6 +142,8 @@ class FaceMatcher {
     void take_votes(FaceId face, const Votes& votes);
 
     // match_nearest.cpp
+    std::vector<Vec3> edges_along(std::size_t i, const Vec3& normal);
+    bool has_grown(FaceId face, std::size_t i) const;
     bool match_extruded(std::size_t i);
     std::size_t joined_corners(FaceId face, std::span<const Vec3> positions, double slack);
     bool match_corners(std::size_t i);
@@ -156,6 +159,7 @@ class FaceMatcher {
     const FaceIndex& index_;
     const PaintParts& parts_;
     const std::vector<PartMotion>& motions_;
+    const ObjectNames objects_;
     std::vector<StoredOverride> moved_;            // stored_ after the motions, or empty if all stayed
     std::vector<MatchStage> claims_;               // [face]
     std::vector<MatchStage> found_;                // [stored]

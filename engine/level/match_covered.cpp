@@ -61,12 +61,12 @@ bool FaceMatcher::is_remade(FaceId face, std::size_t i) {
     if (old == 0 || old > parts_.parts.size()) return false;
     const MeshParts& pieces = this->pieces();
     const std::uint32_t piece = pieces.of[face];
-    if (mixed_[piece] || pieces.scattered[piece]) return false;
+    if (is_of_another_object(face, i) || mixed_[piece] || pieces.scattered[piece]) return false;
     const PaintPart& part = pieces.parts[piece];
     if (part.faces == parts_.parts[old - 1].faces) return false;
     if (similar_box(part.box, moved_box(old - 1), remade_slack)) return true;
     return is_gone(old - 1) && lies_in(part.box, moved_box(old - 1), 1e-3 * part.box.size().norm()) &&
-           is_new(part);
+           is_new(part, old - 1);
 }
 
 // Whether no painted face of the part is as it was.
@@ -80,14 +80,10 @@ bool FaceMatcher::is_gone(std::size_t part) {
     return gone_[part];
 }
 
-// Whether none of the stored parts is this part of the mesh, where it was before or went.
-bool FaceMatcher::is_new(const PaintPart& part) const {
-    for (std::size_t i = 0; i < parts_.parts.size(); ++i) {
-        const PaintPart& old = parts_.parts[i];
-        if (old.faces == part.faces &&
-            (similar_box(old.box, part.box, 1e-3) || similar_box(moved_box(i), part.box, 1e-3)))
-            return false;
-    }
+// Whether no stored part but `old` fills the box of this part of the mesh.
+bool FaceMatcher::is_new(const PaintPart& part, std::size_t old) const {
+    for (std::size_t i = 0; i < parts_.parts.size(); ++i)
+        if (i != old && similar_box(part.box, moved_box(i), remade_slack)) return false;
     return true;
 }
 

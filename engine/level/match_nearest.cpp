@@ -43,6 +43,40 @@ std::size_t FaceMatcher::joined_corners(FaceId face, std::span<const Vec3> posit
     return mesh_.face_corner_count(face) - free.size();
 }
 
+// How the edges lead away from the old face's corners along its normal.
+std::vector<Vec3> FaceMatcher::edges_along(std::size_t i, const Vec3& normal) {
+    constexpr double oblique = 2e-3;  // a level file rounds normals
+    std::vector<Vec3> edges;
+    const double reach = rounding(i) + position_tolerance(key(i).centroid);
+    const Vec3 room = Vec3::Constant(reach);
+    for (const Vec3& corner : outlines_[i]) {
+        for (const TriangleId triangle : lookup_.tree()->triangles_in({corner - room, corner + room})) {
+            ++lookup_.visits;
+            for (std::size_t k = 0; k < 6; ++k) {
+                const auto& corners = mesh_.triangles[triangle];
+                const Vec3 from = mesh_.corner_position(corners[k % 3]).cast<double>();
+                const Vec3 edge = mesh_.corner_position(corners[(k + 1 + k / 3) % 3]).cast<double>() - from;
+                const double along = std::abs(normal.dot(edge));
+                if ((from - corner).norm() <= reach &&
+                    (edge - normal.dot(edge) * normal).norm() <= reach + oblique * along)
+                    edges.push_back(edge);
+            }
+        }
+    }
+    std::sort(edges.begin(), edges.end(),
+              [](const Vec3& a, const Vec3& b) { return a.squaredNorm() < b.squaredNorm(); });
+    return edges;
+}
+
+// Whether the face's object has more faces than the old one's had. If not, a far face is the bottom of a pit
+// that lost its lid.
+bool FaceMatcher::has_grown(FaceId face, std::size_t i) const {
+    const std::size_t part = i < parts_.of.size() ? parts_.of[i] : 0;
+    return part > 0 && part <= parts_.parts.size() &&
+           objects_.in_mesh.at(objects_.of_group[mesh_.face_group[face]]) >
+               objects_.in_old.at(parts_.parts[part - 1].object.name);
+}
+
 // A face of the same outline that moved along the normal, with sides between: extruded. Nothing is where it
 // was.
 bool FaceMatcher::match_extruded(std::size_t i) {
@@ -54,46 +88,42 @@ bool FaceMatcher::match_extruded(std::size_t i) {
     for (const Vec3& corner : outline)
         extent = std::max(extent, (corner - outline[0]).norm());
     const double exact = 1e-3 * std::sqrt(key.area) + position_tolerance(key.centroid);
-    FaceId best = no_id;
-    double best_distance = max_extrusion * extent;
-    Aabb box;
-    for (const double side : {best_distance, -best_distance}) {
-        box.add(key.centroid + side * normal - Vec3::Constant(exact));
-        box.add(key.centroid + side * normal + Vec3::Constant(exact));
-    }
-    for (const FaceId face : faces_in(i, box, true)) {
-        const FaceKey& candidate = index_.key(face);
-        if (!(candidate.normal.dot(normal) > 0.9995)) continue;
-        const Vec3 offset = candidate.centroid - key.centroid;
-        const double along = std::abs(normal.dot(offset));
-        if (along <= exact) {
-            if (index_.covers(face, key.centroid, normal)) return false;
-            continue;
-        }
-        if (!is_free(face) || index_.base(face) != bases_[i] || along > best_distance ||
-            (offset - normal.dot(offset) * normal).norm() > exact ||
-            std::abs(candidate.area - key.area) > 0.01 * key.area ||
-            mesh_.face_corner_count(face) != outline.size())
-            continue;
-        const std::uint32_t first = mesh_.face_first_corner[face];
-        const auto has = [&](const Vec3& corner) {
-            for (std::uint32_t c = 0; c < outline.size(); ++c)
-                if ((mesh_.corner_position(first + c).cast<double>() - corner - offset).norm() <
-                    0.02 * extent)
-                    return true;
+    for (const FaceId face : faces_around(i, exact, true))
+        if (index_.key(face).normal.dot(normal) > 0.9995 &&
+            std::abs(normal.dot(index_.key(face).centroid - key.centroid)) <= exact &&
+            index_.covers(face, key.centroid, normal))
             return false;
-        };
-        if (!std::all_of(outline.begin(), outline.end(), has)) continue;
-        std::vector<Vec3> before;
-        for (std::uint32_t c = first; c < first + outline.size(); ++c)
-            before.emplace_back(mesh_.corner_position(c).cast<double>() - offset);
-        if (joined_corners(face, before, exact) < 2) continue;
-        best = face;
-        best_distance = along;
+    for (const Vec3& edge : edges_along(i, normal)) {
+        if (edge.norm() <= exact) continue;
+        for (const FaceId face : index_.near(key.centroid + edge, wide_slack(i))) {
+            const FaceKey& candidate = index_.key(face);
+            const Vec3 offset = candidate.centroid - key.centroid;
+            if (!is_free(face) || index_.base(face) != bases_[i] || is_of_another_object(face, i) ||
+                !(candidate.normal.dot(normal) > 0.9995) ||
+                std::abs(candidate.area - key.area) > 0.01 * key.area ||
+                mesh_.face_corner_count(face) != outline.size())
+                continue;
+            const std::uint32_t first = mesh_.face_first_corner[face];
+            const auto has = [&](const Vec3& corner) {
+                for (std::uint32_t c = 0; c < outline.size(); ++c)
+                    if ((mesh_.corner_position(first + c).cast<double>() - corner - offset).norm() <
+                        0.02 * extent)
+                        return true;
+                return false;
+            };
+            if (!std::all_of(outline.begin(), outline.end(), has)) continue;
+            std::vector<Vec3> before;
+            for (std::uint32_t c = first; c < first + outline.size(); ++c)
+                before.emplace_back(mesh_.corner_position(c).cast<double>() - offset);
+            const bool far = offset.norm() > max_extrusion * extent;
+            if (joined_corners(face, before, exact) < (far ? outline.size() : 2) ||
+                (far && !has_grown(face, i)))
+                continue;
+            claim(face, i, MatchStage::nearest);
+            return true;
+        }
     }
-    if (best == no_id) return false;
-    claim(best, i, MatchStage::nearest);
-    return true;
+    return false;
 }
 
 // Those that touch the box of the outline.
@@ -185,7 +215,7 @@ bool FaceMatcher::match_nearest(std::size_t i) {
     for (const FaceId face : faces_around(i, size)) {
         const FaceKey& candidate = index_.key(face);
         const double distance = (candidate.centroid - key.centroid).norm();
-        const bool similar = candidate.area > 0.25 * key.area && candidate.area < 4.0 * key.area &&
+        const bool similar = candidate.area > 0.5 * key.area && candidate.area < 2.0 * key.area &&
                              candidate.normal.dot(normal) > 0.9 && distance <= size;
         const bool merged = !merged_.empty() && merged_[face];  // what is nearest to it is decided
         if (!is_free(face) || merged || is_refused(face, i) || !similar ||

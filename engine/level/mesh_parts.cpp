@@ -188,6 +188,15 @@ std::vector<MeshObject> objects_of(const Mesh& mesh) {
     return objects;
 }
 
+ObjectNames::ObjectNames(const Mesh& mesh, const PaintParts& parts) {
+    for (const PaintPart& part : parts.parts)
+        in_old[part.object.name] += part.faces;
+    for (const std::string& name : mesh.groups)
+        of_group.push_back(object_name(name));
+    for (const std::uint32_t group : mesh.face_group)
+        ++in_mesh[of_group[group]];
+}
+
 MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces) {
     MeshParts result;
     result.first_there = welded(mesh);

@@ -106,6 +106,10 @@ class MotionFinder {
     void fit_areas();
     std::optional<PartMotion> motion_of_most() const;
     void follow_areas(AreaFit& fit, std::span<const std::size_t> parts, const PartMotion& level);
+    void fit_objects(AreaFit& fit, std::span<const std::size_t> missing, std::vector<bool>& taken);
+    void fit_each(AreaFit& fit, std::span<const std::size_t> missing, std::vector<bool>& taken);
+    void follow_objects(AreaFit& fit, std::span<const std::size_t> missing);
+    void take_places(std::size_t part, std::vector<bool>& taken);  // [part of the mesh]
     void accept_area(std::size_t part, const PartMotion& motion);
     std::optional<PartMotion> clear_one(AreaFit& fit, std::span<const std::size_t> parts,
                                         const std::vector<AreaMotion>& motions);

@@ -1,6 +1,7 @@
 // Parts of whose corners an edit left too few: they did what most of the painted faces did. If that is not
 // known, the faces that are left say it, then the areas of all parts together, then of each by itself.
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "area_fit.h"
@@ -46,16 +47,47 @@ void MotionFinder::fit_areas() {
         level = clear_one(fit, painted, fit.motions(painted, faces));
     }
     if (level) follow_areas(fit, most ? missing : painted, *level);
-    const MeshParts& all = support_.all();
-    std::vector<bool> taken(all.parts.size(), false);
-    const auto take = [&](std::size_t i) {
-        for (const std::uint32_t part : support_.parts_at(i, parts_[i].best))
-            taken[part] = true;
-    };
+    std::vector<bool> taken(support_.all().parts.size(), false);
     for (std::uint32_t part = 0; part < taken.size(); ++part)
         taken[part] = support_.is_occupied(part);
     for (const std::size_t i : painted)
-        if (!is_missing(i)) take(i);
+        if (!is_missing(i)) take_places(i, taken);
+    fit_objects(fit, missing, taken);
+    fit_each(fit, missing, taken);
+    follow_objects(fit, missing);
+}
+
+// The mesh's parts in which the part is now.
+void MotionFinder::take_places(std::size_t i, std::vector<bool>& taken) {
+    for (const std::uint32_t part : support_.parts_at(i, parts_[i].best))
+        taken[part] = true;
+}
+
+// The missing parts of an object that is still there made one motion.
+void MotionFinder::fit_objects(AreaFit& fit, std::span<const std::size_t> missing, std::vector<bool>& taken) {
+    const MeshParts& all = support_.all();
+    std::map<std::uint32_t, std::vector<std::size_t>> objects;
+    for (const std::size_t i : missing)
+        if (is_missing(i) && stored_.parts[i].object.name != 0)
+            objects[stored_.parts[i].object.name].push_back(i);
+    for (const auto& [name, parts] : objects) {
+        std::vector<FaceId> places;
+        for (std::uint32_t part = 0; part < taken.size(); ++part)
+            if (!taken[part] && all.parts[part].object.name == name)
+                places.insert(places.end(), all.sorted.begin() + all.first[part],
+                              all.sorted.begin() + all.first[part + 1]);
+        if (places.empty() || !fit.may_search()) continue;
+        const std::optional<PartMotion> motion = clear_one(fit, parts, fit.motions(parts, places));
+        if (!motion) continue;
+        for (const std::size_t i : parts) {
+            accept_area(i, *motion);
+            take_places(i, taken);
+        }
+    }
+}
+
+void MotionFinder::fit_each(AreaFit& fit, std::span<const std::size_t> missing, std::vector<bool>& taken) {
+    const MeshParts& all = support_.all();
     std::vector<FaceId> places;
     for (const std::size_t i : missing) {
         if (!is_missing(i)) continue;
@@ -63,7 +95,9 @@ void MotionFinder::fit_areas() {
         std::vector<AreaMotion> found;
         for (std::uint32_t part = 0; part < taken.size(); ++part) {
             const double other = all.parts[part].box.size().norm();
-            if (taken[part] || other < 0.5 * size || other > 2.0 * size || !fit.may_search()) continue;
+            if (taken[part] || support_.differ(i, part) || other < 0.5 * size || other > 2.0 * size ||
+                !fit.may_search())
+                continue;
             places.assign(all.sorted.begin() + all.first[part], all.sorted.begin() + all.first[part + 1]);
             const std::vector<AreaMotion> there = fit.motions(std::span(&i, 1), places);
             found.insert(found.end(), there.begin(), there.end());
@@ -73,7 +107,18 @@ void MotionFinder::fit_areas() {
         const std::optional<PartMotion> motion = clear_one(fit, std::span(&i, 1), found);
         if (!motion) continue;
         accept_area(i, *motion);
-        take(i);
+        take_places(i, taken);
+    }
+}
+
+// What is still missing did what another part of its object did, if faces are there then.
+void MotionFinder::follow_objects(AreaFit& fit, std::span<const std::size_t> missing) {
+    for (const std::size_t i : missing) {
+        const std::uint32_t name = stored_.parts[i].object.name;
+        for (std::size_t k = 0; k < parts_.size() && name != 0 && is_missing(i); ++k)
+            if (stored_.parts[k].object.name == name && !parts_[k].best.is_identity() && fit.may_search() &&
+                fit.covered(std::span(&i, 1), parts_[k].best) >= enough_area)
+                accept_area(i, parts_[k].best);
     }
 }
 

@@ -79,9 +79,13 @@ std::vector<PartMotion> MotionFinder::run() && {
         PartMotion& best = parts_[part].best;
         best.guessed = best.guessed || symmetric;
         best.rest = support_.rest(part, best);
+        if (!best.is_identity() && support_.is_another_object(part, best)) {
+            best = PartMotion{.guessed = true};
+            parts_[part].best_support = parts_[part].staying;
+            parts_[part].voted = false;
+        }
         if (is_unexplained(part))
             (lies_as_before(part) || was_remade(part) ? best.guessed : best.lost) = true;
-        if (!best.is_identity() && support_.is_another_object(part, best)) best.lost = true;
     }
     find_flipped();
     for (const Part& part : parts_)

@@ -37,7 +37,8 @@ PartSupport::PartSupport(const Mesh& mesh, const FaceIndex& index, SurfaceTable 
       surfaces_(surfaces),
       stored_(parts),
       grid_(mesh),
-      objects_(objects_of(mesh)) {
+      objects_(objects_of(mesh)),
+      names_(mesh, parts) {
     const auto add_number = [this](std::uint32_t number, std::uint32_t vertex) {
         if (number >= vertex_of_.size()) vertex_of_.resize(number + std::size_t{1}, no_id);
         vertex_of_[number] = vertex;
@@ -200,8 +201,9 @@ bool PartSupport::is_taken(std::size_t i, const PartMotion& motion) {
         const std::uint32_t vertex = grid_.nearest(to, tolerance(motion, point, to));
         if (vertex == no_id || vertex_part_[vertex] == no_id) continue;
         ++hits;
-        const std::uint32_t owner = owner_[vertex_part_[vertex]];
-        taken += owner != no_id && owner != i && !samples_[owner].gone ? 1 : 0;
+        const std::uint32_t there = vertex_part_[vertex], owner = owner_[there];
+        const bool stayed = owner != no_id && owner != i && !samples_[owner].gone;
+        taken += stayed || differ(i, there) ? 1 : 0;
     }
     return 10 * taken > 3 * hits;
 }
@@ -322,16 +324,19 @@ PartSupport::Looks PartSupport::looks(std::size_t part, const PartMotion& motion
     std::vector<const FaceKey*> faces = samples_[part].keys;
     for (const FaceKey& key : rim)
         faces.push_back(&key);
-    std::size_t same = 0, other = 0, both = 0;
+    double same = 0.0, other = 0.0, both = 0.0, all = 0.0;  // area
     for (const FaceKey* key : faces) {
         bool same_material = false;
         const Side side = find_face(*key, motion, same_material);
-        same += side == Side::same ? 1 : 0;
-        other += side == Side::other ? 1 : 0;
-        both += side == Side::both ? 1 : 0;
+        same += side == Side::same ? key->area : 0.0;
+        other += side == Side::other ? key->area : 0.0;
+        both += side == Side::both ? key->area : 0.0;
+        all += key->area;
     }
-    if (other > same && 2 * other > faces.size() - both) return Looks::back;
-    return same == 0 && 2 * both > faces.size() ? Looks::both : Looks::as_before;
+    // A bevel or an inset turns over faces that are narrower than it is, but leaves others as they were.
+    constexpr double much_more = 10.0;
+    if (other > much_more * same && 2.0 * other > all - both) return Looks::back;
+    return same == 0.0 && 2.0 * both > all ? Looks::both : Looks::as_before;
 }
 
 PartSupport::Looks PartSupport::looks_by_rank(std::size_t part, const PartMotion& motion) {

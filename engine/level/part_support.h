@@ -76,7 +76,7 @@ class PartSupport {
         return (motion(from) - to).norm() <= tolerance(motion, from, to);
     }
 
-    // Which way most of the painted faces and of those at the rim look, if they are there.
+    // Which way most of the area of the painted faces and of those at the rim looks, if they are there.
     enum class Looks { as_before, back, both };  // `both`: every face has one at its back
     Looks looks(std::size_t part, const PartMotion& motion) const;
     // The same of those at the rim, if nearly all have their place in the file's order; else `both`.
@@ -94,7 +94,12 @@ class PartSupport {
     // True if a part that stayed, painted or not, is where the mesh's part is.
     bool is_occupied(std::uint32_t part_of_mesh);
 
-    // True if the motion puts the part where another one stayed.
+    // Whether the mesh's part is of another object than the stored one.
+    bool differ(std::size_t part, std::uint32_t part_of_mesh) {
+        return names_.differ(stored_.parts[part].object.name, all().parts[part_of_mesh].object.name);
+    }
+
+    // True if the motion puts the part where another one stayed, or into another object.
     bool is_taken(std::size_t part, const PartMotion& motion);
 
     // True if the motion puts most of the part where the old file had a part of another object, which is
@@ -140,7 +145,8 @@ class PartSupport {
     std::vector<std::uint32_t> vertex_of_;             // [number in the file]
     std::vector<MeshObject> objects_;                  // [group] of the new file
     std::map<std::uint32_t, std::uint32_t> group_of_;  // [name]
-    std::vector<Sample> samples_;                      // [part]
+    const ObjectNames names_;
+    std::vector<Sample> samples_;  // [part]
     std::optional<MeshParts> all_;
     std::vector<std::uint32_t> vertex_part_;  // [vertex] of the mesh
     std::vector<std::uint32_t> owner_;        // [part of the mesh] the stored part with its box, or no_id

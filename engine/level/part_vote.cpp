@@ -93,36 +93,36 @@ bool MotionFinder::is_unexplained(std::size_t i) {
            !support_.has_similar_box(i);
 }
 
-// Whether nearly all of the part's faces have one of their material a little off their place, in directions
-// that leave no way to slide: all corners moved a little. A floor that was moved by a tile has, too, but can
-// slide.
+// Whether most of the part's painted area has faces of its material a little off its place, in directions
+// that leave no way to slide: all corners moved a little, or all edges were bevelled. A floor that was moved
+// by a tile has, too, but can slide.
 bool MotionFinder::lies_as_before(std::size_t i) {
     constexpr double most = 0.75, a_little = 0.12, can_slide = 0.005;  // `a_little`: of a face's size
     const CollisionWorld* const tree = lookup_.tree();
     if (tree == nullptr || is_claimed(i, PartMotion{})) return false;
-    const std::vector<const FaceKey*>& keys = support_.keys(i);
-    std::size_t found = 0;
+    double found = 0.0, all = 0.0;
     Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();
-    for (const FaceKey* key : keys) {
+    for (const FaceKey* key : support_.keys(i)) {
         const double reach = a_little * std::sqrt(key->area) + position_tolerance(key->centroid);
         Aabb box;
         box.add(key->centroid - Vec3::Constant(reach));
         box.add(key->centroid + Vec3::Constant(reach));
         const std::string base = base_material(key->material, surfaces_);
+        all += key->area;
         for (const TriangleId triangle : tree->triangles_in(box)) {
             ++lookup_.visits;
             const FaceId face = tree->triangle_face(triangle);
             const FaceKey& there = index_.key(face);
             if (!(there.normal.dot(key->normal) > 0.9) || index_.base(face) != base ||
+                support_.differ(i, support_.all().of[face]) ||
                 !index_.covers(face, key->centroid, key->normal))
                 continue;
-            ++found;
-            directions += there.normal * there.normal.transpose();
+            found += key->area;
+            directions += key->area * there.normal * there.normal.transpose();
             break;
         }
     }
-    if (static_cast<double>(found) < most * static_cast<double>(keys.size()) || found < 3) return false;
-    return (directions / static_cast<double>(found)).determinant() > can_slide;
+    return found > most * all && (directions / found).determinant() > can_slide;
 }
 
 // Whether pieces of one material lie in the part's box and most of their area in planes of its painted faces:

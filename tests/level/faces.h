@@ -105,6 +105,17 @@ inline Faces tiles(int n, float height = 0.1f) {
     return faces;
 }
 
+// A face moved by `out`, and the sides that a tool puts between.
+inline void extrude(Faces& faces, std::size_t face, const Vec3f& out) {
+    const std::vector<Vec3f> base = faces[face].corners;
+    for (Vec3f& corner : faces[face].corners)
+        corner += out;
+    for (std::size_t c = 0; c < base.size(); ++c) {
+        const std::size_t next = (c + 1) % base.size();
+        faces.push_back(quad(base[c], base[next], base[next] + out, base[c] + out));
+    }
+}
+
 inline float six_decimals(float value) {
     char text[64];
     std::snprintf(text, sizeof text, "%.6f", static_cast<double>(value));

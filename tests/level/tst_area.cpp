@@ -441,5 +441,38 @@ TEST(Area, AMergedFloorThatLooksTheSameTurnedIsListed) {
     }
 }
 
+// Square sheets of two halves look the same turned about by a half. Where three of them make an object, their
+// places say how it turned; the objects beside it stay.
+TEST(Area, TheSheetsOfADecimatedObjectTurnTogether) {
+    Count count;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        Random random(seed);
+        Faces before, object;
+        for (int i = 0; i < 6; ++i) {
+            const bool turns = i < 3;
+            const Vec3 along =
+                Vec3(between(random, 0.5, 1), between(random, -0.5, 0.5), between(random, -1, 1))
+                    .normalized();
+            Sheet sheet{
+                8,  8, 12.0 * Vec3(turns ? i : 3 * i, turns ? i % 2 : 0, 0), along, along.unitOrthogonal(),
+                {}, {}};
+            for (int tile = 0; tile < 64; ++tile)
+                sheet.tiles.push_back({{}, "stone", tile < 32 ? 1 : 2});
+            add_tiles(sheet, before);
+            const std::size_t first = before.size() - 64;
+            for (std::size_t k = first; k < before.size(); ++k)
+                before[k].object = turns ? "chair" : "other" + std::to_string(i);
+            if (turns) add_merged(sheet, random, object);
+        }
+        Faces after = moved(object, random_turn(random, Vec3::UnitY()));
+        for (Face& face : after)
+            face.object = "chair";
+        after.insert(after.end(), before.begin() + 3 * 64, before.end());
+        count.add(after, rematch(before, after));
+    }
+    EXPECT_GT(static_cast<double>(count.right), 0.98 * static_cast<double>(count.clear));
+    EXPECT_LE(static_cast<double>(count.wrong), 0.01 * static_cast<double>(count.clear));
+}
+
 }  // namespace
 }  // namespace slipface::test

@@ -199,17 +199,6 @@ TEST(FaceMatch, AFaceOverPartsOfTilesHasTheTypeOfMostOfIt) {
     EXPECT_EQ(loaded.level.guessed, std::vector<FaceId>{0});
 }
 
-// A face moved by `out`, and the sides that a tool puts between.
-void extrude(Faces& faces, std::size_t face, const Vec3f& out) {
-    const std::vector<Vec3f> base = faces[face].corners;
-    for (Vec3f& corner : faces[face].corners)
-        corner += out;
-    for (std::size_t c = 0; c < base.size(); ++c) {
-        const std::size_t next = (c + 1) % base.size();
-        faces.push_back(quad(base[c], base[next], base[next] + out, base[c] + out));
-    }
-}
-
 TEST(FaceMatch, AnExtrudedFaceIsFoundAlongItsNormal) {
     Faces faces = tiles(5);
     faces[12].painted = sticky;

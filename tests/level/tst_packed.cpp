@@ -8,10 +8,10 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr int side = 110;  // 12 100 tiles; more than 10 000 are packed
+constexpr int tiles_per_side = 110;  // 12 100 tiles; more than 10 000 are packed
 
 Faces many_painted_tiles() {
-    Faces faces = tiles(side);
+    Faces faces = tiles(tiles_per_side);
     for (std::size_t i = 0; i < faces.size(); ++i) {
         faces[i].painted = static_cast<int>(i % 8);
         if (i % 2 == 1) faces[i].material = "Old Wood";
