@@ -15,7 +15,7 @@ constexpr float worth_a_round = 0.005F;
 // A move must save this part of what the node itself is reached.
 constexpr float worth_a_move = 0.01F;
 // A search usually looks at 10 to 40 places; where all boxes overlap it could look at all.
-constexpr int most_places = 128;
+constexpr int max_places = 128;
 
 Box joined(const Box& a, const Box& b) {
     Box both = a;
@@ -92,7 +92,7 @@ class Places {
         std::array<Entry, max_depth + 2> stack;
         std::size_t count = 0;
         stack[count++] = {&top, less};
-        for (; count != 0 && places_ < most_places; ++places_) {
+        for (; count != 0 && places_ < max_places; ++places_) {
             const Entry at = stack[--count];
             // A node around both is reached at least as often as this one.
             if (!(at.less - own_ > saved_)) continue;
