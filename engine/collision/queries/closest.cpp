@@ -16,7 +16,7 @@ struct Search {
                       // distance
     const QueryFilter* filter = nullptr;  // null: all triangles are seen
     Nearest nearest{};
-    LeafTriangle triangle{{}, no_id};
+    LeafTriangle triangle = no_triangle();
 
     void consider(const LeafTriangle& leaf) {
         const Nearest other = kernels().nearest_part(leaf, query);

@@ -98,7 +98,7 @@ struct Search {
     RayStops stops;
     const QueryFilter* filter;  // null: all triangles are seen
     RayTouch touch;
-    LeafTriangle triangle{{}, no_id};
+    LeafTriangle triangle = no_triangle();
 
     bool stopped_by(const LeafTriangle& leaf) const {
         if (filter != nullptr && !filter->sees(leaf.id, world.surface_of(leaf.id))) return false;

@@ -16,10 +16,13 @@ inline bool well_formed(const Touch& touch) {
 struct Search {
     const CollisionWorld::Impl& world;
     const EllipsoidQuery& query;
-    bool in_floats;  // the query is in float range, where every touch is finite
+    bool in_floats = true;  // the query is in float range, where every touch is finite
     TriangleHit hit{1.0, Feature::vertex, 0, false};
-    LeafTriangle triangle{{}, no_id};
+    LeafTriangle triangle = no_triangle();
     const Kernels& kernels = detail::kernels();
+
+    // As an aggregate it would be filled with zeros first.
+    Search(const CollisionWorld::Impl& of, const EllipsoidQuery& along) : world(of), query(along) {}
 
     bool beaten_by(const TriangleHit& other, TriangleId id) const {
         if (triangle.id == no_id || other.t != hit.t) return triangle.id == no_id || other.t < hit.t;

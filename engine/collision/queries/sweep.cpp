@@ -75,7 +75,7 @@ void search_along(const Vec3& radii, const Vec3& from, const Vec3& move, Ellipso
 std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& radii, const Vec3& from,
                                        const Vec3& move) {
     EllipsoidQuery query;
-    Search search{world.impl(), query, true};
+    Search search(world.impl(), query);
     search_along(radii, from, move, query, search, search);
     return search.contact();
 }
@@ -83,7 +83,7 @@ std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& 
 std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& radii, const Vec3& from,
                                        const Vec3& move, const QueryFilter& filter) {
     EllipsoidQuery query;
-    Search search{world.impl(), query, true};
+    Search search(world.impl(), query);
     FilteredSearch filtered{search, filter};
     search_along(radii, from, move, query, search, filtered);
     return search.contact();
@@ -92,7 +92,7 @@ std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& 
 std::size_t find_sweep_hits(const CollisionWorld& world, const Vec3& radii, const Vec3& from,
                             const Vec3& move, std::span<Contact> out, const QueryFilter& filter) {
     EllipsoidQuery query;
-    Search search{world.impl(), query, true};
+    Search search(world.impl(), query);
     HitSearch all{{search, filter}, {out, comes_before}};
     search_along(radii, from, move, query, search, all);
     return all.hits.finish();
@@ -103,7 +103,7 @@ std::optional<Contact> sweep_ellipsoid(const Neighbourhood& near, const Vec3& ra
     NearCandidates candidates(near, radii, from, move);
     if (candidates.lead_out()) return sweep_ellipsoid(near.world(), radii, from, move);
     if (candidates.none() || is_zero(v3(move))) return std::nullopt;
-    Search search{near.world().impl(), candidates.query(), true};
+    Search search(near.world().impl(), candidates.query());
     for (; const NearCandidate* next = candidates.take(time_limit(search.hit.t));)
         search.consider(near_triangle(near.triangles(), next->index));
     return search.contact();

@@ -24,7 +24,7 @@ struct Flight {
     Search search;
 
     Flight(const CollisionWorld::Impl& world, const EllipsoidQuery& of, std::size_t number)
-        : sweep(number), query(of), search{world, query, true} {}
+        : sweep(number), query(of), search(world, query) {}
     Flight(const Flight&) = delete;
     Flight& operator=(const Flight&) = delete;
 };

@@ -27,6 +27,13 @@ inline LeafTriangle leaf_triangle(const Leaf& leaf, std::size_t lane) {
     triangle.id = leaf_id(leaf, lane);
     return triangle;
 }
+// Stands for none until one is found. Its corners stay as they are, because to set them costs a short query
+// several per cent of its time.
+inline LeafTriangle no_triangle() {
+    LeafTriangle triangle;
+    triangle.id = no_id;
+    return triangle;
+}
 inline std::size_t lane_of(const Leaf& leaf, TriangleId id) {
     std::size_t lane = 0;
     while (leaf_id(leaf, lane) != id)

@@ -1,16 +1,19 @@
-// Top-down construction of a binary tree by cost: each range of triangles is split in two, in tasks. The
-// cheapest way to give its inner nodes to nodes of eight children is planned on the way back up (bvh_plan.h).
-// Afterwards memory is assigned in a fixed order, and nodes and leaves are written in parallel. No step
-// depends on the order of the tasks. Items are many and large: a list of them ends as soon as another takes
-// its place, and of a leaf's items only the numbers of the triangles stay.
+// Top-down construction of a binary tree by cost: each range of triangles is split in two, in tasks. Nodes
+// are moved to better places (bvh_moves.h), and the cheapest way to give the inner ones to nodes of eight
+// children is planned from below (bvh_plan.h). Afterwards memory is assigned in a fixed order, and nodes and
+// leaves are written in parallel. No step depends on the order of the tasks. Items are many and large: a list
+// of them ends as soon as another takes its place, and of a leaf's items only the numbers of the triangles
+// stay.
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "slipface/base/parallel.h"
 #include "tree/bvh.h"
 #include "tree/bvh_cells.h"
+#include "tree/bvh_moves.h"
 #include "tree/bvh_plan.h"
 #include "tree/bvh_split.h"
 #include "tree/pack_leaf.h"
@@ -113,11 +116,15 @@ class Builder {
 
     // The tree over all triangles.
     std::unique_ptr<Node> build(Range all) {
-        order_ = std::make_unique_for_overwrite<std::uint32_t[]>(all.count);
-        Plan plan{};
+        const std::uint32_t count = all.count;
+        order_ = std::make_unique_for_overwrite<std::uint32_t[]>(count);
         BinaryNodes nodes(blocks_);
-        const BinaryNode* top = divide_up(std::move(all), nodes, plan);
-        return collapse(*top);
+        BinaryNode& top = *divide_up(std::move(all), nodes);
+        // A leaf has one body, so the nodes of several stay apart.
+        if (source_.bodies.empty()) move_nodes(top);
+        const auto as_divided = std::exchange(order_, std::make_unique_for_overwrite<std::uint32_t[]>(count));
+        plan_up(top, 0, as_divided.get());
+        return collapse(top);
     }
 
   private:
@@ -133,14 +140,13 @@ class Builder {
         return true;
     }
 
-    // The binary tree over a range, and how it is best cut into nodes.
-    BinaryNode* divide_up(Range range, BinaryNodes& nodes, Plan& plan) {
+    // The binary tree over a range.
+    BinaryNode* divide_up(Range range, BinaryNodes& nodes) {
         if (!range.cells.empty() && range.cells.size() < cells_worth_it) collect_items(range);
         BinaryNode& node = nodes.add(range.box, range.first, range.count, fits_leaf(range));
         if (node.fits_leaf && !worth_dividing(range)) {
             for (std::uint32_t i = 0; i < range.count; ++i)
                 order_[range.first + i] = range.items[i].triangle;
-            plan = plan_of_leaf(range.box);
             return &node;
         }
         // Clutter in a wide landscape fills few cells of it and gets cells of its own, while items beside it
@@ -165,21 +171,42 @@ class Builder {
         std::array<Range, 2> half;
         half[0] = divide(range, half[1]);
         half[0].lists = half[1].lists = range.lists;
-        std::array<Plan, 2> plans{};
         if (range.count < parallel_grain) {
             for (std::size_t i = 0; i < 2; ++i)
-                node.half[i] = divide_up(std::move(half[i]), nodes, plans[i]);
+                node.half[i] = divide_up(std::move(half[i]), nodes);
         } else {
             parallel_for(2, 1, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i) {
                     BinaryNodes own(blocks_);
-                    node.half[i] = divide_up(std::move(half[i]), own, plans[i]);
+                    node.half[i] = divide_up(std::move(half[i]), own);
                 }
             });
         }
+        for (BinaryNode* one : node.half)
+            one->parent = &node;
         lists_.give_back(std::move(range.own_items));
-        plan = planned(node, plans[0], plans[1]);
         return &node;
+    }
+
+    // How a node is best cut into nodes of eight children. Its triangles, which `as_divided` has where they
+    // were before nodes were moved, are stored from `first` on.
+    Plan plan_up(BinaryNode& node, std::uint32_t first, const std::uint32_t* as_divided) {
+        const std::uint32_t from = std::exchange(node.first, first);
+        if (!node.divided()) {
+            std::copy_n(as_divided + from, node.count, &order_[first]);
+            return plan_of_leaf(box_of(node));
+        }
+        std::array<Plan, 2> plans{};
+        const auto plan_halves = [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                plans[i] = plan_up(*node.half[i], i == 0 ? first : first + node.half[0]->count, as_divided);
+        };
+        if (node.count < parallel_grain) {
+            plan_halves(0, 2);
+        } else {
+            parallel_for(2, 1, plan_halves);
+        }
+        return planned(node, plans[0], plans[1]);
     }
 
     // The node of eight children that `top` becomes, by its plan, and those below it.

@@ -16,20 +16,29 @@
 
 namespace slipface::detail {
 
-struct BinaryNode {
+struct alignas(64) BinaryNode {
     std::array<BinaryNode*, 2> half;  // null: not divided
+    BinaryNode* parent;               // null: the first
     float min[3];
-    float max[3];
     std::uint32_t first;  // of its items
+    float max[3];
     std::uint32_t count;
     // [slots - 2] how many of two to eight slots the first half gets; 0: one slot, as a node or leaf of its
     // own.
     std::array<std::uint8_t, 7> left;
-    bool fits_leaf;
+    bool fits_leaf : 1;
+    std::uint8_t height : 7;  // levels of nodes below it; set while nodes are moved (bvh_moves.h)
 
     bool divided() const { return half[0] != nullptr; }
-    Box box() const { return {Four::of(min[0], min[1], min[2]), Four::of(max[0], max[1], max[2])}; }
+    void set_box(const Box& box) {
+        alignas(16) float corner[4];
+        box.min.store(corner);
+        std::copy_n(corner, 3, min);
+        box.max.store(corner);
+        std::copy_n(corner, 3, max);
+    }
 };
+static_assert(sizeof(BinaryNode) == 64);
 
 // Memory for nodes of many tasks.
 class BinaryBlocks {
@@ -60,11 +69,8 @@ class BinaryNodes {
         }
         BinaryNode& node = *next_++;
         node.half = {};
-        alignas(16) float corner[4];
-        box.min.store(corner);
-        std::copy_n(corner, 3, node.min);
-        box.max.store(corner);
-        std::copy_n(corner, 3, node.max);
+        node.parent = nullptr;
+        node.set_box(box);
         node.first = first;
         node.count = count;
         node.fits_leaf = fits_leaf;
@@ -113,7 +119,7 @@ inline Plan planned(BinaryNode& node, const Plan& first, const Plan& second) {
         plan[slots] = first[best] + second[slots - best];
         node.left[slots - 2] = static_cast<std::uint8_t>(best);
     }
-    plan[1] = node.fits_leaf ? leaf_cost(node.box()) : reached(node.box()) + plan[8];
+    plan[1] = node.fits_leaf ? leaf_cost(box_of(node)) : reached(box_of(node)) + plan[8];
     for (std::size_t slots = 2; slots <= 8; ++slots) {
         // A node has the eight slots below it.
         if (plan[slots] < plan[1] || (slots == 8 && !node.fits_leaf)) continue;
@@ -147,7 +153,7 @@ struct Parts {
 inline void take_parts(const BinaryNode& node, std::size_t slots, Parts& parts) {
     if (!node.divided() || slots == 1 || node.left[slots - 2] == 0) {
         parts.part[parts.count] = &node;
-        parts.box[parts.count] = node.box();
+        parts.box[parts.count] = box_of(node);
         parts.size[parts.count++] = node.count;
         return;
     }
