@@ -35,7 +35,7 @@ struct ObjectNames {
     }
 
     std::map<std::uint32_t, std::size_t> in_old, in_mesh;  // [name] number of faces
-    std::vector<std::uint32_t> of_group;  // of the mesh
+    std::vector<std::uint32_t> of_group;                   // of the mesh
 };
 
 MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces);
