@@ -12,7 +12,8 @@ Where faces are merged, the number that Blender keeps is that of an arbitrary on
 points on the original say which faces each new one covers: the type of more than half of its area is its type.
 A face that is as it was has its own type, though others may lie nearer to it: it may be narrower than rounding.
 A bevel, an inset or a moved vertex can turn a face over or push it off its place, if it is smaller than that. Such a
-face no longer exists, and its number's type or that of the face in whose place it is now is right.
+face no longer exists, and its number's type or that of the face of its object in whose place it is now is right. A
+face that a bevel makes may have the type of each face beside it.
 """
 import argparse
 import json

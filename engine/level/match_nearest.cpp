@@ -63,8 +63,8 @@ std::vector<Vec3> FaceMatcher::edges_along(std::size_t i, const Vec3& normal) {
             }
         }
     }
-    std::sort(edges.begin(), edges.end(),
-              [](const Vec3& a, const Vec3& b) { return a.squaredNorm() < b.squaredNorm(); });
+    std::stable_sort(edges.begin(), edges.end(),
+                     [](const Vec3& a, const Vec3& b) { return a.squaredNorm() < b.squaredNorm(); });
     return edges;
 }
 
@@ -94,8 +94,9 @@ bool FaceMatcher::match_extruded(std::size_t i) {
             index_.covers(face, key.centroid, normal))
             return false;
     for (const Vec3& edge : edges_along(i, normal)) {
-        if (edge.norm() <= exact) continue;
+        if (edge.norm() <= exact || lookup_.visits > max_visits) continue;
         for (const FaceId face : index_.near(key.centroid + edge, wide_slack(i))) {
+            ++lookup_.visits;
             const FaceKey& candidate = index_.key(face);
             const Vec3 offset = candidate.centroid - key.centroid;
             if (!is_free(face) || index_.base(face) != bases_[i] || is_of_another_object(face, i) ||

@@ -93,14 +93,14 @@ bool MotionFinder::is_unexplained(std::size_t i) {
            !support_.has_similar_box(i);
 }
 
-// Whether most of the part's painted area has faces of its material a little off its place, in directions
-// that leave no way to slide: all corners moved a little, or all edges were bevelled. A floor that was moved
-// by a tile has, too, but can slide.
+// Whether most of the part's painted faces, or of their area, have faces of their material a little off their
+// place, in directions that leave no way to slide: all corners moved a little, or all edges were bevelled. A
+// floor that was moved by a tile has, too, but can slide.
 bool MotionFinder::lies_as_before(std::size_t i) {
     constexpr double most = 0.75, a_little = 0.12, can_slide = 0.005;  // `a_little`: of a face's size
     const CollisionWorld* const tree = lookup_.tree();
     if (tree == nullptr || is_claimed(i, PartMotion{})) return false;
-    double found = 0.0, all = 0.0;
+    double found = 0.0, faces = 0.0, all = 0.0;
     Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();
     for (const FaceKey* key : support_.keys(i)) {
         const double reach = a_little * std::sqrt(key->area) + position_tolerance(key->centroid);
@@ -118,11 +118,13 @@ bool MotionFinder::lies_as_before(std::size_t i) {
                 !index_.covers(face, key->centroid, key->normal))
                 continue;
             found += key->area;
+            faces += 1.0;
             directions += key->area * there.normal * there.normal.transpose();
             break;
         }
     }
-    return found > most * all && (directions / found).determinant() > can_slide;
+    const bool enough = found > most * all || faces >= most * static_cast<double>(support_.keys(i).size());
+    return found > 0.0 && enough && (directions / found).determinant() > can_slide;
 }
 
 // Whether pieces of one material lie in the part's box and most of their area in planes of its painted faces:

@@ -147,9 +147,15 @@ TEST(Objects, BevelledCratesHaveNoTypesOfTheRoom) {
         for (Face& wall : before)
             std::reverse(wall.corners.begin(), wall.corners.end());
         Faces after = before;
-        for (std::size_t wall = 0; wall < 4; ++wall)
-            for (Vec3f& corner : after[wall].corners)
-                corner *= 1.01f;
+        for (std::size_t wall = 0; wall < 6; ++wall) {
+            std::vector<Vec3f>& corners = after[wall].corners;
+            const Vec3f centre = 0.5f * (corners[0] + corners[2]);
+            const Vec3f shift =
+                Vec3(drawn(random, 0.05, 0.1), drawn(random, 0.05, 0.1), drawn(random, 0.05, 0.1))
+                    .cast<float>();
+            for (Vec3f& corner : corners)
+                corner = wall < 3 ? Vec3f(corner + shift) : Vec3f(centre + 0.97f * (corner - centre));
+        }
         const std::size_t walls = before.size();
         for (int crate = 0; crate < 4; ++crate) {
             const Vec3f low(-7.0f + 4.0f * static_cast<float>(crate), -2,
@@ -217,11 +223,12 @@ TEST(Objects, ACabinetThatLostItsSmallFacesStays) {
             if (face.painted >= 0) before.push_back(face);
         Faces after = bevelled_box(Vec3f::Zero(), size, 0.1f, types);
         const Vec3f foot = after[0].corners[0];
-        for (int i = 0; i < 20; ++i) {  // a handle, joined to the cabinet
-            const float step = 0.005f * static_cast<float>(i);
-            before.push_back(quad(Vec3f(-step, 0, 0), Vec3f(-step, 0.01f, 0),
-                                  Vec3f(-step - 0.005f, 0.01f, 0.001f * static_cast<float>(i % 3)),
-                                  Vec3f(-step - 0.005f, 0, 0.001f * static_cast<float>(i % 3))));
+        // A handle, joined to the cabinet.
+        const auto edge = [](int i, float y) {
+            return Vec3f(-0.005f * static_cast<float>(i), y, 0.001f * static_cast<float>(i % 3));
+        };
+        for (int i = 0; i < 20; ++i) {
+            before.push_back(quad(edge(i, 0), edge(i, 0.01f), edge(i + 1, 0.01f), edge(i + 1, 0)));
             before.back().painted = drawn_type(random);
         }
         after.push_back({{foot, foot + Vec3f(-0.5f, -0.5f, 0), foot + Vec3f(-0.5f, -0.5f, 0.01f)}});
