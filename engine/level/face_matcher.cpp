@@ -35,6 +35,7 @@ FaceMatcher::FaceMatcher(const Mesh& mesh, SurfaceTable surfaces, const std::vec
       found_(stored.size(), MatchStage::none),
       types_(stored.size()),
       bases_(stored.size()),
+      twin_(stored.size(), false),
       lost_(stored.size(), false),
       doubtful_(stored.size(), false) {
     result_.overrides.resize(mesh.face_count());
@@ -146,7 +147,7 @@ bool FaceMatcher::find_outlines() {
     likely_.resize(stored_.size(), false);
     bool wanted = false;
     for (std::size_t i = 0; i < stored_.size(); ++i) {
-        if (!is_wanted(i) || stored_[i].key.normal.isZero()) continue;
+        if ((!is_wanted(i) && !twin_[i]) || stored_[i].key.normal.isZero()) continue;
         wanted = true;
         if (i >= parts_.outlines.count()) continue;
         outlines_[i] = parts_.outlines.corners(i, stored_[i].key);

@@ -165,9 +165,10 @@ class FaceMatcher {
     std::vector<MatchStage> found_;                // [stored]
     std::vector<std::optional<SurfaceId>> types_;  // [stored]
     std::vector<std::string> bases_;               // [stored]
-    std::vector<std::vector<Vec3>> outlines_;      // [stored] after the motion; empty if it is not known
-    std::vector<bool> sharp_;                      // [stored] the outline is exact
-    std::vector<bool> likely_;                     // [stored] the outline is only a likely one
+    std::vector<bool> twin_;  // [stored] another one was found at its place; there may be pieces of its own
+    std::vector<std::vector<Vec3>> outlines_;  // [stored] after the motion; empty if it is not known
+    std::vector<bool> sharp_;                  // [stored] the outline is exact
+    std::vector<bool> likely_;                 // [stored] the outline is only a likely one
     enum class Flat : std::uint8_t { none, few, whole, whole_in_few };
     std::vector<Flat> flat_;      // [stored] what is left in its plane: some in few pieces, or all of it
     std::vector<bool> lost_;      // [stored] not to be searched: nothing found could be trusted

@@ -150,7 +150,7 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
     flat_.resize(stored_.size(), Flat::none);
     std::vector<std::size_t> searched;
     for (std::size_t i = 0; i < stored_.size(); ++i) {
-        if (!is_wanted(i) && !(any_material && is_covered(i))) continue;
+        if (!is_wanted(i) && !twin_[i] && !(any_material && is_covered(i))) continue;
         if (!(key(i).area > 0.0) || unit_or_zero(key(i).normal).isZero()) continue;
         if (outlines_[i].empty()) {
             outlines_[i] = likely_outline(key(i));
@@ -252,7 +252,7 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
             refused_.push_back({cover.face, cover.i});
     std::sort(refused_.begin(), refused_.end());
     for (std::size_t i = 0; i < stored_.size(); ++i) {
-        if (total[i] <= left_fraction * key(i).area) continue;
+        if (twin_[i] || total[i] <= left_fraction * key(i).area) continue;
         if (given[i] > 0.5 * total[i])
             found_[i] = MatchStage::plane;
         else if (any_material && total[i] > 0.5 * key(i).area)

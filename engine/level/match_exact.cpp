@@ -22,16 +22,22 @@ bool FaceMatcher::match_hash(std::size_t i) {
     lookup_.visits += faces.size() + 1;
     const double tolerance = position_tolerance(key.centroid);
     std::vector<Candidate> found;
+    bool twin = false;
     for (const FaceId face : faces) {
         const double distance = (index_.key(face).centroid - key.centroid).norm();
         if (distance > tolerance) continue;
         found.push_back(candidate(i, face, distance));
-        if (index_.key(face).material != key.material || index_.key(face).copy != key.copy) continue;
-        if (!is_free(face)) return result_.overrides[face] == types_[i];
-        claim(face, i, MatchStage::exact);
-        return true;
+        if (index_.key(face).material != key.material) continue;
+        if (!is_free(face)) {
+            twin = twin || result_.overrides[face] == types_[i];
+        } else if (index_.key(face).copy == key.copy) {
+            claim(face, i, MatchStage::exact);
+            return true;
+        }
     }
-    return claim_best(i, found);
+    if (claim_best(i, found)) return true;
+    twin_[i] = twin;
+    return twin;
 }
 
 FaceMatcher::Candidate FaceMatcher::candidate(std::size_t i, FaceId face, double distance) const {
