@@ -296,6 +296,34 @@ class LevelReader {
         store_unknown(node, unknown_.location(kind, typed ? stored.type + "/" + material : material));
     }
 
+    // A row for each part, or all of them in one string.
+    static void read_objects(const JsonNode& node, PaintParts& parts) {
+        constexpr std::size_t size = 7;
+        std::string bytes;
+        const auto add = [&](const JsonNode& row, std::size_t wanted) {
+            const auto more = row.json().kind == Json::Kind::string
+                                  ? from_base64(row.json().text, Base64::plain)
+                                  : std::nullopt;
+            if (more && more->size() == wanted)
+                bytes += *more;
+            else
+                row.fail("the object of each part, as base64");
+        };
+        if (node.json().kind == Json::Kind::string)
+            add(node, size * parts.parts.size());
+        else
+            node.each(max_paint_parts, [&](const JsonNode& row) { add(row, size); });
+        if (bytes.size() != size * parts.parts.size()) {
+            node.fail("the object of each part");
+            return;
+        }
+        const char* at = bytes.data();
+        for (PaintPart& part : parts.parts) {
+            part.object.name = static_cast<std::uint32_t>(take_bytes(at, 3));
+            part.object.first_vertex = static_cast<std::uint32_t>(take_bytes(at, 4));
+        }
+    }
+
     void read_parts(const JsonNode& node) {
         const JsonNode paint = node.need("paint"), box = node.need("box"), list = node.need("list");
         std::string hash;
@@ -339,20 +367,7 @@ class LevelReader {
                 !unpack_numbers(row.json().text, list.json().items[i].text, parts.parts[i]))
                 row.fail("the numbers of the vertices of a part's rim, as base64");
         });
-        if (const JsonNode objects = node["objects"]) {
-            const auto bytes = objects.json().kind == Json::Kind::string
-                                   ? from_base64(objects.json().text, Base64::plain)
-                                   : std::nullopt;
-            if (!bytes || bytes->size() != 7 * parts.parts.size()) {
-                objects.fail("the object of each part, as base64");
-                return;
-            }
-            const char* at = bytes->data();
-            for (PaintPart& part : parts.parts) {
-                part.object.name = static_cast<std::uint32_t>(take_bytes(at, 3));
-                part.object.first_vertex = static_cast<std::uint32_t>(take_bytes(at, 4));
-            }
-        }
+        if (const JsonNode objects = node["objects"]) read_objects(objects, parts);
         node["outlines"].each(max_json_values, [&](const JsonNode& row) {
             const auto bytes = row.json().kind == Json::Kind::string
                                    ? from_base64(row.json().text, Base64::plain)

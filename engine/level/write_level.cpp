@@ -187,12 +187,13 @@ Json paint_parts_json(const PaintedFaces& painted, const std::vector<std::size_t
     while (!numbers.items.empty() && numbers.items.back().text.empty())
         numbers.items.pop_back();
     json_add(json, "numbers", std::move(numbers));
-    std::string objects;
-    for (const PaintPart& part : painted.parts.parts) {
-        put_bytes(objects, part.object.name, 3);
-        put_bytes(objects, part.object.first_vertex, 4);
-    }
-    json_add(json, "objects", json_string(to_base64(objects, Base64::plain)));
+    // A row for each, so that a link to a run has few rows that differ.
+    json_add(json, "objects", json_array_of(painted.parts.parts, [](const PaintPart& part) {
+                 std::string object;
+                 put_bytes(object, part.object.name, 3);
+                 put_bytes(object, part.object.first_vertex, 4);
+                 return json_string(to_base64(object, Base64::plain));
+             }));
     json_add(json, "outlines", outlines_json(painted, order));
     std::string bits((order.size() + 7) / 8, '\0');
     for (std::size_t k = 0; k < order.size(); ++k)

@@ -613,15 +613,27 @@ TEST(FaceMatch, PartsOfOtherPaintAreIgnoredAndBrokenOnesAreErrors) {
     const auto refused = level_from_json(broken, "test.slipface.json", mesh_of(faces));
     ASSERT_FALSE(refused.ok());
     EXPECT_NE(refused.error().text().find("/parts/numbers/0"), std::string::npos) << refused.error().text();
-    const std::size_t objects = json.find("\"objects\": \"") + 12;
-    for (const char* text : {"AAAA", "?"}) {
+    const std::size_t row = json.find('"', json.find("\"objects\": [") + 11);
+    for (const char* text : {"AAAA", "?", "\"AAAAAAAAAA\", "}) {
         std::string longer = json;
-        longer.insert(objects, text);
+        longer.insert(text[0] == '"' ? row : row + 1, text);
         const auto no_objects = level_from_json(longer, "test.slipface.json", mesh_of(faces));
         ASSERT_FALSE(no_objects.ok()) << text;
         EXPECT_NE(no_objects.error().text().find("/parts/objects"), std::string::npos)
             << no_objects.error().text();
     }
+}
+
+TEST(FaceMatch, ObjectsAreReadFromAnOlderFile) {
+    Faces faces = tiles(3);
+    faces[0].painted = 1;
+    std::string json = level_to_json(level_of(faces));
+    const std::size_t list = json.find('[', json.find("\"objects\": ")), end = json.find(']', list);
+    const std::size_t row = json.find('"', list);  // of the only part
+    json.replace(list, end + 1 - list, json.substr(row, json.find('"', row + 1) + 1 - row));
+    const auto loaded = level_from_json(json, "test.slipface.json", mesh_of(faces));
+    ASSERT_TRUE(loaded.ok()) << loaded.error().text();
+    EXPECT_TRUE(wrong_faces(faces, *loaded).empty());
 }
 
 TEST(FaceMatch, OrphansSurviveTwoRoundsAndComeBackWithTheirFace) {
