@@ -189,12 +189,16 @@ std::vector<MeshObject> objects_of(const Mesh& mesh) {
 }
 
 ObjectNames::ObjectNames(const Mesh& mesh, const PaintParts& parts) {
+    if (parts.parts.empty()) return;  // nothing to compare, and a level can have a thousand selections
     for (const PaintPart& part : parts.parts)
         in_old[part.object.name] += part.faces;
-    for (const std::string& name : mesh.groups)
-        of_group.push_back(object_name(name));
+    std::vector<std::size_t> faces(mesh.groups.size(), 0);
     for (const std::uint32_t group : mesh.face_group)
-        ++in_mesh[of_group[group]];
+        ++faces[group];
+    for (std::uint32_t group = 0; group < mesh.groups.size(); ++group) {
+        of_group.push_back(object_name(mesh.groups[group]));
+        if (faces[group] > 0) in_mesh[of_group[group]] += faces[group];
+    }
 }
 
 MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces) {

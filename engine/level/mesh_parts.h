@@ -20,7 +20,8 @@ struct MeshParts {
 
 std::vector<MeshObject> objects_of(const Mesh& mesh);  // [group]
 
-// The objects of the old file and of a mesh by their names (object_name()).
+// The objects of the old file and of a mesh by their names (object_name()). Empty if the old file has no
+// parts.
 struct ObjectNames {
     ObjectNames(const Mesh& mesh, const PaintParts& parts);
 
