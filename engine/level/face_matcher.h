@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -116,6 +117,8 @@ class FaceMatcher {
     void match_covered(double least_dot, bool any_material);
     const MeshParts& pieces();
     bool is_remade(FaceId face, std::size_t i);
+    const std::vector<std::size_t>& remade_from(std::uint32_t piece);
+    const std::set<std::uint32_t>& remeshed_objects();
     bool is_gone(std::size_t part);
     bool is_new(const PaintPart& part, std::size_t old) const;
     Aabb moved_box(std::size_t part) const;
@@ -126,7 +129,7 @@ class FaceMatcher {
 
     // match_remade.cpp
     void match_remade();
-    void claim_nearest(FaceId face, std::span<const std::size_t> painted, const Aabb* box);
+    void claim_nearest(FaceId face, std::span<const std::size_t> painted, std::span<const Aabb> boxes);
 
     // match_merged.cpp
     struct Votes {
@@ -180,7 +183,9 @@ class FaceMatcher {
     std::vector<bool> merged_;         // [face] of a part that an edit made of fewer faces; or empty
     std::optional<MeshParts> pieces_;  // of the mesh, found when they are needed
     std::vector<bool> mixed_;          // [of these] has several materials
-    std::vector<bool> gone_;           // [stored part] nothing of it is as it was; found when it is needed
+    std::vector<std::optional<std::vector<std::size_t>>> remade_from_;  // [of these] stored parts, ascending
+    std::optional<std::set<std::uint32_t>> remeshed_objects_;           // their names
+    std::vector<bool> gone_;  // [stored part] nothing of it is as it was; found when it is needed
     std::size_t union_visits_ = 0, outline_visits_ = 0;
     bool bent_ = false;  // what match_union() looks for
     MatchedOverrides result_;

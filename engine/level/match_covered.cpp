@@ -54,19 +54,46 @@ const MeshParts& FaceMatcher::pieces() {
     return *pieces_;
 }
 
-// Whether the face is of a part of one material that fills the box of the stored face's part, or of a piece
-// in the box of one of which nothing is left: remeshed, which loses the materials.
+// Whether the face is of a piece that was remeshed from the stored face's part, which loses the materials.
 bool FaceMatcher::is_remade(FaceId face, std::size_t i) {
     const std::size_t old = i < parts_.of.size() ? parts_.of[i] : 0;
     if (old == 0 || old > parts_.parts.size()) return false;
+    const std::uint32_t piece = pieces().of[face];
+    const std::vector<std::size_t>& from = remade_from(piece);
+    return std::binary_search(from.begin(), from.end(), old - 1) &&
+           pieces().parts[piece].faces != parts_.parts[old - 1].faces;
+}
+
+// The stored parts that were remeshed to this piece of one material: the one whose box it fills; or one of
+// which nothing is left, and that it lies in; or those of its object, if all of that was remeshed.
+const std::vector<std::size_t>& FaceMatcher::remade_from(std::uint32_t piece) {
     const MeshParts& pieces = this->pieces();
-    const std::uint32_t piece = pieces.of[face];
-    if (is_of_another_object(face, i) || mixed_[piece] || pieces.scattered[piece]) return false;
+    remade_from_.resize(pieces.parts.size());
+    if (remade_from_[piece]) return *remade_from_[piece];
+    std::vector<std::size_t>& from = remade_from_[piece].emplace();
+    if (mixed_[piece] || pieces.scattered[piece]) return from;
     const PaintPart& part = pieces.parts[piece];
-    if (part.faces == parts_.parts[old - 1].faces) return false;
-    if (similar_box(part.box, moved_box(old - 1), remade_slack)) return true;
-    return is_gone(old - 1) && lies_in(part.box, moved_box(old - 1), 1e-3 * part.box.size().norm()) &&
-           is_new(part, old - 1);
+    const bool object = remeshed_objects().contains(part.object.name);
+    lookup_.visits += parts_.parts.size();
+    for (std::size_t old = 0; old < parts_.parts.size(); ++old) {
+        const std::uint32_t name = parts_.parts[old].object.name;
+        if (objects_.differ(name, part.object.name)) continue;
+        const Aabb box = moved_box(old);
+        if (similar_box(part.box, box, remade_slack) ||
+            (object && name == part.object.name && touch(part.box, box)) ||
+            (is_gone(old) && lies_in(part.box, box, 1e-3 * part.box.size().norm()) && is_new(part, old)))
+            from.push_back(old);
+    }
+    return from;
+}
+
+// The names of objects of which nothing is as it was and whose parts grew together.
+const std::set<std::uint32_t>& FaceMatcher::remeshed_objects() {
+    if (remeshed_objects_) return *remeshed_objects_;
+    remeshed_objects_ = objects_with_fewer_pieces(index_, pieces(), parts_);
+    for (std::size_t old = 0; old < parts_.parts.size(); ++old)
+        if (!is_gone(old)) remeshed_objects_->erase(parts_.parts[old].object.name);
+    return *remeshed_objects_;
 }
 
 // Whether no painted face of the part is as it was.

@@ -6,14 +6,18 @@
 #include <span>
 
 #include "face_matcher.h"
+#include "part_support.h"
 
 namespace slipface {
 namespace {
 
-constexpr double least_along = 0.5;           // the cosine of new and old normal
-constexpr double max_depth = 0.5;             // of the old face's size
-constexpr double most_of_it = 0.55;           // of a new face's points
-constexpr std::size_t max_pairs = 1'000'000;  // of new and old faces of a part; edges matter to small ones
+constexpr double least_along = 0.5;  // the cosine of new and old normal
+constexpr double max_depth = 0.5;    // of the old face's size
+double depth(const FaceKey& key) {
+    return max_depth * std::sqrt(key.area);
+}
+constexpr double most_of_it = 0.55;            // of a new face's points
+constexpr std::size_t max_pairs = 10'000'000;  // of new and old faces of a piece; edges matter to small ones
 
 struct Near {
     double distance = 0.0;
@@ -50,30 +54,63 @@ void FaceMatcher::match_remade() {
             is_left[part - 1] = true;
         in_plane[part - 1] += flat_[i] != Flat::none ? 1 : 0;
     }
+    std::vector<std::size_t> searched;
+    std::vector<Aabb> around;  // of these, where a piece of them may be
     for (std::size_t part = 0; part < painted.size(); ++part) {
+        const bool object = remeshed_objects().contains(parts_.parts[part].object.name);
         // A bevel leaves one piece of nearly every face in its plane.
-        if (painted[part].empty() || is_left[part] || 4 * in_plane[part] > 3 * painted[part].size()) continue;
-        const bool all = painted[part].size() >= parts_.parts[part].faces;
+        if (painted[part].empty() || (is_left[part] && !object) ||
+            4 * in_plane[part] > 3 * painted[part].size())
+            continue;
         const PartMotion* const motion = motion_of(painted[part][0]);
+        const bool all = painted[part].size() >= parts_.parts[part].faces;
         if (!all && motion != nullptr && !motion->is_identity()) continue;  // its box moved, too
-        for (std::uint32_t piece = 0; piece < pieces().parts.size() && lookup_.visits < max_visits; ++piece) {
-            ++lookup_.visits;
-            const std::span<const FaceId> faces(&pieces().sorted[pieces().first[piece]],
-                                                pieces().first[piece + 1] - pieces().first[piece]);
-            if (!is_remade(faces[0], painted[part][0]) || faces.size() * painted[part].size() > max_pairs)
-                continue;
-            for (const FaceId face : faces)
-                if (is_free(face) && lookup_.visits < max_visits)
-                    claim_nearest(face, painted[part], all ? nullptr : &parts_.parts[part].box);
+        searched.push_back(part);
+        const Aabb box = moved_box(part);
+        const Vec3 slack = Vec3::Constant(remade_slack * box.size().norm());
+        around.push_back({box.min - slack, box.max + slack});
+    }
+    for (std::uint32_t piece = 0; piece < pieces().parts.size() && lookup_.visits < max_visits; ++piece) {
+        const Aabb& box = pieces().parts[piece].box;
+        lookup_.visits += searched.size();
+        if (std::ranges::none_of(around, [&](const Aabb& other) { return touch(box, other); })) continue;
+        const std::vector<std::size_t>& from = remade_from(piece);
+        std::vector<std::size_t> old;
+        std::vector<Aabb> partly_painted;
+        for (const std::size_t part : from) {
+            if (pieces().parts[piece].faces == parts_.parts[part].faces) continue;
+            if (std::ranges::binary_search(searched, part))
+                old.insert(old.end(), painted[part].begin(), painted[part].end());
+            if (painted[part].size() < parts_.parts[part].faces) partly_painted.push_back(moved_box(part));
         }
+        const std::span<const FaceId> faces(&pieces().sorted[pieces().first[piece]],
+                                            pieces().first[piece + 1] - pieces().first[piece]);
+        if (old.empty() || faces.size() * old.size() > max_pairs) continue;
+        for (const FaceId face : faces)
+            if (is_free(face) && lookup_.visits < max_visits) claim_nearest(face, old, partly_painted);
     }
 }
 
-// `box`: of the old part, if not all of its faces were painted; null if they were. A side of the box that is
-// nearer than any painted face was not painted.
-void FaceMatcher::claim_nearest(FaceId face, std::span<const std::size_t> painted, const Aabb* box) {
+// `boxes`: of the old parts of which not all faces were painted. A side of a box that is nearer than any
+// painted face was not painted.
+void FaceMatcher::claim_nearest(FaceId face, std::span<const std::size_t> painted,
+                                std::span<const Aabb> boxes) {
     const std::uint32_t first = mesh_.face_first_corner[face], count = mesh_.face_corner_count(face);
     const FaceKey& key = index_.key(face);
+    Aabb around;
+    for (std::uint32_t c = 0; c < count; ++c)
+        around.add(mesh_.corner_position(first + c).cast<double>());
+    lookup_.visits += painted.size() / 8;
+    std::vector<std::size_t> near_it;
+    for (const std::size_t i : painted) {
+        if (!(key.normal.dot(unit_or_zero(this->key(i).normal)) > least_along)) continue;
+        Aabb reach;
+        for (const Vec3& corner : outlines_[i]) {
+            reach.add(corner - Vec3::Constant(depth(this->key(i))));
+            reach.add(corner + Vec3::Constant(depth(this->key(i))));
+        }
+        if (touch(reach, around)) near_it.push_back(i);
+    }
     std::map<SurfaceId, double> votes;
     std::vector<std::size_t> voters;
     double points = 0.0;
@@ -83,21 +120,21 @@ void FaceMatcher::claim_nearest(FaceId face, std::span<const std::size_t> painte
             const Vec3 point = key.centroid + share * (corner - key.centroid);
             points += 1.0;
             double nearest = std::numeric_limits<double>::infinity();
-            for (int axis = 0; axis < 3 && box != nullptr; ++axis) {
-                const double slack = 1e-3 * box->size().norm();
-                if (key.normal[axis] > least_along)
-                    nearest = std::min(nearest, std::abs(box->max[axis] - point[axis]) + slack);
-                if (key.normal[axis] < -least_along)
-                    nearest = std::min(nearest, std::abs(point[axis] - box->min[axis]) + slack);
+            for (const Aabb& box : boxes) {
+                const double slack = 1e-3 * box.size().norm();
+                for (int axis = 0; axis < 3; ++axis) {
+                    if (std::abs(key.normal[axis]) <= least_along) continue;
+                    Vec3 side = point.cwiseMax(box.min).cwiseMin(box.max);
+                    side[axis] = key.normal[axis] > 0.0 ? box.max[axis] : box.min[axis];
+                    nearest = std::min(nearest, (side - point).norm() + slack);
+                }
             }
             std::size_t best = no_id;
-            for (const std::size_t i : painted) {
+            for (const std::size_t i : near_it) {
                 ++lookup_.visits;
-                const Vec3 normal = unit_or_zero(this->key(i).normal);
-                if (!(key.normal.dot(normal) > least_along)) continue;
-                const Near near = distance_to(point, outlines_[i], normal);
-                if ((box != nullptr && !near.inside) || near.distance >= nearest ||
-                    near.distance > max_depth * std::sqrt(this->key(i).area))
+                const Near near = distance_to(point, outlines_[i], unit_or_zero(this->key(i).normal));
+                if ((!boxes.empty() && !near.inside) || near.distance >= nearest ||
+                    near.distance > depth(this->key(i)))
                     continue;
                 nearest = near.distance;
                 best = i;

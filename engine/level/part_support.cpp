@@ -402,9 +402,47 @@ bool lies_in(const Aabb& a, const Aabb& b, double slack) {
     return ((a.min - b.min).array() >= -slack).all() && ((b.max - a.max).array() >= -slack).all();
 }
 
+bool touch(const Aabb& a, const Aabb& b) {
+    return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
+}
+
 bool similar_box(const Aabb& a, const Aabb& b, double slack) {
     const double most = slack * b.size().norm();
     return (a.min - b.min).norm() <= most && (a.max - b.max).norm() <= most;
+}
+
+std::set<std::uint32_t> objects_with_fewer_pieces(const FaceIndex& index, const MeshParts& now,
+                                                  const PaintParts& before) {
+    struct Object {
+        std::size_t before = 0, now = 0;
+        Aabb box_before, box_now;
+        std::string_view material;
+        bool mixed = false;
+    };
+    std::map<std::uint32_t, Object> objects;
+    const auto add = [](Aabb& box, const Aabb& part) {
+        box.add(part.min);
+        box.add(part.max);
+    };
+    for (const PaintPart& part : before.parts) {
+        Object& object = objects[part.object.name];
+        ++object.before;
+        add(object.box_before, part.box);
+    }
+    for (std::size_t piece = 0; piece < now.parts.size(); ++piece) {
+        Object& object = objects[now.parts[piece].object.name];
+        ++object.now;
+        add(object.box_now, now.parts[piece].box);
+        if (object.now == 1) object.material = index.base(now.sorted[now.first[piece]]);
+        for (std::uint32_t k = now.first[piece]; k < now.first[piece + 1] && !object.mixed; ++k)
+            object.mixed = index.base(now.sorted[k]) != object.material;
+    }
+    std::set<std::uint32_t> names;
+    for (const auto& [name, object] : objects)
+        if (name != 0 && !object.mixed && object.now > 0 && object.now < object.before &&
+            similar_box(object.box_now, object.box_before, box_slack))
+            names.insert(name);
+    return names;
 }
 
 }  // namespace slipface

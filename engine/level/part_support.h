@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "face_index.h"
@@ -19,6 +20,14 @@ bool similar_box(const Aabb& a, const Aabb& b, double slack);
 
 // True if the box `a` lies in `b`, up to `slack` (units).
 bool lies_in(const Aabb& a, const Aabb& b, double slack);
+
+// True if the boxes have a point in common.
+bool touch(const Aabb& a, const Aabb& b);
+
+// The names of objects that have fewer pieces than before, all of one material, in the box that they filled
+// before. If nothing of them is as it was, their parts grew together in a remesh.
+std::set<std::uint32_t> objects_with_fewer_pieces(const FaceIndex& index, const MeshParts& now,
+                                                  const PaintParts& before);
 
 struct MotionSupport {
     double corners = 0.0, keys = 0.0;  // fractions

@@ -423,6 +423,70 @@ TEST(Area, ARemeshedBoxKeepsItsTypesAtItsRoundedEdges) {
     EXPECT_LE(100 * count.wrong, count.clear);
 }
 
+// Of a box's side, the part from (u, v) to (u_end, v_end), each from 0 to 1.
+Face part_of_side(const Aabb& box, int axis, bool far, double u, double v, double u_end, double v_end) {
+    Face face;
+    for (const auto& [a, b] : {std::pair{u, v}, {u_end, v}, {u_end, v_end}, {u, v_end}}) {
+        Vec3 at;  // of a unit cube
+        at[axis] = far ? 1.0 : 0.0;
+        at[(axis + 1) % 3] = far ? a : b;
+        at[(axis + 2) % 3] = far ? b : a;
+        face.corners.emplace_back((box.min + box.size().cwiseProduct(at)).cast<float>());
+    }
+    return face;
+}
+
+// A desk of boards in two materials, a few millimetres apart. Voxels make one piece of one material of them.
+TEST(Area, BoardsOfOneObjectThatGrewTogetherKeepTheirTypes) {
+    Count count;
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        Random random(seed);
+        Faces before = tiles(5, -3.0f), after = before;
+        const double depth = between(random, 0.5, 1), height = between(random, 0.5, 1);
+        std::vector<Aabb> boards;
+        std::vector<std::array<int, 6>> types;
+        for (double from = 0; boards.size() < 2 + seed % 4;) {
+            const double to = from + between(random, 0.3, 1);
+            boards.push_back({Vec3(from, 0, 0), Vec3(to, height, depth)});
+            from = to + 0.004;
+            for (int& type : types.emplace_back())
+                type = static_cast<int>(random() % 6) - 1;
+        }
+        const Aabb all{boards.front().min, boards.back().max};
+        for (std::size_t i = 0; i < 6; ++i) {
+            const int axis = static_cast<int>(i) / 2;
+            const bool far = i % 2 == 1;
+            for (std::size_t k = 0; k < boards.size(); ++k) {
+                before.push_back(part_of_side(boards[k], axis, far, 0, 0, 1, 1));
+                before.back().material = k % 2 == 0 ? "wood" : "metal";
+                before.back().painted = types[k][i];
+                before.back().object = "desk";
+            }
+            constexpr int cells = 16;
+            for (int cell = 0; cell < cells * cells; ++cell) {
+                const double u = 1.0 * (cell % cells) / cells, v = 1.0 * (cell / cells) / cells;
+                Face face = part_of_side(all, axis, far, u, v, u + 1.0 / cells, v + 1.0 / cells);
+                face.material = "wood";
+                face.object = "desk";
+                face.painted = axis == 0 ? types[far ? boards.size() - 1 : 0][i] : -2;
+                for (std::size_t k = 0; k < boards.size(); ++k) {
+                    Aabb covered;
+                    for (const Vec3f& corner : face.corners)
+                        covered.add(corner.cast<double>());
+                    if (axis > 0 && covered.min.x() >= boards[k].min.x() - 1e-3 &&
+                        covered.max.x() <= boards[k].max.x() + 1e-3)
+                        face.painted = types[k][i];
+                }
+                after.push_back(face);
+            }
+        }
+        count.add(after, rematch(before, after));
+    }
+    EXPECT_GT(count.clear, 10000u);
+    EXPECT_GT(static_cast<double>(count.right), 0.98 * static_cast<double>(count.clear));
+    EXPECT_LE(100 * count.wrong, count.clear);
+}
+
 // A square floor of one material and without a rim that says more looks the same after each quarter turn.
 TEST(Area, AMergedFloorThatLooksTheSameTurnedIsListed) {
     for (unsigned seed = 0; seed < 20; ++seed) {
