@@ -88,7 +88,7 @@ bool box_of(const Bvh& bvh, const Placement& placement, std::array<Vec3f, 2>& bo
     bool finite = true;
     for (const BvhNode& node : bvh.nodes) {
         for (std::size_t k = 0; k < 8; ++k) {
-            if (node.bound[0][k] > node.bound[3][k] || (node.child[k] & leaf_bit) == 0) continue;
+            if (is_missing(node, k) || (node.child[k] & leaf_bit) == 0) continue;
             const Leaf& leaf = bvh.leaf_at(node.child[k] & leaf_index_mask);
             const float* at = leaf_values(leaf);
             const std::size_t vertices = leaf.values[0];

@@ -7,15 +7,14 @@
 namespace slipface {
 namespace {
 
-constexpr double farthest = 1e9;  // metres
-constexpr double longest = 1e6;   // seconds
+constexpr double longest = 1e6;  // seconds
 
 constexpr std::size_t max_path_points = 10'000;
 
 PathPoint read_path_point(const JsonNode& node) {
     PathPoint point;
     if (!node.object()) return point;
-    node.need("offset").vector(-farthest, farthest, point.offset);
+    node.need("offset").vector(-farthest_position, farthest_position, point.offset);
     node["speed"].number(1e-3, 1e3, point.speed);
     node["pause"].number(0.0, longest, point.pause_s);
     return point;
@@ -24,8 +23,8 @@ PathPoint read_path_point(const JsonNode& node) {
 void read_spin(const JsonNode& node, Platform& platform) {
     if (!node.object()) return;
     const JsonNode axis = node["axis"];
-    axis.vector(-farthest, farthest, platform.spin_axis);
-    node["pivot"].vector(-farthest, farthest, platform.spin_pivot);
+    axis.vector(-farthest_position, farthest_position, platform.spin_axis);
+    node["pivot"].vector(-farthest_position, farthest_position, platform.spin_pivot);
     node["rate"].number(-100.0, 100.0, platform.spin_rate);
     if (!(platform.spin_axis.norm() > 1e-6)) axis.fail("a vector of length 0", "an axis of rotation");
 }
@@ -69,7 +68,7 @@ Prop read_prop(const JsonNode& node) {
 HeightfieldSource read_heightfield(const JsonNode& node) {
     HeightfieldSource source;
     if (!node.object() || !node.need("file").text(source.file)) return source;
-    node["origin"].vector(-farthest, farthest, source.origin);
+    node["origin"].vector(-farthest_position, farthest_position, source.origin);
     const JsonNode size = node["size"], high = node["high"];
     if (size.array(2) && size.json().items.size() != 2)
         size.fail(fmt::format("{} numbers", size.json().items.size()), "two: along x and z");
@@ -87,7 +86,7 @@ SectorLayout read_sectors(const JsonNode& node) {
     if (!node.object()) return sectors;
     const JsonNode size = node["size"];
     size.number(0.0, 1e7, sectors.size);
-    node["placement"].vector(-farthest, farthest, sectors.placement);
+    node["placement"].vector(-farthest_position, farthest_position, sectors.placement);
     if (node && sectors.size > 0.0 && sectors.size < 1.0) size.fail("0 for none, or at least 1 m");
     return sectors;
 }

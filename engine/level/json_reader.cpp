@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "slipface/base/base64.h"
 #include "slipface/base/text.h"
 
 namespace slipface {
@@ -114,6 +115,15 @@ bool JsonNode::vector(double minimum, double maximum, Vec3& out) const {
     each(3, [&](const JsonNode& part) { part.number(minimum, maximum, read[axis++]); });
     if (reader_.ok()) out = read;
     return reader_.ok();
+}
+
+bool JsonNode::base64(const std::string& what, std::string& bytes) const {
+    if (!*this) return false;
+    std::optional<std::string> read;
+    if (json_->kind == Json::Kind::string) read = from_base64(json_->text, Base64::plain);
+    if (!read) return fail(what + ", as base64");
+    bytes = std::move(*read);
+    return true;
 }
 
 }  // namespace slipface

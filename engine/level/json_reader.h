@@ -12,6 +12,8 @@
 
 namespace slipface {
 
+inline constexpr double farthest_position = 1e9;  // metres along an axis, in a level file
+
 // Where the values are, and the first error.
 class JsonReader {
   public:
@@ -53,6 +55,7 @@ class JsonNode {
     bool number(double minimum, double maximum, std::optional<double>& out) const;
     bool integer(int minimum, int maximum, int& out) const;
     bool vector(double minimum, double maximum, Vec3& out) const;
+    bool base64(const std::string& what, std::string& bytes) const;  // `what` is in the text, for the error
 
     template <class Enum, std::size_t count>
     bool one_of(const std::array<const char*, count>& names, Enum& out) const {

@@ -12,7 +12,7 @@
 //   "rules": [{"pattern": "*ice*", "type": "ice"}],
 //   "overrides": [{"type": "ice", "material": "stone", "faces": ["HASH CENTROID NORMAL AREA [COPY]", ...],
 //                  "packed": [...base64, if many faces are painted...]}],
-//   "parts": {"paint": "HASH", "box": [[...], [...]], "of": "...", "list": ["..."]},   (*) see part_motion.h
+//   "parts": {...},                             (*) see json_paint.h
 //   "orphans": [...as overrides],
 //   "hidden": [...as overrides, without "type"],                                       (*)
 //   "selections": [{"name": "stairs", "faces": [...as overrides, without "type"]}],    (*)

@@ -6,11 +6,10 @@
 #include <set>
 
 #include "json_movement.h"
+#include "json_paint.h"
 #include "json_parts.h"
 #include "json_reader.h"
 #include "level_json.h"
-#include "packed_faces.h"
-#include "slipface/base/base64.h"
 #include "slipface/base/text.h"
 #include "slipface/level/find_start.h"
 #include "slipface/level/preset.h"
@@ -21,7 +20,6 @@ namespace {
 constexpr std::size_t max_cameras = 100'000;
 constexpr std::size_t max_platforms = 10'000;
 constexpr std::size_t max_warnings = 100;
-constexpr double max_position = 1e9;
 constexpr double pi = 3.141592653589793;
 
 void read_transform(const JsonNode& root, ImportTransform& transform) {
@@ -86,13 +84,17 @@ class LevelReader {
         if (root["mesh"].text(mesh)) level_.mesh_path = level_.file_path.parent_path() / mesh;
         read_transform(root, level_.import_transform);
         read_spawns(root);
-        root["fall_limit"].number(-max_position, max_position, level_.fall_limit);
+        root["fall_limit"].number(-farthest_position, farthest_position, level_.fall_limit);
         read_surfaces(root["surfaces"]);
         root["rules"].each(max_material_rules, [this](const JsonNode& node) { read_rule(node); });
         read_faces(root["overrides"], "faces", true, stored_);
         painted_ = stored_.size();
         read_faces(root["orphans"], "faces", true, stored_);
-        if (const JsonNode parts = root["parts"]) read_parts(parts);
+        if (const JsonNode parts = root["parts"]) {
+            if (auto read = read_paint_parts(parts, std::span(stored_).first(painted_)))
+                parts_ = std::move(*read);
+            store_unknown(parts, "/parts");
+        }
         read_stored_faces(root["hidden"], "hidden", face_keys_.front());
         root["selections"].each(max_saved_selections, [this](const JsonNode& node) { read_selection(node); });
         root["cameras"].each(max_cameras, [this](const JsonNode& node) { read_camera(node); });
@@ -159,7 +161,7 @@ class LevelReader {
                 read_name(name, names, spawn.name);
             else
                 names.insert(spawn.name);
-            node["position"].vector(-max_position, max_position, spawn.position);
+            node["position"].vector(-farthest_position, farthest_position, spawn.position);
             node["yaw"].number(-1e6, 1e6, spawn.yaw);
             store_unknown(node, main ? "/spawn" : unknown_.location("spawns", spawn.name));
             spawns.push_back(std::move(spawn));
@@ -270,126 +272,10 @@ class LevelReader {
         StoredOverride stored;
         if (!node.object()) return;
         if (typed) node.need("type").text(stored.type);
-        const JsonNode faces = node.need("faces");
         node["material"].text(stored.key.material);
-        faces.each(max_json_values, [&](const JsonNode& row) {
-            stored.key.copy = 0;
-            stored.location = row.location();
-            if (row.json().kind == Json::Kind::string && parse_face_row(row.json().text, stored.key))
-                to.push_back(stored);
-            else
-                row.fail(
-                    "\"HASH X,Y,Z NX,NY,NZ AREA\" with 16 hexadecimal digits, a point, a unit normal and an "
-                    "area");
-        });
-        std::vector<FaceKey> keys;
-        node["packed"].each(max_json_values, [&](const JsonNode& row) {
-            keys.clear();
-            if (row.json().kind != Json::Kind::string || !unpack_faces(row.json().text, keys))
-                row.fail("painted faces, 23 bytes each, as base64");
-            for (FaceKey& key : keys) {
-                key.material = stored.key.material;
-                to.push_back({std::move(key), stored.type, row.location()});
-            }
-        });
-        const std::string& material = stored.key.material;
-        store_unknown(node, unknown_.location(kind, typed ? stored.type + "/" + material : material));
-    }
-
-    // A row for each part, or all of them in one string.
-    static void read_objects(const JsonNode& node, PaintParts& parts) {
-        constexpr std::size_t size = 7;
-        std::string bytes;
-        const auto add = [&](const JsonNode& row, std::size_t wanted) {
-            const auto more = row.json().kind == Json::Kind::string
-                                  ? from_base64(row.json().text, Base64::plain)
-                                  : std::nullopt;
-            if (more && more->size() == wanted)
-                bytes += *more;
-            else
-                row.fail("the object of each part, as base64");
-        };
-        if (node.json().kind == Json::Kind::string)
-            add(node, size * parts.parts.size());
-        else
-            node.each(max_paint_parts, [&](const JsonNode& row) { add(row, size); });
-        if (bytes.size() != size * parts.parts.size()) {
-            node.fail("the object of each part");
-            return;
-        }
-        const char* at = bytes.data();
-        for (PaintPart& part : parts.parts) {
-            part.object.name = static_cast<std::uint32_t>(take_bytes(at, 3));
-            part.object.first_vertex = static_cast<std::uint32_t>(take_bytes(at, 4));
-        }
-    }
-
-    void read_parts(const JsonNode& node) {
-        const JsonNode paint = node.need("paint"), box = node.need("box"), list = node.need("list");
-        std::string hash;
-        std::vector<Vec3> corners;
-        PaintParts parts;
-        paint.text(hash);
-        box.each(2, [&](const JsonNode& corner) {
-            corner.vector(-max_position, max_position, corners.emplace_back(Vec3::Zero()));
-        });
-        list.each(max_paint_parts, [&](const JsonNode& part) {
-            if (part.json().kind != Json::Kind::string ||
-                !unpack_part(part.json().text, parts.parts.emplace_back()))
-                part.fail("a part of the geometry, as base64");
-        });
-        if (!reader_.ok()) return;
-        if (corners.size() != 2) {
-            box.fail("two corners");
-            return;
-        }
-        parts.bounds.min = corners[0];
-        parts.bounds.max = corners[1];
-        parts.of.assign(painted_, 1);
-        if (const JsonNode of = node["of"]) {
-            const auto bytes = of.json().kind == Json::Kind::string
-                                   ? from_base64(of.json().text, Base64::plain)
-                                   : std::nullopt;
-            if (!bytes) {
-                of.fail("a part for each painted face, as base64");
-                return;
-            }
-            if (bytes->size() != 2 * painted_) return;
-            const char* at = bytes->data();
-            for (std::uint16_t& part : parts.of)
-                part = static_cast<std::uint16_t>(take_bytes(at, 2));
-        }
-        std::size_t read = 0;
-        node["numbers"].each(max_paint_parts, [&](const JsonNode& row) {
-            const std::size_t i = read++;
-            if (i >= parts.parts.size()) return;
-            if (row.json().kind != Json::Kind::string ||
-                !unpack_numbers(row.json().text, list.json().items[i].text, parts.parts[i]))
-                row.fail("the numbers of the vertices of a part's rim, as base64");
-        });
-        if (const JsonNode objects = node["objects"]) read_objects(objects, parts);
-        node["outlines"].each(max_json_values, [&](const JsonNode& row) {
-            const auto bytes = row.json().kind == Json::Kind::string
-                                   ? from_base64(row.json().text, Base64::plain)
-                                   : std::nullopt;
-            if (!bytes || !parts.outlines.add_bytes(*bytes)) row.fail("outlines of faces, as base64");
-        });
-        if (parts.outlines.count() != painted_) parts.outlines = {};
-        if (const JsonNode guessed = node["guessed"]) {
-            const auto bytes = guessed.json().kind == Json::Kind::string
-                                   ? from_base64(guessed.json().text, Base64::plain)
-                                   : std::nullopt;
-            if (!bytes) guessed.fail("a bit for each painted face, as base64");
-            parts.guessed.resize(painted_);
-            for (std::size_t i = 0; bytes && i < std::min(painted_, 8 * bytes->size()); ++i)
-                parts.guessed[i] = ((*bytes)[i / 8] >> i % 8 & 1) != 0;
-        }
-        std::vector<const FaceKey*> keys;
-        for (std::size_t i = 0; i < painted_; ++i)
-            keys.push_back(&stored_[i].key);
-        // Another program may have changed the painted faces and kept this member, which it does not know.
-        if (hash == fmt::format("{:016x}", hash_of_keys(keys))) parts_ = std::move(parts);
-        store_unknown(node, "/parts");
+        const std::string material = stored.key.material, type = stored.type;
+        read_face_rows(node, std::move(stored), to);
+        store_unknown(node, unknown_.location(kind, typed ? type + "/" + material : material));
     }
 
     void read_camera(const JsonNode& node) {
@@ -397,8 +283,8 @@ class LevelReader {
         if (!node.object()) return;
         const JsonNode name = node.need("name"), eye = node.need("eye"), target = node.need("target");
         name.text(camera.name);
-        eye.vector(-max_position, max_position, camera.eye);
-        target.vector(-max_position, max_position, camera.target);
+        eye.vector(-farthest_position, farthest_position, camera.eye);
+        target.vector(-farthest_position, farthest_position, camera.target);
         node["fov_y"].number(0.01, pi - 0.01, camera.fov_y);
         store_unknown(node, unknown_.location("cameras", camera.name));
         level_.cameras.push_back(std::move(camera));
@@ -409,7 +295,7 @@ class LevelReader {
         if (!node.object()) return;
         const JsonNode name = node.need("name"), position = node.need("position"), within = node["within_s"];
         read_name(name, names, goal.name);
-        position.vector(-max_position, max_position, goal.position);
+        position.vector(-farthest_position, farthest_position, goal.position);
         node["kind"].one_of(goal_kind_names, goal.kind);
         node["radius"].number(smallest_goal_radius, largest_goal_radius, goal.radius);
         if (within && goal.kind == GoalKind::never)

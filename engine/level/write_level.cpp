@@ -6,6 +6,7 @@
 #include <map>
 
 #include "json_movement.h"
+#include "json_paint.h"
 #include "json_parts.h"
 #include "level_json.h"
 #include "packed_faces.h"
@@ -144,63 +145,6 @@ PaintedFaces painted_faces(const Level& level) {
     }
     painted.parts.guessed = which_of(faces, level.guessed);
     return painted;
-}
-
-// Rows of base64. The faces' hashes alone decide where rows begin, so painting one more face changes one row.
-Json outlines_json(const PaintedFaces& painted, const std::vector<std::size_t>& order) {
-    constexpr std::uint64_t faces_per_row = 64;  // on average
-    Json rows = json_array();
-    std::string bytes;
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        bytes += painted.parts.outlines.bytes(order[k]);
-        if (k + 1 < order.size() && painted.keys[order[k + 1]].loop_hash % faces_per_row != 0) continue;
-        rows.items.push_back(json_string(to_base64(bytes, Base64::plain)));
-        bytes.clear();
-    }
-    return rows;
-}
-
-// `order`: the keys' indices in the file's order.
-Json paint_parts_json(const PaintedFaces& painted, const std::vector<std::size_t>& order) {
-    Json json = json_object();
-    std::vector<const FaceKey*> keys;
-    std::string of;
-    bool one = true;
-    for (const std::size_t i : order) {
-        keys.push_back(&painted.keys[i]);
-        one = one && painted.parts.of[i] == 1;
-        put_bytes(of, painted.parts.of[i], 2);
-    }
-    json_add(json, "paint", json_string(fmt::format("{:016x}", hash_of_keys(keys))));
-    Json box = json_array();
-    for (const Vec3& corner : {painted.parts.bounds.min, painted.parts.bounds.max})
-        box.items.push_back(vector_json(corner));
-    json_add(json, "box", std::move(box));
-    if (!one) json_add(json, "of", json_string(to_base64(of, Base64::plain)));
-    json_add(json, "list", json_array_of(painted.parts.parts, [](const PaintPart& part) {
-                 return json_string(pack_part(part));
-             }));
-    Json numbers = json_array_of(painted.parts.parts, [](const PaintPart& part) {
-        return json_string(pack_numbers(part, pack_part(part)));
-    });
-    // Painted parts come first.
-    while (!numbers.items.empty() && numbers.items.back().text.empty())
-        numbers.items.pop_back();
-    json_add(json, "numbers", std::move(numbers));
-    // A row for each, so that a link to a run has few rows that differ.
-    json_add(json, "objects", json_array_of(painted.parts.parts, [](const PaintPart& part) {
-                 std::string object;
-                 put_bytes(object, part.object.name, 3);
-                 put_bytes(object, part.object.first_vertex, 4);
-                 return json_string(to_base64(object, Base64::plain));
-             }));
-    json_add(json, "outlines", outlines_json(painted, order));
-    std::string bits((order.size() + 7) / 8, '\0');
-    for (std::size_t k = 0; k < order.size(); ++k)
-        if (painted.parts.guessed[order[k]]) bits[k / 8] = static_cast<char>(bits[k / 8] | 1 << k % 8);
-    if (bits.find_first_not_of('\0') != std::string::npos)
-        json_add(json, "guessed", json_string(to_base64(bits, Base64::plain)));
-    return json;
 }
 
 PaintedFaces orphaned_faces(const Level& level) {
@@ -352,7 +296,8 @@ std::string level_text(const Level& level, const std::filesystem::path& file_pat
     std::vector<std::size_t> order;
     json_add(root, "overrides",
              groups_json(painted, painted.keys.size() > max_readable_faces, unknown, "faces", true, &order));
-    if (!painted.parts.parts.empty()) json_add(root, "parts", paint_parts_json(painted, order));
+    if (!painted.parts.parts.empty())
+        json_add(root, "parts", paint_parts_json(painted.keys, painted.parts, order));
     json_add(root, "orphans", groups_json(orphaned_faces(level), false, unknown, "faces", true));
     append_stored_faces(root, level, unknown);
 

@@ -54,7 +54,7 @@ class SoundTree {
             require(bvh_.parents[index] == parent, fmt::format("parent of node {}", index));
         const detail::BvhNode& node = bvh_.nodes[index];
         for (std::size_t k = 0; k < 8; ++k) {
-            if (node.bound[0][k] > node.bound[3][k]) continue;
+            if (is_missing(node, k)) continue;
             const std::uint32_t child = node.child[k];
             const Box box = (child & detail::leaf_bit) != 0
                                 ? check_leaf(child & detail::leaf_index_mask, index)

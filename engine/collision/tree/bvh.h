@@ -47,6 +47,11 @@ enum class LeafForm : std::uint8_t {
     vertices  // not by axis: vertices stay vertices wherever the leaf is placed
 };
 
+// Of a child: its box is empty.
+inline bool is_missing(const BvhNode& node, std::size_t k) {
+    return node.bound[0][k] > node.bound[3][k];
+}
+
 struct Bvh {
     std::vector<BvhNode> nodes;  // the root first, parents before children; empty without triangles
     std::vector<std::byte> leaves;

@@ -426,11 +426,21 @@ void write(const Node& node, Bvh& bvh) {
         out.child[k] = child.link;
         if (k >= node.count || child.node) continue;
         const std::uint32_t index = child.link & leaf_index_mask;
-        const Leaf& leaf = *reinterpret_cast<const Leaf*>(from + child.bytes_before);
-        for (std::size_t lane = 0; lane < leaf_size(leaf); ++lane)
-            bvh.leaf_of.set(leaf_id(leaf, lane), index);
         std::memcpy(&bvh.leaves[std::size_t{index} * leaf_alignment - child.bytes_before], from, child.bytes);
         from += child.bytes;
+    }
+}
+
+void set_leaves_of_triangles(Bvh& bvh, std::size_t triangles) {
+    bvh.leaf_of = TriangleLeaves(triangles, bvh.leaves.size() / leaf_alignment);
+    for (const BvhNode& node : bvh.nodes) {
+        for (std::size_t k = 0; k < 8; ++k) {
+            if (is_missing(node, k) || (node.child[k] & leaf_bit) == 0) continue;
+            const std::uint32_t index = node.child[k] & leaf_index_mask;
+            const Leaf& leaf = bvh.leaf_at(index);
+            for (std::size_t lane = 0; lane < leaf_size(leaf); ++lane)
+                bvh.leaf_of.set(leaf_id(leaf, lane), index);
+        }
     }
 }
 
@@ -456,11 +466,11 @@ Bvh build_bvh(std::span<const Vec3f> positions, std::span<const std::array<std::
     bvh.depth = layout.depth;
     bvh.nodes.resize(layout.nodes.size());
     bvh.leaves.resize(layout.bytes + leaf_overread);
-    bvh.leaf_of = TriangleLeaves(triangles.size(), layout.bytes / leaf_alignment);
     parallel_for(layout.nodes.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             write(*layout.nodes[i], bvh);
     });
+    set_leaves_of_triangles(bvh, triangles.size());
     return bvh;
 }
 

@@ -153,7 +153,7 @@ void move_all(Bvh& bvh, std::span<const Corners> corners) {
         for (std::size_t k = 0; k < 8; ++k) {
             BvhNode& node = bvh.nodes[n];
             const std::uint32_t child = node.child[k];
-            if (node.bound[0][k] > node.bound[3][k]) continue;  // missing
+            if (is_missing(node, k)) continue;
             const Bounds bounds = (child & leaf_bit) != 0
                                       ? leaf_bounds(bvh.leaf_at(move_leaf(node, child & leaf_index_mask)))
                                       : node_bounds(bvh.nodes[child]);
@@ -186,7 +186,7 @@ void find_parents(Bvh& bvh) {
     for (std::uint32_t n = 0; n < bvh.nodes.size(); ++n) {
         const BvhNode& node = bvh.nodes[n];
         for (std::size_t k = 0; k < 8; ++k) {
-            if (node.bound[0][k] > node.bound[3][k]) continue;  // missing
+            if (is_missing(node, k)) continue;
             if ((node.child[k] & leaf_bit) != 0)
                 bvh.leaf_parents.push_back({node.child[k] & leaf_index_mask, n});
             else

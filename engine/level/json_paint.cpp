@@ -1,0 +1,177 @@
+#include "json_paint.h"
+
+#include <fmt/format.h>
+
+#include "json_parts.h"
+#include "level_json.h"
+#include "packed_faces.h"
+#include "slipface/base/base64.h"
+
+namespace slipface {
+namespace {
+
+constexpr std::size_t object_bytes = 7;
+
+// A row for each part, or all of them in one string.
+void read_objects(const JsonNode& node, PaintParts& parts) {
+    std::string bytes;
+    const auto add = [&](const JsonNode& row) {
+        std::string more;
+        if (row.base64("the object of each part", more)) bytes += more;
+    };
+    if (node.json().kind == Json::Kind::string)
+        add(node);
+    else
+        node.each(max_paint_parts, add);
+    if (node && bytes.size() != object_bytes * parts.parts.size())
+        node.fail("the object of each part, as base64");
+    if (!node) return;
+    const char* at = bytes.data();
+    for (PaintPart& part : parts.parts) {
+        part.object.name = static_cast<std::uint32_t>(take_bytes(at, 3));
+        part.object.first_vertex = static_cast<std::uint32_t>(take_bytes(at, 4));
+    }
+}
+
+// A row for each, so that a link to a run has few rows that differ.
+Json object_json(const PaintPart& part) {
+    std::string bytes;
+    put_bytes(bytes, part.object.name, 3);
+    put_bytes(bytes, part.object.first_vertex, 4);
+    return json_string(to_base64(bytes, Base64::plain));
+}
+
+// Rows of base64. The faces' hashes alone decide where rows begin, so painting one more face changes one row.
+Json outlines_json(const std::vector<FaceKey>& keys, const FaceOutlines& outlines,
+                   const std::vector<std::size_t>& order) {
+    constexpr std::uint64_t faces_per_row = 64;  // on average
+    Json rows = json_array();
+    std::string bytes;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        bytes += outlines.bytes(order[k]);
+        if (k + 1 < order.size() && keys[order[k + 1]].loop_hash % faces_per_row != 0) continue;
+        rows.items.push_back(json_string(to_base64(bytes, Base64::plain)));
+        bytes.clear();
+    }
+    return rows;
+}
+
+std::uint64_t hash_of_paint(std::span<const StoredOverride> painted) {
+    std::vector<const FaceKey*> keys;
+    for (const StoredOverride& one : painted)
+        keys.push_back(&one.key);
+    return hash_of_keys(keys);
+}
+
+std::string hash_text(std::uint64_t hash) {
+    return fmt::format("{:016x}", hash);
+}
+
+}  // namespace
+
+void read_face_rows(const JsonNode& group, StoredOverride stored, std::vector<StoredOverride>& to) {
+    group.need("faces").each(max_json_values, [&](const JsonNode& row) {
+        stored.key.copy = 0;
+        stored.location = row.location();
+        if (row.json().kind == Json::Kind::string && parse_face_row(row.json().text, stored.key))
+            to.push_back(stored);
+        else
+            row.fail(
+                "\"HASH X,Y,Z NX,NY,NZ AREA\" with 16 hexadecimal digits, a point, a unit normal and an "
+                "area");
+    });
+    std::vector<FaceKey> keys;
+    group["packed"].each(max_json_values, [&](const JsonNode& row) {
+        keys.clear();
+        if (row.json().kind != Json::Kind::string || !unpack_faces(row.json().text, keys))
+            row.fail("painted faces, 23 bytes each, as base64");
+        for (FaceKey& key : keys) {
+            key.material = stored.key.material;
+            to.push_back({std::move(key), stored.type, row.location()});
+        }
+    });
+}
+
+std::optional<PaintParts> read_paint_parts(const JsonNode& node, std::span<const StoredOverride> painted) {
+    const JsonNode paint = node.need("paint"), box = node.need("box"), list = node.need("list");
+    std::string hash, bytes;
+    std::vector<Vec3> corners;
+    PaintParts parts;
+    paint.text(hash);
+    box.each(2, [&](const JsonNode& corner) {
+        corner.vector(-farthest_position, farthest_position, corners.emplace_back(Vec3::Zero()));
+    });
+    if (box && corners.size() != 2) box.fail("two corners");
+    list.each(max_paint_parts, [&](const JsonNode& part) {
+        if (part.json().kind != Json::Kind::string ||
+            !unpack_part(part.json().text, parts.parts.emplace_back()))
+            part.fail("a part of the geometry, as base64");
+    });
+    if (!node || corners.size() != 2) return std::nullopt;
+    parts.bounds = {corners[0], corners[1]};
+    parts.of.assign(painted.size(), 1);
+    if (node["of"].base64("a part for each painted face", bytes)) {
+        if (bytes.size() != 2 * painted.size()) return std::nullopt;
+        const char* at = bytes.data();
+        for (std::uint16_t& part : parts.of)
+            part = static_cast<std::uint16_t>(take_bytes(at, 2));
+    }
+    std::size_t read = 0;
+    node["numbers"].each(max_paint_parts, [&](const JsonNode& row) {
+        const std::size_t i = read++;
+        if (i >= parts.parts.size()) return;
+        if (row.json().kind != Json::Kind::string ||
+            !unpack_numbers(row.json().text, list.json().items[i].text, parts.parts[i]))
+            row.fail("the numbers of the vertices of a part's rim, as base64");
+    });
+    if (const JsonNode objects = node["objects"]) read_objects(objects, parts);
+    node["outlines"].each(max_json_values, [&](const JsonNode& row) {
+        if (row.base64("outlines of faces", bytes) && !parts.outlines.add_bytes(bytes))
+            row.fail("outlines of faces, as base64");
+    });
+    if (parts.outlines.count() != painted.size()) parts.outlines = {};
+    if (node["guessed"].base64("a bit for each painted face", bytes)) {
+        parts.guessed.resize(painted.size());
+        for (std::size_t i = 0; i < std::min(painted.size(), 8 * bytes.size()); ++i)
+            parts.guessed[i] = (bytes[i / 8] >> i % 8 & 1) != 0;
+    }
+    if (hash != hash_text(hash_of_paint(painted))) return std::nullopt;
+    return parts;
+}
+
+Json paint_parts_json(const std::vector<FaceKey>& keys, const PaintParts& parts,
+                      const std::vector<std::size_t>& order) {
+    Json json = json_object();
+    std::vector<const FaceKey*> written;
+    std::string of;
+    bool one = true;
+    for (const std::size_t i : order) {
+        written.push_back(&keys[i]);
+        one = one && parts.of[i] == 1;
+        put_bytes(of, parts.of[i], 2);
+    }
+    json_add(json, "paint", json_string(hash_text(hash_of_keys(written))));
+    Json box = json_array();
+    for (const Vec3& corner : {parts.bounds.min, parts.bounds.max})
+        box.items.push_back(vector_json(corner));
+    json_add(json, "box", std::move(box));
+    if (!one) json_add(json, "of", json_string(to_base64(of, Base64::plain)));
+    json_add(json, "list",
+             json_array_of(parts.parts, [](const PaintPart& part) { return json_string(pack_part(part)); }));
+    Json numbers = json_array_of(
+        parts.parts, [](const PaintPart& part) { return json_string(pack_numbers(part, pack_part(part))); });
+    // Painted parts come first.
+    while (!numbers.items.empty() && numbers.items.back().text.empty())
+        numbers.items.pop_back();
+    json_add(json, "numbers", std::move(numbers));
+    json_add(json, "objects", json_array_of(parts.parts, object_json));
+    json_add(json, "outlines", outlines_json(keys, parts.outlines, order));
+    std::string bits((order.size() + 7) / 8, '\0');
+    for (std::size_t k = 0; k < order.size(); ++k)
+        if (parts.guessed[order[k]]) bits[k / 8] = static_cast<char>(bits[k / 8] | 1 << k % 8);
+    if (bits.find_first_not_of('\0') != std::string::npos)
+        json_add(json, "guessed", json_string(to_base64(bits, Base64::plain)));
+    return json;
+}
+
+}  // namespace slipface
