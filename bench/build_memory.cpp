@@ -53,7 +53,7 @@ int main() {
     using namespace slipface::bench;
     fmt::print("| level | triangles | kept | more while building |\n|---|---:|---:|---:|\n");
     for (const auto kind : {Kind::rooms, Kind::ground}) {
-        for (const std::int64_t size : {30000, 1000000}) {
+        for (const std::int64_t size : {7000, 30000, 120000, 1000000}) {
             const auto soup = make_soup(kind, size);
             const auto view = soup.view();
             const std::size_t before = in_use;
