@@ -30,29 +30,22 @@ struct Rare {
     std::vector<FaceId> alike;
 };
 
-}  // namespace
-
-std::optional<PartMotion> MotionFinder::motion_of_kept(std::span<const std::size_t> parts) {
+// Of the painted faces those with the fewest faces in the mesh of their material and area.
+std::vector<Rare> rare_faces(const FaceIndex& index, std::size_t face_count, SurfaceTable surfaces,
+                             std::span<const FaceKey* const> painted) {
     std::map<std::string, std::uint32_t> bases;
     using Sized = std::tuple<std::uint32_t, double, FaceId>;
     std::vector<Sized> sized;
-    for (FaceId face = 0; face < mesh_.face_count(); ++face) {
+    for (FaceId face = 0; face < face_count; ++face) {
         const auto base = static_cast<std::uint32_t>(bases.size());
-        sized.emplace_back(bases.emplace(index_.base(face), base).first->second, index_.key(face).area, face);
+        sized.emplace_back(bases.emplace(index.base(face), base).first->second, index.key(face).area, face);
     }
     std::sort(sized.begin(), sized.end());
-    std::vector<bool> is_one(parts_.size() + 1, false);
-    for (const std::size_t part : parts)
-        is_one[part + 1] = true;
-    std::vector<const FaceKey*> painted;
-    for (std::size_t i = 0; i < overrides_.size() && i < stored_.of.size(); ++i)
-        if (stored_.of[i] < is_one.size() && is_one[stored_.of[i]] && overrides_[i].key.area > 0.0)
-            painted.push_back(&overrides_[i].key);
     std::vector<Rare> rare;
     const std::size_t step = painted.size() / max_painted + 1;
     for (std::size_t i = 0; i < painted.size(); i += step) {
         const FaceKey& key = *painted[i];
-        const auto base = bases.find(base_material(key.material, surfaces_));
+        const auto base = bases.find(base_material(key.material, surfaces));
         if (base == bases.end()) continue;
         const double slack = same_area * key.area;
         Rare one{&key, {}};
@@ -66,72 +59,115 @@ std::optional<PartMotion> MotionFinder::motion_of_kept(std::span<const std::size
     std::stable_sort(rare.begin(), rare.end(),
                      [](const Rare& a, const Rare& b) { return a.alike.size() < b.alike.size(); });
     if (rare.size() > max_rare) rare.resize(max_rare);
+    return rare;
+}
 
-    const auto there = [&](FaceId face) -> const Vec3& { return index_.key(face).centroid; };
-    const auto as_far = [&](const Rare& a, FaceId x, const Rare& b, FaceId y) {
-        const double slack = 4.0 * (position_tolerance(a.key->centroid) + position_tolerance(there(x)));
-        return std::abs((a.key->centroid - b.key->centroid).norm() - (there(x) - there(y)).norm()) <= slack;
-    };
-    const auto hits = [&](const PartMotion& motion, const Rare& one, FaceId face) {
-        return (motion(one.key->centroid) - there(face)).norm() <=
-                   8.0 * (position_tolerance(one.key->centroid) + position_tolerance(there(face))) &&
-               index_.key(face).normal.dot(motion.linear * one.key->normal) > same_normal;
-    };
-    // The rigid motion of those that `rough` puts onto one of their faces.
-    const auto fitted = [&](const PartMotion& rough, std::size_t& found) {
-        std::vector<Vec3> from, to;
-        for (const Rare& one : rare)
-            for (const FaceId face : one.alike)
-                if (hits(rough, one, face)) {
-                    from.push_back(one.key->centroid);
-                    to.push_back(there(face));
-                    break;
-                }
-        found = from.size();
-        return from.size() < 3 ? std::nullopt : fit_rigid(from, to);
+// The motions that put three rare faces onto three of the mesh as far from each other.
+class ThreesSearch {
+  public:
+    ThreesSearch(const FaceIndex& index, std::vector<Rare> rare) : index_(index), rare_(std::move(rare)) {}
+
+    // Those that explain most rare faces, first.
+    std::vector<PartMotion> run() {
+        for (std::size_t i = 0; i < rare_.size() && tried_ < max_threes; ++i)
+            for (std::size_t k = 0; k < i && tried_ < max_threes; ++k)
+                for (const FaceId x : rare_[i].alike)
+                    for (const FaceId y : rare_[k].alike)
+                        try_two({&rare_[i], x}, {&rare_[k], y});
+        std::stable_sort(found_.begin(), found_.end(),
+                         [](const Found& a, const Found& b) { return a.faces > b.faces; });
+        if (found_.size() > max_rated) found_.resize(max_rated);
+        std::vector<PartMotion> motions;
+        for (const Found& one : found_)
+            motions.push_back(one.motion);
+        return motions;
+    }
+
+  private:
+    // A painted face and the one of the mesh that it may be.
+    struct Pair {
+        const Rare* one;
+        FaceId face;
+        const Vec3& before() const { return one->key->centroid; }
     };
     struct Found {
         PartMotion motion;
         std::size_t faces;
     };
-    std::vector<Found> found;
-    std::size_t pairs = 0, tried = 0;
-    const auto known = [&](const Rare& a, FaceId x, const Rare& b, FaceId y) {
-        return std::any_of(found.begin(), found.end(), [&](const Found& one) {
-            return hits(one.motion, a, x) && hits(one.motion, b, y);
-        });
-    };
-    const auto try_three = [&](const Rare& a, FaceId x, const Rare& b, FaceId y) {
-        if (++pairs > max_twos) return;
-        for (const Rare& c : rare) {
-            const Vec3 sides[] = {b.key->centroid - a.key->centroid, c.key->centroid - a.key->centroid};
+
+    const Vec3& now(const Pair& pair) const { return index_.key(pair.face).centroid; }
+
+    bool are_as_far(const Pair& a, const Pair& b) const {
+        const double slack = 4.0 * (position_tolerance(a.before()) + position_tolerance(now(a)));
+        return std::abs((a.before() - b.before()).norm() - (now(a) - now(b)).norm()) <= slack;
+    }
+
+    bool explains(const PartMotion& motion, const Pair& pair) const {
+        return (motion(pair.before()) - now(pair)).norm() <=
+                   8.0 * (position_tolerance(pair.before()) + position_tolerance(now(pair))) &&
+               index_.key(pair.face).normal.dot(motion.linear * pair.one->key->normal) > same_normal;
+    }
+
+    // The rigid motion of those faces that `rough` puts onto one of the mesh.
+    std::optional<Found> fitted(const PartMotion& rough) const {
+        std::vector<Vec3> from, to;
+        for (const Rare& one : rare_) {
+            const auto face = std::ranges::find_if(one.alike, [&](FaceId alike) {
+                return explains(rough, Pair{&one, alike});
+            });
+            if (face == one.alike.end()) continue;
+            from.push_back(one.key->centroid);
+            to.push_back(index_.key(*face).centroid);
+        }
+        if (from.size() < 3) return std::nullopt;
+        const std::optional<PartMotion> motion = fit_rigid(from, to);
+        return motion ? std::optional(Found{*motion, from.size()}) : std::nullopt;
+    }
+
+    void try_two(const Pair& a, const Pair& b) {
+        const auto is_known = [&](const Found& one) {
+            return explains(one.motion, a) && explains(one.motion, b);
+        };
+        if (a.face == b.face || !are_as_far(a, b) || std::ranges::any_of(found_, is_known)) return;
+        if (++twos_ > max_twos) return;
+        for (const Rare& third : rare_) {
+            const Vec3 sides[] = {b.before() - a.before(), third.key->centroid - a.before()};
             if (!(sides[0].cross(sides[1]).norm() > 0.1 * sides[0].norm() * sides[1].norm())) continue;
-            for (const FaceId z : c.alike) {
-                if (!as_far(a, x, c, z) || !as_far(b, y, c, z)) continue;
-                if (++tried > max_threes) return;
-                std::optional<PartMotion> motion = fit_rigid(
-                    {a.key->centroid, b.key->centroid, c.key->centroid}, {there(x), there(y), there(z)});
-                if (!motion || !hits(*motion, a, x) || !hits(*motion, b, y) || !hits(*motion, c, z)) continue;
-                std::size_t faces = 0;
-                motion = fitted(*motion, faces);
-                if (motion) found.push_back({*motion, faces});
-                if (motion) return;
+            for (const FaceId face : third.alike) {
+                const Pair c{&third, face};
+                if (!are_as_far(a, c) || !are_as_far(b, c)) continue;
+                if (++tried_ > max_threes) return;
+                const std::optional<PartMotion> rough =
+                    fit_rigid({a.before(), b.before(), c.before()}, {now(a), now(b), now(c)});
+                if (!rough || !explains(*rough, a) || !explains(*rough, b) || !explains(*rough, c)) continue;
+                if (const std::optional<Found> found = fitted(*rough)) {
+                    found_.push_back(*found);
+                    return;
+                }
             }
         }
-    };
-    for (std::size_t i = 0; i < rare.size() && tried < max_threes; ++i)
-        for (std::size_t k = 0; k < i && tried < max_threes; ++k)
-            for (const FaceId x : rare[i].alike)
-                for (const FaceId y : rare[k].alike)
-                    if (x != y && as_far(rare[i], x, rare[k], y) && !known(rare[i], x, rare[k], y))
-                        try_three(rare[i], x, rare[k], y);
-    std::stable_sort(found.begin(), found.end(),
-                     [](const Found& a, const Found& b) { return a.faces > b.faces; });
-    if (found.size() > max_rated) found.resize(max_rated);
+    }
 
+    const FaceIndex& index_;
+    const std::vector<Rare> rare_;
+    std::vector<Found> found_;
+    std::size_t twos_ = 0, tried_ = 0;
+};
+
+}  // namespace
+
+std::optional<PartMotion> MotionFinder::motion_of_kept(std::span<const std::size_t> parts) {
+    std::vector<bool> is_one(parts_.size() + 1, false);
+    for (const std::size_t part : parts)
+        is_one[part + 1] = true;
+    std::vector<const FaceKey*> painted;
+    for (std::size_t i = 0; i < overrides_.size() && i < stored_.of.size(); ++i)
+        if (stored_.of[i] < is_one.size() && is_one[stored_.of[i]] && overrides_[i].key.area > 0.0)
+            painted.push_back(&overrides_[i].key);
     std::vector<AreaMotion> motions;
-    for (const Found& one : found)
-        motions.push_back({one.motion, kept(painted, one.motion), 0.0});
+    ThreesSearch search(index_, rare_faces(index_, mesh_.face_count(), surfaces_, painted));
+    for (const PartMotion& motion : search.run())
+        motions.push_back({motion, kept(painted, motion), 0.0});
     std::stable_sort(motions.begin(), motions.end(),
                      [](const AreaMotion& a, const AreaMotion& b) { return a.covered > b.covered; });
     if (motions.empty() || kept(painted, PartMotion{}) > much_less * motions[0].covered ||
