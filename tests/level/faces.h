@@ -191,4 +191,29 @@ inline std::size_t painted_count(const Faces& faces) {
         std::count_if(faces.begin(), faces.end(), [](const Face& f) { return f.painted >= 0; }));
 }
 
+// A floor with a low wall, both painted, and a second floor elsewhere, which stays.
+struct Moving {
+    Faces before;
+    std::size_t moving = 0;  // the first faces
+};
+
+inline Moving two_rooms() {
+    Faces faces = tiles(9);
+    const Vec3f up(0, 0.5f, 0);
+    for (std::size_t i = 0; i < 6; ++i) {
+        const Vec3f left = faces[i].corners[0];
+        const Vec3f right = faces[i].corners[3];
+        faces.push_back(quad(left, right, right + up, left + up));
+    }
+    const std::size_t moving = faces.size();
+    for (Face face : tiles(9)) {
+        for (Vec3f& corner : face.corners)
+            corner += Vec3f(100, 2, 0);
+        faces.push_back(face);
+    }
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        faces[i].painted = i % 3 == 0 ? -1 : static_cast<int>(i * i % 7);
+    return {faces, moving};
+}
+
 }  // namespace slipface::test
