@@ -15,9 +15,6 @@ namespace slipface {
 
 enum class MatchStage : std::uint8_t { none, exact, plane, nearest };
 
-// Of a part's box: a small one loses a voxel on each side when it is remeshed.
-inline constexpr double remade_slack = 0.2;
-
 // Maximum number of faces examined in all, so that a file with a hundred thousand huge missing faces cannot
 // hang the editor.
 inline constexpr std::size_t max_visits = 30'000'000;
@@ -119,6 +116,7 @@ class FaceMatcher {
     bool is_remade(FaceId face, std::size_t i);
     const std::vector<std::size_t>& remade_from(std::uint32_t piece);
     const std::set<std::uint32_t>& remeshed_objects();
+    bool is_of_remeshed_object(FaceId face);
     bool is_gone(std::size_t part);
     bool is_new(const PaintPart& part, std::size_t old) const;
     Aabb moved_box(std::size_t part) const;
@@ -129,7 +127,15 @@ class FaceMatcher {
 
     // match_remade.cpp
     void match_remade();
-    void claim_nearest(FaceId face, std::span<const std::size_t> painted, std::span<const Aabb> boxes);
+    // A painted face and what it may give its type to: faces along `normal`, at most `depth` away.
+    struct Nearby {
+        std::size_t i;
+        Vec3 normal;
+        double depth;
+        Aabb reach;
+    };
+    Nearby nearby(std::size_t i) const;
+    void claim_nearest(FaceId face, std::span<const Nearby> painted, std::span<const Aabb> boxes);
 
     // match_merged.cpp
     struct Votes {

@@ -90,10 +90,20 @@ const std::vector<std::size_t>& FaceMatcher::remade_from(std::uint32_t piece) {
 // The names of objects of which nothing is as it was and whose parts grew together.
 const std::set<std::uint32_t>& FaceMatcher::remeshed_objects() {
     if (remeshed_objects_) return *remeshed_objects_;
-    remeshed_objects_ = objects_with_fewer_pieces(index_, pieces(), parts_);
+    remeshed_objects_.emplace();
+    for (const PaintPart& part : parts_.parts)
+        if (!part.anchors.empty()) remeshed_objects_->insert(part.object.name);
     for (std::size_t old = 0; old < parts_.parts.size(); ++old)
         if (!is_gone(old)) remeshed_objects_->erase(parts_.parts[old].object.name);
+    if (remeshed_objects_->empty()) return *remeshed_objects_;  // the pieces of a large mesh take a while
+    const std::set<std::uint32_t> fewer = objects_with_fewer_pieces(index_, pieces(), parts_);
+    std::erase_if(*remeshed_objects_, [&](std::uint32_t name) { return !fewer.contains(name); });
     return *remeshed_objects_;
+}
+
+bool FaceMatcher::is_of_remeshed_object(FaceId face) {
+    return !remeshed_objects().empty() &&
+           remeshed_objects().contains(pieces().parts[pieces().of[face]].object.name);
 }
 
 // Whether no painted face of the part is as it was.
@@ -193,7 +203,8 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
                 covers[k] = find_covers(searched[begin + k], least_dot, any_material);
         });
         for (std::size_t k = 0; k < covers.size(); ++k) {
-            all.insert(all.end(), covers[k].found.begin(), covers[k].found.end());
+            for (const Cover& cover : covers[k].found)
+                if (any_material || !is_of_remeshed_object(cover.face)) all.push_back(cover);
             lookup_.visits += covers[k].visits;
             if (covers[k].rough) sharpen(searched[begin + k]);
         }

@@ -11,13 +11,10 @@
 namespace slipface {
 namespace {
 
-constexpr double least_along = 0.5;  // the cosine of new and old normal
-constexpr double max_depth = 0.5;    // of the old face's size
-double depth(const FaceKey& key) {
-    return max_depth * std::sqrt(key.area);
-}
-constexpr double most_of_it = 0.55;            // of a new face's points
-constexpr std::size_t max_pairs = 10'000'000;  // of new and old faces of a piece; edges matter to small ones
+constexpr double least_along = 0.5;             // the cosine of new and old normal
+constexpr double max_depth = 0.5;               // of the old face's size
+constexpr double most_of_it = 0.55;             // of a new face's points
+constexpr std::size_t max_pairs = 100'000'000;  // of new and old faces of a piece; edges matter to small ones
 
 struct Near {
     double distance = 0.0;
@@ -75,12 +72,13 @@ void FaceMatcher::match_remade() {
         lookup_.visits += searched.size();
         if (std::ranges::none_of(around, [&](const Aabb& other) { return touch(box, other); })) continue;
         const std::vector<std::size_t>& from = remade_from(piece);
-        std::vector<std::size_t> old;
+        std::vector<Nearby> old;
         std::vector<Aabb> partly_painted;
         for (const std::size_t part : from) {
             if (pieces().parts[piece].faces == parts_.parts[part].faces) continue;
             if (std::ranges::binary_search(searched, part))
-                old.insert(old.end(), painted[part].begin(), painted[part].end());
+                for (const std::size_t i : painted[part])
+                    old.push_back(nearby(i));
             if (painted[part].size() < parts_.parts[part].faces) partly_painted.push_back(moved_box(part));
         }
         const std::span<const FaceId> faces(&pieces().sorted[pieces().first[piece]],
@@ -91,26 +89,27 @@ void FaceMatcher::match_remade() {
     }
 }
 
+FaceMatcher::Nearby FaceMatcher::nearby(std::size_t i) const {
+    Nearby old{i, unit_or_zero(key(i).normal), max_depth * std::sqrt(key(i).area), {}};
+    for (const Vec3& corner : outlines_[i]) {
+        old.reach.add(corner - Vec3::Constant(old.depth));
+        old.reach.add(corner + Vec3::Constant(old.depth));
+    }
+    return old;
+}
+
 // `boxes`: of the old parts of which not all faces were painted. A side of a box that is nearer than any
 // painted face was not painted.
-void FaceMatcher::claim_nearest(FaceId face, std::span<const std::size_t> painted,
-                                std::span<const Aabb> boxes) {
+void FaceMatcher::claim_nearest(FaceId face, std::span<const Nearby> painted, std::span<const Aabb> boxes) {
     const std::uint32_t first = mesh_.face_first_corner[face], count = mesh_.face_corner_count(face);
     const FaceKey& key = index_.key(face);
     Aabb around;
     for (std::uint32_t c = 0; c < count; ++c)
         around.add(mesh_.corner_position(first + c).cast<double>());
     lookup_.visits += painted.size() / 8;
-    std::vector<std::size_t> near_it;
-    for (const std::size_t i : painted) {
-        if (!(key.normal.dot(unit_or_zero(this->key(i).normal)) > least_along)) continue;
-        Aabb reach;
-        for (const Vec3& corner : outlines_[i]) {
-            reach.add(corner - Vec3::Constant(depth(this->key(i))));
-            reach.add(corner + Vec3::Constant(depth(this->key(i))));
-        }
-        if (touch(reach, around)) near_it.push_back(i);
-    }
+    std::vector<Nearby> near_it;
+    for (const Nearby& old : painted)
+        if (touch(old.reach, around) && key.normal.dot(old.normal) > least_along) near_it.push_back(old);
     std::map<SurfaceId, double> votes;
     std::vector<std::size_t> voters;
     double points = 0.0;
@@ -130,14 +129,13 @@ void FaceMatcher::claim_nearest(FaceId face, std::span<const std::size_t> painte
                 }
             }
             std::size_t best = no_id;
-            for (const std::size_t i : near_it) {
+            for (const Nearby& old : near_it) {
                 ++lookup_.visits;
-                const Near near = distance_to(point, outlines_[i], unit_or_zero(this->key(i).normal));
-                if ((!boxes.empty() && !near.inside) || near.distance >= nearest ||
-                    near.distance > depth(this->key(i)))
+                const Near near = distance_to(point, outlines_[old.i], old.normal);
+                if ((!boxes.empty() && !near.inside) || near.distance >= nearest || near.distance > old.depth)
                     continue;
                 nearest = near.distance;
-                best = i;
+                best = old.i;
             }
             if (best == no_id) continue;
             votes[*types_[best]] += 1.0;

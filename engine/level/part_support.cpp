@@ -440,7 +440,7 @@ std::set<std::uint32_t> objects_with_fewer_pieces(const FaceIndex& index, const 
     std::set<std::uint32_t> names;
     for (const auto& [name, object] : objects)
         if (name != 0 && !object.mixed && object.now > 0 && object.now < object.before &&
-            similar_box(object.box_now, object.box_before, box_slack))
+            similar_box(object.box_now, object.box_before, remade_slack))
             names.insert(name);
     return names;
 }

@@ -15,6 +15,9 @@ namespace slipface {
 // The fraction of a box's diagonal by which edits in place change it.
 inline constexpr double box_slack = 0.05;
 
+// The same of a remesh: a small part loses a voxel on each side.
+inline constexpr double remade_slack = 0.2;
+
 // True if the corners of the boxes are at most this fraction of the diagonal of `b` apart.
 bool similar_box(const Aabb& a, const Aabb& b, double slack);
 
