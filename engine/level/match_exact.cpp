@@ -129,11 +129,13 @@ bool FaceMatcher::claim_best(std::size_t i, const std::vector<Candidate>& faces)
     }
     claim(best, i, MatchStage::exact);
     const auto [rank, misfit, copy] = best_rank;
-    // A sliver, which rounding may turn over, or the one behind it; or a face that only is as large.
-    if (rank % 4 != 0) result_.guessed.push_back(best);
+    // A sliver, which rounding may turn over, or the one behind it; or a face that only is as large; or a
+    // sliver for a face that had no area.
+    const bool opened = !(key.area > 0.0) && index_.key(best).area > 0.0;
+    if (rank % 4 != 0 || opened) result_.guessed.push_back(best);
     const double likely = std::max(0.5 * slack(i), misfit);
-    for (const Candidate& other : faces)
-        if (other.face != best && other.misfit <= likely && std::get<0>(rank_of(other)) <= rank)
+    for (const Candidate& other : faces)  // a sliver that looks the other way may be turned over
+        if (other.face != best && other.misfit <= likely && std::get<0>(rank_of(other)) / 2 <= rank / 2)
             rivals_.push_back({best, other.face});
     return true;
 }
