@@ -17,15 +17,19 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
+// An ending such as ".001", which modelling tools give to copies.
+bool has_number(std::string_view text) {
+    const std::size_t size = text.size();
+    return size > 4 && text[size - 4] == '.' && is_digit(text[size - 3]) && is_digit(text[size - 2]) &&
+           is_digit(text[size - 1]);
+}
+
 }  // namespace
 
 std::string normal_name(std::string_view name) {
     std::string text = lower_without_spaces(name);
-    const std::size_t size = text.size();
-    if (size > 4 && text[size - 4] == '.' && is_digit(text[size - 3]) && is_digit(text[size - 2]) &&
-        is_digit(text[size - 1])) {
-        text.resize(size - 4);
-    }
+    while (has_number(text))
+        text.resize(text.size() - 4);
     return text;
 }
 

@@ -9,7 +9,7 @@
 
 namespace slipface {
 
-// `name` in lower case, with '_' for each space and without an ending of a dot and three digits (".001").
+// `name` in lower case, with '_' for each space and without endings of a dot and three digits (".001").
 // Modelling tools change names in these ways.
 std::string normal_name(std::string_view name);
 
