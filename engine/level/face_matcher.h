@@ -14,8 +14,6 @@ namespace slipface {
 
 enum class MatchStage : std::uint8_t { none, exact, plane, nearest };
 
-inline constexpr std::size_t few_pieces = 3;  // a bevel leaves one of a face; remeshing, many
-
 // Of a part's box: a small one loses a voxel on each side when it is remeshed.
 inline constexpr double remade_slack = 0.2;
 
@@ -125,6 +123,7 @@ class FaceMatcher {
     bool is_off_plane(FaceId face, const FaceKey& key) const;
     bool is_covered(std::size_t i) const;  // found so by new faces; others may cover it, too
     bool has_turned_over(std::size_t i);
+    double area_to_cover(FaceId face, std::span<const Cover> covers);
     Covers find_covers(std::size_t i, double least_dot, bool any_material) const;
 
     // match_remade.cpp

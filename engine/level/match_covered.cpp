@@ -27,17 +27,23 @@ constexpr double nearly_whole = 0.97;
 // the larger one's size.
 constexpr double off_plane = 0.02, off_plane_by_tilt = 0.7;
 
+constexpr std::size_t few_pieces = 3;  // a bevel leaves one of a face; remeshing, many
+
+// Cosine of old and new normal: of a face that turned over, one that is tilted more is another.
+constexpr double least_bent = 0.99;
+
 constexpr double wide = 0.1;  // in the old face's size: how far from its outline faces are looked for
 
-// Of all its triangles. The area of a face that crosses itself is only the difference of its sides.
-double shown_area(const Mesh& mesh, FaceId face) {
+// Of all its triangles, seen along its normal. The area of a face that crosses itself is only the difference
+// of its sides.
+double seen_area(const Mesh& mesh, FaceId face, const Vec3& normal) {
     double area = 0.0;
     for (std::uint32_t t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1]; ++t) {
         const auto& corners = mesh.triangles[t];
         const Vec3 from = mesh.corner_position(corners[0]).cast<double>();
         const Vec3 a = mesh.corner_position(corners[1]).cast<double>() - from;
         const Vec3 b = mesh.corner_position(corners[2]).cast<double>() - from;
-        area += 0.5 * a.cross(b).norm();
+        area += 0.5 * std::abs(normal.dot(a.cross(b)));
     }
     return area;
 }
@@ -152,7 +158,8 @@ FaceMatcher::Covers FaceMatcher::find_covers(std::size_t i, double least_dot, bo
         covers.visits += mesh_.face_corner_count(face);
         covers.rough = covers.rough || (!likely_[i] && is_rough(i, face));
         const bool flat = lies_in_plane(face, i);
-        if (flat || (is_wanted(i) && !turned_over_[i])) covers.found.push_back({face, i, off, 0.0, flat});
+        if (flat || (is_wanted(i) && !(turned_over_[i] && along < least_bent)))
+            covers.found.push_back({face, i, off, 0.0, flat});
     }
     return covers;
 }
@@ -167,6 +174,21 @@ bool FaceMatcher::is_off_plane(FaceId face, const FaceKey& key) const {
         behind = behind && height < -in_plane(key);
     }
     return before || behind;
+}
+
+// Of which an old face must cover half. The area of a face that crosses itself is only the difference of its
+// sides, which is enough if it is joined to an old face's corners and these are all left: the rim of an
+// inset.
+double FaceMatcher::area_to_cover(FaceId face, std::span<const Cover> covers) {
+    constexpr double crossing = 1.02;
+    const FaceKey& key = index_.key(face);
+    const double seen = seen_area(mesh_, face, key.normal);
+    const auto joined = [&](const Cover& cover) {
+        const std::vector<Vec3> left = corners_left(cover.i);
+        return left.size() >= outlines_[cover.i].size() && is_joined(face, left);
+    };
+    if (seen <= crossing * key.area || std::any_of(covers.begin(), covers.end(), joined)) return key.area;
+    return seen;
 }
 
 void FaceMatcher::match_covered(double least_dot, bool any_material) {
@@ -264,7 +286,7 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
             const bool same = bases_[cover.i] == index_.base(face);
             own += same || (any_material && is_remade(face, cover.i)) ? cover.area : 0.0;
         }
-        const double area = shown_area(mesh_, face);
+        const double area = area_to_cover(face, covers);
         if (own <= part_of_it * area) return;
         for (const auto& [type, share] : shares) {
             if (share <= more_than_half * area) continue;
