@@ -12,7 +12,7 @@ Where faces are merged, the number that Blender keeps is that of an arbitrary on
 points on the original say which faces each new one covers: the type of more than half of its area is its type.
 A face that is as it was has its own type, though others may lie nearer to it: it may be narrower than rounding.
 A bevel, an inset or a moved vertex can turn a face over or push it off its place, if it is smaller than that. Such a
-face no longer exists, and its number's type or that of the face of its object in whose place it is now is right. A
+face no longer exists, and its number's type or that of the faces of its object in whose place it is now is right. A
 face that a bevel makes may have the type of each face beside it.
 """
 import argparse
@@ -805,6 +805,20 @@ def unchanged(truth, edited, original, slack):
     return same
 
 
+def types_there(types, first, shares, least):
+    """The types of the original faces that have more than this share of a face's nearest points, faces of one type
+    together. `first`: of faces at one place, which have the same points and one type, the one that counts."""
+    of = {}
+    for number, share in shares.items():
+        if int(number) > 0:
+            face = first[int(number) - 1]
+            of[face] = max(share, of.get(face, 0.0))
+    sums = {}
+    for face, share in of.items():
+        sums[types[face]] = sums.get(types[face], 0.0) + share
+    return {kind for kind, share in sums.items() if share > least}
+
+
 def unit(vector):
     length = math.hypot(*vector)
     return [x / length for x in vector] if length > 0.0 else vector
@@ -846,9 +860,10 @@ def score(types, truth, rows, guessed, original, edited):
             result.unsaid += kind is not None and kind not in may and k not in guesses
         return result
     right, wrong, unsaid = set(), set(), set()
-    # [reshaped face] the original faces in whose place it may be: one or two, or up to four that it lies between.
-    lies_on = [{int(n) for n, share in t[7].items() if share > (0.45 if t[0] > 0 else 0.2)} if len(t) > 7 else set()
-               for t in truth]
+    # [reshaped face] the types of the original faces in whose place it may be: one or two, or up to four that it
+    # lies between.
+    first = {number: numbers[0] for numbers in twins.values() for number in numbers}
+    lies_on = [types_there(types, first, t[7], 0.45 if t[0] > 0 else 0.2) if len(t) > 7 else set() for t in truth]
     existing = {int(t[0]) for t in truth if t[0] > 0 and types[int(t[0]) - 1] and
                 (len(t) < 8 or t[7].get(str(int(t[0])), 0.0) > 0.55)}
     # Of several at one place that Blender merged, the one that is left may have the type of each.
@@ -866,7 +881,7 @@ def score(types, truth, rows, guessed, original, edited):
             number, true = -1 - k, types[near]
         else:
             true = types[number - 1]
-        if true == kind or kind in merged.get(number, ()) or kind in {types[n - 1] for n in lies_on[k] if n > 0}:
+        if true == kind or kind in merged.get(number, ()) or kind in lies_on[k]:
             right.add(number)
         else:
             wrong.add(number)

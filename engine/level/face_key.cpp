@@ -104,6 +104,10 @@ double position_tolerance(const Vec3& position) {
     return 2e-5 + 4e-7 * position.cwiseAbs().maxCoeff();
 }
 
+double in_plane(const FaceKey& key) {
+    return 1e-3 * std::sqrt(key.area) + position_tolerance(key.centroid);
+}
+
 FaceKey face_key(const Mesh& mesh, FaceId face) {
     return key_of(mesh, face, loop_hash(mesh, face, [&](std::uint32_t vertex) {
                       return corner_hash(mesh.positions[vertex]);

@@ -22,6 +22,9 @@ struct StoredOverride {
 // decimals and rotates the axes twice, for floats of this size.
 double position_tolerance(const Vec3& position);
 
+// Distance from its plane up to which a face lies in it.
+double in_plane(const FaceKey& key);
+
 // The key of each of `faces`, with `copy` filled in. `faces` may be a part of the mesh's faces.
 std::vector<FaceKey> face_keys(const Mesh& mesh, const std::vector<FaceId>& faces);
 

@@ -123,6 +123,8 @@ class FaceMatcher {
     bool lies_in_plane(FaceId face, std::size_t i) const;
     bool is_off_plane(FaceId face, const FaceKey& key) const;
     bool is_covered(std::size_t i) const;  // found so by new faces; others may cover it, too
+    bool has_turned_over(std::size_t i);
+    double area_to_cover(FaceId face, std::span<const Cover> covers);
     Covers find_covers(std::size_t i, double least_dot, bool any_material) const;
 
     // match_remade.cpp
@@ -179,9 +181,10 @@ class FaceMatcher {
     std::vector<bool> sharp_;                  // [stored] the outline is exact
     std::vector<bool> likely_;                 // [stored] the outline is only a likely one
     enum class Flat : std::uint8_t { none, few, whole, whole_in_few };
-    std::vector<Flat> flat_;      // [stored] what is left in its plane: some in few pieces, or all of it
-    std::vector<bool> lost_;      // [stored] not to be searched: nothing found could be trusted
-    std::vector<bool> doubtful_;  // [stored] what is found is a guess
+    std::vector<Flat> flat_;         // [stored] what is left in its plane: some in few pieces, or all of it
+    std::vector<bool> turned_over_;  // [stored] an edit turned it over in its place
+    std::vector<bool> lost_;         // [stored] not to be searched: nothing found could be trusted
+    std::vector<bool> doubtful_;     // [stored] what is found is a guess
     // Faces that match_covered() did not give the type of the stored one, sorted.
     std::vector<std::pair<FaceId, std::size_t>> refused_;
     // Faces found exactly, each with one that the stored face could have been as well.

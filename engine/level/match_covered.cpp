@@ -29,11 +29,23 @@ constexpr double off_plane = 0.02, off_plane_by_tilt = 0.7;
 
 constexpr std::size_t few_pieces = 3;  // a bevel leaves one of a face; remeshing, many
 
+// Cosine of old and new normal: of a face that turned over, one that is tilted more is another.
+constexpr double least_bent = 0.99;
+
 constexpr double wide = 0.1;  // in the old face's size: how far from its outline faces are looked for
 
-// Distance from its plane up to which a face lies in it.
-double in_plane(const FaceKey& key) {
-    return 1e-3 * std::sqrt(key.area) + position_tolerance(key.centroid);
+// Of all its triangles, seen along its normal. The area of a face that crosses itself is only the difference
+// of its sides.
+double seen_area(const Mesh& mesh, FaceId face, const Vec3& normal) {
+    double area = 0.0;
+    for (std::uint32_t t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1]; ++t) {
+        const auto& corners = mesh.triangles[t];
+        const Vec3 from = mesh.corner_position(corners[0]).cast<double>();
+        const Vec3 a = mesh.corner_position(corners[1]).cast<double>() - from;
+        const Vec3 b = mesh.corner_position(corners[2]).cast<double>() - from;
+        area += 0.5 * std::abs(normal.dot(a.cross(b)));
+    }
+    return area;
 }
 
 }  // namespace
@@ -144,6 +156,24 @@ bool FaceMatcher::lies_in_plane(FaceId face, std::size_t i) const {
            std::abs(here.normal.dot(here.centroid - old.centroid)) <= in_plane(old);
 }
 
+// Whether a few new faces lie in the old one's plane and place, but look the other way, in a part with more
+// faces than before: a bevel that is wider than the face turned it over.
+bool FaceMatcher::has_turned_over(std::size_t i) {
+    const std::size_t part = i < parts_.of.size() ? parts_.of[i] : 0;
+    if (part == 0 || part > parts_.parts.size()) return false;
+    const FaceKey& key = this->key(i);
+    std::size_t over = 0;
+    for (const FaceId face : faces_at_outline(i)) {
+        const FaceKey& there = index_.key(face);
+        const bool turned = is_free(face) && there.normal.dot(unit_or_zero(key.normal)) < -0.9995 &&
+                            std::abs(there.normal.dot(there.centroid - key.centroid)) <= in_plane(key) &&
+                            index_.covers(face, key.centroid, key.normal) &&
+                            pieces().parts[pieces().of[face]].faces > parts_.parts[part - 1].faces;
+        over += turned ? 1 : 0;
+    }
+    return over > 0 && over < few_pieces;
+}
+
 FaceMatcher::Covers FaceMatcher::find_covers(std::size_t i, double least_dot, bool any_material) const {
     Covers covers;
     const FaceKey& key = this->key(i);
@@ -165,7 +195,8 @@ FaceMatcher::Covers FaceMatcher::find_covers(std::size_t i, double least_dot, bo
         covers.visits += mesh_.face_corner_count(face);
         covers.rough = covers.rough || (!likely_[i] && is_rough(i, face));
         const bool flat = lies_in_plane(face, i);
-        if (flat || is_wanted(i)) covers.found.push_back({face, i, off, 0.0, flat});
+        if (flat || (is_wanted(i) && !(turned_over_[i] && along < least_bent)))
+            covers.found.push_back({face, i, off, 0.0, flat});
     }
     return covers;
 }
@@ -182,9 +213,26 @@ bool FaceMatcher::is_off_plane(FaceId face, const FaceKey& key) const {
     return before || behind;
 }
 
+// Of which an old face must cover half. The area of a face that crosses itself is only the difference of its
+// sides, which is enough if it is joined to an old face's corners and these are all left: the rim of an
+// inset.
+double FaceMatcher::area_to_cover(FaceId face, std::span<const Cover> covers) {
+    constexpr double crossing = 1.02;
+    const FaceKey& key = index_.key(face);
+    const double seen = seen_area(mesh_, face, key.normal);
+    const auto joined = [&](const Cover& cover) {
+        const std::vector<Vec3> left = corners_left(cover.i);
+        return left.size() >= outlines_[cover.i].size() && is_joined(face, left);
+    };
+    if (seen <= crossing * key.area || std::any_of(covers.begin(), covers.end(), joined)) return key.area;
+    return seen;
+}
+
 void FaceMatcher::match_covered(double least_dot, bool any_material) {
     std::vector<Cover> all;
     flat_.resize(stored_.size(), Flat::none);
+    const bool first = turned_over_.empty();
+    turned_over_.resize(stored_.size(), false);
     std::vector<std::size_t> searched;
     for (std::size_t i = 0; i < stored_.size(); ++i) {
         if (!is_wanted(i) && !twin_[i] && !(any_material && is_covered(i))) continue;
@@ -193,6 +241,7 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
             outlines_[i] = likely_outline(key(i));
             likely_[i] = true;
         }
+        if (first) turned_over_[i] = is_wanted(i) && has_turned_over(i);
         searched.push_back(i);
     }
     constexpr std::size_t at_once = 256;  // then the work is counted
@@ -275,7 +324,7 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
             const bool same = bases_[cover.i] == index_.base(face);
             own += same || (any_material && is_remade(face, cover.i)) ? cover.area : 0.0;
         }
-        const double area = index_.key(face).area;
+        const double area = area_to_cover(face, covers);
         if (own <= part_of_it * area) return;
         for (const auto& [type, share] : shares) {
             if (share <= more_than_half * area) continue;

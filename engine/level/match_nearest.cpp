@@ -205,7 +205,7 @@ bool FaceMatcher::is_joined(FaceId face, std::span<const Vec3> corners) {
 bool FaceMatcher::match_nearest(std::size_t i) {
     const FaceKey& key = this->key(i);
     const Vec3 normal = unit_or_zero(key.normal);
-    if (normal.isZero() || !(key.area > 0.0)) return false;
+    if (normal.isZero() || !(key.area > 0.0) || turned_over_[i]) return false;
     const double size = std::sqrt(key.area);
     // A face of which half of the corners are where they were was deleted, not moved, if nothing joins
     // another one to them.

@@ -46,8 +46,8 @@ void FaceMatcher::match_remade() {
         const std::size_t part = parts_.of[i];
         if (part == 0 || part > painted.size() || !types_[i]) continue;
         painted[part - 1].push_back(i);
-        if (found_[i] == MatchStage::exact || flat_[i] == Flat::whole_in_few || lost_[i] || likely_[i] ||
-            outlines_[i].size() < 3)
+        if (found_[i] == MatchStage::exact || flat_[i] == Flat::whole_in_few || turned_over_[i] || lost_[i] ||
+            likely_[i] || outlines_[i].size() < 3)
             is_left[part - 1] = true;
         in_plane[part - 1] += flat_[i] != Flat::none ? 1 : 0;
     }

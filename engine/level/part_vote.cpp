@@ -94,14 +94,16 @@ bool MotionFinder::is_unexplained(std::size_t i) {
 }
 
 // Whether most of the part's painted faces, or of their area, have faces of their material a little off their
-// place, in directions that leave no way to slide: all corners moved a little, or all edges were bevelled. A
-// floor that was moved by a tile has, too, but can slide.
+// place, or half of them exactly in their planes, in directions that leave no way to slide: all corners moved
+// a little, or all edges were bevelled, which turns narrow faces over. A floor that was moved by a tile has,
+// too, but can slide.
 bool MotionFinder::lies_as_before(std::size_t i) {
-    constexpr double most = 0.75, a_little = 0.12, can_slide = 0.005;  // `a_little`: of a face's size
+    constexpr double most = 0.75, most_in_plane = 0.5;    // of the faces or the area
+    constexpr double a_little = 0.12, can_slide = 0.005;  // `a_little`: of a face's size
     const CollisionWorld* const tree = lookup_.tree();
     if (tree == nullptr || is_claimed(i, PartMotion{})) return false;
-    double found = 0.0, faces = 0.0, all = 0.0;
-    Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();
+    double found = 0.0, faces = 0.0, in_plane_area = 0.0, in_plane_faces = 0.0, all = 0.0;
+    Eigen::Matrix3d by_area = Eigen::Matrix3d::Zero(), by_face = by_area;  // directions
     for (const FaceKey* key : support_.keys(i)) {
         const double reach = a_little * std::sqrt(key->area) + position_tolerance(key->centroid);
         Aabb box;
@@ -113,18 +115,30 @@ bool MotionFinder::lies_as_before(std::size_t i) {
             ++lookup_.visits;
             const FaceId face = tree->triangle_face(triangle);
             const FaceKey& there = index_.key(face);
-            if (!(there.normal.dot(key->normal) > 0.9) || index_.base(face) != base ||
+            const double along = there.normal.dot(key->normal);
+            const bool in_its_plane =
+                std::abs(along) > 0.9995 &&
+                std::abs(there.normal.dot(there.centroid - key->centroid)) <= in_plane(*key);
+            if (!(along > 0.9 || in_its_plane) || index_.base(face) != base ||
                 support_.differ(i, support_.all().of[face]) ||
                 !index_.covers(face, key->centroid, key->normal))
                 continue;
             found += key->area;
             faces += 1.0;
-            directions += key->area * there.normal * there.normal.transpose();
+            in_plane_area += in_its_plane ? key->area : 0.0;
+            in_plane_faces += in_its_plane ? 1.0 : 0.0;
+            by_area += key->area * there.normal * there.normal.transpose();
+            by_face += there.normal * there.normal.transpose();
             break;
         }
     }
-    const bool enough = found > most * all || faces >= most * static_cast<double>(support_.keys(i).size());
-    return found > 0.0 && enough && (directions / found).determinant() > can_slide;
+    const auto painted = static_cast<double>(support_.keys(i).size());
+    const bool enough = found > most * all || faces >= most * painted;
+    const bool enough_in_plane =
+        in_plane_area > most_in_plane * all || in_plane_faces > most_in_plane * painted;
+    if (faces == 0.0 || !(enough || enough_in_plane)) return false;
+    // The narrow sides of a board hold it, too.
+    return std::max((by_area / found).determinant(), (by_face / faces).determinant()) > can_slide;
 }
 
 // Whether pieces of one material lie in the part's box and most of their area in planes of its painted faces:

@@ -210,6 +210,78 @@ TEST(Objects, ASlabOfWhichNarrowSidesTurnedOverWasNotTurned) {
     }
 }
 
+// A box whose sides a bevel made smaller by `width` at each edge: those that are narrower than twice of it
+// are turned over. The sides come last.
+Faces widely_bevelled_box(const Vec3f& low, const Vec3f& size, float width, const std::vector<int>& types) {
+    Faces faces = bevelled_box(low, size, width, types);
+    std::erase_if(faces, [](const Face& face) { return face.painted >= 0; });
+    for (Face face : bevelled_box(low, size, 0.0f, types)) {
+        if (face.painted < 0) continue;
+        const Vec3f across = (face.corners[1] - face.corners[0]).cross(face.corners[2] - face.corners[0]);
+        for (Vec3f& corner : face.corners)
+            for (int axis = 0; axis < 3; ++axis)
+                if (std::abs(across[axis]) < 0.5f * across.norm())
+                    corner[axis] += corner[axis] < low[axis] + 0.5f * size[axis] ? width : -width;
+        faces.push_back(face);
+    }
+    return faces;
+}
+
+// Tiles, and boxes before and after a bevel. Returns how many sides have another type than theirs, and how
+// many of those that are wider than the bevel have none.
+std::pair<int, int> wrong_and_listed(Random& random, const std::vector<Vec3f>& sizes, float width) {
+    Faces before = tiles(5);
+    for (Face& tile : before)
+        tile.painted = drawn_type(random);
+    Faces after = before;
+    for (std::size_t box = 0; box < sizes.size(); ++box) {
+        const Vec3f low(10, 0, 3.0f * static_cast<float>(box));
+        const std::vector<int> types = drawn_types(random, 0, 5);
+        for (const Face& face : bevelled_box(low, sizes[box], 0.0f, types))
+            if (face.painted >= 0) before.push_back(face);
+        for (const Face& face : widely_bevelled_box(low, sizes[box], width, types))
+            after.push_back(face);
+    }
+    const LoadedLevel loaded = rematch(before, after);
+    int wrong = 0, listed = 0;
+    for (std::size_t face = 0; face < after.size(); ++face) {
+        const auto& type = loaded.level.overrides.at(face);
+        if (after[face].painted < 0) continue;
+        const Vec3f a = after[face].corners[1] - after[face].corners[0];
+        const Vec3f b = after[face].corners[2] - after[face].corners[1];
+        const bool is_wide = a.norm() > 2.1f * width && b.norm() > 2.1f * width;
+        wrong += type && int{*type} != after[face].painted ? 1 : 0;
+        listed += is_wide && !type ? 1 : 0;
+    }
+    return {wrong, listed};
+}
+
+// A bevel turns all four sides of a bar over. Each looks as the one behind it did, but is not that.
+TEST(Objects, SidesOfBarsThatABevelTurnedOverAreNotTheOnesBehind) {
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        Random random(seed);
+        std::vector<Vec3f> bars;
+        for (int bar = 0; bar < 4; ++bar)
+            bars.emplace_back(static_cast<float>(drawn(random, 1, 2)),
+                              static_cast<float>(drawn(random, 0.02, 0.03)),
+                              static_cast<float>(drawn(random, 0.02, 0.03)));
+        EXPECT_EQ(wrong_and_listed(random, bars, 0.05f).first, 0) << seed;
+    }
+}
+
+// Boards of a few millimetres: their wide sides are there, and the narrow ones turned over in their places.
+TEST(Objects, BoardsThinnerThanABevelAreWhereTheyWere) {
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        Random random(seed);
+        std::vector<Vec3f> boards;
+        for (int board = 0; board < 4; ++board)
+            boards.emplace_back(static_cast<float>(drawn(random, 0.4, 0.5)),
+                                static_cast<float>(drawn(random, 0.005, 0.02)),
+                                static_cast<float>(drawn(random, 0.4, 0.5)));
+        EXPECT_EQ(wrong_and_listed(random, boards, 0.08f), std::pair(0, 0)) << seed;
+    }
+}
+
 // A cabinet with many small painted parts, of which a bevel leaves spikes: it is where it was, because its
 // large sides are.
 TEST(Objects, ACabinetThatLostItsSmallFacesStays) {

@@ -237,6 +237,33 @@ TEST(Reshaped, ASubdividedCrateIsNotTheSideOfTheOneBehind) {
     }
 }
 
+// A bevel can make a narrow face cross itself and reach over both of its neighbours. The difference of its
+// two sides, which is its area by its corners, is no measure of what it covers.
+TEST(Reshaped, AFaceThatCrossesItselfIsNoneOfItsNeighbours) {
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        Random random(seed);
+        const auto x = [&](double low, double high) { return static_cast<float>(drawn(random, low, high)); };
+        const auto plate = [](float left, float right, int painted) {
+            return Face{{Vec3f(left, 0, 0), Vec3f(left, 0, 1), Vec3f(right, 0, 1), Vec3f(right, 0, 0)},
+                        "stone",
+                        painted};
+        };
+        Faces before = tiles(5, 3.0f);
+        for (Face& tile : before)
+            tile.painted = drawn_type(random);
+        Faces after = before;
+        before.push_back(plate(0, 1.02f, 3));
+        before.push_back(plate(1.02f, 1.08f, -1));
+        before.push_back(plate(1.08f, 2, 4));
+        after.push_back(plate(0, 0.9f, 3));
+        after.push_back(plate(1.14f, 2, 4));
+        const float wide = x(0.18, 0.2), narrow = x(0.14, 0.16), middle = 1.02f;
+        after.push_back({{Vec3f(middle + 0.5f * narrow, 0, 0), Vec3f(middle - 0.5f * wide, 0, 1),
+                          Vec3f(middle + 0.5f * wide, 0, 1), Vec3f(middle - 0.5f * narrow, 0, 0)}});
+        EXPECT_TRUE(wrong_faces(after, rematch(before, after)).empty()) << seed;
+    }
+}
+
 // An edit that collapses edges can leave a triangle with the middle and the area that another one had.
 TEST(Reshaped, ATriangleOfTheSamePlaceAndSizeWithOtherCornersIsAGuess) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
