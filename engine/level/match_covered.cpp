@@ -241,7 +241,7 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
             outlines_[i] = likely_outline(key(i));
             likely_[i] = true;
         }
-        if (first) turned_over_[i] = is_wanted(i) && has_turned_over(i);
+        if (first && lookup_.visits < max_visits) turned_over_[i] = is_wanted(i) && has_turned_over(i);
         searched.push_back(i);
     }
     constexpr std::size_t at_once = 256;  // then the work is counted

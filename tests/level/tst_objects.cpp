@@ -256,19 +256,6 @@ std::pair<int, int> wrong_and_listed(Random& random, const std::vector<Vec3f>& s
     return {wrong, listed};
 }
 
-// A bevel turns all four sides of a bar over. Each looks as the one behind it did, but is not that.
-TEST(Objects, SidesOfBarsThatABevelTurnedOverAreNotTheOnesBehind) {
-    for (unsigned seed = 1; seed <= 40; ++seed) {
-        Random random(seed);
-        std::vector<Vec3f> bars;
-        for (int bar = 0; bar < 4; ++bar)
-            bars.emplace_back(static_cast<float>(drawn(random, 1, 2)),
-                              static_cast<float>(drawn(random, 0.02, 0.03)),
-                              static_cast<float>(drawn(random, 0.02, 0.03)));
-        EXPECT_EQ(wrong_and_listed(random, bars, 0.05f).first, 0) << seed;
-    }
-}
-
 // Boards of a few millimetres: their wide sides are there, and the narrow ones turned over in their places.
 TEST(Objects, BoardsThinnerThanABevelAreWhereTheyWere) {
     for (unsigned seed = 1; seed <= 40; ++seed) {
