@@ -142,7 +142,9 @@ void MotionFinder::follow_areas(AreaFit& fit, std::span<const std::size_t> parts
         Part& part = parts_[i];
         const bool own = !part.best.is_identity() && part.best_support.sum() > 2.0 - 1e-9;
         const bool stays = part.best.is_identity() && !is_missing(i);
-        if (own || stays || part.certain || same(stored_.parts[i].box, part.best, level)) continue;
+        if (own || stays || part.certain || same(stored_.parts[i].box, part.best, level) ||
+            support_.is_another_object(i, level))  // a copy of it
+            continue;
         const double there = fit.covered(std::span(&i, 1), level);
         const bool small = many * painted_[i] < all;
         if (there >= enough_area || support_.support(i, level, 0.0).keys >= some_faces ||
