@@ -112,6 +112,14 @@ class FaceMatcher {
     };
     // `any_material`: a new face may also cover old ones of other materials than its own.
     void match_covered(double least_dot, bool any_material);
+    bool lies_in_plane(FaceId face, std::size_t i) const;
+    bool is_off_plane(FaceId face, const FaceKey& key) const;
+    bool is_covered(std::size_t i) const;  // found so by new faces; others may cover it, too
+    bool has_turned_over(std::size_t i);
+    double area_to_cover(FaceId face, std::span<const Cover> covers);
+    Covers find_covers(std::size_t i, double least_dot, bool any_material) const;
+
+    // remade_pieces.cpp
     const MeshParts& pieces();
     bool is_remade(FaceId face, std::size_t i);
     const std::vector<std::size_t>& remade_from(std::uint32_t piece);
@@ -120,12 +128,6 @@ class FaceMatcher {
     bool is_gone(std::size_t part);
     bool is_new(const PaintPart& part, std::size_t old) const;
     Aabb moved_box(std::size_t part) const;
-    bool lies_in_plane(FaceId face, std::size_t i) const;
-    bool is_off_plane(FaceId face, const FaceKey& key) const;
-    bool is_covered(std::size_t i) const;  // found so by new faces; others may cover it, too
-    bool has_turned_over(std::size_t i);
-    double area_to_cover(FaceId face, std::span<const Cover> covers);
-    Covers find_covers(std::size_t i, double least_dot, bool any_material) const;
 
     // match_remade.cpp
     void match_remade();
