@@ -538,5 +538,32 @@ TEST(Area, TheSheetsOfADecimatedObjectTurnTogether) {
     EXPECT_LE(static_cast<double>(count.wrong), 0.01 * static_cast<double>(count.clear));
 }
 
+// Of an object that was decimated and turned, hardly a face is left; of its copy elsewhere all are.
+TEST(Area, ADecimatedObjectIsNotItsCopy) {
+    Count count;
+    for (unsigned seed = 1; seed <= 8; ++seed) {
+        Random random(seed);
+        Sheet hill = random_sheet(random, Vec3(0, 1, 0), Vec3(1, 0, 0), Vec3(0, 0, -1));
+        for (int corner = 0; corner < (hill.columns + 1) * (hill.rows + 1); ++corner)
+            hill.heights.push_back(between(random, 0, 0.8));
+        Sheet copy = hill;
+        copy.origin += Vec3(between(random, 20, 40), 0, between(random, -40, 40));
+        for (Face& tile : copy.tiles)
+            tile.painted = static_cast<int>(random() % 6) - 1;
+        Faces before, after, kept;
+        add_tiles(hill, before);
+        add_merged(hill, random, after);
+        add_tiles(copy, kept);
+        for (Face& face : kept)
+            face.object = "copy";
+        before.insert(before.end(), kept.begin(), kept.end());
+        after = moved(after, random_turn(random, Vec3::UnitY()));
+        after.insert(after.end(), kept.begin(), kept.end());
+        count.add(after, rematch(before, after));
+    }
+    EXPECT_GT(static_cast<double>(count.right), 0.9 * static_cast<double>(count.clear));
+    EXPECT_LE(100 * count.wrong, count.clear);
+}
+
 }  // namespace
 }  // namespace slipface::test
