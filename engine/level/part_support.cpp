@@ -411,11 +411,14 @@ bool similar_box(const Aabb& a, const Aabb& b, double slack) {
     return (a.min - b.min).norm() <= most && (a.max - b.max).norm() <= most;
 }
 
-std::set<std::uint32_t> objects_with_fewer_pieces(const FaceIndex& index, const MeshParts& now,
-                                                  const PaintParts& before) {
+std::set<std::uint32_t> objects_of_one_material(const FaceIndex& index, const MeshParts& now,
+                                                const PaintParts& before,
+                                                const std::vector<StoredOverride>& stored,
+                                                SurfaceTable surfaces) {
     struct Object {
         std::size_t before = 0, now = 0;
         Aabb box_before, box_now;
+        std::set<std::string> materials;  // of its painted faces, before
         std::string_view material;
         bool mixed = false;
     };
@@ -429,6 +432,10 @@ std::set<std::uint32_t> objects_with_fewer_pieces(const FaceIndex& index, const 
         ++object.before;
         add(object.box_before, part.box);
     }
+    for (std::size_t i = 0; i < stored.size() && i < before.of.size(); ++i)
+        if (before.of[i] > 0 && before.of[i] <= before.parts.size())
+            objects[before.parts[before.of[i] - 1u].object.name].materials.insert(
+                base_material(stored[i].key.material, surfaces));
     for (std::size_t piece = 0; piece < now.parts.size(); ++piece) {
         Object& object = objects[now.parts[piece].object.name];
         ++object.now;
@@ -439,7 +446,8 @@ std::set<std::uint32_t> objects_with_fewer_pieces(const FaceIndex& index, const 
     }
     std::set<std::uint32_t> names;
     for (const auto& [name, object] : objects)
-        if (name != 0 && !object.mixed && object.now > 0 && object.now < object.before &&
+        if (name != 0 && !object.mixed && object.now > 0 &&
+            (object.now < object.before || object.materials.size() > 1) &&
             similar_box(object.box_now, object.box_before, remade_slack))
             names.insert(name);
     return names;

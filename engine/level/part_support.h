@@ -27,10 +27,12 @@ bool lies_in(const Aabb& a, const Aabb& b, double slack);
 // True if the boxes have a point in common.
 bool touch(const Aabb& a, const Aabb& b);
 
-// The names of objects that have fewer pieces than before, all of one material, in the box that they filled
-// before. If nothing of them is as it was, their parts grew together in a remesh.
-std::set<std::uint32_t> objects_with_fewer_pieces(const FaceIndex& index, const MeshParts& now,
-                                                  const PaintParts& before);
+// The names of objects that fill the box that they filled before, but are of one material, though they were
+// of several or have fewer pieces than before. If nothing of them is as it was, they were remeshed.
+std::set<std::uint32_t> objects_of_one_material(const FaceIndex& index, const MeshParts& now,
+                                                const PaintParts& before,
+                                                const std::vector<StoredOverride>& stored,
+                                                SurfaceTable surfaces);
 
 struct MotionSupport {
     double corners = 0.0, keys = 0.0;  // fractions

@@ -183,11 +183,13 @@ bool MotionFinder::was_remade(std::size_t i) {
     return false;
 }
 
-// Whether an edit made fewer pieces of all parts of the part's object, none of which is as it was.
-bool MotionFinder::grew_together(std::size_t i) {
-    if (!fewer_pieces_) fewer_pieces_ = objects_with_fewer_pieces(index_, support_.all(), stored_);
+// Whether an edit made other pieces of one material of all parts of the part's object, none of which is as it
+// was.
+bool MotionFinder::object_was_remeshed(std::size_t i) {
+    if (!of_one_material_)
+        of_one_material_ = objects_of_one_material(index_, support_.all(), stored_, overrides_, surfaces_);
     const std::uint32_t name = stored_.parts[i].object.name;
-    if (!fewer_pieces_->contains(name)) return false;
+    if (!of_one_material_->contains(name)) return false;
     for (std::size_t part = 0; part < parts_.size(); ++part)
         if (stored_.parts[part].object.name == name && parts_[part].best_support.keys >= lost_below)
             return false;

@@ -52,7 +52,7 @@ const std::vector<std::size_t>& FaceMatcher::remade_from(std::uint32_t piece) {
     return from;
 }
 
-// The names of objects of which nothing is as it was and whose parts grew together.
+// The names of objects that were remeshed: nothing of them is as it was.
 const std::set<std::uint32_t>& FaceMatcher::remeshed_objects() {
     if (remeshed_objects_) return *remeshed_objects_;
     remeshed_objects_.emplace();
@@ -61,8 +61,9 @@ const std::set<std::uint32_t>& FaceMatcher::remeshed_objects() {
     for (std::size_t old = 0; old < parts_.parts.size(); ++old)
         if (!is_gone(old)) remeshed_objects_->erase(parts_.parts[old].object.name);
     if (remeshed_objects_->empty()) return *remeshed_objects_;  // the pieces of a large mesh take a while
-    const std::set<std::uint32_t> fewer = objects_with_fewer_pieces(index_, pieces(), parts_);
-    std::erase_if(*remeshed_objects_, [&](std::uint32_t name) { return !fewer.contains(name); });
+    const std::set<std::uint32_t> made =
+        objects_of_one_material(index_, pieces(), parts_, stored_, surfaces_);
+    std::erase_if(*remeshed_objects_, [&](std::uint32_t name) { return !made.contains(name); });
     return *remeshed_objects_;
 }
 
