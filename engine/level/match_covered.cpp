@@ -198,13 +198,14 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
         flat_[i] = std::max(flat_[i], left);
     }
     // Beside what is left of a face in its plane, small tilted faces are not it: its edges were bevelled. Nor
-    // are faces that lie before or behind it, or across it.
+    // are faces that lie before or behind it, or across it, or any if all of it is left.
     for (Cover& cover : all) {
         const double area = key(cover.i).area;
         const FaceKey& face = index_.key(cover.face);
         const double along = face.normal.dot(unit_or_zero(key(cover.i).normal));
         const bool across = along < 0.97;
-        const bool another = (along > 0.9995 && is_off_plane(cover.face, key(cover.i))) ||
+        const bool another = flat[cover.i] > nearly_whole * area ||
+                             (along > 0.9995 && is_off_plane(cover.face, key(cover.i))) ||
                              (across && flat[cover.i] > 0.5 * area) ||
                              face.area < (across ? 0.25 : 0.08) * area;
         if (!cover.flat && flat[cover.i] > left_fraction * area && another &&
