@@ -96,7 +96,8 @@ double FaceMatcher::wide_slack(std::size_t i) const {
 
 MatchedOverrides FaceMatcher::run() && {
     using Stage = MatchStage;
-    run_stage(Stage::exact, [this](std::size_t i) { return match_hash(i); });
+    run_stage(Stage::exact, [this](std::size_t i) { return match_hash(i, true); });
+    run_stage(Stage::exact, [this](std::size_t i) { return match_hash(i, false); });
     run_stage(Stage::exact, [this](std::size_t i) { return match_location(i, slack(i)); });
     run_stage(Stage::exact, [this](std::size_t i) { return match_location(i, wide_slack(i)); });
     if (find_outlines() && lookup_.tree() != nullptr) {

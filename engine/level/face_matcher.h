@@ -74,7 +74,7 @@ class FaceMatcher {
     void add_orphan(std::size_t i);
 
     // match_exact.cpp
-    bool match_hash(std::size_t i);
+    bool match_hash(std::size_t i, bool own);
     // `misfit`: how far its mean of corners and its rim are from those of the stored face.
     struct Candidate {
         FaceId face;

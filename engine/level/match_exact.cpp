@@ -15,7 +15,8 @@ bool same_plane_direction(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-bool FaceMatcher::match_hash(std::size_t i) {
+// `own`: only faces of its own material, so that of faces at one place none takes another's.
+bool FaceMatcher::match_hash(std::size_t i, bool own) {
     const FaceKey& key = this->key(i);
     if (key.loop_hash == 0) return false;  // a moved key
     std::vector<FaceId> faces = index_.with_hash(key.loop_hash);
@@ -35,6 +36,7 @@ bool FaceMatcher::match_hash(std::size_t i) {
             return true;
         }
     }
+    if (own) return false;
     if (claim_best(i, found)) return true;
     twin_[i] = twin;
     return twin;
