@@ -70,13 +70,14 @@ void FaceMatcher::match_remade() {
     for (std::uint32_t piece = 0; piece < pieces().parts.size() && lookup_.visits < max_visits; ++piece) {
         const Aabb& box = pieces().parts[piece].box;
         lookup_.visits += searched.size();
-        if (std::ranges::none_of(around, [&](const Aabb& other) { return touch(box, other); })) continue;
+        if (std::none_of(around.begin(), around.end(), [&](const Aabb& other) { return touch(box, other); }))
+            continue;
         const std::vector<std::size_t>& from = remade_from(piece);
         std::vector<Nearby> old;
         std::vector<Aabb> partly_painted;
         for (const std::size_t part : from) {
             if (pieces().parts[piece].faces == parts_.parts[part].faces) continue;
-            if (std::ranges::binary_search(searched, part))
+            if (std::binary_search(searched.begin(), searched.end(), part))
                 for (const std::size_t i : painted[part])
                     old.push_back(nearby(i));
             if (painted[part].size() < parts_.parts[part].faces) partly_painted.push_back(moved_box(part));

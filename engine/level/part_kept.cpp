@@ -112,7 +112,7 @@ class ThreesSearch {
     std::optional<Found> fitted(const PartMotion& rough) const {
         std::vector<Vec3> from, to;
         for (const Rare& one : rare_) {
-            const auto face = std::ranges::find_if(one.alike, [&](FaceId alike) {
+            const auto face = std::find_if(one.alike.begin(), one.alike.end(), [&](FaceId alike) {
                 return explains(rough, Pair{&one, alike});
             });
             if (face == one.alike.end()) continue;
@@ -128,7 +128,8 @@ class ThreesSearch {
         const auto is_known = [&](const Found& one) {
             return explains(one.motion, a) && explains(one.motion, b);
         };
-        if (a.face == b.face || !are_as_far(a, b) || std::ranges::any_of(found_, is_known)) return;
+        if (a.face == b.face || !are_as_far(a, b) || std::any_of(found_.begin(), found_.end(), is_known))
+            return;
         if (++twos_ > max_twos) return;
         for (const Rare& third : rare_) {
             const Vec3 sides[] = {b.before() - a.before(), third.key->centroid - a.before()};
