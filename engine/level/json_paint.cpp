@@ -110,8 +110,10 @@ std::optional<PaintParts> read_paint_parts(const JsonNode& node, std::span<const
     if (!node || corners.size() != 2) return std::nullopt;
     parts.bounds = {corners[0], corners[1]};
     parts.of.assign(painted.size(), 1);
+    bool as_many = true;  // painted faces
     if (node["of"].base64("a part for each painted face", bytes)) {
-        if (bytes.size() != 2 * painted.size()) return std::nullopt;
+        as_many = bytes.size() == 2 * painted.size();
+        bytes.resize(2 * painted.size());
         const char* at = bytes.data();
         for (std::uint16_t& part : parts.of)
             part = static_cast<std::uint16_t>(take_bytes(at, 2));
@@ -135,7 +137,8 @@ std::optional<PaintParts> read_paint_parts(const JsonNode& node, std::span<const
         for (std::size_t i = 0; i < std::min(painted.size(), 8 * bytes.size()); ++i)
             parts.guessed[i] = (bytes[i / 8] >> i % 8 & 1) != 0;
     }
-    if (hash != hash_text(hash_of_paint(painted))) return std::nullopt;
+    // Not before all members are read: those that nobody reads are unknown ones, which are kept.
+    if (!as_many || hash != hash_text(hash_of_paint(painted))) return std::nullopt;
     return parts;
 }
 

@@ -377,6 +377,19 @@ TEST(FaceMatch, PartsOfOtherPaintAreIgnoredAndBrokenOnesAreErrors) {
     }
 }
 
+// Another program that knows no parts removes a painted face: all members of the parts are known
+// nevertheless.
+TEST(FaceMatch, PartsOfMorePaintLeaveNoUnknownMembers) {
+    std::string json = level_to_json(level_of(two_rooms().before));
+    ASSERT_NE(json.find("\"of\": "), std::string::npos);
+    const std::size_t row = json.find('"', json.find("\"faces\": [") + 10);
+    json.erase(row, json.find(',', json.find('"', row + 1)) + 1 - row);
+    const auto loaded = level_from_json(json, "test.slipface.json", mesh_of(two_rooms().before));
+    ASSERT_TRUE(loaded.ok()) << loaded.error().text();
+    EXPECT_EQ(loaded->level.unknown, UnknownKeys{});
+    EXPECT_TRUE(loaded->warnings.empty());
+}
+
 TEST(FaceMatch, ObjectsAreReadFromAnOlderFile) {
     Faces faces = tiles(3);
     faces[0].painted = 1;
