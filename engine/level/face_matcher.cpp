@@ -116,7 +116,7 @@ MatchedOverrides FaceMatcher::run() && {
         match_covered(0.5, false);
         run_stage(Stage::nearest, [this](std::size_t i) { return match_corners(i); });
         match_covered(0.9, true);
-        match_remade();
+        match_remeshed();
         match_merged();
         run_stage(Stage::nearest, [this](std::size_t i) { return match_nearest(i); });
     }

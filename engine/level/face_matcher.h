@@ -119,18 +119,18 @@ class FaceMatcher {
     double area_to_cover(FaceId face, std::span<const Cover> covers);
     Covers find_covers(std::size_t i, double least_dot, bool any_material) const;
 
-    // remade_pieces.cpp
+    // remeshed_pieces.cpp
     const MeshParts& pieces();
-    bool is_remade(FaceId face, std::size_t i);
-    const std::vector<std::size_t>& remade_from(std::uint32_t piece);
+    bool is_remeshed(FaceId face, std::size_t i);
+    const std::vector<std::size_t>& remeshed_from(std::uint32_t piece);
     const std::set<std::uint32_t>& remeshed_objects();
     bool is_of_remeshed_object(FaceId face);
     bool is_gone(std::size_t part);
     bool is_new(const PaintPart& part, std::size_t old) const;
     Aabb moved_box(std::size_t part) const;
 
-    // match_remade.cpp
-    void match_remade();
+    // match_remeshed.cpp
+    void match_remeshed();
     // A painted face and what it may give its type to: faces along `normal`, at most `depth` away.
     struct Nearby {
         std::size_t i;
@@ -194,8 +194,9 @@ class FaceMatcher {
     std::vector<bool> merged_;         // [face] of a part that an edit made of fewer faces; or empty
     std::optional<MeshParts> pieces_;  // of the mesh, found when they are needed
     std::vector<bool> mixed_;          // [of these] has several materials
-    std::vector<std::optional<std::vector<std::size_t>>> remade_from_;  // [of these] stored parts, ascending
-    std::optional<std::set<std::uint32_t>> remeshed_objects_;           // their names
+    std::vector<std::optional<std::vector<std::size_t>>>
+        remeshed_from_;                                        // [of these] stored parts, ascending
+    std::optional<std::set<std::uint32_t>> remeshed_objects_;  // their names
     std::vector<bool> gone_;  // [stored part] nothing of it is as it was; found when it is needed
     std::size_t union_visits_ = 0, outline_visits_ = 0;
     bool bent_ = false;  // what match_union() looks for

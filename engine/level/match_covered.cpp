@@ -209,7 +209,7 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
                              (across && flat[cover.i] > 0.5 * area) ||
                              face.area < (across ? 0.25 : 0.08) * area;
         if (!cover.flat && flat[cover.i] > left_fraction * area && another &&
-            (pieces[cover.i] < few_pieces || !is_remade(cover.face, cover.i))) {
+            (pieces[cover.i] < few_pieces || !is_remeshed(cover.face, cover.i))) {
             total[cover.i] -= cover.area;
             cover.area = 0.0;
         }
@@ -226,7 +226,7 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
             if (is_other(cover.i)) continue;
             shares[*types_[cover.i]] += cover.area;
             const bool same = bases_[cover.i] == index_.base(face);
-            own += same || (any_material && is_remade(face, cover.i)) ? cover.area : 0.0;
+            own += same || (any_material && is_remeshed(face, cover.i)) ? cover.area : 0.0;
         }
         const double area = area_to_cover(face, covers);
         if (own <= part_of_it * area) return;

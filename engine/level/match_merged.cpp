@@ -92,7 +92,7 @@ std::vector<std::size_t> FaceMatcher::find_merged_parts() {
         const Aabb box = moved_box(i);
         for (std::uint32_t piece = 0; piece < pieces.parts.size(); ++piece)
             if (pieces.parts[piece].faces < parts_.parts[i].faces &&
-                similar_box(pieces.parts[piece].box, box, remade_slack))
+                similar_box(pieces.parts[piece].box, box, remeshed_slack))
                 parts[i].pieces.push_back(piece);
     }
     for (std::size_t i = 0; i < stored_.size() && lookup_.visits < max_visits; ++i) {

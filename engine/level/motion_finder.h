@@ -101,7 +101,7 @@ class MotionFinder {
     void doubt(std::size_t part);
     bool is_unexplained(std::size_t part);
     bool lies_as_before(std::size_t part);
-    bool was_remade(std::size_t part);
+    bool was_remeshed(std::size_t part);
     bool object_was_remeshed(std::size_t part);
 
     // part_area.cpp: what little is left says

@@ -85,8 +85,8 @@ std::vector<PartMotion> MotionFinder::run() && {
             parts_[part].voted = false;
         }
         if (is_unexplained(part))
-            (lies_as_before(part) || was_remade(part) || object_was_remeshed(part) ? best.guessed
-                                                                                   : best.lost) = true;
+            (lies_as_before(part) || was_remeshed(part) || object_was_remeshed(part) ? best.guessed
+                                                                                     : best.lost) = true;
     }
     find_flipped();
     for (const Part& part : parts_)

@@ -448,7 +448,7 @@ std::set<std::uint32_t> objects_of_one_material(const FaceIndex& index, const Me
     for (const auto& [name, object] : objects)
         if (name != 0 && !object.mixed && object.now > 0 &&
             (object.now < object.before || object.materials.size() > 1) &&
-            similar_box(object.box_now, object.box_before, remade_slack))
+            similar_box(object.box_now, object.box_before, remeshed_slack))
             names.insert(name);
     return names;
 }

@@ -16,7 +16,7 @@ namespace slipface {
 inline constexpr double box_slack = 0.05;
 
 // The same of a remesh: a small part loses a voxel on each side.
-inline constexpr double remade_slack = 0.2;
+inline constexpr double remeshed_slack = 0.2;
 
 // True if the corners of the boxes are at most this fraction of the diagonal of `b` apart.
 bool similar_box(const Aabb& a, const Aabb& b, double slack);

@@ -143,7 +143,7 @@ bool MotionFinder::lies_as_before(std::size_t i) {
 
 // Whether pieces of one material lie in the part's box and most of their area in planes of its painted faces:
 // an edit made it of new faces and lost some of it, as remeshing does with walls that enclose nothing.
-bool MotionFinder::was_remade(std::size_t i) {
+bool MotionFinder::was_remeshed(std::size_t i) {
     constexpr double most = 0.75, one_plane = 0.999;
     constexpr std::size_t max_planes = 200;
     const double slack = 1e-3 * stored_.parts[i].box.size().norm();

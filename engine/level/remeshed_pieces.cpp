@@ -20,22 +20,22 @@ const MeshParts& FaceMatcher::pieces() {
 }
 
 // Whether the face is of a piece that was remeshed from the stored face's part, which loses the materials.
-bool FaceMatcher::is_remade(FaceId face, std::size_t i) {
+bool FaceMatcher::is_remeshed(FaceId face, std::size_t i) {
     const std::size_t old = i < parts_.of.size() ? parts_.of[i] : 0;
     if (old == 0 || old > parts_.parts.size()) return false;
     const std::uint32_t piece = pieces().of[face];
-    const std::vector<std::size_t>& from = remade_from(piece);
+    const std::vector<std::size_t>& from = remeshed_from(piece);
     return std::binary_search(from.begin(), from.end(), old - 1) &&
            pieces().parts[piece].faces != parts_.parts[old - 1].faces;
 }
 
 // The stored parts that were remeshed to this piece of one material: the one whose box it fills; or one of
 // which nothing is left, and that it lies in; or those of its object, if all of that was remeshed.
-const std::vector<std::size_t>& FaceMatcher::remade_from(std::uint32_t piece) {
+const std::vector<std::size_t>& FaceMatcher::remeshed_from(std::uint32_t piece) {
     const MeshParts& pieces = this->pieces();
-    remade_from_.resize(pieces.parts.size());
-    if (remade_from_[piece]) return *remade_from_[piece];
-    std::vector<std::size_t>& from = remade_from_[piece].emplace();
+    remeshed_from_.resize(pieces.parts.size());
+    if (remeshed_from_[piece]) return *remeshed_from_[piece];
+    std::vector<std::size_t>& from = remeshed_from_[piece].emplace();
     if (mixed_[piece] || pieces.scattered[piece]) return from;
     const PaintPart& part = pieces.parts[piece];
     const bool object = remeshed_objects().contains(part.object.name);
@@ -44,7 +44,7 @@ const std::vector<std::size_t>& FaceMatcher::remade_from(std::uint32_t piece) {
         const std::uint32_t name = parts_.parts[old].object.name;
         if (objects_.differ(name, part.object.name)) continue;
         const Aabb box = moved_box(old);
-        if (similar_box(part.box, box, remade_slack) ||
+        if (similar_box(part.box, box, remeshed_slack) ||
             (object && name == part.object.name && touch(part.box, box)) ||
             (is_gone(old) && lies_in(part.box, box, 1e-3 * part.box.size().norm()) && is_new(part, old)))
             from.push_back(old);
@@ -86,7 +86,7 @@ bool FaceMatcher::is_gone(std::size_t part) {
 // Whether no stored part but `old` fills the box of this part of the mesh.
 bool FaceMatcher::is_new(const PaintPart& part, std::size_t old) const {
     for (std::size_t i = 0; i < parts_.parts.size(); ++i)
-        if (i != old && similar_box(part.box, moved_box(i), remade_slack)) return false;
+        if (i != old && similar_box(part.box, moved_box(i), remeshed_slack)) return false;
     return true;
 }
 

@@ -38,7 +38,7 @@ Near distance_to(const Vec3& point, std::span<const Vec3> polygon, const Vec3& n
 
 }  // namespace
 
-void FaceMatcher::match_remade() {
+void FaceMatcher::match_remeshed() {
     std::vector<std::vector<std::size_t>> painted(parts_.parts.size());
     std::vector<bool> is_left(parts_.parts.size(), false);
     std::vector<std::size_t> in_plane(parts_.parts.size(), 0);
@@ -64,7 +64,7 @@ void FaceMatcher::match_remade() {
         if (!all && motion != nullptr && !motion->is_identity()) continue;  // its box moved, too
         searched.push_back(part);
         const Aabb box = moved_box(part);
-        const Vec3 slack = Vec3::Constant(remade_slack * box.size().norm());
+        const Vec3 slack = Vec3::Constant(remeshed_slack * box.size().norm());
         around.push_back({box.min - slack, box.max + slack});
     }
     for (std::uint32_t piece = 0; piece < pieces().parts.size() && lookup_.visits < max_visits; ++piece) {
@@ -72,7 +72,7 @@ void FaceMatcher::match_remade() {
         lookup_.visits += searched.size();
         if (std::none_of(around.begin(), around.end(), [&](const Aabb& other) { return touch(box, other); }))
             continue;
-        const std::vector<std::size_t>& from = remade_from(piece);
+        const std::vector<std::size_t>& from = remeshed_from(piece);
         std::vector<Nearby> old;
         std::vector<Aabb> partly_painted;
         for (const std::size_t part : from) {
