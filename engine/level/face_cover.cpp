@@ -10,6 +10,7 @@ namespace {
 
 using Polygon = std::vector<Vec2>;
 
+constexpr double nearly_all = 0.9;   // of a new face's area
 constexpr double overlapping = 1.1;  // of a new face's area: more than it can cover of faces side by side
 
 double cross(const Vec2& a, const Vec2& b) {
@@ -111,6 +112,12 @@ std::vector<double> covered_areas(const Mesh& mesh, FaceId face, std::span<const
             covered[i] += std::abs(signed_area(cut));
         }
     }
+    // Before or behind faces in its plane that have nearly all of it, no face is it, however alike.
+    double in_plane = 0.0;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        in_plane += faces[i].distance <= slack ? covered[i] : 0.0;
+    for (std::size_t i = 0; i < faces.size() && in_plane > nearly_all * area; ++i)
+        if (faces[i].distance > slack) covered[i] = 0.0;
     if (std::accumulate(covered.begin(), covered.end(), 0.0) > overlapping * area) {
         if (const std::optional<std::size_t> own = alike_face(covered, sizes, area)) {
             const double common = covered[*own];

@@ -8,6 +8,26 @@
 
 namespace slipface {
 
+namespace {
+
+// The unpainted faces come after the painted ones, in `stored` and in the result, as faces that are not
+// painted.
+PaintParts with_unpainted(const PaintParts& parts, std::vector<StoredOverride>& stored) {
+    std::vector<StoredOverride> unpainted;
+    for (const FaceKey& key : parts.unpainted.keys)
+        unpainted.push_back({key, {}, {}, false});
+    stored.insert(stored.begin() + static_cast<std::ptrdiff_t>(parts.of.size()), unpainted.begin(),
+                  unpainted.end());
+    PaintParts all = parts;
+    all.of.insert(all.of.end(), parts.unpainted.of.begin(), parts.unpainted.of.end());
+    all.guessed.resize(all.guessed.empty() ? 0 : all.of.size(), false);
+    for (std::size_t i = 0; i < unpainted.size() && parts.outlines.count() == parts.of.size(); ++i)
+        all.outlines.add_bytes(parts.unpainted.outlines.bytes(i));
+    return all;
+}
+
+}  // namespace
+
 std::vector<StoredOverride> stored_overrides(const Level& level, PaintParts& parts) {
     std::vector<FaceId> faces;
     for (std::size_t face = 0; face < level.overrides.size(); ++face) {
@@ -62,7 +82,11 @@ MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
     FaceLookup lookup(mesh, surfaces);
     if (parts.parts.empty()) return FaceMatcher(mesh, surfaces, stored, lookup).run();
     const std::vector<PartMotion> motions = find_motions(lookup, surfaces, parts, stored);
-    return FaceMatcher(mesh, surfaces, stored, lookup, parts, motions).run();
+    if (parts.unpainted.keys.empty())
+        return FaceMatcher(mesh, surfaces, stored, lookup, parts, motions).run();
+    std::vector<StoredOverride> all = stored;
+    const PaintParts all_parts = with_unpainted(parts, all);
+    return FaceMatcher(mesh, surfaces, all, lookup, all_parts, motions).run();
 }
 
 FaceKeySets stored_face_keys(const Level& level) {

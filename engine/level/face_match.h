@@ -16,6 +16,7 @@ struct StoredOverride {
     FaceKey key;
     std::string type;
     std::string location;  // in the file, for warnings
+    bool painted = true;
 };
 
 // Distance up to which a corner near `position` counts as unmoved: the rounding of a tool that writes six

@@ -31,6 +31,7 @@ FaceMatcher::FaceMatcher(const Mesh& mesh, SurfaceTable surfaces, const std::vec
       parts_(parts),
       motions_(motions),
       objects_(mesh, parts),
+      unpainted_(static_cast<SurfaceId>(surfaces.size())),
       claims_(mesh.face_count()),
       found_(stored.size(), MatchStage::none),
       types_(stored.size()),
@@ -40,7 +41,7 @@ FaceMatcher::FaceMatcher(const Mesh& mesh, SurfaceTable surfaces, const std::vec
       doubtful_(stored.size(), false) {
     result_.overrides.resize(mesh.face_count());
     for (std::size_t i = 0; i < stored.size(); ++i) {
-        types_[i] = type_of(surfaces, stored[i].type);
+        types_[i] = stored[i].painted ? type_of(surfaces, stored[i].type) : unpainted_;
         bases_[i] = base_material(stored[i].key.material, surfaces);
     }
     const auto stays = [](const PartMotion& motion) {
@@ -198,6 +199,7 @@ std::vector<FaceId> FaceMatcher::faces_around(std::size_t i, double reach, bool 
 
 void FaceMatcher::collect() {
     for (std::size_t i = 0; i < stored_.size(); ++i) {
+        if (!stored_[i].painted) continue;
         switch (found_[i]) {
             case MatchStage::exact: ++result_.summary.exact; break;
             case MatchStage::plane: ++result_.summary.by_plane; break;
@@ -209,6 +211,9 @@ void FaceMatcher::collect() {
         if (result_.overrides[face] != result_.overrides[rival]) result_.guessed.push_back(face);
     for (FaceId face = 0; face < claims_.size(); ++face)
         if (claims_[face] > MatchStage::exact) result_.guessed.push_back(face);
+    for (std::optional<SurfaceId>& type : result_.overrides)
+        if (type == unpainted_) type.reset();
+    std::erase_if(result_.guessed, [&](FaceId face) { return !result_.overrides[face]; });
     std::sort(result_.guessed.begin(), result_.guessed.end());
     result_.guessed.erase(std::unique(result_.guessed.begin(), result_.guessed.end()), result_.guessed.end());
     if (result_.summary.orphaned > max_listed_orphans) {

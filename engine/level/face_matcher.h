@@ -173,6 +173,7 @@ class FaceMatcher {
     const PaintParts& parts_;
     const std::vector<PartMotion>& motions_;
     const ObjectNames objects_;
+    const SurfaceId unpainted_;                    // the type of stored faces that are not painted
     std::vector<StoredOverride> moved_;            // stored_ after the motions, or empty if all stayed
     std::vector<MatchStage> claims_;               // [face]
     std::vector<MatchStage> found_;                // [stored]

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "json_parts.h"
 #include "level_json.h"
 #include "packed_faces.h"
@@ -54,6 +56,53 @@ Json outlines_json(const std::vector<FaceKey>& keys, const FaceOutlines& outline
         bytes.clear();
     }
     return rows;
+}
+
+void read_outlines(const JsonNode& node, std::size_t count, FaceOutlines& outlines) {
+    std::string bytes;
+    node.each(max_json_values, [&](const JsonNode& row) {
+        if (row.base64("outlines of faces", bytes) && !outlines.add_bytes(bytes))
+            row.fail("outlines of faces, as base64");
+    });
+    if (outlines.count() != count) outlines = {};
+}
+
+// False if there are not as many as painted faces, or others.
+bool read_part_of_each(const JsonNode& node, std::size_t count, std::vector<std::uint16_t>& of) {
+    std::string bytes;
+    of.assign(count, 1);
+    if (!node.base64("a part for each face", bytes)) return true;
+    const bool as_many = bytes.size() == 2 * count;
+    bytes.resize(2 * count);
+    const char* at = bytes.data();
+    for (std::uint16_t& part : of)
+        part = static_cast<std::uint16_t>(take_bytes(at, 2));
+    return as_many;
+}
+
+UnpaintedFaces read_unpainted(const JsonNode& node) {
+    UnpaintedFaces faces;
+    std::vector<StoredOverride> stored;
+    node["groups"].each(max_json_values, [&](const JsonNode& group) {
+        StoredOverride face;
+        if (!group.object()) return;
+        group["material"].text(face.key.material);
+        read_face_rows(group, std::move(face), stored);
+    });
+    for (StoredOverride& one : stored)
+        faces.keys.push_back(std::move(one.key));
+    const bool as_many = read_part_of_each(node["of"], stored.size(), faces.of);
+    read_outlines(node["outlines"], stored.size(), faces.outlines);
+    return as_many && faces.outlines.count() == stored.size() ? faces : UnpaintedFaces();
+}
+
+void add_part_of_each(Json& json, const std::vector<std::uint16_t>& of,
+                      const std::vector<std::size_t>& order) {
+    if (std::all_of(of.begin(), of.end(), [](std::uint16_t part) { return part == 1; })) return;
+    std::string bytes;
+    for (const std::size_t i : order)
+        put_bytes(bytes, of[i], 2);
+    json_add(json, "of", json_string(to_base64(bytes, Base64::plain)));
 }
 
 std::uint64_t hash_of_paint(std::span<const StoredOverride> painted) {
@@ -109,15 +158,7 @@ std::optional<PaintParts> read_paint_parts(const JsonNode& node, std::span<const
     });
     if (!node || corners.size() != 2) return std::nullopt;
     parts.bounds = {corners[0], corners[1]};
-    parts.of.assign(painted.size(), 1);
-    bool as_many = true;  // painted faces
-    if (node["of"].base64("a part for each painted face", bytes)) {
-        as_many = bytes.size() == 2 * painted.size();
-        bytes.resize(2 * painted.size());
-        const char* at = bytes.data();
-        for (std::uint16_t& part : parts.of)
-            part = static_cast<std::uint16_t>(take_bytes(at, 2));
-    }
+    const bool as_many = read_part_of_each(node["of"], painted.size(), parts.of);
     std::size_t read = 0;
     node["numbers"].each(max_paint_parts, [&](const JsonNode& row) {
         const std::size_t i = read++;
@@ -127,11 +168,8 @@ std::optional<PaintParts> read_paint_parts(const JsonNode& node, std::span<const
             row.fail("the numbers of the vertices of a part's rim, as base64");
     });
     if (const JsonNode objects = node["objects"]) read_objects(objects, parts);
-    node["outlines"].each(max_json_values, [&](const JsonNode& row) {
-        if (row.base64("outlines of faces", bytes) && !parts.outlines.add_bytes(bytes))
-            row.fail("outlines of faces, as base64");
-    });
-    if (parts.outlines.count() != painted.size()) parts.outlines = {};
+    read_outlines(node["outlines"], painted.size(), parts.outlines);
+    if (const JsonNode unpainted = node["unpainted"]) parts.unpainted = read_unpainted(unpainted);
     if (node["guessed"].base64("a bit for each painted face", bytes)) {
         parts.guessed.resize(painted.size());
         for (std::size_t i = 0; i < std::min(painted.size(), 8 * bytes.size()); ++i)
@@ -146,19 +184,14 @@ Json paint_parts_json(const std::vector<FaceKey>& keys, const PaintParts& parts,
                       const std::vector<std::size_t>& order) {
     Json json = json_object();
     std::vector<const FaceKey*> written;
-    std::string of;
-    bool one = true;
-    for (const std::size_t i : order) {
+    for (const std::size_t i : order)
         written.push_back(&keys[i]);
-        one = one && parts.of[i] == 1;
-        put_bytes(of, parts.of[i], 2);
-    }
     json_add(json, "paint", json_string(hash_text(hash_of_keys(written))));
     Json box = json_array();
     for (const Vec3& corner : {parts.bounds.min, parts.bounds.max})
         box.items.push_back(vector_json(corner));
     json_add(json, "box", std::move(box));
-    if (!one) json_add(json, "of", json_string(to_base64(of, Base64::plain)));
+    add_part_of_each(json, parts.of, order);
     json_add(json, "list",
              json_array_of(parts.parts, [](const PaintPart& part) { return json_string(pack_part(part)); }));
     Json numbers = json_array_of(
@@ -174,6 +207,13 @@ Json paint_parts_json(const std::vector<FaceKey>& keys, const PaintParts& parts,
         if (parts.guessed[order[k]]) bits[k / 8] = static_cast<char>(bits[k / 8] | 1 << k % 8);
     if (bits.find_first_not_of('\0') != std::string::npos)
         json_add(json, "guessed", json_string(to_base64(bits, Base64::plain)));
+    return json;
+}
+
+Json unpainted_json(const UnpaintedFaces& faces, const std::vector<std::size_t>& order, Json groups) {
+    Json json = json_object({{"groups", std::move(groups)}});
+    add_part_of_each(json, faces.of, order);
+    json_add(json, "outlines", outlines_json(faces.keys, faces.outlines, order));
     return json;
 }
 

@@ -3,7 +3,8 @@
 //   "parts": {"paint": hash of the painted faces, "box": of the whole mesh,
 //             "of": each painted face's part, "list": each part (pack_part()),
 //             "numbers": of the vertices at its rim, "objects": its object,
-//             "outlines": of the painted faces, "guessed": a bit for each}
+//             "outlines": of the painted faces, "guessed": a bit for each,
+//             "unpainted": {"groups": faces that lie on painted ones, "of", "outlines": as above}}
 #pragma once
 
 #include <optional>
@@ -25,5 +26,8 @@ std::optional<PaintParts> read_paint_parts(const JsonNode& node, std::span<const
 // `order`: the keys' indices in the file's order.
 Json paint_parts_json(const std::vector<FaceKey>& keys, const PaintParts& parts,
                       const std::vector<std::size_t>& order);
+
+// `order`: of their keys. `groups`: their rows.
+Json unpainted_json(const UnpaintedFaces& faces, const std::vector<std::size_t>& order, Json groups);
 
 }  // namespace slipface

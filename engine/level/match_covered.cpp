@@ -138,7 +138,7 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
     turned_over_.resize(stored_.size(), false);
     std::vector<std::size_t> searched;
     for (std::size_t i = 0; i < stored_.size(); ++i) {
-        if (!is_wanted(i) && !twin_[i] && !(any_material && is_covered(i))) continue;
+        if (!is_wanted(i) && !twin_[i] && !is_covered(i)) continue;
         if (!(key(i).area > 0.0) || unit_or_zero(key(i).normal).isZero()) continue;
         if (outlines_[i].empty()) {
             outlines_[i] = likely_outline(key(i));

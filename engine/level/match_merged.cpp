@@ -147,21 +147,26 @@ bool FaceMatcher::is_nearer(std::size_t i, FaceId face, const Vec3& point, std::
 // What of the face is nearest to old faces of each type.
 FaceMatcher::Votes FaceMatcher::votes_of(FaceId face, std::span<const std::size_t> old) const {
     Votes votes;
+    std::vector<Apart> distances(old.size());
     for (const Point& point : spread_points(mesh_, face)) {
         votes.all += point.weight;
-        std::optional<std::size_t> best;
+        votes.visits += old.size();
         Apart least{std::numeric_limits<double>::infinity(), 0.0};
-        for (const std::size_t i : old) {
-            ++votes.visits;
-            const Apart there = apart(point.at, outlines_[i], unit_or_zero(key(i).normal));
-            if (there.distance() >= least.distance()) continue;
-            least = there;
-            best = i;
+        for (std::size_t k = 0; k < old.size(); ++k) {
+            distances[k] = apart(point.at, outlines_[old[k]], unit_or_zero(key(old[k]).normal));
+            if (distances[k].distance() < least.distance()) least = distances[k];
         }
-        const bool is_there = best && least.distance() <= reach_of(*best) &&
-                              least.beside <= max_beside * least.off + position_tolerance(point.at);
-        if (is_there && !is_nearer(*best, face, point.at, votes.visits))
-            votes.of[*types_[*best]] += point.weight;
+        // Faces at one place share the point.
+        std::vector<std::size_t> nearest;
+        for (std::size_t k = 0; k < old.size(); ++k)
+            if (distances[k].distance() <= least.distance() + position_tolerance(point.at))
+                nearest.push_back(old[k]);
+        const double share = point.weight / static_cast<double>(nearest.size());
+        for (const std::size_t i : nearest) {
+            const bool is_there = least.distance() <= reach_of(i) &&
+                                  least.beside <= max_beside * least.off + position_tolerance(point.at);
+            if (is_there && !is_nearer(i, face, point.at, votes.visits)) votes.of[*types_[i]] += share;
+        }
     }
     return votes;
 }

@@ -7,11 +7,13 @@
 #include <map>
 #include <numeric>
 
+#include "face_match.h"
 #include "packed_faces.h"
 #include "slipface/base/base64.h"
 #include "slipface/base/hash.h"
 #include "slipface/base/key_sort.h"
 #include "slipface/level/material_name.h"
+#include "unpainted_faces.h"
 
 namespace slipface {
 namespace {
@@ -271,6 +273,16 @@ PaintParts paint_parts(const Mesh& mesh, SurfaceTable surfaces, const std::vecto
         result.of.push_back(static_cast<std::uint16_t>(all.of[faces[i]] + 1));  // no_id + 1 is 0
         result.outlines.add(mesh, faces[i], keys[i]);
     }
+    UnpaintedFaces& unpainted = result.unpainted;
+    std::vector<FaceId> unpainted_faces;
+    for (const auto& [face, on] : unpainted_faces_on(mesh, faces)) {
+        unpainted_faces.push_back(face);
+        const std::uint32_t part = all.of[face] != no_id ? all.of[face] : all.of[on];
+        unpainted.of.push_back(static_cast<std::uint16_t>(part + 1));
+    }
+    unpainted.keys = face_keys(mesh, unpainted_faces);
+    for (std::size_t i = 0; i < unpainted_faces.size(); ++i)
+        unpainted.outlines.add(mesh, unpainted_faces[i], unpainted.keys[i]);
     return result;
 }
 

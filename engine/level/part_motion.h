@@ -45,12 +45,20 @@ inline constexpr std::size_t max_paint_parts = 4096;  // of a level
 // 1 to 2^24 - 1, of a hash of the name.
 std::uint32_t object_name(std::string_view name);
 
+// Unpainted faces that lie on painted ones (unpainted_faces_on()).
+struct UnpaintedFaces {
+    std::vector<FaceKey> keys;
+    std::vector<std::uint16_t> of;  // [key] as PaintParts::of; if its part is not painted, that of the paint
+    FaceOutlines outlines;          // [key]
+};
+
 struct PaintParts {
     Aabb bounds;  // of the whole mesh
     std::vector<PaintPart> parts;
     std::vector<std::uint16_t> of;  // [painted face] 1 + its part; 0: none
     FaceOutlines outlines;          // [painted face]; none in an older level file
     std::vector<bool> guessed;      // [painted face] its type was a guess before; or empty
+    UnpaintedFaces unpainted;       // none in an older level file
 };
 
 // All parts, the ones with most faces of `faces` first. `keys`: of these faces.

@@ -158,11 +158,23 @@ PaintedFaces orphaned_faces(const Level& level) {
     return painted;
 }
 
-Json stored_faces_json(std::vector<FaceKey> keys, UnknownMembers& unknown, const std::string& kind) {
+PaintedFaces without_types(std::vector<FaceKey> keys) {
     static const std::string no_type;
     PaintedFaces faces{std::move(keys), {}, {}, {}};
     faces.types.resize(faces.keys.size(), &no_type);
     faces.type_ranks.resize(faces.keys.size());
+    return faces;
+}
+
+void add_unpainted(Json& parts, const UnpaintedFaces& faces, UnknownMembers& unknown) {
+    if (faces.keys.empty()) return;
+    std::vector<std::size_t> order;
+    Json groups = groups_json(without_types(faces.keys), true, unknown, "unpainted", false, &order);
+    json_add(parts, "unpainted", unpainted_json(faces, order, std::move(groups)));
+}
+
+Json stored_faces_json(std::vector<FaceKey> keys, UnknownMembers& unknown, const std::string& kind) {
+    const PaintedFaces faces = without_types(std::move(keys));
     return groups_json(faces, faces.keys.size() > max_readable_faces, unknown, kind, false);
 }
 
@@ -296,8 +308,11 @@ std::string level_text(const Level& level, const std::filesystem::path& file_pat
     std::vector<std::size_t> order;
     json_add(root, "overrides",
              groups_json(painted, painted.keys.size() > max_readable_faces, unknown, "faces", true, &order));
-    if (!painted.parts.parts.empty())
-        json_add(root, "parts", paint_parts_json(painted.keys, painted.parts, order));
+    if (!painted.parts.parts.empty()) {
+        Json parts = paint_parts_json(painted.keys, painted.parts, order);
+        add_unpainted(parts, painted.parts.unpainted, unknown);
+        json_add(root, "parts", std::move(parts));
+    }
     json_add(root, "orphans", groups_json(orphaned_faces(level), false, unknown, "faces", true));
     append_stored_faces(root, level, unknown);
 
