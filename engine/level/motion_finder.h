@@ -102,6 +102,8 @@ class MotionFinder {
     bool is_unexplained(std::size_t part);
     bool lies_as_before(std::size_t part);
     bool was_remeshed(std::size_t part);
+    bool most_stayed();
+    bool is_left_in_its_box(std::size_t part);
     bool object_was_remeshed(std::size_t part);
 
     // part_area.cpp: what little is left says
@@ -157,11 +159,12 @@ class MotionFinder {
     std::size_t candidates_part_ = 0, candidates_of_part_ = 0, votes_ = 0;
     std::size_t guesses_ = 0;
     std::optional<std::set<std::uint32_t>> of_one_material_;  // objects_of_one_material(), when needed
-    std::size_t distances_ = 0;                               // compared by try_points()
-    std::size_t in_order_ = 0, out_of_order_ = 0;             // parts that stayed
-    bool has_order_ = true;                                   // the order of the file is kept
-    double enough_anchors_ = 0.7;  // fraction of anchor corners that a motion must explain
-    bool edited_ = false;          // search_edited() is at work
+    std::optional<bool> most_stayed_;
+    std::size_t distances_ = 0;                    // compared by try_points()
+    std::size_t in_order_ = 0, out_of_order_ = 0;  // parts that stayed
+    bool has_order_ = true;                        // the order of the file is kept
+    double enough_anchors_ = 0.7;                  // fraction of anchor corners that a motion must explain
+    bool edited_ = false;                          // search_edited() is at work
 };
 
 }  // namespace slipface

@@ -84,9 +84,11 @@ std::vector<PartMotion> MotionFinder::run() && {
             parts_[part].best_support = parts_[part].staying;
             parts_[part].voted = false;
         }
-        if (is_unexplained(part))
-            (lies_as_before(part) || was_remeshed(part) || object_was_remeshed(part) ? best.guessed
-                                                                                     : best.lost) = true;
+        if (is_unexplained(part)) {
+            const bool stayed = lies_as_before(part) || was_remeshed(part) || object_was_remeshed(part) ||
+                                is_left_in_its_box(part);
+            (stayed ? best.guessed : best.lost) = true;
+        }
     }
     find_flipped();
     for (const Part& part : parts_)

@@ -1,12 +1,23 @@
 // The motions of the parts together.
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "motion_finder.h"
 #include "motion_fit.h"
 #include "slipface/level/material_name.h"
 
 namespace slipface {
+namespace {
+
+Aabb face_box(const Mesh& mesh, FaceId face) {
+    Aabb box;
+    for (std::uint32_t c = mesh.face_first_corner[face]; c < mesh.face_first_corner[face + 1]; ++c)
+        box.add(mesh.corner_position(c).cast<double>());
+    return box;
+}
+
+}  // namespace
 
 // Equal crates can go to each other's new places, and symmetric parts can turn. The motion that explains
 // the most parts is theirs, then the one that explains the most of the others.
@@ -181,6 +192,50 @@ bool MotionFinder::was_remeshed(std::size_t i) {
         if (!mixed && in_planes > most * area) return true;
     }
     return false;
+}
+
+// Whether parts with more than half of the painted faces are where they were.
+bool MotionFinder::most_stayed() {
+    if (most_stayed_) return *most_stayed_;
+    std::size_t stayed = 0, all = 0;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        all += painted_[i];
+        if (parts_[i].best.is_identity() && !parts_[i].best.lost && !is_unexplained(i)) stayed += painted_[i];
+    }
+    most_stayed_ = 2 * stayed > all;
+    return *most_stayed_;
+}
+
+// Whether fewer faces than the part's, of its materials, lie in its box, and most of the level stayed: what
+// decimating leaves of a small piece.
+bool MotionFinder::is_left_in_its_box(std::size_t i) {
+    constexpr double enough = 0.1;  // of the painted area
+    const CollisionWorld* const tree = lookup_.tree();
+    if (tree == nullptr || !most_stayed()) return false;
+    std::set<std::string> materials;
+    double painted = 0.0;
+    for (const FaceKey* key : support_.keys(i)) {
+        materials.insert(base_material(key->material, surfaces_));
+        painted += key->area;
+    }
+    const Aabb& box = stored_.parts[i].box;
+    const double slack = 1e-3 * box.size().norm();
+    double left = 0.0;
+    std::size_t faces = 0;
+    FaceId last = no_id;
+    for (const TriangleId triangle : tree->triangles_in(box)) {
+        ++lookup_.visits;
+        const FaceId face = tree->triangle_face(triangle);
+        if (face == last) continue;
+        last = face;
+        const std::uint32_t piece = support_.all().of[face];
+        if ((support_.is_occupied(piece) && !support_.all().scattered[piece]) || support_.differ(i, piece) ||
+            !materials.contains(index_.base(face)) || !lies_in(face_box(mesh_, face), box, slack))
+            continue;
+        left += index_.key(face).area;
+        ++faces;
+    }
+    return faces < stored_.parts[i].faces && left > enough * painted;
 }
 
 // Whether an edit made other pieces of one material of all parts of the part's object, none of which is as it

@@ -296,5 +296,44 @@ TEST(Reshaped, ATriangleOfTheSamePlaceAndSizeWithOtherCornersIsAGuess) {
     }
 }
 
+// Lids of five faces, of which decimating left two or three triangles and no corner in its place, on a floor
+// that is as it was.
+TEST(Reshaped, SmallPiecesOfWhichFewFacesAreLeftKeepTheirTypes) {
+    Count count;
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        Random random(seed);
+        Faces before = tiles(8);
+        for (Face& face : before)
+            face.painted = drawn_type(random);
+        Faces after = before;
+        for (int i = 0; i < 5; ++i) {
+            const Vec3 low(1.5 * i, 0.5, drawn(random, -6, -1));
+            const Vec3 size(drawn(random, 0.2, 1), drawn(random, 0.1, 1), drawn(random, 0.2, 1));
+            const auto at = [&](double x, double y, double z) -> Vec3f {
+                return (low + size.cwiseProduct(Vec3(x, y, z))).cast<float>();
+            };
+            Faces lid = {quad(at(0, 1, 0), at(0, 1, 1), at(1, 1, 1), at(1, 1, 0)),
+                         quad(at(0, 0, 0), at(0, 1, 0), at(1, 1, 0), at(1, 0, 0)),
+                         quad(at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)),
+                         quad(at(0, 0, 0), at(0, 0, 1), at(0, 1, 1), at(0, 1, 0)),
+                         quad(at(1, 0, 0), at(1, 1, 0), at(1, 1, 1), at(1, 0, 1))};
+            for (std::size_t k = 0; k < lid.size(); ++k) {
+                Face& face = lid[k];
+                face.painted = drawn_type(random);
+                before.push_back(face);
+                if (k > 1 + random() % 2) continue;
+                const double from = drawn(random, 0.02, 0.2);
+                const auto toward = [&](std::size_t a, std::size_t b) -> Vec3f {
+                    return face.corners[a] + static_cast<float>(from) * (face.corners[b] - face.corners[a]);
+                };
+                after.push_back({{toward(0, 1), toward(1, 2), toward(3, 0)}, face.material, face.painted});
+            }
+        }
+        add(count, after, rematch(before, after));
+    }
+    EXPECT_EQ(count.wrong, 0u);
+    EXPECT_LE(count.listed * 100, count.painted);
+}
+
 }  // namespace
 }  // namespace slipface::test
