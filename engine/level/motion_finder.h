@@ -102,7 +102,7 @@ class MotionFinder {
     bool is_unexplained(std::size_t part);
     bool lies_as_before(std::size_t part);
     bool was_remeshed(std::size_t part);
-    bool most_stayed();
+    bool level_stayed();
     bool is_left_in_its_box(std::size_t part);
     bool object_was_remeshed(std::size_t part);
 
@@ -159,7 +159,7 @@ class MotionFinder {
     std::size_t candidates_part_ = 0, candidates_of_part_ = 0, votes_ = 0;
     std::size_t guesses_ = 0;
     std::optional<std::set<std::uint32_t>> of_one_material_;  // objects_of_one_material(), when needed
-    std::optional<bool> most_stayed_;
+    std::optional<bool> level_stayed_;
     std::size_t distances_ = 0;                    // compared by try_points()
     std::size_t in_order_ = 0, out_of_order_ = 0;  // parts that stayed
     bool has_order_ = true;                        // the order of the file is kept

@@ -195,15 +195,15 @@ bool MotionFinder::was_remeshed(std::size_t i) {
 }
 
 // Whether parts with more than half of the painted faces are where they were.
-bool MotionFinder::most_stayed() {
-    if (most_stayed_) return *most_stayed_;
+bool MotionFinder::level_stayed() {
+    if (level_stayed_) return *level_stayed_;
     std::size_t stayed = 0, all = 0;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         all += painted_[i];
         if (parts_[i].best.is_identity() && !parts_[i].best.lost && !is_unexplained(i)) stayed += painted_[i];
     }
-    most_stayed_ = 2 * stayed > all;
-    return *most_stayed_;
+    level_stayed_ = 2 * stayed > all;
+    return *level_stayed_;
 }
 
 // Whether fewer faces than the part's, of its materials, lie in its box, and most of the level stayed: what
@@ -211,7 +211,7 @@ bool MotionFinder::most_stayed() {
 bool MotionFinder::is_left_in_its_box(std::size_t i) {
     constexpr double enough = 0.1;  // of the painted area
     const CollisionWorld* const tree = lookup_.tree();
-    if (tree == nullptr || !most_stayed()) return false;
+    if (tree == nullptr || !level_stayed()) return false;
     std::set<std::string> materials;
     double painted = 0.0;
     for (const FaceKey* key : support_.keys(i)) {

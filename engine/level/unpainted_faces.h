@@ -14,7 +14,7 @@ struct UnpaintedFace {
 };
 
 // The unpainted faces that lie on `painted` ones (ascending), or just before or behind them: of the same
-// object, and looking much the same way. Where an edit cut or merged them, nothing else tells which of the
+// object, and looking much the same way. Where an edit cut or merged them, only these say which of the
 // new faces are the painted ones. Ascending; none if the mesh has no tree.
 std::vector<UnpaintedFace> unpainted_faces_on(const Mesh& mesh, std::span<const FaceId> painted);
 
