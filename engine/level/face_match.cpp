@@ -10,8 +10,7 @@ namespace slipface {
 
 namespace {
 
-// The unpainted faces come after the painted ones, in `stored` and in the result, as faces that are not
-// painted.
+// Adds the unpainted faces after the painted ones, to `stored` and to the result.
 PaintParts with_unpainted(const PaintParts& parts, std::vector<StoredOverride>& stored) {
     std::vector<StoredOverride> unpainted;
     for (const FaceKey& key : parts.unpainted.keys)

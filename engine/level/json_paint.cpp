@@ -67,7 +67,7 @@ void read_outlines(const JsonNode& node, std::size_t count, FaceOutlines& outlin
     if (outlines.count() != count) outlines = {};
 }
 
-// False if there are not as many as painted faces, or others.
+// 1 for all if there is none. False if it has not as many as there are faces.
 bool read_part_of_each(const JsonNode& node, std::size_t count, std::vector<std::uint16_t>& of) {
     std::string bytes;
     of.assign(count, 1);
