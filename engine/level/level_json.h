@@ -40,7 +40,8 @@ namespace slipface {
 inline constexpr int level_file_version = 2, plain_level_file_version = 1;
 
 // The text of the level's file. `file_path` decides how the text names the mesh: relative or absolute.
-std::string level_text(const Level& level, const std::filesystem::path& file_path);
+std::string level_text(const Level& level, const std::filesystem::path& file_path,
+                       LevelText written = LevelText::whole);
 
 // The level in a file's JSON, applied to `mesh`. `location` names the file in errors and warnings. The meshes
 // of its props are those of `known`, or read from the folder of `mesh_path`; without one, of the mesh that

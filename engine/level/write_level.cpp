@@ -284,7 +284,7 @@ void append_parts(Json& root, const Level& level, UnknownMembers& unknown) {
 
 }  // namespace
 
-std::string level_text(const Level& level, const std::filesystem::path& file_path) {
+std::string level_text(const Level& level, const std::filesystem::path& file_path, LevelText written) {
     UnknownMembers unknown = UnknownMembers::parse(level.unknown);
     Json root = json_object();
     const bool plain = std::all_of(level.surfaces.begin(), level.surfaces.end(),
@@ -308,7 +308,7 @@ std::string level_text(const Level& level, const std::filesystem::path& file_pat
     std::vector<std::size_t> order;
     json_add(root, "overrides",
              groups_json(painted, painted.keys.size() > max_readable_faces, unknown, "faces", true, &order));
-    if (!painted.parts.parts.empty()) {
+    if (!painted.parts.parts.empty() && written == LevelText::whole) {
         Json parts = paint_parts_json(painted.keys, painted.parts, order);
         add_unpainted(parts, painted.parts.unpainted, unknown);
         json_add(root, "parts", std::move(parts));
@@ -324,8 +324,8 @@ std::string level_text(const Level& level, const std::filesystem::path& file_pat
     return json_pretty(root, 0) + "\n";
 }
 
-std::string level_to_json(const Level& level) {
-    return level_text(level, level.file_path);
+std::string level_to_json(const Level& level, LevelText text) {
+    return level_text(level, level.file_path, text);
 }
 
 }  // namespace slipface

@@ -88,13 +88,13 @@ TEST_F(LabTest, ALinkToAShippedLevelIsShort) {
     open_level(editor, shipped / "playground.obj");
     editor.session.shipped_levels = shipped;
     record();
-    EXPECT_LT(link_to_run(editor).size(), 1500u);
+    EXPECT_LT(link_to_run(editor).size(), 600u);
     set("walk_speed=5.123456789");
     editor.document->paint(std::array<FaceId, 3>{10, 700, 701}, SurfaceId{2});
     record();
     const std::uint64_t hash = lab.runs()[0].run.hash();
     const std::string link = link_to_run(editor);
-    EXPECT_LT(link.size(), 2000u);
+    EXPECT_LT(link.size(), 1000u);
 
     Editor other;
     open_level(other, shipped / "playground.obj");

@@ -390,6 +390,18 @@ TEST(FaceMatch, PartsOfMorePaintLeaveNoUnknownMembers) {
     EXPECT_TRUE(loaded->warnings.empty());
 }
 
+TEST(FaceMatch, ATextWithoutPartsIsShorterAndHasTheSamePaint) {
+    const Faces faces = two_rooms().before;
+    const Level level = level_of(faces);
+    const std::string whole = level_to_json(level), text = level_to_json(level, LevelText::without_parts);
+    EXPECT_EQ(text.find("\"parts\": "), std::string::npos);
+    EXPECT_LT(text.size(), whole.size());
+    const auto loaded = level_from_json(text, "test.slipface.json", mesh_of(faces));
+    ASSERT_TRUE(loaded.ok()) << loaded.error().text();
+    EXPECT_EQ(loaded->level.overrides, level.overrides);
+    EXPECT_TRUE(loaded->level.guessed.empty());
+}
+
 TEST(FaceMatch, ObjectsAreReadFromAnOlderFile) {
     Faces faces = tiles(3);
     faces[0].painted = 1;

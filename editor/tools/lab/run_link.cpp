@@ -58,10 +58,18 @@ Result<std::string> level_file_of(const Editor& editor, const Capsule& capsule) 
     return std::move(*text);
 }
 
+// Of a level whose geometry comes with the program, and so is the same.
+std::string short_text(const Level& level) {
+    return level_to_json(level, level.guessed.empty() ? LevelText::without_parts : LevelText::whole);
+}
+
 // The document with what the capsule says about it, as one step that can be undone; none if it says the same.
 Result<std::unique_ptr<Document>> open_with(const fs::path& mesh, const std::string& level_file) {
     Result<std::unique_ptr<Document>> known = Document::open(mesh);
-    if (level_file.empty() || (known && level_to_json((*known)->level()) == level_file)) return known;
+    if (level_file.empty()) return known;
+    if (known &&
+        (level_to_json((*known)->level()) == level_file || short_text((*known)->level()) == level_file))
+        return known;
     Autosave from_link;
     from_link.info.mesh_path = mesh;
     from_link.info.level_path = "link";
@@ -84,7 +92,7 @@ std::string link_to_run(Editor& editor) {
     const std::string shipped = shipped_level_file(editor, capsule.level);
     if (shipped.empty()) return whole;
     capsule.base = digest_of(shipped);
-    capsule.level_file = line_difference(shipped, capsule.level_file);
+    capsule.level_file = line_difference(shipped, short_text(level));
     std::string difference = capsule_text(capsule);
     return difference.size() < whole.size() ? difference : whole;
 }

@@ -60,8 +60,11 @@ bool mesh_changed_on_disk(const Level& level);
 Status save_level(const Level& level);
 Status save_level(const Level& level, const std::filesystem::path& file_path);
 
-// The file's text, for tests, autosave and undo checks.
-std::string level_to_json(const Level& level);
+// Without "parts" the text is shorter, and enough where the geometry is certainly the same; that paint is a
+// guess is not written then.
+enum class LevelText { whole, without_parts };
+// The file's text, for tests, autosave, links and undo checks.
+std::string level_to_json(const Level& level, LevelText text = LevelText::whole);
 // Applies the annotations of a level file's text to `mesh`. `location` names the text in errors.
 Result<LoadedLevel> level_from_json(std::string_view json, const std::string& location, MeshPtr mesh);
 // The same for the geometry of an open level; the meshes of its props are not read again.
