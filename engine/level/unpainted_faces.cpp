@@ -11,11 +11,11 @@ namespace slipface {
 namespace {
 
 constexpr double least_along = 0.5;  // the cosine of both normals
-constexpr double part_of_it = 0.1;   // of the smaller face's area, that lies on the other one
+constexpr double part_of_it = 0.01;  // of the smaller face's area, that lies on the other one
 
 // How far a face is from another on which it lies, in the larger one's size: if they are parallel, and more
 // if they are tilted.
-constexpr double max_off = 0.03, max_off_by_tilt = 0.7, max_metres = 0.5;
+constexpr double max_off = 0.1, max_off_by_tilt = 0.7, max_metres = 0.5;
 
 using Outline = std::vector<Vec3>;
 
