@@ -26,6 +26,16 @@ Faces two_layers(Random& random) {
     return faces;
 }
 
+// A painted tile, and an unpainted one a centimetre above it.
+Faces tile_under_another() {
+    Faces faces = tiles(1);
+    faces.push_back(faces[0]);
+    faces[0].painted = 1;
+    for (Vec3f& corner : faces[1].corners)
+        corner.y() += 0.01f;
+    return faces;
+}
+
 std::size_t unpainted_in(const std::string& json) {
     const std::size_t at = json.find("\"unpainted\": ");
     return at == std::string::npos ? 0 : json.find('}', at) - at;
@@ -84,11 +94,7 @@ TEST(LayersInAFile, OnlyUnpaintedFacesThatLieOnPaintedOnesAreStored) {
 }
 
 TEST(LayersInAFile, AWrongRowIsRefusedWithItsPlace) {
-    Faces faces = tiles(1);
-    faces.push_back(faces[0]);
-    faces[0].painted = 1;
-    for (Vec3f& corner : faces[1].corners)
-        corner.y() += 0.01f;
+    const Faces faces = tile_under_another();
     const std::string json = level_to_json(level_of(faces));
     const std::size_t member = json.find("\"unpainted\": ");
     ASSERT_NE(member, std::string::npos);
@@ -104,11 +110,7 @@ TEST(LayersInAFile, AWrongRowIsRefusedWithItsPlace) {
 
 // Another program has changed the members: the faces are left out, and the paint is there.
 TEST(LayersInAFile, FacesWithoutOutlinesAreLeftOut) {
-    Faces faces = tiles(1);
-    faces.push_back(faces[0]);
-    faces[0].painted = 1;
-    for (Vec3f& corner : faces[1].corners)
-        corner.y() += 0.01f;
+    const Faces faces = tile_under_another();
     std::string json = level_to_json(level_of(faces));
     const std::size_t at = json.find("\"outlines\": [", json.find("\"unpainted\": ")) + 13;
     json.erase(at, json.find(']', at) - at);
