@@ -210,16 +210,5 @@ inline std::uint32_t present(const Leaf& leaf) {
     return (1U << leaf_size(leaf)) - 1;
 }
 
-inline unsigned least_lane(std::uint32_t mask, Lanes keys) {
-    alignas(32) float key[8];
-    keys.store(key);
-    unsigned best = first_lane(mask);
-    for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
-        const unsigned lane = first_lane(mask);
-        if (key[lane] < key[best]) best = lane;
-    }
-    return best;
-}
-
 }  // namespace
 }  // namespace slipface::detail

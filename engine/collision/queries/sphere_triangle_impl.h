@@ -44,9 +44,8 @@ bool inside(const SphereTriangle& triangle, const Threes& corner_from_x) {
     // it.
     const Three square = dot(triangle.e, triangle.e);
     const Three index = -dot(corner_from_x, triangle.e);  // along each edge, times its length
-    const Three longest = three_max(three_max(square, square.next()), square.next().next());
     const unsigned along = (three_not_above(zero, index) & three_not_above(index, square)).bits();
-    return (along & three_equal(square, longest).bits()) != 0;
+    return (along & three_equal(square, largest_of(square)).bits()) != 0;
 }
 
 bool lexicographic(const V3& l, const V3& r) {
@@ -128,22 +127,15 @@ TriangleHit first_border_touch(const SphereTriangle& triangle, const EllipsoidQu
     on_edge = on_edge & three_not_above(zero, s) & three_not_above(s, Three::all(1.0));
     const ThreeMask on_corner = first_root(-triangle.a, Threes::all(query.d), lower, corner_t);
 
-    TriangleHit best{2.0, Feature::vertex, 0, false};
-    const auto take_first = [&best](unsigned which, const Three& times, Feature feature) {
-        if (which == 0) return;
-        double t[4];
-        times.store(t);
-        for (int k = 0; k < 3; ++k) {
-            const bool first =
-                (which >> k & 1U) != 0 && (t[k] < best.t || (t[k] == best.t && feature < best.feature));
-            best.t = first ? t[k] : best.t;
-            best.feature = first ? feature : best.feature;
-            best.part = first ? k : best.part;
-        }
-    };
-    take_first(on_edge.bits(), edge_t, Feature::edge);
-    take_first(on_corner.bits(), corner_t, Feature::vertex);
-    return best;
+    // The earliest; of several an edge goes before a corner, then the lower number. No time is NaN. Without
+    // branches, which would be hard to predict.
+    const Three never = Three::all(2.0);
+    edge_t = three_pick(on_edge, edge_t, never);
+    corner_t = three_pick(on_corner, corner_t, never);
+    const Three first = least_of(three_min(edge_t, corner_t));
+    const int which = first_bit(three_equal(edge_t, first).bits() | three_equal(corner_t, first).bits() << 3);
+    const bool is_edge = which < 3;
+    return {first.vec().x, is_edge ? Feature::edge : Feature::vertex, is_edge ? which : which - 3, false};
 }
 
 Nearest nearest_border(const SphereTriangle& triangle) {
@@ -151,24 +143,19 @@ Nearest nearest_border(const SphereTriangle& triangle) {
     const Edges edges(triangle);
     const Three index = -dot(edges.p, edges.e) / edges.ee;
     const Threes point = edges.p + index * edges.e;
-    const unsigned beside =
-        (three_less(zero, edges.ee) & three_less(zero, index) & three_less(index, Three::all(1.0))).bits();
-    double end2[4];
-    double foot2[4];
+    const ThreeMask beside =
+        three_less(zero, edges.ee) & three_less(zero, index) & three_less(index, Three::all(1.0));
+    const Three distance2 = three_pick(beside, dot(point, point), dot(edges.p, edges.p));
+    const Three least = least_of(distance2);
+    // Of several nearest the first edge, else the first corner; the first of all if a distance is NaN.
+    const unsigned nearest = three_equal(distance2, least).bits();
+    const unsigned nearest_edges = nearest & beside.bits();
+    const bool is_edge = nearest_edges != 0;
+    const int k = first_bit(is_edge ? nearest_edges : nearest != 0 ? nearest : 1U);
     double s[4];
-    dot(edges.p, edges.p).store(end2);
-    dot(point, point).store(foot2);
     index.store(s);
-    Nearest best{0.0, Feature::vertex, -1, 0.0};
-    for (int k = 0; k < 3; ++k) {
-        const Nearest here = (beside >> k & 1U) != 0 ? Nearest{foot2[k], Feature::edge, k, s[k]}
-                                                     : Nearest{end2[k], Feature::vertex, edges.from(k), 0.0};
-        if (best.part < 0 || here.distance2 < best.distance2 ||
-            (here.distance2 == best.distance2 && here.feature < best.feature)) {
-            best = here;
-        }
-    }
-    return best;
+    return {least.vec().x, is_edge ? Feature::edge : Feature::vertex, is_edge ? k : edges.from(k),
+            is_edge ? s[k] : 0.0};
 }
 
 // The nearest point itself; not valid for the interior.
@@ -250,7 +237,7 @@ bool sweep_triangle(const SphereTriangle& triangle, const EllipsoidQuery& query,
     bool apart = false;  // the sphere starts clear of the plane, so nothing is touched before plane_t
     if (triangle.nn > 0.0) {
         // The side of the centre counts as the front.
-        const double side = triangle.h > 0.0 ? -1.0 : 1.0;
+        const double side = 1.0 - 2.0 * static_cast<double>(triangle.h > 0.0);
         const double speed = side * dot(triangle.n, query.d);  // speed away from the plane, times |n|
         const double length = std::sqrt(triangle.nn);
         const double gap = -side * triangle.h - length;  // between sphere and plane, times |n|

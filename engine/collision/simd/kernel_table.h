@@ -2,6 +2,7 @@
 #pragma once
 
 #include "queries/near_impl.h"
+#include "queries/ray_triangle_impl.h"
 #include "queries/sphere_triangle_impl.h"
 #include "queries/wave_impl.h"
 #include "simd/kernels_impl.h"
@@ -27,7 +28,8 @@ constexpr Kernels kernel_table(const char* name, std::size_t wave_worth) {
             .is_behind = is_behind_kernel,
             .passes_one_sided = passes_one_sided_kernel,
             .touch_of_hit = touch_of_hit_kernel,
-            .touch_of_nearest = touch_of_nearest_kernel};
+            .touch_of_nearest = touch_of_nearest_kernel,
+            .ray_triangle = ray_triangle_kernel};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 // Compiled once for each instruction set; all arguments are plain data.
 #pragma once
 
+#include "queries/ray_triangle.h"
 #include "queries/sphere_triangle.h"
 #include "slipface/collision/near_triangles.h"
 #include "tree/bvh_layout.h"
@@ -155,6 +156,8 @@ struct Kernels {
     Touch (*touch_of_hit)(const LeafTriangle& triangle, const EllipsoidQuery& query, const TriangleHit& hit);
     Touch (*touch_of_nearest)(const LeafTriangle& triangle, const EllipsoidQuery& query,
                               const Nearest& nearest);
+    // Finds where the ray crosses a triangle; false if it does not, or before its start.
+    bool (*ray_triangle)(const LeafTriangle& triangle, const ShearedRay& ray, RayTouch& touch);
 };
 
 extern const Kernels baseline_kernels;

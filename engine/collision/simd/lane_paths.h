@@ -7,10 +7,6 @@
 namespace slipface::detail {
 namespace {
 
-inline unsigned first_lane(std::uint32_t mask) {
-    return static_cast<unsigned>(__builtin_ctz(mask));
-}
-
 inline const Leaf& leaf_at(const TreeView& tree, std::uint32_t index) {
     return *reinterpret_cast<const Leaf*>(tree.leaves + std::size_t{index} * leaf_alignment);
 }

@@ -324,6 +324,42 @@ inline void copy_lanes(const T* from, std::uint32_t mask, T* to) {
 }
 #endif
 
+// Of a mask that has at least one.
+inline unsigned first_lane(std::uint32_t mask) {
+    return static_cast<unsigned>(__builtin_ctz(mask));
+}
+
+// The lane of the mask with the least key; of keys that differ in their last three bits, any. The mask has at
+// least one lane, and no key is below 0.
+inline unsigned least_lane(std::uint32_t mask, Lanes keys) {
+#if defined(__AVX2__)
+    // Floats of one sign are ordered like their bits. Without branches, which would be hard to predict.
+    const __m256i all = _mm256_set1_epi32(-1);
+    const __m256i key = _mm256_andnot_si256(_mm256_set1_epi32(7), _mm256_castps_si256(keys.v));
+    const __m256i key_and_lane = _mm256_or_si256(key, _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+#if defined(__AVX512VL__)
+    const __m256i among = _mm256_mask_mov_epi32(all, static_cast<__mmask8>(mask), key_and_lane);
+#else
+    const __m256i bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+    const __m256i bits = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(mask)), bit);
+    const __m256i among = _mm256_blendv_epi8(all, key_and_lane, _mm256_cmpeq_epi32(bits, bit));
+#endif
+    __m128i least = _mm_min_epu32(_mm256_castsi256_si128(among), _mm256_extracti128_si256(among, 1));
+    least = _mm_min_epu32(least, _mm_shuffle_epi32(least, 0x4E));
+    least = _mm_min_epu32(least, _mm_shuffle_epi32(least, 0xB1));
+    return static_cast<unsigned>(_mm_cvtsi128_si32(least)) & 7U;
+#else
+    alignas(32) float key[8];
+    keys.store(key);
+    unsigned best = first_lane(mask);
+    for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
+        const unsigned lane = first_lane(mask);
+        if (key[lane] < key[best]) best = lane;
+    }
+    return best;
+#endif
+}
+
 inline std::uint32_t lane_count(std::uint32_t mask) {
 #if defined(__POPCNT__)
     return static_cast<std::uint32_t>(__builtin_popcount(mask));

@@ -236,6 +236,19 @@ inline bool any_less(const Three& a, const Three& b) {
     return three_less(a, b).bits() != 0;
 }
 
+// The number of the lowest bit that is set.
+inline int first_bit(unsigned bits) {
+    return __builtin_ctz(bits);
+}
+
+// The least or largest of the three, three times.
+inline Three least_of(const Three& a) {
+    return three_min(three_min(a, a.next()), a.next().next());
+}
+inline Three largest_of(const Three& a) {
+    return three_max(three_max(a, a.next()), a.next().next());
+}
+
 // Three vectors side by side. Sums are evaluated in the order of V3.
 struct Threes {
     Three x, y, z;
