@@ -134,7 +134,7 @@ double FaceMatcher::area_to_cover(FaceId face, std::span<const Cover> covers) {
 void FaceMatcher::match_covered(double least_dot, bool any_material) {
     std::vector<Cover> all;
     flat_.resize(stored_.size(), Flat::none);
-    const bool first = turned_over_.empty();
+    const bool is_first = turned_over_.empty();
     turned_over_.resize(stored_.size(), false);
     std::vector<std::size_t> searched;
     for (std::size_t i = 0; i < stored_.size(); ++i) {
@@ -144,7 +144,7 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
             outlines_[i] = likely_outline(key(i));
             likely_[i] = true;
         }
-        if (first && lookup_.visits < max_visits) turned_over_[i] = is_wanted(i) && has_turned_over(i);
+        if (is_first && lookup_.visits < max_visits) turned_over_[i] = is_wanted(i) && has_turned_over(i);
         searched.push_back(i);
     }
     constexpr std::size_t at_once = 256;  // then the work is counted
