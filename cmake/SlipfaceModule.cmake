@@ -5,6 +5,7 @@ function(slipface_compile_rules target)
     target_link_libraries(${target} PRIVATE fmt::fmt)
     target_compile_options(${target} PRIVATE
         $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror>
+        $<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wshadow-uncaptured-local>
         -ffp-contract=off -fno-fast-math)
     # GCC 12 sees overlapping and overlong copies in std::string's operator+ that are not there (its bug 105651), and its
     # SLP vectoriser drops the rounding of double(float(x)).

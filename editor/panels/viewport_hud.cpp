@@ -77,8 +77,8 @@ void draw_spawn_names(const Editor& editor, const ViewportState& state) {
         // Wholly in the view; what is wider than it is left out.
         const ImVec2 room{state.size.x - extent.x - 2 * pad.x, state.size.y - extent.y - 2 * pad.y};
         if (room.x < 0.0f || room.y < 0.0f) continue;
-        const auto beside = [](double middle, float size, float space, float maximum) {
-            return space + std::clamp(static_cast<float>(middle) - 0.5f * size - space, 0.0f, maximum);
+        const auto beside = [](double middle, float width, float space, float maximum) {
+            return space + std::clamp(static_cast<float>(middle) - 0.5f * width - space, 0.0f, maximum);
         };
         const ImVec2 min{state.min.x + beside(at.x(), extent.x, pad.x, room.x),
                          state.min.y + beside(at.y(), extent.y, pad.y, room.y)};

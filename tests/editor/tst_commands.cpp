@@ -266,10 +266,10 @@ TEST_F(EditorTest, OverlayCommandRemembersItsStrength) {
 
 TEST_F(EditorTest, SpawnsAreAddedChosenRenamedAndDeletedUndoably) {
     const auto names = [&] {
-        std::vector<std::string> names;
+        std::vector<std::string> list;
         for (const Spawn& spawn : all_spawns(document().level()))
-            names.push_back(spawn.name);
-        return names;
+            list.push_back(spawn.name);
+        return list;
     };
     EXPECT_TRUE(names().empty());  // an OBJ alone has none
     for (const double x : {1.5, 3.5, 5.5}) {

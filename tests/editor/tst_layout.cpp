@@ -183,9 +183,9 @@ TEST_P(LayoutTest, EveryTooltip) {
 INSTANTIATE_TEST_SUITE_P(Sizes, LayoutTest,
                          testing::Values(Size{800, 500, 1}, Size{1280, 720, 1}, Size{1440, 900, 1},
                                          Size{1920, 1080, 2}),
-                         [](const auto& info) {
-                             return fmt::format("{}x{}at{}", info.param.width, info.param.height,
-                                                static_cast<int>(info.param.scale));
+                         [](const auto& test) {
+                             return fmt::format("{}x{}at{}", test.param.width, test.param.height,
+                                                static_cast<int>(test.param.scale));
                          });
 
 }  // namespace

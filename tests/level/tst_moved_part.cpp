@@ -45,8 +45,8 @@ INSTANTIATE_TEST_SUITE_P(
         Motion3{"mirrored", Eigen::Affine3f(Eigen::Scaling(-1.0f, 1.0f, 1.0f)), true},
         Motion3{"mirrored inside out", Eigen::Affine3f(Eigen::Scaling(-1.0f, 1.0f, 1.0f)), false},
         Motion3{"flipped", Eigen::Affine3f::Identity(), true}),
-    [](const testing::TestParamInfo<Motion3>& info) {
-        std::string name = info.param.name;
+    [](const testing::TestParamInfo<Motion3>& test) {
+        std::string name = test.param.name;
         std::replace(name.begin(), name.end(), ' ', '_');
         return name;
     });

@@ -52,8 +52,8 @@ TEST_P(DemoTraces, NameTheirSwitch) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DemoTraces, testing::ValuesIn(demo_table().begin(), demo_table().end()),
-                         [](const auto& info) {
-                             std::string name = info.param.name;
+                         [](const auto& test) {
+                             std::string name = test.param.name;
                              std::replace(name.begin(), name.end(), '-', '_');
                              return name;
                          });

@@ -54,7 +54,7 @@ TEST_P(WalkersInLevel, DoSoWithEveryHackOn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, WalkersInLevel, testing::Values("easy", "hard", "island", "playground"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& test) { return std::string(test.param); });
 
 TEST(WalkersInLevels, AreInEveryShippedOne) {
     std::size_t shipped = 0;
