@@ -48,9 +48,12 @@ struct Search {
     // As an aggregate it would be filled with zeros first. `limit`: the largest t that counts.
     Search(const CollisionWorld::Impl& of, const ShearedRay& along, const V3& its_direction, RayStops at,
            const QueryFilter* seen, double limit)
-        : world(of), ray(along), direction(its_direction), stops(at), filter(seen) {
-        touch.t = limit;
-    }
+        : world(of),
+          ray(along),
+          direction(its_direction),
+          stops(at),
+          filter(seen),
+          touch{limit, {0.0, 0.0, 0.0}} {}
 
     bool stopped_by(const LeafTriangle& leaf) const {
         if (filter != nullptr && !filter->sees(leaf.id, world.surface_of(leaf.id))) return false;
