@@ -47,8 +47,7 @@ PartSupport::PartSupport(const Mesh& mesh, const FaceIndex& index, SurfaceTable 
         add_number(mesh.vertex_number.empty() ? vertex : mesh.vertex_number[vertex], vertex);
     for (const GroupVertex& vertex : mesh.group_vertices)
         add_number(vertex.number, vertex.vertex);
-    for (std::uint32_t group = 0; group < objects_.size(); ++group)
-        group_of_.emplace(objects_[group].name, group);
+    name_groups();
     samples_.resize(parts.parts.size());
     for (std::size_t part = 0; part < samples_.size(); ++part) {
         struct Point {
@@ -89,11 +88,31 @@ PartSupport::PartSupport(const Mesh& mesh, const FaceIndex& index, SurfaceTable 
     }
 }
 
+// Where several objects have one name, now or before, it does not say which one is which.
+void PartSupport::name_groups() {
+    const auto add = [](auto& map, std::uint32_t name, std::uint32_t which) {
+        const auto [known, added] = map.emplace(name, which);
+        if (!added && known->second != which) known->second = no_id;
+    };
+    std::map<std::uint32_t, std::uint32_t> before;  // [name] the object's first vertex
+    for (const PaintPart& part : stored_.parts)
+        add(before, part.object.name, part.object.first_vertex);
+    for (std::uint32_t group = 0; group < objects_.size(); ++group)
+        if (objects_[group].first_vertex != no_id) add(group_of_, objects_[group].name, group);
+    for (const auto& [name, first_vertex] : before)
+        if (first_vertex == no_id) group_of_[name] = no_id;
+}
+
+std::uint32_t PartSupport::group_named(std::uint32_t name) const {
+    const auto found = group_of_.find(name);
+    return found == group_of_.end() ? no_id : found->second;
+}
+
 std::uint32_t PartSupport::numbered_in_object(std::size_t part, std::uint32_t number) const {
     const MeshObject& old = stored_.parts[part].object;
-    const auto found = group_of_.find(old.name);
-    if (found == group_of_.end() || number < old.first_vertex) return no_id;
-    const MeshObject& object = objects_[found->second];
+    const std::uint32_t group = group_named(old.name);
+    if (group == no_id || number < old.first_vertex) return no_id;
+    const MeshObject& object = objects_[group];
     const std::uint64_t now = std::uint64_t{object.first_vertex} + (number - old.first_vertex);
     return now <= object.last_vertex ? numbered(static_cast<std::uint32_t>(now)) : no_id;
 }
@@ -284,15 +303,12 @@ double PartSupport::order_kept(std::size_t i, const PartMotion& motion) const {
 std::optional<double> PartSupport::vertex_order_kept(std::size_t i, const PartMotion& motion) const {
     constexpr std::size_t enough = 6;
     const Sample& sample = samples_[i];
-    const auto group = group_of_.find(stored_.parts[i].object.name);
+    const std::uint32_t group = group_named(stored_.parts[i].object.name);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> found;  // old number, new number
     for (std::size_t k = 0; k < sample.numbers.size(); ++k) {
         const Vec3 to = motion(sample.points[k]);
         const std::uint32_t vertex = grid_.nearest(to, tolerance(motion, sample.points[k], to));
-        if (vertex != no_id)
-            found.push_back(
-                {sample.numbers[k],
-                 mesh_.number_in_group(group != group_of_.end() ? group->second : no_id, vertex)});
+        if (vertex != no_id) found.push_back({sample.numbers[k], mesh_.number_in_group(group, vertex)});
     }
     if (found.size() < enough) return std::nullopt;
     std::sort(found.begin(), found.end());

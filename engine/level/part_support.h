@@ -147,6 +147,8 @@ class PartSupport {
     };
     enum class Side { none, same, other, both };
 
+    void name_groups();
+    std::uint32_t group_named(std::uint32_t name) const;  // of the mesh; no_id: none, or several
     double tolerance(const PartMotion& motion, const Vec3& from, const Vec3& to) const;
     double corners_hit(const Sample& sample, const PartMotion& motion, double least) const;
     Side find_face(const FaceKey& key, const PartMotion& motion, bool& same_material) const;
@@ -158,7 +160,7 @@ class PartSupport {
     VertexGrid grid_;
     std::vector<std::uint32_t> vertex_of_;             // [number in the file]
     std::vector<MeshObject> objects_;                  // [group] of the new file
-    std::map<std::uint32_t, std::uint32_t> group_of_;  // [name]
+    std::map<std::uint32_t, std::uint32_t> group_of_;  // [name]; no_id: several
     const ObjectNames names_;
     std::vector<Sample> samples_;  // [part]
     std::optional<MeshParts> all_;

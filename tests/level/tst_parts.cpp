@@ -222,6 +222,25 @@ MeshPtr obj_mesh(const Faces& faces, bool mirrored, bool windings_left = false) 
     return *build_mesh(std::move(soup));
 }
 
+// A file can give many objects one name. Of a mesh that nobody changed everything is where it was.
+TEST(Parts, ObjectsOfOneNameStay) {
+    for (unsigned seed = 0; seed < 100; ++seed) {
+        Random random(seed);
+        Row row = row_of_boxes(random, 0.3f);
+        Faces& faces = row.faces;
+        for (std::size_t box = 0; box < row.first.size(); ++box)
+            for (std::size_t i = row.first[box]; i < row.first[box] + 6; ++i)
+                faces[i].object = box % 2 == 0 ? "crate" : "box" + std::to_string(box);
+        Level level = level_of(faces);
+        const MeshPtr mesh = obj_mesh(faces, false);
+        level.mesh = mesh;
+        const Result<LoadedLevel> loaded = level_from_json(level_to_json(level), "test.slipface.json", mesh);
+        ASSERT_TRUE(loaded) << loaded.error().text();
+        EXPECT_EQ(wrong_faces(faces, *loaded), std::vector<std::size_t>()) << seed;
+        EXPECT_TRUE(loaded->level.guessed.empty()) << seed;
+    }
+}
+
 Faces mirrored(Faces faces) {
     for (Face& face : faces) {
         for (Vec3f& corner : face.corners)
