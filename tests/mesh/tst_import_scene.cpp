@@ -335,6 +335,33 @@ TEST_F(ImportScene, FilesOutsideTheFolderAreNotRead) {
     EXPECT_TRUE(import_as("sub/level.gltf", two_nodes("secret.bin")));
 }
 
+// AC3D gives each object a material of its own, and its textures only to the objects.
+TEST_F(ImportScene, MaterialsHaveNamesOfTheirOwn) {
+    const auto with = [&](const std::string& name, const std::vector<std::string>& textures) {
+        std::string text = "AC3Db\nMATERIAL \"" + name +
+                           "\" rgb 1 1 1 amb 1 1 1 emis 0 0 0 spec 0 0 0 shi 0 trans 0\n"
+                           "OBJECT world\nkids " +
+                           std::to_string(textures.size()) + "\n";
+        for (const std::string& texture : textures)
+            text +=
+                "OBJECT poly\n" + (texture.empty() ? "" : "texture \"" + texture + "\"\n") +
+                "numvert 3\n0 0 0\n0 0 1\n1 0 0\nnumsurf 1\nSURF 0x00\nmat 0\nrefs 3\n0 0 0\n1 0 1\n2 1 0\n"
+                "kids 0\n";
+        const auto result = import_as("level.ac", text);
+        std::vector<std::string> names;
+        if (!result) ADD_FAILURE() << result.error().text();
+        if (result)
+            for (const std::uint32_t number : result->mesh->face_material)
+                names.push_back(result->mesh->materials[number].name);
+        return names;
+    };
+    EXPECT_THAT(with("", {"road.png", "wall.new.rgb", "", "road.png"}),
+                ElementsAre("road", "wall.new", "", "road"));
+    EXPECT_THAT(with("stone", {"road.png", "", "road.png", "wall.png"}),
+                ElementsAre("stone", "stone.001", "stone", "stone.002"));
+    EXPECT_THAT(with("stone.001", {"road.png", "wall.png"}), ElementsAre("stone.001", "stone.001.001"));
+}
+
 TEST_F(ImportScene, PointsAndLinesAreOneWarning) {
     std::string text =
         "AC3Db\nMATERIAL \"m\" rgb 1 1 1 amb 1 1 1 emis 0 0 0 spec 0 0 0 shi 0 trans 0\n"

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "assimp/gltf_types.h"
+#include "assimp/material_names.h"
 #include "assimp/scene_child.h"
 #include "assimp/scene_frame.h"
 #include "assimp/scene_materials.h"
@@ -248,6 +249,7 @@ Result<ImportedSoup> read_scene(const std::filesystem::path& path, const std::st
     soup->other_files = std::move(asked_for);
     ImportedSoup imported{.soup = std::move(*soup), .frame = frame.frame};
     if (is_gltf) imported.type_table = add_gltf_types(bytes, location, imported.soup.materials, warnings);
+    name_materials(imported.soup);
     return imported;
 }
 
