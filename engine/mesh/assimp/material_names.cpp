@@ -19,14 +19,16 @@ std::string name_of_texture(const std::string& texture) {
 
 // Leaves out, too, what assimp adds for faces without a material where there are none.
 void join_equal(PolygonSoup& soup) {
-    const std::set<std::uint32_t> used(soup.face_material.begin(), soup.face_material.end());
+    std::vector<bool> used(soup.materials.size(), false);
+    for (const std::uint32_t number : soup.face_material)
+        if (number < used.size()) used[number] = true;
     using Key = std::tuple<std::string, std::string, const std::string*, float, float, float>;
     std::map<Key, std::uint32_t> number_of;
     std::vector<std::uint32_t> numbers;  // [material before]
     std::vector<Material> materials;
     for (std::uint32_t i = 0; i < soup.materials.size(); ++i) {
         Material& material = soup.materials[i];
-        if (material.name.empty() && !used.contains(i)) {
+        if (material.name.empty() && !used[i]) {
             numbers.push_back(no_id);
             continue;
         }
