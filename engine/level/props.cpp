@@ -15,6 +15,7 @@
 #include "slipface/base/hash.h"
 #include "slipface/level/level.h"
 #include "slipface/mesh/build.h"
+#include "slipface/mesh/material_looks.h"
 
 namespace slipface {
 
@@ -91,7 +92,7 @@ class Placer {
   public:
     explicit Placer(Mesh& to) : to_(to) {
         for (const Material& material : to.materials)
-            looks_.try_emplace(material.name, material);
+            looks_.add(material);
         for (const std::uint32_t number : to.vertex_number)
             next_number_ = std::max(next_number_, number + 1);
     }
@@ -153,32 +154,17 @@ class Placer {
             } else if (!material.texture.empty() && !material.picture) {
                 material.texture = (folder / material.texture).generic_string();
             }
-            name_by_look(material);
+            looks_.name(material);
             to_.materials.push_back(std::move(material));
         }
         return entry->second;
-    }
-
-    // In files for other programs a name means one look, so another look gets another name. Rules and
-    // suffixes ignore an ending like ".001".
-    void name_by_look(Material& material) {
-        const std::string name = material.name;
-        for (std::size_t& number = numbers_[name];; ++number) {
-            if (number > 0) material.name = fmt::format("{}.{:03}", name, number);
-            const auto [known, added] = looks_.try_emplace(material.name, material);
-            if (added ||
-                (known->second.diffuse == material.diffuse && known->second.texture == material.texture &&
-                 known->second.picture == material.picture))
-                return;
-        }
     }
 
     Mesh& to_;
     std::uint32_t next_number_ = 0;  // of a vertex, beyond those of the geometry's file
     // First of a mesh with a texture.
     std::map<std::pair<std::string, std::string>, std::uint32_t> materials_;
-    std::map<std::string, Material> looks_;       // by name
-    std::map<std::string, std::size_t> numbers_;  // where the search for a free name goes on
+    MaterialLooks looks_;
 };
 
 }  // namespace

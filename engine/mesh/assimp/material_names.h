@@ -6,8 +6,7 @@
 namespace slipface {
 
 // Materials that are equal in everything become one. One with a texture but no name is named after it,
-// "road" after "textures/road.png". Of several with one name all but the first get a number, "stone.001", as
-// modelling tools write it, which rules and types in names do not see.
+// "road" after "textures/road.png". One name means one look (material_looks.h).
 void name_materials(PolygonSoup& soup);
 
 }  // namespace slipface
