@@ -4,6 +4,7 @@ set -euo pipefail
 cd "$(dirname "$0")"
 . scripts/common.sh
 
+build_kib=1700000 # with the tests
 install_packages "${packages[@]}" "${test_packages[@]}"
 configure release
 build release

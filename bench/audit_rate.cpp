@@ -3,8 +3,10 @@
 // Each figure is the median of processor time over the rounds; the fraction is the median of the fractions of
 // the rounds.
 #include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 
 #include "slipface/base/parallel.h"
 #include "slipface/level/level_file.h"

@@ -3,6 +3,8 @@
 // tick.
 #include <benchmark/benchmark.h>
 
+#include <cstdlib>
+
 #include "slipface/level/level_file.h"
 #include "slipface/sim/compare.h"
 

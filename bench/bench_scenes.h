@@ -10,8 +10,8 @@ namespace slipface::bench {
 // Each kind has the same density at every size: a building of furnished rooms, or rolling ground with boxes.
 enum class Kind { rooms, ground };
 
-// The rows and columns of the tables in docs/performance.md: approximate numbers of triangles, and moves in
-// metres.
+// The rows and columns of the tables in docs/performance-tables.md: approximate numbers of triangles, and
+// moves in metres.
 inline constexpr std::int64_t sizes[] = {3000, 10000, 30000, 100000, 300000, 1000000};
 inline constexpr double lengths[] = {0.02, 0.2, 2, 20};
 

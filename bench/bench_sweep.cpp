@@ -1,5 +1,5 @@
-// The levels and queries of docs/performance.md as Google Benchmark programs: single sweeps, batches on one
-// thread, rays, points, and builds on one and two threads.
+// The levels and queries of docs/performance-tables.md as Google Benchmark programs: single sweeps, batches
+// on one thread, rays, points, and builds on one and two threads.
 #include <benchmark/benchmark.h>
 
 #include "bench_scenes.h"

@@ -1,6 +1,7 @@
 // slipface_build_memory: what a world keeps in memory, and how much more its construction needs at its peak,
 // in bytes per triangle, by counting what is allocated.
 #include <fmt/core.h>
+#include <fmt/format.h>
 #include <malloc.h>
 
 #include <atomic>

@@ -1,6 +1,7 @@
 // slipface_props [INSTANCES]: instances of 20 meshes beside the same triangles in one tree: memory, and the
-// same queries in turns, in processor time of one thread (docs/performance.md, "Props").
+// same queries in turns, in processor time of one thread (docs/performance-tables.md, "Props").
 #include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <cstdlib>

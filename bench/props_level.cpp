@@ -1,11 +1,13 @@
 // slipface_props_level [INSTANCES [SEED]]: writes a level with that many instances of 20 meshes and measures
 // what the program does with it: memory, opening, one change of one prop in the editor, saving, an audit
-// (docs/performance.md, "Props"). Processor time of all threads; whole frames without the drawing of the
-// level.
+// (docs/performance-tables.md, "Props"). Processor time of all threads; whole frames without the drawing of
+// the level.
 #include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>

@@ -4,10 +4,12 @@
 // the median over the rounds of processor time of one thread, and each ratio the median of the ratios of the
 // rounds. Only builds on two threads are measured in elapsed time.
 #include <fmt/core.h>
+#include <fmt/format.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string_view>
 
 #include "bullet_level.h"

@@ -2,8 +2,10 @@
 // thread, when it had 95 and 100 % of that, what random walkers reach by as many steps, and the step rate of
 // the search beside nothing but the steps of the ways that it found.
 #include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 
 #include "slipface/base/parallel.h"

@@ -1,8 +1,10 @@
 // slipface_reach_world SECONDS [EDGE_M [SEED]]: a generated world, EDGE_M (1500) metres wide, and the
 // fraction of its walkable area that a search of so many seconds of processor time reaches (docs/reach.md).
 #include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <random>
 

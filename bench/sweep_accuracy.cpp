@@ -1,7 +1,9 @@
 // Prints, for each family of hard sweeps, the worst difference between the engine and the 113-bit oracle.
 #include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <charconv>
+#include <cstdio>
 #include <cstring>
 
 #include "collision/families.h"

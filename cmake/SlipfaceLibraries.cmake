@@ -2,12 +2,14 @@
 
 # Debian's assimp package asks every program to link what its shared library has linked already: libz, whose -dev package
 # it does not depend on, draco and minizip.
-if(TARGET assimp::assimp)
-    get_target_property(assimp_type assimp::assimp TYPE)
-    if(assimp_type STREQUAL SHARED_LIBRARY)
-        set_target_properties(assimp::assimp PROPERTIES INTERFACE_LINK_LIBRARIES "")
+macro(slipface_repair_packages)
+    if(TARGET assimp::assimp)
+        get_target_property(assimp_type assimp::assimp TYPE)
+        if(assimp_type STREQUAL SHARED_LIBRARY)
+            set_target_properties(assimp::assimp PROPERTIES INTERFACE_LINK_LIBRARIES "")
+        endif()
     endif()
-endif()
+endmacro()
 
 # slipface_find_library(NAME HEADER PACKAGE): the target Slipface::NAME, for libraries without a CMake package.
 function(slipface_find_library name header package)
@@ -18,7 +20,7 @@ function(slipface_find_library name header package)
         message(FATAL_ERROR "Slipface: found no lib${name} with ${header}. On Debian: apt-get install ${package}")
     endif()
     if(NOT TARGET Slipface::${name})
-        add_library(Slipface::${name} UNKNOWN IMPORTED)
+        add_library(Slipface::${name} UNKNOWN IMPORTED GLOBAL)
         set_target_properties(Slipface::${name} PROPERTIES IMPORTED_LOCATION "${SLIPFACE_${name}_LIBRARY}"
             INTERFACE_INCLUDE_DIRECTORIES "${SLIPFACE_${name}_INCLUDE_DIR}")
     endif()

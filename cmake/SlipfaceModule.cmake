@@ -1,10 +1,10 @@
-# Targets with the house's compile rules: warnings are errors, and floating point gives the same bits everywhere.
+# Targets with the house's compile rules: the warnings, and floating point gives the same bits everywhere.
 
 function(slipface_compile_rules target)
     # Every part formats text, and no public header needs fmt, so each links it for itself.
     target_link_libraries(${target} PRIVATE fmt::fmt)
     target_compile_options(${target} PRIVATE
-        $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror>
+        $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<BOOL:${SLIPFACE_WERROR}>:-Werror>>
         $<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wshadow-uncaptured-local>
         -ffp-contract=off -fno-fast-math)
     # GCC 12 sees overlapping and overlong copies in std::string's operator+ that are not there (its bug 105651), and its
@@ -12,6 +12,11 @@ function(slipface_compile_rules target)
     if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
         target_compile_options(${target} PRIVATE
             $<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -fno-tree-slp-vectorize>)
+    endif()
+    # Windows aligns the stack to 16 bytes, and GCC keeps vectors of 32 and 64 there with instructions that ask for more (its
+    # bug 54412). The assembler replaces them by those that do not ask.
+    if(MINGW AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+        target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-Wa,-muse-unaligned-vector-move>)
     endif()
     if(EMSCRIPTEN)
         # Its std::size_t has 32 bits, as what indexes have, which on the desktop are shorter; files as large as that do not
@@ -29,7 +34,8 @@ function(slipface_compile_rules target)
     if(target MATCHES "tests_|pch_test")
         target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CXX>>:-O1>)
     endif()
-    if(SLIPFACE_UNITY AND target MATCHES "${SLIPFACE_UNITY_TARGETS}")
+    if(SLIPFACE_UNITY AND target MATCHES "${SLIPFACE_UNITY_TARGETS}" AND
+       (target MATCHES "^tests_" OR NOT SLIPFACE_UNITY STREQUAL TESTS))
         set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
         # Names of files' own meet in one translation unit; a build without SLIPFACE_UNITY is told of real shadows.
         target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-Wno-shadow>
@@ -100,11 +106,32 @@ function(slipface_precompile target)
     target_precompile_headers(${target} REUSE_FROM ${host})
 endfunction()
 
+# slipface_need(ITEM...): of what a target links, the engine's modules are added and the packages are found, unless they are
+# there already.
+function(slipface_need)
+    foreach(item IN LISTS ARGN)
+        if(TARGET ${item} OR NOT item MATCHES "^([A-Za-z0-9_]+)::([A-Za-z0-9_]+)$")
+            continue()
+        endif()
+        set(package ${CMAKE_MATCH_1})
+        set(name ${CMAKE_MATCH_2})
+        if(NOT package STREQUAL Slipface)
+            find_package(${package} REQUIRED)
+            slipface_repair_packages()
+        elseif(name MATCHES "^(deflate|stb)$")
+            cmake_language(CALL slipface_find_${name})
+        else()
+            add_subdirectory("${PROJECT_SOURCE_DIR}/engine/${name}" "${PROJECT_BINARY_DIR}/engine/${name}")
+        endif()
+    endforeach()
+endfunction()
+
 # slipface_module(NAME DEPENDS ... PRIVATE_DEPENDS ...): the engine module in the current folder, as the target
 # Slipface::NAME. Its public headers lie in include/slipface/NAME. A module sees only what it depends on, so an
 # include from a floor above does not build.
 function(slipface_module name)
     cmake_parse_arguments(arg "" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+    slipface_need(fmt::fmt ${arg_DEPENDS} ${arg_PRIVATE_DEPENDS})
     # What only headers give is needed to build a module, not to link it.
     list(TRANSFORM arg_PRIVATE_DEPENDS REPLACE "^nlohmann_json::.*" "$<BUILD_INTERFACE:\\0>")
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
@@ -120,7 +147,9 @@ function(slipface_module name)
     target_link_libraries(${target} PUBLIC ${arg_DEPENDS} PRIVATE ${arg_PRIVATE_DEPENDS})
     slipface_compile_rules(${target})
     set_property(GLOBAL APPEND PROPERTY SLIPFACE_MODULES ${target})
-    install(DIRECTORY include/slipface DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT ${name})
+    if(SLIPFACE_INSTALL)
+        install(DIRECTORY include/slipface DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT ${name})
+    endif()
 
     # What a program that links this module has to find: the names of SlipfaceConfig.cmake. A shared library has found its
     # private ones itself.

@@ -2,10 +2,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
-#include <iostream>
 #include <string>
 #include <vector>
 
@@ -13,11 +12,13 @@
 #include "app/screens.h"
 #include "app/script.h"
 #include "cli/manual.h"
+#include "cli/program.h"
 #include "cli/verbs.h"
 #include "document/folders.h"
 #include "nightly/nightly_verb.h"
 #include "slipface/base/counted.h"
 #include "slipface/base/files.h"
+#include "slipface/base/system.h"
 #include "slipface/mesh/scene_child.h"
 #include "snapshot_verb/snapshot_verb.h"
 #include "tools/commands/docs.h"
@@ -212,54 +213,34 @@ void add_samples_verb(CLI::App& app, int& exit_code) {
 // The argument by which the program runs itself to read a file of another program (scene_child.h).
 constexpr const char* read_scene_word = "read-scene";
 
-int run(int argument_count, char** arguments) {
-    if (argument_count > 1 && std::string(arguments[1]) == read_scene_word)
-        return read_scene_as_child({arguments + 2, arguments + argument_count});
-    std::error_code no_proc;
-    if (fs::exists("/proc/self/exe", no_proc)) read_scenes_in_child({"/proc/self/exe", read_scene_word});
-    CLI::App app("Slipface: level editor and movement lab for 3D platformers", "slipface");
-    app.set_version_flag("--version", std::string("slipface ") + SLIPFACE_VERSION);
-    app.footer(
-        "Exit codes: 0 fine, 1 a check failed, 2 bad input, 64 bad usage.\nTo open a level with the name of "
-        "a verb, write ./NAME.");
-    std::string level;
-    app.add_option("level", level, level_or_link_help());
-    int exit_code = cli::exit_fine;
-    add_edit_verb(app, exit_code);
-    add_snapshot_verb(app, exit_code);
-    add_nightly_verb(app, exit_code);
-    add_samples_verb(app, exit_code);
-    add_docs_verb(app, exit_code);
-    cli::add_data_verbs(app, exit_code);
-    app.require_subcommand(0, 1);
-    try {
-        app.parse(argument_count, arguments);
-    } catch (const CLI::ParseError& error) {
-        const int code = app.exit(error);
-        return code == 0 ? cli::exit_fine : cli::exit_bad_usage;
-    }
-    if (app.get_subcommands().empty()) return open_editor(level, 0.0f);
-    return exit_code;
+cli::VerbProgram program(std::string& level) {
+    return {.name = "slipface",
+            .description = "Slipface: level editor and movement lab for 3D platformers",
+            .footer = std::string(cli::exit_codes_help) +
+                      "\nTo open a level with the name of a verb, write ./NAME.",
+            .add =
+                [&level](CLI::App& app, int& exit_code) {
+                    app.add_option("level", level, level_or_link_help());
+                    add_edit_verb(app, exit_code);
+                    add_snapshot_verb(app, exit_code);
+                    add_nightly_verb(app, exit_code);
+                    add_samples_verb(app, exit_code);
+                    add_docs_verb(app, exit_code);
+                    cli::add_data_verbs(app, exit_code);
+                },
+            .without_verb = [&level] { return open_editor(level, 0.0f); }};
 }
 
 }  // namespace
 }  // namespace slipface
 
 int main(int argument_count, char** arguments) {
-    // A write beyond the limit on a file's size (ulimit -f) then fails with a reason, instead of ending the
-    // program.
-    std::signal(SIGXFSZ, SIG_IGN);
-    try {
-        const int code = slipface::run(argument_count, arguments);
-        // With a full disk or a closed pipe the program must not report success.
-        std::cout.flush();
-        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout) {
-            std::fprintf(stderr, "slipface: the output could not be written\n");
-            return 2;
-        }
-        return code;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "slipface: %s\n", error.what());
-        return 2;
-    }
+    using namespace slipface;
+    const std::vector<std::string> words = begin_program(argument_count, arguments);
+    if (words.size() > 1 && words[1] == read_scene_word)
+        return read_scene_as_child({words.begin() + 2, words.end()});
+    std::error_code no_proc;
+    if (fs::exists("/proc/self/exe", no_proc)) read_scenes_in_child({"/proc/self/exe", read_scene_word});
+    std::string level;
+    return cli::run_program(program(level), words);
 }

@@ -1,5 +1,5 @@
-# A Debian 12 that has nothing, for checks of what a stranger meets. Source it after common.sh; in this order:
-#   enter_own_mounts "$@"; make_bare_system [PACKAGE...]; clone_into_bare FOLDER; in_bare USER FOLDER COMMAND
+# A Debian that has nothing, for checks of what a stranger meets. Source it after common.sh; in this order:
+#   enter_own_mounts "$@"; make_bare_system SUITE [PACKAGE...]; clone_into_bare FOLDER; in_bare USER FOLDER COMMAND
 
 bare_failed() { printf '\nFailed: %s\n' "$*" >&2; exit 1; }
 
@@ -13,8 +13,11 @@ enter_own_mounts() {
     SLIPFACE_OWN_MOUNTS=1 exec unshare --mount --propagation private "$0" "$@"
 }
 
-# make_bare_system [PACKAGE...]: sets $bare, its folder, and removes it when the script ends.
+# make_bare_system SUITE [PACKAGE...]: bookworm, trixie, testing or any other that the mirror has. Sets $bare, its folder, and
+# removes it when the script ends.
 make_bare_system() {
+    local suite=$1
+    shift
     scratch=$(mktemp -d "${TMPDIR:-/tmp}/slipface-bare.XXXXXX")
     bare=$scratch/root
     child=
@@ -23,12 +26,16 @@ make_bare_system() {
     trap 'exit 143' TERM HUP
     chmod 755 "$scratch"
 
-    # Where this machine gets its packages is where the new system gets them, if both are the same Debian.
-    local sources=() name
-    if grep -q '^VERSION_CODENAME=bookworm' /etc/os-release; then
+    # Where this machine gets its packages is where the new system gets them: by the same list if both are the same Debian, else
+    # from the mirror that apt knows.
+    local sources=() name mirror
+    if grep -qx "VERSION_CODENAME=$suite" /etc/os-release; then
         for name in /etc/apt/sources.list /etc/apt/sources.list.d/*.list /etc/apt/sources.list.d/*.sources; do
             [ ! -s "$name" ] || sources+=("$name")
         done
+    else
+        mirror=$(apt-get indextargets 'Identifier: Packages' 'Label: Debian' --format '$(REPO_URI)' 2>/dev/null | sed -n 1p)
+        [ -z "$mirror" ] || sources=("$mirror")
     fi
     # How it gets them (proxies, certificates, time-outs), but not what its packages want apt to run.
     apt-config dump | grep '^Acquire::' | grep -v ' "";$' >"$scratch/apt.conf" || true
@@ -37,12 +44,12 @@ make_bare_system() {
         [ -z "${!variable:-}" ] || echo "Acquire::$name::Proxy \"${!variable}\";" >>"$scratch/apt.conf"
     done
 
-    say "Making a bare Debian 12"
+    say "Making a bare Debian ($suite)"
     local packages=git,ca-certificates${1:+,$(IFS=,; echo "$*")}
     mmdebstrap --quiet --mode=root --variant=minbase --include="$packages" --aptopt="$scratch/apt.conf" \
         --setup-hook='for d in /etc/apt/keyrings /usr/share/keyrings /etc/apt/trusted.gpg.d; do
             [ ! -d "$d" ] || { mkdir -p "$1$d"; cp -n "$d"/* "$1$d/" 2>/dev/null || true; }; done' \
-        bookworm "$bare" "${sources[@]}" </dev/null ||
+        "$suite" "$bare" "${sources[@]}" </dev/null ||
         bare_failed "mmdebstrap made no system: see above. Does this machine reach a Debian mirror, and may root mount?"
     cp -L /etc/resolv.conf "$bare/etc/resolv.conf"
     mount --rbind /dev "$bare/dev" || bare_failed "this machine does not let root mount /dev in $bare"

@@ -16,7 +16,7 @@ trap 'rm -rf "$pages"' EXIT
 
 # The pages lie as in the repository, so that one link serves both.
 mkdir -p "$pages/docs/site/fonts"
-ln -s "$PWD"/README.md "$PWD"/screenshots "$pages"
+ln -s "$PWD"/*.md "$PWD"/screenshots "$pages"
 find "$PWD/docs" -mindepth 1 -maxdepth 1 ! -name site -exec ln -s -t "$pages/docs" {} +
 ln -s "$PWD"/docs/site/{style.css,offline_search.js,try.js} "$PWD/editor/desktop/slipface.svg" "$pages/docs/site"
 ln -s /usr/share/fonts/opentype/inter/Inter-{Regular,Italic,SemiBold}.otf "$pages/docs/site/fonts"

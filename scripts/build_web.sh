@@ -8,13 +8,17 @@ cd "$(dirname "$0")/.."
 install_packages "${packages[@]}" "${web_packages[@]}"
 export NODE_PATH=/usr/share/nodejs # where Debian's emscripten finds acorn, whichever node runs it
 
-# unpack_source PACKAGE FOLDER: a Debian source package of the installed release. The list of sources is a private one, so that
-# the system's needs no deb-src line.
+# unpack_source PACKAGE FOLDER: a source package from where this machine's apt gets its packages. The list of sources is a private one, so
+# that the system's needs no deb-src line.
 unpack_source() {
-    local apt=$PWD/build/apt package=$1 folder=$2
+    local apt=$PWD/build/apt package=$1 folder=$2 list
     mkdir -p "$apt"/{lists,cache/archives,parts} "$folder"
-    printf 'Types: deb-src\nURIs: http://deb.debian.org/debian\nSuites: %s\nComponents: main\nSigned-By: %s\n' \
-        "$(. /etc/os-release && echo "$VERSION_CODENAME")" /usr/share/keyrings/debian-archive-keyring.gpg > "$apt/parts/src.sources"
+    for list in /etc/apt/sources.list /etc/apt/sources.list.d/*; do
+        case $list in
+            *.sources) sed 's/^Types:.*/Types: deb-src/' "$list" > "$apt/parts/$(basename "$list")" ;;
+            *.list) [ ! -f "$list" ] || sed -n 's/^deb[[:space:]]/deb-src /p' "$list" > "$apt/parts/$(basename "$list")" ;;
+        esac
+    done
     local options=(-q -o Dir::Etc::SourceList=/dev/null -o "Dir::Etc::SourceParts=$apt/parts" -o "Dir::State::Lists=$apt/lists"
         -o "Dir::Cache=$apt/cache" -o APT::Sandbox::User=root)
     apt-get "${options[@]}" update

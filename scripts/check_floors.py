@@ -4,7 +4,8 @@
 An engine module's floor in docs/design.md is above those of the modules that it depends on in CMake. The editor's parts stand in
 the table in the order of their floors. A file includes only its own module and those that CMake links to it; the parts that say so
 link neither ImGui nor OpenGL. And no two files define a type of the same name: the linker keeps one of both types' inline
-functions, and what used the other one goes wrong without a warning. Of std::ranges' algorithms only those of web/stand_ins are
+functions, and what used the other one goes wrong without a warning. Nothing asks which operating system it is compiled for, and what
+is built for Windows includes a system's own headers in engine/base/platform alone. Of std::ranges' algorithms only those of web/stand_ins are
 used, because the page's C++ library lacks them and its build takes too long for every change.
 """
 import re
@@ -78,6 +79,8 @@ for name, text in parts:
 sources = subprocess.check_output(["git", "ls-files", "engine/*.h", "engine/*.cpp", "editor/*.h", "editor/*.cpp"],
                                   cwd=root, text=True).split()
 stand_ins = set(re.findall(r"^(?:auto|void) (\w+)\(", (root / "web/stand_ins/algorithm").read_text(), re.M))
+of_one_system = r"^#include <(?:sys/\w+|unistd|fcntl|io|windows|shellapi|signal|spawn|poll|dlfcn|pwd|dirent|process|direct)\.h>"
+only_on_linux = ("engine/render/", "engine/python/", "engine/mesh/assimp/", "editor/")  # but for the command line
 defined = defaultdict(set)  # type -> the files that define it
 for source in sources:
     module = "/".join(source.split("/")[:2])
@@ -88,6 +91,11 @@ for source in sources:
         defined[name].add(source)
     for name in sorted(set(re.findall(r"std::ranges::(\w+)\(", text)) - stand_ins):
         bad.append(f"{source}: std::ranges::{name} is not in web/stand_ins/algorithm")
+    if re.search(r"^#.*\b(_WIN32|__linux__|__APPLE__|__unix__|__MINGW\w*|_MSC_VER|__EMSCRIPTEN__)\b", text, re.M):
+        bad.append(f"{source}: asks which system it is compiled for; what differs is in engine/base/platform, in a file for each")
+    if re.search(of_one_system, text, re.M) and not source.startswith("engine/base/platform/") and (
+            source.startswith("editor/cli/") or not source.startswith(only_on_linux)):
+        bad.append(f"{source}: includes a header of one operating system; engine/base/platform has the place for it")
     if module not in depends:
         continue  # editor/main.cpp links everything
     for include in re.findall(r'^#include "([^"]+)"', text, re.M):

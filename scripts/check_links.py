@@ -3,7 +3,7 @@
 
     scripts/check_links.py [--root FOLDER] [SITE]
 
-Checks README.md and docs/*.md as they lie in the repository, with the anchors that GitHub makes, and with SITE the pages that
+Checks the *.md files at the top and in docs/ as they lie in the repository, with the anchors that GitHub makes, and with SITE the pages that
 scripts/build_docs.sh wrote there. Those may also load nothing from another machine. Links to other sites are not followed.
 scripts/check_links_test.py tests it.
 """
@@ -122,7 +122,7 @@ def main():
     options = parser.parse_args()
 
     sources = Checker(options.root.resolve())
-    documents = [sources.root / "README.md", *sorted((sources.root / "docs").glob("**/*.md"))]
+    documents = [*sorted(sources.root.glob("*.md")), *sorted((sources.root / "docs").glob("**/*.md"))]
     for path in documents:
         sources.check(path)
     checked, errors = f"{len(documents)} documents with {sources.links} links", sources.errors

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# check_packages.sh: builds the Debian packages of the current commit in a Debian 12 that has nothing, asks lintian, installs
+# check_packages.sh [SUITE]: builds the Debian packages of the current commit in a Debian (bookworm) that has nothing, asks lintian, installs
 # them in another one, and tries there what they are for: the program draws a sample level off-screen, the README's game
 # builds against libslipface-dev with CMake and with pkg-config, the example in C runs, and so do the tests of the Python
 # module. The packages are left in out/packages. Needs what scripts/check_bare.sh needs.
@@ -9,13 +9,14 @@ cd "$(dirname "$0")/.."
 . scripts/bare_system.sh
 
 enter_own_mounts "$@"
+suite=${1:-bookworm}
 packages_folder=$PWD/out/packages
 rm -rf "$packages_folder"
 mkdir -p "$packages_folder"
 
 apt="DEBIAN_FRONTEND=noninteractive apt-get -q -y"
 (
-    make_bare_system
+    make_bare_system "$suite"
     clone_into_bare /build/slipface
     say "Building the packages"
     watch_bare "The package build" root /build/slipface "echo '==> Installing what building needs' &&
@@ -26,7 +27,7 @@ apt="DEBIAN_FRONTEND=noninteractive apt-get -q -y"
     cp "$bare"/build/*.deb "$packages_folder"
 )
 (
-    make_bare_system
+    make_bare_system "$suite"
     mkdir -p "$bare/debs" "$bare/game"
     cp "$packages_folder"/*.deb "$bare/debs"
     cp tests/consumer/game.cpp tests/consumer/flat.cpp tests/consumer/CMakeLists.txt examples/c/walk.c tests/python/test_slipface.py "$bare/game"

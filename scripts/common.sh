@@ -1,6 +1,14 @@
 # Shared by run.sh, test.sh and .ci/run: progress, packages, configure and build. Source it from the top folder.
+# Exit codes: 1 a step failed, 69 packages cannot be had here, 73 the disk is too full, 77 root or sudo is needed.
+. scripts/packages.sh
 
 say() { printf '\n\033[1m==> %s\033[0m\n' "$*"; }
+
+# stop CODE SENTENCE: nothing can be done here, and this is why.
+stop() {
+    printf '\n%s\n' "$2" >&2
+    exit "$1"
+}
 
 # step TEXT COMMAND...: says what it does, does it, and on failure names the command to run by hand. After half a minute or
 # more it says how long it took.
@@ -16,56 +24,99 @@ step() {
     exit 1
 }
 
-# What building and running needs.
-packages=(
-    build-essential cmake ninja-build pkg-config
-    libimgui-dev libstb-dev libglfw3-dev libosmesa6 libegl1 libgl1-mesa-dri
-    libassimp-dev libeigen3-dev python3-glad nlohmann-json3-dev libcli11-dev libfmt-dev libtbb-dev libdeflate-dev
-    fonts-inter fonts-font-awesome
-)
-# What the tests need besides.
-test_packages=(libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev librecast-dev
-    pybind11-dev python3-dev python3-numpy)
-# What the checks of .ci/run need besides.
-check_packages=(clang clang-format clang-tidy libclang-rt-14-dev mmdebstrap python3-yaml)
+is_installed() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
 
-# What the editor as a page needs (scripts/build_web.sh), and its test in a browser (scripts/check_web.sh).
-web_packages=(emscripten brotli libfast-float-dev)
-web_check_packages=(chromium)
-command -v npm > /dev/null || web_check_packages+=(npm) # some packages of node have it in them, and conflict with Debian's
-
-# What the documents as a site need (scripts/build_docs.sh).
-docs_packages=(mkdocs mkdocs-material doxygen fonts-inter python3)
-
-# install_packages NAME...: those that are missing, through apt; nothing at all when none is.
-install_packages() {
-    local missing=() name
-    for name in "$@"; do
-        [ "$(dpkg-query -W -f '${db:Status-Status}' "$name" 2>/dev/null)" = installed ] || missing+=("$name")
+# missing_packages ROW...: fills `missing` with what the rows of packages.sh lack here, and `unknown` with the rows of which apt
+# offers nothing.
+missing_packages() {
+    missing=() unknown=()
+    local row name names absent=()
+    local -A offered=()
+    for row in "$@"; do
+        IFS='|' read -ra names <<<"$row"
+        for name in "${names[@]}"; do is_installed "$name" && continue 2; done
+        absent+=("$row")
     done
-    [ ${#missing[@]} -eq 0 ] && return 0
-    local sudo=()
-    if [ "$(id -u)" -ne 0 ]; then
-        command -v sudo >/dev/null || { echo "Please install as root: apt-get install ${missing[*]}" >&2; exit 1; }
-        sudo=(sudo)
-    fi
-    step "Updating the package list" "${sudo[@]}" apt-get update -q
-    step "Installing ${#missing[@]} packages: ${missing[*]}" \
-        "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
+    [ ${#absent[@]} -gt 0 ] || return 0
+    IFS='| ' read -ra names <<<"${absent[*]}"
+    while read -r name; do offered[$name]=yes; done < <(LC_ALL=C apt-cache policy "${names[@]}" 2>/dev/null |
+        awk '/^[^ ]/ {name = $1} /Candidate: [^(]/ {sub(/:$/, "", name); print name}')
+    for row in "${absent[@]}"; do
+        IFS='|' read -ra names <<<"$row"
+        for name in "${names[@]}"; do [ "${offered[$name]:-}" ] && missing+=("$name") && continue 2; done
+        [[ $row == *'|' ]] || unknown+=("$row")
+    done
 }
 
-# configure PRESET and build PRESET [TARGET...]: only what is out of date. `program` is `release` without its tests, in the
-# same folder, so that ./test.sh after ./run.sh builds nothing twice, and ./run.sh after ./test.sh leaves the tests in.
-configure() {
-    local cache=build/$1/CMakeCache.txt
-    [ "$1" != program ] || cache=build/release/CMakeCache.txt
-    if [ -f "${cache%/*}/build.ninja" ]; then
-        [ "$1" = release ] && grep -q '^SLIPFACE_TESTS:BOOL=OFF' "$cache" || return 0
+# need_room KIB FOLDER [KIB FOLDER]...: stops if a file system has less room than all that is to come onto it.
+need_room() {
+    local -A wanted=() free=() place=()
+    local disk
+    while [ $# -gt 0 ]; do
+        read -r disk free_kib < <(df --output=target,avail -k "$2" | tail -n 1)
+        wanted[$disk]=$((${wanted[$disk]:-0} + $1)) free[$disk]=$free_kib place[$disk]=$2
+        shift 2
+    done
+    for disk in "${!wanted[@]}"; do
+        [ "${wanted[$disk]}" -le "${free[$disk]}" ] || stop 73 "The disk of ${place[$disk]} is too full: $((
+            ${wanted[$disk]} / 1024)) MB are needed and $((${free[$disk]} / 1024)) MB are free."
+    done
+}
+
+# What building writes, in KiB. test.sh says more.
+build_kib=800000
+
+# install_packages ROW...: what is missing of these rows of packages.sh, through apt; nothing at all when nothing is.
+install_packages() {
+    command -v apt-get >/dev/null && command -v dpkg-query >/dev/null || stop 69 "This system has no apt-get: install what\
+ scripts/packages.sh lists by your system's means, then run: cmake -B build -G Ninja && cmake --build build"
+    missing_packages "$@"
+    [ $((${#missing[@]} + ${#unknown[@]})) -gt 0 ] || return 0
+    local sudo=() wanted="${missing[*]} ${unknown[*]%%|*}"
+    if [ "$(id -u)" -ne 0 ]; then
+        command -v sudo >/dev/null ||
+            stop 77 "Installing packages needs root, and there is no sudo. As root: apt-get install $wanted"
+        sudo true || stop 77 "Installing packages needs root, and sudo refused. As root: apt-get install $wanted"
+        sudo=(sudo)
     fi
+    say "Updating the package list"
+    local apt=("${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300) reached=
+    "${apt[@]}" -o APT::Update::Error-Mode=any update && reached=yes
+    missing_packages "$@"
+    if [ ${#unknown[@]} -gt 0 ]; then
+        [ "$reached" ] ||
+            stop 69 "apt reached none of its servers (is there a network?) and does not know ${unknown[*]}; nothing was installed."
+        stop 69 "$(. /etc/os-release 2>/dev/null; echo "${PRETTY_NAME:-This system}") offers no package ${unknown[*]};\
+ nothing was installed."
+    fi
+    [ ${#missing[@]} -gt 0 ] || return 0
+    local installed downloaded
+    read -r installed downloaded < <(apt-get -q -s -o Debug::NoLocking=1 --no-install-recommends install "${missing[@]}" |
+        awk '/^Inst/ {print $2}' | xargs -r apt-cache show --no-all-versions 2>/dev/null |
+        awk '/^Installed-Size:/ {i += $2} /^Size:/ {d += $2} END {printf "%d %d\n", i, d / 1024}')
+    need_room "$installed" /usr "$downloaded" /var/cache/apt "$build_kib" . # before anything is installed
+    say "Downloading ${#missing[@]} packages and what they need ($((downloaded / 1024)) MB): ${missing[*]}"
+    "${apt[@]}" install -y --no-install-recommends --download-only "${missing[@]}" ||
+        stop 69 "The packages could not be downloaded (is there a network?); nothing was installed."
+    step "Installing them ($((installed / 1024)) MB)" "${apt[@]}" install -y --no-install-recommends "${missing[@]}"
+}
+
+# configure PRESET and build PRESET [TARGET...]: only what is out of date. `program` is `release` without its tests and `ci` is
+# `release` where warnings are errors, in the same folder, so that ./test.sh after ./run.sh builds nothing twice, and ./run.sh
+# after ./test.sh leaves the tests in.
+configure() {
+    local folder=build/$1 lacks=-
+    case $1 in
+        program) folder=build/release ;;
+        release) lacks=SLIPFACE_TESTS:BOOL=OFF ;;
+        ci) folder=build/release lacks=SLIPFACE_WERROR:BOOL=OFF ;;
+    esac
+    [ ! -f "$folder/build.ninja" ] || grep -q "^$lacks" "$folder/CMakeCache.txt" || return 0
+    [ -f "$folder/CMakeCache.txt" ] || need_room "$build_kib" .
     step "Configuring ($1)" cmake --preset "$1" --log-level=WARNING
 }
 build() {
     local preset=$1
     shift
-    step "Building ($preset)" cmake --build --preset "$preset" ${1:+--target "$@"}
+    step "Building ($preset)" scripts/with_progress.sh cmake --build --preset "$preset" ${1:+--target "$@"}
 }

@@ -18,7 +18,7 @@ if [ ! -e "$root/unpacked" ]; then
     libraries=libc6-dev,libstdc++-12-dev,libfmt-dev,libassimp-dev,libdraco-dev,libeigen3-dev,nlohmann-json3-dev
     libraries+=,libtbb-dev,libdeflate-dev,libstb-dev,libgtest-dev,libgmock-dev,librapidcheck-dev
     step "Unpacking libraries for ARM64" mmdebstrap --architectures=arm64 --variant=extract --include="$libraries" \
-        "${options[@]}" bookworm "$root" "$sources"
+        "${options[@]}" "$(. /etc/os-release && echo "$VERSION_CODENAME")" "$root" "$sources"
     # Debian's CMake packages name their files by absolute paths, which here begin further down.
     grep -rlE '"/usr/(lib|include)' "$root/usr/lib/aarch64-linux-gnu/cmake" | xargs sed -i "s|\"/usr/|\"$root/usr/|g"
     touch "$root/unpacked"

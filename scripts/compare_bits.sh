@@ -1,14 +1,17 @@
 #!/usr/bin/env bash
 # compare_bits.sh [BUILD...]: runs every demo and its walkers in each build under build/, on one thread and on four and with
 # each of the processor's kernels, compares every hash, and prints a digest of them. Without arguments: all that are built of
-# release (gcc -O2), clang (-O0), debug (gcc -O0), o3, clang-o3, asan, scalar (Eigen without vector instructions), arm64 (under
-# qemu, see compare_arm64.sh), web and web-plain (WebAssembly with and without vector instructions, in node, see compare_web.sh).
+# release (gcc -O2), clang (-O0), debug (gcc -O0), o3, clang-o3, asan, scalar and clang-scalar (Eigen without vector instructions, the latter
+# at -O3), arm64 (under qemu, see compare_arm64.sh), web and web-plain (WebAssembly with and without vector instructions, in node, see
+# compare_web.sh), windows (under wine, see check_windows.sh).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 builds=("$@")
 if [ ${#builds[@]} -eq 0 ]; then
-    for build in release clang debug o3 clang-o3 asan scalar arm64 web web-plain; do
-        if [ -e "build/$build/tests/slipface_bits" ] || [ -e "build/$build/tests/slipface_bits.js" ]; then builds+=("$build"); fi
+    for build in release clang debug o3 clang-o3 asan scalar clang-scalar arm64 web web-plain windows; do
+        for ending in "" .js .exe; do
+            [ ! -e "build/$build/tests/slipface_bits$ending" ] || builds+=("$build")
+        done
     done
 fi
 if [ ${#builds[@]} -eq 0 ]; then
@@ -20,8 +23,8 @@ compare() { # compare BUILD THREADS [KERNELS]: kernels that the processor lacks 
     local runner=() program=build/$1/tests/slipface_bits
     case $1 in
         arm64) runner=(qemu-aarch64 -L build/arm64-root) ;;
-        # emscripten's files are older than node's fetch, and take it for a browser's.
-        web*) runner=(node --no-experimental-fetch) program+=.js ;;
+        web*) runner=(node) program+=.js ;;
+        windows) runner=(wine) program+=.exe ;;
     esac
     local name="$1, $2 threads${3:+, $3}" hashes
     hashes=$(SLIPFACE_SIMD=${3:-} "${runner[@]}" "$program" "$2")

@@ -17,7 +17,7 @@ shift
 for name in "$@"; do
     [ -f "tests/fuzz/fuzz_$name.cpp" ] || { echo "no tests/fuzz/fuzz_$name.cpp" >&2; exit 64; }
 done
-install_packages "${packages[@]}" clang libclang-rt-14-dev
+install_packages "${packages[@]}" clang libclang-rt-dev
 [ -f build/fuzz/build.ninja ] || step "Configuring (fuzz)" cmake -B build/fuzz -G Ninja --log-level=WARNING \
     -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release -DSLIPFACE_FUZZ=ON \
     -DSLIPFACE_SANITIZE=fuzzer-no-link,address,undefined -DSLIPFACE_EDITOR=OFF -DSLIPFACE_TESTS=OFF -DSLIPFACE_UNITY=ON

@@ -243,7 +243,7 @@ void frame() {
         self.next_tick_s = now + app.tick(now, shown_changed);
         if (shown_changed) page_needs_frames();
     }
-    if (self.frames_due <= 0 && !app.context().animating) return;
+    if (self.frames_due <= 0 && now - self.before_s < app.next_frame_s()) return;
     const double seconds = now - self.before_s;
     self.before_s = now;
     fit_canvas();

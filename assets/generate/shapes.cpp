@@ -1,6 +1,8 @@
 #include "shapes.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace slipface::generate {
 

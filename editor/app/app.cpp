@@ -13,12 +13,18 @@
 #include "app/ui_renderer.h"
 #include "panels/viewport_panel.h"
 #include "tools/lab/link.h"
+#include "tools/session/failed_action.h"
 #include "tools/session/import_card.h"
 #include "widgets/imgui_compat.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 
 namespace slipface {
+namespace {
+
+constexpr double longest_rest_s = 3600.0;
+
+}  // namespace
 
 struct App::Impl {
     explicit Impl(const AppOptions& given)
@@ -44,12 +50,31 @@ struct App::Impl {
         ui::use_light_palette(light);
         ui::set_scale(scale);
         ui::apply_theme(scale);
-        ui::load_fonts(scale);
         renderer.reset();
+        ui::load_fonts(scale);
         renderer = std::make_unique<UiRenderer>(options.gl);
         const auto color = [](const ImVec4& c) { return Vec3f(c.x, c.y, c.z); };
         editor.style.background_top = color(ui::palette().view_top);
         editor.style.background_bottom = color(ui::palette().view_bottom);
+    }
+
+    // False: the action threw. It has cost no more than itself.
+    template <class Action>
+    bool attempt(const Action& action) {
+        const Checkpoint before = checkpoint(editor);
+        std::string what;
+        try {
+            action();
+            return true;
+        } catch (const std::bad_alloc&) {
+            what = "out of memory";
+        } catch (const std::exception& error) {
+            what = error.what();
+        }
+        cancel_viewport_gesture(editor);
+        action_failed(editor, before, what.c_str());
+        frame.animating = true;
+        return false;
     }
 
     // Which images are missing is known only after the level was uploaded to the graphics card. These
@@ -74,6 +99,8 @@ struct App::Impl {
     float shown_scale = 0.0f;
     bool shown_light = false;
     std::uint64_t built_hash = 1, drawn_hash = 0;
+    double next_frame_s = 0.0;
+    bool window_opened = false;  // by a key, and not drawn yet: what is typed meanwhile is meant for it
 };
 
 App::App(const AppOptions& options) : impl_(std::make_unique<Impl>(options)) {
@@ -102,6 +129,7 @@ App::App(const AppOptions& options) : impl_(std::make_unique<Impl>(options)) {
 App::~App() {
     store_preferences(impl_->editor);
     ImGui::SetCurrentContext(impl_->context);
+    impl_->renderer.reset();
     ImGui::DestroyContext(impl_->context);
 }
 
@@ -113,6 +141,10 @@ FrameContext& App::context() {
 }
 
 void App::key_pressed(const KeyPress& press) {
+    impl_->attempt([&] { take_key(press); });
+}
+
+void App::take_key(const KeyPress& press) {
     Editor& editor = impl_->editor;
     const ImGuiIO& io = ImGui::GetIO();
     const Shortcut& key = press.shortcut;
@@ -137,7 +169,7 @@ void App::key_pressed(const KeyPress& press) {
             return;
         }
         if (!GImGui->OpenPopupStack.empty()) return;
-        if (editor.show_shortcuts && !GImGui->ActiveId) {
+        if (editor.show_shortcuts && (!GImGui->ActiveId || ui::typing())) {
             editor.show_shortcuts = false;
             return;
         }
@@ -157,27 +189,40 @@ void App::key_pressed(const KeyPress& press) {
     static constexpr std::string_view edited_by_text_boxes = "ZYXCVA";
     const bool editing_key =
         key.ctrl && key.key.size() == 1 && edited_by_text_boxes.find(key.key[0]) != std::string_view::npos;
-    if (io.WantTextInput && (plain || editing_key || escape)) return;
+    const bool typing = ui::typing() || impl_->window_opened;
+    if (typing && (plain || editing_key || escape)) return;
     const Command* const command = editor.session.keymap.command_for(key);
     if (!command) return;
     // Keys that move the player or the camera run no commands meanwhile.
     if (plain && viewport_is_flying()) return;
     if (editor.playtest && plain && std::string_view(command->menu) != "Playtest") return;
+    const auto open_windows = [&] {
+        return (editor.show_shortcuts ? 1 : 0) + (editor.show_command_palette ? 1 : 0) +
+               (dialog_is_open(editor) ? 1 : 0);
+    };
+    const int before = open_windows();
     run_command(editor, command->id);
+    if (open_windows() > before) impl_->window_opened = true;
 }
 
 void App::drop_file(const std::filesystem::path& path) {
     Editor& editor = impl_->editor;
     if (dialog_is_open(editor)) return;
-    if (!is_link(path.string())) return request_open(editor, path);
-    if (const Status opened = open_link(editor, path.string()); !opened)
-        editor.message = MessageDialog{"Cannot open the link", opened.error().text(), {}};
+    impl_->attempt([&] {
+        if (!is_link(path.string())) return request_open(editor, path);
+        if (const Status opened = open_link(editor, path.string()); !opened)
+            editor.message = MessageDialog{"Cannot open the link", opened.error().text(), {}};
+    });
 }
 
 double App::tick(double now_s, bool& shown_changed) {
-    const double wait = tick_session(impl_->editor, now_s, shown_changed);
-    if (impl_->preview.ready() || impl_->thumbnails.ready()) shown_changed = true;
-    if (!ImGui::GetIO().MouseDown[0]) store_preferences(impl_->editor);
+    double wait = 1.0;
+    const bool done = impl_->attempt([&] {
+        wait = tick_session(impl_->editor, now_s, shown_changed);
+        if (impl_->preview.ready() || impl_->thumbnails.ready()) shown_changed = true;
+        if (!ImGui::GetIO().MouseDown[0]) store_preferences(impl_->editor);
+    });
+    if (!done) shown_changed = true;
     return wait;
 }
 
@@ -196,10 +241,12 @@ void App::build_frame(int width, int height, double seconds) {
     ImGuiIO& io = ImGui::GetIO();
     const ImVec2 size{static_cast<float>(std::max(1, width)), static_cast<float>(std::max(1, height))};
     self.frame.seconds = std::clamp(seconds, 1e-4, 0.05);
+    // Dear ImGui's clock goes by this: with less than the real time, two slow clicks would be a double click.
+    const double real_s = std::clamp(seconds, 1e-4, longest_rest_s);
     self.frame.animating = false;
     self.frame.wants_cursor_capture = false;
     io.DisplaySize = size;
-    io.DeltaTime = static_cast<float>(self.frame.seconds);
+    io.DeltaTime = static_cast<float>(real_s);
 
     self.apply_look();
     ui::begin_widget_frame();
@@ -207,14 +254,18 @@ void App::build_frame(int width, int height, double seconds) {
     self.preview.begin_frame();
     self.thumbnails.begin_frame();
     ImGui::NewFrame();
-    layout(self.parts, size);
+    const ui::FrameRecovery recovery;
+    // The message about a frame that failed is shown in that frame, lest the next one fails before it.
+    if (!self.attempt([&] { layout(self.parts, size); })) {
+        recovery.recover();
+        if (!self.attempt([&] { dialogs(self.parts); })) recovery.recover();
+    }
     if (self.editor.clipboard) ImGui::SetClipboardText(std::exchange(self.editor.clipboard, {})->c_str());
     ImGui::Render();
     ui::end_widget_frame();
+    self.window_opened = false;
     self.take_texture_warnings();
 
-    const float dim = self.context->DimBgRatio;
-    if (ui::tooltip_due() || (dim > 0.0f && dim < 1.0f)) self.frame.animating = true;
     if (self.scene.next_is_draft()) self.frame.animating = true;  // one more frame replaces it
     self.frame.held.look_pixels = Vec2::Zero();
 
@@ -223,9 +274,17 @@ void App::build_frame(int width, int height, double seconds) {
     hasher.u64(self.scene.wanted_hash());
     hasher.u64(self.preview.hash());
     hasher.u64(self.thumbnails.hash());
+    const bool settled = self.built_hash == hasher.value();
     self.built_hash = hasher.value();
+    const float dim = self.context->DimBgRatio;
+    const bool fading = dim > 0.0f && dim < 1.0f;
+    const bool now = self.frame.animating || !settled || fading || ui::windows_are_settling();
+    self.next_frame_s = now ? 0.0 : ui::tooltip_due_in_s();
 }
 
+double App::next_frame_s() const {
+    return impl_->next_frame_s;
+}
 std::uint64_t App::frame_hash() const {
     return impl_->built_hash;
 }
@@ -243,9 +302,11 @@ void App::draw_frame() {
     GLint window_framebuffer = 0;
     gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &window_framebuffer);
     const bool draft = self.scene.next_is_draft();
-    self.scene.draw();
-    self.preview.draw();
-    self.thumbnails.draw();
+    self.attempt([&] {
+        self.scene.draw();
+        self.preview.draw();
+        self.thumbnails.draw();
+    });
     gl.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(window_framebuffer));
     const ImDrawData& data = *ImGui::GetDrawData();
     gl.Viewport(0, 0, static_cast<GLsizei>(data.DisplaySize.x * data.FramebufferScale.x),

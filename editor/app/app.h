@@ -31,6 +31,8 @@ struct KeyPress {
     Shortcut shortcut;
 };
 
+// What throws in one of these functions costs that action alone (tools/session/failed_action.h): the document
+// is as it was before, and a message says so.
 class App {
   public:
     explicit App(const AppOptions& options);  // needs a current OpenGL context; makes the Dear ImGui context
@@ -55,12 +57,18 @@ class App {
     void build_frame(int width, int height, double seconds);
     // True if the frame built last would look different from the one drawn last.
     bool needs_drawing() const;
+    // After how many seconds the next frame is due even without events; infinity: no frame is. Whatever needs
+    // a later frame asks for it here: a tooltip, a window that is hidden until its size is known, a frame
+    // that looked different from the one before (layout settles one frame later), a walk.
+    double next_frame_s() const;
     std::uint64_t frame_hash() const;  // of the frame built last: equal hashes mean equal images
     void redraw();  // the window's pixels were lost: needs_drawing() until the next draw_frame()
     // Draws the frame into the bound framebuffer (0: the window).
     void draw_frame();
 
   private:
+    void take_key(const KeyPress& press);
+
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };

@@ -2,6 +2,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "app/parts.h"
@@ -65,8 +66,7 @@ bool draw_row(const Editor& editor, const Command& command, bool chosen) {
         list.AddText({at.x + width - key_width - 10 * scale, top}, ui::packed(p.accent), shortcut.c_str());
     const float below = top + line + 2 * scale, end = at.x + width - 10 * scale;
     ImGui::PushStyleColor(ImGuiCol_Text, p.muted);
-    ImGui::RenderTextEllipsis(&list, {at.x + icon_room, below}, {end, below + line}, end, end,
-                              command.description, nullptr, nullptr);
+    ui::ellipsis_text(list, {at.x + icon_room, below}, {end, below + line}, end, command.description);
     ImGui::PopStyleColor();
     return pressed;
 }
@@ -106,9 +106,7 @@ void command_palette(Editor& editor) {
         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
     ImGui::PopStyleVar();
     if (open) {
-        if (appearing) ImGui::SetKeyboardFocusHere();
-        ImGui::SetNextItemWidth(-1.0f);
-        if (ui::input_text("##Find a command", &state.query, "Find a command")) state.chosen = 0;
+        if (ui::search_box("##Find a command", &state.query, "Find a command")) state.chosen = 0;
         const std::vector<const Command*> found = find_commands(editor, state.query);
         move_choice(state, found.size());
         const Command* run = nullptr;

@@ -33,7 +33,7 @@ std::string shown_text(const Parts& parts, std::string text) {
 }
 
 void dialog_title(const char* icon, const ImVec4& color, const char* text) {
-    ImGui::PushFont(ui::fonts().semibold);
+    ui::push_font(ui::fonts().semibold);
     if (*icon) {
         ImGui::TextColored(color, "%s", icon);
         ImGui::SameLine(0, 10 * ui::scale());
@@ -77,6 +77,19 @@ void message_dialog(Parts& parts) {
         ImGui::EndChild();
         ImGui::PopStyleColor();
     }
+    if (message.asks_about_files) {
+        const float width = 120 * scale;
+        align_buttons(4, width);
+        if (ui::button("Cancel", "Decide later; saving waits", true, {width, 0}))
+            parts.editor.message.reset();
+        for (const char* id : {"file.take_theirs", "file.merge_by_face", "file.keep_mine"}) {
+            const Command& command = *find_command(id);
+            ImGui::SameLine();
+            if (ui::button(command.label, command.description, true, {width, 0}))
+                run_command(parts.editor, id);
+        }
+        return;
+    }
     if (!message.offers_save_as) {
         align_buttons(1, 100 * scale);
         if (ui::primary_button("OK", true, {100 * scale, 0})) parts.editor.message.reset();
@@ -113,9 +126,10 @@ void unsaved_dialog(Parts& parts) {
 
 namespace {
 
-float design_width(DialogKind kind) {
+float design_width(const Editor& editor, DialogKind kind) {
     if (kind == DialogKind::file) return 960.0f;
-    return kind == DialogKind::recover ? 620.0f : 480.0f;
+    const bool wide = kind == DialogKind::message && editor.message->asks_about_files;
+    return kind == DialogKind::recover || wide ? 620.0f : 480.0f;
 }
 
 }  // namespace
@@ -148,7 +162,7 @@ void dialogs(Parts& parts) {
 
     const float scale = ui::scale();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float width = std::min(design_width(kind) * scale, screen.x * 0.94f);
+    const float width = std::min(design_width(parts.editor, kind) * scale, screen.x * 0.94f);
     const float height = kind == DialogKind::file ? std::min(560 * scale, screen.y * 0.92f) : 0.0f;
     ImGui::SetNextWindowSize({width, height});
     ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});

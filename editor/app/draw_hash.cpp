@@ -1,5 +1,7 @@
 #include "app/draw_hash.h"
 
+#include "widgets/imgui_compat.h"
+
 namespace slipface {
 namespace {
 
@@ -39,8 +41,7 @@ std::uint64_t hash_draw_data(const ImDrawData& data) {
                 hasher.f64(static_cast<double>(edge));
             hasher.u64(command.ElemCount);
             hasher.u64(command.VtxOffset);
-            const ImTextureID texture = command.GetTexID();
-            hasher.bytes(&texture, sizeof texture);
+            hasher.u64(ui::texture_key(command));
         }
     }
     return hasher.value();

@@ -415,7 +415,7 @@ void file_browser(Parts& parts) {
     if (browser.shown != parts.editor.file_dialog) begin(parts);
     const ui::Scope scope("File dialog");
     const float scale = ui::scale();
-    ImGui::PushFont(ui::fonts().semibold);
+    ui::push_font(ui::fonts().semibold);
     ImGui::TextUnformatted(file_kind(browser.shown).title);
     ImGui::PopFont();
     ImGui::Dummy({0, 2 * scale});

@@ -19,6 +19,7 @@
 #include "app/parts.h"
 #include "tools/lab/link.h"
 #include "tools/review/review.h"
+#include "widgets/ui.h"
 
 namespace slipface {
 namespace {
@@ -80,6 +81,7 @@ struct Window {
     bool has_cursor = false;
     double cursor_x = 0.0, cursor_y = 0.0;
     std::string title;
+    std::function<void(App&)> between_turns;
 };
 
 Window& of(GLFWwindow* handle) {
@@ -95,7 +97,7 @@ void on_key(GLFWwindow* handle, int key, int scancode, int action, int mods) {
     Window& window = of(handle);
     if (!window.app) return;
     HeldKeys& held = window.app->context().held;
-    const bool typing = ImGui::GetIO().WantTextInput;
+    const bool typing = ui::typing();
     if (bool* const flag = held_flag(held, key))
         *flag = action != GLFW_RELEASE && !typing && (mods & GLFW_MOD_CONTROL) == 0;
     if (action == GLFW_RELEASE) return;
@@ -200,19 +202,22 @@ void run_loop(Window& window) {
     const Clock::time_point start = Clock::now();
     Clock::time_point before = start;
     while (!app.editor().quit) {
+        if (window.between_turns) window.between_turns(app);
         bool shown_changed = false;
         const double wait =
             app.tick(std::chrono::duration<double>(Clock::now() - start).count(), shown_changed);
         if (shown_changed) window.frames_due = std::max(window.frames_due, frames_after_event);
-        if (app.context().animating || window.frames_due > 0)
+        const auto since_frame_s = [&] {
+            return std::chrono::duration<double>(Clock::now() - before).count();
+        };
+        const double frame_in_s = app.next_frame_s() - since_frame_s();
+        if (frame_in_s <= 0.0 || window.frames_due > 0)
             glfwPollEvents();
         else
-            glfwWaitEventsTimeout(std::max(0.01, wait));
-        if (window.frames_due <= 0 && !app.context().animating) continue;
-
-        const Clock::time_point now = Clock::now();
-        const double seconds = std::chrono::duration<double>(now - before).count();
-        before = now;
+            glfwWaitEventsTimeout(std::max(0.01, std::min(wait, frame_in_s)));
+        const double seconds = since_frame_s();
+        if (window.frames_due <= 0 && seconds < app.next_frame_s()) continue;
+        before = Clock::now();
         int width = 0, height = 0;
         glfwGetWindowSize(window.handle, &width, &height);
         if (width <= 0 || height <= 0) {
@@ -341,6 +346,7 @@ Status run_window(const WindowOptions& options) {
         App app(app_options);
         ImGui_ImplGlfw_InitForOpenGL(window.handle, true);
         window.app = &app;
+        window.between_turns = options.between_turns;
         if (!options.level.empty()) start_loading(app.editor(), options.level);
         if (!options.link.empty())
             if (const Status opened = open_link(app.editor(), options.link); !opened)

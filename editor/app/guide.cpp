@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -19,9 +20,10 @@ struct Step {
     const char* anchor;  // path of a widget; "" or missing: the card is in the middle
     const char* title;
     const char* text;
-    const char* command;  // whose key is shown; "": none
+    const char* command;                          // whose key is shown; "": none
+    std::optional<PanelId> panel = std::nullopt;  // that has to be open
 };
-constexpr std::array<Step, 7> steps{{
+constexpr std::array<Step, 8> steps{{
     {"", "Welcome to Slipface",
      "Paint surface types, walk the level, and see why the player moved as it did. This takes a minute; Esc "
      "ends it, and Help > Tour brings it back.",
@@ -34,15 +36,21 @@ constexpr std::array<Step, 7> steps{{
      "Ice, ladders, sticky walls: click one to take it as the brush, or press its number. Every parameter "
      "can be "
      "changed, and you can add your own.",
-     "brush.2"},
+     "brush.2", PanelId::palette},
     {"Tabs/Movement", "Movement",
-     "Every movement hack has a switch here. Switch one off while you walk and feel the difference.", ""},
+     "Every movement hack has a switch here. Switch one off while you walk and feel the difference.", "",
+     PanelId::movement},
     {"Toolbar/Probe", "Probe",
      "Place the player's ellipsoid and drag it through the geometry. Each contact and its response are drawn "
      "and listed.",
      "tools.probe"},
     {"Toolbar/Play", "Play", "Walk and jump the level from the spawn point. Esc comes back to editing.",
      "playtest.start"},
+    {"Tabs/Why", "Why",
+     "Every walk is recorded. Afterwards this panel says what stopped the player, by which rule, and what "
+     "would "
+     "have helped; the timeline goes to any tick.",
+     "panel.why", PanelId::why},
     {"Menu/Help", "Everything else",
      "All commands and their keys are in the menus. Help shows what you can do right now.", "help.overlay"},
 }};
@@ -97,14 +105,14 @@ void pop_card_style() {
 // A key as a key cap.
 void key_cap(const std::string& text) {
     const float scale = ui::scale();
-    const ImFont* const font = ui::fonts().small;
-    const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, 0.0f, text.c_str());
+    const ui::Font& font = ui::fonts().small;
+    const ImVec2 size = ui::text_size(font, text.c_str());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetTextLineHeight() + 2 * scale, width = size.x + 12 * scale;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, {at.x + width, at.y + height}, ui::packed(ui::palette().raised), 4 * scale);
     list.AddRect(at, {at.x + width, at.y + height}, ui::packed(ui::palette().hairline), 4 * scale);
-    list.AddText(font, font->FontSize, {at.x + 6 * scale, at.y + (height - size.y) * 0.5f},
+    list.AddText(font.face, font.pixels, {at.x + 6 * scale, at.y + (height - size.y) * 0.5f},
                  ui::packed(ui::palette().text), text.c_str());
     ImGui::Dummy({width, height});
 }
@@ -112,6 +120,8 @@ void key_cap(const std::string& text) {
 void go_to_step(Editor& editor, int step) {
     if (step < static_cast<int>(steps.size())) {
         editor.session.tour = std::max(0, step);
+        const std::optional<PanelId> panel = steps[static_cast<std::size_t>(editor.session.tour)].panel;
+        if (panel && !editor.layout.visible(*panel)) editor.layout.show(*panel);
         return;
     }
     editor.session.tour = -1;
@@ -176,8 +186,9 @@ void tour(Editor& editor) {
     pop_card_style();
     ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
     const ui::Scope scope("Tour");
-    ImGui::PushFont(ui::fonts().semibold);
+    ui::push_font(ui::fonts().semibold);
     ImGui::TextUnformatted(step.title);
+    ui::record_last_item(step.title);
     ImGui::PopFont();
     if (const Command* const command = find_command(step.command))
         if (const std::string key = shortcut_text(editor, *command); !key.empty()) {
@@ -225,6 +236,7 @@ void hint_rows(const char* title, const std::vector<Hint>& hints) {
         ImGui::SetCursorPosX(x + 128 * scale);
         ImGui::PushTextWrapPos(0.0f);
         ImGui::TextUnformatted(hint.what.c_str());
+        ui::record_last_item(hint.what);
         ImGui::PopTextWrapPos();
     }
 }
@@ -252,7 +264,7 @@ void help_overlay(Editor& editor) {
     pop_card_style();
     ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
     const ui::Scope scope("Help");
-    ImGui::PushFont(ui::fonts().semibold);
+    ui::push_font(ui::fonts().semibold);
     ImGui::TextUnformatted(editor.playtest ? "While you walk" : "What you can do here");
     ImGui::PopFont();
     // As many columns as fit into the window; the rest is below and scrolls.
@@ -269,6 +281,10 @@ void help_overlay(Editor& editor) {
         hint_rows("Camera",
                   {{"Wheel", "Zoom to the point"}, {"Shift+MMB", "Pan"}, {"RMB+Wheel", "Speed of flying"}});
         hint_rows("Playtest", commands_of(editor, "Playtest", 4));
+        std::vector<Hint> why = commands_of(editor, "Lab", 4);
+        if (const Command* const panel = find_command("panel.why"))
+            why.insert(why.begin(), {shortcut_text(editor, *panel), "What stopped the player, and why"});
+        hint_rows("After a walk", why);
         ImGui::TableNextColumn();
         hint_rows("Tools", commands_of(editor, "Tools", 10));
         hint_rows("Select", commands_of(editor, "Select", 8));

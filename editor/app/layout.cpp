@@ -1,6 +1,8 @@
 // Where the parts of the window are: a fixed frame with columns whose borders can be dragged.
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -75,25 +77,45 @@ void tab_menu(Editor& editor, PanelId panel) {
         else
             layout.focus_on(panel);
     }
+    if (layout.dock(panel) != Dock::bottom) {
+        const bool right = layout.dock(panel) == Dock::right;
+        bool& collapsed = layout.collapsed[right ? 1 : 0];
+        if (ui::menu_item("Collapse", "", layout.rail[right ? 1 : 0], true,
+                          "Reduce this side of the window to icons; a press on one opens it again"))
+            layout.rail[right ? 1 : 0] ? layout.show(panel) : void(collapsed = true);
+    }
     if (ui::menu_item("Hide", "", false, true, nullptr)) layout.hide(panel);
     ImGui::EndPopup();
 }
 
-// As many lines as needed: every panel of the dock stays visible and can be clicked, however narrow the dock
-// is.
-void tabs(Editor& editor, Dock dock, PanelId front) {
+using Docks = std::initializer_list<Dock>;
+constexpr Docks both_left_docks{Dock::left, Dock::left_lower};
+
+// Calls `draw` for each panel that has a tab in these docks.
+template <class Draw>
+void for_each_tab(Editor& editor, Docks docks, const Draw& draw) {
+    for (const Dock dock : docks)
+        for (const PanelInfo& info : panel_table()) {
+            const PanelLayout& layout = editor.layout;
+            if (!layout.shown(info.id) || layout.dock(info.id) != dock) continue;
+            if (!layout.focus || layout.visible(info.id)) draw(info);
+        }
+}
+
+// As many lines as needed: every panel of the docks stays visible and can be clicked, however narrow they
+// are.
+void tabs(Editor& editor, Docks docks, PanelId front) {
     const ui::Scope scope("Tabs");
     const float scale = ui::scale();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2 * scale, 2 * scale});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8 * scale, 4 * scale});
     bool first = true;
-    for (const PanelInfo& info : panel_table()) {
-        if (!editor.layout.shown(info.id) || editor.layout.dock(info.id) != dock) continue;
-        if (editor.layout.focus && info.id != front) continue;
+    for_each_tab(editor, docks, [&](const PanelInfo& info) {
         if (!std::exchange(first, false)) ui::flow(ui::button_width(info.label));
         if (ui::tab(info.label, front == info.id)) editor.layout.show(info.id);
+        ui::tooltip(info.description);
         tab_menu(editor, info.id);
-    }
+    });
     ImGui::PopStyleVar(2);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + ImGui::GetContentRegionAvail().x, at.y + scale},
@@ -101,45 +123,65 @@ void tabs(Editor& editor, Dock dock, PanelId front) {
     ImGui::Dummy({1, 2 * scale});
 }
 
-// The panels of a dock as tabs, with the open one below.
-void dock_panels(Parts& parts, Dock dock) {
+// The panels of one dock, or of two that share their space, as tabs with the open one below.
+void dock_panels(Parts& parts, Docks docks, Dock open) {
     Editor& editor = parts.editor;
-    const std::optional<PanelId> front = editor.layout.front_of(dock);
+    const std::optional<PanelId> front = editor.layout.front_of(open);
     if (!front) return;
-    tabs(editor, dock, *front);
+    tabs(editor, docks, *front);
     // The rows scroll, the tabs stay.
     ImGui::BeginChild(panel_info(*front).name, {0, 0}, false, ImGuiWindowFlags_NoSavedSettings);
     draw_panel(*front, editor, parts.frame);
     ImGui::EndChild();
 }
 
+// A column as icons, one below the other: a press opens the column with that panel.
+void rail(Editor& editor, const char* name, const Region& region, Docks docks) {
+    const float scale = ui::scale();
+    begin_region(name, region, {4 * scale, 6 * scale}, ui::palette().panel);
+    {
+        const ui::Scope scope("Tabs");
+        for_each_tab(editor, docks, [&](const PanelInfo& info) {
+            const std::string tip = std::string(info.label) + "\n" + info.description;
+            if (ui::icon_button(info.icon, info.label, tip.c_str(), false)) editor.layout.show(info.id);
+            tab_menu(editor, info.id);
+        });
+    }
+    ImGui::End();
+}
+
 bool occupied(const Editor& editor, Dock dock) {
     return editor.document && editor.layout.front_of(dock).has_value();
 }
 
-// The left column: one dock over another, or either alone.
+// The left column: one dock over another, either alone, or both in one.
 void left_column(Parts& parts, const Region& column, ImVec2 padding, float gap) {
     Editor& editor = parts.editor;
     PanelLayout& sizes = editor.layout;
     const ui::Palette& p = ui::palette();
     const float scale = ui::scale();
+    if (sizes.rail[0]) return rail(editor, "##left rail", column, both_left_docks);
     const bool upper = occupied(editor, Dock::left), lower = occupied(editor, Dock::left_lower);
-    float split = upper ? column.max.y : column.min.y - gap;
-    if (upper && lower)
-        split = std::round(column.max.y - std::min(sizes.left_lower * scale, column.size().y * 0.5f) - gap);
-    if (upper) {
-        begin_region("##left", {column.min, {column.max.x, split}}, padding, p.panel);
-        dock_panels(parts, Dock::left);
+    const bool split = upper && lower && !sizes.one_left_dock;
+    float border = upper || sizes.one_left_dock ? column.max.y : column.min.y - gap;
+    if (split)
+        border = std::round(column.max.y - std::min(sizes.left_lower * scale, column.size().y * 0.5f) - gap);
+    if (upper || sizes.one_left_dock) {
+        begin_region("##left", {column.min, {column.max.x, border}}, padding, p.panel);
+        if (sizes.one_left_dock)
+            dock_panels(parts, both_left_docks, sizes.used_left);
+        else
+            dock_panels(parts, {Dock::left}, Dock::left);
         ImGui::End();
     }
-    if (upper && lower) {
+    if (split) {
         sizes.left_lower -=
-            splitter("##Lower border", {{column.min.x, split}, {column.max.x, split + gap}}, false) / scale;
+            splitter("##Lower border", {{column.min.x, border}, {column.max.x, border + gap}}, false) / scale;
         sizes.left_lower = std::clamp(sizes.left_lower, 80.0f, 600.0f);
     }
-    if (lower) {
-        begin_region("##left lower", {{column.min.x, split + gap}, column.max}, padding, p.panel);
-        dock_panels(parts, Dock::left_lower);
+    if (lower && !sizes.one_left_dock) {
+        begin_region("##left lower", {{column.min.x, border + gap}, column.max}, padding, p.panel);
+        dock_panels(parts, {Dock::left_lower}, Dock::left_lower);
         ImGui::End();
     }
 }
@@ -161,13 +203,21 @@ void layout(Parts& parts, ImVec2 size) {
         parts.last_tool = editor.tool;
     }
 
-    const float top = bars ? menu_height + toolbar_height + 1.0f : 0.0f;
+    const float notices_top = bars ? menu_height + toolbar_height + 1.0f : 0.0f;
+    const float top = notices_top + notices_height(parts);
     const float bottom = std::max(top + 1.0f, size.y - status_height);
-    // In a small window the view keeps at least a third; in focus only one of the columns is shown.
-    const float widest = sizes.focus ? 0.66f : 0.0f;
-    const float left_width = std::round(std::min(sizes.left * scale, size.x * std::max(0.30f, widest)));
-    const float right_width = std::round(std::min(sizes.right * scale, size.x * std::max(0.36f, widest)));
-    const float low_height = std::round(std::min(sizes.bottom * scale, (bottom - top) * 0.5f));
+    // In a small window the view keeps at least half of the width; in focus only one of the columns is shown.
+    sizes.fit(size.x / scale, (bottom - top) / scale);
+    const float widest = sizes.focus ? 0.66f : 0.0f,
+                rail_width = std::round(8 * scale) + ui::icon_button_side();
+    const float left_width = sizes.rail[0]
+                                 ? rail_width
+                                 : std::round(std::min(sizes.left * scale, size.x * std::max(0.30f, widest)));
+    const float right_width =
+        sizes.rail[1] ? rail_width
+                      : std::round(std::min(sizes.right * scale, size.x * std::max(0.36f, widest)));
+    const float low_height =
+        std::round(std::min(sizes.bottom * scale, (bottom - top) * (sizes.focus ? 0.5f : 0.375f)));
     const bool left_shown = (occupied(editor, Dock::left) || occupied(editor, Dock::left_lower)) && !walking;
     const bool right_shown = occupied(editor, Dock::right), low_shown = occupied(editor, Dock::bottom);
     const float view_left = left_shown ? left_width + gap : 0.0f;
@@ -187,24 +237,33 @@ void layout(Parts& parts, ImVec2 size) {
         ImGui::End();
     }
 
-    if (left_shown) {
-        left_column(parts, {{0, top}, {left_width, left_bottom}}, panel_padding, gap);
+    if (top > notices_top) {
+        begin_region("##notices", {{0, notices_top}, {size.x, top}}, {0, 0}, p.raised);
+        notices(parts);
+        ImGui::End();
+    }
+
+    if (left_shown) left_column(parts, {{0, top}, {left_width, left_bottom}}, panel_padding, gap);
+    if (left_shown && !sizes.rail[0]) {
         sizes.left +=
             splitter("##Left border", {{left_width, top}, {left_width + gap, left_bottom}}, true) / scale;
-        sizes.left = std::clamp(sizes.left, 160.0f, 520.0f);
+        sizes.left = std::clamp(sizes.left, 240.0f, 520.0f);
     }
-    if (right_shown) {
-        begin_region("##right", {{size.x - right_width, top}, {size.x, bottom}}, panel_padding, p.panel);
-        dock_panels(parts, Dock::right);
+    const Region right{{size.x - right_width, top}, {size.x, bottom}};
+    if (right_shown && sizes.rail[1]) {
+        rail(editor, "##right rail", right, {Dock::right});
+    } else if (right_shown) {
+        begin_region("##right", right, panel_padding, p.panel);
+        dock_panels(parts, {Dock::right}, Dock::right);
         ImGui::End();
         sizes.right -=
             splitter("##Right border", {{view_right, top}, {view_right + gap, bottom}}, true) / scale;
-        sizes.right = std::clamp(sizes.right, 200.0f, 640.0f);
+        sizes.right = std::clamp(sizes.right, 240.0f, 640.0f);
     }
     if (low_shown) {
         begin_region("##bottom", {{low_left, view_bottom + gap}, {view_right, bottom}}, panel_padding,
                      p.panel);
-        dock_panels(parts, Dock::bottom);
+        dock_panels(parts, {Dock::bottom}, Dock::bottom);
         ImGui::End();
         sizes.bottom -=
             splitter("##Bottom border", {{low_left, view_bottom}, {view_right, view_bottom + gap}}, false) /
@@ -219,6 +278,7 @@ void layout(Parts& parts, ImVec2 size) {
         viewport_panel(editor, parts.frame);
     else
         welcome(parts);
+    view_menu(editor, editor.document && std::exchange(viewport_state().wants_menu, false));
     ImGui::End();
 
     if (bars) {

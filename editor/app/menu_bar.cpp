@@ -36,6 +36,14 @@ std::string_view top_menu(const Command& command) {
     return menu.substr(0, menu.find('/'));
 }
 
+void command_item(Editor& editor, const Command& command) {
+    const bool checked = command.checked && command.checked(editor);
+    const std::string label = command_name(editor, command) + "###" + command.label;
+    if (ui::menu_item(label.c_str(), shortcut_text(editor, command).c_str(), checked, command.enabled(editor),
+                      command.description, command.icon))
+        run_command(editor, command.id);
+}
+
 // The rows of the menu with this full name; each submenu is at the position of its first row.
 void menu(Editor& editor, const std::string& name) {
     const std::size_t slash = name.find('/');
@@ -52,18 +60,50 @@ void menu(Editor& editor, const std::string& name) {
             continue;
         }
         if (before && family(*before) != family(command)) ImGui::Separator();
-        const bool checked = command.checked && command.checked(editor);
-        const std::string label = command_name(editor, command) + "###" + command.label;
-        if (ui::menu_item(label.c_str(), shortcut_text(editor, command).c_str(), checked,
-                          command.enabled(editor), command.description, command.icon))
-            run_command(editor, command.id);
+        command_item(editor, command);
         if (std::string_view(command.id) == "file.open") recent_menu(editor);
         before = &command;
     }
     ui::end_menu();
 }
 
+// What the menu of the view offers: ids of the table, names of submenus; "" separates groups.
+constexpr std::string_view view_menu_rows[] = {
+    "edit.set_spawn",      "edit.add_spawn",
+    "playtest.from_here",  "",
+    "Edit/Make it",        "tools.pick_surface",
+    "edit.replace_type",   "edit.unset_selection",
+    "edit.add_rule",       "",
+    "Select/Connected",    "Select/Similar",
+    "select.hide",         "select.isolate",
+    "select.show_all",     "",
+    "view.frame_selected", "props.choose",
+    "props.place",         "reach.path",
+};
+
 }  // namespace
+
+void view_menu(Editor& editor, bool opens) {
+    constexpr const char* id = "##view menu";
+    if (opens) ImGui::OpenPopup(id);
+    if (!editor.show_command_palette && !ImGui::IsPopupOpen(id)) editor.pointed.reset();
+    const float scale = ui::scale();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8 * scale, 8 * scale});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {10 * scale, 7 * scale});
+    if (ImGui::BeginPopup(id)) {
+        const ui::Scope scope("View menu");
+        for (const std::string_view row : view_menu_rows) {
+            if (row.empty())
+                ImGui::Separator();
+            else if (row.find('/') != std::string_view::npos)
+                menu(editor, std::string(row));
+            else if (const Command* const command = find_command(row))
+                command_item(editor, *command);
+        }
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar(2);
+}
 
 std::string document_name(const Editor& editor) {
     return editor.document ? printable(editor.document->level().mesh_path.filename().string())

@@ -1,8 +1,10 @@
 #include "app/offscreen_host.h"
 
+#include <algorithm>
 #include <cfloat>
 #include <cstdlib>
 #include <system_error>
+#include <utility>
 
 #include "widgets/imgui_compat.h"
 
@@ -43,10 +45,20 @@ OffscreenHost::~OffscreenHost() {
 }
 
 void OffscreenHost::frame() {
-    clock_s_ += frame_s;
+    frame_after(frame_s + std::exchange(rested_s_, 0.0));
+}
+
+void OffscreenHost::frame_after(double seconds) {
+    clock_s_ += seconds;
     bool shown_changed = false;
     app_->tick(clock_s_, shown_changed);
-    app_->build_frame(width_, height_, frame_s);
+    app_->build_frame(width_, height_, seconds);
+}
+
+void OffscreenHost::rest(double seconds) {
+    for (double wait; (wait = std::max(frame_s, app_->next_frame_s())) <= seconds; seconds -= wait)
+        frame_after(wait);
+    rested_s_ = seconds;
 }
 
 void OffscreenHost::want_state_folder() {
@@ -79,7 +91,7 @@ void OffscreenHost::crash() {
     session.autosave.abandon();
     editor().document.reset();
     session.autosave = AutosaveSession(state_ / "autosave");
-    session.left_behind = session.autosave.recoverable();
+    list_left_behind(editor());
 }
 
 int OffscreenHost::settle(int maximum) {

@@ -39,6 +39,9 @@ class OffscreenHost {
     Status autosave();
     // Leaves the autosaves as a crash would, and finds them as the next run would.
     void crash();
+    // Time passes without events, as in a window that nobody touches: only frames that are asked for
+    // (App::next_frame_s) are built.
+    void rest(double seconds);
     // Builds frames until two in a row change nothing, at most `maximum`, and returns their number. During a
     // playtest every frame differs: then it builds one.
     int settle(int maximum = 60);
@@ -64,9 +67,11 @@ class OffscreenHost {
     std::unique_ptr<Framebuffer> target_;
     std::unique_ptr<App> app_;
     void want_state_folder();
+    void frame_after(double seconds);
 
     int width_ = 0, height_ = 0;
     double clock_s_ = 0.0;
+    double rested_s_ = 0.0;  // since the last frame; the next one takes as long
     std::filesystem::path state_, own_state_;
     ImVec2 mouse_{0, 0};
 };

@@ -62,9 +62,13 @@ struct Parts {
 };
 
 void layout(Parts& parts, ImVec2 size);
-float menu_bar(Parts& parts);                                // returns its height
+float menu_bar(Parts& parts);  // returns its height
+// The context menu of the view, which `opens` now; the face under the mouse is Editor::pointed meanwhile.
+void view_menu(Editor& editor, bool opens);
 void toolbar(Parts& parts);                                  // into the current window
 float toolbar_height_in(const Editor& editor, float width);  // for a window this wide: one or two rows
+void notices(Parts& parts);                                  // into the current window, below the toolbar
+float notices_height(const Parts& parts);                    // 0: nothing needs attention
 void status_bar(Parts& parts);                               // into the current window
 void welcome(Parts& parts);                                  // into the current window, while nothing is open
 void dialogs(Parts& parts);

@@ -14,6 +14,7 @@
 #include "slipface/render/gl_graphics.h"
 #include "slipface/world/geometric_manager.h"
 #include "snapshots/scene_stage.h"
+#include "widgets/theme.h"
 #include "widgets/ui.h"
 
 namespace slipface {
@@ -86,6 +87,7 @@ std::string screen_numbers(const OffscreenHost& host, const ScreenHeader& header
     }
     numbers["widgets"] = widgets;
     numbers["renderer"] = nlohmann::ordered_json::parse(renderer_fingerprint(host.context()));
+    numbers["renderer"]["interface"] = ui::interface_release();
     return numbers_to_text(numbers.dump());
 }
 
@@ -130,6 +132,7 @@ std::vector<Snapshot> screen_snapshots(const fs::path& folder) {
         Snapshot snapshot{"editor/" + script.stem().string(), ui_tolerance,
                           [script, project] { return render_screen(script, project); }};
         snapshot.masks = masks_of(script);
+        snapshot.elsewhere = ui_elsewhere;
         snapshot.explain = explain_widgets;
         snapshots.push_back(std::move(snapshot));
     }

@@ -78,7 +78,7 @@ void expect_grounded(ScriptContext& c, const Words& w) {
     expect_state(c, "grounded", c.editor().playtest->state().grounded, w[2]);
 }
 void expect_tape(ScriptContext& c, const Words& w) {
-    expect_number(c, "tape", c.editor().lab.ticks(), w[2]);
+    expect_text(c, "tape", std::to_string(c.editor().lab.ticks()), w[2]);
 }
 void expect_tick(ScriptContext& c, const Words& w) {
     expect_number(c, "tick", c.editor().lab.cursor(), w[2]);
@@ -159,6 +159,12 @@ void expect_cameras(ScriptContext& c, const Words& w) {
 void expect_panes(ScriptContext& c, const Words& w) {
     expect_number(c, "panes", c.editor().panes.count, w[2]);
 }
+void expect_changed(ScriptContext& c, const Words& w) {
+    expect_state(c, "changed_on_disk", c.editor().session.changed.has_value(), w[2]);
+}
+void expect_recoverable(ScriptContext& c, const Words& w) {
+    expect_number(c, "recoverable", c.editor().session.recoverable.size(), w[2]);
+}
 void expect_view(ScriptContext& c, const Words& w) {
     expect_text(c, "view", c.editor().view.name(), w[2]);
 }
@@ -178,9 +184,12 @@ constexpr Expectation expectations[] = {
     {"enabled", "\"Path\" yes|no", "The widget is enabled", 4, expect_enabled},
     {"checked", "\"Path\" yes|no", "The widget is checked", 4, expect_checked},
     {"dirty", "yes|no", "The document differs from its file", 3, expect_dirty},
+    {"changed_on_disk", "yes|no", "Another program changed the files, and the answer is awaited", 3,
+     expect_changed},
+    {"recoverable", "n", "So many autosaves are offered", 3, expect_recoverable},
     {"playing", "yes|no", "The playtest is running", 3, expect_playing},
     {"grounded", "yes|no", "The player is grounded", 3, expect_grounded},
-    {"tape", "n", "The lab's tape has n ticks", 3, expect_tape},
+    {"tape", "n", "The lab's tape has n ticks (`*` and `?`)", 3, expect_tape},
     {"tick", "n", "The lab's cursor is at this tick", 3, expect_tick},
     {"ghosts", "n", "The lab has n runs of the tape", 3, expect_ghosts},
     {"parts", "RUN yes|no",

@@ -59,7 +59,7 @@ void recoverable_row(Parts& parts, const AutosaveInfo& info, std::size_t row) {
     const float width = 92 * scale;
     const ImVec2 at = ImGui::GetCursorPos();
     ImGui::BeginGroup();
-    ImGui::PushFont(ui::fonts().semibold);
+    ui::push_font(ui::fonts().semibold);
     ImGui::TextUnformatted(name.c_str());
     ImGui::PopFont();
     ImGui::SameLine();
@@ -86,7 +86,8 @@ void recoverable_row(Parts& parts, const AutosaveInfo& info, std::size_t row) {
 }  // namespace
 
 std::string autosave_facts(const Parts& parts, const AutosaveInfo& info) {
-    const std::string facts = counted(info.steps.size(), "step");
+    const std::string facts = counted(info.steps.size(), "step") +
+                              (info.saved_since ? ", from before the last save: Recover merges both" : "");
     return parts.deterministic ? facts : facts + ", " + time_text(info.written_s);
 }
 

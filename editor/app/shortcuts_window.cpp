@@ -155,7 +155,7 @@ void head(Editor& editor, std::string& filter) {
     if (ui::button("Reset all", "Reset all commands to their default keys", true, {110 * scale, 0}))
         editor.session.keymap.reset_all();
     ImGui::SameLine();
-    ui::input_text("##Filter", &filter, "Find a command or a key");
+    ui::search_box("##Filter", &filter, "Find a command or a key");
     if (const std::size_t conflicts = conflicts_in(editor); conflicts > 0)
         ImGui::TextColored(
             ui::palette().bad,

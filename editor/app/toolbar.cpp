@@ -159,7 +159,7 @@ void play_button(Editor& editor) {
     ImGui::SetCursorPosY(5 * scale);
     const ImVec2 size{width, ImGui::GetFrameHeight() + 4 * scale};
     const bool enabled = command->enabled(editor);
-    ImGui::PushFont(ui::fonts().semibold);
+    ui::push_font(ui::fonts().semibold);
     const bool pressed =
         walking ? ui::button(label, nullptr, enabled, size) : ui::primary_button(label, enabled, size);
     ImGui::PopFont();

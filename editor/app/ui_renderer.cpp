@@ -45,9 +45,46 @@ const void* byte_offset(std::size_t offset) {
     return reinterpret_cast<const void*>(static_cast<std::uintptr_t>(offset));
 }
 
+void fill(const GladGLContext& gl, GLuint texture, int row) {
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    gl.PixelStorei(GL_UNPACK_ROW_LENGTH, row);
+}
+
+ui::TextureStore texture_store(const GlTable& table) {
+    return {
+        .make = [table](int width, int height, const void* pixels) -> unsigned {
+            const GladGLContext& gl = *table;
+            GLuint texture = 0;
+            gl.GenTextures(1, &texture);
+            fill(gl, texture, 0);
+            gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+            gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+            gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+            gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+            gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+            gl.BindTexture(GL_TEXTURE_2D, 0);
+            return texture;
+        },
+        .update =
+            [table](unsigned texture, int x, int y, int width, int height, const void* pixels, int row) {
+                const GladGLContext& gl = *table;
+                fill(gl, texture, row);
+                gl.TexSubImage2D(GL_TEXTURE_2D, 0, x, y, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+                gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+                gl.BindTexture(GL_TEXTURE_2D, 0);
+            },
+        .remove =
+            [table](unsigned texture) {
+                const GLuint name = texture;
+                table->DeleteTextures(1, &name);
+            },
+    };
+}
+
 }  // namespace
 
-UiRenderer::UiRenderer(GlTable table) : gl_(std::move(table)) {
+UiRenderer::UiRenderer(GlTable table) : gl_(std::move(table)), textures_(texture_store(gl_)) {
     const GladGLContext& gl = *gl_;
     const GLuint vertex = compile(gl, GL_VERTEX_SHADER, vertex_source);
     const GLuint fragment = compile(gl, GL_FRAGMENT_SHADER, fragment_source);
@@ -78,26 +115,12 @@ UiRenderer::UiRenderer(GlTable table) : gl_(std::move(table)) {
     ImGuiIO& io = ImGui::GetIO();
     io.BackendRendererName = "slipface";
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-    unsigned char* pixels = nullptr;
-    int width = 0, height = 0;
-    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-    gl.GenTextures(1, &font_texture_);
-    gl.BindTexture(GL_TEXTURE_2D, font_texture_);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
-    gl.BindTexture(GL_TEXTURE_2D, 0);
-    io.Fonts->SetTexID(ui::texture_id(font_texture_));
-    io.Fonts->ClearTexData();
+    ui::make_textures(textures_);
 }
 
 UiRenderer::~UiRenderer() {
     const GladGLContext& gl = *gl_;
-    gl.DeleteTextures(1, &font_texture_);
+    ui::remove_textures(textures_);
     gl.DeleteBuffers(1, &vertices_);
     gl.DeleteBuffers(1, &indices_);
     gl.DeleteVertexArrays(1, &vertex_array_);
@@ -109,6 +132,7 @@ void UiRenderer::draw(const ImDrawData& data) {
     const float width = data.DisplaySize.x * data.FramebufferScale.x;
     const float height = data.DisplaySize.y * data.FramebufferScale.y;
     if (width < 1.0f || height < 1.0f) return;
+    ui::serve_textures(data, textures_);
 
     gl.Viewport(0, 0, static_cast<GLsizei>(width), static_cast<GLsizei>(height));
     gl.Enable(GL_BLEND);

@@ -2,9 +2,8 @@
 // context. The renderer of Dear ImGui 1.86 always loads libGL, which does not know contexts made by OSMesa.
 #pragma once
 
-#include <imgui.h>
-
 #include "slipface/render/gl_context.h"
+#include "widgets/imgui_compat.h"
 
 namespace slipface {
 
@@ -22,7 +21,8 @@ class UiRenderer {
 
   private:
     GlTable gl_;
-    unsigned program_ = 0, vertex_array_ = 0, vertices_ = 0, indices_ = 0, font_texture_ = 0;
+    ui::TextureStore textures_;
+    unsigned program_ = 0, vertex_array_ = 0, vertices_ = 0, indices_ = 0;
     int projection_location_ = -1, texture_location_ = -1;
 };
 

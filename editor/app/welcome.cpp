@@ -124,7 +124,7 @@ void welcome(Parts& parts) {
     const float top = std::max(16 * scale, size.y * 0.08f);
     ImGui::SetCursorPos({(size.x - width) * 0.5f, top});
     ImGui::BeginChild("welcome", {width, size.y - top}, false, ImGuiWindowFlags_NoSavedSettings);
-    ImGui::PushFont(ui::fonts().title);
+    ui::push_font(ui::fonts().title);
     ImGui::TextUnformatted("Slipface");
     ImGui::PopFont();
     ui::muted_text("Paint surface types, walk the level, and see why the player moved as it did");

@@ -12,6 +12,7 @@
 #include "cli/play.h"
 #include "cli/verbs.h"
 #include "slipface/base/files.h"
+#include "slipface/base/system.h"
 #include "slipface/base/text.h"
 #include "slipface/reach/search.h"
 
@@ -69,7 +70,7 @@ Result<std::vector<Vec3>> reached_starts(const Level& level, const Vec3& spawn, 
         limits.rounds = static_cast<std::uint64_t>(*rounds);
     }
     Result<ReachSearch> search =
-        anew ? ReachSearch::begin(level, spawn, {}) : ReachSearch::resume(level, words.starts);
+        anew ? ReachSearch::begin(level, spawn, {}) : ReachSearch::resume(level, path_of(words.starts));
     if (!search) return search.error();
     if (anew) search->run(limits);
     Result<std::vector<Vec3>> starts = usable_starts(level, search->standing_places(words.walkers), dt);
@@ -88,7 +89,7 @@ Status write_tapes(const std::filesystem::path& folder, const Level& level, cons
         const std::string name = fmt::format("{}-{}-{}-{}.tape", level.mesh_path.stem().string(),
                                              info_of(finding.kind).name, finding.walker, finding.life);
         const std::string text = tape_to_text(audit_tape(level, options, finding));
-        if (Status status = write_file_atomic(folder / name, text); !status.ok()) return status;
+        if (Status status = write_file_atomic(folder / path_of(name), text); !status.ok()) return status;
     }
     return {};
 }
@@ -133,7 +134,7 @@ void print_audit(const AuditReport& report, double seconds, std::ostream& out) {
 int deliver(const AuditReport& report, bool json, const std::string& file, double seconds) {
     const std::string text = audit_to_json(report);
     if (!file.empty()) {
-        if (const Status status = write_file_atomic(file, text); !status.ok()) {
+        if (const Status status = write_file_atomic(path_of(file), text); !status.ok()) {
             print_error(std::cerr, status.error());
             return exit_bad_input;
         }
@@ -180,7 +181,7 @@ int run(const AuditWords& words, Team* team) {
     if (!report) return fail(report.error(), team);
     if (!is_first(team)) return exit_fine;
     if (!words.tapes.empty()) {
-        if (const Status status = write_tapes(words.tapes, level, *options, *report); !status.ok())
+        if (const Status status = write_tapes(path_of(words.tapes), level, *options, *report); !status.ok())
             return print_error(std::cerr, status.error()), exit_bad_input;
     }
     return deliver(*report, words.json, words.out, seconds);
@@ -189,7 +190,7 @@ int run(const AuditWords& words, Team* team) {
 int merge(const std::vector<std::string>& files, const AuditWords& words) {
     std::vector<AuditPart> parts;
     for (const std::string& file : files) {
-        const Result<std::string> text = read_file(file);
+        const Result<std::string> text = read_file(path_of(file));
         if (!text) return print_error(std::cerr, text.error()), exit_bad_input;
         Result<AuditReport> part = audit_from_json(*text, file);
         if (!part) return print_error(std::cerr, part.error()), exit_bad_input;

@@ -2,7 +2,9 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/options.h"
 #include "cli/verbs.h"
+#include "slipface/base/system.h"
 #include "slipface/level/level_file.h"
 #include "slipface/light/bake.h"
 
@@ -23,7 +25,7 @@ Result<std::filesystem::path> bake(const BakeLightOptions& options, Warnings& wa
     if (!level.light) level.light = LevelLight{.sun_color = {1.0, 0.95, 0.85}};
     if (options.texel_m > 0.0) level.light->texel_m = options.texel_m;
     if (Status status = bake_level_light(level, {.sky_rays = options.rays}); !status) return status.error();
-    return level.file_path.parent_path() / level.light->image;
+    return level.file_path.parent_path() / path_of(level.light->image);
 }
 
 }  // namespace
@@ -31,7 +33,7 @@ Result<std::filesystem::path> bake(const BakeLightOptions& options, Warnings& wa
 void add_bake_light_verb(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand("bake-light", "Bake a level's light and shadow into an image");
     auto options = std::make_shared<BakeLightOptions>();
-    verb->add_option("LEVEL", options->level, level_help())->required();
+    add_path(*verb, "LEVEL", options->level, level_help())->required();
     verb->add_option("--rays", options->rays, "Rays a texel")
         ->capture_default_str()
         ->check(CLI::Range(1, 4096));

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "cli/format.h"
+#include "cli/options.h"
 #include "cli/verbs.h"
 #include "slipface/level/preset.h"
 
@@ -69,7 +70,7 @@ void add_demo_verbs(CLI::App& app, int& exit_code) {
     auto demo_options = std::make_shared<DemoOptions>();
     demo_options->out = ".";
     demo->add_option("NAME", demo_options->name, "A demo, or all; none lists them");
-    demo->add_option("--out", demo_options->out, "Folder to write into")->type_name("FOLDER");
+    add_path(*demo, "--out", demo_options->out, "Folder to write into")->type_name("FOLDER");
     demo->callback([demo_options, &exit_code] {
         exit_code = demo_options->name.empty() ? list_demos() : write_demos(*demo_options);
     });
@@ -77,7 +78,7 @@ void add_demo_verbs(CLI::App& app, int& exit_code) {
     CLI::App* preset = app.add_subcommand("preset", "List the presets of movement settings, or write one");
     auto preset_options = std::make_shared<PresetOptions>();
     preset->add_option("NAME", preset_options->name, "A preset or a preset file; none lists them");
-    preset->add_option("--out", preset_options->out, "File to write instead of printing it")
+    add_path(*preset, "--out", preset_options->out, "File to write instead of printing it")
         ->type_name("FILE");
     preset->callback([preset_options, &exit_code] {
         exit_code = preset_options->name.empty() ? list_presets() : write_preset(*preset_options);

@@ -9,6 +9,7 @@
 #include "cli/format.h"
 #include "cli/verbs.h"
 #include "slipface/base/counted.h"
+#include "slipface/base/system.h"
 #include "slipface/exchange/export.h"
 #include "slipface/exchange/name_materials.h"
 #include "slipface/exchange/rules.h"
@@ -17,7 +18,7 @@ namespace slipface::cli {
 namespace {
 
 std::optional<std::filesystem::path> given(const std::string& word) {
-    return word.empty() ? std::nullopt : std::optional<std::filesystem::path>(word);
+    return word.empty() ? std::nullopt : std::optional(path_of(word));
 }
 
 void add_name_materials(CLI::App& app, int& exit_code) {
@@ -25,7 +26,8 @@ void add_name_materials(CLI::App& app, int& exit_code) {
                                         "Write painted types into the material names of a level's OBJ file");
     auto level = std::make_shared<std::string>();
     verb->add_option("LEVEL", *level, level_help())->required();
-    verb->callback([level, &exit_code] { exit_code = run_name_materials(*level, std::cout, std::cerr); });
+    verb->callback(
+        [level, &exit_code] { exit_code = run_name_materials(path_of(*level), std::cout, std::cerr); });
 
     CLI::App* former = app.add_subcommand("bake", "Former name of name-materials")->group("")->allow_extras();
     former->callback([&exit_code] {
@@ -47,7 +49,7 @@ void add_export(CLI::App& app, int& exit_code) {
     targets->add_option("--flat", words->flat, "Triangles, each with its type, for games")->type_name("OUT");
     targets->require_option(1, 3);
     verb->callback([words, &exit_code] {
-        const ExportOptions options{words->level,
+        const ExportOptions options{path_of(words->level),
                                     {given(words->obj), given(words->gltf), given(words->flat)}};
         exit_code = run_export(options, std::cout, std::cerr);
     });
@@ -74,8 +76,9 @@ void add_import(CLI::App& app, int& exit_code) {
         ->check(CLI::IsMember(std::vector<std::string>(std::begin(up_axis_names), std::end(up_axis_names))));
     verb->callback([words, scale, &exit_code] {
         ImportVerbOptions options;
-        options.level = words->level;
-        options.rules.assign(words->rules.begin(), words->rules.end());
+        options.level = path_of(words->level);
+        for (const std::string& file : words->rules)
+            options.rules.push_back(path_of(file));
         if (scale->count() > 0) options.scale = words->scale;
         const auto* const up = std::find(std::begin(up_axis_names), std::end(up_axis_names), words->up);
         if (up != std::end(up_axis_names)) options.up = static_cast<UpAxis>(up - std::begin(up_axis_names));

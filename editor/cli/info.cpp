@@ -6,6 +6,7 @@
 
 #include "cli/format.h"
 #include "cli/verbs.h"
+#include "slipface/base/system.h"
 #include "slipface/image/image.h"
 #include "slipface/level/find_start.h"
 #include "slipface/level/level_file.h"
@@ -59,7 +60,7 @@ void add_texture_warnings(LoadedLevel& loaded) {
     }
     const std::optional<LevelLight>& light = loaded.level.light;
     if (light && !light->image.empty() && !light_fits(*loaded.level.mesh, *light))
-        found.push_back({(folder / light->image).string(),
+        found.push_back({(folder / path_of(light->image)).string(),
                          "was baked for other geometry and is not drawn; bake it again with \"slipface "
                          "bake-light\""});
     const std::size_t listed = std::min(found.size(), maximum);

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "tools/commands/markdown.h"
+#include "slipface/base/markdown.h"
 
 namespace slipface::cli {
 namespace {

@@ -5,8 +5,15 @@
 #include <charconv>
 
 #include "cli/verbs.h"
+#include "slipface/base/system.h"
 
 namespace slipface::cli {
+
+CLI::Option* add_path(CLI::App& verb, const std::string& name, std::filesystem::path& path,
+                      const std::string& description) {
+    return verb.add_option_function<std::string>(
+        name, [&path](const std::string& text) { path = path_of(text); }, description);
+}
 
 void add_set_option(CLI::App& verb, std::vector<std::string>& settings) {
     verb.add_option("--set", settings, "Change a movement setting; may be repeated")

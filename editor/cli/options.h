@@ -3,12 +3,17 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "slipface/base/shard.h"
 
 namespace slipface::cli {
+
+// An option or, by a name without dashes, an argument that is a file's or a folder's path.
+CLI::Option* add_path(CLI::App& verb, const std::string& name, std::filesystem::path& path,
+                      const std::string& description);
 
 // --set name=value, which may be repeated.
 void add_set_option(CLI::App& verb, std::vector<std::string>& settings);

@@ -7,6 +7,7 @@
 #include "cli/format.h"
 #include "cli/verbs.h"
 #include "slipface/base/files.h"
+#include "slipface/base/system.h"
 #include "slipface/base/version.h"
 #include "slipface/level/find_start.h"
 #include "slipface/level/preset.h"
@@ -16,7 +17,7 @@ namespace slipface::cli {
 namespace {
 
 Result<std::unique_ptr<Play>> load_alone(const PlayWords& words, const Team* team) {
-    Result<LoadedLevel> loaded = load_level(words.level);
+    Result<LoadedLevel> loaded = load_level(path_of(words.level));
     if (!loaded) return loaded.error();
     if (is_first(team)) print_warnings(std::cerr, loaded->warnings);
     auto play = std::make_unique<Play>();

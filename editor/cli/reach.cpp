@@ -11,6 +11,7 @@
 #include "cli/verbs.h"
 #include "slipface/base/counted.h"
 #include "slipface/base/files.h"
+#include "slipface/base/system.h"
 #include "slipface/base/text.h"
 #include "slipface/exchange/export.h"
 #include "slipface/reach/links.h"
@@ -81,7 +82,7 @@ void print_report(const ReachReport& report, double seconds, std::uint64_t steps
     print_row(out, "hash", hash_text(report.hash));
 }
 
-Status write_tape(const std::string& file, const Tape& tape) {
+Status write_tape(const std::filesystem::path& file, const Tape& tape) {
     if (file.empty()) return {};
     return write_file_atomic(file, tape_to_text(tape));
 }
@@ -141,7 +142,8 @@ int answer_how(const ReachSearch& search, const ReachWords& words) {
         text += '\n';
     }
     if (tape)
-        if (const Status status = write_tape(words.tape, *tape); !status) return bad_input(status.error());
+        if (const Status status = write_tape(path_of(words.tape), *tape); !status)
+            return bad_input(status.error());
     words.json ? print_json(std::cout, json) : void(std::cout << text);
     return json["reached"].get<bool>() ? exit_fine : exit_check_failed;
 }
@@ -168,7 +170,7 @@ int check(const Play& play, const ReachWords& words, const ReachOptions& options
     Level before = play.as_saved;
     Status status;
     if (!words.before.empty()) {
-        Result<LoadedLevel> other = load_level(words.before);
+        Result<LoadedLevel> other = load_level(path_of(words.before));
         if (!other) status = other.error();
         if (other && is_first(limits.team)) print_warnings(std::cerr, other->warnings);
         if (other) before = std::move(other->level);
@@ -195,8 +197,8 @@ int check(const Play& play, const ReachWords& words, const ReachOptions& options
         }
         if (answer.tape && !words.tapes.empty() && is_first(limits.team)) {
             const std::filesystem::path file =
-                std::filesystem::path(words.tapes) / fmt::format("goal-{}.tape", answer.goal + 1);
-            if (const Status written = write_tape(file.string(), *answer.tape); !written) status = written;
+                path_of(words.tapes) / fmt::format("goal-{}.tape", answer.goal + 1);
+            if (const Status written = write_tape(file, *answer.tape); !written) status = written;
             one["tape"] = file.string();
         }
         json["goals"].push_back(std::move(one));
@@ -227,7 +229,7 @@ class Checkpoints {
     // A disk that is full now may not be so later: the search goes on, and the file before it stays.
     void write(const ReachSearch& search) {
         const auto begin = Clock::now();
-        if (const Status status = search.store(file_); !status)
+        if (const Status status = search.store(path_of(file_)); !status)
             print_error(std::cerr,
                         {"--checkpoint", fmt::format("{}; the search goes on, and could be resumed "
                                                      "after round {}",
@@ -248,11 +250,12 @@ Result<ReachSearch> begin_search(const Play& play, const ReachWords& words, cons
                                  Team* team) {
     const std::string& file = words.resume.empty() ? words.checkpoint : words.resume;
     std::error_code error;
-    const bool there = !words.resume.empty() || (!file.empty() && std::filesystem::exists(file, error));
+    const bool there =
+        !words.resume.empty() || (!file.empty() && std::filesystem::exists(path_of(file), error));
     std::string text;
     Status status;
     if (is_first(team) && there) {
-        Result<std::string> read = read_file(file);
+        Result<std::string> read = read_file(path_of(file));
         if (read)
             text = std::move(*read);
         else
@@ -310,9 +313,10 @@ int run(const ReachWords& words, Team* team) {
     checkpoints.finish(*search);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (!words.out.empty())
-        if (const Status status = search->store(words.out); !status) return bad_input(status.error());
+        if (const Status status = search->store(path_of(words.out)); !status)
+            return bad_input(status.error());
     if (!words.links.empty())
-        if (const Status status = write_links(*search, words.links); !status)
+        if (const Status status = write_links(*search, path_of(words.links)); !status)
             return bad_input(status.error());
     if (!words.how.empty()) return answer_how(*search, words);
     const ReachReport report = make_reach_report(*search);
@@ -322,7 +326,7 @@ int run(const ReachWords& words, Team* team) {
 }
 
 int diff(const std::string& a, const std::string& b, bool json) {
-    const Result<std::string> first = read_file(a), second = read_file(b);
+    const Result<std::string> first = read_file(path_of(a)), second = read_file(path_of(b));
     if (!first) return bad_input(first.error());
     if (!second) return bad_input(second.error());
     const Result<ReachReport> before = parse_reach_report(*first, a), after = parse_reach_report(*second, b);
@@ -363,7 +367,7 @@ int diff(const std::string& a, const std::string& b, bool json) {
 
 std::string links_check(const std::string& file) {
     for (const char* const ending : {".json", ".gset", ".gltf", ".glb"})
-        if (ending_of(file) == ending) return {};
+        if (ending_of(path_of(file)) == ending) return {};
     return fmt::format("found {}, expected a file of .json, .gset, .gltf or .glb", file);
 }
 

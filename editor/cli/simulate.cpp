@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/format.h"
 #include "cli/tape_on_level.h"
 #include "cli/verbs.h"
@@ -68,6 +70,7 @@ void print_report_json(const Run& run, std::ostream& out) {
     json["distance"] = report.distance;
     json["falls"] = report.falls;
     json["hazards"] = report.hazards;
+    json["crushed"] = report.crushed;
     json["end_hash"] = hash_text(report.end_hash);
     json["final_state"] = {{"position", vector_json(run.end)},
                            {"velocity", vector_json(state.velocity)},

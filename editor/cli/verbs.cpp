@@ -5,6 +5,7 @@
 
 #include "cli/guarded.h"
 #include "cli/options.h"
+#include "slipface/base/system.h"
 #include "slipface/base/text.h"
 #include "slipface/mesh/formats.h"
 
@@ -35,7 +36,7 @@ std::string radii_check(const std::string& text) {
 void add_info(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand("info", "Describe a level");
     auto options = std::make_shared<InfoOptions>();
-    verb->add_option("LEVEL", options->level, level_help())->required();
+    add_path(*verb, "LEVEL", options->level, level_help())->required();
     verb->add_flag("--json", options->json, "Print JSON");
     verb->callback([options, &exit_code] {
         exit_code = guarded([&] { return run_info(*options, std::cout, std::cerr); });
@@ -44,11 +45,11 @@ void add_info(CLI::App& app, int& exit_code) {
 
 SweepOptions sweep_options(const SweepWords& words) {
     SweepOptions options;
-    options.level = words.level;
+    options.level = path_of(words.level);
     options.radii = parse_vec3(words.radii).value_or(Vec3::Zero());
     if (!words.from.empty()) options.from = parse_vec3(words.from);
     if (!words.move.empty()) options.move = parse_vec3(words.move);
-    if (!words.queries.empty()) options.queries = words.queries;
+    if (!words.queries.empty()) options.queries = path_of(words.queries);
     options.format = words.json ? SweepFormat::json : words.csv ? SweepFormat::csv : SweepFormat::text;
     return options;
 }
@@ -80,8 +81,9 @@ void add_sweep(CLI::App& app, int& exit_code) {
     verb->add_flag("--csv", words->csv, "Print CSV")->excludes(json);
     verb->callback([words, &exit_code] {
         if (!words->test.empty()) {
-            exit_code =
-                guarded([&] { return run_sweep_test(words->level, words->test, std::cout, std::cerr); });
+            exit_code = guarded([&] {
+                return run_sweep_test(path_of(words->level), path_of(words->test), std::cout, std::cerr);
+            });
             return;
         }
         if (words->radii.empty()) throw CLI::RequiredError("--radii");
@@ -92,8 +94,8 @@ void add_sweep(CLI::App& app, int& exit_code) {
 void add_simulate(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand("simulate", "Run a tape of inputs through a level");
     auto options = std::make_shared<SimulateOptions>();
-    verb->add_option("LEVEL", options->level, level_help())->required();
-    verb->add_option("--tape", options->tape, "Inputs, tick by tick")->required()->type_name("FILE");
+    add_path(*verb, "LEVEL", options->level, level_help())->required();
+    add_path(*verb, "--tape", options->tape, "Inputs, tick by tick")->required()->type_name("FILE");
     verb->add_option("--spawn", options->spawn, "Start at this spawn of the level")->type_name("NAME");
     verb->add_option("--preset", options->preset,
                      "Settings instead of the level's and the tape's; a name or a file")
@@ -115,7 +117,7 @@ void add_simulate(CLI::App& app, int& exit_code) {
 void add_doctor(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand("doctor", "Find geometry that disturbs movement");
     auto options = std::make_shared<DoctorOptions>();
-    verb->add_option("LEVEL", options->level, level_help())->required();
+    add_path(*verb, "LEVEL", options->level, level_help())->required();
     verb->add_flag("--json", options->json, "Print JSON");
     verb->add_flag("--grade", options->grade,
                    "Also grade ledges and gaps by what the player can jump; these are no problems");

@@ -135,9 +135,9 @@ namespace {
 
 // The options of every verb that runs a tape on a level.
 CLI::Option* add_tape_options(CLI::App& verb, TapeOptions& tape) {
-    verb.add_option("LEVEL", tape.level, "OBJ or level file")->required();
+    add_path(verb, "LEVEL", tape.level, "OBJ or level file")->required();
     add_set_option(verb, tape.settings);
-    return verb.add_option("--tape", tape.tape, "Inputs, tick by tick")->required()->type_name("FILE");
+    return add_path(verb, "--tape", tape.tape, "Inputs, tick by tick")->required()->type_name("FILE");
 }
 
 }  // namespace

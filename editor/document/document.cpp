@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <exception>
 #include <functional>
 #include <utility>
 
 #include "document/faces.h"
+#include "slipface/base/files.h"
 
 namespace slipface {
 namespace {
@@ -40,12 +42,24 @@ Document::Document() {
 
 Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& path, Progress* progress) {
     try {
+        // The text before and after the level is loaded: the same, unless it was written meanwhile.
+        const std::filesystem::path file = path.extension() == ".json" ? path : level_file_for(path);
+        Result<LevelBase> base = read_level_base(file);
         Result<LoadedLevel> loaded = load_level(path, progress);
+        constexpr int max_tries = 5;
+        for (int tries = 1; base && loaded && tries < max_tries; ++tries) {
+            const std::uint64_t before = base->content;
+            base = read_level_base(file);
+            if (base && base->content == before) break;
+            loaded = load_level(path, progress);
+        }
         if (!loaded) return loaded.error();
+        if (!base) return base.error();
         std::unique_ptr<Document> document(new Document);
         document->level_ = std::move(loaded->level);
         document->warnings_ = std::move(loaded->warnings);
         document->match_ = loaded->match;
+        document->base_ = std::move(*base);
         document->level_.overrides.resize(
             std::max(document->level_.overrides.size(), own_mesh(document->level_)->face_count()));
         begin_stage(progress, "Building the collision world", 1.0, 1.0);
@@ -70,10 +84,16 @@ Status Document::save_as(const std::filesystem::path& level_file) {
                                               level_file_for(level_.mesh_path).filename().string()};
     // A copy, because save() hands in level_.file_path itself.
     const std::filesystem::path before = std::exchange(level_.file_path, std::filesystem::path(level_file));
-    Status status = save_level(level_);
-    if (!status) {
+    try {
+        LevelBase written = level_base(level_to_json(level_));
+        if (Status status = write_file_atomic(level_.file_path, *written.text); !status) {
+            level_.file_path = before;
+            return status;
+        }
+        base_ = std::move(written);
+    } catch (const std::exception& error) {
         level_.file_path = before;
-        return status;
+        return Error{level_file.string(), std::string("could not be written: ") + error.what()};
     }
     // A stroke in progress may still change what was written.
     if (open_step_.changes_file())
@@ -81,7 +101,7 @@ Status Document::save_as(const std::filesystem::path& level_file) {
     else
         saved_cursor_ = cursor_;
     ++revision_;
-    return status;
+    return {};
 }
 
 std::size_t Document::paint(std::span<const FaceId> faces, std::optional<SurfaceId> surface) {
@@ -248,13 +268,17 @@ void Document::set_goals(std::vector<Goal> goals, std::string step_name) {
     change(GoalsEdit{level_.goals, std::move(goals)}, std::move(step_name));
 }
 
-void Document::restore(Level level, std::string step_name) {
+void Document::restore(Level level, std::string step_name, std::optional<std::vector<FaceId>> selected) {
     if (in_transaction() || own_mesh(level) != own_mesh(level_)) return;
+    if (level.heightfield == level_.heightfield)
+        level.terrain = level_.terrain;
+    else
+        static_cast<void>(load_terrain(level));  // without a readable image there is no terrain
     level.overrides.resize(std::max(level.overrides.size(), own_mesh(level)->face_count()));
     Transaction transaction(*this, std::move(step_name));
     perform({}, LevelEdit{std::make_shared<const Level>(level_),
                           std::make_shared<const Level>(std::move(level))});
-    select({selection_.begin(), selection_.end()});  // drops faces that are hidden now
+    select(selected ? std::move(*selected) : selection_);  // without faces that are hidden now
     transaction.commit();
 }
 
@@ -374,12 +398,22 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
     std::visit(Apply{*this, forward, touched}, edit);
 }
 
+// If an edit throws, those before it are reverted; an edit that throws midway can be reverted as well.
 void Document::apply(const HistoryStep& step, bool forward) {
-    Touched touched;
     const std::size_t count = step.edits.size();
-    for (std::size_t i = 0; i < count; ++i)
-        apply(step.edits[forward ? i : count - 1 - i], forward, touched);
-    refresh(touched);
+    const auto edit = [&](std::size_t i) -> const Edit& { return step.edits[forward ? i : count - 1 - i]; };
+    std::size_t begun = 0;
+    Touched touched;
+    try {
+        for (; begun < count; ++begun)
+            apply(edit(begun), forward, touched);
+        refresh(touched);
+    } catch (const std::exception&) {
+        for (std::size_t i = std::min(begun + 1, count); i > 0; --i)
+            apply(edit(i - 1), !forward, touched);
+        refresh(touched);
+        throw;
+    }
 }
 
 }  // namespace slipface

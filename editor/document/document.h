@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -10,9 +11,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
+#include "document/level_base.h"
 #include "slipface/level/find_start.h"
 #include "slipface/level/level_file.h"
 #include "slipface/movement/step.h"
@@ -178,6 +181,8 @@ class Document {
 
     // True if it differs from the file on disk. The selection does not count.
     bool dirty() const;
+    // The level file when it was read or written last: the unsaved changes add to it.
+    const LevelBase& base() const { return base_; }
     Status save();
     // `level_file` is the level file's name; the OBJ file stays where it is.
     Status save_as(const std::filesystem::path& level_file);
@@ -193,6 +198,8 @@ class Document {
         return reload_mesh(level_, progress);
     }
     Status take_geometry(LoadedLevel loaded, std::string step_name);
+    // Whether all annotations are found exactly in the geometry that was read again.
+    bool annotations_stay(const LoadedLevel& loaded) const;
     // Reads the geometry with another scale or up axis; painted faces keep their types.
     Status set_import_transform(const ImportTransform& transform, Progress* progress = nullptr);
 
@@ -205,7 +212,11 @@ class Document {
     // its type does not exist, or if `faces` is empty.
     Status attach_orphan(std::size_t orphan, std::span<const FaceId> faces);
     void drop_orphan(std::size_t orphan);  // deletes it: one step
-    void mark_saved();  // the file on disk holds this state, because it was read from there
+    // Another program wrote the level file, whose text is `now`. saved: it holds this state. unsaved: it
+    // holds another, to which this one adds. reworded: it says the same as before.
+    void mark_saved(LevelBase now);
+    void mark_unsaved(LevelBase now);
+    void mark_reworded(LevelBase now) { base_ = std::move(now); }
 
     // Changes. Each is one step of history unless a transaction is open. A change without effect adds no
     // step.
@@ -241,8 +252,9 @@ class Document {
     void set_platforms(std::vector<Platform> platforms, std::string step_name);
     const Warnings& prop_warnings() const { return prop_warnings_; }  // of the last change of the props
     // Replaces everything that the level adds to the OBJ's mesh with that of `level`, which must have this
-    // document's. The file names stay. Ignored during a transaction.
-    void restore(Level level, std::string step_name);
+    // document's. The file names stay, and terrain is read from its file if it is another. Selects `selected`
+    // (ascending), if given. Ignored during a transaction.
+    void restore(Level level, std::string step_name, std::optional<std::vector<FaceId>> selected = {});
     // A copy of the current state that shares the mesh, for a thread that saves or examines it.
     Level snapshot() const { return level_; }
 
@@ -264,6 +276,9 @@ class Document {
     // How many steps the file has; nothing: the saved state is no longer in the history.
     std::optional<std::size_t> saved_cursor() const { return saved_cursor_; }
     void go_to(std::size_t cursor);  // undoes or redoes up to that step
+    // After an exception: cancels an open transaction and undoes the steps after `cursor`. (A change that
+    // throws leaves the document as it was; but an action may consist of several.)
+    void roll_back(std::size_t cursor);
 
   private:
     // What a set of edits changed, so that only that is computed again.
@@ -313,7 +328,7 @@ class Document {
     PropsState props_state() const;  // without the props
     void take(const PropsState& state);
     void perform(std::string step_name, Edit edit);
-    void record(std::string step_name, Edit edit);
+    void record(HistoryStep step);
     void push(HistoryStep step);
 
     Level level_;
@@ -339,9 +354,10 @@ class Document {
     HistoryStep open_step_;
     int depth_ = 0;
     std::uint64_t revision_, face_revision_;
+    LevelBase base_;
 };
 
-// Reverts or repeats an edit in the list of props.
+// Reverts or repeats an edit in the list of props. Does nothing where that was not repeated or not reverted.
 void put_props(const PropsEdit& edit, bool forward, std::vector<Prop>& props);
 // The same edit as `earlier` and then `later`, after which the props are `now`.
 void merge_into(PropsEdit& earlier, PropsEdit&& later, std::vector<Prop> now);
@@ -349,21 +365,22 @@ void merge_into(PropsEdit& earlier, PropsEdit&& later, std::vector<Prop> now);
 // For set_props(): each prop is still itself.
 std::vector<std::uint32_t> every_prop(const Level& level);
 
-// begin() on construction, cancel() on destruction unless committed.
+// begin() on construction, cancel() on destruction unless committed. A cancel() that throws again leaves it
+// to roll_back().
 class Transaction {
   public:
     Transaction(Document& document, std::string name) : document_(&document) {
         document.begin(std::move(name));
     }
     ~Transaction() {
-        if (document_) document_->cancel();
+        try {
+            if (document_) document_->cancel();
+        } catch (const std::exception&) {
+        }
     }
     Transaction(const Transaction&) = delete;
     Transaction& operator=(const Transaction&) = delete;
-    void commit() {
-        document_->commit();
-        document_ = nullptr;
-    }
+    void commit() { std::exchange(document_, nullptr)->commit(); }
 
   private:
     Document* document_;

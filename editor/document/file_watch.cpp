@@ -4,18 +4,7 @@
 
 #include <utility>
 
-#include "slipface/base/files.h"
-
 namespace slipface {
-namespace {
-
-FileStamp content_of(const std::filesystem::path& file) {
-    const Result<std::string> bytes = read_file(file);
-    return bytes ? file_stamp(*bytes) : FileStamp();
-}
-
-}  // namespace
-
 FileWatch::Stamp FileWatch::stamp_of(const std::filesystem::path& file) {
     struct stat status {};
     if (::stat(file.c_str(), &status) != 0) return {};
@@ -30,13 +19,13 @@ void FileWatch::look(Group& group) {
 }
 
 void FileWatch::start(const std::filesystem::path& mesh, const std::filesystem::path& level_file,
-                      std::vector<std::filesystem::path> libraries,
+                      bool level_is_known, std::vector<std::filesystem::path> libraries,
                       std::vector<std::filesystem::path> textures) {
     mesh_ = mesh;
     level_ = level_file;
     mesh_known_ = mesh_now_ = stamp_of(mesh_);
-    level_known_ = level_now_ = stamp_of(level_);
-    level_content_ = content_of(level_);
+    level_now_ = stamp_of(level_);
+    level_known_ = level_is_known ? level_now_ : Stamp{.changed_ns = -1};
     libraries_.files = std::move(libraries);
     textures_.files = std::move(textures);
     for (Group* group : {&libraries_, &textures_}) {
@@ -45,10 +34,6 @@ void FileWatch::start(const std::filesystem::path& mesh, const std::filesystem::
     }
     watching_ = true;
     reported_ = false;
-}
-
-bool FileWatch::level_has_other_content() const {
-    return content_of(level_) != level_content_;
 }
 
 bool FileWatch::poll() {

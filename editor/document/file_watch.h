@@ -5,17 +5,16 @@
 #include <filesystem>
 #include <vector>
 
-#include "slipface/mesh/import.h"
-
 namespace slipface {
 
 // Compares modification time and size at each poll, which finds nearly every change.
 class FileWatch {
   public:
     // Watches these files from their present state on. Call it after opening, saving and reloading. The
-    // libraries define the mesh's materials, which name the textures.
+    // libraries define the mesh's materials, which name the textures. `level_is_known`: false if the level
+    // file has been written again meanwhile, so that poll() reports it.
     void start(const std::filesystem::path& mesh, const std::filesystem::path& level_file,
-               std::vector<std::filesystem::path> libraries = {},
+               bool level_is_known, std::vector<std::filesystem::path> libraries = {},
                std::vector<std::filesystem::path> textures = {});
     void stop() { watching_ = false; }
     // True once per completed change: two polls in a row found the same stamp, and the geometry file exists
@@ -27,9 +26,6 @@ class FileWatch {
     bool level_gone() const { return !level_now_.there; }
     bool libraries_changed() const { return libraries_.now != libraries_.known; }
     bool textures_changed() const { return textures_.now != textures_.known; }
-    // Reads the level file. False if it has the same bytes as at start(), for example after `touch`. (The
-    // document knows the geometry's content.)
-    bool level_has_other_content() const;
 
   private:
     struct Stamp {
@@ -46,7 +42,6 @@ class FileWatch {
     static void look(Group& group);
 
     std::filesystem::path mesh_, level_;
-    FileStamp level_content_;
     Stamp mesh_known_, level_known_, mesh_now_, level_now_;
     Group libraries_, textures_;
     bool watching_ = false, reported_ = false, at_rest_ = true;

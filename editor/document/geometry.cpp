@@ -77,8 +77,9 @@ Status Document::set_import_transform(const ImportTransform& transform, Progress
     return {};
 }
 
-// True if all annotations were found exactly: reading the level file with the new geometry gives this state.
-static bool annotations_stay(const Level& before, const LoadedLevel& after) {
+// Then reading the level file with the new geometry gives this state.
+bool Document::annotations_stay(const LoadedLevel& after) const {
+    const Level& before = level_;
     const auto painted = [](const Level& level) {
         return std::count_if(level.overrides.begin(), level.overrides.end(),
                              [](const auto& surface) { return surface.has_value(); });
@@ -110,7 +111,7 @@ Status Document::take_geometry(LoadedLevel loaded, std::string step_name) {
                     warnings_,
                     match_,
                     level_.placed};
-    const bool stays = annotations_stay(level_, loaded);
+    const bool stays = annotations_stay(loaded);
     // A selection is temporary: it stays only if the mesh is the same, and is never guessed.
     const bool same_faces =
         own_mesh(loaded.level)->face_first_corner == own_mesh(level_)->face_first_corner &&
@@ -143,7 +144,8 @@ Result<std::string> Document::name_materials() {
     if (named->faces == 0) return text;
     if (Status status = take_geometry(std::move(named->after), "Write types into material names"); !status)
         return status.error();
-    mark_saved();
+    const Result<LevelBase> written = read_level_base(level_.file_path);
+    mark_saved(written ? *written : LevelBase());
     return text;
 }
 

@@ -1,5 +1,6 @@
 // Steps, transactions, undo and redo.
 #include <algorithm>
+#include <exception>
 #include <type_traits>
 #include <utility>
 
@@ -71,24 +72,32 @@ bool HistoryStep::changes_file() const {
     });
 }
 
-void Document::perform(std::string step_name, Edit edit) {
-    Touched touched;
-    apply(edit, true, touched);
-    refresh(touched);
-    record(std::move(step_name), std::move(edit));
+// So that push_back() cannot fail.
+template <class T>
+static void make_room(std::vector<T>& list) {
+    if (list.size() == list.capacity()) list.reserve(2 * list.size() + 1);
 }
 
-void Document::record(std::string step_name, Edit edit) {
-    if (depth_ == 0) {
-        HistoryStep step{std::move(step_name), {}, false};
-        step.edits.push_back(std::move(edit));
-        push(std::move(step));
-        return;
+void Document::perform(std::string step_name, Edit edit) {
+    make_room(history_);
+    HistoryStep step{std::move(step_name), {}, false};
+    step.edits.push_back(std::move(edit));
+    apply(step, true);
+    record(std::move(step));
+}
+
+void Document::record(HistoryStep step) {
+    if (depth_ == 0) return push(std::move(step));
+    Edit& edit = step.edits.front();
+    try {
+        if (Edit* const earlier = same_kind(open_step_.edits, edit))
+            merge_into(*earlier, std::move(edit), level_);
+        else
+            open_step_.edits.push_back(std::move(edit));
+    } catch (const std::exception&) {
+        apply(step, false);
+        throw;
     }
-    if (Edit* const earlier = same_kind(open_step_.edits, edit))
-        merge_into(*earlier, std::move(edit), level_);
-    else
-        open_step_.edits.push_back(std::move(edit));
 }
 
 void Document::push(HistoryStep step) {
@@ -111,29 +120,43 @@ void Document::begin(std::string name) {
 }
 
 void Document::commit() {
-    if (depth_ == 0 || --depth_ > 0) return;
-    HistoryStep step = std::exchange(open_step_, {});
-    for (Edit& edit : step.edits)
+    if (depth_ == 0) return;
+    if (depth_ > 1) {
+        --depth_;
+        return;
+    }
+    make_room(history_);
+    for (Edit& edit : open_step_.edits)
         if (auto* faces = std::get_if<FaceEdit>(&edit)) compact(*faces);
-    std::erase_if(step.edits, changes_nothing);
+    std::erase_if(open_step_.edits, changes_nothing);
+    --depth_;
+    HistoryStep step = std::exchange(open_step_, {});
     if (!step.edits.empty()) push(std::move(step));
 }
 
 void Document::cancel() {
     if (depth_ == 0) return;
     --depth_;
-    const std::vector<Edit> edits = std::exchange(open_step_.edits, {});
-    if (!edits.empty()) apply(HistoryStep{{}, edits, false}, false);
+    const HistoryStep step = std::exchange(open_step_, {});
+    if (!step.edits.empty()) apply(step, false);
+}
+
+void Document::roll_back(std::size_t cursor) {
+    while (depth_ > 0)
+        cancel();
+    if (cursor_ > cursor) go_to(cursor);
 }
 
 void Document::undo() {
     if (!can_undo()) return;
-    apply(history_[--cursor_], false);
+    apply(history_[cursor_ - 1], false);
+    --cursor_;
 }
 
 void Document::redo() {
     if (!can_redo()) return;
-    apply(history_[cursor_++], true);
+    apply(history_[cursor_], true);
+    ++cursor_;
 }
 
 void Document::go_to(std::size_t cursor) {
@@ -143,9 +166,16 @@ void Document::go_to(std::size_t cursor) {
         redo();
 }
 
-void Document::mark_saved() {
+void Document::mark_saved(LevelBase now) {
     if (depth_ > 0) return;
+    base_ = std::move(now);
     saved_cursor_ = cursor_;
+    ++revision_;
+}
+
+void Document::mark_unsaved(LevelBase now) {
+    base_ = std::move(now);
+    saved_cursor_.reset();
     ++revision_;
 }
 

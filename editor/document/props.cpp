@@ -88,13 +88,15 @@ std::vector<std::uint32_t> every_prop(const Level& level) {
 void put_props(const PropsEdit& edit, bool forward, std::vector<Prop>& props) {
     const std::vector<Prop>& from = forward ? edit.before.props : edit.after.props;
     const std::vector<Prop>& to = forward ? edit.after.props : edit.before.props;
-    const std::size_t same = std::min(from.size(), to.size());
-    const auto first = props.begin() + static_cast<std::ptrdiff_t>(edit.first);
-    const auto rest = std::copy_n(to.begin(), same, first);
-    if (from.size() > same)
-        props.erase(rest, rest + static_cast<std::ptrdiff_t>(from.size() - same));
-    else
-        props.insert(rest, to.begin() + static_cast<std::ptrdiff_t>(same), to.end());
+    const std::size_t end = edit.first + from.size();
+    const std::span<const Prop> all(props);
+    if (end > all.size() ||
+        !std::equal(from.begin(), from.end(), all.begin() + static_cast<std::ptrdiff_t>(edit.first)))
+        return;
+    std::vector<Prop> now(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(edit.first));
+    now.insert(now.end(), to.begin(), to.end());
+    now.insert(now.end(), all.begin() + static_cast<std::ptrdiff_t>(end), all.end());
+    props = std::move(now);
 }
 
 // Keeps of two lists what lies between their common beginning and their common end.
@@ -160,7 +162,9 @@ void Document::set_props(std::vector<Prop> props, std::span<const std::uint32_t>
     touched.hidden = touched.props = true;
     refresh(touched);
     keep_difference(edit, props, level_.props);
-    record(std::move(step_name), std::move(edit));
+    HistoryStep step{std::move(step_name), {}, false};
+    step.edits.emplace_back(std::move(edit));
+    record(std::move(step));
 }
 
 void Document::set_platforms(std::vector<Platform> platforms, std::string step_name) {

@@ -40,8 +40,11 @@ Status Recordings::store(std::string_view name, std::string_view text) const {
     if (error) return Error{folder_.string(), "cannot be created: " + error.message()};
     fs::path file;
     // If a file of this second exists, use the next second, so that sorting by name stays sorting by time.
-    for (std::time_t now = std::time(nullptr); file.empty() || fs::exists(file, error); ++now)
-        file = folder_ / fmt::format("{:%Y-%m-%d %H.%M.%S} {}.tape", fmt::localtime(now), name);
+    for (std::time_t now = std::time(nullptr); file.empty() || fs::exists(file, error); ++now) {
+        std::tm local{};
+        ::localtime_r(&now, &local);
+        file = folder_ / fmt::format("{:%Y-%m-%d %H.%M.%S} {}.tape", local, name);
+    }
     if (Status status = write_file_atomic(file, text); !status) return status;
     delete_oldest(folder_, max_stored);
     return {};

@@ -1,5 +1,6 @@
 // Data derived from the document: each face's type, the collision world's copy of it, and picking.
 #include <algorithm>
+#include <utility>
 
 #include "document/document.h"
 #include "slipface/base/parallel.h"
@@ -119,11 +120,15 @@ void Document::resolve_props() {
 }
 
 void Document::resolve_again() {
-    std::vector<std::optional<SurfaceId>> overrides;
-    std::swap(overrides, level_.overrides);
-    unpainted_ = resolve_parts(level_);
-    std::swap(overrides, level_.overrides);
-
+    {
+        // Put back whatever happens meanwhile: memory may run out.
+        struct WithoutPaint {
+            std::vector<std::optional<SurfaceId>>& paint;
+            std::vector<std::optional<SurfaceId>> kept = std::exchange(paint, {});
+            ~WithoutPaint() { paint.swap(kept); }
+        } const without{level_.overrides};
+        unpainted_ = resolve_parts(level_);
+    }
     resolved_ = unpainted_;
     apply_surface_rules(collision_, level_.surfaces);
     apply_overrides();

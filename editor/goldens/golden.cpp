@@ -7,6 +7,7 @@
 #include <set>
 #include <string_view>
 
+#include "goldens/drawer.h"
 #include "goldens/numbers_json.h"
 #include "slipface/base/files.h"
 
@@ -89,8 +90,14 @@ GoldenResult without_golden(const Pair& pair, GoldenState state, const std::stri
     return result;
 }
 
-// Compares with the golden, then with its alternates until the gate calls one the same.
-void compare_image_files(const Pair& pair, const Image& golden, GoldenResult& result) {
+fs::path own_golden(const fs::path& folder, const std::string& name, const std::string& drawer) {
+    return png_path(folder / drawers_folder(drawer), name, ".png");
+}
+
+// Compares with the golden, then with its alternates until the gate calls one the same, then with what other
+// libraries need.
+void compare_image_files(const Pair& pair, const Image& golden, const std::string& golden_numbers,
+                         GoldenResult& result) {
     const Snapshot& snapshot = pair.snapshot;
     const auto compare = [&](const Image& expected) {
         const Image& actual = pair.actual.image;
@@ -110,6 +117,23 @@ void compare_image_files(const Pair& pair, const Image& golden, GoldenResult& re
         result.comparison = comparison;
         result.matched = name;
     }
+    const std::string drawer = drawn_by(pair.actual.numbers), other = drawn_by(golden_numbers);
+    if (result.comparison.same || drawer.empty() || drawer == other) return;
+    const fs::path own = own_golden(pair.folder, snapshot.name, drawer);
+    if (on_disk(own)) {
+        const Result<Image> image = load_golden(own);
+        if (!image) return;
+        result.comparison = compare(*image);
+        result.matched = own.lexically_relative(pair.folder).replace_extension().generic_string();
+        return;
+    }
+    result.comparison =
+        compare_coarsely(golden, masked(golden, pair.actual.image, snapshot.masks), snapshot.elsewhere);
+    result.matched = fmt::format("the golden, drawn by {}, coarsely", other);
+    // A widget that is there on one side only is no matter of pixels.
+    for (NumberDifference& number : result.numbers)
+        if (number.cause == Cause::ui && (number.expected == "nothing" || number.actual == "nothing"))
+            number.decides = true;
 }
 
 void explain_difference(const Pair& pair, const Image& golden, const std::string& golden_numbers,
@@ -193,13 +217,14 @@ GoldenResult check_golden(const fs::path& folder, const Snapshot& snapshot, cons
     GoldenResult result;
     result.name = snapshot.name;
     result.numbers = *numbers;
-    compare_image_files(pair, *golden, result);
+    compare_image_files(pair, *golden, golden_numbers, result);
     const bool same = result.comparison.same && !any_decides(result.numbers);
     result.state = same ? GoldenState::same : GoldenState::different;
     result.message = difference_message(result, golden_path);
     if (same && !result.matched.empty())
         result.message = fmt::format("{} matches; the golden itself does not", result.matched);
     if (same) return result;
+    result.matched.clear();
     explain_difference(pair, *golden, golden_numbers, result);
     if (!result.findings.empty()) result.message += "; " + result.findings.front().text;
     write_and_report(png_path(out, snapshot.name, ".expected.png"), *golden, result.message);
@@ -220,6 +245,25 @@ Result<std::vector<std::string>> approve_golden(const fs::path& folder, const Sn
     const bool fits =
         golden &&
         compare_images(*golden, masked(*golden, actual.image, snapshot.masks), snapshot.tolerance).same;
+    if (options.here && golden) {
+        const Result<std::string> numbers = read_file(png_path(folder, snapshot.name, ".json"));
+        const std::string drawer = drawn_by(actual.numbers);
+        if (numbers && !drawer.empty() && drawer != drawn_by(*numbers)) {
+            if (fits && !options.force) return written;
+            const fs::path own = own_golden(folder, snapshot.name, drawer);
+            const Result<Image> before = load_golden(own);
+            if (before && !options.force &&
+                compare_images(*before, masked(*before, actual.image, snapshot.masks), snapshot.tolerance)
+                    .same)
+                return written;
+            if (Status status =
+                    write_image_file(own, actual.image, options.packed ? PngEffort::small : PngEffort::fast);
+                !status)
+                return status.error();
+            written.push_back(own.lexically_relative(folder).generic_string());
+            return written;
+        }
+    }
     if (!fits || options.force) {
         const PngEffort effort = options.packed ? PngEffort::small : PngEffort::fast;
         if (Status status = write_image_file(path, actual.image, effort); !status) return status.error();
@@ -279,57 +323,6 @@ GoldenResult check_snapshot(const Snapshot& snapshot, const fs::path& folder, co
         }
     }
     return timed(check_golden(folder, snapshot, *first, out));
-}
-
-namespace {
-
-// The files below `folder` with this ending, as names without it, ascending. Folders with a leading '.'
-// belong to other programs.
-std::vector<std::string> files_below(const fs::path& folder, const char* ending) {
-    std::vector<std::string> names;
-    std::error_code error;
-    for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-        if (it->path().filename().string().starts_with('.') && it->is_directory(error)) {
-            it.disable_recursion_pending();
-            continue;
-        }
-        if (it->path().extension() == ending)
-            names.push_back(it->path().lexically_relative(folder).replace_extension().generic_string());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
-std::string without_alternate(const std::string& name) {
-    const std::size_t dot = name.rfind(".alt");
-    const bool alternate =
-        dot != std::string::npos && dot + 5 == name.size() && name[dot + 4] >= '1' && name[dot + 4] <= '9';
-    return alternate ? name.substr(0, dot) : name;
-}
-
-}  // namespace
-
-std::vector<std::string> orphan_goldens(const fs::path& folder, const std::vector<std::string>& names) {
-    const std::set<std::string> known(names.begin(), names.end());
-    std::vector<std::string> orphans = files_below(folder, ".png");
-    std::erase_if(orphans, [&](const std::string& name) { return known.contains(without_alternate(name)); });
-    return orphans;
-}
-
-std::vector<std::string> unused_attachments(const fs::path& folder) {
-    std::vector<std::string> files = files_below(folder / "levels", ".digest");
-    std::set<std::string> used;
-    for (const std::string& name : files_below(folder, ".json")) {
-        const Result<std::string> text = read_file(folder / (name + ".json"), std::uint64_t{64} << 20U);
-        const Numbers numbers = text ? Numbers::parse(*text, nullptr, false) : Numbers();
-        if (!numbers.is_object() || !numbers.contains("level") || !numbers["level"].is_object()) continue;
-        const auto digest = numbers["level"].find("digest");
-        if (digest != numbers["level"].end() && digest->is_string()) used.insert(digest->get<std::string>());
-    }
-    std::erase_if(files, [&](const std::string& name) { return used.contains(name); });
-    for (std::string& name : files)
-        name = "levels/" + name + ".digest";
-    return files;
 }
 
 }  // namespace slipface

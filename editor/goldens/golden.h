@@ -64,6 +64,7 @@ struct Snapshot {
     CompareTolerance tolerance;
     std::function<Result<Rendering>()> render;
     std::vector<MaskRect> masks = {};
+    CoarseTolerance elsewhere = {};  // where other releases of the drawing libraries drew the golden
     std::function<std::vector<Finding>(const ExplainRequest&)> explain = {};  // may be empty
     std::function<Result<Attachment>()> attachment = {};                      // may be empty
 };
@@ -75,14 +76,18 @@ struct GoldenResult {
     std::vector<NumberDifference> numbers;
     std::vector<Finding> findings;    // causes before their effects
     std::array<SweepRow, 8> sweep{};  // differing pixels at other thresholds
-    std::string matched;  // the alternate that matches, "NAME.alt1"; empty: none was needed or none matches
-    std::string message;  // one line, with numbers and the files written
+    // What matches instead of the golden: the alternate "NAME.alt1", the drawer's own "renderers/.../NAME",
+    // or the golden of another drawer, coarsely. Empty: none was needed or none matches.
+    std::string matched;
+    std::string message;                    // one line, with numbers and the files written
     double seconds = 0.0, drawing_s = 0.0;  // whole check; drawing alone
 };
 
 // Compares `actual` with FOLDER/NAME.png, then with the alternates NAME.alt1.png to NAME.alt9.png, and its
-// numbers with NAME.json. If they differ, writes OUT/NAME.expected.png, .actual.png, .actual.json and
-// .difference.png; if the golden is missing or unreadable, only the actual files. Never writes into `folder`.
+// numbers with NAME.json. Where other libraries drew the golden (drawn_by), then with what was approved for
+// those that drew `actual`, or if there is nothing, with the golden coarsely. If they differ, writes
+// OUT/NAME.expected.png, .actual.png, .actual.json and .difference.png; if the golden is missing or
+// unreadable, only the actual files. Never writes into `folder`.
 GoldenResult check_golden(const std::filesystem::path& folder, const Snapshot& snapshot,
                           const Rendering& actual, const std::filesystem::path& out);
 
@@ -94,6 +99,7 @@ GoldenResult check_snapshot(const Snapshot& snapshot, const std::filesystem::pat
 struct ApproveOptions {
     bool force = false;  // also rewrite goldens that match
     bool packed = true;  // spend more time for a smaller PNG
+    bool here = false;   // where other libraries drew the golden, leave it, and write one for these
 };
 // Makes `actual` the golden: image, numbers and attachment. An image that the gate calls the same is not
 // rewritten, nor are equal numbers. Returns the paths of the written files, relative to `folder`.
@@ -101,7 +107,7 @@ Result<std::vector<std::string>> approve_golden(const std::filesystem::path& fol
                                                 const Rendering& actual, const ApproveOptions& options = {});
 
 // Names of the PNG files below `folder` that are neither one of `names` nor an alternate of one, ascending.
-// Folders whose name begins with '.' are skipped.
+// Folders whose name begins with '.' are skipped. A golden of one drawer is that of its name.
 std::vector<std::string> orphan_goldens(const std::filesystem::path& folder,
                                         const std::vector<std::string>& names);
 

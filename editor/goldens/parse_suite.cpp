@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
@@ -274,10 +275,11 @@ Json parse_json(std::string_view text, const std::string& location) {
 Result<std::vector<Scene>> parse_scene_suite(std::string_view text, const std::filesystem::path& file) try {
     const std::string location = file.filename().string();
     const Json json = parse_json(text, location);
-    only_keys(json, location + ":", {"version", "defaults", "scenes"});
-    const Json& version = member(json, location + ":", "version");
+    const std::string top = location + ":";
+    only_keys(json, top, {"version", "defaults", "scenes"});
+    const Json& version = member(json, top, "version");
     if (version != 1) refuse(location + ":/version", fmt::format("found {}, expected 1", shown(version)));
-    const Json& list = member(json, location + ":", "scenes");
+    const Json& list = member(json, top, "scenes");
     if (!list.is_array()) refuse_type(location + ":/scenes", list, "an array");
     if (list.size() > max_scenes)
         refuse(location + ":/scenes", fmt::format("has more than {} scenes", max_scenes));

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <set>
+#include <stdexcept>
+#include <tuple>
 
 #include "goldens/junit.h"
 #include "goldens/numbers_json.h"
@@ -90,10 +93,14 @@ GoldenResult entry_of(const Numbers& json) {
     for (const Numbers& finding : json.value("findings", Numbers::array()))
         entry.findings.push_back({cause_of(finding), finding.at("pixels").get<std::size_t>(),
                                   finding.at("text").get<std::string>()});
-    for (const Numbers& number : json.value("numbers", Numbers::array()))
-        entry.numbers.push_back({number.at("path").get<std::string>(), cause_of(number),
-                                 number.at("expected").get<std::string>(),
+    for (const Numbers& number : json.value("numbers", Numbers::array())) {
+        auto path = number.at("path").get<std::string>();
+        if (!path.starts_with('/'))
+            throw std::runtime_error("found the number's path \"" + path +
+                                     "\"; expected one that begins with /");
+        entry.numbers.push_back({std::move(path), cause_of(number), number.at("expected").get<std::string>(),
                                  number.at("actual").get<std::string>(), number.at("decides").get<bool>()});
+    }
     const Numbers sweep = json.value("sweep", Numbers::array());
     for (std::size_t i = 0; i < std::min(sweep.size(), entry.sweep.size()); ++i)
         entry.sweep[i] = {sweep[i].at(0).get<int>(), sweep[i].at(1).get<std::size_t>()};

@@ -6,7 +6,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
+#include <exception>
 #include <iostream>
 
 #include "cli/verbs.h"
@@ -73,6 +75,7 @@ int main(int argument_count, char** arguments) {
     using namespace slipface;
     if (argument_count > 1 && std::string(arguments[1]) == read_scene_word)
         return read_scene_as_child({arguments + 2, arguments + argument_count});
+    std::signal(SIGCHLD, SIG_DFL);  // as in the program itself
     // Threads compute; only the main one calls MPI.
     int provided = 0;
     MPI_Init_thread(&argument_count, &arguments, MPI_THREAD_FUNNELED, &provided);

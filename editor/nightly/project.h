@@ -13,6 +13,7 @@
 //   }
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>

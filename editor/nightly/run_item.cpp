@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <exception>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "cli/exit_codes.h"
 #include "slipface/base/files.h"
@@ -186,6 +188,16 @@ NightResult read_result(std::size_t index, const NightItem& item, const ChildOut
     return result;
 }
 
+constexpr const char* lost_child = "a process that was started can no longer be waited for";
+
+// The process that ended; below 0: there is none to wait for.
+pid_t wait_for(pid_t which, int& status) {
+    pid_t ended;
+    while ((ended = ::waitpid(which, &status, 0)) < 0 && errno == EINTR) {
+    }
+    return ended;
+}
+
 }  // namespace
 
 Result<ChildOutput> run_child(const std::vector<std::string>& arguments, const fs::path& folder) {
@@ -194,11 +206,11 @@ Result<ChildOutput> run_child(const std::vector<std::string>& arguments, const f
     const Result<Child> child = start(arguments, folder, pattern);
     if (!child) return child.error();
     int status = 0;
-    while (::waitpid(child->pid, &status, 0) < 0 && errno == EINTR) {
-    }
+    const pid_t ended = wait_for(child->pid, status);
     const ChildOutput output = output_of(*child, status);
     std::error_code ignored;
     fs::remove(pattern, ignored);
+    if (ended < 0) return Error{arguments.front(), lost_child};
     return output;
 }
 
@@ -223,7 +235,11 @@ Status run_items(const NightRun& run, const std::vector<std::pair<std::size_t, c
     Status status;
     const auto wait_for_one = [&] {
         int ended = 0;
-        const pid_t pid = ::waitpid(-1, &ended, 0);
+        const pid_t pid = wait_for(-1, ended);
+        if (pid < 0) {
+            status = Error{run.out.string(), lost_child};
+            running.clear();
+        }
         const auto at = running.find(pid);
         if (at == running.end()) return;
         const auto [child, place] = at->second;

@@ -150,7 +150,8 @@ void hack_cell(Editor& editor, FrameContext& frame, const SettingInfo& info) {
     if (const TapeRun* run = live_run(editor); run && row) {
         const std::string text = fmt::format("{}", run->acted_count(*row));  // the tooltip has the total
         const float width = ImGui::CalcTextSize(text.c_str()).x;
-        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, 2.6f * em - width));
+        const float room = std::min(2.6f * em, ImGui::GetContentRegionAvail().x - 1.6f * em);
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, room - width));
         ImGui::AlignTextToFramePadding();
         ImGui::TextColored(run->acted_count(*row) > 0 ? ui::palette().text : ui::palette().muted, "%s",
                            text.c_str());

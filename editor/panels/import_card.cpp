@@ -38,7 +38,7 @@ void row(const char* label, float value_at) {
 // An explanation of the control above.
 void note(const std::string& text, float value_at) {
     ImGui::SetCursorPosX(value_at);
-    ImGui::PushFont(ui::fonts().small);
+    ui::push_font(ui::fonts().small);
     ui::muted_text(text.c_str());
     ImGui::PopFont();
 }
@@ -134,7 +134,8 @@ void spawn_rows(Editor& editor, float value_at) {
     if (ui::button("Open floor", "Put it on the best open floor near the level's middle"))
         put_spawn_on_open_floor(editor);
     ImGui::SameLine();
-    if (ui::button("In view", "Put it on the face in the middle of the view")) put_spawn_in_view(editor);
+    if (ui::button("In view", "Put it on a selected face, or on the one in the middle of the view"))
+        put_spawn_in_view(editor);
 }
 
 }  // namespace
@@ -160,7 +161,7 @@ float import_card(Editor& editor, const ImVec2& min, const ImVec2& size) {
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(3);
     const ui::Scope scope("Import");
-    ImGui::PushFont(ui::fonts().semibold);
+    ui::push_font(ui::fonts().semibold);
     ImGui::TextUnformatted("How the file was read");
     ImGui::PopFont();
     size_rows(editor, value_at);

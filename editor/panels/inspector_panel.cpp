@@ -92,12 +92,15 @@ void facts(const Document& document, const FaceSummary& summary) {
     fact("Triangles", std::to_string(summary.triangles));
 }
 
-// At the right end of the heading's line.
+float selection_buttons_width() {
+    return 3.0f * ui::icon_button_side() + 2.0f * ImGui::GetStyle().ItemInnerSpacing.x;
+}
+
+// At the right end of the heading's line, or below it.
 void selection_buttons(Editor& editor, const FaceSummary& summary, float top) {
-    const float side = ImGui::GetFrameHeight() + 4.0f * ui::scale();
-    const float width = 3.0f * side + 2.0f * ImGui::GetStyle().ItemInnerSpacing.x;
     const float left = ImGui::GetCursorPosX();
-    ImGui::SetCursorPos({left + std::max(0.0f, ImGui::GetContentRegionAvail().x - width), top});
+    ImGui::SetCursorPos(
+        {left + std::max(0.0f, ImGui::GetContentRegionAvail().x - selection_buttons_width()), top});
     if (ui::icon_button(icons::brush, "Paint", "Give these faces the brush's surface type", false))
         run_command(editor, "edit.fill_selection");
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
@@ -130,11 +133,15 @@ void inspector_panel(Editor& editor) {
     }
     const FaceSummary& summary = selection_summary(document);
     const float top = ImGui::GetCursorPosY();
-    ui::heading((selected == 1 ? "Face " + std::to_string(document.selection()[0]) + ", selected"
-                               : std::to_string(selected) + " faces selected")
-                    .c_str());
+    const std::string heading = selected == 1
+                                    ? "Face " + std::to_string(document.selection()[0]) + ", selected"
+                                    : std::to_string(selected) + " faces selected";
+    ui::heading(heading.c_str());
     const float below = ImGui::GetCursorPosY();
-    selection_buttons(editor, summary, top);
+    const bool beside =
+        ImGui::GetItemRectSize().x + selection_buttons_width() + 0.5f * ImGui::GetFontSize() <=
+        ImGui::GetContentRegionAvail().x;
+    selection_buttons(editor, summary, beside ? top : below);
     ImGui::SetCursorPosY(std::max(below, ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y));
     facts(document, summary);
 }

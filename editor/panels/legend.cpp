@@ -86,7 +86,7 @@ struct SlopeRow {
 };
 // The colours that the shader gives them.
 constexpr std::array<SlopeRow, 3> walk_rows{{{"Walkable", IM_COL32(51, 143, 199, 255), SlopeClass::walkable},
-                                             {"Too steep", IM_COL32(224, 115, 41, 255), SlopeClass::steep},
+                                             {"Too steep", IM_COL32(204, 51, 64, 255), SlopeClass::steep},
                                              {"Overhang", IM_COL32(92, 69, 128, 255), SlopeClass::overhang}}};
 
 std::vector<SurfaceId> types_in_use(const Document& document) {
@@ -107,6 +107,8 @@ LegendLayout legend_layout(const Editor& editor, ImVec2 min, ImVec2 max) {
     LegendLayout layout;
     const bool by_slope = editor.style.colors != FaceColors::types;
     if (editor.playtest || (editor.style.overlay <= 0.0f && !by_slope)) return layout;
+    // The Types panel says the same.
+    if (!by_slope && editor.layout.visible(PanelId::palette)) return layout;
     const float scale = ui::scale();
     const auto add = [&](std::string name, std::size_t faces, std::string area) {
         layout.name_width = std::max(layout.name_width, ImGui::CalcTextSize(name.c_str()).x);

@@ -69,6 +69,36 @@ void choice_control(Editor& editor, const SettingInfo& info, double value, const
         put(editor, info, static_cast<double>(index));
 }
 
+// A choice takes the whole width, so that its words are never cut.
+void choice_row(Editor& editor, const SettingInfo& info) {
+    const double value = get_setting(editor.document->level().movement, info);
+    const double standard = get_setting(standard_settings(editor), info);
+    const float indent = *info.switch_name ? 1.2f * ImGui::GetFontSize() : 0.0f;
+    ImGui::PushID(info.name);
+    if (begin_property_rows("choice", ImGui::GetContentRegionAvail().x, 3.2f)) {
+        property_row("", nullptr, value != standard);
+        ImGui::TableSetColumnIndex(1);
+        const float x = ImGui::GetCursorPosX() + indent, room = ImGui::GetContentRegionAvail().x - indent;
+        const float label_width =
+            std::min(0.46f * room, ImGui::CalcTextSize(info.label).x + 0.6f * ImGui::GetFontSize());
+        ImGui::SetCursorPosX(x);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImGui::AlignTextToFramePadding();
+        ui::ellipsis({at.x, at.y + ImGui::GetStyle().FramePadding.y},
+                     at.x + label_width - 0.3f * ImGui::GetFontSize(), ui::palette().text, info.label);
+        ImGui::Dummy({label_width - 0.3f * ImGui::GetFontSize(), ImGui::GetFrameHeight()});
+        ui::tooltip(setting_tooltip(info).c_str());
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(x + label_width);
+        ImGui::SetNextItemWidth(-1.0f);
+        choice_control(editor, info, value, setting_tooltip(info));
+        ImGui::TableSetColumnIndex(2);
+        if (reset_cell(info.label, value != standard)) put(editor, info, standard);
+        end_property_rows();
+    }
+    ImGui::PopID();
+}
+
 void setting_row(Editor& editor, const SettingInfo& info) {
     const MovementSettings& movement = editor.document->level().movement;
     double value = get_setting(movement, info);
@@ -78,10 +108,8 @@ void setting_row(Editor& editor, const SettingInfo& info) {
     const float indent = *info.switch_name ? 1.2f * ImGui::GetFontSize() : 0.0f;
     ImGui::PushID(info.name);
     property_row(info.label, tooltip.c_str(), modified, indent);
-    if (is_choice(info)) {
-        choice_control(editor, info, value, tooltip);
-    } else if (number_slider(info.label, &value, info.minimum, info.maximum, info.unit, tooltip.c_str(),
-                             is_whole(info))) {
+    if (number_slider(info.label, &value, info.minimum, info.maximum, info.unit, tooltip.c_str(),
+                      is_whole(info))) {
         live_edit(editor, "Change " + to_lower(info.label));
         put(editor, info, value);
     }
@@ -179,6 +207,25 @@ void header(Editor& editor) {
     changed_rows(editor, match);
 }
 
+bool has_words(const SettingInfo& info, const std::string& search) {
+    const std::string text =
+        to_lower(std::string(info.label) + " " + info.name + " " + info.group + " " + meaning_of(info));
+    const std::string wanted = to_lower(search);
+    for (const std::string_view word : split(wanted, ' '))
+        if (text.find(word) == std::string::npos) return false;
+    return true;
+}
+
+// A switch is also found by what it switches, which shows only while it is on.
+bool is_found(const SettingInfo& info, const std::string& search) {
+    if (search.empty()) return true;
+    const auto& all = settings_table();
+    return has_words(info, search) || std::any_of(all.begin(), all.end(), [&](const SettingInfo& other) {
+               return is_switch(info) && std::string_view(other.switch_name) == info.name &&
+                      has_words(other, search);
+           });
+}
+
 void group_rows(Editor& editor, FrameContext& frame, std::string_view group, float label_width) {
     const MovementSettings& movement = editor.document->level().movement;
     bool open = false;
@@ -187,12 +234,12 @@ void group_rows(Editor& editor, FrameContext& frame, std::string_view group, flo
     };
     int tables = 0;
     for (const SettingInfo& info : settings_table()) {
-        if (group != info.group) continue;
+        if (group != info.group || !is_found(info, editor.movement_search)) continue;
         const SettingInfo* owner = find_setting(info.switch_name);
         if (owner && get_setting(movement, *owner) == 0.0) continue;
-        if (is_switch(info)) {
+        if (is_switch(info) || is_choice(info)) {
             close();
-            switch_row(editor, frame, info);
+            is_switch(info) ? switch_row(editor, frame, info) : choice_row(editor, info);
             continue;
         }
         if (!open)
@@ -210,6 +257,7 @@ void movement_panel(Editor& editor, FrameContext& frame) {
     const ui::Scope scope("Movement");
     preset_row(editor);
     header(editor);
+    ui::search_box("##Search", &editor.movement_search, "Find a setting");
     float label_width = 0.0f;
     for (const SettingInfo& info : settings_table())
         if (!is_switch(info))
@@ -217,11 +265,12 @@ void movement_panel(Editor& editor, FrameContext& frame) {
                                                     (*info.switch_name ? 1.2f * ImGui::GetFontSize() : 0.0f));
     std::string_view group;
     for (const SettingInfo& info : settings_table()) {
-        if (group == info.group) continue;
+        if (group == info.group || !is_found(info, editor.movement_search)) continue;
         group = info.group;
         ui::heading(info.group);
         group_rows(editor, frame, group, label_width);
     }
+    if (group.empty()) ui::muted_text("No setting has these words");
 }
 
 }  // namespace slipface

@@ -99,8 +99,8 @@ NamedRowResult named_row(std::size_t index, const NamedRow& row,
         right = at.x + width - detail - 0.4f * em;
         list.AddText({right, text_y}, ui::packed(ui::palette().muted), row.detail.c_str());
     }
-    ImGui::RenderTextEllipsis(&list, {at.x + 0.4f * em, text_y}, {right - 0.4f * em, at.y + height},
-                              right - 0.4f * em, right - 0.4f * em, row.name.c_str(), nullptr, nullptr);
+    ui::ellipsis_text(list, {at.x + 0.4f * em, text_y}, {right - 0.4f * em, at.y + height}, right - 0.4f * em,
+                      row.name.c_str());
     ImGui::PopID();
     return result;
 }

@@ -64,8 +64,8 @@ bool draw_row(const Row& row) {
     const float name_left = swatch_end.x + 0.5f * em;
     const float name_right =
         count_right - (row.faces > 0 ? ImGui::CalcTextSize(count.c_str()).x + 0.5f * em : 0.0f);
-    ImGui::RenderTextEllipsis(&list, {name_left, text_y}, {std::max(name_left, name_right), at.y + height},
-                              name_right, name_right, row.name.c_str(), nullptr, nullptr);
+    ui::ellipsis_text(list, {name_left, text_y}, {std::max(name_left, name_right), at.y + height}, name_right,
+                      row.name.c_str());
     return pressed;
 }
 

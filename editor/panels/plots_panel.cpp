@@ -130,7 +130,7 @@ void plot(Editor& editor, const RunChannel& channel, float height) {
 
     // Name, range, and the value at the cursor.
     list.AddText({origin.x, origin.y}, ui::packed(ui::palette().text), channel.label);
-    const ImFont* const font = ui::fonts().small;
+    const ui::Font& font = ui::fonts().small;
     float y = origin.y + ImGui::GetTextLineHeight();
     list.PushClipRect(origin, {min.x - 4 * scale, max.y}, true);
     for (std::size_t i = 0; i < lab.runs().size(); ++i) {
@@ -139,15 +139,15 @@ void plot(Editor& editor, const RunChannel& channel, float height) {
         const double value = value_of(channel, lab, i, lab.cursor(), difference);
         const std::string text =
             std::isfinite(value) ? fmt::format("{:.3f} {}", value + 0.0, channel.unit) : "none";
-        list.AddText(font, font->FontSize, {origin.x, y}, ui::packed(run_color(i)), text.c_str());
-        y += font->FontSize + scale;
+        list.AddText(font.face, font.pixels, {origin.x, y}, ui::packed(run_color(i)), text.c_str());
+        y += font.pixels + scale;
     }
     list.PopClipRect();
     if (!range.empty() && height > 40 * scale) {
         const ImU32 quiet = ui::packed(ui::palette().muted);
-        list.AddText(font, font->FontSize, {min.x + 3 * scale, min.y + scale}, quiet,
+        list.AddText(font.face, font.pixels, {min.x + 3 * scale, min.y + scale}, quiet,
                      fmt::format("{:.2f}", range.high).c_str());
-        list.AddText(font, font->FontSize, {min.x + 3 * scale, max.y - font->FontSize - scale}, quiet,
+        list.AddText(font.face, font.pixels, {min.x + 3 * scale, max.y - font.pixels - scale}, quiet,
                      fmt::format("{:.2f}", range.low + 0.0).c_str());
     }
     ImGui::SetCursorScreenPos({origin.x, origin.y + height});

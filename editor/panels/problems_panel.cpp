@@ -71,7 +71,7 @@ void filter_row(Editor& editor) {
     bool first = true;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8 * scale, 2 * scale});
     ImGui::PushStyleVar(ImGuiStyleVar_FrameRounding, 10 * scale);
-    ImGui::PushFont(ui::fonts().small);
+    ui::push_font(ui::fonts().small);
     for (const ProblemKindInfo& kind : problem_kinds()) {
         const std::size_t count = count_now(editor, kind.kind);
         if (count == 0) continue;

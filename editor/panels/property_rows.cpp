@@ -46,10 +46,10 @@ float label_width_of(const char* label) {
     return ImGui::CalcTextSize(label, nullptr, true).x;
 }
 
-bool begin_property_rows(const char* id, float label_width) {
+bool begin_property_rows(const char* id, float label_width, float control_em) {
     const float em = ImGui::GetFontSize();
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.15f * em, 0.1f * em});
-    const float maximum = ImGui::GetContentRegionAvail().x - 7.5f * em;
+    const float maximum = ImGui::GetContentRegionAvail().x - control_em * em;
     if (!ImGui::BeginTable(id, 4, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings)) {
         ImGui::PopStyleVar();
         return false;

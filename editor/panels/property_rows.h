@@ -12,9 +12,9 @@ void settle_live_edit(Editor& editor);
 // Call this before a widget that changes the document repeatedly while it is held.
 void live_edit(Editor& editor, const std::string& step_name);
 
-// A table of such rows in the current window; `longest_label` sets the width of the labels. False: not
-// visible.
-bool begin_property_rows(const char* id, float label_width);
+// A table of such rows in the current window. The labels are as wide as `label_width`, unless the controls
+// would have less than `control_em` font sizes. False: not visible.
+bool begin_property_rows(const char* id, float label_width, float control_em = 7.5f);
 void end_property_rows();
 float label_width_of(const char* label);
 

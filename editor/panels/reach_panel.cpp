@@ -155,7 +155,8 @@ void goal_rows(Editor& editor, std::size_t index) {
 
 void goals_section(Editor& editor) {
     ui::heading("Goals");
-    if (ui::button("Add goal", "Put a goal on the face in the middle of the view")) add_goal(editor);
+    if (ui::button("Add goal", "Put a goal on a selected face, or on the face in the middle of the view"))
+        add_goal(editor);
     const ui::Scope scope("Goal");
     for (std::size_t i = 0; i < editor.document->level().goals.size(); ++i) {
         const Goal goal = editor.document->level().goals[i];
@@ -163,7 +164,7 @@ void goals_section(Editor& editor) {
         row.name = goal.name;
         row.detail = goal_state(editor, i);
         row.tooltip = "Look there; a double click renames it";
-        row.replace_tooltip = "Move it to where the selected goal is looked at from";
+        row.replace_tooltip = "Move it to a selected face, or to the one in the middle of the view";
         const NamedRowResult did = named_row(
             i, row, [&](const std::string& name) { return goal_name_problem(*editor.document, i, name); });
         if (!did.renamed.empty()) {

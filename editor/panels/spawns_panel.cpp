@@ -36,8 +36,7 @@ void spawns_panel(Editor& editor) {
     settle_live_edit(editor);
     if (!editor.document) return;
     const ui::Scope scope("Spawns");
-    if (ui::button("Add spawn",
-                   "Add a spawn on the face in the middle of the view (edit.add_spawn: under the mouse)"))
+    if (ui::button("Add spawn", "Add a spawn on a selected face, or on the one in the middle of the view"))
         add_spawn(editor);
     const std::vector<Spawn> spawns = all_spawns(editor.document->level());
     if (spawns.empty())
@@ -48,7 +47,7 @@ void spawns_panel(Editor& editor) {
         row.name = spawns[i].name;
         row.detail = i == 0 ? "Play begins here" : "";
         row.tooltip = "Make this the main spawn, where Play begins; a double click renames it";
-        row.replace_tooltip = "Move this spawn to the face in the middle of the view";
+        row.replace_tooltip = "Move this spawn to a selected face, or to the one in the middle of the view";
         row.chosen = i == 0;
         const NamedRowResult did = named_row(
             i, row, [&](const std::string& name) { return spawn_name_problem(*editor.document, i, name); });

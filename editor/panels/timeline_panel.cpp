@@ -35,6 +35,7 @@ const Marker markers[] = {
     {"stick", "sticks to", Shape::square, {0.90f, 0.62f, 0.0f, 1}},
     {"contact", "touches a wall", Shape::circle, {1.0f, 0.86f, 0.20f, 1}},
     {"push-out", "is pushed out of geometry", Shape::diamond, {1.0f, 0.60f, 0.18f, 1}},
+    {"crushed", "is crushed by a platform", Shape::cross, {0.937f, 0.400f, 0.361f, 1}},
     {"hazard", "touches a hazard", Shape::cross, {0.937f, 0.400f, 0.361f, 1}},
     {"fall", "falls out of the level", Shape::cross, {0.937f, 0.400f, 0.361f, 1}},
 };
@@ -157,17 +158,15 @@ void ruler(ImDrawList& list, const Lab& lab, const LabTrack& track, float y) {
         unit = candidate;
         if (candidate >= wanted_s) break;
     }
-    const ImFont* const font = ui::fonts().small;
+    const ui::Font& font = ui::fonts().small;
     const ImU32 color = ui::packed(ui::palette().muted);
     for (double s = std::ceil(track.first * dt / unit) * unit; s <= track.last * dt; s += unit) {
         const float x = std::round(track.x(s / dt - 1.0));
         if (x < track.min.x || x > track.max.x) continue;
         list.AddLine({x, track.max.y}, {x, track.max.y + 4 * ui::scale()}, color);
         const std::string text = unit < 1.0 ? fmt::format("{:.2f} s", s) : fmt::format("{:.0f} s", s);
-        if (x + 3 * ui::scale() + font->CalcTextSizeA(font->FontSize, 1e9f, 0.0f, text.c_str()).x >
-            track.max.x)
-            continue;
-        list.AddText(font, font->FontSize, {x + 3 * ui::scale(), y}, color, text.c_str());
+        if (x + 3 * ui::scale() + ui::text_size(font, text.c_str()).x > track.max.x) continue;
+        list.AddText(font.face, font.pixels, {x + 3 * ui::scale(), y}, color, text.c_str());
     }
 }
 

@@ -99,15 +99,15 @@ std::optional<std::pair<Vec2, Vec2>> part_of(const Side& side, const Vec3& direc
 // Letters lie in the side's plane, so that its rotation is visible.
 void label(ImDrawList& list, const Placed& cube, const Side& side, ImU32 color) {
     const Vec3 right = cube.view * side.right, up = cube.view * side.up;
-    const ImFont* const font = ui::fonts().small;
-    const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, 0.0f, side.name);
+    const ui::Font& font = ui::fonts().small;
+    const ImVec2 size = ui::text_size(font, side.name);
     const float shrink = 1.5f * cube.half / std::max(size.x, 1.4f * size.y);
     const ImVec2 middle = cube.pixel(side.out);
     // Text is written near its final position, because letters outside the view would be left out; then it is
     // projected onto the side.
     const ImVec2 from{middle.x - 0.5f * size.x, middle.y - 0.5f * size.y};
     const int first = list.VtxBuffer.Size;
-    list.AddText(font, font->FontSize, from, color, side.name);
+    list.AddText(font.face, font.pixels, from, color, side.name);
     const float fit = std::min(1.0f, shrink);
     for (int i = first; i < list.VtxBuffer.Size; ++i) {
         ImVec2& at = list.VtxBuffer[i].pos;

@@ -7,12 +7,14 @@
 #include "panels/viewport_panel.h"
 #include "tools/props/props.h"
 #include "tools/selection/selecting.h"
+#include "tools/target.h"
 #include "widgets/ui.h"
 
 namespace slipface {
 namespace {
 
-constexpr float click_slop = 4.0f;      // design pixels that the mouse may move during a click
+constexpr float click_slop = 4.0f;  // design pixels that the mouse may move during a click
+constexpr double longest_click_s = 0.6;
 constexpr double stroke_spacing = 4.0;  // pixels between the points where a stroke paints
 constexpr int max_stroke_points = 400;  // of one frame
 
@@ -55,6 +57,8 @@ void begin(ViewportState& state, const Editor& editor, Gesture gesture, ImVec2 m
     state.gesture = gesture;
     state.document = editor.document.get();
     state.pressed_at = state.last_mouse = mouse;
+    state.pressed_s = ImGui::GetTime();
+    state.flown = false;
     state.probe_before = editor.probe;
 }
 
@@ -136,7 +140,7 @@ void press_props(Editor& editor, ViewportState& state, ImVec2 mouse) {
     } else if (!editor.props.file.empty() && editor.hovered != no_id) {
         add_prop(editor, editor.props.file, editor.hovered_point);
     } else {
-        choose_prop(editor, hovered_prop(editor));
+        choose_prop(editor, prop_of_target(editor, pointed_target(editor)));
     }
 }
 
@@ -192,11 +196,35 @@ int button_of(Gesture gesture, const ImGuiIO& io) {
     }
 }
 
+bool beyond_click(const ViewportState& state, ImVec2 mouse) {
+    const float slop = click_slop * ui::scale();
+    return std::abs(mouse.x - state.pressed_at.x) > slop || std::abs(mouse.y - state.pressed_at.y) > slop;
+}
+
+Vec3 flying_direction(const HeldKeys& held) {
+    const auto axis = [](bool plus, bool minus) { return (plus ? 1.0 : 0.0) - (minus ? 1.0 : 0.0); };
+    return {axis(held.right, held.left), axis(held.up, held.down), axis(held.forward, held.back)};
+}
+
+// The right button was pressed for flying once the mouse or a key moves, the wheel turns, or time passes.
+bool begins_to_fly(const ViewportState& state, const HeldKeys& held, ImVec2 mouse) {
+    return beyond_click(state, mouse) || !flying_direction(held).isZero() ||
+           ImGui::GetIO().MouseWheel != 0.0f || ImGui::GetTime() - state.pressed_s > longest_click_s;
+}
+
+// The commands of the context menu act on the face that was clicked, which is selected for that.
+void open_menu(Editor& editor, ViewportState& state) {
+    hover_at(editor, state, state.pressed_at);
+    remember_pointed(editor);
+    const auto selected = editor.document->selection();
+    if (editor.hovered != no_id && !std::binary_search(selected.begin(), selected.end(), editor.hovered))
+        click_select(editor, SelectBy::replace);
+    state.wants_menu = true;
+}
+
 void fly(Editor& editor, FrameContext& frame) {
     const HeldKeys& held = frame.held;
-    const auto axis = [](bool plus, bool minus) { return (plus ? 1.0 : 0.0) - (minus ? 1.0 : 0.0); };
-    const Vec3 direction{axis(held.right, held.left), axis(held.up, held.down),
-                         axis(held.forward, held.back)};
+    const Vec3 direction = flying_direction(held);
     if (direction.isZero()) return;
     editor.view.fly(direction, frame.seconds * (held.fast ? 3.0 : 1.0));
     frame.animating = true;
@@ -209,6 +237,7 @@ void release(Editor& editor, ViewportState& state) {
     if (ended == Gesture::outline) end_outline(editor, state);
     if (ended == Gesture::click) end_click(editor, state);
     if (ended == Gesture::drag_prop) end_prop_drag(editor, state.prop_drag);
+    if (ended == Gesture::fly && !state.flown) open_menu(editor, state);
 }
 
 // One frame of the gesture in progress.
@@ -221,6 +250,8 @@ void go_on(Editor& editor, FrameContext& frame, ViewportState& state, ImVec2 mou
         case Gesture::orbit: editor.view.orbit(design_moved); break;
         case Gesture::pan: editor.view.pan(moved, to_vec(state.size)); break;
         case Gesture::fly:
+            // What the mouse moved during a click does not turn the view.
+            if (!state.flown && !(state.flown = begins_to_fly(state, frame.held, mouse))) break;
             editor.view.look(design_moved);
             if (io.MouseWheel != 0.0f)
                 editor.view.fly_speed = std::clamp(
@@ -233,10 +264,7 @@ void go_on(Editor& editor, FrameContext& frame, ViewportState& state, ImVec2 mou
         case Gesture::place_probe:
         case Gesture::drag_probe_end:
         case Gesture::drag_probe_start: {
-            const float slop = click_slop * ui::scale();
-            const bool wandered = std::abs(mouse.x - state.pressed_at.x) > slop ||
-                                  std::abs(mouse.y - state.pressed_at.y) > slop;
-            if (still || (state.gesture == Gesture::place_probe && !wandered)) break;
+            if (still || (state.gesture == Gesture::place_probe && !beyond_click(state, mouse))) break;
             drag_probe(editor, shown_camera(editor), view_pixel(state, mouse), to_vec(state.size),
                        state.gesture, io.KeyShift);
             break;
@@ -247,10 +275,8 @@ void go_on(Editor& editor, FrameContext& frame, ViewportState& state, ImVec2 mou
         case Gesture::outline:
             if (!still) go_on_outline(editor, state, mouse);
             break;
-        case Gesture::click: {
-            const float slop = click_slop * ui::scale();
-            if (std::abs(mouse.x - state.pressed_at.x) > slop ||
-                std::abs(mouse.y - state.pressed_at.y) > slop) {
+        case Gesture::click:
+            if (beyond_click(state, mouse)) {
                 begin_select_drag(editor, state);
                 if (state.gesture == Gesture::outline)
                     go_on_outline(editor, state, mouse);
@@ -258,7 +284,6 @@ void go_on(Editor& editor, FrameContext& frame, ViewportState& state, ImVec2 mou
                     stroke_along(editor, state, mouse, [&] { brush_select(editor, state.stroke_by); });
             }
             break;
-        }
         case Gesture::drag_prop:
             if (!still)
                 drag_prop(editor, shown_camera(editor), view_pixel(state, mouse), to_vec(state.size),
@@ -301,7 +326,8 @@ void viewport_gestures(Editor& editor, FrameContext& frame, ViewportState& state
         // The face under a painting mouse stays highlighted; during a drag of the camera or the probe none
         // is.
         const bool points = state.gesture == Gesture::none || state.gesture == Gesture::stroke ||
-                            state.gesture == Gesture::select_stroke || state.gesture == Gesture::click;
+                            state.gesture == Gesture::select_stroke || state.gesture == Gesture::click ||
+                            (state.gesture == Gesture::fly && !state.flown);
         if (!points) hover_nothing(editor);
         return;
     }
@@ -317,10 +343,8 @@ void viewport_gestures(Editor& editor, FrameContext& frame, ViewportState& state
             drill_select(editor,
                          pixel_ray(shown_camera(editor), view_pixel(state, mouse), to_vec(state.size)),
                          wheel < 0.0 ? 1 : -1);
-        else if (editor.hovered != no_id)
-            editor.view.zoom_towards(wheel, editor.hovered_point);
         else
-            editor.view.zoom(wheel);
+            zoom_to(editor, wheel, pointed_target(editor));
     }
 }
 

@@ -9,6 +9,7 @@
 #include "panels/viewport_panel.h"
 #include "slipface/base/counted.h"
 #include "slipface/level/find_start.h"
+#include "tools/commands/commands.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 
@@ -46,14 +47,19 @@ void playtest_hud(const Editor& editor, const ViewportState& state) {
           {fmt::format("{:.2f} m/s", editor.playtest->speed()), stance,
            fmt::format("{:.2f}, {:.2f}, {:.2f}", player.position.x(), player.position.y(),
                        player.position.z())});
-    const char* const help = "Esc: return to editing";
-    const ImVec2 size = ImGui::CalcTextSize(help);
+    std::string help = "Esc: return to editing";
+    // The start may be far from where the author was looking.
+    if (const Command* const here = find_command("playtest.from_view"); here && !editor.began_in_view)
+        help += " \u00b7 " + shortcut_text(editor, *here) + ": play from where you looked";
+    const ImVec2 size = ImGui::CalcTextSize(help.c_str());
     const ImVec2 at{state.min.x + (state.size.x - size.x) * 0.5f,
                     state.min.y + state.size.y - size.y - 22 * scale};
     list.AddRectFilled({at.x - 12 * scale, at.y - 6 * scale},
                        {at.x + size.x + 12 * scale, at.y + size.y + 6 * scale},
                        ui::packed(ui::with_alpha(ui::palette().window, 0.82f)), 14 * scale);
-    list.AddText(at, ui::packed(ui::palette().muted), help);
+    list.AddText(at, ui::packed(ui::palette().muted), help.c_str());
+    ui::record_rect(editor.began_in_view ? "Walking" : "Walking elsewhere", at,
+                    {at.x + size.x, at.y + size.y});
 }
 
 void draw_spawn_names(const Editor& editor, const ViewportState& state) {
@@ -186,7 +192,7 @@ void draw_triangle_ids(const Editor& editor, const ViewportState& state) {
     const Vec2 mouse = project(camera, editor.hovered_point, size).head<2>();
     const double reach = static_cast<double>(ids_reach * ui::scale());
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImFont* const font = ui::fonts().small;
+    const ui::Font& font = ui::fonts().small;
     for (const FaceId face : faces_around(part.neighbours, editor.hovered - part.first)) {
         if (document.is_hidden(face + part.first)) continue;
         for (std::uint32_t t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1]; ++t) {
@@ -201,7 +207,7 @@ void draw_triangle_ids(const Editor& editor, const ViewportState& state) {
             if (at.z() <= 0.0 && !camera.orthographic) continue;
             if ((at.head<2>() - mouse).norm() > reach) continue;
             const std::string text = std::to_string(t + part.first_triangle);
-            const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0.0f, text.c_str());
+            const ImVec2 extent = ui::text_size(font, text.c_str());
             // A number that does not fit its triangle would only hide the others.
             const Vec2 a = corners[1] - corners[0], b = corners[2] - corners[0];
             const double area = 0.5 * std::abs(a.x() * b.y() - a.y() * b.x());
@@ -211,7 +217,7 @@ void draw_triangle_ids(const Editor& editor, const ViewportState& state) {
             const ImVec2 min{middle.x - 0.5f * extent.x, middle.y - 0.5f * extent.y};
             list.AddRectFilled({min.x - 3, min.y - 1}, {min.x + extent.x + 3, min.y + extent.y + 1},
                                IM_COL32(14, 16, 20, 190), 3 * ui::scale());
-            list.AddText(font, font->FontSize, min,
+            list.AddText(font.face, font.pixels, min,
                          face + part.first == editor.hovered ? ui::packed(ui::palette().accent)
                                                              : IM_COL32(235, 238, 242, 255),
                          text.c_str());

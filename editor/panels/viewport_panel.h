@@ -16,7 +16,7 @@ enum class Gesture {
     none,
     orbit,
     pan,
-    fly,
+    fly,  // by the right button; a click with it opens the context menu instead
     stroke,
     click,          // with the select tool; becomes one of the next two when the mouse moves
     outline,        // a box or a lasso
@@ -43,7 +43,10 @@ struct ViewportState {
     const Document* document = nullptr;  // the document in which the gesture began
     ImVec2 last_mouse{0, 0};
     ImVec2 pressed_at{0, 0};
-    Probe probe_before;  // restored when the gesture is cancelled
+    double pressed_s = 0.0;   // when, on Dear ImGui's clock
+    bool flown = false;       // the right button is held for flying, not for a click
+    bool wants_menu = false;  // the context menu opens in this frame
+    Probe probe_before;       // restored when the gesture is cancelled
     PropDrag prop_drag;
     std::vector<Vec2> outline;  // of box and lasso, pixels of the view
     SelectBy stroke_by = SelectBy::add;

@@ -48,7 +48,7 @@ void headline(Editor& editor, const Stop* stop) {
         wrapped(p.muted, "Nothing stopped you in this tick");
         return;
     }
-    ImGui::PushFont(ui::fonts().semibold);
+    ui::push_font(ui::fonts().semibold);
     wrapped(p.text, stop->headline);
     ImGui::PopFont();
     const std::vector<Cure>* cures = cures_at_cursor(editor);
@@ -224,7 +224,7 @@ void story_lines(Editor& editor, const std::vector<StoryLine>& story) {
             const ImVec4 color = tone_color(line.tone);
             list.AddRectFilled({at.x + indent - 0.5f * em, at.y + 0.2f * em},
                                {at.x + indent - 0.35f * em, at.y + height - 0.2f * em}, ui::packed(color));
-            list.AddText(ui::fonts().semibold, em, {at.x + indent, at.y + 0.15f * em},
+            list.AddText(ui::fonts().semibold.face, em, {at.x + indent, at.y + 0.15f * em},
                          ui::packed(ui::palette().muted), line.title.c_str());
             list.AddText(
                 {at.x + indent, at.y + 0.2f * em + title},

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 
 #include "cli/exit_codes.h"
 #include "goldens/report.h"
@@ -63,8 +64,8 @@ GoldenResult approve_seen(Studio& studio, const CheckArguments& arguments, const
             return result;
         }
     }
-    const auto written =
-        approve_golden(arguments.work.suite.goldens, *snapshot, seen, {.force = arguments.work.force});
+    const auto written = approve_golden(arguments.work.suite.goldens, *snapshot, seen,
+                                        {.force = arguments.work.force, .here = arguments.work.here});
     if (!written) {
         result.message = written.error().text();
         return result;

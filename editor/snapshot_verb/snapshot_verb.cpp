@@ -1,6 +1,7 @@
 #include "snapshot_verb/snapshot_verb.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <string>
@@ -128,6 +129,9 @@ void add_approve_verb(CLI::App& group, int& exit_code) {
     verb->add_flag("--force", approve->work.force, "Rewrite what passes, too");
     verb->add_flag("--quick", approve->work.quick, "Compress images fast instead of small");
     verb->add_flag("--prune", approve->prune, "Remove goldens that no snapshot makes");
+    verb->add_flag(
+        "--here", approve->work.here,
+        "Where other releases of the drawing libraries drew the golden, keep it, and add images for these");
     verb->add_flag("--any-renderer", approve->work.any_renderer,
                    "Also from a renderer other than Mesa's software one");
     verb->add_flag("--in-ci", approve->in_ci, "Also inside a CI");
@@ -214,6 +218,7 @@ void add_worker_verb(CLI::App& group, int& exit_code) {
     verb->add_flag("--twice", worker->work.twice);
     verb->add_flag("--force", worker->work.force);
     verb->add_flag("--quick", worker->work.quick);
+    verb->add_flag("--here", worker->work.here);
     verb->add_flag("--any-renderer", worker->work.any_renderer);
     verb->callback([worker, &exit_code] {
         choose_gl(worker);

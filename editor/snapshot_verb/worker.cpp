@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstdlib>
@@ -69,8 +70,9 @@ GoldenResult approve(const Snapshot& snapshot, const WorkArguments& arguments) {
         return failed(snapshot.name,
                       "not rendered by Mesa's llvmpipe: other machines give other pixels (use --any-renderer "
                       "to approve it)");
-    const auto written = approve_golden(arguments.suite.goldens, snapshot, *rendering,
-                                        {.force = arguments.force, .packed = !arguments.quick});
+    const auto written =
+        approve_golden(arguments.suite.goldens, snapshot, *rendering,
+                       {.force = arguments.force, .packed = !arguments.quick, .here = arguments.here});
     if (!written) return failed(snapshot.name, written.error().text());
     GoldenResult result;
     result.name = snapshot.name;
@@ -110,6 +112,7 @@ std::vector<std::string> worker_command(const WorkArguments& arguments) {
     if (arguments.twice) line.push_back("--twice");
     if (arguments.force) line.push_back("--force");
     if (arguments.quick) line.push_back("--quick");
+    if (arguments.here) line.push_back("--here");
     if (arguments.any_renderer) line.push_back("--any-renderer");
     const std::vector<std::string> suite = arguments.suite.as_command_line();
     line.insert(line.end(), suite.begin(), suite.end());

@@ -19,6 +19,7 @@ struct WorkArguments {
     bool twice = false;         // check: render twice
     bool force = false;         // approve: also rewrite what passes
     bool quick = false;         // approve: compress images fast instead of small
+    bool here = false;          // approve: only for the libraries that draw here
     bool any_renderer = false;  // approve: also with hardware renderers
     int jobs = 1;
 };

@@ -8,7 +8,9 @@
 #include "document/inside_out.h"
 #include "slipface/base/counted.h"
 #include "slipface/level/find_start.h"
+#include "tools/commands/commands.h"
 #include "tools/lab/lab_actions.h"
+#include "tools/target.h"
 
 namespace slipface {
 namespace {
@@ -71,6 +73,7 @@ void adopt_document(Editor& editor, std::unique_ptr<Document> opened, const std:
     stop_playtest(editor);
     store_tape(editor);
     document_is_safe(editor);
+    editor.session.changed.reset();
     editor.live_edit = false;
     editor.lab.close();
     editor.audit.reset();
@@ -136,6 +139,8 @@ void save_level_as(Editor& editor, const std::filesystem::path& level_file) {
     finish_edits(editor);
     std::filesystem::path file = level_file;
     if (!file.empty() && !file.has_extension()) file += ".slipface.json";
+    if (file == editor.document->level().file_path && saving_must_wait(editor)) return;
+    editor.session.autosave.write_now(*editor.document, file);
     if (const Status status = editor.document->save_as(file); !status) {
         editor.message = MessageDialog{.title = "Cannot save " + file.filename().string(),
                                        .text = status.error().text(),
@@ -145,6 +150,7 @@ void save_level_as(Editor& editor, const std::filesystem::path& level_file) {
         return;
     }
     document_is_safe(editor);
+    editor.session.changed.reset();
     watch_files(editor);
     editor.status = "Saved " + file.filename().string();
 }
@@ -264,8 +270,9 @@ void fill_hovered(Editor& editor) {
 }
 
 void pick_surface(Editor& editor) {
-    if (!editor.document || editor.hovered >= editor.document->face_count()) return;
-    editor.brush = editor.document->surface_of(editor.hovered);
+    const std::optional<FacePoint> target = target_or_say(editor);
+    if (!target) return;
+    editor.brush = editor.document->surface_of(target->face);
     editor.status = "Brush: " + brush_name(editor);
 }
 
@@ -281,8 +288,13 @@ void choose_brush(Editor& editor, std::optional<SurfaceId> surface) {
     if (!editor.document) return;
     if (surface && *surface >= editor.document->level().surfaces.size()) return;
     editor.brush = surface;
-    if (editor.tool != Tool::paint && editor.tool != Tool::fill) editor.tool = Tool::paint;
     editor.status = "Brush: " + brush_name(editor);
+    if (editor.tool == Tool::paint || editor.tool == Tool::fill) return;
+    const bool selected = !editor.document->selection().empty();
+    const Command& use = *find_command(selected ? "edit.fill_selection" : "tools.paint");
+    const std::string key = shortcut_text(editor, use);
+    editor.status += selected ? ". Paint the selection with " : ". Paint with ";
+    editor.status += key.empty() ? use.label : key;
 }
 
 void make_brush_valid(Editor& editor) {
@@ -290,16 +302,17 @@ void make_brush_valid(Editor& editor) {
         editor.brush = default_surface;
 }
 
-Spawn spawn_on_hovered(const Editor& editor) {
+Spawn spawn_on(const Editor& editor, const FacePoint& target) {
     Probe standing;
-    standing.place_on(editor.hovered_point, editor.hovered_normal, editor.document->level().movement);
+    standing.place_on(target.point, target.normal, editor.document->level().movement);
     return {standing.from, editor.view.yaw};
 }
 
-void set_spawn_hovered(Editor& editor) {
-    if (!editor.document || editor.hovered == no_id) return;
-    editor.document->set_spawn(spawn_on_hovered(editor));
-    editor.status = "Spawn point set";
+void set_spawn_on_target(Editor& editor) {
+    const std::optional<FacePoint> target = target_or_say(editor);
+    if (!target) return;
+    editor.document->set_spawn(spawn_on(editor, *target));
+    editor.status = std::string("Spawn point set ") + target->where;
 }
 
 namespace {
@@ -313,6 +326,7 @@ void begin_playtest(Editor& editor, const Vec3 position, double yaw, std::string
     editor.playtest.emplace();
     editor.playtest->first_person = first_person;
     editor.playtest->start(position, yaw);
+    editor.began_in_view = true;
     editor.playtest->name_level(document.level().mesh_path.filename().string(),
                                 document.level().mesh.fingerprint(),
                                 scene_fingerprint(editor.lab.scene(document).at(0, 0.0)));
@@ -329,7 +343,10 @@ Result<Start> start_in(const Editor& editor, const Level& level) {
 void start_playtest(Editor& editor) {
     if (!editor.document) return;
     const Result<Start> start = start_in(editor, editor.document->level());
-    if (start) begin_playtest(editor, start->position, start->yaw, start->note);
+    if (!start) return;
+    const bool seen = is_in_view(editor, start->position);
+    begin_playtest(editor, start->position, start->yaw, start->note);
+    editor.began_in_view = seen;
 }
 
 void restart_playtest(Editor& editor) {
@@ -337,17 +354,31 @@ void restart_playtest(Editor& editor) {
     begin_playtest(editor, editor.playtest->spawn(), editor.playtest->spawn_yaw(), "");
 }
 
-void play_from_hovered(Editor& editor) {
-    if (!editor.document || editor.hovered == no_id) return;
+namespace {
+
+void play_from(Editor& editor, const FacePoint& target) {
     Level here;  // find_start() needs only the spawns of a level
     here.movement = editor.document->level().movement;
-    Spawn spawn = spawn_on_hovered(editor);
+    Spawn spawn = spawn_on(editor, target);
     spawn.name = "here";
     set_spawns(here, {spawn});
     const Result<Start> start = start_in(editor, here);
-    if (start)
-        begin_playtest(editor, start->position, start->yaw,
-                       start->note.empty() ? "Playing from here" : start->note);
+    if (!start) return;
+    begin_playtest(editor, start->position, start->yaw,
+                   start->note.empty() ? std::string("Playing from the face ") + target.where : start->note);
+}
+
+}  // namespace
+
+void play_from_target(Editor& editor) {
+    if (const std::optional<FacePoint> target = target_or_say(editor)) play_from(editor, *target);
+}
+
+void play_from_view(Editor& editor) {
+    if (const std::optional<FacePoint> target = middle_of_view(editor))
+        play_from(editor, *target);
+    else
+        editor.status = "There is no face in the middle of the view";
 }
 
 void stop_playtest(Editor& editor) {

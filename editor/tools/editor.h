@@ -51,6 +51,14 @@ struct PropTool {
     const Document* files_of = nullptr;
 };
 
+// A point of the level that a command acts on (tools/target.h).
+struct FacePoint {
+    FaceId face = no_id;
+    Vec3 point = Vec3::Zero();
+    Vec3 normal = Vec3::UnitY();
+    const char* where = "";  // "under the mouse", for the status line
+};
+
 // A message that the user must close. One at a time, drawn over all windows.
 struct MessageDialog {
     std::string title;
@@ -59,6 +67,7 @@ struct MessageDialog {
     bool of_broken_file = false;    // closes by itself when the file can be read again
     bool offers_save_as = false;    // the level file could not be written where it was to go
     bool of_refused_write = false;  // something was not written: a script must expect it, or it fails
+    bool asks_about_files = false;  // the answers to Session::changed are its buttons
 };
 struct DemoInfo;
 
@@ -122,6 +131,9 @@ struct Editor {
     FaceId hovered = no_id;
     Vec3 hovered_point = Vec3::Zero();
     Vec3 hovered_normal = Vec3::Zero();
+    // Under the mouse when the context menu or the palette was opened over the view, while one of them is
+    // open.
+    std::optional<FacePoint> pointed;
 
     std::size_t stroke_painted = 0;  // faces painted by the present stroke
 
@@ -131,6 +143,7 @@ struct Editor {
     Probe probe;
     PropTool props;
     std::optional<Playtest> playtest;       // walking while set
+    bool began_in_view = true;              // the walk: its start was seen in the view before
     Lab lab;                                // the tape, and its runs under other settings
     CureJob cures;                          // of the stop at the lab's cursor
     std::vector<StoredTape> stored_tapes;   // newest last; each returns when its level is opened
@@ -144,6 +157,7 @@ struct Editor {
     std::uint64_t texture_revision = 0;  // grows when texture files have changed
     bool show_shortcuts = false, show_command_palette = false;
     std::vector<std::string> recent_commands;  // ids, as run from the command palette, newest first
+    std::string movement_search;               // what the Movement panel is searched for; empty: it shows all
     std::optional<MessageDialog> message;
     std::optional<UnsavedDialog> unsaved;
     FileDialogKind file_dialog = FileDialogKind::none;
@@ -202,16 +216,16 @@ const std::vector<FaceId>& tool_faces(const Editor& editor);
 void paint_faces(Editor& editor, std::span<const FaceId> faces, std::optional<SurfaceId> surface);
 void paint_hovered(Editor& editor);  // with the brush, inside the open transaction if there is one
 void fill_hovered(Editor& editor);
-void pick_surface(Editor& editor);                   // eyedropper: the hovered face's type becomes the brush
+void pick_surface(Editor& editor);                   // eyedropper: the target's type becomes the brush
 void frame_selected(Editor& editor, double aspect);  // or all faces if none is selected
 void choose_brush(Editor& editor, std::optional<SurfaceId> surface);
 void make_brush_valid(Editor& editor);  // if undo removed the brush's type, the brush becomes `default`
-Spawn spawn_on_hovered(const Editor& editor);  // for a player on the hovered face, with the camera's yaw
-// Moves the main spawn there, as spawn_on_hovered() says.
-void set_spawn_hovered(Editor& editor);
-void start_playtest(Editor& editor);     // at the main spawn, moved to a position that fits (find_start)
-void restart_playtest(Editor& editor);   // from the start of the running one
-void play_from_hovered(Editor& editor);  // on the face under the mouse, with the view's yaw
+Spawn spawn_on(const Editor& editor, const FacePoint& target);  // for a player there, with the camera's yaw
+void set_spawn_on_target(Editor& editor);                       // moves the main spawn there
+void start_playtest(Editor& editor);    // at the main spawn, moved to a position that fits (find_start)
+void restart_playtest(Editor& editor);  // from the start of the running one
+void play_from_target(Editor& editor);  // with the view's yaw
+void play_from_view(Editor& editor);    // the same on the face in the middle of the view
 void stop_playtest(Editor& editor);
 
 // Faces for LevelRenderer::set_face_highlights: bit 0 hovered (all faces that the tool would touch), bit 1

@@ -1,10 +1,14 @@
-// The differences between Dear ImGui 1.86 and 1.92. All other files include ImGui through this one or use
-// what both have.
+// The differences between Dear ImGui 1.86 and 1.92, here and in imgui_compat.cpp. All other files include
+// ImGui through this one or use what both have.
 #pragma once
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
+#include <cfloat>
 #include <cstdint>
+#include <functional>
+#include <initializer_list>
 #include <string_view>
 
 namespace slipface::ui {
@@ -126,6 +130,40 @@ inline void feed_without_trickling() {
 #endif
 }
 
+// After an exception: ends what was begun since construction, directly after ImGui::NewFrame(), and not
+// ended.
+class FrameRecovery {
+  public:
+#if IMGUI_VERSION_NUM >= 19130
+    FrameRecovery() {
+        ImGui::ErrorRecoveryStoreState(&state_);
+    }
+    void recover() const {
+        ImGuiIO& io = ImGui::GetIO();
+        const ImGuiIO before = io;
+        io.ConfigErrorRecoveryEnableAssert = io.ConfigErrorRecoveryEnableDebugLog = false;
+        io.ConfigErrorRecoveryEnableTooltip = false;
+        ImGui::ErrorRecoveryTryToRecoverState(&state_);
+        io.ConfigErrorRecoveryEnableAssert = before.ConfigErrorRecoveryEnableAssert;
+        io.ConfigErrorRecoveryEnableDebugLog = before.ConfigErrorRecoveryEnableDebugLog;
+        io.ConfigErrorRecoveryEnableTooltip = before.ConfigErrorRecoveryEnableTooltip;
+    }
+
+  private:
+    ImGuiErrorRecoveryState state_;
+#else
+    FrameRecovery() : fonts_(ImGui::GetCurrentContext()->FontStack.Size) {}
+    void recover() const {
+        while (ImGui::GetCurrentContext()->FontStack.Size > fonts_)
+            ImGui::PopFont();
+        ImGui::ErrorCheckEndFrameRecover(nullptr);
+    }
+
+  private:
+    int fonts_;
+#endif
+};
+
 inline ImTextureID texture_id(unsigned texture) {
 #if IMGUI_VERSION_NUM >= 19140
     return static_cast<ImTextureID>(texture);
@@ -141,5 +179,52 @@ inline unsigned texture_name(ImTextureID id) {
     return static_cast<unsigned>(reinterpret_cast<std::uintptr_t>(id));
 #endif
 }
+
+// A face at a size in pixels. Until 1.91 a face has one size, since then any.
+struct Font {
+    ImFont* face = nullptr;
+    float pixels = 0.0f;
+};
+void use_default_font(const Font& font);
+// Until ImGui::PopFont().
+void push_font(const Font& font);
+ImVec2 text_size(const Font& font, const char* text);
+bool has_glyph(const Font& font, unsigned code);
+// Those that can be drawn without another upload: all of them, and since 1.92 those drawn so far.
+const ImVector<ImFontGlyph>& glyphs(const Font& font);
+
+// Since 1.92 a source gives all its letters, and this keeps some out; until then, those of its ranges.
+void exclude_glyphs(ImFontConfig& config, const ImWchar* ranges);
+
+// A letter that no file of a font has: how much of the pixel (x, y) of `side` it covers, 0 to 1.
+struct DrawnGlyph {
+    ImWchar code;
+    int side;  // pixels
+    float advance;
+    ImVec2 offset;
+    float (*coverage)(int x, int y, int side);
+};
+// Adds it to the fonts. All fonts of the atlas have been added before.
+void add_drawn_glyph(std::initializer_list<Font> fonts, const DrawnGlyph& glyph);
+
+// How a renderer holds textures, which it names by numbers above 0. Pixels are RGBA.
+struct TextureStore {
+    std::function<unsigned(int width, int height, const void* pixels)> make;
+    // A part of a texture; `row` is the width of the whole, in pixels.
+    std::function<void(unsigned name, int x, int y, int width, int height, const void* pixels, int row)>
+        update;
+    std::function<void(unsigned name)> remove;
+};
+// Before the first frame; between two frames, before `data` is drawn; and at the end.
+void make_textures(const TextureStore& store);
+void serve_textures(const ImDrawData& data, const TextureStore& store);
+void remove_textures(const TextureStore& store);
+// Equal for commands with the same texture, also before that is made.
+std::uint64_t texture_key(const ImDrawCmd& command);
+bool draws_letters(const ImDrawCmd& command);
+
+// Draws `text` from `min`, cut by an ellipsis at `right`.
+void ellipsis_text(ImDrawList& list, ImVec2 min, ImVec2 max, float right, const char* text,
+                   const char* end = nullptr, const ImVec2* size = nullptr);
 
 }  // namespace slipface::ui

@@ -37,31 +37,21 @@ float distance_to(const std::vector<ImVec2>& line, ImVec2 p) {
     return nearest;
 }
 
+float lasso_coverage(int x, int y, int side) {
+    static const std::vector<ImVec2> line = lasso_line();
+    const float size = static_cast<float>(side);
+    const ImVec2 middle{(static_cast<float>(x) + 0.5f) / size, (static_cast<float>(y) + 0.5f) / size};
+    return (pen - distance_to(line, middle)) * size + 0.5f;
+}
+
 }  // namespace
 
-void draw_own_icons(ImFontAtlas& atlas, std::initializer_list<ImFont*> fonts, float pixels) {
-    const int side = std::max(6, static_cast<int>(std::lround(pixels)));
-    std::vector<int> slots;
-    for (ImFont* const font : fonts)
-        slots.push_back(
-            atlas.AddCustomRectFontGlyph(font, lasso_code, side, side, std::round(pixels * 1.15f),
-                                         {std::round(pixels * 0.07f), std::round(pixels * 0.2f)}));
-    atlas.Build();
-    unsigned char* alpha = nullptr;
-    int width = 0;
-    atlas.GetTexDataAsAlpha8(&alpha, &width, nullptr);
-    const std::vector<ImVec2> line = lasso_line();
-    for (const int slot : slots) {
-        const ImFontAtlasCustomRect* const rect = atlas.GetCustomRectByIndex(slot);
-        for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x) {
-                const ImVec2 p{(static_cast<float>(x) + 0.5f) / static_cast<float>(side),
-                               (static_cast<float>(y) + 0.5f) / static_cast<float>(side)};
-                const float covered = (pen - distance_to(line, p)) * static_cast<float>(side) + 0.5f;
-                alpha[(rect->Y + y) * width + rect->X + x] =
-                    static_cast<unsigned char>(std::lround(std::clamp(covered, 0.0f, 1.0f) * 255.0f));
-            }
-    }
+void draw_own_icons(std::initializer_list<Font> fonts, float pixels) {
+    add_drawn_glyph(fonts, {.code = lasso_code,
+                            .side = std::max(6, static_cast<int>(std::lround(pixels))),
+                            .advance = std::round(pixels * 1.15f),
+                            .offset = {std::round(pixels * 0.07f), std::round(pixels * 0.2f)},
+                            .coverage = lasso_coverage});
 }
 
 }  // namespace slipface::ui

@@ -1,13 +1,11 @@
 // Icons that Font Awesome 4.7 lacks.
 #pragma once
 
-#include <imgui.h>
-
-#include <initializer_list>
+#include "widgets/imgui_compat.h"
 
 namespace slipface::ui {
 
-// Adds them to each of `fonts`, `pixels` high, and builds the atlas.
-void draw_own_icons(ImFontAtlas& atlas, std::initializer_list<ImFont*> fonts, float pixels);
+// Adds them to each of `fonts`, `pixels` high. All fonts of the atlas have been added before.
+void draw_own_icons(std::initializer_list<Font> fonts, float pixels);
 
 }  // namespace slipface::ui

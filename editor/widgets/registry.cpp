@@ -113,6 +113,13 @@ void mark_as_text_box() {
     if (registry().last) registry().last->text_box = true;
 }
 
+void mark_as_having_tooltip() {
+    // The item may be a name beside the widget, which is not recorded.
+    const ImRect item(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+    if (WidgetRect* const last = registry().last; last && item.Contains(ImRect(last->min, last->max)))
+        last->has_tooltip = true;
+}
+
 void record_rect(std::string_view name, ImVec2 min, ImVec2 max) {
     WidgetRect rect;
     rect.min = min;

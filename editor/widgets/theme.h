@@ -1,7 +1,9 @@
 // Colours, spacing and fonts. All sizes are in design pixels times scale.
 #pragma once
 
-#include <imgui.h>
+#include <string>
+
+#include "widgets/imgui_compat.h"
 
 namespace slipface::ui {
 
@@ -40,14 +42,16 @@ inline ImU32 packed(const ImVec4& color) {
 void apply_theme(float scale);
 
 struct Fonts {
-    ImFont* regular = nullptr;   // with icons
-    ImFont* semibold = nullptr;  // with icons
-    ImFont* small = nullptr;
-    ImFont* title = nullptr;  // welcome screen
+    Font regular;   // with icons
+    Font semibold;  // with icons
+    Font small;
+    Font title;  // welcome screen
 };
 // Replaces the fonts in the current context's atlas by the embedded ones at `scale`. Call it only between
 // frames; the renderer must then upload the atlas again.
 void load_fonts(float scale);
 const Fonts& fonts();
+// The releases that decide an interface's pixels: "Dear ImGui 1.86, letters 5f1c09aa".
+std::string interface_release();
 
 }  // namespace slipface::ui

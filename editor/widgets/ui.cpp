@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "widgets/imgui_compat.h"
@@ -19,7 +21,6 @@ struct TooltipTimer {
     ImGuiID item = 0;
     double rested_s = 0.0;
     int frame = -1;
-    bool due = false;
 };
 
 TooltipTimer& tooltip_timer() {
@@ -67,9 +68,20 @@ void show_tooltip(const char* text) {
     ImGui::PushTextWrapPos(padding.x + wrap);
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
-    record_rect("Tooltip", at, {at.x + size.x, at.y + size.y});
+    if (!ImGui::GetCurrentWindow()->Hidden) record_rect("Tooltip", at, {at.x + size.x, at.y + size.y});
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
+}
+
+// What of it fits, with an ellipsis.
+std::string shortened(std::string text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    while (!text.empty() && ImGui::CalcTextSize((text + "\u2026").c_str()).x > width) {
+        while (text.size() > 1 && (static_cast<unsigned char>(text.back()) & 0xC0u) == 0x80u)
+            text.pop_back();
+        text.pop_back();
+    }
+    return text + "\u2026";
 }
 
 // A property row: the label at the left, the control over the rest of the line.
@@ -96,12 +108,25 @@ std::string begin_row(const char* label) {
 void set_tooltip_delay(double seconds) {
     tooltip_timer().delay_s = seconds;
 }
-bool tooltip_due() {
-    return tooltip_timer().due && tooltip_timer().frame >= ImGui::GetFrameCount() - 1;
+double tooltip_due_in_s() {
+    const TooltipTimer& timer = tooltip_timer();
+    const bool rests = timer.frame == ImGui::GetFrameCount() && timer.rested_s < timer.delay_s;
+    return rests ? timer.delay_s - timer.rested_s : std::numeric_limits<double>::infinity();
+}
+
+bool windows_are_settling() {
+    const auto& windows = ImGui::GetCurrentContext()->Windows;
+    return std::any_of(windows.begin(), windows.end(), [](const ImGuiWindow* window) {
+        // A child that is scrolled away is hidden for good.
+        const bool on_top = window->Active && (window->Flags & ImGuiWindowFlags_ChildWindow) == 0;
+        return on_top && (window->HiddenFramesCanSkipItems > 0 || window->HiddenFramesCannotSkipItems > 0);
+    });
 }
 
 void tooltip(const char* text) {
-    if (!text || !*text || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    if (!text || !*text) return;
+    mark_as_having_tooltip();
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     TooltipTimer& timer = tooltip_timer();
     const ImGuiID item = place_id();
     const int frame = ImGui::GetFrameCount();
@@ -111,8 +136,7 @@ void tooltip(const char* text) {
         timer.rested_s += static_cast<double>(ImGui::GetIO().DeltaTime);
     timer.item = item;
     timer.frame = frame;
-    timer.due = timer.rested_s < timer.delay_s;
-    if (timer.due) return;
+    if (timer.rested_s < timer.delay_s) return;
     show_tooltip(text);
 }
 
@@ -255,9 +279,11 @@ bool drag_vec3(const char* label, double* xyz, float speed, const char* format, 
 bool combo(const char* label, int* index, const char* const* names, int count, const char* tip) {
     ImGui::BeginGroup();
     const std::string id = begin_row(label);
-    const char* const preview = *index >= 0 && *index < count ? names[*index] : "";
+    const float room =
+        ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2.0f * ImGui::GetStyle().FramePadding.x;
+    const std::string preview = shortened(*index >= 0 && *index < count ? names[*index] : "", room);
     bool changed = false;
-    const bool open = ImGui::BeginCombo(id.c_str(), preview);
+    const bool open = ImGui::BeginCombo(id.c_str(), preview.c_str());
     if (open)
         record_again(label);
     else
@@ -283,6 +309,65 @@ bool input_text(const char* label, std::string* text, const char* hint) {
     record_last_item(label);
     mark_as_text_box();
     return changed;
+}
+
+namespace {
+
+struct SearchFocus {
+    ImGuiID box = 0;  // will have the keyboard
+    bool caret_to_end = false;
+    int frame = -1;
+};
+SearchFocus& search_focus() {
+    static SearchFocus focus;
+    return focus;
+}
+
+// Dear ImGui selects the whole text of a box that gets the keyboard: the next letter would replace it.
+int move_caret_to_end(ImGuiInputTextCallbackData* data) {
+    if (std::exchange(search_focus().caret_to_end, false))
+        data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
+    return 0;
+}
+
+}  // namespace
+
+bool search_box(const char* label, std::string* text, const char* hint) {
+    SearchFocus& focus = search_focus();
+    const ImGuiID id = ImGui::GetID(label);
+    const ImGuiWindow* const root = ImGui::GetCurrentWindow()->RootWindow;
+    const bool docked = (root->Flags & ImGuiWindowFlags_NoBringToFrontOnFocus) != 0;
+    if (!docked && root->Appearing) {
+        ImGui::SetKeyboardFocusHere();
+        focus = {id, false, 0};
+    }
+    bool changed = false;
+    if (focus.box == id) {
+        focus.frame = ImGui::GetFrameCount();
+        ImVector<ImWchar>& typed = ImGui::GetIO().InputQueueCharacters;
+        for (const ImWchar c : typed) {
+            char utf8[5] = {};
+            ImTextCharToUtf8(utf8, c);
+            *text += utf8;
+            changed = true;
+        }
+        typed.resize(0);
+        focus.caret_to_end = true;
+    }
+    ImGui::SetNextItemWidth(std::max(40.0f * scale(), ImGui::GetContentRegionAvail().x));
+    changed |=
+        ImGui::InputTextWithHint(label, hint, text, ImGuiInputTextFlags_CallbackAlways, move_caret_to_end);
+    if (focus.box == id && ImGui::IsItemActive()) focus.box = 0;
+    record_last_item(label);
+    mark_as_text_box();
+    return changed;
+}
+
+bool typing() {
+    const ImGuiID active = ImGui::GetActiveID();
+    // Dear ImGui itself says so only a frame after the box was entered.
+    return ImGui::GetIO().WantTextInput || (active != 0 && ImGui::GetInputTextState(active)) ||
+           (search_focus().box != 0 && search_focus().frame >= ImGui::GetFrameCount() - 1);
 }
 
 bool selectable(const char* label, bool selected) {
@@ -342,14 +427,14 @@ float icon_button_side() {
 void ellipsis(ImVec2 at, float right, const ImVec4& color, const std::string& text) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), at, {right, at.y + size.y}, right, right,
-                              text.c_str(), text.c_str() + text.size(), &size);
+    ellipsis_text(*ImGui::GetWindowDrawList(), at, {right, at.y + size.y}, right, text.c_str(),
+                  text.c_str() + text.size(), &size);
     ImGui::PopStyleColor();
 }
 
 void heading(const char* text) {
     ImGui::Dummy({0, 2.0f * scale()});
-    ImGui::PushFont(fonts().semibold);
+    push_font(fonts().semibold);
     ImGui::PushStyleColor(ImGuiCol_Text, palette().muted);
     ImGui::PushTextWrapPos(0.0f);
     ImGui::TextUnformatted(text);

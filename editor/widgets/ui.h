@@ -21,6 +21,7 @@ struct WidgetRect {
     std::string window;           // its window's name in Dear ImGui
     bool ground = false;          // other widgets may overlap it
     bool text_box = false;        // it scrolls text that does not fit
+    bool has_tooltip = false;
     ImVec2 centre() const { return {(min.x + max.x) * 0.5f, (min.y + max.y) * 0.5f}; }
 };
 
@@ -50,6 +51,7 @@ void record_last_item(std::string_view name, bool enabled = true, std::optional<
 // Other widgets may overlap the item recorded last: buttons of a row, overlays of a view.
 void mark_as_ground();
 void mark_as_text_box();
+void mark_as_having_tooltip();  // if the last item is the one recorded last, or a group around it
 // The item recorded last is a header, or a row that spans the columns: its own column does not clip it.
 void mark_as_table_row();
 // Records something drawn without an item: a label in the view, a tooltip.
@@ -70,6 +72,10 @@ bool drag_vec3(const char* label, double* xyz, float speed, const char* format,
                const char* tooltip = nullptr);
 bool combo(const char* label, int* index, const char* const* names, int count, const char* tooltip = nullptr);
 bool input_text(const char* label, std::string* text, const char* hint = nullptr);
+// A line that searches the window or panel around it. In a window of its own it has the keyboard from the
+// window's first frame on, and nothing that is typed before is lost.
+bool search_box(const char* label, std::string* text, const char* hint);
+bool typing();  // a text box has the keyboard, or will have it in the next frames
 bool selectable(const char* label, bool selected);
 bool menu_item(const char* label, const char* shortcut, bool checked, bool enabled, const char* tooltip,
                const char* icon = "");
@@ -91,8 +97,9 @@ void muted_text(const char* text);  // wrapped, less prominent
 
 float scale();  // pixels per design pixel (1 at 100 %)
 void set_scale(float scale);
-// Seconds that the mouse must rest on a widget before its tooltip shows. Meanwhile frames are needed.
+// Seconds that the mouse must rest on a widget before its tooltip shows.
 void set_tooltip_delay(double seconds);
-bool tooltip_due();
+double tooltip_due_in_s();    // after the frame built last; infinity: none is due
+bool windows_are_settling();  // some are not drawn yet, because their size is not known
 
 }  // namespace slipface::ui

@@ -1,13 +1,11 @@
 // An open file that closes itself, and words for what went wrong with it.
 #pragma once
 
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <string>
 #include <system_error>
 #include <utility>
+
+#include "platform/file_calls.h"
 
 namespace slipface {
 
@@ -25,7 +23,7 @@ class Descriptor {
     int get() const { return handle_; }
     int close() {
         const int handle = std::exchange(handle_, -1);
-        return handle >= 0 && ::close(handle) != 0 ? errno : 0;
+        return handle >= 0 ? platform::close(handle) : 0;
     }
 
   private:
@@ -34,13 +32,6 @@ class Descriptor {
 
 inline std::string reason_of_errno(int error) {
     return std::generic_category().message(error);
-}
-
-inline const char* kind_of_file(mode_t mode) {
-    if (S_ISDIR(mode)) return "a directory";
-    if (S_ISFIFO(mode)) return "a pipe";
-    if (S_ISSOCK(mode)) return "a socket";
-    return "a device";
 }
 
 }  // namespace slipface

@@ -1,6 +1,5 @@
 #include "slipface/base/files.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,12 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<std::string> read_all(int handle, const struct stat& status, const std::string& location,
+Result<std::string> read_all(int handle, std::uint64_t size, const std::string& location,
                              std::uint64_t max_bytes) {
-    const auto too_big = [&](std::uint64_t size) {
-        return Error{location, fmt::format("is {} bytes long; at most {} are read", size, max_bytes)};
+    const auto too_big = [&](std::uint64_t found) {
+        return Error{location, fmt::format("is {} bytes long; at most {} are read", found, max_bytes)};
     };
-    const auto size = static_cast<std::uint64_t>(std::max<off_t>(status.st_size, 0));
     if (size > max_bytes) return too_big(size);
 
     // One byte more than the size reported: needed for the read that finds the end, and for a file that grows
@@ -29,11 +27,12 @@ Result<std::string> read_all(int handle, const struct stat& status, const std::s
     std::size_t used = 0;
     for (;;) {
         if (used == bytes.size()) bytes.resize(bytes.size() + std::max<std::size_t>(bytes.size() / 2, 4096));
-        const ssize_t count = ::read(handle, bytes.data() + used, bytes.size() - used);
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return Error{location, "cannot be read: " + reason_of_errno(errno)};
+        std::size_t count = 0;
+        if (const int error = platform::read_some(handle, bytes.data() + used, bytes.size() - used, count);
+            error != 0)
+            return Error{location, "cannot be read: " + reason_of_errno(error)};
         if (count == 0) break;
-        used += static_cast<std::size_t>(count);
+        used += count;
         if (used > max_bytes) return too_big(used);
     }
     bytes.resize(used);
@@ -46,23 +45,21 @@ Result<std::string> read_file(const fs::path& path, std::uint64_t max_bytes) {
     const std::string location = path.string();
     if (location.find('\0') != std::string::npos)
         return Error{"", "a path with a zero byte in it names no file"};
-    // Without O_NONBLOCK, opening a pipe would wait for a writer.
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    const Descriptor file(platform::open_to_read(path, platform::Links::follow));
     if (!file.open()) {
         if (errno == ENOENT) return Error{location, "no such file"};
         return Error{location, "cannot be opened: " + reason_of_errno(errno)};
     }
-    struct stat status {};
-    if (::fstat(file.get(), &status) != 0)
-        return Error{location, "cannot be read: " + reason_of_errno(errno)};
-    if (!S_ISREG(status.st_mode)) {
-        return Error{location, fmt::format("is {}; expected a file", kind_of_file(status.st_mode))};
-    }
+    platform::FileStatus status;
+    if (const int error = platform::status_of(file.get(), status); error != 0)
+        return Error{location, "cannot be read: " + reason_of_errno(error)};
+    if (status.other_kind != nullptr)
+        return Error{location, fmt::format("is {}; expected a file", status.other_kind)};
     try {
-        return read_all(file.get(), status, location, max_bytes);
+        return read_all(file.get(), status.bytes, location, max_bytes);
     } catch (const std::bad_alloc&) {
         return Error{location,
-                     fmt::format("is {} bytes long; there is not enough memory for it", status.st_size)};
+                     fmt::format("is {} bytes long; there is not enough memory for it", status.bytes)};
     }
 }
 

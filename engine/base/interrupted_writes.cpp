@@ -1,15 +1,15 @@
 #include "interrupted_writes.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
-#include <sys/file.h>
 
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <optional>
 
+#include "descriptor.h"
 #include "slipface/base/files.h"
+#include "slipface/base/system.h"
 #include "slipface/base/text.h"
 
 namespace slipface {
@@ -18,22 +18,23 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view list_head = "slipface renames 1";
+constexpr std::string_view own_mark = ".slipface.", own_ending = ".tmp";  // of temporary files
 constexpr std::uint64_t max_list_bytes = std::uint64_t{1} << 20;
 
 std::string process_mark() {
     static std::atomic<unsigned> counter{0};
-    return fmt::format("{}-{}", ::getpid(), counter++);
+    return fmt::format("{}-{}", platform::process_number(), counter++);
 }
 
 // The process in "PID-N" at the end of `text`.
-std::optional<pid_t> process_of(std::string_view text) {
+std::optional<int> process_of(std::string_view text) {
     const std::size_t begin = text.find_last_not_of("0123456789-") + 1;
     const std::string_view mark = text.substr(begin);
     const std::size_t dash = mark.find('-');
     if (dash == std::string_view::npos || dash + 1 == mark.size()) return std::nullopt;
     const auto pid = parse_int(mark.substr(0, dash));
     if (!pid || *pid <= 0 || *pid > 0x7fffffff) return std::nullopt;
-    return static_cast<pid_t>(*pid);
+    return static_cast<int>(*pid);
 }
 
 bool has_form(std::string_view name, std::string_view head, std::string_view tail) {
@@ -41,23 +42,27 @@ bool has_form(std::string_view name, std::string_view head, std::string_view tai
            process_of(name.substr(0, name.size() - tail.size()));
 }
 
+// Other programs have temporary files, too, and some end in numbers.
 bool is_temporary(std::string_view name) {
-    return has_form(name, ".", ".tmp");
+    if (!has_form(name, ".", own_ending)) return false;
+    const std::size_t mark = name.find_last_not_of("0123456789-", name.size() - own_ending.size() - 1) + 1;
+    return name.substr(0, mark).ends_with(own_mark);
 }
 
-// A writer takes the lock of a temporary file directly after making it. That process is gone, or the file is
-// older than any such moment (a number that another process has meanwhile).
+// A writer takes the lock of a temporary file directly after making it, and holds it until it is done with
+// the file. That process is gone, or the file is older than any such moment (a number that another process
+// has meanwhile).
 bool is_left_over(const fs::directory_entry& entry) {
     const std::string name = entry.path().filename().string();
-    const pid_t pid = process_of(name.substr(0, name.size() - 4)).value_or(0);
-    if (::kill(pid, 0) != 0 && errno == ESRCH) return true;
+    const int pid = process_of(name.substr(0, name.size() - 4)).value_or(0);
+    if (platform::process_is_gone(pid)) return true;
     std::error_code error;
     const auto age = fs::file_time_type::clock::now() - entry.last_write_time(error);
     return !error && age > std::chrono::minutes(1);
 }
 
 bool inside(const fs::path& name) {
-    return !name.empty() && name.is_relative() && name.lexically_normal() == name && *name.begin() != "..";
+    return !name.empty() && !name.has_root_path() && name.lexically_normal() == name && *name.begin() != "..";
 }
 
 // A list from elsewhere can do no more than rename such temporary files of its own folder.
@@ -67,7 +72,7 @@ std::optional<Renames> parse_rename_list(std::string_view text) {
         return std::nullopt;
     Renames renames;
     for (std::size_t i = 1; i + 1 < words.size(); i += 2) {
-        const fs::path from(words[i]), to(words[i + 1]);
+        const fs::path from = path_of(words[i]), to = path_of(words[i + 1]);
         if (!inside(from) || !inside(to) || from.parent_path() != to.parent_path() ||
             !is_temporary(from.filename().string()))
             return std::nullopt;
@@ -78,21 +83,22 @@ std::optional<Renames> parse_rename_list(std::string_view text) {
 
 // A rename that fails because its file is gone was done before.
 void finish_list(const fs::path& list) {
-    const Descriptor file(::open(list.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
-    if (!file.open() || !take_lock(file)) return;
+    const Descriptor file(platform::open_to_read(list, platform::Links::refuse));
+    if (!file.open() || !platform::take_lock(file.get())) return;
     const Result<std::string> text = read_file(list, max_list_bytes);
     const std::optional<Renames> renames = text ? parse_rename_list(*text) : std::nullopt;
     if (!renames) return;
     const fs::path folder = list.parent_path();
     for (const auto& [from, to] : *renames)
-        if (::rename((folder / from).c_str(), (folder / to).c_str()) != 0 && errno != ENOENT) return;
-    ::unlink(list.c_str());
+        if (const int error = platform::replace(folder / from, folder / to); error != 0 && error != ENOENT)
+            return;
+    platform::remove(list);
 }
 
 void remove_left_over(const fs::directory_entry& entry) {
     if (!entry.is_regular_file() || entry.is_symlink() || !is_left_over(entry)) return;
-    const Descriptor file(::open(entry.path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
-    if (file.open() && take_lock(file)) ::unlink(entry.path().c_str());
+    const Descriptor file(platform::open_to_read(entry.path(), platform::Links::refuse));
+    if (file.open() && platform::take_lock(file.get())) platform::remove(entry.path());
 }
 
 }  // namespace
@@ -100,23 +106,20 @@ void remove_left_over(const fs::directory_entry& entry) {
 fs::path temporary_name(const fs::path& target) {
     constexpr std::size_t longest_stem = 200;
     const std::string stem = target.filename().string().substr(0, longest_stem);
-    return target.parent_path() / fmt::format(".{}.{}.tmp", stem, process_mark());
+    return target.parent_path() /
+           path_of(fmt::format(".{}{}{}{}", stem, own_mark, process_mark(), own_ending));
 }
 
 fs::path rename_list_name(const fs::path& folder) {
     return folder / fmt::format(".slipface.{}.renames", process_mark());
 }
 
-bool take_lock(const Descriptor& file) {
-    return ::flock(file.get(), LOCK_EX | LOCK_NB) == 0;
-}
-
 std::string rename_list_text(const Renames& renames) {
     std::string text(list_head);
     text += '\0';
     for (const auto& [from, to] : renames) {
-        text += from.string() + '\0';
-        text += to.string() + '\0';
+        text += from.generic_string() + '\0';
+        text += to.generic_string() + '\0';
     }
     return text;
 }

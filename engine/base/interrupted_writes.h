@@ -10,15 +10,12 @@
 
 namespace slipface {
 
-// ".NAME.PID-N.tmp" beside `target`: a name that no other writer uses, short enough for the file system.
+// ".NAME.slipface.PID-N.tmp" beside `target`: a name that no other writer uses, short enough for the file
+// system.
 std::filesystem::path temporary_name(const std::filesystem::path& target);
 
 // ".slipface.PID-N.renames" in `folder`.
 std::filesystem::path rename_list_name(const std::filesystem::path& folder);
-
-// True if the lock is taken. A writer holds the lock of its temporary files and of its list until it is done
-// with them; the system frees it however the process ends.
-bool take_lock(const Descriptor& file);
 
 // From the temporary name to the name, both relative to the list's folder.
 using Renames = std::vector<std::pair<std::filesystem::path, std::filesystem::path>>;

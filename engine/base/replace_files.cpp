@@ -1,4 +1,3 @@
-#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,27 +27,8 @@ Result<fs::path> link_target(const fs::path& path) {
     return Error{path.string(), "too many symbolic links, one after the other"};
 }
 
-int write_all(int handle, std::string_view bytes) {
-    constexpr std::size_t largest_write = std::size_t{1} << 30;  // Linux writes at most 2 GiB at once
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(handle, bytes.data(), std::min(bytes.size(), largest_write));
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return errno;
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return 0;
-}
-
 fs::path folder_of(const fs::path& file) {
     return file.parent_path().empty() ? fs::path(".") : file.parent_path();
-}
-
-// Flushes the folder, so that its renames survive a power failure. File systems that cannot flush a directory
-// return EINVAL.
-int flush_directory(const fs::path& folder) {
-    const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (!directory.open()) return errno == EACCES ? 0 : errno;
-    return ::fsync(directory.get()) != 0 && errno != EINVAL ? errno : 0;
 }
 
 Error unwritable(const fs::path& path, int error) {
@@ -60,26 +40,28 @@ Error unwritable(const fs::path& path, int error) {
 class Staged {
   public:
     // Returns 0, or the errno that stopped it.
-    int write(std::string_view bytes, const mode_t* mode) {
+    int write(std::string_view bytes, const unsigned* permissions) {
         // In containers process numbers begin anew, so that a killed process may have left a file of this
         // name.
         constexpr int max_tries = 100;
         for (int tries = 0; tries < max_tries; ++tries) {
-            file_.emplace(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+            file_.emplace(platform::make_file(temporary_));
             if (file_->open() || errno != EEXIST) break;
             temporary_ = temporary_name(target_);
         }
         if (!file_->open()) return errno;
         made_ = true;
-        (void)take_lock(*file_);  // there are file systems without
-        if (mode != nullptr && ::fchmod(file_->get(), *mode & 07777) != 0) return errno;
-        if (const int error = write_all(file_->get(), bytes); error != 0) return error;
-        return ::fsync(file_->get()) != 0 ? errno : 0;
+        (void)platform::take_lock(file_->get());  // there are file systems without
+        if (permissions != nullptr)
+            if (const int error = platform::set_permissions(file_->get(), *permissions); error != 0)
+                return error;
+        if (const int error = platform::write_all(file_->get(), bytes); error != 0) return error;
+        return platform::flush(file_->get());
     }
     int rename_to(const fs::path& name) {
-        if (::rename(temporary_.c_str(), name.c_str()) != 0) return errno;
-        made_ = false;
-        return 0;
+        const int error = platform::replace(temporary_, name);
+        if (error == 0) made_ = false;
+        return error;
     }
 
     explicit Staged(fs::path target) : target_(std::move(target)), temporary_(temporary_name(target_)) {}
@@ -90,7 +72,7 @@ class Staged {
           made_(std::exchange(other.made_, false)) {}
     Staged& operator=(Staged&&) = delete;
     ~Staged() {
-        if (made_) ::unlink(temporary_.c_str());
+        if (made_) platform::remove(temporary_);
     }
 
     const fs::path& target() const { return target_; }
@@ -108,23 +90,23 @@ Result<fs::path> writable_target(const fs::path& path) {
         return Error{path.string(), "names no file to write"};
     Result<fs::path> target = link_target(path);
     if (!target) return target;
-    struct stat status {};
-    if (::stat(target->c_str(), &status) != 0) {
-        if (errno != ENOENT) return unwritable(path, errno);
+    platform::FileStatus status;
+    if (const int error = platform::status_of(*target, status); error != 0) {
+        if (error != ENOENT) return unwritable(path, error);
         return target;
     }
-    if (!S_ISREG(status.st_mode))
-        return Error{path.string(), fmt::format("is {}; expected a file", kind_of_file(status.st_mode))};
+    if (status.other_kind != nullptr)
+        return Error{path.string(), fmt::format("is {}; expected a file", status.other_kind)};
     // A rename would replace a write-protected file, against the wish of its owner.
-    if (::access(target->c_str(), W_OK) != 0) return unwritable(path, errno);
+    if (const int error = platform::may_write(*target); error != 0) return unwritable(path, error);
     return target;
 }
 
 Result<Staged> stage(const fs::path& path, const fs::path& target, std::string_view bytes) {
-    struct stat status {};
-    const bool exists = ::stat(target.c_str(), &status) == 0;
+    platform::FileStatus status;
+    const bool exists = platform::status_of(target, status) == 0;
     Staged staged(target);
-    if (const int error = staged.write(bytes, exists ? &status.st_mode : nullptr); error != 0)
+    if (const int error = staged.write(bytes, exists ? &status.permissions : nullptr); error != 0)
         return unwritable(path, error);
     return staged;
 }
@@ -142,7 +124,7 @@ Result<std::optional<Staged>> write_rename_list(const std::vector<Staged>& files
     Staged list(rename_list_name(folder));
     int error = list.write(rename_list_text(renames), nullptr);
     if (error == 0) error = list.rename_to(list.target());
-    if (error == 0) error = flush_directory(folder);
+    if (error == 0) error = platform::flush_folder(folder);
     if (error != 0) return unwritable(list.target(), error);
     return std::optional<Staged>(std::move(list));
 }
@@ -153,7 +135,7 @@ Status rename_all(std::span<const FileToWrite> files, std::vector<Staged>& stage
         if (const int error = staged[i].rename_to(staged[i].target()); error != 0)
             return unwritable(files[i].path, error);
     for (const fs::path& folder : folders)
-        if (const int error = flush_directory(folder); error != 0)
+        if (const int error = platform::flush_folder(folder); error != 0)
             return Error{files.front().path.string(),
                          "is written, but its folder cannot be flushed to disk: " + reason_of_errno(error)};
     return {};
@@ -178,7 +160,7 @@ Status replace(std::span<const FileToWrite> files, std::vector<Staged>& staged) 
     const Result<std::optional<Staged>> list = write_rename_list(staged);
     if (!list) return list.error();
     Status status = rename_all(files, staged, folders);
-    if (*list) ::unlink((*list)->target().c_str());
+    if (*list) platform::remove((*list)->target());
     return status;
 }
 

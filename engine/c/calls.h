@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <new>
@@ -21,11 +22,8 @@ struct Settings final : Object {
 
 // A platform of a world of triangles.
 struct PlatformBody {
-    std::vector<Vec3f> rest;  // [triangle * 3 + corner]
     std::vector<std::uint32_t> groups;
-    std::vector<TriangleId> ids;
-    std::unique_ptr<CollisionWorld> collision;
-    Pose pose;
+    std::unique_ptr<CollisionWorld> rest;
 };
 
 struct World final : Object {
@@ -35,6 +33,7 @@ struct World final : Object {
     std::vector<std::uint32_t> groups;  // [triangle]; empty: all are in all
     std::vector<PlatformBody> platforms;
     std::vector<MovingPart> parts;
+    PlatformTree tree;  // of `parts`
     // A level; null in a world of triangles.
     std::unique_ptr<Level> level;
     std::optional<LevelScene> scene;
@@ -43,7 +42,8 @@ struct World final : Object {
     std::optional<MovementScene> now;  // what queries and steps see; always there
 
     void see_triangles() {
-        now.emplace(MovementScene{.collision = collision, .surfaces = types, .platforms = parts});
+        now.emplace(
+            MovementScene{.collision = collision, .surfaces = types, .platforms = parts, .tree = &tree});
     }
     void see_level() { now.emplace(scene->at(time, dt)); }
 };

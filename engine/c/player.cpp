@@ -12,6 +12,7 @@ PlayerState state_of(const World& in, const slipface_player& player) {
     state.position = finite(player.position, "position");
     state.velocity = finite(player.velocity, "velocity");
     state.ground_normal = finite(player.ground_normal, "ground_normal");
+    state.air_frame = finite(player.air_frame, "air_frame");
     for (const double number : {player.ground_rise, player.coyote_s, player.jump_buffer_s})
         if (!std::isfinite(number))
             refuse(SLIPFACE_WRONG_ARGUMENT, "player: found {}, expected finite numbers", number);
@@ -29,6 +30,9 @@ PlayerState state_of(const World& in, const slipface_player& player) {
         refuse(SLIPFACE_WRONG_ARGUMENT, "ground_type: found {}, expected one below {}", player.ground_type,
                in.now->surfaces.size());
     state.ground_surface = player.ground_type;
+    if (player.carrier > static_cast<std::uint8_t>(Carrier::character))
+        refuse(SLIPFACE_WRONG_ARGUMENT, "carrier: found {}, expected a slipface_carrier", player.carrier);
+    state.carrier = static_cast<Carrier>(player.carrier);
     state.grounded = player.grounded != 0;
     state.climbing = player.climbing != 0;
     state.stuck = player.stuck != 0;
@@ -36,6 +40,7 @@ PlayerState state_of(const World& in, const slipface_player& player) {
     state.hazard = player.hazard != 0;
     state.jumping = player.jumping != 0;
     state.trapped = player.trapped != 0;
+    state.crushed = player.crushed != 0;
     return state;
 }
 
@@ -44,6 +49,8 @@ slipface_player player_of(const PlayerState& state) {
     player.position = vec(state.position);
     player.velocity = vec(state.velocity);
     player.ground_normal = vec(state.ground_normal);
+    player.air_frame = vec(state.air_frame);
+    player.carrier = static_cast<std::uint8_t>(state.carrier);
     player.ground_rise = state.ground_rise;
     player.coyote_s = state.coyote_s;
     player.jump_buffer_s = state.jump_buffer_s;
@@ -59,6 +66,7 @@ slipface_player player_of(const PlayerState& state) {
     player.hazard = state.hazard;
     player.jumping = state.jumping;
     player.trapped = state.trapped;
+    player.crushed = state.crushed;
     return player;
 }
 

@@ -37,7 +37,7 @@ namespace {
 
 // A collision world among those that a query asks.
 struct Body {
-    const CollisionWorld& world;
+    PosedWorld world;
     std::uint32_t platform;               // SLIPFACE_NONE: what does not move
     std::span<const TriangleId> numbers;  // [triangle] its number in the level; empty: the same
     QueryFilter filter;
@@ -58,12 +58,12 @@ class Bodies {
     void each(const Each& body) const {
         QueryFilter filter = filter_;
         filter.groups = in_.groups;
-        body(Body{in_.now->collision, SLIPFACE_NONE, in_.now->triangles, filter});
+        body(Body{PosedWorld(in_.now->collision), SLIPFACE_NONE, in_.now->triangles, filter});
         for (std::size_t i = 0; i < in_.now->platforms.size(); ++i) {
             const MovingPart& part = in_.now->platforms[i];
             filter.groups = i < in_.platforms.size() ? std::span<const std::uint32_t>(in_.platforms[i].groups)
                                                      : std::span<const std::uint32_t>();
-            body(Body{*part.collision, static_cast<std::uint32_t>(i), part.triangles, filter});
+            body(Body{part.at_end(), static_cast<std::uint32_t>(i), part.triangles, filter});
         }
     }
 

@@ -2,6 +2,7 @@
 #include <numeric>
 
 #include "calls.h"
+#include "slipface/base/system.h"
 #include "slipface/level/find_start.h"
 #include "slipface/level/level_file.h"
 
@@ -16,8 +17,10 @@ struct Corners {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<FaceId> faces;
 
-    CollisionWorld world() const {
-        Result<CollisionWorld> built = CollisionWorld::build({positions, triangles, faces});
+    CollisionWorld world(bool movable = false) const {
+        const TriangleSoup soup{positions, triangles, faces};
+        Result<CollisionWorld> built =
+            movable ? CollisionWorld::build_movable(soup) : CollisionWorld::build(soup);
         if (!built) refuse(SLIPFACE_WRONG_ARGUMENT, built.error());
         return std::move(*built);
     }
@@ -74,7 +77,7 @@ void types_changed(World& world) {
     }
     apply_surface_rules(world.collision, world.types);
     for (const PlatformBody& platform : world.platforms)
-        apply_surface_rules(*platform.collision, world.types);
+        apply_surface_rules(*platform.rest, world.types);
     world.see_triangles();
 }
 
@@ -145,7 +148,7 @@ slipface_status slipface_world_from_triangles(const slipface_triangles* triangle
 slipface_status slipface_world_from_level(const char* path, slipface_world* world, slipface_error* error) {
     return run(error, [&] {
         need("path and world", path, world);
-        Result<LoadedLevel> loaded = load_level(path);
+        Result<LoadedLevel> loaded = load_level(path_of(path));
         if (!loaded) refuse(SLIPFACE_CANNOT_READ, loaded.error());
         auto made = std::make_unique<World>();
         made->level = std::make_unique<Level>(std::move(loaded->level));
@@ -298,19 +301,16 @@ slipface_status slipface_world_add_platform(slipface_world world, const slipface
         need_triangles(*in, "slipface_world_add_platform");
         const Corners corners = corners_of(triangles, in->types);
         PlatformBody made;
-        made.collision = std::make_unique<CollisionWorld>(corners.world());
-        paint(*made.collision, triangles, in->types);
+        made.rest = std::make_unique<CollisionWorld>(corners.world(true));
+        paint(*made.rest, triangles, in->types);
         made.groups = groups_of(triangles);
-        for (const auto& triangle : corners.triangles)
-            for (const std::uint32_t corner : triangle)
-                made.rest.push_back(corners.positions[corner]);
-        made.ids.resize(corners.triangles.size());
-        std::iota(made.ids.begin(), made.ids.end(), TriangleId{0});
-        MovingPart part;
-        part.collision = made.collision.get();
-        in->parts.reserve(in->parts.size() + 1);
+        in->parts.emplace_back().rest = made.rest.get();
         in->platforms.push_back(std::move(made));
-        in->parts.push_back(part);
+        std::vector<Aabb> rooms;
+        for (const MovingPart& part : in->parts)
+            rooms.push_back(room_of(part));
+        in->tree.build(rooms);
+        in->tree.refit(rooms);
         in->see_triangles();
         *platform = static_cast<std::uint32_t>(in->platforms.size() - 1);
     });
@@ -326,20 +326,14 @@ slipface_status slipface_world_move_platform(slipface_world world, uint32_t plat
                    in->platforms.size());
         if (!(dt >= 1e-4 && std::isfinite(dt)))
             refuse(SLIPFACE_WRONG_ARGUMENT, "dt: found {}, expected 1e-4 or more", dt);
-        PlatformBody& moved = in->platforms[platform];
         const Pose pose = pose_of(position, rotation);
-        std::vector<std::array<Vec3f, 3>> corners(moved.ids.size());
-        for (std::size_t i = 0; i < moved.rest.size(); ++i)
-            corners[i / 3][i % 3] = pose.apply(moved.rest[i].cast<double>()).cast<float>();
-        if (const Status status = moved.collision->move_triangles(moved.ids, corners); !status)
-            refuse(SLIPFACE_WRONG_ARGUMENT, status.error());
         MovingPart& part = in->parts[platform];
-        part.begin = moved.pose;
+        part.begin = part.end;
         part.end = pose;
         part.pivot = pose.offset;
-        part.velocity = (pose.offset - moved.pose.offset) / dt;
-        part.angular_velocity = turn_of(moved.pose, pose) / dt;
-        moved.pose = pose;
+        part.velocity = (pose.offset - part.begin.offset) / dt;
+        part.angular_velocity = turn_of(part.begin, pose) / dt;
+        in->tree.move(platform, room_of(part));
     });
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "impl.h"
 #include "instance_list.h"
@@ -84,6 +85,7 @@ void grow_bounds(CollisionWorld::Impl& impl) {
                 impl.extent.reach = std::max(impl.extent.reach, std::fabs(double{coordinate}));
         }
     }
+    impl.radius = impl.bounds.empty() ? 0.0 : (0.5 + 1e-6) * (impl.bounds.max - impl.bounds.min).norm();
 }
 
 std::optional<std::size_t> find_face(const CollisionWorld::Impl& impl, FaceId face) {
@@ -109,6 +111,10 @@ Result<CollisionWorld> CollisionWorld::build(const TriangleSoup& soup, std::span
     return build(soup, instances, detail::LeafForm::any);
 }
 
+Result<CollisionWorld> CollisionWorld::build_movable(const TriangleSoup& soup) {
+    return build(soup, {}, detail::LeafForm::vertices);
+}
+
 Result<CollisionWorld> CollisionWorld::build(const TriangleSoup& soup, std::span<const Instance> instances,
                                              detail::LeafForm form) {
     try {
@@ -120,6 +126,12 @@ Result<CollisionWorld> CollisionWorld::build(const TriangleSoup& soup, std::span
         impl.triangles = soup.triangles.size();
         if (const Status status = replace_instances(impl, instances); !status) return status.error();
         grow_bounds(impl);
+        if (form == detail::LeafForm::vertices && !soup.triangles.empty()) {
+            const auto radius = static_cast<float>(impl.radius);
+            const std::array<Vec3f, 2> corners{Vec3f::Constant(-radius), Vec3f::Constant(radius)};
+            const std::vector<std::array<std::uint32_t, 3>> box{{0, 1, 1}};
+            impl.ball = detail::build_bvh(corners, box, {}, detail::LeafForm::any);
+        }
         return world;
     } catch (const std::bad_alloc&) {
         return Error{"collision soup", "not enough memory for " + std::to_string(soup.triangles.size()) +

@@ -35,12 +35,17 @@ struct CollisionWorld::Impl {
     std::vector<detail::InstanceView> views;  // [instance]
     std::vector<PlacedMesh> placed;           // [instance]
     detail::Bvh boxes;                        // of the instances; see detail::WorldView
-    std::size_t triangles = 0;                // of the soup and the instances
-    bool plain = true;                        // every rule is solid and two-sided
-    Aabb bounds;                              // of all positions that the triangles have had
+    // Of a world of build_movable(): one instance, in a box that holds it however it is turned about its
+    // middle.
+    detail::Bvh ball;
+    double radius = 0.0;        // of all triangles around the middle of `bounds`, metres
+    std::size_t triangles = 0;  // of the soup and the instances
+    bool plain = true;          // every rule is solid and two-sided
+    Aabb bounds;                // of all positions that the triangles have had
     detail::WorldExtent extent{};
 
     detail::WorldView view() const { return {bvh.view(), boxes.view(), views.data(), extent.reach}; }
+    bool movable() const { return !ball.nodes.empty(); }
     bool empty() const { return triangles == 0; }
     std::size_t own_triangles() const { return face_index.size(); }
     std::size_t triangle_count() const { return triangles; }

@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 
 #include "export_parts.h"
 #include "pictures_beside.h"
 #include "slipface/base/parallel.h"
+#include "slipface/base/system.h"
 
 namespace slipface {
 
@@ -14,7 +17,7 @@ namespace fs = std::filesystem;
 std::string texture_from(const Level& level, const Material& material, const fs::path& folder) {
     if (material.texture.empty()) return {};
     std::error_code error;
-    const fs::path texture = fs::absolute(level.mesh_path.parent_path() / material.texture, error);
+    const fs::path texture = fs::absolute(level.mesh_path.parent_path() / path_of(material.texture), error);
     const fs::path relative = texture.lexically_normal().lexically_relative(
         fs::absolute(folder.empty() ? fs::path(".") : folder, error).lexically_normal());
     return relative.empty() ? texture.generic_string() : relative.generic_string();

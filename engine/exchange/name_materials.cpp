@@ -132,7 +132,7 @@ Status write_named(const std::vector<MaterialPatch>& patches, const Level& after
     const std::string level_text = level_to_json(after);
     std::vector<FileToWrite> files;
     for (const MaterialPatch& patch : patches) {
-        named.backups.emplace_back(patch.path.string() + ".bak");
+        named.backups.emplace_back(patch.path) += ".bak";
         named.written.push_back(patch.path);
         files.push_back({named.backups.back(), patch.before});
     }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "slipface/base/system.h"
+
 namespace slipface {
 
 namespace fs = std::filesystem;
@@ -14,10 +16,10 @@ PicturesBeside::PicturesBeside(const fs::path& exported)
 
 fs::path PicturesBeside::add(const fs::path& picture, std::string bytes) {
     const std::string last = picture.filename().string();
-    fs::path name = stem_ + "-" + last;
+    fs::path name = path_of(stem_ + "-" + last);
     const auto taken = [&](const ExportedFile& other) { return other.path == folder_ / name; };
     for (int number = 2; std::any_of(files_.begin(), files_.end(), taken); ++number)
-        name = fmt::format("{}-{}-{}", stem_, number, last);
+        name = path_of(fmt::format("{}-{}-{}", stem_, number, last));
     files_.push_back({folder_ / name, std::move(bytes)});
     return name;
 }

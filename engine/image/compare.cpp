@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
 
 namespace slipface {
@@ -109,6 +111,42 @@ Comparison compare_images(const Image& expected, const Image& actual, const Comp
     const bool too_dense = result.densest_window >= std::max(tolerance.window_pixels, 1);
     result.same = !too_many && !too_dense;
     result.verdict = verdict_of(result, tolerance, too_many, too_dense);
+    return result;
+}
+
+Comparison compare_coarsely(const Image& expected, const Image& actual, const CoarseTolerance& tolerance) {
+    Comparison result = compare_images(expected, actual, {});
+    if (result.size_differs) return result;
+    const int side = std::max(tolerance.square, 1);
+    std::size_t squares = 0, differing = 0;
+    double largest = 0.0;
+    for (int top = 0; top < expected.height; top += side)
+        for (int left = 0; left < expected.width; left += side) {
+            const int bottom = std::min(top + side, expected.height),
+                      right = std::min(left + side, expected.width);
+            std::array<int, 4> sum{};
+            for (int y = top; y < bottom; ++y)
+                for (int x = left; x < right; ++x)
+                    for (std::size_t i = 0; i < sum.size(); ++i)
+                        sum[i] += static_cast<int>(expected.pixel(x, y)[i]) -
+                                  static_cast<int>(actual.pixel(x, y)[i]);
+            double delta = 0.0;
+            for (const int channel : sum)
+                delta =
+                    std::max(delta, std::abs(channel) / static_cast<double>((bottom - top) * (right - left)));
+            ++squares;
+            differing += delta > tolerance.mean_delta ? 1U : 0U;
+            largest = std::max(largest, delta);
+        }
+    result.differing = differing;
+    result.allowed = static_cast<std::size_t>(tolerance.ratio * static_cast<double>(squares));
+    result.same = differing <= result.allowed;
+    result.verdict = fmt::format(
+        "{}: the mean colours of {} of {} squares of {} pixels differ by more than {:g} (limit {}), the "
+        "largest "
+        "by {:.1f}",
+        result.same ? "within tolerance" : "too many", differing, squares, side, tolerance.mean_delta,
+        result.allowed, largest);
     return result;
 }
 

@@ -1,6 +1,7 @@
 // Writing PNG files. Images without transparency are written with three bytes per pixel.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <limits>
 #include <new>

@@ -43,7 +43,7 @@ std::optional<Moved> lifted(const MovementScene& scene, const MovementSettings& 
 double depth_below(const MovementScene& scene, const Vec3& centre) {
     double lowest = scene.collision.bounds().empty() ? centre.y() : scene.collision.bounds().min.y();
     for (const MovingPart& part : scene.platforms)
-        if (!part.collision->bounds().empty()) lowest = std::min(lowest, part.collision->bounds().min.y());
+        if (const Aabb box = part.at_end().bounds(); !box.empty()) lowest = std::min(lowest, box.min.y());
     return std::max(0.0, centre.y() - lowest) + 1.0;
 }
 
@@ -80,13 +80,15 @@ std::optional<Moved> pushed_out(const MovementScene& scene, const MovementSettin
     return std::nullopt;
 }
 
-// Floor below the body's rim on all four sides: nobody slides off an edge.
+// Floor below the body's rim on all four sides: nobody slides off an edge. It is seen from above: within a
+// solid body the player would stand on the back of its underside.
 bool is_firm(const MovementScene& scene, const MovementSettings& settings, const Vec3& centre) {
     for (const auto& [x, z] : {std::pair(-1, 0), std::pair(1, 0), std::pair(0, -1), std::pair(0, 1)}) {
         const Vec3 at = centre + Vec3(x * settings.radii.x(), 0.0, z * settings.radii.z());
         const bool terrain = scene.heightfield && settings.heightfield &&
                              terrain_at(*scene.heightfield, at.x(), at.z()).has_value();
-        if (!terrain && !cast_ray(scene.collision, at, {0.0, -1.0, 0.0})) return false;
+        const auto below = cast_ray(scene.collision, at, {0.0, -1.0, 0.0});
+        if (!terrain && (!below || below->back_face)) return false;
     }
     return true;
 }

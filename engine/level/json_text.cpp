@@ -11,7 +11,7 @@ namespace slipface {
 namespace {
 
 // The path of the value that is read next: "/surfaces/2/friction".
-std::string path_of(const std::vector<Json>& open) {
+std::string pointer_of(const std::vector<Json>& open) {
     std::string path;
     for (const Json& value : open) {
         path += '/';
@@ -82,7 +82,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
 
   private:
     bool fail(std::string_view found, std::string_view expected) {
-        error_ = Error{location_ + ":" + json_excerpt(path_of(open_)),
+        error_ = Error{location_ + ":" + json_excerpt(pointer_of(open_)),
                        fmt::format("found {}, expected {}", found, expected)};
         return false;
     }

@@ -1,6 +1,7 @@
 // JSON for level files: strict reading, stable writing, and nothing lost in between.
 #pragma once
 
+#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <string_view>

@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <map>
 #include <span>
+#include <system_error>
 
 #include "face_match.h"
 #include "found_in_file.h"
 #include "level_json.h"
 #include "slipface/base/files.h"
+#include "slipface/base/system.h"
 #include "slipface/base/text.h"
 #include "slipface/level/find_start.h"
 #include "slipface/mesh/import.h"
@@ -40,7 +43,7 @@ Result<fs::path> mesh_of_level_file(const fs::path& file_path, const Json& root)
         return Error{location + ":/mesh", fmt::format("found {}, expected the name of the level's OBJ file",
                                                       mesh == nullptr ? "nothing" : json_kind_text(*mesh))};
     }
-    const fs::path name(mesh->text);
+    const fs::path name = path_of(mesh->text);
     const fs::path normal = name.lexically_normal();
     if (!name.is_absolute() && !normal.empty() && *normal.begin() == "..") {
         return Error{location + ":/mesh",
@@ -307,7 +310,7 @@ LevelFiles files_of_level(const fs::path& path) {
         if (const Json* goals = root->find("goals")) found.goals = goals->items.size();
         const Json* field = root->find("heightfield");
         const Json* image = field != nullptr ? field->find("file") : nullptr;
-        if (image != nullptr) found.files.push_back(file_path.parent_path() / image->text);
+        if (image != nullptr) found.files.push_back(file_path.parent_path() / path_of(image->text));
     }
     found.files.push_back(mesh);
     const std::string ending = to_lower(mesh.extension().string());

@@ -2,16 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "slipface/base/text.h"
 
 namespace slipface {
 namespace {
 
-constexpr double max_coordinate = 1e9;
-constexpr double max_area = 1e18;
+// Of a key's position and area: what the writer limits them to, so that every written key can be read.
+constexpr double largest_float = std::numeric_limits<float>::max();
+
+float in_range(double value) {
+    return static_cast<float>(std::clamp(value, -largest_float, largest_float)) + 0.0F;
+}
 
 bool parse_part(std::string_view text, double limit, double& value) {
     const std::optional<double> number = parse_double(text);
@@ -41,11 +47,11 @@ double as_float(double value) {
 }  // namespace
 
 std::string face_row_text(const FaceKey& key) {
-    const Vec3f c = key.centroid.cast<float>();
+    const Vec3& c = key.centroid;
     const Vec3& n = key.normal;
     std::string row =
-        fmt::format("{:016x} {},{},{} {},{},{} {}", key.loop_hash, c.x() + 0.0F, c.y() + 0.0F, c.z() + 0.0F,
-                    n.x() + 0.0, n.y() + 0.0, n.z() + 0.0, static_cast<float>(key.area));
+        fmt::format("{:016x} {},{},{} {},{},{} {}", key.loop_hash, in_range(c.x()), in_range(c.y()),
+                    in_range(c.z()), n.x() + 0.0, n.y() + 0.0, n.z() + 0.0, in_range(key.area));
     if (key.copy > 0) row += fmt::format(" {}", key.copy);
     return row;
 }
@@ -55,9 +61,9 @@ bool parse_face_row(std::string_view text, FaceKey& key) {
     if (words.size() < 4 || words.size() > 5 || words[0].size() != 16) return false;
     const auto [end, error] = std::from_chars(words[0].data(), words[0].data() + 16, key.loop_hash, 16);
     if (error != std::errc() || end != words[0].data() + 16) return false;
-    if (!parse_vector(words[1], max_coordinate, key.centroid) || !parse_vector(words[2], 1.001, key.normal))
+    if (!parse_vector(words[1], largest_float, key.centroid) || !parse_vector(words[2], 1.001, key.normal))
         return false;
-    if (!parse_part(words[3], max_area, key.area) || key.area < 0.0) return false;
+    if (!parse_part(words[3], largest_float, key.area) || key.area < 0.0) return false;
     key.centroid = key.centroid.unaryExpr(&as_float);
     key.area = as_float(key.area);
     return words.size() == 4 || parse_count(words[4], key.copy);

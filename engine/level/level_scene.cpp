@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "slipface/level/shown_mesh.h"
@@ -51,20 +50,17 @@ Result<CollisionWorld> collision_at(const Part& part, const Pose& pose,
     return CollisionWorld::build({positions, part.corners, part.faces}, instances);
 }
 
+// A platform of the level.
+struct Moving {
+    std::size_t index;  // in level->platforms
+    std::vector<FaceId> faces;
+    std::vector<TriangleId> triangles;     // [triangle] its index in the mesh
+    std::shared_ptr<CollisionWorld> rest;  // as modelled; scenes for other threads share it
+};
+
 }  // namespace
 
 struct LevelScene::Impl {
-    struct Moving {
-        std::size_t index;  // in level->platforms
-        Part part;
-        CollisionWorld collision;  // at `pose`
-        Pose pose;
-        std::vector<TriangleId> ids;  // 0, 1, ... up to the number of triangles
-        // Buffers for a move, so that a tick allocates nothing.
-        std::vector<Vec3f> placed{};
-        std::vector<std::array<Vec3f, 3>> corners{};
-    };
-
     const Level* level = nullptr;
     const CollisionWorld* fixed = nullptr;  // another owner's; null: `own` is used
     CollisionWorld own;
@@ -72,6 +68,8 @@ struct LevelScene::Impl {
     std::span<const TriangleId> triangles;  // [static triangle] its index in the mesh
     std::vector<Moving> moving;
     std::vector<MovingPart> parts;
+    std::vector<Aabb> rooms;  // [part]
+    PlatformTree tree;        // of `rooms`
     std::vector<std::uint32_t> face_platforms;
     std::vector<SurfaceId> surfaces;  // [face] resolved, for the platforms
     Heightfield terrain;              // a moved copy, if `offset` is not zero
@@ -82,8 +80,8 @@ struct LevelScene::Impl {
     void choose_origin(const MovementSettings& settings);
     Status build(const CollisionWorld* whole);
     Status add_moving(std::size_t platform, Part part);
-    void paint(CollisionWorld& world, const Part& part) const;
-    bool move(Moving& moved, const Pose& pose) const;
+    void paint(const Moving& moved) const;
+    void make_room();
 };
 
 // With sectors the offset stays below a sector's size, and only the index of the home sector is large.
@@ -146,44 +144,36 @@ Status LevelScene::Impl::build(const CollisionWorld* whole) {
         Part part = part_of(*level->mesh, [&](FaceId face) { return face_platforms[face] == i; });
         if (const Status status = add_moving(i, std::move(part)); !status) return status;
     }
-    parts.resize(moving.size());
+    make_room();
     return {};
 }
 
 Status LevelScene::Impl::add_moving(std::size_t platform, Part part) {
-    const Pose start{.offset = offset};
-    Result<CollisionWorld> collision = collision_at(part, start);
-    if (!collision) return Error{level->mesh_path.string(), collision.error().text()};
-    paint(*collision, part);
-    std::vector<TriangleId> ids(part.corners.size());
-    std::iota(ids.begin(), ids.end(), TriangleId{0});
+    Result<CollisionWorld> rest = CollisionWorld::build_movable({part.rest, part.corners, part.faces});
+    if (!rest) return Error{level->mesh_path.string(), rest.error().text()};
     moving.push_back({.index = platform,
-                      .part = std::move(part),
-                      .collision = std::move(*collision),
-                      .pose = start,
-                      .ids = std::move(ids)});
+                      .faces = std::move(part.faces),
+                      .triangles = std::move(part.triangles),
+                      .rest = std::make_shared<CollisionWorld>(std::move(*rest))});
+    paint(moving.back());
     return {};
 }
 
-void LevelScene::Impl::paint(CollisionWorld& world, const Part& part) const {
-    apply_surface_rules(world, level->surfaces);
-    for (const FaceId face : part.faces)
-        world.set_face_surface(face, surfaces[face]);
+void LevelScene::Impl::paint(const Moving& moved) const {
+    apply_surface_rules(*moved.rest, level->surfaces);
+    for (const FaceId face : moved.faces)
+        moved.rest->set_face_surface(face, surfaces[face]);
 }
 
-// The tree keeps its structure; only its boxes are refitted.
-bool LevelScene::Impl::move(Moving& moved, const Pose& pose) const {
-    if (moved.pose == pose) return true;
-    const Part& part = moved.part;
-    moved.placed.clear();
-    for (const Vec3f& rest : part.rest)
-        moved.placed.emplace_back(pose.apply(rest.cast<double>()).cast<float>());
-    moved.corners.clear();
-    for (const auto& [a, b, c] : part.corners)
-        moved.corners.push_back({moved.placed[a], moved.placed[b], moved.placed[c]});
-    if (!moved.collision.move_triangles(moved.ids, moved.corners).ok()) return false;
-    moved.pose = pose;
-    return true;
+void LevelScene::Impl::make_room() {
+    parts.resize(moving.size());
+    rooms.resize(moving.size());
+    for (std::size_t i = 0; i < moving.size(); ++i) {
+        rooms[i] = platform_reach(level->platforms[moving[i].index], moving[i].rest->bounds());
+        parts[i].rest = moving[i].rest.get();
+        parts[i].triangles = moving[i].triangles;
+    }
+    tree.build(rooms);
 }
 
 LevelScene::LevelScene(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -219,34 +209,31 @@ LevelScene LevelScene::for_another_thread() const {
     impl->heightfield = from.heightfield;
     impl->sectors = from.sectors;
     impl->offset = from.offset;
-    for (const Impl::Moving& moved : from.moving)
-        (void)impl->add_moving(moved.index, moved.part);  // cannot fail: the same part was built before
-    impl->parts.resize(impl->moving.size());
+    impl->moving = from.moving;
+    impl->make_room();
     return LevelScene(std::move(impl));
 }
 
 MovementScene LevelScene::at(double time_s, double dt) {
     Impl& impl = *impl_;
     for (std::size_t i = 0; i < impl.moving.size(); ++i) {
-        Impl::Moving& moved = impl.moving[i];
-        const Platform& platform = impl.level->platforms[moved.index];
-        const Pose begin = pose(i, time_s);
-        impl.move(moved, pose(i, time_s + dt));
-        const Vec3 pivot = moved.pose.apply(platform.spin_pivot);
+        const Platform& platform = impl.level->platforms[impl.moving[i].index];
         const double axis = platform.spin_axis.norm();
         MovingPart& part = impl.parts[i];
-        part = {.collision = &moved.collision,
-                .begin = begin,
-                .end = moved.pose,
-                .pivot = pivot,
-                .triangles = moved.part.triangles};
-        if (dt > 0.0) part.velocity = (pivot - begin.apply(platform.spin_pivot)) / dt;
+        part.begin = pose(i, time_s);
+        part.end = dt > 0.0 ? pose(i, time_s + dt) : part.begin;
+        part.pivot = part.end.apply(platform.spin_pivot);
+        part.velocity = Vec3::Zero();
+        if (dt > 0.0) part.velocity = (part.pivot - part.begin.apply(platform.spin_pivot)) / dt;
         if (axis > 0.0) part.angular_velocity = platform.spin_axis * (platform.spin_rate / axis);
+        impl.rooms[i] = room_of(part);
     }
+    impl.tree.refit(impl.rooms);
     const CollisionWorld& fixed = impl.fixed != nullptr ? *impl.fixed : impl.own;
     return {.collision = fixed,
             .surfaces = impl.level->surfaces,
             .platforms = impl.parts,
+            .tree = impl.moving.empty() ? nullptr : &impl.tree,
             .heightfield = impl.heightfield,
             .sectors = impl.sectors,
             .triangles = impl.triangles};
@@ -256,8 +243,8 @@ void LevelScene::apply_surfaces() {
     Impl& impl = *impl_;
     if (impl.fixed == nullptr) slipface::apply_surfaces(impl.own, *impl.level);
     if (!impl.moving.empty()) impl.surfaces = resolve_surfaces(*impl.level).surface;
-    for (Impl::Moving& part : impl.moving)
-        impl.paint(part.collision, part.part);
+    for (const Moving& moved : impl.moving)
+        impl.paint(moved);
 }
 
 bool LevelScene::is_static() const {

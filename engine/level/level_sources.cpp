@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "slipface/base/files.h"
+#include "slipface/base/system.h"
 #include "slipface/mesh/texture_file.h"
 
 namespace slipface {
@@ -18,7 +19,7 @@ class Sources {
     LevelSources find() {
         if (level_.mesh) add_mesh(*own_mesh(level_), folder_);
         for (const PropMesh& mesh : level_.placed.meshes) {
-            const fs::path path = folder_ / mesh.file;
+            const fs::path path = folder_ / path_of(mesh.file);
             if (lies_within(path, folder_)) meshes_.insert(path);
             if (mesh.mesh) add_mesh(*mesh.mesh, path.parent_path());
         }
@@ -27,8 +28,8 @@ class Sources {
             if (textures.insert(prop.texture).second) add_texture(prop.texture, folder_);
         const fs::path beside = level_.file_path.parent_path();
         std::set<fs::path> maps;
-        if (level_.heightfield) maps.insert(beside / level_.heightfield->file);
-        if (level_.light && !level_.light->image.empty()) maps.insert(beside / level_.light->image);
+        if (level_.heightfield) maps.insert(beside / path_of(level_.heightfield->file));
+        if (level_.light && !level_.light->image.empty()) maps.insert(beside / path_of(level_.light->image));
         return {{meshes_.begin(), meshes_.end()},
                 {textures_.begin(), textures_.end()},
                 {maps.begin(), maps.end()}};

@@ -1,6 +1,7 @@
 // New faces of a part that was remeshed: its edges are rounded, and what is neither in the plane of an old
 // face nor near it has the type of the nearest one.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <span>

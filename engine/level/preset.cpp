@@ -4,6 +4,7 @@
 
 #include "json_movement.h"
 #include "slipface/base/files.h"
+#include "slipface/base/system.h"
 
 namespace slipface {
 
@@ -137,7 +138,7 @@ Result<Preset> find_preset(const std::string& name) {
         ids += std::string(ids.empty() ? "" : ", ") + shipped.id;
     }
     std::error_code error;
-    if (std::filesystem::exists(name, error)) return load_preset(name);
+    if (std::filesystem::exists(path_of(name), error)) return load_preset(path_of(name));
     return Error{"preset",
                  fmt::format("found no preset and no file \"{}\", expected one of {}, or a file", name, ids)};
 }

@@ -13,6 +13,7 @@
 #include "placed_geometry.h"
 #include "slipface/base/files.h"
 #include "slipface/base/hash.h"
+#include "slipface/base/system.h"
 #include "slipface/level/level.h"
 #include "slipface/mesh/build.h"
 #include "slipface/mesh/material_looks.h"
@@ -49,9 +50,9 @@ fs::path geometry_folder(const Level& level) {
 // Only files in the folder of the level's geometry or below are read, as for textures.
 PropMesh read_mesh(const fs::path& folder, const std::string& file, Warnings& warnings) {
     PropMesh read{file, nullptr, nullptr, {}};
-    const fs::path path = folder / file;
+    const fs::path path = folder / path_of(file);
     std::error_code error;
-    if (fs::path(file).is_absolute() || !lies_within(path, folder)) {
+    if (path_of(file).has_root_path() || !lies_within(path, folder)) {
         read.problem = "lies outside the level's folder";
     } else if (!fs::exists(path, error)) {
         read.problem = "there is no such file";
@@ -145,14 +146,14 @@ class Placer {
         const auto [entry, added] =
             materials_.try_emplace({file, texture}, static_cast<std::uint32_t>(to_.materials.size()));
         if (!added) return entry->second;
-        const fs::path folder = fs::path(file).parent_path();
+        const fs::path folder = path_of(file).parent_path();
         for (Material material : from.materials) {
             if (!texture.empty()) {
                 material.texture = texture;
                 material.picture = nullptr;
                 material.diffuse = Vec3f::Ones();
             } else if (!material.texture.empty() && !material.picture) {
-                material.texture = (folder / material.texture).generic_string();
+                material.texture = (folder / path_of(material.texture)).generic_string();
             }
             looks_.name(material);
             to_.materials.push_back(std::move(material));

@@ -10,6 +10,7 @@
 #include "json_parts.h"
 #include "json_reader.h"
 #include "level_json.h"
+#include "slipface/base/system.h"
 #include "slipface/base/text.h"
 #include "slipface/level/find_start.h"
 #include "slipface/level/preset.h"
@@ -81,7 +82,7 @@ class LevelReader {
     void read_members(const JsonNode& root) {
         version_ = read_version(root);
         std::string mesh;
-        if (root["mesh"].text(mesh)) level_.mesh_path = level_.file_path.parent_path() / mesh;
+        if (root["mesh"].text(mesh)) level_.mesh_path = level_.file_path.parent_path() / path_of(mesh);
         read_transform(root, level_.import_transform);
         read_spawns(root);
         root["fall_limit"].number(-farthest_position, farthest_position, level_.fall_limit);

@@ -17,7 +17,8 @@ std::optional<double> lowest_centre(const MovementScene& scene, const MovementSe
     return point->height + settings.radii.y();
 }
 
-bool overlaps_solid(const CollisionWorld& world, const Vec3& radii, const Vec3& centre) {
+template <class World>
+bool overlaps_solid(const World& world, const Vec3& radii, const Vec3& centre) {
     if (!overlaps_any(world, radii, centre)) return false;
     QueryFilter two_sided;
     for (std::size_t i = 0; i < two_sided.ignored.size(); ++i)
@@ -32,9 +33,8 @@ bool has_room(const MovementScene& scene, const MovementSettings& settings, cons
     const auto lowest = lowest_centre(scene, settings, centre);
     if (lowest && centre.y() < *lowest - (settings.radii.y() - radii.y())) return false;
     if (overlaps_solid(scene.collision, radii, centre)) return false;
-    return std::none_of(scene.platforms.begin(), scene.platforms.end(), [&](const MovingPart& part) {
-        return overlaps_solid(*part.collision, radii, centre);
-    });
+    return std::none_of(scene.platforms.begin(), scene.platforms.end(),
+                        [&](const MovingPart& part) { return overlaps_solid(part.at_end(), radii, centre); });
 }
 
 bool fits(const MovementScene& scene, const MovementSettings& settings, const Vec3& centre) {

@@ -1,6 +1,7 @@
 // Terrain from an image.
 #include <fmt/format.h>
 
+#include "slipface/base/system.h"
 #include "slipface/level/level_file.h"
 
 namespace slipface {
@@ -28,7 +29,7 @@ Heightfield make_heightfield(const HeightfieldSource& source, const GreyImage& i
 Status load_terrain(Level& level) {
     level.terrain.reset();
     if (!level.heightfield) return {};
-    const std::filesystem::path path = level.file_path.parent_path() / level.heightfield->file;
+    const std::filesystem::path path = level.file_path.parent_path() / path_of(level.heightfield->file);
     const Result<GreyImage> image = load_grey_image(path, max_terrain_side);
     if (!image) return image.error();
     if (image->width < 2 || image->height < 2) {

@@ -7,6 +7,7 @@
 #include "lit_geometry.h"
 #include "slipface/base/files.h"
 #include "slipface/base/parallel.h"
+#include "slipface/base/system.h"
 #include "slipface/level/level_file.h"
 
 namespace slipface {
@@ -264,7 +265,8 @@ Status bake_level_light(Level& level, const LightQuality& quality,
     level.light->image = name;
     level.light->geometry = baker->charts().geometry;
     const std::string text = level_to_json(level);
-    const FileToWrite files[] = {{level.file_path.parent_path() / name, *image}, {level.file_path, text}};
+    const FileToWrite files[] = {{level.file_path.parent_path() / path_of(name), *image},
+                                 {level.file_path, text}};
     return write_files_atomic(files);
 }
 

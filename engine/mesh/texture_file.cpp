@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "slipface/base/files.h"
+#include "slipface/base/system.h"
 
 namespace slipface {
 
@@ -12,7 +13,7 @@ FoundTexture find_texture(const std::string& authored, const std::filesystem::pa
     if (authored.find('\0') != std::string::npos || authored.size() > 4096) return found;
     std::string portable = authored;
     std::replace(portable.begin(), portable.end(), '\\', '/');
-    const std::filesystem::path path(portable);
+    const std::filesystem::path path = path_of(portable);
     for (const auto& candidate : {folder / path, folder / path.filename()}) {
         std::error_code error;
         if (!std::filesystem::is_regular_file(candidate, error)) continue;

@@ -13,7 +13,8 @@ double accelerate(Mover& mover, double friction, bool slippery) {
     const double acceleration = slippery             ? settings.slippery_acceleration * friction
                                 : mover.was_grounded ? settings.ground_acceleration * friction
                                                      : steering_in_air(mover);
-    const Vec3 target = Vec3(mover.wish.x(), 0.0, mover.wish.y()) * settings.walk_speed;
+    const Vec3 target =
+        Vec3(mover.wish.x(), 0.0, mover.wish.y()) * settings.walk_speed + horizontal(mover.state.air_frame);
     const Vec3 missing = target - horizontal(mover.velocity);
     const double maximum = acceleration * mover.dt;
     const double length = missing.norm();

@@ -11,16 +11,7 @@ namespace {
 // A mover that only asks: with this body, around this position.
 Mover mover_with(const MovementScene& scene, const MovementSettings& settings, const PlayerState& state,
                  const Surroundings& around) {
-    return Mover({.scene = scene,
-                  .settings = settings,
-                  .state = state,
-                  .trace = nullptr,
-                  .dt = 0.0,
-                  .wish = Vec2::Zero(),
-                  .jump_held = false,
-                  .jump_pressed = false,
-                  .walkable_cosine = slope_cosine(settings.max_slope)},
-                 around);
+    return Mover({.scene = scene, .settings = settings, .state = state}, around);
 }
 
 // Height of the centre above a plane of that normal that the ellipsoid touches, m, measured along Y.

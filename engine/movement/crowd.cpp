@@ -21,7 +21,8 @@ struct Body {
     CrowdMember* member = nullptr;
     Vec3 begin = Vec3::Zero(), end = Vec3::Zero();  // of its centre in this step, the scene's coordinates
     double walkable = 1.0;                          // least N.y of what it stands on
-    bool rides = false;                             // may have begun on another body
+    bool rides = false;                             // began on another body
+    Vec3 velocity = Vec3::Zero();                   // of its motion in this step, m/s
 
     const Vec3& radii() const { return member->settings->radii; }
     bool held() const { return member->state.climbing || member->state.stuck; }
@@ -154,9 +155,9 @@ std::vector<std::pair<std::size_t, std::size_t>> near_pairs(const std::vector<Bo
     return pairs;
 }
 
-// A body that began on another one goes where that one goes. The lower one of a pair comes first, so towers
-// are carried from below.
-void carry_riders(const MovementScene& scene, std::vector<Body>& bodies) {
+// A body that began on another one goes where that one goes, and takes its velocity along if it leaves it;
+// stand() takes that off again. The lower one of a pair comes first, so towers are carried from below.
+void carry_riders(const MovementScene& scene, std::vector<Body>& bodies, double dt) {
     std::vector<std::size_t> carrier(bodies.size(), bodies.size());
     std::vector<double> best(bodies.size(), 0.0);
     bool any = false;
@@ -169,18 +170,28 @@ void carry_riders(const MovementScene& scene, std::vector<Body>& bodies) {
         best[k] = up;
         any = true;
     }
-    for (std::size_t i = 0; any && i < bodies.size(); ++i)
-        if (carrier[i] < bodies.size())
-            shift(scene, bodies[i], bodies[carrier[i]].end - bodies[carrier[i]].begin);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        Body& body = bodies[i];
+        if (any && carrier[i] < bodies.size()) {
+            const Body& lower = bodies[carrier[i]];
+            PlayerState& state = body.member->state;
+            shift(scene, body, lower.end - lower.begin);
+            const Vec3 kept = kept_on_leave(body.member->settings->leave_mode, lower.velocity);
+            state.velocity += kept;
+            if (!state.grounded && !body.held()) state.air_frame = kept;
+        }
+        body.velocity = (body.end - body.begin) / dt;
+    }
 }
 
 void stand(Body& upper, const Body& lower, Vec3 normal) {
     normal *= normal.y() < 0.0 ? -1.0 : 1.0;
     PlayerState& state = upper.member->state;
-    const double rise = motion_velocity(lower.member->state).y();
-    if (state.velocity.y() > std::max(rise, 0.0)) return;  // it jumps off
+    if (state.velocity.y() > std::max(lower.velocity.y(), 0.0)) return;  // it jumps off
     const double height = upper.radii().y();
-    state.velocity.y() = 0.0;
+    state.velocity = horizontal(state.velocity - lower.velocity);
+    state.air_frame = Vec3::Zero();
+    state.carrier = Carrier::character;
     state.grounded = true;
     state.jumping = false;
     state.ground_normal = normal;
@@ -211,7 +222,7 @@ void step_crowd(const MovementScene& scene, std::span<CrowdMember> members, doub
         Body body{.member = &member,
                   .begin = position_in_scene(scene, state),
                   .walkable = slope_cosine(member.settings->max_slope),
-                  .rides = state.grounded && state.ground_face == no_id && state.ground_platform == no_id};
+                  .rides = state.grounded && state.carrier == Carrier::character};
         if (body.begin.allFinite() && is_finite(*member.settings) && body.radii().minCoeff() > 0.0)
             bodies.push_back(body);
     }
@@ -229,7 +240,7 @@ void step_crowd(const MovementScene& scene, std::span<CrowdMember> members, doub
             bodies[i].end = position_in_scene(scene, member.state);
         }
     });
-    carry_riders(scene, bodies);
+    carry_riders(scene, bodies, dt);
     const auto pairs = near_pairs(bodies);
     for (const auto& [i, k] : pairs)
         if (const auto touch = first_touch(bodies[i], bodies[k]))

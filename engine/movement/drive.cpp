@@ -15,9 +15,10 @@ void fall(Mover& mover, const Vec3& surface_normal) {
     const Vec3 pull = slide_along(Vec3(0.0, -mover.settings.gravity, 0.0), surface_normal);
     mover.velocity += pull * mover.dt;
     const double fastest = mover.settings.terminal_speed;
-    if (!(mover.velocity.y() < -fastest)) return;
-    decide(mover, Decision::fell_at_terminal_speed, {.value = -mover.velocity.y(), .limit = fastest});
-    mover.velocity.y() = -fastest;
+    const double falls = -(mover.velocity.y() + mover.frame.y());  // in the level
+    if (!(falls > fastest)) return;
+    decide(mover, Decision::fell_at_terminal_speed, {.value = falls, .limit = fastest});
+    mover.velocity.y() = -fastest - mover.frame.y();
 }
 
 Drive drive_freely(Mover& mover, bool jumps) {

@@ -6,16 +6,29 @@ std::optional<Contact> first_contact(const MovementScene& scene, const Vec3& rad
                                      const Vec3& move) {
     std::optional<Contact> first = sweep_ellipsoid(scene.collision, radii, from, move);
     for (const MovingPart& part : scene.platforms) {
-        const std::optional<Contact> contact = sweep_ellipsoid(*part.collision, radii, from, move);
+        const std::optional<Contact> contact = sweep_ellipsoid(part.at_end(), radii, from, move);
         if (contact && (!first || contact->t < first->t)) first = contact;
     }
     return first;
 }
 
+namespace {
+
+// The box in the space of what the pose moves that holds all of `box`.
+Aabb as_seen_at_rest(const Pose& pose, const Aabb& box) {
+    const Vec3 middle = pose.undo(0.5 * (box.min + box.max)), half = 0.5 * (box.max - box.min);
+    Vec3 reach;
+    for (int axis = 0; axis < 3; ++axis)
+        reach[axis] = pose.columns[static_cast<std::size_t>(axis)].cwiseAbs().dot(half);
+    return {middle - reach, middle + reach};
+}
+
+}  // namespace
+
 std::size_t crowd_in(const MovementScene& scene, const Aabb& box) {
     std::size_t crowd = scene.collision.crowd_in(box);
     for (const MovingPart& part : scene.platforms)
-        crowd += part.collision->crowd_in(box);
+        crowd += part.rest->crowd_in(as_seen_at_rest(part.end, box));
     return crowd;
 }
 

@@ -10,9 +10,9 @@ Vec3 jump_velocity(const Mover& mover) {
     decide(mover, off_wall ? Decision::jumped_off : Decision::jumped, {.value = mover.settings.jump_speed},
            state.ground_face);
     if (off_wall && !state.grounded) return state.ground_normal * mover.settings.jump_speed;
-    // During coyote time the velocity of the ground is already included.
-    const Vec3 carried = state.grounded ? carry_velocity(mover) : Vec3(Vec3::Zero());
-    return horizontal(state.velocity) + Vec3(0.0, mover.settings.jump_speed, 0.0) + carried;
+    // During coyote time the ground that was left counts, on the ground this is 0.
+    const double ground = state.air_frame.y();
+    return horizontal(state.velocity) + Vec3(0.0, mover.settings.jump_speed + ground, 0.0);
 }
 
 }  // namespace slipface

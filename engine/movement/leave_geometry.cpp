@@ -8,28 +8,23 @@ void leave_geometry(Mover& mover) {
     const MovementSettings& settings = mover.settings;
     mover.trapped = false;
     const bool pushes = settings.push_out != PushOut::off;
-    if (!pushes && !settings.nudge) {
-        // Only a trace needs the answer.
-        if (mover.trace == nullptr || !overlaps_scene(mover, mover.position)) return;
-        decide(mover, Decision::push_out_off);
-        decide(mover, Decision::nudge_off);
-        return;
-    }
-    mover.began_free = is_free(mover, mover.position);
-    if (mover.began_free || !overlaps_scene(mover, mover.position)) {
+    // Where nothing is done about it, only a trace and a platform need the answer.
+    const bool asks = mover.trace != nullptr || mover.pressed;
+    if (pushes || settings.nudge) mover.began_free = is_free(mover, mover.position);
+    const bool inside =
+        !mover.began_free && (pushes || settings.nudge || asks) && overlaps_scene(mover, mover.position);
+    if (!inside && (pushes || settings.nudge))
         decide(mover, settings.nudge ? Decision::nudge_needless : Decision::push_out_needless);
-        return;
-    }
-    if (pushes) {
-        push_out(mover);
-    } else {
-        decide(mover, Decision::push_out_off);
-    }
-    if (settings.nudge) {
-        mover.trapped = !nudge(mover);
-    } else if (mover.trace != nullptr && overlaps_scene(mover, mover.position)) {
+    if (inside && pushes) push_out(mover);
+    if (inside && !pushes) decide(mover, Decision::push_out_off);
+    if (inside && settings.nudge) mover.trapped = !nudge(mover);
+    if (inside && !settings.nudge && asks && overlaps_scene(mover, mover.position)) {
         decide(mover, Decision::nudge_off);
+        mover.trapped = mover.pressed;
     }
+    if (!mover.swallowed && !(mover.pressed && mover.trapped)) return;
+    mover.trapped = mover.crushed = true;
+    decide(mover, Decision::platform_crushed, mover.presser);
 }
 
 }  // namespace slipface

@@ -72,44 +72,44 @@ void move_whole(Mover& mover, const Drive& drive) {
     if (off < -rounding) mover.velocity = respond(mover, hit).velocity;
 }
 
-// The velocity that the next step begins with.
+bool stands_by_friction(const Mover& mover, const Drive& drive) {
+    return mover.grounded && drive.split && !surface_of(mover, mover.support.surface).keeps_energy;
+}
+
+// What contacts and height leave of the velocity.
 void settle(Mover& mover, const Drive& drive, const Vec3& from) {
-    if (mover.grounded && drive.split && !surface_of(mover, mover.support.surface).keeps_energy) {
-        if (mover.wish.isZero(0.0)) coast(mover, from, drive);
-        set_ground_velocity(mover);
-        rest(mover, from);
-    }
+    if (stands_by_friction(mover, drive) && mover.wish.isZero(0.0)) coast(mover, from, drive);
     // In the air nothing but speed pays for the height that a ramp gives.
     const bool flying = !mover.was_grounded && !mover.grounded && mover.contacts > 0;
     // Where the ground was left, a fall has the height that the slope's pull had counted on.
     const bool slid_off = mover.was_grounded && !mover.grounded && drive.friction < 1.0;
     if (!drive.split || flying || slid_off || mover.kept_energy || mover.bounced)
         cap_energy(mover, from, drive.driven);
-    if (!mover.was_grounded || mover.grounded || mover.stuck || mover.climbing) return;
-    const Vec3 carried = carry_velocity(mover);
-    if (!carried.isZero(0.0)) {
-        const bool platform = mover.state.ground_platform != no_id;
-        decide(mover, platform ? Decision::platform_velocity_kept : Decision::surface_velocity_kept,
-               {.value = carried.norm()}, mover.state.ground_face);
-    }
-    mover.velocity += carried;
 }
 
 }  // namespace
 
 void move_player(Mover& mover, const Drive& drive) {
-    if (drive.kind == Drive::Kind::held) return;
-    if (drive.kind == Drive::Kind::climb) return climb(mover);
     const Vec3 from = mover.position;
-    if (drive.split) {
-        move_split(mover, drive.move);
-    } else {
-        decide(mover,
-               mover.settings.static_friction ? Decision::whole_move_on_ice : Decision::static_friction_off,
-               mover.state.ground_face);
-        move_whole(mover, drive);
+    if (drive.kind == Drive::Kind::climb) {
+        climb(mover);
+    } else if (drive.kind == Drive::Kind::walk) {
+        if (drive.split) {
+            move_split(mover, drive.move);
+        } else {
+            decide(
+                mover,
+                mover.settings.static_friction ? Decision::whole_move_on_ice : Decision::static_friction_off,
+                mover.state.ground_face);
+            move_whole(mover, drive);
+        }
+        settle(mover, drive, from);
     }
-    settle(mover, drive, from);
+    change_frame(mover);
+    if (drive.kind == Drive::Kind::walk && stands_by_friction(mover, drive)) {
+        set_ground_velocity(mover);
+        rest(mover, from);
+    }
 }
 
 }  // namespace slipface

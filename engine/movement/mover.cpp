@@ -46,9 +46,11 @@ const SurfaceType& surface_of(const Given& given, SurfaceId surface) {
 
 const SurfaceType& type_stood_on(const Given& given) {
     const PlayerState& state = given.state;
-    const CollisionWorld& world = world_of(given, state.ground_platform);
-    return surface_of(given,
-                      state.ground_face == no_id ? default_surface : world.face_surface(state.ground_face));
+    if (state.ground_face == no_id) return surface_of(given, default_surface);
+    const bool moves = state.ground_platform < given.scene.platforms.size();
+    const CollisionWorld& world =
+        moves ? *given.scene.platforms[state.ground_platform].rest : given.scene.collision;
+    return surface_of(given, world.face_surface(state.ground_face));
 }
 
 Support support_before(const Mover& mover) {

@@ -17,17 +17,24 @@ struct Support {
     std::uint32_t platform = no_id;  // that the face belongs to, or no_id
 };
 
+// cos(angle) for angle in [0, pi/2] from additions and multiplications alone, so that every C library gives
+// the same bits.
+double slope_cosine(double angle);
+
 // Given: what the caller passed. Nothing in it changes.
 struct Given {
     const MovementScene& scene;
     const MovementSettings& settings;
     const PlayerState& state;  // of the player before, its position in the scene's coordinates
-    TraceSink* trace;          // may be null
-    double dt;                 // s
-    Vec2 wish;                 // at most 1 long
-    bool jump_held;            // the button, this step
-    bool jump_pressed;         // the button was not held in the step before
-    double walkable_cosine;    // of settings.max_slope
+    TraceSink* trace = nullptr;
+    double dt = 0.0;            // s, of the part of the step; 0: nobody moves, somebody asks
+    Vec2 wish = Vec2::Zero();   // at most 1 long
+    bool jump_held = false;     // the button, this step
+    bool jump_pressed = false;  // the button was not held in the step before
+    double walkable_cosine = slope_cosine(settings.max_slope);
+    // The part of the step that this is: fractions of the step, which is `step_s` long.
+    double since = 0.0, until = 1.0;
+    double step_s = 0.0;
 };
 
 // Carried: what the phases change one after the other, and what becomes the new state. Hacks that try a move
@@ -42,11 +49,13 @@ struct Motion {
     bool bounced = false;
     bool kept_energy = false;
     bool trapped = false;
+    bool crushed = false;
     bool jumping = false;       // rising by a jump whose button is still held
     std::array<Vec3, 2> walls;  // horizontal unit normals of the first two walls that a horizontal pass hit
     int wall_count = 0;
     Support support;
-    double support_rise = 0.0;  // of the point stood on above the ellipsoid's lowest point, m
+    Vec3 air_frame = Vec3::Zero();  // of the new state
+    double support_rise = 0.0;      // of the point stood on above the ellipsoid's lowest point, m
 };
 
 // Platforms that a step can touch.
@@ -56,6 +65,8 @@ struct NearPlatforms {
     std::array<std::uint32_t, capacity> list;  // ascending
     std::size_t count = 0;                     // above the capacity: not listed
 };
+// How far from its centre a body, whose sweeps reach that far, can touch something.
+Vec3 slack_around(const Vec3& radii, const Vec3& from, const Vec3& reach);
 NearPlatforms platforms_near(const MovementScene& scene, const Vec3& radii, const Vec3& from,
                              const Vec3& reach);
 
@@ -87,10 +98,16 @@ struct Scratch {
     const Surroundings& around;
     const SurfaceType& stood_on;          // before
     Vec3 velocity_before = Vec3::Zero();  // at the start of the part: what a bounce gives back lies between
-    bool was_grounded = false;            // before, and does not jump now
+    // Of the step, in the level, m/s; 0 for a player that is carried: its velocity is relative to its
+    // carrier.
+    Vec3 frame = Vec3::Zero();
+    bool was_grounded = false;  // before, and does not jump now
     bool jumped = false;
-    bool began_free = false;                 // touched nothing where it began, not even from behind
-    bool on_ladder = false;                  // the move climbs: ladders are slid along instead of grabbed
+    bool began_free = false;  // touched nothing where it began, not even from behind
+    bool pressed = false;     // a platform that moves overlaps the player, who could not give way
+    FaceId presser = no_id;   // of the platform that does so
+    bool swallowed = false;   // one has run past it
+    bool on_ladder = false;   // the move climbs: ladders are slid along instead of grabbed
     std::uint32_t ignored_platform = no_id;  // the one that carries or pushes the player now
     int sweeps = 0;
     int contacts = 0;
@@ -154,10 +171,6 @@ Vec3 direction_of(const Vec3& v);
 // The lecture's slide, V - N (V.N). What already leads away from the plane stays as it is.
 Vec3 slide_along(const Vec3& v, const Vec3& normal);
 
-// cos(angle) for angle in [0, pi/2] from additions and multiplications alone, so that every C library gives
-// the same bits.
-double slope_cosine(double angle);
-
 // Surfaces. `default` for unknown ids and when surface types are switched off.
 const SurfaceType& surface_of(const Given& given, SurfaceId surface);
 inline const SurfaceType& support_of(const Mover& mover) {  // what the player stood on before
@@ -205,7 +218,35 @@ std::size_t overlaps_in_scene(const Mover& mover, const Vec3& centre, std::span<
 bool overlaps_scene(const Mover& mover, const Vec3& centre);
 bool is_free(const Mover& mover, const Vec3& centre);  // of one-sided faces, too
 std::optional<RayHit> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& move);
-const CollisionWorld& world_of(const Given& given, std::uint32_t platform);
+// The world that a triangle belongs to, where the part of the step ends.
+PosedWorld world_of(const Given& given, std::uint32_t platform);
+inline Pose pose_before(const Given& given, const MovingPart& part) {
+    return pose_at(part, given.since, given.step_s);
+}
+inline Pose pose_after(const Given& given, const MovingPart& part) {
+    return pose_at(part, given.until, given.step_s);
+}
+// Calls visit(platform) for every platform that a player can touch between `from` and `from` + `move`.
+template <class Visit>
+void each_platform(const Mover& mover, const Vec3& from, const Vec3& move, Visit&& visit) {
+    const MovementScene& scene = mover.scene;
+    if (scene.platforms.empty()) return;
+    const NearPlatforms& near = mover.around.platforms;
+    const auto holds = [&](const Vec3& point) {
+        return (point.array() >= near.room.min.array()).all() &&
+               (point.array() <= near.room.max.array()).all();
+    };
+    if (near.count <= NearPlatforms::capacity && holds(from) && holds(from + move)) {
+        for (std::size_t k = 0; k < near.count; ++k)
+            visit(near.list[k]);
+    } else if (scene.tree != nullptr) {
+        const Vec3 to = from + move, slack = slack_around(mover.settings.radii, from, to - from);
+        scene.tree->visit({from.cwiseMin(to) - slack, from.cwiseMax(to) + slack}, visit);
+    } else {
+        for (std::uint32_t i = 0; i < scene.platforms.size(); ++i)
+            visit(i);
+    }
+}
 // Replaces the normal of a touch of an edge that is inside a flat or concave surface by the face's. Returns
 // how deep the ellipsoid at `centre` is behind that face's plane, metres; 0 where nothing was replaced.
 double filter_seam(const Mover& mover, const Vec3& centre, std::uint32_t platform, Contact& contact);
@@ -251,16 +292,16 @@ void respect_corner(const Corner& corner, const Vec3& remainder, const Vec3& vel
 
 // The phases of a step, in order.
 //
-// 1. A player inside geometry is put outside, if the settings allow.
+// 1. Platforms carry players that stand on them and push players out of their path. `state` is the player
+// before, as Given has it; its directions turn with the platform, and its velocity becomes relative to the
+// frame of the step.
+void move_with_platforms(Mover& mover, PlayerState& state);
+// 2. A player inside geometry is put outside, if the settings allow.
 void leave_geometry(Mover& mover);
 void push_out(Mover& mover);
 bool nudge(Mover& mover);  // true if the player is free afterwards
-// 2. Platforms carry players that stand on them and push players out of their path.
-void move_with_platforms(Mover& mover);
-Vec3 velocity_of(const MovingPart& part, const Vec3& point);  // m/s, of the platform at that point
 // 3. Conveyors and turntables carry players that stand on them.
-void move_with_surface(Mover& mover);
-Vec3 carry_velocity(const Mover& mover);  // m/s, of surface and platform at the player's position
+void move_with_surface(Mover& mover, PlayerState& state);
 // 4. What moves the player: nothing, a ladder, or its own velocity.
 struct Drive {
     enum class Kind { held, climb, walk } kind = Kind::held;
@@ -272,9 +313,16 @@ struct Drive {
 };
 Drive choose_drive(Mover& mover);
 void hold(Mover& mover);
-// 5. The move.
+// 5. The move; at its end the velocity becomes relative to what then carries the player.
 void move_player(Mover& mover, const Drive& drive);
 void climb(Mover& mover);
+void change_frame(Mover& mover);
+Vec3 velocity_of(const MovingPart& part, const Vec3& point);  // m/s, of the platform at that point
+// m/s, of ground of that type and platform at the point `at`.
+Vec3 ground_velocity(const Given& given, const Vec3& at, const SurfaceType& surface, std::uint32_t platform);
+// What a player that leaves ground of that velocity keeps of it, m/s.
+Vec3 kept_on_leave(LeaveMode mode, const Vec3& ground);
+Carrier carrier_of(const Mover& mover, const Support& on);
 // 6. The feet are lifted to the terrain. False if there is no room above it.
 bool clamp_to_terrain(Mover& mover, const Vec3& from);
 // 7. A position inside geometry is not accepted: the player stays at `safe` and stops.

@@ -28,6 +28,13 @@ PlayerState state_after(const Mover& mover) {
     after.hazard = mover.hazard;
     after.jumping = mover.jumping && !mover.grounded && !mover.climbing && !mover.stuck;
     after.trapped = mover.trapped;
+    after.crushed = mover.crushed;
+    if (mover.grounded || mover.climbing || mover.stuck) {
+        after.carrier = carrier_of(mover, mover.support);
+    } else {
+        after.carrier = Carrier::level;
+        after.air_frame = mover.air_frame;
+    }
     if ((mover.support.face != no_id && !mover.bounced) || mover.grounded) {
         after.ground_normal = mover.support.normal;
         after.ground_face = mover.support.face;
@@ -50,9 +57,11 @@ PlayerState accept(Mover& mover, const Vec3& safe, bool room_above_terrain) {
     PlayerState after = mover.state;
     after.position = safe;
     after.velocity = Vec3::Zero();
+    after.air_frame += mover.frame;
     after.jump_held = mover.jump_held;
     after.hazard = mover.hazard;
     after.trapped = mover.trapped;
+    after.crushed = mover.crushed;
     return after;
 }
 

@@ -10,40 +10,72 @@ namespace {
 // Above the rounding of boxes and of sweeps, as a fraction of the lengths involved.
 constexpr double box_slack = 1e-5;
 
-bool holds(const Aabb& box, const Vec3& point) {
-    return (point.array() >= box.min.array()).all() && (point.array() <= box.max.array()).all();
-}
-
 // Calls visit(world, platform, triangles) for everything that a player can touch between `from` and `from` +
 // `move`. What stands still is a Neighbourhood.
 template <class Visit>
 void each_world(const Mover& mover, const Vec3& from, const Vec3& move, Visit&& visit) {
     visit(mover.around.near, no_id, mover.scene.triangles);
-    const auto platforms = static_cast<std::uint32_t>(mover.scene.platforms.size());
-    if (platforms == 0) return;
-    const NearPlatforms& near = mover.around.platforms;
-    const bool listed =
-        near.count <= NearPlatforms::capacity && holds(near.room, from) && holds(near.room, from + move);
-    const auto count = listed ? static_cast<std::uint32_t>(near.count) : platforms;
-    for (std::uint32_t k = 0; k < count; ++k) {
-        const std::uint32_t i = listed ? near.list[k] : k;
+    each_platform(mover, from, move, [&](std::uint32_t i) {
         const MovingPart& part = mover.scene.platforms[i];
-        if (i != mover.ignored_platform) visit(*part.collision, i, part.triangles);
-    }
+        if (i != mover.ignored_platform)
+            visit(PosedWorld(*part.rest, pose_after(mover, part)), i, part.triangles);
+    });
 }
 
 TriangleId number_in_mesh(TriangleId triangle, std::span<const TriangleId> triangles) {
     return triangle < triangles.size() ? triangles[triangle] : triangle;
 }
 
-// The order of CollisionWorld: smallest t, then face before edge before corner, then the lowest triangle.
-bool earlier(const Contact& a, const Contact& b) {
-    if (a.t != b.t) return a.t < b.t;
-    if (a.feature != b.feature) return a.feature < b.feature;
-    return a.triangle < b.triangle;
+// The order of CollisionWorld: smallest t, then face before edge before corner, then the lowest triangle. At
+// last what stands still, and the lowest platform.
+bool earlier(const SceneContact& a, const SceneContact& b) {
+    if (a.contact.t != b.contact.t) return a.contact.t < b.contact.t;
+    if (a.contact.feature != b.contact.feature) return a.contact.feature < b.contact.feature;
+    if (a.contact.triangle != b.contact.triangle) return a.contact.triangle < b.contact.triangle;
+    return a.platform + 1 < b.platform + 1;
 }
 
 }  // namespace
+
+Pose pose_at(const MovingPart& part, double time, double dt) {
+    if (time >= 1.0 || part.begin == part.end) return part.end;
+    if (time <= 0.0) return part.begin;
+    const Vec3 pivot = part.end.undo(part.pivot);
+    const Vec3 from = part.begin.apply(pivot), at = from + (part.end.apply(pivot) - from) * time;
+    Pose pose = part.end;
+    if (part.begin.columns != part.end.columns) {
+        const double back = -part.angular_velocity.norm() * dt * (1.0 - time);
+        const Pose turn = rotation_about(Vec3::Zero(), part.angular_velocity, back);
+        for (Vec3& column : pose.columns)
+            column = turn.rotate(column);
+    }
+    pose.offset = at - pose.rotate(pivot);
+    return pose;
+}
+
+Aabb room_of(const MovingPart& part) {
+    Aabb begin = PosedWorld(*part.rest, part.begin).bounds(), end = part.at_end().bounds();
+    if (begin.empty()) return begin;
+    Aabb room{begin.min.cwiseMin(end.min), begin.max.cwiseMax(end.max)};
+    if (part.begin.columns != part.end.columns) {
+        // Each point goes along an arc. It rises less above its chord than the chord is long.
+        double longest = 0.0;
+        const Aabb rest = part.rest->bounds();
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vec3 at((corner & 1) != 0 ? rest.max.x() : rest.min.x(),
+                          (corner & 2) != 0 ? rest.max.y() : rest.min.y(),
+                          (corner & 4) != 0 ? rest.max.z() : rest.min.z());
+            longest = std::max(longest, (part.end.apply(at) - part.begin.apply(at)).norm());
+        }
+        room.min.array() -= longest;
+        room.max.array() += longest;
+    }
+    return room;
+}
+
+Vec3 slack_around(const Vec3& radii, const Vec3& from, const Vec3& reach) {
+    return radii + box_slack * (radii + reach.cwiseAbs()) + 1e-12 * from.cwiseAbs();
+}
 
 NearPlatforms platforms_near(const MovementScene& scene, const Vec3& radii, const Vec3& from,
                              const Vec3& reach) {
@@ -51,21 +83,29 @@ NearPlatforms platforms_near(const MovementScene& scene, const Vec3& radii, cons
     near.room.min = from - reach;
     near.room.max = from + reach;
     if (scene.platforms.empty()) return near;
-    const Vec3 slack = radii + box_slack * (radii + reach) + 1e-12 * from.cwiseAbs();
-    for (std::uint32_t i = 0; i < scene.platforms.size(); ++i) {
-        const Aabb bounds = scene.platforms[i].collision->bounds();
-        const bool beside = ((near.room.min - slack).array() > bounds.max.array()).any() ||
-                            ((near.room.max + slack).array() < bounds.min.array()).any();
-        if (beside) continue;
-        if (near.count < NearPlatforms::capacity) near.list[near.count] = i;
+    const Vec3 slack = slack_around(radii, from, reach);
+    const Aabb box{near.room.min - slack, near.room.max + slack};
+    const auto add = [&](std::uint32_t platform) {
+        if (near.count < NearPlatforms::capacity) near.list[near.count] = platform;
         ++near.count;
+    };
+    if (scene.tree != nullptr) {
+        scene.tree->visit(box, add);
+        return near;
+    }
+    for (std::uint32_t i = 0; i < scene.platforms.size(); ++i) {
+        const Aabb bounds = room_of(scene.platforms[i]);
+        const bool beside =
+            (box.min.array() > bounds.max.array()).any() || (box.max.array() < bounds.min.array()).any();
+        if (!beside) add(i);
     }
     return near;
 }
 
-const CollisionWorld& world_of(const Given& given, std::uint32_t platform) {
-    return platform < given.scene.platforms.size() ? *given.scene.platforms[platform].collision
-                                                   : given.scene.collision;
+PosedWorld world_of(const Given& given, std::uint32_t platform) {
+    if (platform >= given.scene.platforms.size()) return PosedWorld(given.scene.collision);
+    const MovingPart& part = given.scene.platforms[platform];
+    return PosedWorld(*part.rest, pose_after(given, part));
 }
 
 std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Vec3& move) {
@@ -86,8 +126,8 @@ std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Ve
                        world_of(mover, platform).triangle_normal(contact->triangle).dot(contact->normal) <
                            0.0;
                    contact->triangle = number_in_mesh(contact->triangle, triangles);
-                   if (!best || earlier(*contact, best->contact))
-                       best = SceneContact{*contact, triangle, platform, depth, back};
+                   const SceneContact found{*contact, triangle, platform, depth, back};
+                   if (!best || earlier(found, *best)) best = found;
                });
     return best;
 }

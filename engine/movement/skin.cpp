@@ -15,6 +15,10 @@ namespace {
 // A skin that is smaller by this fraction is not worth a push. Rounding is far below it.
 constexpr double tolerated = 1e-3;
 
+// A move that ends at the skin but for this fraction of it ends in a contact. Round numbers often meet there:
+// a jump that lasts a whole number of ticks lands in the same one wherever it is, whatever rounding does.
+constexpr double tie = 1e-6;
+
 Vec3 push_off(Mover& mover, const Vec3& from, const Vec3& push, FaceId face) {
     const std::optional<SceneContact> found = sweep_scene(mover, from, push);
     const std::optional<Contact> blocked = found ? std::optional(found->contact) : std::nullopt;
@@ -53,10 +57,10 @@ Swept sweep_with_skin(Mover& mover, Pass pass, int iteration, const Vec3& move) 
         const double into = -swept.contact->normal.dot(direction);
         const double distance = swept.contact->t * reach;
         const double stop = into > 0.0 ? distance - skin / into : 0.0;
-        if (stop >= length) {
+        if (stop >= length + tie * skin) {
             swept.contact.reset();
         } else {
-            const double made = std::max(stop, 0.0);
+            const double made = std::clamp(stop, 0.0, length);
             missing = depth + skin - (distance - made) * std::max(into, 0.0);
             swept.used = made / length;
             swept.reached = mover.position + direction * made;

@@ -67,16 +67,7 @@ SlideResult slide_move(const MovementScene& scene, const MovementSettings& setti
     if (!from.allFinite() || !move.allFinite()) return {.position = from, .remainder = Vec3::Zero()};
     const PlayerState before{.position = from};
     const Surroundings around(scene, settings, from, move.norm());
-    Mover mover({.scene = scene,
-                 .settings = settings,
-                 .state = before,
-                 .trace = trace,
-                 .dt = 1.0,
-                 .wish = Vec2::Zero(),
-                 .jump_held = false,
-                 .jump_pressed = false,
-                 .walkable_cosine = slope_cosine(settings.max_slope)},
-                around);
+    Mover mover({.scene = scene, .settings = settings, .state = before, .trace = trace, .dt = 1.0}, around);
     mover.velocity = move;
     mover.velocity_before = move;
     const Vec3 remainder = collide_and_slide(mover, move.y() == 0.0 ? Pass::horizontal : Pass::slide, move);

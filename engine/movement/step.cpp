@@ -59,14 +59,18 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
 
     StepResult result{.state = state};
     result.state.position = position_in_scene(scene, state);
-    bool hazard = false;
+    bool hazard = false, crushed = false;
     bool free = false;  // where the next part begins; false: unknown
     const double part_s = dt / parts;
+    const double ground =  // how fast it carries the player, m/s
+        state.carrier == Carrier::level || state.carrier == Carrier::unknown
+            ? 0.0
+            : (velocity_in_level(scene, settings, state) - motion_velocity(state)).norm();
     // How far the player can get in the next parts, m. From rest it takes time to reach walking speed.
     const auto longest_move = [&](int count) {
         const double speed = result.state.velocity.norm(), time_s = count * part_s;
-        return time_s *
-               std::min(std::max(speed, settings.walk_speed), speed + settings.ground_acceleration * time_s);
+        return time_s * (ground + std::min(std::max(speed, settings.walk_speed),
+                                           speed + settings.ground_acceleration * time_s));
     };
     // Short parts share what is around the player.
     constexpr double longest_shared_s = 1.0 / 30.0;
@@ -74,7 +78,7 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
     // Not in an optional, which would fill its 19 KB with zeros in every step.
     Surroundings around(scene, settings, result.state.position, longest_move(std::min(shared, parts)));
     for (int part = 0; part < parts; ++part) {
-        const PlayerState& before = result.state;
+        PlayerState before = result.state;
         const Vec3 begin = before.position;
         if (part > 0 && !around.cover(settings, before.position, longest_move(1)))
             std::construct_at(&around, scene, settings, before.position,
@@ -87,14 +91,16 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
                      .wish = wish,
                      .jump_held = input.jump,
                      .jump_pressed = input.jump && !before.jump_held,
-                     .walkable_cosine = walkable_cosine},
+                     .walkable_cosine = walkable_cosine,
+                     .since = part / static_cast<double>(parts),
+                     .until = part + 1 == parts ? 1.0 : (part + 1) / static_cast<double>(parts),
+                     .step_s = dt},
                     around);
         mover.began_free = free;
-        // Platforms stand already where the whole step ends, so only its first part moves with them.
-        if (part == 0) leave_geometry(mover);
-        if (part == 0) move_with_platforms(mover);
+        move_with_platforms(mover, before);
+        if (part == 0 || mover.pressed) leave_geometry(mover);
         const Vec3 safe = mover.position;
-        move_with_surface(mover);
+        move_with_surface(mover, before);
         const Drive drive = choose_drive(mover);
         move_player(mover, drive);
         const bool room = clamp_to_terrain(mover, safe);
@@ -106,8 +112,10 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
         result.crowded = result.crowded || around.near.triangles().reach[0] < 0.0;
         free = mover.ends_free || (mover.began_free && result.state.position == begin);
         hazard = hazard || result.state.hazard;
+        crushed = crushed || result.state.crushed;
     }
     result.state.hazard = hazard;
+    result.state.crushed = crushed;
     put_in_scene(scene, result.state.position, result.state);
     trace_sector(scene, state, result.state, trace);
     return result;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "module.h"
@@ -350,6 +351,17 @@ void add_world(py::module_& module) {
         .def_readonly("stuck", &PlayerState::stuck)
         .def_readonly("hazard", &PlayerState::hazard)
         .def_readonly("trapped", &PlayerState::trapped)
+        .def_readonly("crushed", &PlayerState::crushed)
+        .def_property_readonly(
+            "carrier",
+            [](const PlayerState& p) {
+                static constexpr std::array names{"level", "platform", "surface", "character"};
+                return names[static_cast<std::size_t>(p.carrier)];
+            },
+            "What carries it, and what its velocity is relative to: level, platform, surface or character")
+        .def_property_readonly(
+            "air_frame", [](const PlayerState& p) { return tuple(p.air_frame); },
+            "Velocity of the ground that was left; in the air the stick steers relative to it")
         .def("__eq__", [](const PlayerState& a, const PlayerState& b) { return a == b; });
 
     py::class_<World, std::shared_ptr<World>>(

@@ -1,5 +1,6 @@
 // What of a change broke a goal.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>

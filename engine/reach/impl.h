@@ -30,7 +30,8 @@ struct ReachSearch::Impl {
     void enqueue(NodeId node, std::size_t cost);
     std::size_t first_cost(const PlayerState& state) const;
     bool goals_reached() const;
-    // Of all that a search depends on: geometry, types, platforms, settings, start, options, program.
+    // Hash of everything that a search depends on: geometry, types, platforms, settings, start, options,
+    // program.
     std::uint64_t identity() const;
     std::string body() const;
     Status read_body(std::string_view bytes, const std::string& location);

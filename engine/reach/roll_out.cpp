@@ -83,7 +83,8 @@ class Roller {
             play_tick(now, settings_, cursor.state, input_of({1, stick, jump}), dt_, world_.start);
         ++harvest_.steps;
         ++cursor.tick;
-        if (result.respawn == Respawn::hazard) return cursor.alive = false;
+        if (result.respawn == Respawn::hazard || result.respawn == Respawn::crushed)
+            return cursor.alive = false;
         if (result.respawn == Respawn::fall || position_in_scene(now, result.stepped).y() < world_.lowest) {
             note_exit(cursor);
             return cursor.alive = false;

@@ -81,6 +81,7 @@ inline void put_state(StateWriter& to, const PlayerState& state) {
     to.put(state.ground_face);
     to.put(state.ground_surface);
     to.put(state.ground_platform);
+    to.put(static_cast<std::uint8_t>(state.carrier));
     for (const auto member : PlayerState::numbers)
         to.put(state.*member);
 }
@@ -100,6 +101,8 @@ inline PlayerState get_state(StateReader& from, const Level& level) {
     state.ground_face = from.index(level.mesh.face_count(), "a face");
     state.ground_surface = from.up_to<SurfaceId>(level.surfaces.size() - 1, "a surface type");
     state.ground_platform = from.index(level.platforms.size(), "a platform");
+    state.carrier = static_cast<Carrier>(
+        from.up_to<std::uint8_t>(static_cast<std::uint8_t>(Carrier::character), "a carrier"));
     for (const auto member : PlayerState::numbers)
         state.*member = from.number("a number of a state");
     return state;

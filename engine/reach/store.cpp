@@ -5,6 +5,7 @@
 //   packed body
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "impl.h"

@@ -41,7 +41,8 @@ void LevelRenderer::Impl::set_sky(const Camera& camera, double aspect) {
 void LevelRenderer::Impl::draw_background(const Camera& camera, double aspect, const LevelStyle& style) {
     gl->Disable(GL_DEPTH_TEST);
     gl->UseProgram(background_program);
-    const bool sky = lit(style) && !camera.orthographic;
+    // A building has no sky: around it is the same background as around levels without baked light.
+    const bool sky = lit(style) && !camera.orthographic && !(light->sky_zenith + light->sky_horizon).isZero();
     set_uniform(*gl, background_program, "sky", sky ? 1 : 0);
     if (sky) set_sky(camera, aspect);
     set_uniform(*gl, background_program, "top", style.background_top);

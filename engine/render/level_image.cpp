@@ -23,7 +23,7 @@ struct LevelPainter::Impl {
 LevelPainter::LevelPainter() = default;
 
 LevelPainter::~LevelPainter() {
-    impl_->context.make_current();
+    if (impl_) impl_->context.make_current();  // null: making it failed
 }
 
 double LevelPainter::drawing_s() const {

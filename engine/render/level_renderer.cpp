@@ -12,9 +12,12 @@ namespace slipface {
 
 namespace {
 
-constexpr std::uint8_t selected_color[4] = {255, 166, 64, 255};
-constexpr std::uint8_t hovered_color[4] = {255, 255, 255, 235};
-constexpr float outline_width = 2.2f;
+// No surface type and no colour of slopes has the selection's. Light lines with a dark casing: whatever the
+// ground's brightness, one of the two is more than three times as bright or as dark.
+constexpr std::uint8_t selected_color[4] = {255, 150, 255, 255};
+constexpr std::uint8_t hovered_color[4] = {255, 255, 255, 255};
+constexpr std::uint8_t casing_color[4] = {8, 4, 10, 235};
+constexpr float outline_width = 2.4f, casing_width = 5.4f;
 
 // Of the faces, and of the highlighted faces of props. `bits`: which outlines changed.
 template <class Renderer, class Impl>
@@ -25,6 +28,12 @@ void upload_outlines(Renderer& renderer, Impl& impl, unsigned bits) {
         std::vector<LineInstance> lines =
             impl.outlines->lines(*impl.mesh, impl.highlights, bit, impl.origin, color, outline_width);
         if (impl.props) impl.props->add_outlines(bit, impl.origin, color, outline_width, lines);
+        std::vector<LineInstance> casing = lines;
+        for (LineInstance& line : casing) {
+            std::copy(std::begin(casing_color), std::end(casing_color), line.color);
+            line.width = casing_width;
+        }
+        lines.insert(lines.begin(), casing.begin(), casing.end());  // under them
         impl.upload_lines(buffer, lines);
     };
     outline(2, selected_color, impl.selected_outline);

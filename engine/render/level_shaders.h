@@ -138,6 +138,11 @@ uniform sampler2D light_map;
 uniform float haze;               // metres; 0: none
 out vec4 out_color;
 
+// Tone: what is lit brightly comes near white and never reaches it, so that marks are seen on it; what is dark
+// gains a little.
+// Scaled by its brightness as a whole: each channel for itself would turn bright sand into grey.
+vec3 toned(vec3 light) { return 1.25 * light / (1.0 + 1.5 * dot(light, vec3(0.2126, 0.7152, 0.0722))); }
+
 #ifdef LIT
 in vec2 light_texel;
 flat in vec4 light_chart;
@@ -173,7 +178,7 @@ float hatch(int pattern, vec2 p, float change) {
     }
     if (pattern == 7) {
         float ring = abs(length(cell) - 0.3);
-        return mix(0.25, clamp((0.08 - ring) / change + 0.5, 0.0, 1.0), seen);
+        return mix(0.38, clamp((0.10 - ring) / change + 0.5, 0.0, 1.0), seen);
     }
     return 0.0;
 }
@@ -215,16 +220,16 @@ float slope_limit(int surface) {
     return own.b > 0.5 ? (own.r * 65280.0 + own.g * 255.0) / 65535.0 : slope_cosine;
 }
 
-// Blue where it is flat, pale at the limit, then from orange to dark red; violet where one cannot stand at all.
+// Blue where it is flat, pale at the limit, then from light to dark red; violet where one cannot stand at all.
 vec3 slope_color(float up, float limit) {
     if (up < -1e-4) return vec3(0.36, 0.27, 0.50);
     if (up + 2e-5 >= limit) return mix(vec3(0.86, 0.88, 0.80), vec3(0.10, 0.36, 0.66), clamp((up - limit) / max(1.0 - limit, 1e-4), 0.0, 1.0));
-    return mix(vec3(0.96, 0.68, 0.28), vec3(0.58, 0.10, 0.10), clamp((limit - up) / max(limit, 1e-4), 0.0, 1.0));
+    return mix(vec3(0.95, 0.55, 0.50), vec3(0.55, 0.05, 0.10), clamp((limit - up) / max(limit, 1e-4), 0.0, 1.0));
 }
 
 vec3 walk_color(float up, float limit) {
     if (up < -1e-4) return vec3(0.36, 0.27, 0.50);
-    return up + 2e-5 >= limit ? vec3(0.20, 0.56, 0.78) : vec3(0.88, 0.45, 0.16);
+    return up + 2e-5 >= limit ? vec3(0.20, 0.56, 0.78) : vec3(0.80, 0.20, 0.25);
 }
 
 void main() {
@@ -245,10 +250,11 @@ void main() {
 #endif
 #ifdef TEXTURED
     vec4 texel = texture(material_texture, texture_position);
-    vec3 base = texel.rgb * texel.rgb * (lit ? baked : mix(vec3(1.0), light, 0.72));
+    vec3 base = texel.rgb * texel.rgb;
+    base = lit ? toned(base * baked) : base * mix(vec3(1.0), light, 0.72);
 #else
     vec3 albedo = use_color == 1 ? face_color * face_color : vec3(0.46, 0.47, 0.49);
-    vec3 base = albedo * (lit ? baked : light * (1.0 - 0.16 * metre_grid(p)));
+    vec3 base = lit ? toned(albedo * baked) : albedo * light * (1.0 - 0.16 * metre_grid(p));
 #endif
 #ifdef CUTOUT
 #ifdef PAINTED
@@ -275,13 +281,21 @@ void main() {
         if (face_colors == 2) base = mix(base, base * 0.45, ink * strength);
     } else if (surface != 0) {
         vec3 paint = type.rgb * type.rgb * mix(vec3(0.95), light, 0.8);
-        bool bright = dot(type.rgb * type.rgb, vec3(0.25, 0.6, 0.15)) > 0.22;
-        vec3 stroke = bright ? paint * 0.38 : mix(paint, vec3(0.9), 0.38);
+        // The hatch differs from the ground, not only from the type's own colour: a floor of ice is pale blue
+        // before it is painted. The ground's mean, or the hatch would change within a texture.
+#ifdef TEXTURED
+        vec3 mean = textureLod(material_texture, texture_position, 16.0).rgb;
+        mean *= mean;
+        vec3 ground = lit ? toned(mean * baked) : mean * mix(vec3(1.0), light, 0.72);
+#else
+        vec3 ground = base;
+#endif
+        vec3 stroke = dot(ground, vec3(0.2126, 0.7152, 0.0722)) > 0.24 ? paint * 0.04 : mix(paint, vec3(1.0), 0.85);
         base = mix(base, paint, min(overlay * 1.15, 1.0));
-        base = mix(base, stroke, ink * overlay);
+        base = mix(base, stroke, ink * min(1.55 * overlay, 1.0));
     }
-    if (selected) base = mix(base, vec3(1.0, 0.42, 0.06) * mix(vec3(0.9), light, 0.6), 0.5);
-    if (hovered) base = mix(base, vec3(1.0), 0.13) * 1.12;
+    if (selected) base = mix(base, vec3(0.85, 0.05, 1.0) * mix(vec3(0.9), light, 0.6), 0.5);
+    if (hovered) base = mix(base, vec3(1.0), 0.30);
 #endif
     if (back) {
         float warning = stripe((gl_FragCoord.x + gl_FragCoord.y) / 14.0, 0.5, 1.0 / 14.0);

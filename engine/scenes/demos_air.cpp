@@ -84,6 +84,25 @@ const auto air_rows = std::to_array<DemoInfo>({
          demo.level.sectors = {.size = 1000.0, .placement = {1e6, 0, -1e6}};
          return demo;
      }},
+    {"leave-mode", "leave_mode", "Velocity kept on leaving",
+     "A jump off a cart. Off: the cart's velocity is lost, and the player falls into the gap. On: the player "
+     "keeps it and reaches the other side.",
+     [] {
+         MovementSettings on = basic_settings();
+         Shapes shapes;
+         shapes.material("plaster").box({-5, -4.5, -16}, {5, -4, 12});
+         shapes.material("stone").box({-2, -4, -16}, {2, 0, -5.5});
+         shapes.group("cart").material("wood").box({-1.5, -0.4, 5}, {1.5, 0, 8});
+         // The cart goes 6 m in a second and stops at 0.4 m past z = 0; the jump comes before that.
+         Demo demo = demo_of(shapes.level(), {0, standing_on_flat(on, 0), 6.5}, on,
+                             "55 wish 0,0\n40 wish 0,-1 jump\n30 wish 0,0\n", {11, 3, 1}, {0, 0, -2});
+         Platform cart;
+         cart.name = cart.group = "cart";
+         cart.repeat = PathRepeat::once;
+         cart.path = {{.offset = {0, 0, 0}, .speed = 6.0}, {.offset = {0, 0, -6}, .speed = 6.0}};
+         demo.level.platforms = {cart};
+         return demo;
+     }},
     {"coyote", "coyote", "Coyote time",
      "Jump is pressed 3 ticks after the ledge. Off: the player falls into the gap. On: the player "
      "reaches the other side.",

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "slipface/base/files.h"
+#include "slipface/base/system.h"
 #include "slipface/level/level_file.h"
 #include "slipface/scenes/demo.h"
 
@@ -65,7 +66,7 @@ Result<std::filesystem::path> save_demo(const DemoInfo& info, const std::filesys
     if (const Status status = write(".mtl", mtl_text(mesh)); !status) return status.error();
     if (const Status status = write(".obj", obj_text(mesh, name + ".mtl")); !status) return status.error();
     if (demo.level.terrain && demo.level.heightfield) {
-        const auto path = folder / demo.level.heightfield->file;
+        const auto path = folder / path_of(demo.level.heightfield->file);
         const Status status =
             save_grey_png(path, terrain_image(*demo.level.terrain, *demo.level.heightfield));
         if (!status) return status.error();

@@ -12,7 +12,8 @@ namespace slipface {
 namespace {
 
 // The first face between two points that stops a player on this way, or no_id.
-FaceId face_between(const CollisionWorld& world, const Vec3& from, const Vec3& to) {
+template <class World>
+FaceId face_between(const World& world, const Vec3& from, const Vec3& to) {
     if (from == to) return no_id;
     const std::optional<RayHit> hit = cast_ray(world, from, to - from, 1.0, RayStops::as_movement);
     return hit ? hit->face : no_id;
@@ -51,7 +52,7 @@ std::vector<Vec3> traced_path(const MovementScene& scene, const MovementSettings
     return path;
 }
 
-bool path_is_clear(const CollisionWorld& world, Vec3 at, std::span<const Vec3> path) {
+bool path_is_clear(const PosedWorld& world, Vec3 at, std::span<const Vec3> path) {
     for (const Vec3& point : path) {
         if (face_between(world, at, point) != no_id) return false;
         at = point;
@@ -61,7 +62,7 @@ bool path_is_clear(const CollisionWorld& world, Vec3 at, std::span<const Vec3> p
 
 // A platform is looked at only near the boxes of where it ever was. The margin outdoes all rounding.
 bool is_near(const MovingPart& part, const Vec3& a, const Vec3& b, const Vec3& radii) {
-    const Aabb reach = part.collision->bounds();
+    const Aabb reach = part.at_end().bounds();
     const Vec3 margin = radii.array() + 0.01;
     return ((a.cwiseMax(b) + margin).array() >= reach.min.array()).all() &&
            ((a.cwiseMin(b) - margin).array() <= reach.max.array()).all();
@@ -69,7 +70,7 @@ bool is_near(const MovingPart& part, const Vec3& a, const Vec3& b, const Vec3& r
 
 // The straight way of the centre through a part of the scene: what stands still, or a platform in its frame.
 struct Passage {
-    const CollisionWorld& world;
+    PosedWorld world;
     Vec3 from;
     FaceId face;  // met on the straight way
     bool moves;
@@ -113,15 +114,15 @@ std::optional<CheckFailure> passed_through(const MovementScene& scene, std::span
         return CheckFailure{(after - passage.from).norm(), passage.face};
     };
     if (const auto failure =
-            judge({scene.collision, from, face_between(scene.collision, from, after), false}))
+            judge({PosedWorld(scene.collision), from, face_between(scene.collision, from, after), false}))
         return failure;
     if (against == Against::what_stands_still) return std::nullopt;
     for (std::size_t i = 0; i < scene.platforms.size(); ++i) {
         const MovingPart& part = scene.platforms[i];
         const Vec3 carried = rides[i].apply(from);
         if (!is_near(part, carried, after, Vec3::Zero())) continue;
-        if (const auto failure =
-                judge({*part.collision, carried, face_between(*part.collision, carried, after), true}))
+        const PosedWorld world = part.at_end();
+        if (const auto failure = judge({world, carried, face_between(world, carried, after), true}))
             return failure;
     }
     return std::nullopt;
@@ -131,7 +132,7 @@ std::optional<CheckFailure> overlaps_deeply(const MovementScene& scene, const Mo
                                             const Vec3& position, Against against) {
     const Vec3 radii = (settings.radii.array() - settings.skin).max(0.5 * settings.radii.array());
     std::optional<CheckFailure> deepest;
-    const auto look_in = [&](const CollisionWorld& world) {
+    const auto look_in = [&](const auto& world) {
         if (!overlaps_any(world, radii, position)) return;
         std::array<Overlap, 64> overlaps;
         const std::size_t count = std::min(overlaps.size(), find_overlaps(world, radii, position, overlaps));
@@ -145,7 +146,7 @@ std::optional<CheckFailure> overlaps_deeply(const MovementScene& scene, const Mo
     look_in(scene.collision);
     if (against == Against::what_stands_still) return deepest;
     for (const MovingPart& part : scene.platforms) {
-        if (is_near(part, position, position, radii)) look_in(*part.collision);
+        if (is_near(part, position, position, radii)) look_in(part.at_end());
     }
     return deepest;
 }

@@ -82,14 +82,14 @@ std::pair<FaceId, FaceId> holding_faces(const MovementScene& scene, const Moveme
                                         const Vec3& at) {
     const Vec3 radii = settings.radii.array() + 2.0 * settings.skin;
     std::vector<Overlap> touched;
-    const auto look_in = [&](const CollisionWorld& world) {
+    const auto look_in = [&](const auto& world) {
         std::array<Overlap, 64> found;
         const std::size_t count = std::min(found.size(), find_overlaps(world, radii, at, found));
         touched.insert(touched.end(), found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
     };
     look_in(scene.collision);
     for (const MovingPart& part : scene.platforms)
-        look_in(*part.collision);
+        look_in(part.at_end());
     std::pair<FaceId, FaceId> faces{no_id, no_id};
     const auto nearest = std::max_element(
         touched.begin(), touched.end(),
@@ -237,7 +237,7 @@ void AuditRun::check(const AuditTick& now, const PlayerState& before, const Tick
     const Vec3 from = position_in_scene(scene, before);
     // A platform that leaves a walker no room passes through it, and the walker's state is "trapped". That is
     // counted as hazards are; then only static geometry must hold.
-    if (after.trapped && !before.trapped) ++crushed_;
+    if (after.crushed) ++crushed_;
     const Against against =
         after.trapped || before.trapped ? Against::what_stands_still : Against::everything;
     // Nothing can have gone wrong where nothing moved.
@@ -302,8 +302,8 @@ bool AuditRun::tick(const AuditTick& now, std::vector<FaceHeat>* heat) {
     note_exit(now, before, result.stepped);
     if (heat) add_heat(*heat, scene, before, result.stepped, input);
 
-    if (result.respawn == Respawn::hazard) {
-        ++hazards_;
+    if (result.respawn == Respawn::hazard || result.respawn == Respawn::crushed) {
+        hazards_ += result.respawn == Respawn::hazard;
         watch_.begin(position_in_scene(scene, state_));
     }
     const bool left =

@@ -108,7 +108,7 @@ struct CureSearch::Impl {
         for (std::size_t tick = first; tick < stop.first; ++tick)
             if (run.samples()[tick].respawned) first = tick + 1;
         end = std::min(run.length(), stop.first + ticks(after_s));
-        sent_back = stop.loss.cause == StopCause::hazard || stop.loss.cause == StopCause::fall;
+        sent_back = stop.loss.cause >= StopCause::hazard;
         const double stop_ticks = static_cast<double>(stop.last - stop.first + 1);
         const double seen = static_cast<double>(std::min(end, stop.last + 1) - stop.first);
         lost_m = stop.lost_m * seen / stop_ticks;

@@ -110,7 +110,10 @@ class Reader {
             case Decision::push_out_off:
                 if (!special_) special(StopCause::inside, index, decision);
                 break;
-            case Decision::platform_crushed: special(StopCause::platform, index, decision); break;
+            case Decision::platform_crushed:
+                special(StopCause::crushed, index, decision);
+                special_->other = trace_.before.ground_face;
+                break;
             case Decision::terrain_wall: special(StopCause::terrain, index, decision); break;
             case Decision::wall:
             case Decision::too_steep_to_stand: steep_.push_back(decision); break;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -115,7 +116,7 @@ bool read_line(ProbeTest& test, const std::vector<std::string_view>& words, std:
             test.level_fingerprint = hash;
             --last;
         }
-        test.level_name.assign(words[1].data(), words[last - 1].data() + words[last - 1].size());
+        test.level_name = from_one_line({words[1].data(), words[last - 1].data() + words[last - 1].size()});
         return true;
     }
     if (words[0] == "sweep") {
@@ -166,7 +167,7 @@ std::vector<std::string> run_probe_test(const ProbeTest& test, const MovementSce
 std::string probe_test_to_text(const ProbeTest& test) {
     std::string text = "slipface-probe 1\n";
     if (!test.level_name.empty()) {
-        text += "level " + test.level_name;
+        text += "level " + on_one_line(test.level_name);
         if (test.level_fingerprint) text += fmt::format(" {:016x}", *test.level_fingerprint);
         text += '\n';
     }

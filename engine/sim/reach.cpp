@@ -1,5 +1,6 @@
 #include "slipface/sim/reach.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "slipface/collision/collision_world.h"

@@ -1,5 +1,6 @@
 #include "slipface/sim/simulate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -42,6 +43,8 @@ TickResult play_tick(const MovementScene& scene, const MovementSettings& setting
                       .crowded = step_result.crowded};
     if (result.state.hazard) {
         result.respawn = Respawn::hazard;
+    } else if (result.state.crushed) {
+        result.respawn = Respawn::crushed;
     } else if (position_in_scene(scene, result.state).y() < start.lowest) {
         result.respawn = Respawn::fall;
     }
@@ -56,6 +59,7 @@ void EventLog::add(std::size_t tick, const PlayerState& before, const PlayerInpu
                    const TickResult& result) {
     const PlayerState& after = result.stepped;
     if (after.hazard) log(tick, "hazard", after);
+    if (after.crushed) log(tick, "crushed", after);
     if (holds(before) && !holds(after) && input.jump && !before.jump_held) {
         log(tick, "jump", before);
     } else if (before.grounded && !after.grounded) {
@@ -106,6 +110,7 @@ std::uint64_t state_hash(const PlayerState& state, std::uint64_t previous) {
         if (i >= first_numbers) hasher.u64(i);
         hasher.f64(number);
     }
+    if (state.carrier > Carrier::level) hasher.u64(static_cast<std::uint64_t>(state.carrier));
     return hasher.value();
 }
 
@@ -138,6 +143,7 @@ SimulationReport simulate(const TickScene& scene, const MovementSettings& settin
             state = result.state;
             if (result.respawn == Respawn::fall) ++report.falls;
             if (result.respawn == Respawn::hazard) ++report.hazards;
+            if (result.respawn == Respawn::crushed) ++report.crushed;
             report.distance += (scene.to_level(result.stepped) - scene.to_level(before)).norm();
             log.add(report.ticks, before, segment.input, result);
             hash = state_hash(state, hash);

@@ -20,7 +20,7 @@ class StepAttempts {
     }
     Seen note(const DecisionRecord& decision) {
         if (!decides(decision)) return Seen::nothing;
-        // Where it is clear that it would be refused it is not tried.
+        // Skipped when certain to be refused.
         const bool tried = std::exchange(trying_, false);
         if (decision_info(decision.kind).outcome == Outcome::acted) return Seen::acted;
         return tried ? Seen::refused : Seen::nothing;

@@ -213,6 +213,10 @@ void write_headline(Stop& stop, const MovementSettings& settings, const StoryNam
             because();
             break;
         case StopCause::hazard: words.say("The hazard ").say(what).say(" sent you back to the start"); break;
+        case StopCause::crushed:
+            words.say("Crushed between ").say(what).say(" and ").say(thing_text(names, loss.other));
+            words.say(", back to the start");
+            break;
         case StopCause::fall:
             words.say("You fell out of the level");
             if (loss.face != no_id) words.say(", last from ").say(what);
@@ -224,9 +228,9 @@ void write_headline(Stop& stop, const MovementSettings& settings, const StoryNam
 }  // namespace
 
 const char* stop_cause_name(StopCause cause) {
-    static constexpr std::array<const char*, 15> names{
-        "wall",     "back",     "step",       "slope",  "overhead", "gap",    "sticky", "carried",
-        "slippery", "platform", "ladder end", "inside", "terrain",  "hazard", "fall"};
+    static constexpr std::array<const char*, 16> names{
+        "wall",     "back",     "step",       "slope",  "overhead", "gap",    "sticky",  "carried",
+        "slippery", "platform", "ladder end", "inside", "terrain",  "hazard", "crushed", "fall"};
     return names[static_cast<std::size_t>(cause)];
 }
 
@@ -276,8 +280,10 @@ std::vector<Stop> find_stops(const TickScene& scene, const TapeRun& run, const S
         }
         const TickTrace trace = run.trace(scene, stop.first);
         const std::optional<Loss> loss = loss_of(trace);
-        stop.loss = loss && loss->cause == StopCause::hazard ? *loss : fall_after(run, stop.first, trace.to);
+        const bool known = loss && (loss->cause == StopCause::hazard || loss->cause == StopCause::crushed);
+        stop.loss = known ? *loss : fall_after(run, stop.first, trace.to);
         if (trace.after.respawn == Respawn::hazard) stop.loss.cause = StopCause::hazard;
+        if (trace.after.respawn == Respawn::crushed) stop.loss.cause = StopCause::crushed;
         write_headline(stop, trace.settings, names);
     }
     // What nothing took was no stop: a turn in the air, a slide that goes on.
@@ -293,8 +299,7 @@ std::string stops_text(std::span<const Stop> stops, double dt) {
     std::string text;
     for (const Stop& stop : stops) {
         text += fmt::format("at {:.2f} s (tick {}", static_cast<double>(stop.first) * dt, stop.worst);
-        const bool back = stop.loss.cause == StopCause::hazard || stop.loss.cause == StopCause::fall;
-        if (!back) text += fmt::format(", {:.2f} s lost", stop.lost_s);
+        if (stop.loss.cause < StopCause::hazard) text += fmt::format(", {:.2f} s lost", stop.lost_s);
         text += "): " + stop.headline + "\n";
     }
     return text;

@@ -21,6 +21,18 @@ std::string stance(const PlayerState& state, const StoryNames& names) {
     return "in the air";
 }
 
+const DecisionRecord* first_of(const TickTrace& trace, std::initializer_list<Decision> kinds) {
+    for (const TraceRecord& record : trace.records)
+        if (const auto* decision = std::get_if<DecisionRecord>(&record))
+            if (std::find(kinds.begin(), kinds.end(), decision->kind) != kinds.end()) return decision;
+    return nullptr;
+}
+
+std::string object_or(const StoryNames& names, FaceId face, const char* otherwise) {
+    const std::string object = object_text(names, face);
+    return object.empty() ? otherwise : object;
+}
+
 StoryLine begin_line(const TickTrace& trace, const StoryNames& names) {
     StoryLine line;
     line.title = "Begins";
@@ -28,6 +40,11 @@ StoryLine begin_line(const TickTrace& trace, const StoryNames& names) {
     line.face = trace.before.ground_face;
     Words words = words_of(line);
     words.say(stance(trace.before, names)).say(" at ").speed(trace.before.velocity.norm());
+    if (const auto* carried = first_of(trace, {Decision::platform_carried, Decision::surface_carried}))
+        words.say(", carried by ")
+            .say(object_or(names, carried->face, "the ground"))
+            .say(" at ")
+            .speed(carried->value);
     const Vec2& wish = trace.input.wish;
     if (!wish.isZero(0.0)) {
         // A compass is easier to read than two components: 0° is -Z, 90° is +X.
@@ -50,6 +67,14 @@ StoryLine end_line(const TickTrace& trace, const StoryNames& names) {
     words.say(stance(end, names)).say(" at ").speed(end.velocity.norm());
     words.say(", moved ").length((trace.to - trace.from).norm());
     if (trace.after.respawn == Respawn::hazard) words.say("; touched a hazard, back to the start");
+    if (trace.after.respawn == Respawn::crushed) {
+        const auto* crushed = first_of(trace, {Decision::platform_crushed});
+        words.say("; crushed between ")
+            .say(object_or(names, crushed != nullptr ? crushed->face : no_id, "a platform"))
+            .say(" and ")
+            .say(object_or(names, trace.before.ground_face, "the level"))
+            .say(", back to the start");
+    }
     if (trace.after.respawn == Respawn::fall) words.say("; fell out of the level, back to the start");
     if (trace.after.respawn != Respawn::none) line.tone = StoryTone::trouble;
     return line;

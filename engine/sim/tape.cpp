@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -137,7 +138,7 @@ class TapeParser {
         }
         if (last < 2) return fail("\"level\" alone", "a name, and 16 hexadecimal digits if wanted");
         const char* begin = words[1].data();
-        tape_.level_name.assign(begin, words[last - 1].data() + words[last - 1].size());
+        tape_.level_name = from_one_line({begin, words[last - 1].data() + words[last - 1].size()});
     }
 
     void read_dt(const std::vector<std::string_view>& words) {
@@ -248,7 +249,7 @@ Result<Tape> load_tape(const std::filesystem::path& path) {
 std::string tape_to_text(const Tape& tape) {
     std::string text = fmt::format("{} {}\n", magic, version);
     if (!tape.level_name.empty()) {
-        text += "level " + tape.level_name;
+        text += "level " + on_one_line(tape.level_name);
         if (tape.level_fingerprint) text += fmt::format(" {:016x}", *tape.level_fingerprint);
         text += '\n';
     }

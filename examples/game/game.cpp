@@ -81,7 +81,8 @@ void Game::tick(const Buttons& buttons) {
     collect();
 
     const PlayerState& state = player_->state;
-    if (state.hazard || state.trapped || !(player_->position().y() > lowest_)) return respawn();
+    if (state.hazard || state.crushed || state.trapped || !(player_->position().y() > lowest_))
+        return respawn();
     // A second of walking on what does not move is a safe place to come back to.
     safe_s_ = state.grounded && state.ground_platform == no_id ? safe_s_ + dt : 0.0;
     if (safe_s_ > 1.0) {

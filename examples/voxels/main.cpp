@@ -79,7 +79,7 @@ int main(int count, char** words) {
             const MovementScene scene = voxels.scene_at(state.position);
             bool overlaps = overlaps_any(scene.collision, walker->settings.radii, state.position);
             for (const MovingPart& chunk : scene.platforms)
-                overlaps = overlaps || overlaps_any(*chunk.collision, walker->settings.radii, state.position);
+                overlaps = overlaps || overlaps_any(chunk.at_end(), walker->settings.radii, state.position);
             inside += overlaps;
         }
     }

@@ -135,10 +135,11 @@ MovementScene VoxelManager::scene_at(const Vec3& centre) {
         for (int y = low[1]; y <= high[1]; ++y)
             for (int z = low[2]; z <= high[2]; ++z)
                 if (const Chunk& chunk = chunk_at({x, y, z}); chunk.collision.triangle_count() > 0)
-                    near_.emplace_back().collision = &chunk.collision;
+                    near_.emplace_back().rest = &chunk.collision;
     if (beside_ == nullptr) return {.collision = nothing_, .surfaces = types_, .platforms = near_};
     MovementScene scene = beside_->scene();
     scene.platforms = near_;
+    scene.tree = nullptr;  // it does not know the chunks
     return scene;
 }
 

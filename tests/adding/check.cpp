@@ -1,5 +1,5 @@
 // What check.py builds with the hack of hack.txt in it: everything that follows from the places of the
-// README's checklist.
+// CONTRIBUTING's checklist.
 #include <gtest/gtest.h>
 
 #include "movement/test_geometry.h"

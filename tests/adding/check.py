@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the README's lists of places, "Adding things", against the code: adds a hack, a parameter of surface types and a value of
+"""Holds CONTRIBUTING's lists of places, "Adding things", against the code: adds a hack, a parameter of surface types and a value of
 an enum setting to a copy of the source, at the places that the lists name and at no others, builds what depends on them, runs the
 tests that follow from the tables, and removes them.
 
@@ -23,7 +23,7 @@ compiler = sys.argv[4]
 
 def places_of(title):
     """Of each numbered line below the title the first name in backquotes."""
-    section = re.search(rf"^- \*\*{title}\*\*.*?(?=^- )", (source / "README.md").read_text(), re.S | re.M)
+    section = re.search(rf"^- \*\*{title}\*\*.*?(?=^- )", (source / "CONTRIBUTING.md").read_text(), re.S | re.M)
     return re.findall(r"^  \d\. `([^`]+)`", section[0] if section else "", re.M)
 
 
@@ -38,7 +38,7 @@ def edits_of(name):
 def edits_at_places(title, name, most):
     places = places_of(title)
     if not 0 < len(places) <= most:
-        sys.exit(f'README.md, "{title}": found {len(places)} places, expected 1 to {most}')
+        sys.exit(f'CONTRIBUTING.md, "{title}": found {len(places)} places, expected 1 to {most}')
     left, edits = list(edits_of(name)), []
     for place in places:
         here = [edit for edit in left if pathlib.PurePath(edit[0]).match(place.replace("NAME", "*"))]

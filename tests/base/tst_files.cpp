@@ -1,11 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
+#include <stop_token>
 #include <thread>
 
+#include "scratch_folder.h"
 #include "slipface/base/files.h"
 
 namespace slipface {
@@ -14,26 +15,12 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class Files : public testing::Test {
+class Files : public test::InScratchFolder {
   protected:
-    void SetUp() override {
-        std::string name = testing::TempDir() + "slipface-files-XXXXXX";
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder = name;
-    }
-    void TearDown() override { fs::remove_all(folder); }
-
     std::size_t files_in_folder() const {
         return static_cast<std::size_t>(
             std::distance(fs::directory_iterator(folder), fs::directory_iterator{}));
     }
-    static mode_t mode(const fs::path& path) {
-        struct stat status {};
-        ::stat(path.c_str(), &status);
-        return status.st_mode & 07777;
-    }
-
-    fs::path folder;
 };
 
 TEST_F(Files, WritesAndReadsAnyBytes) {
@@ -62,16 +49,6 @@ TEST_F(Files, ReadRefusesWhatIsNoFile) {
     const auto directory = read_file(folder);
     ASSERT_FALSE(directory);
     EXPECT_THAT(directory.error().message, HasSubstr("directory"));
-
-    // A pipe without a writer would block a plain open().
-    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
-    const auto pipe = read_file(folder / "pipe");
-    ASSERT_FALSE(pipe);
-    EXPECT_THAT(pipe.error().message, HasSubstr("pipe"));
-
-    const auto device = read_file("/dev/zero");
-    ASSERT_FALSE(device);
-    EXPECT_THAT(device.error().message, HasSubstr("device"));
 }
 
 TEST_F(Files, ReadRefusesMoreThanTheLimit) {
@@ -80,49 +57,6 @@ TEST_F(Files, ReadRefusesMoreThanTheLimit) {
     const auto refused = read_file(folder / "f", 4);
     ASSERT_FALSE(refused);
     EXPECT_THAT(refused.error().message, HasSubstr("at most 4"));
-}
-
-TEST_F(Files, ReadsFilesThatDoNotKnowTheirSize) {
-    // Files of the proc file system say that they have 0 bytes.
-    const auto status = read_file("/proc/self/status");
-    ASSERT_TRUE(status);
-    EXPECT_THAT(*status, HasSubstr("Name:"));
-    EXPECT_FALSE(read_file("/proc/self/status", 10));
-}
-
-TEST_F(Files, ReplacingKeepsTheMode) {
-    ASSERT_TRUE(write_file_atomic(folder / "f", "old"));
-    fs::permissions(folder / "f", fs::perms(0640));
-    ASSERT_TRUE(write_file_atomic(folder / "f", "new"));
-    EXPECT_EQ(mode(folder / "f"), 0640U);
-    EXPECT_EQ(*read_file(folder / "f"), "new");
-}
-
-TEST_F(Files, NewFilesFollowTheUmask) {
-    const mode_t before = ::umask(027);
-    ASSERT_TRUE(write_file_atomic(folder / "f", "x"));
-    ::umask(before);
-    EXPECT_EQ(mode(folder / "f"), 0640U);
-}
-
-TEST_F(Files, WritesThroughSymbolicLinks) {
-    fs::create_directory(folder / "real");
-    ASSERT_TRUE(write_file_atomic(folder / "real" / "f", "old"));
-    fs::create_symlink("real/f", folder / "second");
-    fs::create_symlink("second", folder / "first");
-    ASSERT_TRUE(write_file_atomic(folder / "first", "new"));
-    EXPECT_TRUE(fs::is_symlink(folder / "first"));
-    EXPECT_TRUE(fs::is_symlink(folder / "second"));
-    EXPECT_EQ(*read_file(folder / "real" / "f"), "new");
-
-    fs::create_symlink("not-yet", folder / "dangling");
-    ASSERT_TRUE(write_file_atomic(folder / "dangling", "made"));
-    EXPECT_EQ(*read_file(folder / "not-yet"), "made");
-
-    fs::create_symlink("loop", folder / "loop");
-    const auto loop = write_file_atomic(folder / "loop", "x");
-    ASSERT_FALSE(loop);
-    EXPECT_THAT(loop.error().message, HasSubstr("symbolic links"));
 }
 
 TEST_F(Files, WriteRefusesAndLeavesNothingBehind) {
@@ -135,18 +69,11 @@ TEST_F(Files, WriteRefusesAndLeavesNothingBehind) {
     EXPECT_EQ(files_in_folder(), before);
 }
 
-TEST_F(Files, WriteProtectedFilesAreLeftAlone) {
-    if (::geteuid() == 0) GTEST_SKIP() << "root may write everything";
-    ASSERT_TRUE(write_file_atomic(folder / "f", "old"));
-    fs::permissions(folder / "f", fs::perms(0444));
-    EXPECT_FALSE(write_file_atomic(folder / "f", "new"));
-    EXPECT_EQ(*read_file(folder / "f"), "old");
-}
-
 // As in a container, where every process has the same number.
 TEST_F(Files, WritesBesideWhatAKilledProcessLeft) {
     for (int i = 0; i < 50; ++i)
-        std::ofstream(folder / (".f." + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp"))
+        std::ofstream(folder /
+                      (".f.slipface." + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp"))
             << "half";
     const Status status = write_file_atomic(folder / "f", "whole");
     ASSERT_TRUE(status) << status.error().text();

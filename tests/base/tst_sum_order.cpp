@@ -1,6 +1,7 @@
 // Sums of three doubles: (x + y) + z, whatever the compiler makes of Eigen's expressions.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "slipface/base/types.h"

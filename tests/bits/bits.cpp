@@ -7,6 +7,7 @@
 
 #include "slipface/base/hash.h"
 #include "slipface/base/parallel.h"
+#include "slipface/base/system.h"
 #include "slipface/level/level_scene.h"
 #include "slipface/scenes/demo.h"
 #include "slipface/sim/simulate.h"
@@ -74,5 +75,6 @@ void run(int threads) {
 }  // namespace slipface
 
 int main(int count, char** arguments) {
-    slipface::run(count > 1 ? std::atoi(arguments[1]) : 1);
+    const std::vector<std::string> words = slipface::begin_program(count, arguments);
+    slipface::run(words.size() > 1 ? std::atoi(words[1].c_str()) : 1);
 }

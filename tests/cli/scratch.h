@@ -8,6 +8,8 @@
 #include <fstream>
 #include <string>
 
+#include "scratch_folder.h"
+
 namespace slipface::test {
 
 // A floor of 20 x 20 m at y = 0 in two halves, facing up: face 0 (x < 0) is stone, face 1 (x > 0) is ice by
@@ -21,9 +23,7 @@ inline const std::string floor_json =
 class Scratch : public testing::Test {
   protected:
     void SetUp() override {
-        std::string pattern = testing::TempDir() + "slipface-cli-XXXXXX";
-        ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-        folder = pattern;
+        folder = test::make_scratch_folder();
         level = write("floor.obj", floor_obj);
         write("floor.slipface.json", floor_json);
     }

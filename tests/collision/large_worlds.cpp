@@ -2,6 +2,7 @@
 // seed FIRST on, against worlds of eight triangles. Faults are listed with their seeds.
 #include "large_worlds.h"
 
+#include <cstdio>
 #include <cstdlib>
 
 int main(int argc, char** argv) {

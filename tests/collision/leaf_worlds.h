@@ -1,6 +1,9 @@
 // The answers of a large world, put together from worlds of eight triangles each, whose trees are one leaf.
 #pragma once
 
+#include <algorithm>
+#include <tuple>
+
 #include "brute_force.h"
 #include "slipface/collision/filter.h"
 

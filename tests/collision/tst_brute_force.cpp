@@ -1,6 +1,8 @@
 // The tree must not change any answer: worlds of many triangles against worlds of one, bit for bit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "brute_force.h"
 #include "every_simd_path.h"
 #include "slipface/collision/neighbourhood.h"

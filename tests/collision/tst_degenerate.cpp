@@ -1,6 +1,8 @@
 // Triangles without area collide as the segments and points that they are.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "scenes.h"
 
 namespace slipface {

@@ -1,6 +1,8 @@
 // Input that no level should contain and no game should ask.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "scenes.h"
 
 namespace slipface {

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "brute_force.h"
 #include "every_simd_path.h"
 #include "instanced.h"

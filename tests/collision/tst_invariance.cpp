@@ -2,6 +2,8 @@
 // other triangles, listing these in another order.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "brute_force.h"
 #include "exact_answer.h"
 

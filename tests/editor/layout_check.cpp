@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "widgets/imgui_compat.h"
+#include "widgets/theme.h"
 #include "widgets/ui.h"
 
 namespace slipface {
@@ -99,8 +100,9 @@ void check_contents(Defects& defects) {
 class Glyphs {
   public:
     Glyphs() {
-        for (const ImFont* font : ImGui::GetIO().Fonts->Fonts)
-            for (const ImFontGlyph& glyph : font->Glyphs)
+        const ui::Fonts& fonts = ui::fonts();
+        for (const ui::Font& font : {fonts.regular, fonts.semibold, fonts.small, fonts.title})
+            for (const ImFontGlyph& glyph : ui::glyphs(font))
                 glyphs_.insert({glyph.U0, glyph.V0, glyph.U1, glyph.V1});
     }
     // How many pixels of a letter's width are missing; nothing for what is no letter.
@@ -135,7 +137,6 @@ bool in_text_box(ImVec2 at) {
 void check_letters(Defects& defects) {
     const Glyphs glyphs;
     const ImDrawData& data = *ImGui::GetDrawData();
-    const ImTextureID atlas = ImGui::GetIO().Fonts->TexID;
     for (int i = 0; i < data.CmdListsCount; ++i) {
         const ImDrawList& list = *data.CmdLists[i];
         const std::string name = list._OwnerName ? list._OwnerName : "";
@@ -151,7 +152,7 @@ void check_letters(Defects& defects) {
         };
         int run = 0;
         for (const ImDrawCmd& command : list.CmdBuffer) {
-            if (command.UserCallback || command.GetTexID() != atlas) continue;
+            if (command.UserCallback || !ui::draws_letters(command)) continue;
             const ImVec4 clip = command.ClipRect;
             for (unsigned at = command.IdxOffset; at + 6 <= command.IdxOffset + command.ElemCount; at += 3) {
                 const auto vertex = [&](unsigned index) -> const ImDrawVert& {

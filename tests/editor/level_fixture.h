@@ -9,6 +9,7 @@
 #include <sstream>
 #include <string>
 
+#include "scratch_folder.h"
 #include "tools/editor.h"
 
 namespace slipface {
@@ -66,9 +67,7 @@ class LevelFixture : public testing::Test {
     static constexpr SurfaceId ice = 1, ladder = 2;  // of the preset types
 
     void SetUp() override {
-        std::string pattern = testing::TempDir() + "slipface_editor_XXXXXX";
-        ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-        folder = pattern;
+        folder = test::make_scratch_folder();
         obj = folder / "grid.obj";
         level_file = folder / "grid.slipface.json";
         write_text(obj, floor_and_wall_obj(n));

@@ -41,6 +41,7 @@ TEST_F(AppTest, AToggleByPathChangesTheSettingAndUndoRestoresIt) {
 TEST_F(AppTest, AStrokeInTheViewPaintsEveryFaceOnItsWayAsOneStep) {
     look_down();
     choose_brush(editor(), ice);
+    editor().tool = Tool::paint;
     // From the first to the last face of a row: 8 faces, though the mouse moves in only 12 jumps.
     ASSERT_EQ(run("viewport drag @0.5,0,4.5 @7.5,0,4.5"), "");
     for (FaceId i = 0; i < 8; ++i)
@@ -55,6 +56,7 @@ TEST_F(AppTest, AStrokeInTheViewPaintsEveryFaceOnItsWayAsOneStep) {
 TEST_F(AppTest, OneJumpOfTheMouseLeavesNoGapInAStroke) {
     look_down();
     choose_brush(editor(), ice);
+    editor().tool = Tool::paint;
     const Camera camera = shown_camera(editor());
     const ViewportState& view = viewport_state();
     const auto pixel = [&](const Vec3& point) {
@@ -76,6 +78,7 @@ TEST_F(AppTest, OneJumpOfTheMouseLeavesNoGapInAStroke) {
 TEST_F(AppTest, EscapeTakesAStrokeBackAndTheHeldButtonPaintsNoMore) {
     look_down();
     choose_brush(editor(), ice);
+    editor().tool = Tool::paint;
     ASSERT_EQ(run("viewport hover @1.5,0,1.5"), "");
     host->mouse_button(0, true);
     host->frame();

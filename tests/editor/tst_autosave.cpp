@@ -103,8 +103,9 @@ TEST_F(AutosaveTest, ACrashLeavesWhatWasDone) {
 
     const Result<Autosave> autosave = read_autosave(found[0].file);
     ASSERT_TRUE(autosave.ok()) << autosave.error().text();
-    Result<std::unique_ptr<Document>> recovered = open_recovered(*autosave);
-    ASSERT_TRUE(recovered.ok()) << recovered.error().text();
+    const Result<Recovered> opened = open_recovered(*autosave);
+    ASSERT_TRUE(opened.ok()) << opened.error().text();
+    const auto* const recovered = &opened->document;
     EXPECT_EQ(level_to_json((*recovered)->level()), level_to_json(document->level()));
     EXPECT_TRUE((*recovered)->dirty());
     EXPECT_EQ((*recovered)->resolved().surface[3], ice);
@@ -238,12 +239,12 @@ TEST_F(AutosaveTest, AnAutosaveOfTheVersionBeforeIsReadAsItWasWritten) {
     Autosave autosave;
     autosave.info.mesh_path = "/a/b.obj";
     std::string text = autosave_text(autosave);
-    text.replace(text.find("autosave 2"), 10, "autosave 1");
+    text.replace(text.find("autosave 3"), 10, "autosave 1");
     text.replace(text.find("/a/b.obj"), 8, R"(/a\n\.obj)");
     const Result<Autosave> read = parse_autosave(text, "x");
     ASSERT_TRUE(read.ok()) << read.error().text();
     EXPECT_EQ(read->info.mesh_path, R"(/a\n\.obj)");
-    text.replace(text.find("autosave 1"), 10, "autosave 3");
+    text.replace(text.find("autosave 1"), 10, "autosave 4");
     EXPECT_FALSE(parse_autosave(text, "x").ok());
 }
 
@@ -266,7 +267,7 @@ TEST_F(AutosaveTest, ALevelInAFolderWithALineEndInItsNameIsRecovered) {
     ASSERT_TRUE(read.ok()) << read.error().text();
     const auto recovered = open_recovered(*read);
     ASSERT_TRUE(recovered) << recovered.error().text();
-    EXPECT_EQ((*recovered)->resolved().surface[3], ice);
+    EXPECT_EQ(recovered->document->resolved().surface[3], ice);
 }
 
 TEST_F(AutosaveTest, AFolderThatCannotBeMadeMeansNoAutosaves) {
@@ -278,6 +279,55 @@ TEST_F(AutosaveTest, AFolderThatCannotBeMadeMeansNoAutosaves) {
     session.tick(*document, now);
     session.tick(*document, now + 100.0);
     EXPECT_EQ(session.written(), 0u);
+}
+
+// A folder that cannot be written is said, and tried again after growing pauses until it can.
+TEST_F(AutosaveTest, AFailureStaysKnownAndIsTriedAgain) {
+    fs::create_directories(store);
+    const fs::path moved = folder / "moved";
+    AutosaveSession session(store);
+    ASSERT_TRUE(session.active());
+    ASSERT_TRUE(session.problem());
+    auto document = open();
+    paint(*document, 3, ice);
+    fs::rename(store, moved);
+    write_text(store, "a file in its place");
+    std::vector<double> attempts;
+    std::size_t before = 0;
+    for (double at = now; at < now + 100.0; at += 0.5) {
+        session.tick(*document, at);
+        static_cast<void>(session.finish());
+        if (session.written() > before) attempts.push_back(at);
+        before = session.written();
+        ASSERT_EQ(session.problem().ok(), attempts.empty()) << "said as long as it lasts";
+    }
+    ASSERT_GE(attempts.size(), 4u);
+    ASSERT_LE(attempts.size(), 6u);
+    for (std::size_t i = 2; i < attempts.size(); ++i)
+        EXPECT_GT(attempts[i] - attempts[i - 1], attempts[i - 1] - attempts[i - 2]);
+    fs::remove(store);
+    fs::rename(moved, store);
+    for (double at = now + 100.0; at < now + 300.0; at += 0.5)
+        session.tick(*document, at);
+    ASSERT_TRUE(session.finish());
+    EXPECT_TRUE(session.problem());
+    EXPECT_EQ(files().size(), 1u);
+}
+
+TEST_F(AutosaveTest, AFolderThatCanBeMadeLaterIsUsedThen) {
+    write_text(folder / "file", "");
+    AutosaveSession session(folder / "file" / "below");
+    EXPECT_FALSE(session.problem());
+    auto document = open();
+    paint(*document, 3, ice);
+    session.tick(*document, now);
+    session.tick(*document, now + 10.0);
+    EXPECT_FALSE(session.problem());
+    fs::remove(folder / "file");
+    session.tick(*document, now + 100.0);
+    ASSERT_TRUE(session.finish());
+    EXPECT_TRUE(session.problem());
+    EXPECT_EQ(session.written(), 1u);
 }
 
 }  // namespace

@@ -149,7 +149,7 @@ class BadFiles : public AppFixture {
         AppFixture::SetUp();
         look_down();
         // Painted twice, and one of the steps undone: there is something to lose on both sides.
-        ASSERT_EQ(run("key 1\nkey 2\nviewport drag @1.5,0,1.5 @3.5,0,1.5\nkey 3\nviewport click "
+        ASSERT_EQ(run("key 1\nkey 2\nkey B\nviewport drag @1.5,0,1.5 @3.5,0,1.5\nkey 3\nviewport click "
                       "@5.5,0,5.5\nkey Ctrl+Z"),
                   "");
     }

@@ -61,7 +61,7 @@ TEST_F(Beside, RestoringTakesOverEverythingButTheNames) {
 TEST_F(Beside, AChangedFileIsNoticedOnceAndOnlyWhenItIsAtRest) {
     FileWatch watch;
     EXPECT_FALSE(watch.poll());
-    watch.start(obj, level_file);
+    watch.start(obj, level_file, true);
     EXPECT_FALSE(watch.poll());
     EXPECT_FALSE(watch.poll());
     write_text(obj, floor_and_wall_obj(4));

@@ -155,7 +155,7 @@ TEST_F(EditorTest, HackCommandsToggleUndoably) {
 TEST_F(EditorTest, DigitsChooseTheBrush) {
     ASSERT_TRUE(run_command(editor, "brush.3"));
     EXPECT_EQ(editor.brush, ladder);
-    EXPECT_EQ(editor.tool, Tool::paint);
+    EXPECT_EQ(editor.tool, Tool::select) << "only commands of tools change the tool";
     EXPECT_TRUE(find_command("brush.3")->checked(editor));
     EXPECT_FALSE(run_command(editor, "brush.9"));  // the presets have no ninth type
     ASSERT_TRUE(run_command(editor, "brush.unset"));

@@ -77,9 +77,10 @@ TEST_F(IdleTest, SettlingEndsSoonAfterAnEvent) {
 TEST_F(IdleTest, TwoRunsGiveTheSamePixels) {
     const auto image = [this] {
         start({});
-        EXPECT_EQ(run("camera eye 4,9,14 target 4,0,4\nkey 1\nviewport drag @0.5,0,4.5 @7.5,0,4.5\nclick "
-                      "\"Menu/Edit\""),
-                  "");
+        EXPECT_EQ(
+            run("camera eye 4,9,14 target 4,0,4\nkey 1\nkey B\nviewport drag @0.5,0,4.5 @7.5,0,4.5\nclick "
+                "\"Menu/Edit\""),
+            "");
         return host->screenshot();
     };
     const Image first = image();

@@ -4,6 +4,7 @@
 
 #include "app_fixture.h"
 #include "layout_check.h"
+#include "panels/viewport_panel.h"
 
 namespace slipface {
 namespace {
@@ -71,7 +72,9 @@ TEST_P(LayoutTest, PanelsWithContents) {
     expect_tidy_after("command panel.problems\nclick \"Problems/Examine\"");
     expect_tidy_after("command panel.audit\ncommand audit.run\nfinish");
     expect_tidy_after("review " + std::string(SLIPFACE_SOURCE_DIR) + "/assets/review/report.json");
-    expect_tidy_after("command review.close\nclick \"Palette/ladder\"");
+    expect_tidy_after("command review.close");
+    if (!editor().layout.visible(PanelId::palette)) expect_tidy_after("click \"Tabs/Types\"");
+    expect_tidy_after("click \"Palette/ladder\"");
     expect_tidy_after("set ground_acceleration=12\nfinish\ncommand lab.pin\nclick \"Tabs/Ghosts\"");
 }
 
@@ -97,6 +100,53 @@ TEST_P(LayoutTest, WhatALevelFromElsewhereBringsUp) {
     ASSERT_TRUE(editor().document->set_import_transform(too_large));
     geometry_changed(editor());
     expect_tidy("import card of a level that is too large");
+}
+
+// At any size and scale: the level has at least half of the width and, over a timeline, two fifths of the
+// height; most types are in sight beside it.
+TEST_P(LayoutTest, TheLevelAndTheTypesHaveRoomBesideATimeline) {
+    fill_the_level();
+    for (const PanelId used : {PanelId::movement, PanelId::palette}) {
+        ASSERT_EQ(run("command panel.timeline"), "");
+        editor().layout.show(PanelId::timeline);
+        editor().layout.show(used);
+        expect_tidy("timeline");
+        EXPECT_GE(viewport_state().size.x, 0.49f * static_cast<float>(GetParam().width));
+        EXPECT_GE(viewport_state().size.y, 0.3f * static_cast<float>(GetParam().height));
+        EXPECT_TRUE(editor().layout.visible(used));
+    }
+    std::size_t types = 0;
+    for (const SurfaceType& type : document().level().surfaces) {
+        const auto found = ui::widgets().find("Palette/" + type.name);
+        types += found != ui::widgets().end() && found->second.visible ? 1 : 0;
+    }
+    EXPECT_GE(types, 6u);
+    for (const auto& [path, rect] : ui::widgets())
+        EXPECT_FALSE(path.starts_with("Viewport/Legend/")) << "it repeats the Types panel";
+}
+
+// A side that became icons opens by a press, and the other closes; or the user closes it.
+TEST_P(LayoutTest, ASideWithoutRoomIsARailOfIcons) {
+    const bool crowded = GetParam().scale > 1.0f || GetParam().width < 1000;
+    host->settle();
+    EXPECT_EQ(editor().layout.visible(PanelId::movement), !crowded);
+    ASSERT_EQ(run("click \"Tabs/Why\""), "");
+    host->settle();
+    EXPECT_TRUE(editor().layout.visible(PanelId::why));
+    EXPECT_EQ(editor().layout.visible(PanelId::palette), !crowded);
+    ASSERT_EQ(run("right_click \"Tabs/Why\"\nclick \"Tabs/Tab menu/Collapse\""), "");
+    expect_tidy("collapsed");
+    EXPECT_FALSE(editor().layout.visible(PanelId::why));
+    ASSERT_EQ(run("click \"Tabs/Why\""), "");
+    host->settle();
+    EXPECT_TRUE(editor().layout.visible(PanelId::why));
+}
+
+// As many selected faces as nobody counts, in a narrow column.
+TEST_P(LayoutTest, TextsAndButtonsOfANarrowColumnLieBesideEachOther) {
+    fill_the_level();
+    for (const char* panel : {"inspector", "movement", "palette", "why", "props", "spawns"})
+        expect_tidy_after(std::string("only ") + panel + " 240");
 }
 
 // All panels in one dock: their tabs can all be pressed.
@@ -135,7 +185,7 @@ TEST_P(LayoutTest, EveryDialogAndWindow) {
     expect_tidy_after("key Escape\ncommand help.overlay");
     expect_tidy_after("key Escape\ncommand view.four_panes");
     ASSERT_EQ(run("command view.one_pane\ncommand help.tour"), "");
-    for (int step = 0; step < 7; ++step)
+    for (int step = 0; step < 8; ++step)
         expect_tidy_after(step == 0 ? "" : "key Enter");
     expect_tidy_after("key Escape\nautosave\ncrash");
     editor().document.reset();

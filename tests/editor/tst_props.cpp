@@ -1,4 +1,5 @@
 // Props in the editor: placed by clicks and scripts, changed by handles, undone step by step.
+#include <cmath>
 #include <random>
 
 #include "app_fixture.h"

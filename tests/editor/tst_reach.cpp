@@ -1,4 +1,6 @@
 // The Reach panel: every switch and button does what it says, and every way that it opens is a proof.
+#include <fmt/format.h>
+
 #include "app_fixture.h"
 #include "slipface/sim/simulate.h"
 #include "tools/lab/audit_job.h"
@@ -149,7 +151,7 @@ TEST_F(ReachPanel, GoalsAreAddedNamedChangedAndJudged) {
                   "type \"roof\"\nkey Enter"),
               "");
     EXPECT_EQ(document().level().goals[0].name, "roof");
-    ASSERT_EQ(run("camera eye 2,14,2.01 target 2,0,2\nhover \"Reach/Goal/roof/Row\"\n"
+    ASSERT_EQ(run("command select.none\ncamera eye 2,14,2.01 target 2,0,2\nhover \"Reach/Goal/roof/Row\"\n"
                   "click \"Reach/Goal/roof/Replace\""),
               "");
     EXPECT_NEAR(document().level().goals[0].position.x(), 2.0, 0.1);

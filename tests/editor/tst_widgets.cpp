@@ -9,28 +9,28 @@ namespace {
 using WidgetsTest = AppFixture;
 
 TEST_F(WidgetsTest, TheFontsHoldLettersPunctuationAndIcons) {
-    const ImFont* const font = ui::fonts().regular;
-    ASSERT_NE(font, nullptr);
+    const ui::Font& font = ui::fonts().regular;
+    ASSERT_NE(font.face, nullptr);
     for (const int glyph :
          {0x41, 0xe4, 0x2026, 0x2013, 0x2014, 0xd7, 0xb0, 0xb7, 0x2192, 0x2022, 0xf04b, 0xf071, 0xf07c})
-        EXPECT_NE(font->FindGlyphNoFallback(static_cast<ImWchar>(glyph)), nullptr) << std::hex << glyph;
-    EXPECT_EQ(font->FindGlyphNoFallback(0x4e2d), nullptr);
+        EXPECT_TRUE(ui::has_glyph(font, static_cast<unsigned>(glyph))) << std::hex << glyph;
+    EXPECT_FALSE(ui::has_glyph(font, 0x4e2d));
     // Every icon of the table of commands has its glyph.
     for (const Command& command : commands()) {
         if (!*command.icon) continue;
         unsigned code = 0;
         ImTextCharFromUtf8(&code, command.icon, nullptr);
-        EXPECT_NE(font->FindGlyphNoFallback(static_cast<ImWchar>(code)), nullptr) << command.id;
+        EXPECT_TRUE(ui::has_glyph(font, code)) << command.id;
     }
 }
 
 TEST_F(WidgetsTest, FontsGrowWithTheScaleByWholePixels) {
-    EXPECT_EQ(ui::fonts().regular->FontSize, 16.0f);
+    EXPECT_EQ(ui::fonts().regular.pixels, 16.0f);
     OffscreenOptions options;
     options.scale = 1.5f;
     start(options);
-    EXPECT_EQ(ui::fonts().regular->FontSize, 24.0f);
-    EXPECT_EQ(ui::fonts().small->FontSize, 21.0f);
+    EXPECT_EQ(ui::fonts().regular.pixels, 24.0f);
+    EXPECT_EQ(ui::fonts().small.pixels, 21.0f);
     EXPECT_EQ(ui::scale(), 1.5f);
 }
 

@@ -155,6 +155,7 @@ TEST_F(WindowTest, TheSelectionsTintIsNotSeenWhileWalking) {
 TEST_F(WindowTest, AStrokeSaysOnHowManyFacesItPainted) {
     look_down();
     choose_brush(editor(), ice);
+    editor().tool = Tool::paint;
     ASSERT_EQ(run("viewport drag @0.5,0,4.5 @7.5,0,4.5"), "");
     EXPECT_EQ(editor().status, "Painted ice on 8 faces");
     // The next one begins at nothing, and what is ice already does not count.

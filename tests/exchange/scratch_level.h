@@ -6,7 +6,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
+#include "scratch_folder.h"
 #include "slipface/level/level_file.h"
 
 namespace slipface::test {
@@ -32,11 +34,7 @@ inline std::string grid_obj(int n, const std::vector<std::string>& materials) {
 
 class ScratchLevel : public testing::Test {
   protected:
-    void SetUp() override {
-        std::string name = testing::TempDir() + "slipface-exchange-XXXXXX";
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
+    void SetUp() override { folder_ = test::make_scratch_folder(); }
     void TearDown() override { std::filesystem::remove_all(folder_); }
 
     std::filesystem::path path(const std::string& name) const { return folder_ / name; }

@@ -1,6 +1,7 @@
 // What other programs are given, read back.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>

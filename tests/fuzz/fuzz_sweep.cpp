@@ -1,5 +1,6 @@
 // Any bytes as triangles, bodies, moves of triangles and queries: the build and every query must stay within
 // memory and give well-formed answers, and a world of many triangles must answer as its triangles one by one.
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 

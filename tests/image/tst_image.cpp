@@ -1,11 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <array>
 #include <random>
 
+#include "scratch_folder.h"
 #include "slipface/base/files.h"
 #include "slipface/image/image.h"
 
@@ -15,16 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class Png : public testing::Test {
-  protected:
-    void SetUp() override {
-        std::string name = testing::TempDir() + "slipface-image-XXXXXX";
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder = name;
-    }
-    void TearDown() override { fs::remove_all(folder); }
-    fs::path folder;
-};
+using Png = test::InScratchFolder;
 
 Image noise(int width, int height) {
     Image image = make_image(width, height, 0, 0, 0);

@@ -1,6 +1,7 @@
 // Sheets of tiles that an edit merged into few faces with no corner left at the rim, and that moved, too:
 // only their areas say where they went.
 #include <array>
+#include <map>
 
 #include "faces.h"
 

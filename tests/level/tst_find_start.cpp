@@ -239,6 +239,22 @@ TEST(FindStart, ATriangleThatHoldsAPlayerDoes) {
     EXPECT_NEAR(start.position.y(), 2.902, 1e-6);
 }
 
+// Blender's default cube, scaled to be a floor, has its middle at the origin.
+TEST(FindStart, ABodyAroundTheOriginIsAFloorAndNoRoom) {
+    Draw draw(45);
+    for (int i = 0; i < 60; ++i) {
+        const Vec3 low = draw.in({-40, -9, -40}, {-2, -0.5, -2}), high = draw.in({2, 0.5, 2}, {40, 9, 40});
+        Faces faces;
+        add_box(faces, low, high);
+        const Level level = without_spawn(faces);
+        const Start start = start_of(level);
+        EXPECT_TRUE(start.stands) << start.note;
+        const PlayerState state = after_idling(level, start.position, 30);
+        EXPECT_TRUE(state.grounded);
+        EXPECT_GT(start.position.y(), high.y());
+    }
+}
+
 TEST(FindStart, ARoomComesBeforeItsRoof) {
     for (unsigned seed = 0; seed < 40; ++seed) {
         Draw draw(seed);

@@ -1,4 +1,6 @@
 // Painted faces under or above unpainted ones, as patches and clip brushes of maps are.
+#include <cmath>
+
 #include "level/faces.h"
 
 namespace slipface::test {

@@ -4,9 +4,11 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "level/faces.h"
 #include "mesh/bsp_maker.h"
+#include "scratch_folder.h"
 
 namespace slipface::test {
 namespace {
@@ -17,9 +19,7 @@ using testing::HasSubstr;
 class LevelFile : public testing::Test {
   protected:
     void SetUp() override {
-        std::string pattern = testing::TempDir() + "slipface-level-XXXXXX";
-        ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-        folder_ = pattern;
+        folder_ = test::make_scratch_folder();
         write("easy.obj",
               "v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nv 0 2 0\nv 0 2 1\nusemtl stone\nf 1 2 3 4\nusemtl wall\nf "
               "1 5 6 2\n");

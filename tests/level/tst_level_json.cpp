@@ -313,7 +313,7 @@ const std::vector<Hostile>& hostile_files() {
          "HASH"},
         {"RowBadPoint", row("0000000000000000 0,0 0,1,0 1"), "easy.slipface.json:/overrides/0/faces/0",
          "HASH"},
-        {"RowFarPoint", row("0000000000000000 0,0,1e30 0,1,0 1"), "easy.slipface.json:/overrides/0/faces/0",
+        {"RowFarPoint", row("0000000000000000 0,0,1e39 0,1,0 1"), "easy.slipface.json:/overrides/0/faces/0",
          "HASH"},
         {"RowLongNormal", row("0000000000000000 0,0,0 0,2,0 1"), "easy.slipface.json:/overrides/0/faces/0",
          "HASH"},

@@ -163,7 +163,7 @@ TEST(LevelScene, IsAPureFunctionOfTime) {
         EXPECT_EQ(now.collision.triangle_count(), 2U);
         EXPECT_EQ(now.platforms.size(), 1U);
         EXPECT_EQ(now.platforms[0].triangles[0], 2U);  // numbers of the mesh
-        const auto hit = cast_ray(*now.platforms[0].collision, {5, 10, 1}, {0, -1, 0});
+        const auto hit = cast_ray(now.platforms[0].at_end(), {5, 10, 1}, {0, -1, 0});
         return hit ? hit->point.y() : -1.0;
     };
     const double first = top(1.9);

@@ -1,10 +1,10 @@
 // Props: in the level file, as part of the geometry, and in every query that a level answers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
+#include "scratch_folder.h"
 #include "slipface/level/level_file.h"
 #include "slipface/level/level_scene.h"
 #include "slipface/level/shown_mesh.h"
@@ -24,9 +24,7 @@ constexpr const char* wedge_obj =
 class Props : public testing::Test {
   protected:
     void SetUp() override {
-        folder_ = std::filesystem::temp_directory_path() /
-                  ("slipface-props-" + std::to_string(::getpid()) + "-" +
-                   testing::UnitTest::GetInstance()->current_test_info()->name());
+        folder_ = test::make_scratch_folder();
         std::filesystem::create_directories(folder_ / "parts");
         put("floor.obj", floor_obj);
         put("parts/wedge.obj", wedge_obj);

@@ -1,5 +1,6 @@
 // Faces that bevels, insets and moved or deleted neighbours leave in another shape.
 #include <array>
+#include <cmath>
 #include <map>
 
 #include "faces.h"

@@ -1,6 +1,7 @@
 // Maps have torches, roots and leaves of a few millimetres. At a hundredth of their size six decimals are as
 // coarse for them as a hair is for a wall.
 #include <array>
+#include <cmath>
 #include <map>
 
 #include "faces.h"

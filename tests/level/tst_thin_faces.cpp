@@ -1,4 +1,6 @@
 // Faces longer than a file's few bytes of outline can say, and with hardly any area: maps are full of them.
+#include <cmath>
+
 #include "faces.h"
 
 namespace slipface::test {

@@ -1,7 +1,9 @@
 // Light maps: their charts, what is baked, and how the level file says it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "slipface/level/level_file.h"
 #include "slipface/light/bake.h"

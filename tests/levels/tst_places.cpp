@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
+#include <stdexcept>
 
 #include "slipface/level/level_file.h"
 #include "slipface/level/level_scene.h"

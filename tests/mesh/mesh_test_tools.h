@@ -2,25 +2,18 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <string>
 
+#include "scratch_folder.h"
 #include "slipface/base/files.h"
 #include "slipface/mesh/import.h"
 
 namespace slipface {
 
-class ScratchFolder : public testing::Test {
+class ScratchFolder : public test::InScratchFolder {
   protected:
-    void SetUp() override {
-        std::string name = testing::TempDir() + "slipface-mesh-XXXXXX";
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder = name;
-    }
-    void TearDown() override { std::filesystem::remove_all(folder); }
-
     void write(const std::string& name, std::string_view text) const {
         std::filesystem::create_directories((folder / name).parent_path());
         ASSERT_TRUE(write_file_atomic(folder / name, text));
@@ -34,8 +27,6 @@ class ScratchFolder : public testing::Test {
 
     // The name of level.obj as messages begin with it.
     std::string location() const { return (folder / "level.obj").string(); }
-
-    std::filesystem::path folder;
 };
 
 // The unit square in the x-z plane, seen from above: four vertices.

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <clocale>
+#include <cmath>
 #include <random>
 
 #include "mesh_test_tools.h"

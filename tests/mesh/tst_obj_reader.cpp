@@ -1,7 +1,9 @@
 // The OBJ reader's numbers are assimp's, bit for bit, and its parts are joined as if they were one.
 #include <assimp/scene.h>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <bit>
 #include <random>

@@ -1,4 +1,5 @@
 // Each hack with its switch off, showing the artefact, and on, showing that it is gone.
+#include <algorithm>
 #include <cstring>
 #include <random>
 

@@ -86,7 +86,7 @@ TEST(Hitch, CarriesByAPlatformOnce) {
     platform.ready();
     const MovementSettings s = basic_settings();
     MovingPart part;
-    part.collision = &platform.world();
+    part.rest = &platform.world();
     PlayerState player = at({0, s.radii.y() + 0.05, 0});
     const auto scene = [&] {
         return MovementScene{.collision = lab.world(), .surfaces = lab.surfaces, .platforms = {&part, 1}};

@@ -1,4 +1,6 @@
 // Push-out held against the exact answer, and jump windows counted in ticks.
+#include <algorithm>
+
 #include "test_geometry.h"
 
 namespace slipface::test {

@@ -1,5 +1,6 @@
 // Guarantees of the step as a whole: never inside, no energy from nothing, the same bits, refusal of bad
 // input.
+#include <algorithm>
 #include <cstring>
 #include <limits>
 
@@ -240,6 +241,7 @@ TEST(PlayerState, lists_every_member) {
     state.ground_face = fresh.ground_face;
     state.ground_surface = fresh.ground_surface;
     state.ground_platform = fresh.ground_platform;
+    state.carrier = fresh.carrier;
     EXPECT_EQ(state, fresh);
 }
 

@@ -1,4 +1,6 @@
 // Walls that go on above a step: an attempt to step up is spared where it cannot lead further.
+#include <algorithm>
+
 #include "test_geometry.h"
 
 namespace slipface::test {

@@ -133,7 +133,7 @@ TEST(Ladder, IsClimbedAlikeBesideAFarPlatform) {
     far.floor(100.0);
     far.ready();
     const Pose before{.offset = Vec3(0, -0.1, 0)};
-    const std::vector<MovingPart> parts{{.collision = &far.world(), .begin = before, .end = {}}};
+    const std::vector<MovingPart> parts{{.rest = &far.world(), .begin = before, .end = {}}};
     MovementScene with = lab.scene();
     with.platforms = parts;
     const MovementSettings s = basic_settings();
@@ -368,7 +368,7 @@ TEST(Platforms, AWallThatComesPushesThePlayerAhead) {
     coming.ready();
     const Pose before{.offset = Vec3(0.5, 0, 0)};
     const std::vector<MovingPart> parts{
-        {.collision = &coming.world(), .begin = before, .end = {}, .velocity = Vec3(-30, 0, 0)}};
+        {.rest = &coming.world(), .begin = before, .end = {}, .velocity = Vec3(-30, 0, 0)}};
     MovementScene scene = lab.scene();
     scene.platforms = parts;
     MovementSettings s = basic_settings();
@@ -386,7 +386,7 @@ TEST(Platforms, SwitchedOffGiveNoVelocityToAJump) {
     raft.floor(0, plain, 3);
     raft.ready();
     const std::vector<MovingPart> parts{
-        {.collision = &raft.world(), .begin = {}, .end = {}, .velocity = Vec3(3, 0, 0)}};
+        {.rest = &raft.world(), .begin = {}, .end = {}, .velocity = Vec3(3, 0, 0)}};
     MovementScene scene = lab.scene();
     scene.platforms = parts;
     for (const bool on : {true, false}) {

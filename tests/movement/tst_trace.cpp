@@ -64,7 +64,7 @@ struct Everything {
     // here.
     MovementScene scene(double dt) {
         const Vec3 rise(0.0, 1.0, 0.0);
-        MovingPart part{.collision = &lift.world(), .begin = {}, .end = {}, .velocity = rise};
+        MovingPart part{.rest = &lift.world(), .begin = {}, .end = {}, .velocity = rise};
         part.begin.offset = -dt * rise;
         parts = {part};
         MovementScene all = lab.scene();

@@ -1,4 +1,6 @@
 // Falling, jumping, walking, walls and corners against closed forms.
+#include <algorithm>
+
 #include "test_geometry.h"
 
 namespace slipface::test {

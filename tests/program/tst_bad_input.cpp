@@ -2,6 +2,8 @@
 // warning; nothing crashes, nothing hangs. The same loader serves the editor's dialogs.
 #include <gtest/gtest.h>
 
+#include <iterator>
+
 #include "program/run_program.h"
 
 namespace slipface::test {

@@ -1,6 +1,7 @@
 // `slipface nightly` as a user runs it.
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "program/run_program.h"
@@ -140,6 +141,16 @@ TEST_F(Nightly, ADoctorNoticesTextures) {
     folder_.write("levels/more.mtl", "newmtl floor\nmap_Kd gone.png\n");
     EXPECT_EQ(nightly("out").output.find("unchanged"), std::string::npos);
     EXPECT_NE(nightly("out").output.find("unchanged"), std::string::npos);
+}
+
+// Started by a program that ignores the end of its children, as some supervisors do.
+TEST_F(Nightly, EndsWhereChildrenAreIgnored) {
+    write_project(R"("doctor": "")");
+    const ProgramRun run =
+        run_program("nightly " + (folder_ / "project.json").string() + " --out " + (folder_ / "out").string(),
+                    60, "sh -c 'trap \"\" CHLD; exec \"$0\" \"$@\"' " + std::string(SLIPFACE_PROGRAM));
+    EXPECT_LT(run.exit_code, 2) << run.output;
+    EXPECT_TRUE(fs::exists(report("out"))) << run.output;
 }
 
 TEST_F(Nightly, NamesWhatCannotRunAndGoesOn) {

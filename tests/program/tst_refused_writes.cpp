@@ -1,6 +1,7 @@
 // Whatever cannot write a file ends with exit code 2 and says why, and leaves the files as they were.
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <map>
 
 #include "program/run_program.h"

@@ -2,6 +2,8 @@
 // them in a child process, says what happened, and goes on.
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "program/run_program.h"
 
 namespace slipface::test {

@@ -2,6 +2,7 @@
 // code, and shards come together.
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "program/run_program.h"

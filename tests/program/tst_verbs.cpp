@@ -1,7 +1,9 @@
 // The data verbs through the real program, against numbers derived by hand.
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "program/run_program.h"
 

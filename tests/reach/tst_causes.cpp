@@ -1,4 +1,5 @@
 // A goal that breaks, and the setting or the face that broke it.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "reach/reach_scenes.h"

@@ -3,6 +3,7 @@
 #include <Recast.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <sstream>

@@ -1,6 +1,8 @@
 // Links in Recast and Detour, as a game uses them: a way is found over a jump that the mesh alone has not.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "reach/reach_scenes.h"
 #include "recast/nav_mesh.h"
 #include "slipface/level/level_file.h"

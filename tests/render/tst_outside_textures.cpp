@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "scratch_folder.h"
 #include "slipface/mesh/build.h"
 #include "slipface/render/level_renderer.h"
 
@@ -12,9 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(OutsideTextures, AreThoseThatAreThereAndNotInTheFolder) {
-    std::string name = testing::TempDir() + "slipface-textures-XXXXXX";
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    const fs::path root = name, folder = root / "level";
+    const fs::path root = test::make_scratch_folder(), folder = root / "level";
     fs::create_directories(folder / "pictures");
     for (const fs::path& file :
          {root / "secret.png", root / "named.png", folder / "named.png", folder / "pictures" / "stone.png"})

@@ -2,6 +2,8 @@
 // would have helped.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "slipface/scenes/demo.h"
 #include "slipface/sim/run.h"
 
@@ -19,13 +21,17 @@ struct DemoRun {
           run(std::make_shared<const Tape>(demo.tape), settings, demo.tape.start.value_or(demo.level.spawn)) {
         run.advance(scene, TapeRun::max_ticks);
     }
+    // A choice has no switch: it refuses.
     bool says_switched_off(std::string_view hack) const {
+        const bool choice = is_choice(*find_setting(hack));
         for (std::size_t tick = 0; tick < run.samples().size(); ++tick) {
             for (const TraceRecord& record : run.trace(scene, tick).records) {
                 const auto* decision = std::get_if<DecisionRecord>(&record);
                 if (decision == nullptr) continue;
                 const DecisionInfo& info = decision_info(decision->kind);
-                if (info.hack == hack && info.outcome == Outcome::switched_off) return true;
+                if (info.hack == hack &&
+                    (info.outcome == Outcome::switched_off || (choice && info.outcome == Outcome::refused)))
+                    return true;
             }
         }
         return false;

@@ -4,6 +4,7 @@
 // SLIPFACE_SNAG_SEEDS=FIRST,LAST plants others.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <map>

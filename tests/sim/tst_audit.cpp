@@ -1,6 +1,8 @@
 // Audits of small levels: a closed box that holds, a box with a hole, a box with a wall that lies.
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "slipface/base/hash.h"
 #include "slipface/base/parallel.h"
 #include "slipface/level/level_scene.h"
@@ -430,7 +432,7 @@ TEST(Audit, StepsThatCallTheirEndFreeAreRight) {
                     ++free;
                     bool inside = overlaps_any(now.collision, settings.radii, state.position);
                     for (const MovingPart& part : now.platforms)
-                        inside = inside || overlaps_any(*part.collision, settings.radii, state.position);
+                        inside = inside || overlaps_any(part.at_end(), settings.radii, state.position);
                     if (inside) ++claimed_inside;
                 }
             }

@@ -2,6 +2,8 @@
 // = 0 and a wall in the plane x = 1 from z = -2 to 2, as a rule 3 m high.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "audit_checks.h"
 #include "audit_run.h"
 
@@ -180,12 +182,11 @@ TEST(AuditChecks, AWallBlocksTheWayAndOpenFloorDoesNot) {
 // The wall of Wall goes 2 m to the left, past a player at rest.
 struct MovingWall : Wall {
     MovingWall() {
-        const std::vector<Vec3f> positions{Vec3f(-1, 0, -2), Vec3f(-1, 0, 2), Vec3f(-1, 3, 2),
-                                           Vec3f(-1, 3, -2)};
+        const std::vector<Vec3f> positions{Vec3f(1, 0, -2), Vec3f(1, 0, 2), Vec3f(1, 3, 2), Vec3f(1, 3, -2)};
         const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {0, 2, 3}};
         const std::vector<FaceId> faces{7, 7};
         moved = std::move(CollisionWorld::build({positions, triangles, faces}).value());
-        part = {.collision = &moved, .begin = {}, .end = {.offset = {-2, 0, 0}}};
+        part = {.rest = &moved, .begin = {}, .end = {.offset = {-2, 0, 0}}};
         floor = std::move(CollisionWorld::build(
                               {std::vector<Vec3f>{Vec3f(-9, 0, -9), Vec3f(-9, 0, 9), Vec3f(9, 0, 9)},
                                std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}}, std::vector<FaceId>{0}})

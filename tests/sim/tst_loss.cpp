@@ -1,6 +1,8 @@
 // Motion that a wall took is found whether a step up was tried at it or not.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "slipface/sim/stops.h"
 
 namespace slipface::test {

@@ -1,6 +1,8 @@
 // Stories: every number is the one of the trace that its sentence means, and every record has its line.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <regex>
 

@@ -32,9 +32,6 @@ bool has_document(const Editor& editor) {
 bool has_selection(const Editor& editor) {
     return editor.document && !editor.document->selection().empty();
 }
-bool has_hovered(const Editor& editor) {
-    return editor.document && editor.hovered != no_id;
-}
 bool can_undo(const Editor& editor) {
     return editor.document && editor.document->can_undo();
 }

@@ -9,7 +9,6 @@ namespace slipface::command_actions {
 bool always(const Editor& editor);
 bool has_document(const Editor& editor);
 bool has_selection(const Editor& editor);
-bool has_hovered(const Editor& editor);
 bool can_undo(const Editor& editor);
 bool can_redo(const Editor& editor);
 bool is_playing(const Editor& editor);

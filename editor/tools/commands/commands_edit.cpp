@@ -17,11 +17,13 @@ std::vector<Command> edit_commands() {
         {"edit.redo_alternative", icons::redo, "Redo", "", "Redo the last undone step", "again repeat",
          ctrl("Y"), can_redo, nullptr, redo},
         {"edit.set_spawn", icons::flag, "Set spawn point", "Edit",
-         "Move the main spawn to the face under the mouse, facing the view's direction", "start player begin",
-         key("P"), has_hovered, nullptr, set_spawn_hovered},
+         "Move the main spawn to the face under the mouse, or to a selected face, or to the middle of the "
+         "view, facing the view's direction",
+         "start player begin", key("P"), has_document, nullptr, set_spawn_on_target},
         {"edit.add_spawn", icons::flag, "Add spawn", "Edit",
-         "Add a spawn on the face under the mouse, facing the view's direction", "start player begin",
-         ctrl_shift("P"), has_hovered, nullptr, add_spawn_hovered},
+         "Add a spawn on the face under the mouse, or on a selected face, or in the middle of the view, "
+         "facing the view's direction",
+         "start player begin", ctrl_shift("P"), has_document, nullptr, add_spawn},
     };
 }
 

@@ -8,6 +8,15 @@ namespace {
 
 using namespace command_actions;
 
+bool files_changed(const Editor& editor) {
+    return editor.session.changed.has_value();
+}
+
+template <ChangedAnswer Answer>
+void answer(Editor& editor) {
+    answer_changed(editor, Answer);
+}
+
 bool import_card_is_shown(const Editor& editor) {
     return editor.import_card.shown;
 }
@@ -15,6 +24,7 @@ bool import_card_is_shown(const Editor& editor) {
 void name_materials_by_type(Editor& editor) {
     if (!editor.document || editor.document->in_transaction()) return;
     stop_playtest(editor);
+    if (saving_must_wait(editor)) return;
     const Result<std::string> named = editor.document->name_materials();
     if (!named) {
         editor.message = MessageDialog{.title = "Cannot write the types",
@@ -51,6 +61,19 @@ std::vector<Command> file_commands() {
         {"file.recover", icons::life_ring, "Recover autosaves…", "File",
          "List the unsaved changes of sessions that ended unexpectedly", "crash backup restore autosave",
          no_key(), always, nullptr, look_for_autosaves},
+        {"file.keep_mine", icons::save, "Keep mine", "File/Changed on disk",
+         "Keep the unsaved changes; the next save replaces the file that another program changed",
+         "conflict changed on disk overwrite", no_key(), files_changed, nullptr,
+         answer<ChangedAnswer::keep_mine>},
+        {"file.take_theirs", icons::refresh, "Take theirs", "File/Changed on disk",
+         "Replace the unsaved changes by the files that another program changed; can be undone",
+         "conflict changed on disk reload discard", no_key(), files_changed, nullptr,
+         answer<ChangedAnswer::take_theirs>},
+        {"file.merge_by_face", icons::share, "Merge by face", "File/Changed on disk",
+         "Join the unsaved changes and those of the other program; where both changed the same, yours stay; "
+         "can be undone",
+         "conflict changed on disk join three way", no_key(), files_changed, nullptr,
+         answer<ChangedAnswer::merge>},
         {"file.name_materials", icons::save, "Write types into material names", "File",
          "Write the painted types into the OBJ file's material names, which modelling tools preserve; the "
          "old file becomes NAME.bak",

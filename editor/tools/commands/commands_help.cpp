@@ -2,6 +2,7 @@
 #include "tools/commands/command_actions.h"
 #include "tools/commands/command_rows.h"
 #include "tools/commands/icons.h"
+#include "tools/target.h"
 
 namespace slipface {
 namespace {
@@ -34,6 +35,10 @@ template <Theme Which>
 void use_theme(Editor& editor) {
     set_theme(editor, Which);
 }
+void toggle_palette(Editor& editor) {
+    remember_pointed(editor);
+    editor.show_command_palette = !editor.show_command_palette;
+}
 bool help_is_shown(const Editor& editor) {
     return editor.session.help;
 }
@@ -50,7 +55,7 @@ std::vector<Command> help_commands() {
     return {
         {"help.command_palette", icons::search, "Find a command\u2026", "Help",
          "Find any command by a few letters and run it", "palette search actions", ctrl("P"), always,
-         shown<&Editor::show_command_palette>, toggle_shown<&Editor::show_command_palette>},
+         shown<&Editor::show_command_palette>, toggle_palette},
         {"interface.zoom_in", icons::search_plus, "Larger interface", "View/Interface",
          "Draw text and panels larger", "scale zoom dpi bigger", ctrl("="), zoom_can_grow, nullptr, zoom_in},
         {"interface.zoom_out", icons::search_minus, "Smaller interface", "View/Interface",

@@ -6,6 +6,7 @@
 #include "tools/commands/icons.h"
 #include "tools/selection/material_rules.h"
 #include "tools/selection/selecting.h"
+#include "tools/target.h"
 
 namespace slipface {
 
@@ -39,10 +40,10 @@ void add_digit_commands(std::vector<Command>& rows) {
 void replace_seed_types(Editor& editor) {
     const Document& document = *editor.document;
     std::vector<SurfaceId> types;
-    if (editor.hovered != no_id)
-        types = {document.surface_of(editor.hovered)};
+    if (const auto pointed = pointed_target(editor))
+        types = {document.surface_of(pointed->face)};
     else
-        for (const FaceId face : document.selection())
+        for (const FaceId face : seed_faces(editor))
             if (const SurfaceId type = document.surface_of(face);
                 std::find(types.begin(), types.end(), type) == types.end())
                 types.push_back(type);
@@ -62,20 +63,18 @@ std::vector<Command> paint_commands() {
         {"edit.replace_type", icons::replace, "Replace type by the brush's", "Edit",
          "Change all faces of the type under the mouse, or of the selected faces' types, to the brush's "
          "type; only inside the selection if there is one",
-         "swap convert everywhere all", shift("L"),
-         [](const Editor& e) { return has_selection(e) || has_hovered(e); }, nullptr, replace_seed_types},
+         "swap convert everywhere all", shift("L"), has_document, nullptr, replace_seed_types},
         {"edit.unset_selection", icons::eraser, "Unset selection", "Edit",
          "Remove the paint of the selected faces; rules and suffixes decide their type again",
          "clear erase remove override", key("Backspace"), has_selection, nullptr, unset_selection},
         {"edit.add_rule", icons::list, "Add rule for the material", "Edit",
          "Give the brush's type to the materials of the selected faces, or of the face under the mouse, by a "
          "rule for their names: new faces of these materials get it, too",
-         "material pattern wildcard", no_key(),
-         [](const Editor& e) { return e.brush && (has_selection(e) || has_hovered(e)); }, nullptr,
-         add_rules_for_faces},
+         "material pattern wildcard", no_key(), [](const Editor& e) { return has_document(e) && e.brush; },
+         nullptr, add_rules_for_faces},
         {"tools.pick_surface", icons::eyedropper, "Pick surface type", "Tools",
          "Use the surface type of the face under the mouse as the brush", "eyedropper pipette", key("I"),
-         has_hovered, nullptr, pick_surface},
+         has_document, nullptr, pick_surface},
         {"tools.larger_brush", icons::plus, "Larger brush", "Tools",
          "Paint a wider patch of faces around the mouse", "size radius bigger grow", key("]"), always,
          nullptr, larger_brush},

@@ -58,8 +58,13 @@ std::vector<Command> play_commands() {
         {"playtest.restart", icons::restart, "Restart", "Playtest", "Restart this walk",
          "again respawn reset", key("R"), is_playing, nullptr, restart_playtest},
         {"playtest.from_here", icons::play, "Play from here", "Playtest",
-         "Walk from the face under the mouse, facing the view's direction", "run walk test cursor hovered",
-         alt("F5"), has_hovered, nullptr, play_from_hovered},
+         "Walk from the face under the mouse, or from a selected face, or from the middle of the view, "
+         "facing "
+         "the view's direction",
+         "run walk test cursor hovered", alt("F5"), has_document, nullptr, play_from_target},
+        {"playtest.from_view", icons::play, "Play from the view", "Playtest",
+         "Walk from the face in the middle of the view, facing its direction", "run walk test camera look",
+         shift_alt("F5"), has_document, nullptr, play_from_view},
         {"playtest.toggle_person", icons::person, "First person", "Playtest", "First-person view",
          "third camera view", key("V"), is_playing, is_first_person, toggle_person},
     };

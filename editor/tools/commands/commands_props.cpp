@@ -60,8 +60,8 @@ std::vector<Command> prop_commands() {
          nullptr, [](Editor& e) { paint_prop(e, *chosen_prop(e), e.brush); }},
         {"props.choose", icons::pointer, "Choose prop", "Edit/Prop",
          "Choose the prop under the mouse and select its faces", "select instance", key("Y"),
-         [](const Editor& e) { return hovered_prop(e).has_value(); }, nullptr,
-         [](Editor& e) { choose_prop(e, hovered_prop(e)); }},
+         [](const Editor& e) { return prop_of_target(e, target_of(e)).has_value(); }, nullptr,
+         [](Editor& e) { choose_prop(e, prop_of_target(e, target_of(e))); }},
     };
 }
 

@@ -4,6 +4,7 @@
 #include "tools/commands/command_rows.h"
 #include "tools/commands/icons.h"
 #include "tools/selection/selecting.h"
+#include "tools/target.h"
 
 namespace slipface {
 
@@ -11,9 +12,6 @@ using namespace command_actions;
 
 namespace {
 
-bool has_seed(const Editor& editor) {
-    return has_selection(editor) || has_hovered(editor);
-}
 bool has_hidden(const Editor& editor) {
     return editor.document && !editor.document->hidden().empty();
 }
@@ -62,16 +60,17 @@ void show_all(Editor& editor) {
 }
 
 void select_middle(Editor& editor) {
-    const Ray ray = pixel_ray(editor.view.camera(), {0.5, 0.5}, {1.0, 1.0});
-    const auto hit = editor.document->pick(ray.origin, ray.direction, !sees_back_faces(editor));
-    if (hit) apply_selection(editor, {hit->face}, SelectBy::replace, "Select face");
+    if (const auto middle = middle_of_view(editor))
+        apply_selection(editor, {middle->face}, SelectBy::replace, "Select face");
+    else
+        editor.status = "There is no face in the middle of the view";
 }
 // Under the mouse, or else in the middle of the view.
 void select_behind(Editor& editor) {
     const Camera camera = editor.view.camera();
     const Vec2 size{editor.view_aspect, 1.0};
     Vec2 pixel = 0.5 * size;
-    if (editor.hovered != no_id) pixel = project(camera, editor.hovered_point, size).head<2>();
+    if (const auto pointed = pointed_target(editor)) pixel = project(camera, pointed->point, size).head<2>();
     drill_select(editor, pixel_ray(camera, pixel, size), 1);
 }
 
@@ -107,20 +106,20 @@ std::vector<Command> connected_rows() {
     return {
         {"select.flat", icons::connected, "Connected flat", "Select/Connected",
          "Select the faces connected in the same plane as the selected ones, or the one under the mouse",
-         "flood coplanar plane region", shift("F"), has_seed, nullptr,
+         "flood coplanar plane region", shift("F"), has_document, nullptr,
          [](Editor& e) { from_seeds<connected_flat>(e, "Select flat"); }},
         {"select.smooth", icons::connected, "Connected by angle", "Select/Connected",
          "Select faces connected across edges that bend less than the fill angle", "flood smooth bend region",
-         shift("G"), has_seed, nullptr,
+         shift("G"), has_document, nullptr,
          [](Editor& e) {
              apply_selection(e, connected_by_angle(*e.document, seed_faces(e), e.fill_angle),
                              SelectBy::replace, "Select by angle");
          }},
         {"select.within_material", icons::connected, "Connected within material", "Select/Connected",
-         "Select connected faces of the same material", "flood texture region", shift("M"), has_seed, nullptr,
-         [](Editor& e) { from_seeds<connected_within_material>(e, "Select within material"); }},
+         "Select connected faces of the same material", "flood texture region", shift("M"), has_document,
+         nullptr, [](Editor& e) { from_seeds<connected_within_material>(e, "Select within material"); }},
         {"select.within_type", icons::connected, "Connected within type", "Select/Connected",
-         "Select connected faces of the same surface type", "flood surface region", shift("T"), has_seed,
+         "Select connected faces of the same surface type", "flood surface region", shift("T"), has_document,
          nullptr, [](Editor& e) { from_seeds<connected_within_type>(e, "Select within type"); }},
     };
 }
@@ -128,24 +127,27 @@ std::vector<Command> connected_rows() {
 std::vector<Command> similar_rows() {
     return {
         {"select.same_material", icons::copy, "Same material", "Select/Similar",
-         "Select every face with a material of the selected ones", "similar texture", ctrl("M"), has_seed,
+         "Select every face with a material of the selected ones", "similar texture", ctrl("M"), has_document,
          nullptr, [](Editor& e) { from_seeds<similar<Likeness::material>>(e, "Select same material"); }},
         {"select.same_type", icons::copy, "Same type", "Select/Similar",
          "Select every face with a surface type of the selected ones", "similar surface", ctrl_shift("T"),
-         has_seed, nullptr, [](Editor& e) { from_seeds<similar<Likeness::type>>(e, "Select same type"); }},
+         has_document, nullptr,
+         [](Editor& e) { from_seeds<similar<Likeness::type>>(e, "Select same type"); }},
         {"select.same_group", icons::copy, "Same group", "Select/Similar",
          "Select every face of the groups and objects of the selected ones", "similar object part", ctrl("G"),
-         has_seed, nullptr, [](Editor& e) { from_seeds<similar<Likeness::group>>(e, "Select same group"); }},
+         has_document, nullptr,
+         [](Editor& e) { from_seeds<similar<Likeness::group>>(e, "Select same group"); }},
         {"select.same_direction", icons::copy, "Same direction", "Select/Similar",
          "Select every face whose normal differs by less than 2 degrees", "similar normal parallel",
-         ctrl_shift("N"), has_seed, nullptr,
+         ctrl_shift("N"), has_document, nullptr,
          [](Editor& e) { from_seeds<similar<Likeness::normal>>(e, "Select same direction"); }},
         {"select.same_area", icons::copy, "Same area", "Select/Similar",
-         "Select every face whose area differs by less than 5 %", "similar size", ctrl_shift("D"), has_seed,
-         nullptr, [](Editor& e) { from_seeds<similar<Likeness::area>>(e, "Select same area"); }},
+         "Select every face whose area differs by less than 5 %", "similar size", ctrl_shift("D"),
+         has_document, nullptr,
+         [](Editor& e) { from_seeds<similar<Likeness::area>>(e, "Select same area"); }},
         {"select.same_slope", icons::copy, "Same slope class", "Select/Similar",
          "Select every face that is walkable, too steep, or overhanging like the selected ones",
-         "similar incline", ctrl_shift("L"), has_seed, nullptr,
+         "similar incline", ctrl_shift("L"), has_document, nullptr,
          [](Editor& e) { from_seeds<similar<Likeness::slope>>(e, "Select same slope class"); }},
         {"select.steep", icons::signal, "Steeper than the limit", "Select/Similar",
          "Select every face that is too steep to walk on: walls and ceilings too",

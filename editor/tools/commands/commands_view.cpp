@@ -7,6 +7,7 @@
 #include "tools/commands/command_actions.h"
 #include "tools/commands/command_rows.h"
 #include "tools/commands/icons.h"
+#include "tools/target.h"
 #include "tools/view/cameras.h"
 
 namespace slipface {
@@ -59,7 +60,7 @@ void turn_view(Editor& editor) {
 }
 template <int Wheel>
 void zoom_view(Editor& editor) {
-    editor.view.zoom(Wheel * 2.0);
+    zoom_to(editor, Wheel * 2.0, std::nullopt);
 }
 
 std::vector<Command> direction_rows() {
@@ -209,7 +210,7 @@ std::vector<Command> view_commands() {
          "edges lines polygons", key("Z"), always, flag_is<&LevelStyle::wireframe>,
          toggle_flag<&LevelStyle::wireframe>},
         {"view.slope", icons::signal, "Slope colours", "View",
-         "Colour faces by how steep they are: blue flat, pale at the slope limit, orange to red beyond",
+         "Colour faces by how steep they are: blue flat, pale at the slope limit, light to dark red beyond",
          "heat incline angle steep", shift("S"), always, colors_are<FaceColors::slope>,
          toggle_colors<FaceColors::slope>},
         {"view.walkable", icons::walk, "Walkable faces", "View",

@@ -1,9 +1,11 @@
 #include "tools/commands/docs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "slipface/base/markdown.h"
 #include "tools/commands/commands.h"
-#include "tools/commands/markdown.h"
 
 namespace slipface {
 

@@ -1,12 +1,14 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <variant>
 
+#include "slipface/base/markdown.h"
 #include "slipface/base/text.h"
 #include "slipface/movement/settings.h"
 #include "slipface/movement/surface_type.h"
 #include "tools/commands/docs.h"
-#include "tools/commands/markdown.h"
 
 namespace slipface {
 namespace {

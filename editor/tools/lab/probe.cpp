@@ -1,6 +1,7 @@
 #include "tools/lab/probe.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "slipface/base/text.h"
 #include "slipface/collision/collision_world.h"

@@ -8,7 +8,7 @@
 #include "slipface/level/find_start.h"
 #include "tools/editor.h"
 #include "tools/lab/lab_actions.h"
-#include "tools/lab/probe.h"
+#include "tools/target.h"
 
 namespace slipface {
 
@@ -233,24 +233,18 @@ void tick_reach(Editor& editor) {
 
 namespace {
 
-// Where a player stands on the face in the middle of the view.
-std::optional<Vec3> stand_in_view(Editor& editor) {
-    const Camera camera = editor.view.camera();
-    const auto hit = editor.document->pick(camera.eye, camera.target - camera.eye, false);
-    if (!hit) {
-        editor.status = "There is no face in the middle of the view";
-        return std::nullopt;
-    }
-    Probe standing;
-    standing.place_on(hit->point, hit->normal, editor.document->level().movement);
-    return standing.from;
+// Where a player stands on the target.
+std::optional<Vec3> stand_on_target(Editor& editor) {
+    const std::optional<FacePoint> target = target_or_say(editor);
+    if (!target) return std::nullopt;
+    return spawn_on(editor, *target).position;
 }
 
 }  // namespace
 
 void add_goal(Editor& editor) {
     std::vector<Goal> goals = editor.document->level().goals;
-    const std::optional<Vec3> stand = stand_in_view(editor);
+    const std::optional<Vec3> stand = stand_on_target(editor);
     if (!stand || goals.size() >= max_goals) return;
     Goal goal;
     goal.position = *stand;
@@ -265,7 +259,7 @@ void add_goal(Editor& editor) {
 }
 
 void move_goal(Editor& editor, std::size_t index) {
-    const std::optional<Vec3> stand = stand_in_view(editor);
+    const std::optional<Vec3> stand = stand_on_target(editor);
     if (!stand || index >= editor.document->level().goals.size()) return;
     Goal goal = editor.document->level().goals[index];
     goal.position = *stand;

@@ -74,7 +74,9 @@ Result<std::unique_ptr<Document>> open_with(const fs::path& mesh, const std::str
     from_link.info.mesh_path = mesh;
     from_link.info.level_path = "link";
     from_link.json = level_file;
-    return open_recovered(from_link);
+    Result<Recovered> opened = open_recovered(from_link);
+    if (!opened) return opened.error();
+    return std::move(opened->document);
 }
 
 }  // namespace

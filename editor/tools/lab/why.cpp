@@ -25,24 +25,25 @@ const std::vector<Cure>* cures_at_cursor(Editor& editor) {
     if (!same) {
         job.work.reset();
         job = CureJob{.revision = lab.revision(), .run = lab.explained(), .first = stop->first};
-        const auto search = [level = editor.document->snapshot(), run = lab.runs()[lab.explained()].run,
-                             at = *stop](Progress& progress) {
+        auto search = [level = editor.document->snapshot(), run = lab.runs()[lab.explained()].run,
+                       at = *stop](Progress& progress) -> Result<std::vector<Cure>> {
             constexpr std::size_t slice = 5000;  // ticks between two checks for cancellation
             CureSearch cures = search_with_repairs(level, run, at);
             while (!progress.cancelled() && !cures.advance(slice)) {
             }
             return cures.cures();
         };
-        job.work = std::make_unique<Background<std::vector<Cure>>>(search, editor.session.wake);
-        if (!editor.session.beside) {
-            job.cures = job.work->take();
-            job.taken = true;
-        }
+        job.work =
+            std::make_unique<Background<Result<std::vector<Cure>>>>(std::move(search), editor.session.wake);
     }
     if (!job.taken) {
-        if (!job.work->ready()) return nullptr;
-        job.cures = job.work->take();
+        if (editor.session.beside && !job.work->ready()) return nullptr;
+        Result<std::vector<Cure>> cures = job.work->take();
         job.taken = true;
+        if (cures)
+            job.cures = std::move(*cures);
+        else
+            editor.message = MessageDialog{"Cannot look for cures", cures.error().text(), {}};
     }
     return &job.cures;
 }

@@ -16,7 +16,7 @@ struct Editor;
 struct CureJob {
     std::uint64_t revision = 0;      // of the lab
     std::size_t run = 0, first = 0;  // the stop's first tick
-    std::unique_ptr<Background<std::vector<Cure>>> work = {};
+    std::unique_ptr<Background<Result<std::vector<Cure>>>> work = {};
     bool taken = false;  // `cures` is valid
     std::vector<Cure> cures = {};
 };

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "slipface/level/find_start.h"
-#include "tools/lab/probe.h"
+#include "tools/target.h"
 
 namespace slipface {
 namespace {
@@ -19,22 +19,13 @@ std::string free_spawn_name(const std::vector<Spawn>& spawns) {
     }
 }
 
-Spawn spawn_on(const Editor& editor, const Vec3& point, const Vec3& normal) {
-    Probe standing;
-    standing.place_on(point, normal, editor.document->level().movement);
-    return {standing.from, editor.view.yaw};
-}
+}  // namespace
 
-std::optional<Spawn> spawn_in_view(Editor& editor) {
-    const Camera camera = editor.view.camera();
-    const auto hit = editor.document->pick(camera.eye, camera.target - camera.eye, false);
-    if (hit) return spawn_on(editor, hit->point, hit->normal);
-    editor.status = "There is no face in the middle of the view";
-    return std::nullopt;
-}
-
-void add(Editor& editor, Spawn spawn) {
+void add_spawn(Editor& editor) {
+    const std::optional<FacePoint> target = target_or_say(editor);
+    if (!target) return;
     std::vector<Spawn> spawns = all_spawns(editor.document->level());
+    Spawn spawn = spawn_on(editor, *target);
     spawn.name = free_spawn_name(spawns);
     spawns.push_back(spawn);
     if (const std::string problem = spawns_problem(spawns); !problem.empty()) {
@@ -42,27 +33,16 @@ void add(Editor& editor, Spawn spawn) {
         return;
     }
     editor.document->set_spawns(std::move(spawns), "Add spawn " + spawn.name);
-    editor.status = "Added " + spawn.name;
-}
-
-}  // namespace
-
-void add_spawn(Editor& editor) {
-    if (!editor.document) return;
-    if (const auto spawn = spawn_in_view(editor)) add(editor, *spawn);
-}
-
-void add_spawn_hovered(Editor& editor) {
-    if (!editor.document || editor.hovered == no_id) return;
-    add(editor, spawn_on(editor, editor.hovered_point, editor.hovered_normal));
+    editor.status = "Added " + spawn.name + " " + target->where;
 }
 
 void move_spawn(Editor& editor, std::size_t index) {
     std::vector<Spawn> spawns = all_spawns(editor.document->level());
-    const auto to = spawn_in_view(editor);
-    if (index >= spawns.size() || !to) return;
-    spawns[index].position = to->position;
-    spawns[index].yaw = to->yaw;
+    const std::optional<FacePoint> target = target_or_say(editor);
+    if (index >= spawns.size() || !target) return;
+    const Spawn to = spawn_on(editor, *target);
+    spawns[index].position = to.position;
+    spawns[index].yaw = to.yaw;
     const std::string name = spawns[index].name;
     editor.document->set_spawns(std::move(spawns), "Move spawn " + name);
     editor.status = "Moved " + name + " here";

@@ -6,10 +6,9 @@
 
 namespace slipface {
 
-// Each change is one step of history. add_spawn and move_spawn use the face in the middle of the view and the
-// view's yaw; without such a face they only write to the status bar.
-void add_spawn(Editor& editor);          // named with the first free "Spawn N", last in the list
-void add_spawn_hovered(Editor& editor);  // on the face under the mouse
+// Each change is one step of history. add_spawn and move_spawn use the target (tools/target.h) and the view's
+// yaw; without one they only write to the status bar.
+void add_spawn(Editor& editor);  // named with the first free "Spawn N", last in the list
 void move_spawn(Editor& editor, std::size_t index);
 void put_spawn_in_view(Editor& editor);        // the main one; the first, where there is none
 void put_spawn_on_open_floor(Editor& editor);  // the main one, near the level's middle (find_open_floor)

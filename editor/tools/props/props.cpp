@@ -47,6 +47,7 @@ bool put_props(Editor& editor, std::vector<Prop> props, std::span<const std::uin
     document.set_props(std::move(props), from, step_name);
     if (document.level().placed.meshes.size() != meshes) watch_files(editor);
     editor.hovered = no_id;
+    editor.pointed.reset();
     editor.tool_faces = {};
     editor.session.report.reset();
     editor.status = document.prop_warnings().empty() ? step_name : document.prop_warnings().front().text();
@@ -60,11 +61,6 @@ std::vector<FaceId> faces_of_prop(const Level& level, std::size_t prop) {
     for (FaceId face = first[prop]; face < first[prop + 1]; ++face)
         faces.push_back(face);
     return faces;
-}
-
-std::optional<RayHit> middle_of_view(Editor& editor) {
-    const Camera camera = editor.view.camera();
-    return editor.document->pick(camera.eye, camera.target - camera.eye, false);
 }
 
 Eigen::Matrix3d rotation_of(const Prop& prop) {
@@ -122,9 +118,9 @@ void choose_prop(Editor& editor, std::optional<std::size_t> prop) {
                             prop ? "Select " + editor.props.chosen : std::string());
 }
 
-std::optional<std::size_t> hovered_prop(const Editor& editor) {
-    if (!editor.document || editor.hovered == no_id) return std::nullopt;
-    const std::uint32_t prop = editor.document->level().placed.prop_of(editor.hovered);
+std::optional<std::size_t> prop_of_target(const Editor& editor, const std::optional<FacePoint>& target) {
+    if (!target) return std::nullopt;
+    const std::uint32_t prop = editor.document->level().placed.prop_of(target->face);
     return prop == no_id ? std::nullopt : std::optional<std::size_t>(prop);
 }
 
@@ -176,13 +172,12 @@ void duplicate_prop(Editor& editor, std::size_t prop) {
 }
 
 void place_prop(Editor& editor) {
-    if (editor.hovered != no_id) {
-        add_prop(editor, editor.props.file, editor.hovered_point);
-    } else if (const auto hit = middle_of_view(editor)) {
-        add_prop(editor, editor.props.file, hit->point);
-    } else {
+    if (const auto pointed = pointed_target(editor))
+        add_prop(editor, editor.props.file, pointed->point);
+    else if (const auto middle = middle_of_view(editor))
+        add_prop(editor, editor.props.file, middle->point);
+    else
         editor.status = "There is no face in the middle of the view";
-    }
 }
 
 void move_prop_in_view(Editor& editor, std::size_t prop) {

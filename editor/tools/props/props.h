@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/editor.h"
+#include "tools/target.h"
 
 namespace slipface {
 
@@ -17,8 +17,8 @@ std::vector<std::string> find_prop_files(const Level& level);
 // The chosen prop; nothing: none, or it is gone.
 std::optional<std::size_t> chosen_prop(const Editor& editor);
 void choose_prop(Editor& editor, std::optional<std::size_t> prop);  // also selects its faces
-// The prop under the mouse, or nothing.
-std::optional<std::size_t> hovered_prop(const Editor& editor);
+// The prop that the face belongs to, or nothing.
+std::optional<std::size_t> prop_of_target(const Editor& editor, const std::optional<FacePoint>& target);
 
 // Each of these is one step of history, and reports a problem in the status line.
 // Places a mesh with its origin at `position`, and chooses it. `name`: empty for one from the file's.

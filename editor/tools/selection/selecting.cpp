@@ -6,6 +6,7 @@
 #include "document/faces.h"
 #include "slipface/base/counted.h"
 #include "slipface/base/parallel.h"
+#include "tools/target.h"
 
 namespace slipface {
 namespace {
@@ -47,7 +48,8 @@ std::vector<FaceId> seed_faces(const Editor& editor) {
     if (!editor.document) return {};
     const auto selected = editor.document->selection();
     if (!selected.empty()) return {selected.begin(), selected.end()};
-    return on_face(editor) ? std::vector<FaceId>{editor.hovered} : std::vector<FaceId>{};
+    const std::optional<FacePoint> target = target_of(editor);
+    return target ? std::vector<FaceId>{target->face} : std::vector<FaceId>{};
 }
 
 void click_select(Editor& editor, SelectBy by) {

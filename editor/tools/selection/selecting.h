@@ -12,7 +12,8 @@ enum class SelectBy { replace, add, remove, toggle };
 // Selects as one step of history and writes the number of selected faces to the status line.
 void apply_selection(Editor& editor, std::vector<FaceId> faces, SelectBy by, const std::string& step_name);
 
-// Where "connected" and "similar" start: the selection, or the face under the mouse if nothing is selected.
+// Where "connected" and "similar" start: the selection, or the target (tools/target.h) if nothing is
+// selected.
 std::vector<FaceId> seed_faces(const Editor& editor);
 
 // A click with the select tool on the face under the mouse. A click on empty space clears the selection,

@@ -1,5 +1,6 @@
 // The doctor in the editor: background examination, going to a problem, and the fixes that paint can make.
 #include <algorithm>
+#include <utility>
 
 #include "document/faces.h"
 #include "tools/editor.h"
@@ -24,7 +25,7 @@ void examine_level(Editor& editor) {
     Session& session = editor.session;
     if (!editor.document) return;
     session.report_revision = editor.document->face_revision();
-    session.doctor = std::make_unique<Background<DoctorReport>>(
+    session.doctor = std::make_unique<Background<Result<DoctorReport>>>(
         [level = editor.document->snapshot()](Progress& progress) {
             progress.begin("Examining", 0.0, 1.0);
             return examine(level, [&](double done) {
@@ -33,10 +34,17 @@ void examine_level(Editor& editor) {
             });
         },
         session.wake);
-    if (session.beside) return;
-    session.report = session.doctor->take();
-    session.doctor.reset();
+    if (!session.beside) finish_examination(editor);
+}
+
+void finish_examination(Editor& editor) {
+    Session& session = editor.session;
+    Result<DoctorReport> report = std::exchange(session.doctor, nullptr)->take();
     session.problem.reset();
+    if (report)
+        session.report = std::move(*report);
+    else
+        editor.message = MessageDialog{"Cannot examine the level", report.error().text(), {}};
 }
 
 void go_to_position(Editor& editor, const Vec3& position) {

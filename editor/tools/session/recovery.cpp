@@ -40,11 +40,10 @@ void recover(Editor& editor, const AutosaveInfo& info) {
         return;
     }
     session.written_before = session.autosave.written();
-    start_opening(editor,
-                  {.kind = Loading::Kind::recover, .path = info.mesh_path, .autosave = autosave->info},
-                  [saved = std::move(autosave).value()](Progress& progress) {
-                      return open_recovered(saved, &progress);
-                  });
+    Loading loading{.kind = Loading::Kind::recover, .path = info.mesh_path, .autosave = autosave->info};
+    start_opening(editor, std::move(loading), [saved = std::move(*autosave)](Progress& progress) {
+        return open_recovered(saved, &progress);
+    });
 }
 
 void discard_autosave(Editor& editor, const AutosaveInfo& given) {
@@ -56,16 +55,26 @@ void discard_autosave(Editor& editor, const AutosaveInfo& given) {
 
 void look_for_autosaves(Editor& editor) {
     Session& session = editor.session;
-    session.recoverable = session.left_behind = session.autosave.recoverable();
+    session.recoverable = session.autosave.recoverable();
     if (session.recoverable.empty()) editor.status = "There is nothing to recover";
+}
+
+void list_left_behind(Editor& editor) {
+    editor.session.left_behind = editor.session.autosave.recoverable();
+    std::erase_if(editor.session.left_behind, [](const AutosaveInfo& row) { return row.saved_since; });
 }
 
 void offer_recovery(Editor& editor) {
     Session& session = editor.session;
-    session.recoverable = session.left_behind = session.autosave.recoverable();
+    session.recoverable = session.autosave.recoverable();
     std::erase_if(session.recoverable, [&](const AutosaveInfo& row) {
         return !editor.document || !same_file(row.mesh_path, editor.document->level().mesh_path);
     });
+    const std::size_t saved_since =
+        std::erase_if(session.recoverable, [](const AutosaveInfo& row) { return row.saved_since; });
+    if (saved_since > 0)
+        editor.status += "; unsaved changes from before the last save: File > Recover autosaves";
+    list_left_behind(editor);
 }
 
 void document_is_safe(Editor& editor) {

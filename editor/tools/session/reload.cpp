@@ -1,4 +1,6 @@
 // Reading the open level's files again when another program has written them.
+#include "tools/session/reload.h"
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -6,7 +8,6 @@
 
 #include "document/selection.h"
 #include "slipface/base/counted.h"
-#include "slipface/base/files.h"
 #include "slipface/level/level_sources.h"
 #include "tools/editor.h"
 
@@ -15,27 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t max_level_file_bytes = std::uint64_t{256} << 20;
 constexpr std::size_t max_watched = 1000;  // each is checked once per second
 
 // The file can be read again: nothing remains to be reported.
 void forget_broken(Editor& editor) {
     editor.session.broken.reset();
     if (editor.message && editor.message->of_broken_file) editor.message.reset();
-}
-
-// When read unasked, a file that is broken now may be complete in a moment.
-void read_failed(Editor& editor, const fs::path& file, const Error& error, bool unasked) {
-    const std::string name = file.filename().string();
-    if (!unasked) {
-        editor.message = MessageDialog{"Cannot read " + name + " again", error.text(), {}};
-        return;
-    }
-    std::optional<BrokenFile>& broken = editor.session.broken;
-    const bool reported = broken && broken->reported;
-    broken = BrokenFile{file, error.text(), editor.session.now_s, reported};
-    if (reported && editor.message && editor.message->of_broken_file) editor.message->text = error.text();
-    editor.status = name + " cannot be read; it may still be incomplete, trying again";
 }
 
 // Reports it after the delay. The level stays as it was, and is read again as soon as the file is complete.
@@ -47,39 +33,6 @@ bool report_broken(Editor& editor) {
     broken->reported = true;
     editor.message = MessageDialog{
         broken->file.filename().string() + " has changed and cannot be read", broken->text, {}, true};
-    return true;
-}
-
-std::string guessed_text(const Document& document) {
-    const std::size_t count = document.guessed().size();
-    if (count == 0) return {};
-    return "; " + counted(count, "face's", "faces'") + " paint was guessed: Select > Guessed paint";
-}
-
-bool reload_annotations(Editor& editor) {
-    Document& document = *editor.document;
-    const fs::path file = document.level().file_path;
-    const std::string name = file.filename().string();
-    const Result<std::string> text = read_file(file, max_level_file_bytes);
-    const Result<LoadedLevel> loaded =
-        text ? level_from_json(*text, file.string(), document.level()) : Result<LoadedLevel>(text.error());
-    if (!loaded) {
-        read_failed(editor, file, loaded.error(), true);
-        return false;
-    }
-    // The unsaved changes are now one undo away. Until they are discarded the level counts as unsaved and its
-    // autosaves stay, so that the user cannot lose them unnoticed.
-    const bool unsaved = document.dirty();
-    stop_playtest(editor);
-    document.restore(loaded->level, "Reload " + name);
-    if (!unsaved) {
-        document.mark_saved();
-        document_is_safe(editor);
-    }
-    make_brush_valid(editor);
-    editor.status = "Reloaded " + name + ": " + loaded->match.text() + guessed_text(document);
-    if (!loaded->warnings.empty()) editor.status += "; " + loaded->warnings.front().message;
-    editor.status += unsaved ? "; undo restores your unsaved changes" : "; can be undone";
     return true;
 }
 
@@ -105,14 +58,36 @@ bool same_content(const Level& a, const Level& b) {
                       });
 }
 
-void start_reload(Editor& editor, bool unasked, bool materials = false) {
+}  // namespace
+
+void read_failed(Editor& editor, const fs::path& file, const Error& error, bool unasked) {
+    const std::string name = file.filename().string();
+    if (!unasked) {
+        editor.message = MessageDialog{"Cannot read " + name + " again", error.text(), {}};
+        return;
+    }
+    std::optional<BrokenFile>& broken = editor.session.broken;
+    const bool reported = broken && broken->reported;
+    broken = BrokenFile{file, error.text(), editor.session.now_s, reported};
+    if (reported && editor.message && editor.message->of_broken_file) editor.message->text = error.text();
+    editor.status = name + " cannot be read; it may still be incomplete, trying again";
+}
+
+std::string guessed_text(const Document& document) {
+    const std::size_t count = document.guessed().size();
+    if (count == 0) return {};
+    return "; " + counted(count, "face's", "faces'") + " paint was guessed: Select > Guessed paint";
+}
+
+void start_reload(Editor& editor, bool unasked, bool materials, std::optional<ChangedAnswer> then) {
     if (!editor.document || editor.document->in_transaction()) return;
     cancel_loading(editor);
     stop_playtest(editor);
     Loading loading{.kind = Loading::Kind::reload,
                     .path = editor.document->level().mesh_path,
                     .autosave = {},
-                    .unasked = unasked};
+                    .unasked = unasked,
+                    .then = then};
     using Reread = Result<std::optional<LoadedLevel>>;
     // The document does not change meanwhile: the dialog is in front. The thread works on a copy.
     loading.rereading = std::make_unique<Background<Reread>>(
@@ -130,10 +105,8 @@ void start_reload(Editor& editor, bool unasked, bool materials = false) {
     await_loading(editor);
 }
 
-}  // namespace
-
 void reload_geometry(Editor& editor) {
-    start_reload(editor, false);
+    start_reload(editor, false, false);
 }
 
 void watch_files(Editor& editor) {
@@ -141,7 +114,12 @@ void watch_files(Editor& editor) {
     LevelSources sources = level_sources(level);
     for (std::vector<fs::path>* files : {&sources.meshes, &sources.textures})
         if (files->size() > max_watched) files->resize(max_watched);
-    editor.session.watch.start(level.mesh_path, level.file_path, sources.meshes, sources.textures);
+    const Result<LevelBase> now = read_level_base(level.file_path);
+    const std::optional<ChangedFiles>& asked = editor.session.changed;
+    const LevelBase& known = asked && asked->level_file ? *asked->level_file : editor.document->base();
+    editor.session.watch.start(level.mesh_path, level.file_path,
+                               !now || now->content == known.content || now->content == 0, sources.meshes,
+                               sources.textures);
     forget_broken(editor);
 }
 
@@ -153,14 +131,23 @@ void finish_reload(Editor& editor, Loading loading) {
         return;
     }
     if (!loaded) return read_failed(editor, loading.path, loaded.error(), loading.unasked);
-    if (!*loaded) return watch_files(editor);  // written again with the same bytes
     Document& document = *editor.document;
+    if (!*loaded) {  // written again with the same bytes
+        geometry_is_settled(editor);
+        return watch_files(editor);
+    }
+    if (loading.unasked && document.dirty() && !document.annotations_stay(**loaded)) {
+        ask_about_geometry(editor, **loaded);
+        return watch_files(editor);
+    }
     const Status status = document.take_geometry(std::move(**loaded), "Reload " + name);
     if (!status) return read_failed(editor, loading.path, status.error(), loading.unasked);
     watch_files(editor);
     geometry_changed(editor);
     editor.status =
         "Reloaded " + name + ": " + document.match().text() + guessed_text(document) + "; can be undone";
+    geometry_is_settled(editor);
+    if (loading.then) answer_changed(editor, *loading.then);
 }
 
 bool look_at_files(Editor& editor) {
@@ -179,15 +166,7 @@ bool look_at_files(Editor& editor) {
         ++editor.texture_revision;
         editor.status = "Read the changed textures again";
     }
-    bool level_file = session.watch.level_changed();
-    if (level_file && session.watch.level_gone()) {
-        level_file = false;
-        editor.status = editor.document->level().file_path.filename().string() +
-                        " no longer exists on disk; saving writes it again";
-    } else if (level_file && !session.watch.level_has_other_content()) {
-        level_file = false;
-    }
-    const bool whole = !level_file || reload_annotations(editor);
+    const bool whole = !session.watch.level_changed() || look_at_level_file(editor) != LevelFileState::broken;
     if (mesh || libraries)
         start_reload(editor, true, libraries);
     else if (whole)

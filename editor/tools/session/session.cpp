@@ -88,7 +88,7 @@ void begin_session(Editor& editor, const std::filesystem::path& config, const st
     if (state.empty()) return;
     session.recordings = Recordings(state / "recordings");
     session.autosave = AutosaveSession(state / "autosave");
-    session.left_behind = session.autosave.recoverable();
+    list_left_behind(editor);
 }
 
 void store_preferences(Editor& editor) {
@@ -118,7 +118,7 @@ void finish_loading(Editor& editor) {
     editor.session.loading.reset();
     if (loading.kind == Loading::Kind::reload) return finish_reload(editor, std::move(loading));
     const std::string name = loading.path.filename().string();
-    Result<std::unique_ptr<Document>> opened = loading.opening->take();
+    Result<Recovered> opened = loading.opening->take();
     if (!opened) {
         if (loading.progress().cancelled())
             editor.status = "Cancelled: " + name + " was not opened";
@@ -127,12 +127,14 @@ void finish_loading(Editor& editor) {
         if (loading.kind == Loading::Kind::recover) editor.session.autosave.let_go(loading.autosave);
         return;
     }
-    adopt_document(editor, std::move(opened).value(), loading.path);
+    adopt_document(editor, std::move(opened->document), loading.path);
     restore_tape(editor);
     if (loading.kind != Loading::Kind::recover) return offer_recovery(editor);
     editor.session.recovered = loading.autosave;
+    editor.session.autosave.go_on_from(loading.autosave);
     editor.session.recoverable.clear();
     editor.status = "Recovered " + name + "; undo returns to the saved state";
+    report_conflicts(editor, opened->conflicts, opened->other_conflicts, "as saved");
 }
 
 }  // namespace
@@ -155,9 +157,7 @@ double tick_session(Editor& editor, double now_s, bool& shown_changed) {
         shown_changed = true;
     }
     if (session.doctor && session.doctor->ready()) {
-        session.report = session.doctor->take();
-        session.doctor.reset();
-        session.problem.reset();
+        finish_examination(editor);
         shown_changed = true;
     }
     tick_reach(editor);
@@ -168,7 +168,11 @@ double tick_session(Editor& editor, double now_s, bool& shown_changed) {
     }
     if (!editor.document) return wait;
     const Document& document = *editor.document;
-    session.autosave.tick(document, now_s);
+    const bool asked = session.changed && session.changed->level_file;
+    const bool stored = session.autosave.problem().ok();
+    session.autosave.tick(document, now_s,
+                          asked ? session.changed->level_file->content : document.base().content);
+    if (session.autosave.problem().ok() != stored) shown_changed = true;
     if (session.recovered && session.autosave.written() > session.written_before &&
         session.autosave.finish().ok()) {
         session.autosave.discard(*session.recovered);
@@ -182,18 +186,20 @@ double tick_session(Editor& editor, double now_s, bool& shown_changed) {
     return wait;
 }
 
-void start_opening(Editor& editor, Loading loading,
-                   std::function<Result<std::unique_ptr<Document>>(Progress&)> work) {
+void start_opening(Editor& editor, Loading loading, std::function<Result<Recovered>(Progress&)> work) {
     cancel_loading(editor);
-    loading.opening =
-        std::make_unique<Background<Result<std::unique_ptr<Document>>>>(std::move(work), editor.session.wake);
+    loading.opening = std::make_unique<Background<Result<Recovered>>>(std::move(work), editor.session.wake);
     editor.session.loading = std::move(loading);
     await_loading(editor);
 }
 
 void start_loading(Editor& editor, const std::filesystem::path& path) {
     start_opening(editor, {.kind = Loading::Kind::open, .path = path},
-                  [path](Progress& progress) { return Document::open(path, &progress); });
+                  [path](Progress& progress) -> Result<Recovered> {
+                      Result<std::unique_ptr<Document>> opened = Document::open(path, &progress);
+                      if (!opened) return opened.error();
+                      return Recovered{std::move(*opened), {}, {}};
+                  });
 }
 
 void cancel_loading(Editor& editor) {

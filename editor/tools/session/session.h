@@ -20,15 +20,28 @@ namespace slipface {
 
 struct Editor;
 
+// Files of the open level were changed by another program while it has unsaved changes. Nothing is replaced
+// until the user has answered; the question stays in view, and is dropped when the files are as before.
+struct ChangedFiles {
+    std::optional<LevelBase> level_file{};  // as it is on disk; nothing: the same as document.base()
+    bool geometry = false;                  // in which not all paint is found exactly
+    std::string question;
+};
+// keep_mine: the unsaved changes stay, and the next save replaces the file. take_theirs: the level becomes
+// what the files are. merge: paint and named things that only one side changed are as that side made them;
+// where both did, the unsaved changes win. The last two can be undone.
+enum class ChangedAnswer { keep_mine, take_theirs, merge };
+
 // A level that is being loaded. The document cannot be edited meanwhile.
 struct Loading {
     enum class Kind { open, reload, recover } kind = Kind::open;
     std::filesystem::path path;
-    AutosaveInfo autosave{};  // of a recovery
-    bool unasked = false;     // a reload because the file changed, not on the user's command
+    AutosaveInfo autosave{};              // of a recovery
+    bool unasked = false;                 // a reload because the file changed, not on the user's command
+    std::optional<ChangedAnswer> then{};  // of a reload: the answer about the level file
     // One of the two: `opening` gives a new document, `rereading` new geometry for the open one (nothing: the
     // file's bytes have not changed).
-    std::unique_ptr<Background<Result<std::unique_ptr<Document>>>> opening{};
+    std::unique_ptr<Background<Result<Recovered>>> opening{};
     std::unique_ptr<Background<Result<std::optional<LoadedLevel>>>> rereading{};
 
     const Progress& progress() const { return opening ? opening->progress() : rereading->progress(); }
@@ -64,6 +77,7 @@ struct Session {
     int tour = -1;                    // the step in view; -1: no tour
 
     std::optional<Loading> loading;
+    std::optional<ChangedFiles> changed;
     Recordings recordings;
     AutosaveSession autosave;
     std::vector<AutosaveInfo> left_behind;  // by sessions that ended; the welcome screen lists them
@@ -76,7 +90,7 @@ struct Session {
     double next_look_s = 0.0;  // when the files are checked again
     std::optional<BrokenFile> broken;
 
-    std::unique_ptr<Background<DoctorReport>> doctor;
+    std::unique_ptr<Background<Result<DoctorReport>>> doctor;
     std::optional<DoctorReport> report;
     std::uint64_t report_revision = 0;           // the document's face revision that was examined
     unsigned hidden_kinds = 0;                   // bit k: problems of kind k are not listed
@@ -95,8 +109,7 @@ void store_preferences(Editor& editor);  // writes the file if they changed
 
 // Asks nothing; in a thread if session.beside.
 void start_loading(Editor& editor, const std::filesystem::path& path);
-void start_opening(Editor& editor, Loading loading,
-                   std::function<Result<std::unique_ptr<Document>>(Progress&)> work);
+void start_opening(Editor& editor, Loading loading, std::function<Result<Recovered>(Progress&)> work);
 void cancel_loading(Editor& editor);
 
 // Reading the open level's files again (reload.cpp).
@@ -106,6 +119,10 @@ void reload_geometry(Editor& editor);
 void watch_files(Editor& editor);    // from their present state on: after opening and saving
 bool look_at_files(Editor& editor);  // reads changed files again, unasked; true if something visible changed
 void finish_reload(Editor& editor, Loading loading);
+// Whether saving to the level file would replace what another program wrote there since it was read. Then the
+// question is asked, unless there is nothing unsaved: then the file is taken over.
+bool saving_must_wait(Editor& editor);
+void answer_changed(Editor& editor, ChangedAnswer answer);  // does nothing without a question
 void await_loading(Editor& editor);                   // waits for a moment: small levels need no progress bar
 void go_to_guess(Editor& editor, std::size_t index);  // selects and frames that face of Document::guessed()
 std::vector<FaceId> selected_guesses(const Document& document);  // ascending
@@ -121,11 +138,16 @@ void recover(Editor& editor, const AutosaveInfo& autosave);
 void discard_autosave(Editor& editor, const AutosaveInfo& autosave);
 // Asks about all autosaves there are, or reports that there are none.
 void look_for_autosaves(Editor& editor);
-void offer_recovery(Editor& editor);    // asks about those of the open level
+void offer_recovery(Editor& editor);    // asks about those of the open level that were not saved since
+void list_left_behind(Editor& editor);  // for the welcome screen
+// Lists what a merge had to decide, and which side it took: "yours", "as saved".
+void report_conflicts(Editor& editor, const std::vector<FaceId>& faces,
+                      const std::vector<std::string>& others, const std::string& taken);
 void document_is_safe(Editor& editor);  // after saving or discarding: deletes its autosaves
 
 // The doctor.
 void examine_level(Editor& editor);  // in a thread if session.beside
+void finish_examination(Editor& editor);
 bool report_is_current(const Editor& editor);
 void go_to_problem(Editor& editor, std::size_t row);  // frames it and selects its faces
 void go_to_position(Editor& editor, const Vec3& position);

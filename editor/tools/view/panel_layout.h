@@ -13,6 +13,10 @@ namespace slipface {
 enum class Dock { left, left_lower, right, bottom };
 inline constexpr std::size_t dock_count = 4;
 
+// The side of the window that a dock belongs to. A column that the window has no room for is a rail of icons.
+enum class Column { left, right };
+inline constexpr std::size_t column_count = 2;
+
 enum class PanelId {
 #define SLIPFACE_PANEL(name, ...) name,
 #include "tools/view/panel_rows.inc"
@@ -52,14 +56,29 @@ struct PanelLayout {
     bool focus = false;
     std::optional<PanelId> focused;
 
+    // Not saved, either: what was used last stays open where there is no room for everything.
+    std::array<bool, column_count> collapsed{};  // to a rail, by the user
+    Column used_column = Column::left;
+    Dock used_left = Dock::left;  // or left_lower
+    // What the window has room for, as fit() found.
+    std::array<bool, column_count> rail{};
+    bool one_left_dock = false;  // left and left_lower share their space and tabs
+
     PanelLayout();  // as panel_table() says
+
+    // For a window's room of `width` x `height` design pixels. A view as narrow as half of it leaves room for
+    // one column only; a low column for one dock.
+    void fit(float width, float height);
 
     bool shown(PanelId id) const { return panels[static_cast<std::size_t>(id)].shown; }
     Dock dock(PanelId id) const { return panels[static_cast<std::size_t>(id)].dock; }
     std::optional<PanelId> front_of(Dock dock) const;  // the visible panel; nothing: the dock is empty
     bool is_front(PanelId id) const { return front_of(dock(id)) == id; }
+    bool occupied(Column column) const;
+    bool visible(PanelId id) const;  // in front of a dock that is drawn
 
-    void show(PanelId id);  // and brings it to the front; in focus instead of the panel that is shown
+    void show(PanelId id);  // opens its column and brings it to the front; in focus instead of the panel that
+                            // is shown
     void focus_on(std::optional<PanelId> id);  // nothing: the view alone
     void hide(PanelId id);
     void toggle(PanelId id);  // hides it if it is visible, else shows it

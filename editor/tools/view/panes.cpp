@@ -1,9 +1,11 @@
 #include "tools/view/panes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "document/faces.h"
+#include "slipface/level/find_start.h"
 #include "tools/editor.h"
 
 namespace slipface {
@@ -51,10 +53,75 @@ void set_pane_count(Editor& editor, std::size_t count) {
     panes.maximised = false;
 }
 
+namespace {
+
+// The fraction of what a view shows that it shows from in front: from below a floor, or outside a closed
+// building, nearly all that is drawn are dark backs.
+double seen_from_front(const Editor& editor, const ViewCamera& view) {
+    constexpr int across = 12, down = 8;
+    const Camera camera = view.camera();
+    const bool cull = !draws_back_faces(editor, camera);
+    int front = 0, all = 0;
+    for (int y = 0; y < down; ++y)
+        for (int x = 0; x < across; ++x) {
+            const Ray ray = pixel_ray(camera, {(x + 0.5) / across * editor.view_aspect, (y + 0.5) / down},
+                                      {editor.view_aspect, 1.0});
+            const auto hit = editor.document->pick(ray.origin, ray.direction, cull);
+            all += hit ? 1 : 0;
+            front += hit && !hit->back_face ? 1 : 0;
+        }
+    return all > 0 ? static_cast<double>(front) / all : 0.0;
+}
+
+// From the standing player's eyes, towards the farthest view.
+bool look_inside(const Editor& editor, ViewCamera& view) {
+    const Level& level = editor.document->level();
+    const TickScene scene = editor.lab.scene(*editor.document);
+    const auto start = find_start(level, scene.at(0, 0.0), scene.offset(), level.movement);
+    if (!start || !start->stands) return false;
+    const Vec3 eye = start->position + Vec3(0.0, 0.5 * level.movement.radii.y(), 0.0);
+    constexpr int directions = 16;
+    constexpr double turn = 6.283185307179586 / directions;
+    double farthest = 0.0;
+    Vec3 target = eye;
+    for (int i = 0; i < directions; ++i) {
+        const Vec3 ahead{-std::sin(i * turn), 0.0, -std::cos(i * turn)};
+        const auto hit = editor.document->pick(eye, ahead, false);
+        const double distance = hit ? (hit->point - eye).norm() : 0.0;
+        if (distance <= farthest) continue;
+        farthest = distance;
+        target = eye + ahead * distance;
+    }
+    if (farthest <= 0.0) return false;
+    view.look_at(eye, target);
+    return true;
+}
+
+// Keeps the view's direction if the level is seen from there, else takes the usual one, or goes inside.
+void frame_level(const Editor& editor, ViewCamera& view, double aspect) {
+    const auto whole = [&](double yaw, double pitch) {
+        ViewCamera framed = view;
+        framed.yaw = yaw;
+        framed.pitch = pitch;
+        framed.frame(shown_bounds(*editor.document), aspect);
+        return framed;
+    };
+    const ViewCamera kept = whole(view.yaw, view.pitch);
+    const ViewCamera usual = whole(view.yaw, ViewCamera().pitch);
+    constexpr double enough = 0.5;
+    constexpr double lowest_pitch = 0.25;  // radians; from lower, the nearest walls hide all else
+    if (view.orthographic || (view.pitch >= lowest_pitch && seen_from_front(editor, kept) >= enough))
+        view = kept;
+    else if (seen_from_front(editor, usual) >= enough || !look_inside(editor, view))
+        view = usual;
+}
+
+}  // namespace
+
 void frame_pane(Editor& editor, std::size_t pane) {
     if (!editor.document) return;
     ViewCamera& view = pane_view(editor, pane);
-    view.frame(shown_bounds(*editor.document), editor.view_aspect);
+    frame_level(editor, view, editor.view_aspect);
     editor.panes.framed[pane] = FramedView{view};
 }
 
@@ -63,7 +130,7 @@ void fit_framed_pane(Editor& editor, std::size_t pane, double aspect) {
     if (!framed || framed->aspect == aspect || !editor.document) return;
     ViewCamera& view = pane_view(editor, pane);
     if (view != framed->view) return framed.reset();
-    view.frame(shown_bounds(*editor.document), aspect);
+    frame_level(editor, view, aspect);
     framed = FramedView{view, aspect};
 }
 

@@ -39,7 +39,9 @@ const ViewCamera& pane_view(const Editor& editor, std::size_t pane);
 
 // Panes that are shown for the first time begin as top, front and right views of the level.
 void set_pane_count(Editor& editor, std::size_t count);
-// Shows all of the level in a pane; a view that is not moved until then fits the pane when it is drawn.
+// Shows all of the level in a pane, from where it is seen: along the view's direction, or from above where
+// that would show it from behind; inside a building that is closed on all sides. A view that is not moved
+// until then fits the pane when it is drawn.
 void frame_pane(Editor& editor, std::size_t pane);
 // `aspect`: width / height of the pane as it is drawn now.
 void fit_framed_pane(Editor& editor, std::size_t pane, double aspect);

@@ -9,6 +9,7 @@ namespace {
 constexpr double radians_per_pixel = 0.006;
 constexpr double steepest = 1.5533430342749532;  // 89 degrees: straight up and down have no yaw
 constexpr double nearest_m = 1e-3, farthest_m = 1e8;
+constexpr double nearest_face_m = 0.1;  // several times the nearest near plane, or one would see through it
 constexpr double zoom_per_notch = 0.85;
 
 Vec3 eye_direction(const ViewCamera& view) {
@@ -68,8 +69,18 @@ void ViewCamera::zoom(double wheel) {
 
 void ViewCamera::zoom_towards(double wheel, const Vec3& point) {
     if (!std::isfinite(wheel) || !point.allFinite()) return;
+    double nearest = nearest_m;
+    if (!orthographic && point != pivot) {
+        const Vec3 eye = pivot + distance * eye_direction(*this);
+        const double depth = (eye - point).dot(eye_direction(*this));
+        if (depth > nearest_m) {
+            distance = depth;
+            pivot = eye - depth * eye_direction(*this);
+            nearest = std::min(depth, nearest_face_m);
+        }
+    }
     const double before = distance;
-    distance = std::clamp(distance * std::pow(zoom_per_notch, wheel), nearest_m, farthest_m);
+    distance = std::clamp(distance * std::pow(zoom_per_notch, wheel), nearest, farthest_m);
     // Scaling the offsets of eye and pivot from the point alike moves the eye along the line to the point.
     pivot = point + (pivot - point) * (distance / before);
 }

@@ -22,8 +22,10 @@ class ViewCamera {
     void look(const Vec2& pixels);   // rotates around the eye
     // The point at the pivot's depth follows the mouse.
     void pan(const Vec2& pixels, const Vec2& viewport_size);
-    void zoom(double wheel);                                 // towards the pivot; never through it
-    void zoom_towards(double wheel, const Vec3& point);      // keeps `point` under the mouse
+    void zoom(double wheel);  // towards the pivot; never through it
+    // Keeps `point` under the mouse, as far as the wheel at any distance to it, and never gets through it.
+    // The pivot comes to the point's depth.
+    void zoom_towards(double wheel, const Vec3& point);
     void fly(const Vec3& right_up_forward, double seconds);  // each -1..1
     void frame(const Aabb& bounds, double aspect);           // keeps the direction; an empty box is ignored
     void look_at(const Vec3& eye, const Vec3& target);

@@ -22,9 +22,7 @@
 extern "C" {
 #endif
 
-#if defined(__GNUC__)
-#define SLIPFACE_API __attribute__((visibility("default")))
-#else
+#ifndef SLIPFACE_API /* the library itself is built with what exports a name */
 #define SLIPFACE_API
 #endif
 
@@ -232,15 +230,27 @@ typedef struct slipface_input {
     uint8_t jump;          /* 1: the button is held */
 } slipface_input;
 
+typedef enum slipface_carrier {
+    SLIPFACE_UNKNOWN = 0,  /* of a new player: what its first step finds, so that 0 m/s is at rest there */
+    SLIPFACE_LEVEL = 1,    /* nothing that moves: still ground, or the player is in the air */
+    SLIPFACE_PLATFORM = 2, /* ground_platform */
+    SLIPFACE_SURFACE = 3,  /* a belt or turntable: ground_type */
+    SLIPFACE_CHARACTER = 4 /* another player of a crowd */
+} slipface_carrier;
+
 typedef struct slipface_player {
     slipface_vec3 position; /* centre of the ellipsoid */
-    slipface_vec3 velocity; /* m/s; on the ground it also presses down: see slipface_motion_velocity */
+    slipface_vec3 velocity; /* m/s, relative to the carrier; on the ground it also presses down: see
+                               slipface_motion_velocity */
     slipface_vec3 ground_normal;
+    slipface_vec3
+        air_frame; /* m/s, in the air: of the ground that was left; the stick steers relative to it */
     double ground_rise, coyote_s, jump_buffer_s;
     int32_t sector[3]; /* all 0 in a world without sectors */
     uint32_t ground_face, ground_platform;
     uint8_t ground_type;
-    uint8_t grounded, climbing, stuck, jump_held, hazard, jumping, trapped; /* 0 or 1 */
+    uint8_t carrier;                                                                 /* a slipface_carrier */
+    uint8_t grounded, climbing, stuck, jump_held, hazard, jumping, trapped, crushed; /* 0 or 1 */
 } slipface_player;
 
 typedef enum slipface_record_kind {

@@ -1,5 +1,6 @@
 #include "impl.h"
 #include "queries/paths.h"
+#include "queries/sight.h"
 #include "simd/kernels.h"
 #include "slipface/collision/filter.h"
 
@@ -43,19 +44,19 @@ float consider_lane(void* context, const Leaf& leaf, std::uint32_t lane) {
     return distance_limit(search);
 }
 
-std::optional<ClosestPoint> nearest_point(const CollisionWorld& world, const Vec3& point, double max_distance,
+std::optional<ClosestPoint> nearest_point(const Sight& sight, const Vec3& point, double max_distance,
                                           const QueryFilter* filter) {
-    const CollisionWorld::Impl& impl = world.impl();
+    const CollisionWorld::Impl& impl = sight.world;
     if (impl.empty() || !point.allFinite() || !(max_distance >= 0.0)) return std::nullopt;
     const EllipsoidQuery query = ellipsoid_query(v3(point), V3{1.0, 1.0, 1.0}, V3{0.0, 0.0, 0.0});
-    const double reach = larger(largest(query.centre), impl.extent.reach);
+    const double reach = larger(largest(query.centre), sight.extent->reach);
     Search search{impl, query, max_distance * max_distance, 1e-14 * reach, filter};
-    if (reach <= float_range) {
-        kernels().closest(impl.view(), query.centre, point_boxes(query, reach), distance_limit(search),
+    if (reach <= float_range && sight.has_tree) {
+        kernels().closest(sight.view, query.centre, point_boxes(query, reach), distance_limit(search),
                           consider_lane, &search);
     } else {
         for (TriangleId id = 0; id < impl.triangle_count(); ++id)
-            search.consider(impl.triangle(id));
+            search.consider(sight.triangle(id));
     }
     const LeafTriangle& leaf = search.triangle;
     if (leaf.id == no_id) return std::nullopt;
@@ -67,12 +68,19 @@ std::optional<ClosestPoint> nearest_point(const CollisionWorld& world, const Vec
 
 std::optional<ClosestPoint> closest_point(const CollisionWorld& world, const Vec3& point,
                                           double max_distance) {
-    return nearest_point(world, point, max_distance, nullptr);
+    return nearest_point(Sight(world.impl()), point, max_distance, nullptr);
 }
 
 std::optional<ClosestPoint> closest_point(const CollisionWorld& world, const Vec3& point, double max_distance,
                                           const QueryFilter& filter) {
-    return nearest_point(world, point, max_distance, &filter);
+    return nearest_point(Sight(world.impl()), point, max_distance, &filter);
+}
+
+std::optional<ClosestPoint> closest_point(const PosedWorld& world, const Vec3& point, double max_distance,
+                                          const QueryFilter& filter) {
+    auto closest = nearest_point(PosedSight(world), point - world.origin(), max_distance, &filter);
+    if (closest) closest->point += world.origin();
+    return closest;
 }
 
 }  // namespace slipface

@@ -1,5 +1,6 @@
 #include "queries/near.h"
 #include "queries/search.h"
+#include "queries/sight.h"
 #include "slipface/collision/filter.h"
 
 namespace slipface {
@@ -10,25 +11,26 @@ using namespace detail;
 // Calls decide(query, triangle) for the triangles that the ellipsoid at rest may overlap, until it returns
 // false.
 template <class Visit>
-void visit_near(const CollisionWorld::Impl& world, const Vec3& radii, const Vec3& centre, Visit decide) {
+void visit_near(const Sight& sight, const Vec3& radii, const Vec3& centre, Visit decide) {
+    const CollisionWorld::Impl& world = sight.world;
     if (world.empty()) return;
     EllipsoidQuery query;
     SweepPath path;
     const Prepared prepared =
-        kernels().prepare_sweep(world.extent, v3(radii), v3(centre), V3{0.0, 0.0, 0.0}, query, path);
+        kernels().prepare_sweep(*sight.extent, v3(radii), v3(centre), V3{0.0, 0.0, 0.0}, query, path);
     if (prepared == Prepared::beside) return;
     auto visit = [&](const LeafTriangle& leaf) { return decide(query, leaf); };
-    if (prepared == Prepared::in_floats) {
+    if (prepared == Prepared::in_floats && sight.has_tree) {
         using Bound = decltype(visit);
         const auto consider = [](void* context, const Leaf& leaf, std::uint32_t lane) {
             return (*static_cast<Bound*>(context))(leaf_triangle(leaf, lane)) ? 1.0F : -1.0F;
         };
-        kernels().sweep(world.view(), query, path, 1.0F, consider, &visit);
+        kernels().sweep(sight.view, query, path, 1.0F, consider, &visit);
         return;
     }
     if (refused(v3(radii), v3(centre), V3{0.0, 0.0, 0.0})) return;
     for (TriangleId id = 0; id < world.triangle_count(); ++id) {
-        if (!visit(world.triangle(id))) return;
+        if (!visit(sight.triangle(id))) return;
     }
 }
 
@@ -80,39 +82,71 @@ bool overlaps(const CollisionWorld::Impl& world, const EllipsoidQuery& query, co
 std::size_t find_overlaps(const CollisionWorld& world, const Vec3& radii, const Vec3& centre,
                           std::span<Overlap> out) {
     Overlaps found(world.impl(), out);
-    visit_near(world.impl(), radii, centre, [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
-        found.consider(query, leaf);
-        return true;
-    });
+    visit_near(Sight(world.impl()), radii, centre,
+               [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
+                   found.consider(query, leaf);
+                   return true;
+               });
     return found.finish();
 }
 
 std::size_t find_overlaps(const CollisionWorld& world, const Vec3& radii, const Vec3& centre,
                           std::span<Overlap> out, const QueryFilter& filter) {
     Overlaps found(world.impl(), out);
-    visit_near(world.impl(), radii, centre, [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
-        if (filter.sees(leaf.id, world.impl().surface_of(leaf.id))) found.consider(query, leaf);
-        return true;
-    });
+    visit_near(Sight(world.impl()), radii, centre,
+               [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
+                   if (filter.sees(leaf.id, world.impl().surface_of(leaf.id))) found.consider(query, leaf);
+                   return true;
+               });
     return found.finish();
 }
 
 bool overlaps_any(const CollisionWorld& world, const Vec3& radii, const Vec3& centre) {
     bool found = false;
-    visit_near(world.impl(), radii, centre, [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
-        found = overlaps(world.impl(), query, leaf);
-        return !found;
-    });
+    visit_near(Sight(world.impl()), radii, centre,
+               [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
+                   found = overlaps(world.impl(), query, leaf);
+                   return !found;
+               });
     return found;
 }
 
 bool overlaps_any(const CollisionWorld& world, const Vec3& radii, const Vec3& centre,
                   const QueryFilter& filter) {
     bool found = false;
-    visit_near(world.impl(), radii, centre, [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
-        found = filter.sees(leaf.id, world.impl().surface_of(leaf.id)) && overlaps(world.impl(), query, leaf);
-        return !found;
-    });
+    visit_near(
+        Sight(world.impl()), radii, centre, [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
+            found =
+                filter.sees(leaf.id, world.impl().surface_of(leaf.id)) && overlaps(world.impl(), query, leaf);
+            return !found;
+        });
+    return found;
+}
+
+std::size_t find_overlaps(const PosedWorld& world, const Vec3& radii, const Vec3& centre,
+                          std::span<Overlap> out, const QueryFilter& filter) {
+    const PosedSight sight(world);
+    Overlaps found(sight.world, out);
+    visit_near(sight, radii, centre - world.origin(),
+               [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
+                   if (filter.sees(leaf.id, sight.world.surface_of(leaf.id))) found.consider(query, leaf);
+                   return true;
+               });
+    const std::size_t count = found.finish();
+    for (Overlap& overlap : out.first(std::min(count, out.size())))
+        overlap.point += world.origin();
+    return count;
+}
+
+bool overlaps_any(const PosedWorld& world, const Vec3& radii, const Vec3& centre, const QueryFilter& filter) {
+    const PosedSight sight(world);
+    bool found = false;
+    visit_near(
+        sight, radii, centre - world.origin(), [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
+            found =
+                filter.sees(leaf.id, sight.world.surface_of(leaf.id)) && overlaps(sight.world, query, leaf);
+            return !found;
+        });
     return found;
 }
 

@@ -4,6 +4,7 @@
 #include "queries/first_of.h"
 #include "queries/near.h"
 #include "queries/paths.h"
+#include "queries/sight.h"
 #include "slipface/collision/filter.h"
 #include "slipface/collision/neighbourhood.h"
 
@@ -87,8 +88,8 @@ struct Ray {
 
     // False if an argument is invalid. Scaling by a power of two brings the direction near unit size without
     // rounding. For usual lengths it would change no bit and is skipped.
-    bool prepare(const CollisionWorld::Impl& world, const Vec3& origin, const Vec3& along, double max_t) {
-        if (world.empty() || !origin.allFinite() || !along.allFinite() || along.isZero(0.0) ||
+    bool prepare(const Sight& sight, const Vec3& origin, const Vec3& along, double max_t) {
+        if (sight.world.empty() || !origin.allFinite() || !along.allFinite() || along.isZero(0.0) ||
             !(max_t >= 0.0))
             return false;
         start = v3(origin);
@@ -99,7 +100,7 @@ struct Ray {
             direction = {std::ldexp(direction.x, -exponent), std::ldexp(direction.y, -exponent),
                          std::ldexp(direction.z, -exponent)};
         }
-        reach = larger(largest(start), world.extent.reach);
+        reach = larger(largest(start), sight.extent->reach);
         sheared = sheared_ray(start, direction);
         path = ray_path(sheared, start, direction, reach);
         return true;
@@ -128,38 +129,38 @@ struct Ray {
 };
 
 // The first hit in the world; `search` may have found one already.
-std::optional<RayHit> first_hit(const Ray& ray, Search& search) {
-    const CollisionWorld::Impl& impl = search.world;
-    if (ray.reach <= float_range) {
-        kernels().ray(impl.view(), ray.start, ray.direction, ray.path, time_limit(search.touch.t),
+std::optional<RayHit> first_hit(const Ray& ray, const Sight& sight, Search& search) {
+    if (ray.reach <= float_range && sight.has_tree) {
+        kernels().ray(sight.view, ray.start, ray.direction, ray.path, time_limit(search.touch.t),
                       consider_lane, &search);
     } else {
-        for (TriangleId id = 0; id < impl.triangle_count(); ++id)
-            search.consider(impl.triangle(id));
+        for (TriangleId id = 0; id < sight.world.triangle_count(); ++id)
+            search.consider(sight.triangle(id));
     }
     return ray.hit(search);
 }
 
-std::optional<RayHit> first_hit(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
-                                double max_t, RayStops stops, const QueryFilter* filter) {
+std::optional<RayHit> first_hit(const Sight& sight, const Vec3& origin, const Vec3& direction, double max_t,
+                                RayStops stops, const QueryFilter* filter) {
     Ray ray;
-    if (!ray.prepare(world.impl(), origin, direction, max_t)) return std::nullopt;
-    Search search = ray.search(world.impl(), max_t, stops, filter);
-    return first_hit(ray, search);
+    if (!ray.prepare(sight, origin, direction, max_t)) return std::nullopt;
+    Search search = ray.search(sight.world, max_t, stops, filter);
+    return first_hit(ray, sight, search);
 }
 
 }  // namespace
 
 std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
                                double max_t, RayStops stops) {
-    return first_hit(world, origin, direction, max_t, stops, nullptr);
+    return first_hit(Sight(world.impl()), origin, direction, max_t, stops, nullptr);
 }
 
 std::optional<RayHit> cast_ray(const Neighbourhood& near, const Vec3& origin, const Vec3& direction,
                                double max_t, RayStops stops) {
     const CollisionWorld::Impl& impl = near.world().impl();
+    const Sight sight(impl);
     Ray ray;
-    if (!ray.prepare(impl, origin, direction, max_t)) return std::nullopt;
+    if (!ray.prepare(sight, origin, direction, max_t)) return std::nullopt;
     Search search = ray.search(impl, max_t, stops, nullptr);
     const NearTriangles& triangles = near.triangles();
     if (covers(triangles, origin)) {
@@ -170,19 +171,21 @@ std::optional<RayHit> cast_ray(const Neighbourhood& near, const Vec3& origin, co
         // All triangles are known up to there.
         if (covers(triangles, origin + search.touch.t * vec(ray.direction))) return ray.hit(search);
     }
-    return first_hit(ray, search);
+    return first_hit(ray, sight, search);
 }
 
 std::optional<RayHit> cast_ray(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
                                double max_t, RayStops stops, const QueryFilter& filter) {
-    return first_hit(world, origin, direction, max_t, stops, &filter);
+    return first_hit(Sight(world.impl()), origin, direction, max_t, stops, &filter);
 }
 
-std::size_t find_ray_hits(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
-                          double max_t, RayStops stops, std::span<RayHit> out, const QueryFilter& filter) {
-    const CollisionWorld::Impl& impl = world.impl();
+namespace {
+
+std::size_t all_hits(const Sight& sight, const Vec3& origin, const Vec3& direction, double max_t,
+                     RayStops stops, std::span<RayHit> out, const QueryFilter& filter) {
+    const CollisionWorld::Impl& impl = sight.world;
     Ray ray;
-    if (!ray.prepare(impl, origin, direction, max_t)) return 0;
+    if (!ray.prepare(sight, origin, direction, max_t)) return 0;
     struct All {
         const Ray& ray;
         Search rule;
@@ -206,14 +209,37 @@ std::size_t find_ray_hits(const CollisionWorld& world, const Vec3& origin, const
         return a.t != b.t ? a.t < b.t : a.triangle < b.triangle;
     };
     All all{ray, {impl, ray.sheared, ray.direction, stops, &filter, 0.0}, {out, before}, ray.scaled(max_t)};
-    if (ray.reach <= float_range) {
-        kernels().ray(impl.view(), ray.start, ray.direction, ray.path, time_limit(all.limit),
+    if (ray.reach <= float_range && sight.has_tree) {
+        kernels().ray(sight.view, ray.start, ray.direction, ray.path, time_limit(all.limit),
                       All::consider_lane, &all);
     } else {
         for (TriangleId id = 0; id < impl.triangle_count(); ++id)
-            all.consider(impl.triangle(id));
+            all.consider(sight.triangle(id));
     }
     return all.hits.finish();
+}
+
+}  // namespace
+
+std::size_t find_ray_hits(const CollisionWorld& world, const Vec3& origin, const Vec3& direction,
+                          double max_t, RayStops stops, std::span<RayHit> out, const QueryFilter& filter) {
+    return all_hits(Sight(world.impl()), origin, direction, max_t, stops, out, filter);
+}
+
+std::optional<RayHit> cast_ray(const PosedWorld& world, const Vec3& origin, const Vec3& direction,
+                               double max_t, RayStops stops, const QueryFilter& filter) {
+    auto hit = first_hit(PosedSight(world), origin - world.origin(), direction, max_t, stops, &filter);
+    if (hit) hit->point += world.origin();
+    return hit;
+}
+
+std::size_t find_ray_hits(const PosedWorld& world, const Vec3& origin, const Vec3& direction, double max_t,
+                          RayStops stops, std::span<RayHit> out, const QueryFilter& filter) {
+    const std::size_t found =
+        all_hits(PosedSight(world), origin - world.origin(), direction, max_t, stops, out, filter);
+    for (RayHit& hit : out.first(std::min(found, out.size())))
+        hit.point += world.origin();
+    return found;
 }
 
 }  // namespace slipface

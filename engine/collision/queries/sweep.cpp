@@ -2,6 +2,7 @@
 #include "queries/near.h"
 #include "queries/paths.h"
 #include "queries/search.h"
+#include "queries/sight.h"
 #include "slipface/collision/filter.h"
 
 namespace slipface {
@@ -53,20 +54,20 @@ float consider_lane(void* context, const Leaf& leaf, std::uint32_t lane) {
 // Offers the triangles along the sweep to `each`, which reads `query` and what `search` says of it. None if
 // the arguments are invalid.
 template <class Considers>
-void search_along(const Vec3& radii, const Vec3& from, const Vec3& move, EllipsoidQuery& query,
-                  Search& search, Considers& each) {
-    const CollisionWorld::Impl& impl = search.world;
+void search_along(const Sight& sight, const Vec3& radii, const Vec3& from, const Vec3& move,
+                  EllipsoidQuery& query, Search& search, Considers& each) {
+    const CollisionWorld::Impl& impl = sight.world;
     const V3 start = v3(from), motion = v3(move), axes = v3(radii);
     if (impl.empty() || is_zero(motion)) return;
     SweepPath path;
-    const Prepared prepared = search.kernels.prepare_sweep(impl.extent, axes, start, motion, query, path);
+    const Prepared prepared = search.kernels.prepare_sweep(*sight.extent, axes, start, motion, query, path);
     if (prepared == Prepared::beside) return;
     search.in_floats = prepared == Prepared::in_floats;
-    if (search.in_floats) {
-        search.kernels.sweep(impl.view(), query, path, time_limit(1.0), consider_lane<Considers>, &each);
+    if (search.in_floats && sight.has_tree) {
+        search.kernels.sweep(sight.view, query, path, time_limit(1.0), consider_lane<Considers>, &each);
     } else if (!refused(axes, start, motion)) {
         for (TriangleId id = 0; id < impl.triangle_count(); ++id)
-            each.consider(impl.triangle(id));
+            each.consider(sight.triangle(id));
     }
 }
 
@@ -76,7 +77,7 @@ std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& 
                                        const Vec3& move) {
     EllipsoidQuery query;
     Search search(world.impl(), query);
-    search_along(radii, from, move, query, search, search);
+    search_along(Sight(world.impl()), radii, from, move, query, search, search);
     return search.contact();
 }
 
@@ -85,7 +86,7 @@ std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& 
     EllipsoidQuery query;
     Search search(world.impl(), query);
     FilteredSearch filtered{search, filter};
-    search_along(radii, from, move, query, search, filtered);
+    search_along(Sight(world.impl()), radii, from, move, query, search, filtered);
     return search.contact();
 }
 
@@ -94,8 +95,31 @@ std::size_t find_sweep_hits(const CollisionWorld& world, const Vec3& radii, cons
     EllipsoidQuery query;
     Search search(world.impl(), query);
     HitSearch all{{search, filter}, {out, comes_before}};
-    search_along(radii, from, move, query, search, all);
+    search_along(Sight(world.impl()), radii, from, move, query, search, all);
     return all.hits.finish();
+}
+
+std::optional<Contact> sweep_ellipsoid(const PosedWorld& world, const Vec3& radii, const Vec3& from,
+                                       const Vec3& move, const QueryFilter& filter) {
+    EllipsoidQuery query;
+    Search search(world.world().impl(), query);
+    FilteredSearch filtered{search, filter};
+    search_along(PosedSight(world), radii, from - world.origin(), move, query, search, filtered);
+    std::optional<Contact> contact = search.contact();
+    if (contact) contact->point += world.origin();
+    return contact;
+}
+
+std::size_t find_sweep_hits(const PosedWorld& world, const Vec3& radii, const Vec3& from, const Vec3& move,
+                            std::span<Contact> out, const QueryFilter& filter) {
+    EllipsoidQuery query;
+    Search search(world.world().impl(), query);
+    HitSearch all{{search, filter}, {out, comes_before}};
+    search_along(PosedSight(world), radii, from - world.origin(), move, query, search, all);
+    const std::size_t found = all.hits.finish();
+    for (Contact& contact : out.first(std::min(found, out.size())))
+        contact.point += world.origin();
+    return found;
 }
 
 std::optional<Contact> sweep_ellipsoid(const Neighbourhood& near, const Vec3& radii, const Vec3& from,

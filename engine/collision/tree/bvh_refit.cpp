@@ -1,6 +1,7 @@
 // Moves triangles: writes new corners to their leaves, and refits the boxes above.
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "tree/bvh.h"
 #include "tree/pack_leaf.h"

@@ -1,6 +1,7 @@
 #include "gltf/objects.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace slipface {

@@ -9,7 +9,7 @@
 
 namespace slipface {
 
-// Whether this program has assimp: the page in a browser has not.
+// Whether this program has assimp: the page in a browser and the build for Windows have not.
 bool reads_scenes();
 
 // Reads a file of another format than OBJ through assimp: the polygons of all nodes, in the world space of

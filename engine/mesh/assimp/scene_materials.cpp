@@ -15,7 +15,7 @@ namespace slipface {
 
 std::string text_of(const aiString& text) {
     bool converted = false;
-    return utf8_name({text.data, std::min<std::size_t>(text.length, MAXLEN - 1)}, converted);
+    return utf8_name({text.data, std::min<std::size_t>(text.length, sizeof text.data - 1)}, converted);
 }
 
 namespace {

@@ -6,6 +6,7 @@
 
 #include "obj/obj_text.h"
 #include "slipface/base/files.h"
+#include "slipface/base/system.h"
 #include "slipface/base/text.h"
 
 namespace slipface {
@@ -100,36 +101,36 @@ class LibraryLoader {
     // A path that would leave the level's folder is replaced by its file name: exporters write paths of their
     // own machine.
     static fs::path inside(const std::string& name) {
-        const fs::path path(name);
+        const fs::path path = path_of(name);
         const bool drive = name.size() > 1 && name[1] == ':';
-        if (!drive && path.is_relative() && !has_parent_step(path)) return path.lexically_normal();
+        if (!drive && !path.has_root_path() && !has_parent_step(path)) return path.lexically_normal();
         return path.filename();
     }
 
     void load_one(const std::string& name, std::size_t line) {
         const std::string location = fmt::format("{}:{}", obj_.string(), line);
         const fs::path relative = inside(name);
-        if (!seen_.insert(relative.string()).second) return;
+        if (!seen_.insert(relative.generic_string()).second) return;
         if (relative.empty()) return warnings_.add(location, "mtllib names no file: ignored");
         files_.push_back((folder_ / relative).string());
-        if (relative != fs::path(name).lexically_normal()) {
-            files_.push_back((folder_ / name).string());
+        if (relative != path_of(name).lexically_normal()) {
+            files_.push_back((folder_ / path_of(name)).string());
             warnings_.add(
                 location,
                 fmt::format("material library {} lies outside the level's folder: {} is used instead",
-                            in_quotes(name), in_quotes(relative.string())));
+                            in_quotes(name), in_quotes(relative.generic_string())));
         }
         const fs::path file = folder_ / relative;
         if (!lies_within(file, folder_)) {
             return warnings_.add(location,
                                  fmt::format("material library {} leads out of the level's folder: not read",
-                                             in_quotes(relative.string())));
+                                             in_quotes(relative.generic_string())));
         }
         auto text = read_file(file, bytes_left_);
         if (!text) {
             return warnings_.add(location,
                                  fmt::format("material library {}: {}; only the material names are used",
-                                             in_quotes(relative.string()), text.error().message));
+                                             in_quotes(relative.generic_string()), text.error().message));
         }
         any_ = true;
         bytes_left_ -= text->size();
@@ -176,7 +177,8 @@ void read_mtl(std::string text, const std::string& location, const fs::path& fol
             }
         } else if (to_lower(keyword) == "map_kd") {
             const std::string name = utf8_name(with_slashes(texture_name(rest)), converted);
-            if (!name.empty()) material->texture = folder.empty() ? name : (folder / name).string();
+            if (!name.empty())
+                material->texture = folder.empty() ? name : (folder / path_of(name)).generic_string();
         }
     }
 }

@@ -79,7 +79,7 @@ double goes_up(const std::array<Vec3, 3>& corners, const Vec3& point, double lea
 bool goes_on_above(const Mover& mover, const Met& met, double height, double negligible) {
     const double lean = negligible / height;
     if (met.walkable || !(std::abs(met.normal.y()) < lean)) return false;
-    const CollisionWorld& world = world_of(mover, met.platform);
+    const PosedWorld world = world_of(mover, met.platform);
     const auto type = [&](TriangleId triangle) { return world.face_surface(world.triangle_face(triangle)); };
     Vec3 top = met.point;
     // The triangles of a polygon have consecutive numbers.

@@ -6,7 +6,9 @@ namespace slipface {
 
 void cut_jump(Mover& mover) {
     if (!mover.jumping) return;
-    if (!(mover.velocity.y() > 0.0)) {
+    // Relative to the ground that was left.
+    const double rises = mover.velocity.y() - mover.state.air_frame.y();
+    if (!(rises > 0.0)) {
         mover.jumping = false;
         return;
     }
@@ -14,8 +16,8 @@ void cut_jump(Mover& mover) {
     if (!released) return;
     mover.jumping = false;
     const bool acts = mover.settings.variable_jump;
-    decide(mover, acts ? Decision::jump_cut : Decision::jump_cut_off, {.value = mover.velocity.y()});
-    if (acts) mover.velocity.y() *= mover.settings.jump_cut;
+    decide(mover, acts ? Decision::jump_cut : Decision::jump_cut_off, {.value = rises});
+    if (acts) mover.velocity.y() -= rises * (1.0 - mover.settings.jump_cut);
 }
 
 }  // namespace slipface

@@ -35,9 +35,15 @@ foreach(package assimp nlohmann_json ${ABSENT})
 endforeach()
 set(arguments -S "${SOURCE}/tests/consumer/movement" -G Ninja "-DCMAKE_PREFIX_PATH=${SCRATCH}/prefix"
     "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS} -I${hidden}" ${absent})
+set(runner "")
+if(TOOLCHAIN)  # with -DTOOLCHAIN= it is built for another system, and run by -DRUNNER=
+    list(APPEND arguments "-DCMAKE_TOOLCHAIN_FILE=${TOOLCHAIN}")
+    set(runner ${RUNNER})
+endif()
 run(${CMAKE_COMMAND} -B "${SCRATCH}/build" ${arguments})
 run(${CMAKE_COMMAND} --build "${SCRATCH}/build")
-run("${SCRATCH}/build/walk")
+file(GLOB program "${SCRATCH}/build/walk" "${SCRATCH}/build/walk.exe")
+run(${runner} "${program}")
 
 # A module that is not there is named.
 file(WRITE "${SCRATCH}/absent/CMakeLists.txt"

@@ -34,6 +34,10 @@ void split(Temporary&&, char) = delete;
 
 std::string to_lower(std::string_view text);
 
+// Any text as one line, and back: line ends and backslashes are escaped. For names in files of lines.
+std::string on_one_line(std::string_view text);
+std::string from_one_line(std::string_view line);
+
 // Matches all of `text` against `pattern`: '*' stands for any run of characters, '?' for one. Not recursive;
 // takes at most time proportional to the product of both lengths.
 bool glob_match(std::string_view pattern, std::string_view text);

@@ -89,6 +89,8 @@ class CollisionWorld {
     // triangles. Further errors: an instance without a mesh, a placement that is not finite or flattens the
     // mesh, faces that are not ascending, types of another number of faces.
     static Result<CollisionWorld> build(const TriangleSoup& soup, std::span<const Instance> instances);
+    // The same for geometry that a pose moves and turns (posed.h).
+    static Result<CollisionWorld> build_movable(const TriangleSoup& soup);
     // Replaces the instances; the soup's tree stays, and an instance that stays where it is costs little.
     // Queries then give the same bits as a new world, and bounds() is that of the present positions. Must not
     // run during queries. Errors: as build(); then nothing changes.

@@ -37,6 +37,21 @@ struct Comparison {
 // Compares colour and alpha. Images of different size are never the same.
 Comparison compare_images(const Image& expected, const Image& actual, const CompareTolerance& tolerance);
 
+// What two releases of the drawing libraries may do to an image that shows the same: they draw edges and
+// textures otherwise, so only the mean colours of squares are compared.
+struct CoarseTolerance {
+    int square = 16;          // side, pixels
+    double mean_delta = 6.0;  // a square differs when the mean of any channel differs by more than this
+    double ratio = 0.0;       // at most this fraction of the squares may differ
+};
+
+// Letters of another release stand otherwise, so squares hold several of them.
+inline constexpr CoarseTolerance ui_elsewhere{.square = 64, .mean_delta = 8.0};
+
+// Fills of a comparison: same, size_differs, max_delta, and differing and allowed as squares; and the
+// verdict.
+Comparison compare_coarsely(const Image& expected, const Image& actual, const CoarseTolerance& tolerance);
+
 // A part of an image that is not compared: a clock, a version number, the output of another program.
 struct MaskRect {
     int x = 0, y = 0, width = 0, height = 0;  // pixels from the upper left corner

@@ -24,8 +24,8 @@ class LevelScene {
     static Result<LevelScene> borrow(const Level& level, const CollisionWorld& whole,
                                      const MovementSettings& settings);
 
-    // The same scene for another thread: it has its own platforms and shares the static collision world of
-    // this one. This scene must outlive it, and its types must not change meanwhile.
+    // The same scene for another thread: it has its own time and shares the collision worlds of this one.
+    // This scene must outlive it, and its types must not change meanwhile.
     LevelScene for_another_thread() const;
 
     LevelScene(LevelScene&&) noexcept;

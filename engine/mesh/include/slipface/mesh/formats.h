@@ -14,7 +14,8 @@ struct MeshFormat {
     std::string_view name;    // of the format, as shown in lists; several endings may have the same
 };
 
-// The formats that import_mesh() reads, "obj" first. In a browser there are two: OBJ and Quake 3 maps.
+// The formats that import_mesh() reads, "obj" first. In a browser and on Windows there are
+// two: OBJ and Quake 3 maps.
 std::span<const MeshFormat> mesh_formats();
 
 // The format for the ending of the file name, in upper or lower case; null if it is not read.

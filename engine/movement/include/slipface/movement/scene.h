@@ -4,21 +4,30 @@
 
 #include <span>
 
-#include "slipface/base/pose.h"
+#include "slipface/collision/posed.h"
 #include "slipface/movement/heightfield.h"
+#include "slipface/movement/platform_tree.h"
 #include "slipface/movement/surface_type.h"
 
 namespace slipface {
 
-// A platform during one tick. Its faces stand where the tick ends; the two poses say how they came there.
+// A platform during one tick: its faces as they were built, and where a pose puts them at any time. Poses
+// that turn want a world of CollisionWorld::build_movable().
 struct MovingPart {
-    const CollisionWorld* collision = nullptr;   // never null in a scene; world space, at `end`
+    const CollisionWorld* rest = nullptr;        // never null in a scene; its faces where no pose moved them
     Pose begin, end;                             // world = pose.apply(rest)
     Vec3 velocity = Vec3::Zero();                // at `end`, m/s, of the point `pivot`
     Vec3 angular_velocity = Vec3::Zero();        // rad/s, along the axis
     Vec3 pivot = Vec3::Zero();                   // of the turning, at `end`
-    std::span<const TriangleId> triangles = {};  // [triangle of `collision`] its number in the mesh
+    std::span<const TriangleId> triangles = {};  // [triangle of `rest`] its number in the mesh
+
+    PosedWorld at_end() const { return PosedWorld(*rest, end); }
 };
+// Where it is after the fraction `time` of a tick of `dt` seconds, 0..1: the pivot goes straight, and the
+// rest turns about it by the angular velocity.
+Pose pose_at(const MovingPart& part, double time, double dt);
+// A box that contains it during the whole tick.
+Aabb room_of(const MovingPart& part);
 
 // The world in sectors, each with its own origin, so that positions stay small however far out a level lies.
 struct Sectors {
@@ -31,6 +40,8 @@ struct MovementScene {
     const CollisionWorld& collision;  // everything that does not move
     SurfaceTable surfaces;
     std::span<const MovingPart> platforms = {};
+    // Of the room_of() of `platforms`; null: every query looks at every platform.
+    const PlatformTree* tree = nullptr;
     const Heightfield* heightfield = nullptr;
     Sectors sectors = {};
     // [triangle of `collision`] its number in the mesh; empty: the same number.

@@ -36,6 +36,15 @@ inline constexpr auto step_form_choices = std::to_array<Choice>({
      "needs room for a step above its head wherever it walks"},
 });
 
+enum class LeaveMode : int { none, upward, horizontal, not_downward, all };
+inline constexpr auto leave_mode_choices = std::to_array<Choice>({
+    {"none", "nothing, the player leaves as if the ground stood still"},
+    {"upward", "only an upward part, as from a catapult"},
+    {"horizontal", "only its horizontal part, so that lifts change no jump's height"},
+    {"not_downward", "all but a downward part, so that ground that sinks takes nothing from a jump's height"},
+    {"all", "all of it, so that a jump is the same as on still ground, seen from the ground that was left"},
+});
+
 // The defaults are what players of 3D platformers expect: the preset "platformer".
 struct MovementSettings {
     Vec3 radii{0.4, 0.9, 0.4};  // m, of the ellipsoid along X, Y and Z
@@ -73,6 +82,7 @@ struct MovementSettings {
     bool seam_filter = true;
     bool heightfield = true;
     bool platforms = true;
+    LeaveMode leave_mode = LeaveMode::all;
     bool sectors = true;
     bool coyote = true;
     double coyote_time = 0.1;  // s

@@ -16,9 +16,18 @@ struct PlayerInput {
     bool jump = false;  // the button is held
 };
 
+// What carries a player: what its velocity is relative to.
+enum class Carrier : std::uint8_t {
+    unknown,    // of a new state: whatever its first step finds, so that velocity 0 is at rest on a ferry
+    level,      // nothing that moves: still ground, or the player is in the air
+    platform,   // PlayerState::ground_platform, and what its surface moves by
+    surface,    // a belt or turntable: PlayerState::ground_surface
+    character,  // another player of a crowd
+};
+
 struct PlayerState {
     Vec3 position = Vec3::Zero();  // centre of the ellipsoid, relative to the origin of `sector`
-    Vec3 velocity = Vec3::Zero();  // m/s
+    Vec3 velocity = Vec3::Zero();  // m/s, relative to the carrier; see velocity_in_level()
     std::array<std::int32_t, 3> sector{0, 0, 0};  // all 0 in a scene without sectors
     bool grounded = false;
     bool climbing = false;   // on a climbable surface
@@ -26,7 +35,8 @@ struct PlayerState {
     bool jump_held = false;  // the button, last step: a jump starts when it is pressed
     bool hazard = false;     // touched a hazardous surface this step: the game respawns the player
     bool jumping = false;    // rising by a jump whose button is still held
-    bool trapped = false;    // inside geometry and could not be moved out; or crushed by a platform
+    bool trapped = false;    // inside geometry and could not be moved out
+    bool crushed = false;    // by a platform that left it no room, this step: the game respawns the player
     Vec3 ground_normal = Vec3::UnitY();  // of the surface stood on, climbed or stuck to; unit
     FaceId ground_face = no_id;
     SurfaceId ground_surface = default_surface;
@@ -34,18 +44,22 @@ struct PlayerState {
     // Height of the point stood on above the ellipsoid's lowest point, m, 0 or more: the next step's height
     // is measured from that point.
     double ground_rise = 0.0;
+    // In the air the velocity of the ground that was left, m/s, as far as MovementSettings::leave_mode keeps
+    // it: the stick steers relative to it. 0 while something holds the player.
+    Vec3 air_frame = Vec3::Zero();
+    Carrier carrier = Carrier::unknown;
     double coyote_s = 0.0;       // for how much longer a jump starts although the player left the ground
     double jump_buffer_s = 0.0;  // for how much longer a press of jump is remembered
 
-    // Every member but the sector and the ids: hashes, files and checks of a state go through these lists.
-    // What a hack adds comes last.
+    // Every member but the sector, the ids and the carrier: hashes, files and checks of a state go through
+    // these lists. What a hack adds comes last.
     static constexpr std::array numbers{&PlayerState::ground_rise, &PlayerState::coyote_s,
                                         &PlayerState::jump_buffer_s};
     static constexpr std::array flags{&PlayerState::grounded,  &PlayerState::climbing, &PlayerState::stuck,
                                       &PlayerState::jump_held, &PlayerState::hazard,   &PlayerState::jumping,
-                                      &PlayerState::trapped};
+                                      &PlayerState::trapped,   &PlayerState::crushed};
     static constexpr std::array vectors{&PlayerState::position, &PlayerState::velocity,
-                                        &PlayerState::ground_normal};
+                                        &PlayerState::ground_normal, &PlayerState::air_frame};
 
     friend bool operator==(const PlayerState&, const PlayerState&) = default;
 };
@@ -59,6 +73,11 @@ void put_in_scene(const MovementScene& scene, const Vec3& position, PlayerState&
 // on sticky surfaces it is `velocity`. On the ground `velocity` also presses the player down; then this is
 // the horizontal part with the rise or fall of the ground, and zero for a player that stands still.
 Vec3 motion_velocity(const PlayerState& state);
+
+// The same in the level, with the velocity of the platform, belt or turntable that carries the player. That
+// of another player (Carrier::character) is not known here. `scene` is that of the step that made the state.
+Vec3 velocity_in_level(const MovementScene& scene, const MovementSettings& settings,
+                       const PlayerState& state);
 
 struct StepResult {
     PlayerState state;

@@ -46,7 +46,7 @@ class ReachArchive {
     std::vector<Press> way_to(NodeId node) const;
     std::size_t bytes() const;  // of memory
 
-    // Ways between nodes of which it is not known yet that they return: for each node a list.
+    // Edges between nodes that are not known to lead back to the start: for each node a list.
     struct Edge {
         NodeId from = no_id;
         std::uint32_t next = no_id;  // index into edges

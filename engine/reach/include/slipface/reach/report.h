@@ -24,7 +24,7 @@ struct ReachReport {
     std::vector<FaceId> walkable;   // ascending, as the next two
     std::vector<FaceId> unreached;  // walkable, and never stood on
     std::vector<FaceId> traps;      // stood on, and no way from there leads back to the start
-    // Faces stood on of which that is not known yet: ways from there lead to cells that were hardly tried.
+    // Faces reached whose status is unknown: cells beyond them are barely explored.
     std::size_t undecided = 0;
     struct Exit {
         Vec3 from, hole;

@@ -98,7 +98,7 @@ struct AuditReport {
     std::uint64_t untried = 0;
     std::uint64_t lives = 0;
     std::uint64_t hazards = 0;
-    std::uint64_t crushed = 0;  // times a platform trapped a walker (PlayerState::trapped)
+    std::uint64_t crushed = 0;  // times a platform left a walker no room (PlayerState::crushed)
     std::uint64_t left = 0;     // lives that ended by leaving a level that is not closed
     std::uint64_t falls = 0;    // lives that ended below the fall limit, but inside the level
     std::array<std::uint64_t, finding_kind_count> counts{};  // [FindingKind]; a life counts once per kind

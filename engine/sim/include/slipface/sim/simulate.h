@@ -11,7 +11,8 @@ namespace slipface {
 
 struct SimulationEvent {
     std::size_t tick = 0;
-    std::string kind;    // "jump", "land", "leave ground", "surface", "climb", "stick", "hazard", "fall"
+    std::string
+        kind;  // "jump", "land", "leave ground", "surface", "climb", "stick", "hazard", "crushed", "fall"
     std::string detail;  // "ice", ""
 };
 
@@ -24,6 +25,7 @@ struct SimulationReport {
     std::vector<SimulationEvent> events;
     std::uint64_t falls = 0;          // times the player fell out of the level and was sent back to the start
     std::uint64_t hazards = 0;        // times a hazard sent the player back to the start
+    std::uint64_t crushed = 0;        // times a platform did
     std::vector<PlayerState> states;  // one per tick, if SimulationOptions::keep_states
 };
 
@@ -42,9 +44,10 @@ struct RunStart {
 // limit is 60 m below the lower of the start and the lowest static point.
 RunStart run_start(const TickScene& scene, const Vec3& start);
 
-// One tick of tapes, playtest and lab: step(), and then back to the start if the player touched a hazard or
-// fell out of the level. The return is part of the run and not of step(): tapes repeat it unrecorded.
-enum class Respawn : std::uint8_t { none, hazard, fall };
+// One tick of tapes, playtest and lab: step(), and then back to the start if the player touched a hazard, was
+// crushed by a platform or fell out of the level. The return is part of the run and not of step(): tapes
+// repeat it unrecorded.
+enum class Respawn : std::uint8_t { none, hazard, crushed, fall };
 struct TickResult {
     PlayerState state;    // at `start` after a respawn
     PlayerState stepped;  // what step() returned

@@ -20,8 +20,10 @@ enum class StopCause : std::uint8_t {
     ladder_end,  // a wall above a ladder
     inside,      // the player is inside geometry
     terrain,     // steep terrain
-    hazard,      // touched a hazard: back to the start
-    fall,        // fell out of the level: back to the start
+    // The player was sent back to the start:
+    hazard,   // touched a hazard: back to the start
+    crushed,  // by a platform that left no room: back to the start
+    fall,     // fell out of the level: back to the start
 };
 const char* stop_cause_name(StopCause cause);  // "ladder end"
 

@@ -1,0 +1,36 @@
+// Instead of the readers of formats that need assimp.
+#include <assimp/DefaultLogger.hpp>
+#include <assimp/NullLogger.hpp>
+
+#include "assimp/import_scene.h"
+
+namespace slipface {
+
+bool reads_scenes() {
+    return false;
+}
+
+Result<ImportedSoup> import_scene(const std::filesystem::path& path, const std::string& extension,
+                                  std::string, WarningList&, Progress*) {
+    return Error{path.string(),
+                 "is a file of the format " + extension +
+                     ", which only Slipface with assimp reads (on Linux); expected *.obj or *.bsp"};
+}
+
+}  // namespace slipface
+
+// What assimp's reader of numbers, which the OBJ reader uses, calls for numbers with too many digits.
+namespace Assimp {
+
+Logger* DefaultLogger::get() {
+    static NullLogger silent;
+    return &silent;
+}
+
+void Logger::warn(const char*) {}
+
+void Intern::AllocateFromAssimpHeap::operator delete(void* memory) {
+    ::operator delete(memory);
+}
+
+}  // namespace Assimp
