@@ -222,6 +222,21 @@ slipface_status slipface_change_body(slipface_world world, slipface_settings set
     });
 }
 
+slipface_status slipface_put_player(slipface_world world, slipface_settings settings,
+                                    const slipface_player* player, double farthest, slipface_player* next,
+                                    uint8_t* done, slipface_error* error) {
+    return run(error, [&] {
+        need("player, next and done", player, next, done);
+        if (!(farthest >= 0.0 && farthest <= 1e6))
+            refuse(SLIPFACE_WRONG_ARGUMENT, "farthest: found {}, expected 0 to 1e6 m", farthest);
+        const SharedWorld in(world.id);
+        const SharedSettings with(settings.id);
+        const auto put = put_player(*in->now, with->values, state_of(*in, *player), farthest);
+        *next = put ? player_of(*put) : *player;
+        *done = put ? 1 : 0;
+    });
+}
+
 slipface_status slipface_motion_velocity(const slipface_player* player, slipface_vec3* velocity,
                                          slipface_error* error) {
     return run(error, [&] {

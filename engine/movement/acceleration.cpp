@@ -13,10 +13,18 @@ double accelerate(Mover& mover, double friction, bool slippery) {
     const double acceleration = slippery             ? settings.slippery_acceleration * friction
                                 : mover.was_grounded ? settings.ground_acceleration * friction
                                                      : steering_in_air(mover);
-    const Vec3 target =
-        Vec3(mover.wish.x(), 0.0, mover.wish.y()) * settings.walk_speed + horizontal(mover.state.air_frame);
+    const Vec3 stick(mover.wish.x(), 0.0, mover.wish.y()), frame = horizontal(mover.state.air_frame);
+    const bool brakes = mover.was_grounded && !slippery;
+    const Vec3 target = frame + (brakes ? Vec3(stick * settings.walk_speed)
+                                        : speed_asked_for(mover, stick, horizontal(mover.velocity) - frame));
     const Vec3 missing = target - horizontal(mover.velocity);
     const double maximum = acceleration * mover.dt;
+    if (brakes) {
+        const double length = missing.norm();
+        mover.asked = {.velocity = target,
+                       .change = maximum,
+                       .changed = missing * (length > maximum ? maximum / length : 1.0)};
+    }
     const double length = missing.norm();
     if (length <= maximum) {
         mover.velocity.x() = target.x();

@@ -29,7 +29,8 @@ double with_rounding(double height, const Vec3& at) {
 std::optional<double> ground_below(const Mover& mover, const Vec3& from, double depth) {
     std::optional<double> height;
     if (const auto hit = ray_in_scene(mover, from, Vec3(0.0, -depth, 0.0))) {
-        if (std::abs(hit->normal.y()) < mover.walkable_cosine) return std::nullopt;
+        if (std::abs(hit->normal.y()) < walkable_limit(mover, surface_of(mover, hit->surface)))
+            return std::nullopt;
         height = from.y() - hit->t * depth;
     }
     const Heightfield* const field = mover.settings.heightfield ? mover.scene.heightfield : nullptr;
@@ -61,8 +62,10 @@ Vec3 last_sample(const Vec3& from, const Vec3& to) {
 // True if no sample between `from` and `to` finds ground as high as `height`.
 bool is_lower(const Mover& mover, const Vec3& from, const Vec3& to, double height) {
     if (!mover.scene.platforms.empty() || mover.scene.heightfield != nullptr) return false;
-    return highest_below(mover.around.near, from, to, mover.walkable_cosine) + with_rounding(1e-6, to) <
-           height;
+    double least = mover.walkable_cosine;
+    for (const SurfaceType& type : mover.scene.surfaces)
+        least = std::min(least, walkable_limit(mover, type));
+    return highest_below(mover.around.near, from, to, least) + with_rounding(1e-6, to) < height;
 }
 
 // Whether there is ground behind the touched point, seen from the centre: at most a step above the ground in
@@ -75,7 +78,7 @@ bool goes_on_behind(const Mover& mover, const Contact& contact, double before, d
     const std::array<double, 4> distances{mover.settings.skin, radius / 16.0, radius / 8.0, radius / 4.0};
     // A wall higher than the centre ends the search: rays that begin inside it would be wrong.
     const double length = out.norm() + distances.back();
-    const std::optional<RayHit> wall = ray_in_scene(mover, centre, ahead * length);
+    const std::optional<SceneRay> wall = ray_in_scene(mover, centre, ahead * length);
     const double clear = wall ? wall->t * length : length;
     const double depth = centre.y() - contact.point.y() + step;
     for (const double further : distances) {

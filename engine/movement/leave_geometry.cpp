@@ -1,5 +1,6 @@
 // A player who begins a step inside geometry, by a bad spawn or a moved wall, is put outside before anything
-// else: by push_out.cpp, and where that is off or finds nothing by nudge.cpp.
+// else: by push_out.cpp, and where that is off or finds nothing by nudge.cpp. A nudge also puts out a new
+// player whose centre is inside a solid of which it touches no face.
 #include "mover.h"
 
 namespace slipface {
@@ -17,7 +18,9 @@ void leave_geometry(Mover& mover) {
         decide(mover, settings.nudge ? Decision::nudge_needless : Decision::push_out_needless);
     if (inside && pushes) push_out(mover);
     if (inside && !pushes) decide(mover, Decision::push_out_off);
-    if (inside && settings.nudge) mover.trapped = !nudge(mover);
+    const bool enclosed =
+        settings.nudge && mover.state.carrier == Carrier::unknown && in_solid(mover, mover.position);
+    if ((inside || enclosed) && settings.nudge) mover.trapped = !nudge(mover);
     if (inside && !settings.nudge && asks && overlaps_scene(mover, mover.position)) {
         decide(mover, Decision::nudge_off);
         mover.trapped = mover.pressed;

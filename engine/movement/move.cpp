@@ -1,4 +1,5 @@
 // The move: collide and slide in one piece or split, and what the velocity is afterwards.
+#include <algorithm>
 #include <cmath>
 
 #include "mover.h"
@@ -23,26 +24,43 @@ double fraction_on_slope(const Mover& mover, const Vec3& flat) {
     return acts ? flat.norm() / along : 1.0;
 }
 
-// The horizontal part slides; the vertical part decides whether the player is grounded.
-void move_split(Mover& mover, const Vec3& move) {
+// The horizontal part slides; the vertical part decides whether the player is grounded. A player that flies
+// and lands walks on from there; one that is thrown back, or lands on ice, goes on as the contact has it.
+void move_split(Mover& mover, Vec3 move) {
+    Vec3 ground = mover.state.ground_normal;
+    double falls = 0.0;  // what is left of the fall, so that the ground is met again where it leads down
+    if (!mover.was_grounded) {
+        if (const std::optional<TouchDown> landed = touch_down(mover, move)) {
+            if (mover.stuck || mover.climbing) return;
+            if (!landed->stands) {
+                collide_and_slide(mover, Pass::slide, landed->remainder);
+                return;
+            }
+            ground = mover.support.normal;
+            falls = std::min(0.0, move.y() * landed->left);
+            move = landed->remainder;
+            mover.was_grounded = true;
+            mover.grounded = false;
+        }
+    }
     const Vec3 flat = horizontal(move) * fraction_on_slope(mover, horizontal(move));
-    const double rise = mover.was_grounded ? -press_down(mover, mover.state.ground_normal, move) : move.y();
+    const double rise = mover.was_grounded ? std::min(falls, -press_down(mover, ground, move)) : move.y();
     const Motion before = mover;
     const MovementSettings& s = mover.settings;
     const bool moves = !flat.isZero(0.0);
     const bool lifts = s.step_up && s.step_form == StepForm::every_move && mover.was_grounded && moves;
     if (lifts && step_every_move(mover, before, flat)) return;
     if (moves) collide_and_slide(mover, Pass::horizontal, flat);
+    if (mover.bounced) return;
     const bool blocked = !mover.stuck && !mover.climbing && mover.wall_count > 0;
     if (!lifts && blocked && step_up(mover, before, flat)) return;
     if (mover.stuck || mover.climbing) return;
 
     const double height = mover.position.y();
-    const int contacts = mover.contacts;
     collide_and_slide(mover, Pass::vertical, Vec3(0.0, rise, 0.0));
     if (mover.grounded || mover.stuck || mover.climbing || mover.bounced) return;
     if (mover.was_grounded) snap_down(mover, before);
-    if (!mover.grounded) hold_where_wedged(mover, rise, height, contacts);
+    if (!mover.grounded) hold_where_wedged(mover, rise, height);
 }
 
 // The whole move slides. Gravity alone may not bring a gliding player back to within reach of a sweep in

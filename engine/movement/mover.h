@@ -98,6 +98,13 @@ struct Scratch {
     const Surroundings& around;
     const SurfaceType& stood_on;          // before
     Vec3 velocity_before = Vec3::Zero();  // at the start of the part: what a bounce gives back lies between
+    // Of a player that walks: the horizontal velocity that the stick asks for, by how much the ground can
+    // change that of the player during the part, and by what it did; m/s.
+    struct {
+        Vec3 velocity = Vec3::Zero();
+        double change = 0.0;
+        Vec3 changed = Vec3::Zero();
+    } asked = {};
     // Of the step, in the level, m/s; 0 for a player that is carried: its velocity is relative to its
     // carrier.
     Vec3 frame = Vec3::Zero();
@@ -124,8 +131,12 @@ struct Met {
     bool walkable;           // flat enough to stand on
 };
 struct LatestPass {
-    std::array<Met, slide_capacity> met;  // in order
+    std::array<Met, 2 * slide_capacity> met;  // in order
     int met_count = 0;
+
+    void meet(const Met& what) {
+        if (met_count < static_cast<int>(met.size())) met[static_cast<std::size_t>(met_count++)] = what;
+    }
 };
 
 const SurfaceType& type_stood_on(const Given& given);  // before
@@ -159,6 +170,7 @@ struct Deflection {
     Vec3 velocity = Vec3::Zero();   // m/s
     Vec3 plane = Vec3::Zero();      // unit normal that later deflections of this pass must respect
     bool constrains_velocity = true;
+    bool slides = false;  // both are what led there, projected on the plane
 };
 
 inline Vec3 horizontal(const Vec3& v) {
@@ -215,9 +227,17 @@ struct SceneContact {
 std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Vec3& move);
 // At most out.size() overlaps are stored; returns how many are in `out`.
 std::size_t overlaps_in_scene(const Mover& mover, const Vec3& centre, std::span<Overlap> out);
+// The same with the triangle's number in its world, and the platform that it belongs to or no_id.
+struct SceneOverlap : Overlap {
+    std::uint32_t platform = no_id;
+};
+std::size_t touched_in_scene(const Mover& mover, const Vec3& centre, std::span<SceneOverlap> out);
 bool overlaps_scene(const Mover& mover, const Vec3& centre);
 bool is_free(const Mover& mover, const Vec3& centre);  // of one-sided faces, too
-std::optional<RayHit> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& move);
+struct SceneRay : RayHit {
+    SurfaceId surface = default_surface;
+};
+std::optional<SceneRay> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& move);
 // The world that a triangle belongs to, where the part of the step ends.
 PosedWorld world_of(const Given& given, std::uint32_t platform);
 inline Pose pose_before(const Given& given, const MovingPart& part) {
@@ -267,6 +287,15 @@ Swept sweep_with_skin(Mover& mover, Pass pass, int iteration, const Vec3& move);
 // Collide and slide: moves the mover by `move`, at most settings.max_slides sweeps. Returns what could not be
 // used.
 Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move);
+// Moves a player that flies by `move` as far as the first contact on its way and lets that respond, if it is
+// ground or throws the player back: what a landing is must not depend on the order of a split move. Nothing
+// if it does not land.
+struct TouchDown {
+    double left;     // fraction of the move
+    Vec3 remainder;  // of the displacement, after the response, m
+    bool stands;     // it walks on; else it is thrown back or glides
+};
+std::optional<TouchDown> touch_down(Mover& mover, const Vec3& move);
 // Notes what a contact means for the state: ground, ladder, hazard.
 void touch(Mover& mover, const Hit& hit);
 // Deflects displacement and velocity at a contact: by the first response that applies.
@@ -281,14 +310,36 @@ std::optional<Deflection> keep_energy(Mover& mover, const Hit& hit);
 std::optional<Deflection> slide_at_steep_wall(Mover& mover, const Hit& hit);
 std::optional<Deflection> go_straight_ahead(Mover& mover, const Hit& hit);
 
-// Holds the earlier planes of a pass against the latest deflection.
+// What a pass has met, and what led there: displacements of the whole pass, m, and velocities, m/s.
 struct Corner {
-    std::array<Vec3, slide_capacity> planes;
-    std::array<bool, slide_capacity> constrains_velocity;
+    Pass pass;
+    Vec3 wish, wished_velocity;  // of the pass, or what a response that does not slide turned it to
+    Vec3 led, led_velocity;      // to the first of the contacts at this place
+    static constexpr int capacity = 2 * slide_capacity;
+    std::array<Vec3, capacity> planes;
+    std::array<bool, capacity> constrains_velocity;
     int count = 0;
+
+    Corner(Pass its_pass, const Vec3& move, const Vec3& velocity)
+        : pass(its_pass), wish(move), wished_velocity(velocity), led(move), led_velocity(velocity) {}
+    void add(const Vec3& plane, bool of_velocity) {
+        if (count == capacity) return;
+        planes[static_cast<std::size_t>(count)] = plane;
+        constrains_velocity[static_cast<std::size_t>(count++)] = of_velocity;
+    }
 };
-void respect_corner(const Corner& corner, const Vec3& remainder, const Vec3& velocity,
-                    Deflection& deflection);
+// Adds the plane of the latest deflection and holds it against those met before. `left`: the fraction of the
+// pass that lies behind the contact.
+void respect_corner(Corner& corner, double left, Deflection& deflection);
+// Adds the planes of the other faces that the body touches where it slides along one: a sweep names only the
+// first of the walls of a corner.
+void meet_others(Mover& mover, const Hit& hit, Corner& corner);
+// What a wall is to a horizontal move: its horizontal part, or the plane itself if it hangs over. Zero for
+// what is straight overhead or underfoot.
+Vec3 plane_of_wall(const Vec3& normal);
+void note_wall(Mover& mover, const Vec3& plane);
+// The vector nearest to a velocity that leads into no plane that the pass has met.
+Vec3 nearest_in_corner(const Corner& corner, const Vec3& velocity);
 
 // The phases of a step, in order.
 //
@@ -300,6 +351,12 @@ void move_with_platforms(Mover& mover, PlayerState& state);
 void leave_geometry(Mover& mover);
 void push_out(Mover& mover);
 bool nudge(Mover& mover);  // true if the player is free afterwards
+// The centre is inside a solid: rays in all of 26 directions meet something, and most first the back of a
+// face.
+bool in_solid(const Mover& mover, const Vec3& centre);
+// The nearest place for the mover's body at `rings` distances up to `farthest` that is free of geometry,
+// inside no solid, and to which the centre gets through no face unless it is in a solid.
+std::optional<Vec3> nearest_room(const Mover& mover, double farthest, int rings);
 // 3. Conveyors and turntables carry players that stand on them.
 void move_with_surface(Mover& mover, PlayerState& state);
 // 4. What moves the player: nothing, a ladder, or its own velocity.
@@ -333,6 +390,9 @@ PlayerState accept(Mover& mover, const Vec3& safe, bool room_above_terrain);
 // the air.
 double accelerate(Mover& mover, double friction, bool slippery);
 double steering_in_air(const Mover& mover);  // m/s2; the stick is not let go
+// The velocity, m/s, that the stick asks for in the air and on ice, of a player that has the velocity `has`;
+// both horizontal and relative to the ground that was left.
+Vec3 speed_asked_for(const Mover& mover, const Vec3& stick, const Vec3& has);
 // Gravity along the ground stood on, as far as its friction does not hold: `spare` is what accelerate() left.
 void pull_down_slope(Mover& mover, double friction, double spare);
 void coast(Mover& mover, const Vec3& from, const Drive& drive);
@@ -344,8 +404,8 @@ double press_down(const Mover& mover, const Vec3& ground_normal, const Vec3& mov
 void set_ground_velocity(Mover& mover);
 void cap_energy(Mover& mover, const Vec3& from, const Vec3& driven_velocity);
 // Static friction besides the response: two steep faces that wedge the player hold it, and an idle player
-// keeps its position bit for bit. `height`, `contacts`: before the vertical pass by `rise`.
-void hold_where_wedged(Mover& mover, double rise, double height, int contacts);
+// keeps its position bit for bit. `height`: before the vertical pass by `rise`.
+void hold_where_wedged(Mover& mover, double rise, double height);
 void rest(Mover& mover, const Vec3& from);
 
 // Steps. `before` is where the horizontal move `flat` began.

@@ -35,7 +35,8 @@ Deflection respond(Mover& mover, const Hit& hit) {
     return {.rule = Rule::slide,
             .remainder = slide_along(hit.remainder, normal),
             .velocity = slide_along(mover.velocity, normal),
-            .plane = normal};
+            .plane = normal,
+            .slides = true};
 }
 
 }  // namespace slipface

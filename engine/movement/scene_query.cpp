@@ -146,6 +146,20 @@ std::size_t overlaps_in_scene(const Mover& mover, const Vec3& centre, std::span<
     return count;
 }
 
+std::size_t touched_in_scene(const Mover& mover, const Vec3& centre, std::span<SceneOverlap> out) {
+    std::size_t count = 0;
+    each_world(mover, centre, Vec3::Zero(),
+               [&](const auto& world, std::uint32_t platform, std::span<const TriangleId>) {
+                   std::array<Overlap, 16> found;
+                   const std::size_t here =
+                       std::min({find_overlaps(world, mover.settings.radii, centre, found), found.size(),
+                                 out.size() - count});
+                   for (std::size_t i = 0; i < here; ++i)
+                       out[count++] = {found[i], platform};
+               });
+    return count;
+}
+
 bool is_free(const Mover& mover, const Vec3& centre) {
     bool free = true;
     each_world(mover, centre, Vec3::Zero(),
@@ -173,14 +187,14 @@ bool overlaps_scene(const Mover& mover, const Vec3& centre) {
     return found;
 }
 
-std::optional<RayHit> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& motion) {
-    std::optional<RayHit> best;
+std::optional<SceneRay> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& motion) {
+    std::optional<SceneRay> best;
     each_world(mover, from, motion,
-               [&](const auto& world, std::uint32_t, std::span<const TriangleId> triangles) {
-                   std::optional<RayHit> hit = cast_ray(world, from, motion, best ? best->t : 1.0);
+               [&](const auto& world, std::uint32_t platform, std::span<const TriangleId> triangles) {
+                   const std::optional<RayHit> hit = cast_ray(world, from, motion, best ? best->t : 1.0);
                    if (!hit || (best && !(hit->t < best->t))) return;
-                   hit->triangle = number_in_mesh(hit->triangle, triangles);
-                   best = hit;
+                   best = SceneRay{*hit, world_of(mover, platform).face_surface(hit->face)};
+                   best->triangle = number_in_mesh(hit->triangle, triangles);
                });
     return best;
 }

@@ -19,16 +19,23 @@ constexpr double tolerated = 1e-3;
 // a jump that lasts a whole number of ticks lands in the same one wherever it is, whatever rounding does.
 constexpr double tie = 1e-6;
 
-Vec3 push_off(Mover& mover, const Vec3& from, const Vec3& push, FaceId face) {
-    const std::optional<SceneContact> found = sweep_scene(mover, from, push);
-    const std::optional<Contact> blocked = found ? std::optional(found->contact) : std::nullopt;
-    // Between two faces that are closer than two skins the middle is the best position.
-    Vec3 reached = from + push * (blocked ? 0.5 * blocked->t : 1.0);
+// By `missing` along the normal, which `skin` - `missing` is kept of already. Between two faces that are
+// closer than two skins the middle is the best position.
+Vec3 push_off(Mover& mover, const Vec3& from, const Vec3& normal, double missing, FaceId face) {
+    const double skin = mover.settings.skin, length = missing + skin;
+    const std::optional<SceneContact> found = sweep_scene(mover, from, normal * length);
+    const std::optional<Contact> beyond = found ? std::optional(found->contact) : std::nullopt;
+    const double room = beyond ? beyond->t * length : length;
+    const double push = std::clamp(0.5 * (room - (skin - missing)), 0.0, missing);
+    const Vec3 reached = from + normal * push;
     if (mover.trace != nullptr) {
-        mover.trace->add(SweepRecord{
-            .pass = Pass::probe, .from = from, .move = push, .reached = reached, .contact = blocked});
-        decide(mover, blocked ? Decision::pushed_off_halfway : Decision::pushed_off,
-               {.value = (reached - from).norm(), .limit = mover.settings.skin}, face);
+        mover.trace->add(SweepRecord{.pass = Pass::probe,
+                                     .from = from,
+                                     .move = normal * length,
+                                     .reached = reached,
+                                     .contact = beyond});
+        decide(mover, push < missing ? Decision::pushed_off_halfway : Decision::pushed_off,
+               {.value = push, .limit = skin}, face);
     }
     return reached;
 }
@@ -78,7 +85,7 @@ Swept sweep_with_skin(Mover& mover, Pass pass, int iteration, const Vec3& move) 
                                      .platform = swept.platform});
     }
     if (swept.contact && missing > tolerated * skin) {
-        swept.reached = push_off(mover, swept.reached, swept.contact->normal * missing, swept.contact->face);
+        swept.reached = push_off(mover, swept.reached, swept.contact->normal, missing, swept.contact->face);
     }
     return swept;
 }

@@ -6,8 +6,75 @@
 
 namespace slipface {
 
+namespace {
+
+Hit hit_of(Mover& mover, Pass pass, const Swept& swept, const Vec3& remainder, double done) {
+    const Contact& contact = *swept.contact;
+    const SurfaceType& surface = surface_of(mover, contact.surface);
+    return {.pass = pass,
+            .contact = contact,
+            .surface = surface,
+            .platform = swept.platform,
+            .walkable = is_walkable(mover, contact.normal, surface) ||
+                        (pass == Pass::vertical && on_rim(mover, contact)),
+            .remainder = remainder,
+            .done = done};
+}
+
+void trace_response(const Mover& mover, const Hit& hit, const Deflection& deflection) {
+    if (mover.trace == nullptr) return;
+    mover.trace->add(ResponseRecord{.rule = deflection.rule,
+                                    .remainder_before = hit.remainder,
+                                    .remainder_after = deflection.remainder,
+                                    .velocity_before = mover.velocity,
+                                    .velocity_after = deflection.velocity,
+                                    .normal = hit.contact.normal,
+                                    .surface = hit.contact.surface,
+                                    .face = hit.contact.face});
+}
+
+// The walls that stop a walking player take nothing from what the ground can do for it along them: what could
+// not change its velocity into them changes it towards what of the asked one they leave. Otherwise most of
+// the effort would go into the walls, and a player would swing to and fro in a wide corner like a pendulum.
+void walk_along(const Mover& mover, const Corner& corner, Deflection& deflection) {
+    if (mover.asked.velocity.isZero(0.0) || !deflection.slides || !deflection.constrains_velocity ||
+        mover.bounced || mover.kept_energy)
+        return;
+    const double spare = mover.asked.change - nearest_in_corner(corner, mover.asked.changed).norm();
+    const Vec3 missing =
+        horizontal(nearest_in_corner(corner, mover.asked.velocity)) - horizontal(deflection.velocity);
+    const double length = missing.norm();
+    if (spare > 0.0) deflection.velocity += missing * (length > spare ? spare / length : 1.0);
+}
+
+}  // namespace
+
+std::optional<TouchDown> touch_down(Mover& mover, const Vec3& move) {
+    const Swept swept = sweep_with_skin(mover, Pass::slide, 0, move);
+    if (!swept.contact) return std::nullopt;
+    const SurfaceType& surface = surface_of(mover, swept.contact->surface);
+    if (!is_walkable(mover, swept.contact->normal, surface) && !(restitution_of(mover, surface) > 0.0))
+        return std::nullopt;
+    ++mover.contacts;
+    mover.position = swept.reached;
+    const double left = 1.0 - swept.used;
+    const Hit hit = hit_of(mover, Pass::vertical, swept, move * left, swept.used);
+    touch(mover, hit);
+    Deflection deflection = respond(mover, hit);
+    const bool stands = mover.grounded && deflection.rule == Rule::stop;
+    if (stands) deflection.remainder = horizontal(hit.remainder);
+    trace_response(mover, hit, deflection);
+    mover.velocity = deflection.velocity;
+    return TouchDown{left, deflection.remainder, stands};
+}
+
 Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move) {
-    Corner corner;
+    Corner corner(pass, move, mover.velocity);
+    // What carries on of an earlier speed is no wish of a player that walks.
+    if (!mover.asked.velocity.isZero(0.0) && pass != Pass::vertical) {
+        corner.wish = mover.asked.velocity * mover.dt;
+        corner.wished_velocity = mover.asked.velocity;
+    }
     Vec3 remainder = move;
     double done = 0.0;
     mover.met_count = 0;
@@ -19,42 +86,27 @@ Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move) {
         mover.position = swept.reached;
         if (!swept.contact) return Vec3::Zero();
         ++mover.contacts;
+        if (swept.used * remainder.norm() > mover.settings.skin) {
+            corner.led = remainder / (1.0 - done);
+            corner.led_velocity = mover.velocity;
+        }
         done += (1.0 - done) * swept.used;
         remainder *= 1.0 - swept.used;
 
-        const SurfaceType& surface = surface_of(mover, swept.contact->surface);
-        const Hit hit{.pass = pass,
-                      .contact = *swept.contact,
-                      .surface = surface,
-                      .platform = swept.platform,
-                      .walkable = is_walkable(mover, swept.contact->normal, surface) ||
-                                  (pass == Pass::vertical && on_rim(mover, *swept.contact)),
-                      .remainder = remainder,
-                      .done = done};
-        mover.met[static_cast<std::size_t>(mover.met_count++)] = {.point = hit.contact.point,
-                                                                  .normal = hit.contact.normal,
-                                                                  .triangle = swept.triangle,
-                                                                  .platform = hit.platform,
-                                                                  .walkable = hit.walkable};
+        const Hit hit = hit_of(mover, pass, swept, remainder, done);
+        mover.meet({.point = hit.contact.point,
+                    .normal = hit.contact.normal,
+                    .triangle = swept.triangle,
+                    .platform = hit.platform,
+                    .walkable = hit.walkable});
         touch(mover, hit);
-        const Vec3 velocity = mover.velocity;
         Deflection deflection = respond(mover, hit);
-        respect_corner(corner, remainder, velocity, deflection);
-        if (mover.trace != nullptr) {
-            mover.trace->add(ResponseRecord{.rule = deflection.rule,
-                                            .remainder_before = remainder,
-                                            .remainder_after = deflection.remainder,
-                                            .velocity_before = velocity,
-                                            .velocity_after = deflection.velocity,
-                                            .normal = swept.contact->normal,
-                                            .surface = swept.contact->surface,
-                                            .face = swept.contact->face});
-        }
+        if (deflection.slides) meet_others(mover, hit, corner);
+        respect_corner(corner, 1.0 - done, deflection);
+        walk_along(mover, corner, deflection);
+        trace_response(mover, hit, deflection);
         remainder = deflection.remainder;
         mover.velocity = deflection.velocity;
-        const auto slot = static_cast<std::size_t>(corner.count++);
-        corner.planes[slot] = deflection.plane;
-        corner.constrains_velocity[slot] = deflection.constrains_velocity;
     }
     if (remainder.norm() > negligible) {
         decide(mover, Decision::slides_used_up, {.value = remainder.norm()}, mover.support.face);

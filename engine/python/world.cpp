@@ -462,8 +462,16 @@ void add_world(py::module_& module) {
                 const auto changed = change_body(world.now(), settings, player, vec(radii));
                 return changed ? py::cast(*changed) : py::object(py::none());
             },
-            py::arg("player"), py::arg("settings"), py::arg("radii"),
-            "The player with another body, or None");
+            py::arg("player"), py::arg("settings"), py::arg("radii"), "The player with another body, or None")
+        .def(
+            "put_player",
+            [](World& world, const PlayerState& player, const MovementSettings& settings,
+               double farthest) -> py::object {
+                const auto put = put_player(world.now(), settings, player, farthest);
+                return put ? py::cast(*put) : py::object(py::none());
+            },
+            py::arg("player"), py::arg("settings"), py::arg("farthest"),
+            "A new player at the player's position or the nearest free place, or None");
 }
 
 }  // namespace slipface::python

@@ -162,6 +162,20 @@ const auto air_rows = std::to_array<DemoInfo>({
          demo.level.surfaces.push_back(painted("pillar", {0.30F, 0.55F, 0.85F}));
          return demo;
      }},
+    {"keep-speed", "keep_speed", "Keep speed",
+     "Down an icy ramp and off its end, with the stick ahead. Off: the stick slows the flight to the walking "
+     "speed, and the player falls into the gap. On: the player reaches the other side.",
+     [] {
+         MovementSettings on = basic_settings();
+         on.keep_speed = true;
+         Shapes shapes;
+         shapes.material("plaster").box({-5, -4.5, -16}, {5, -4, 12});
+         shapes.material("stone").box({-2, -4, -14}, {2, -1, -3.9});
+         shapes.material("metal__ice").polygon({{-2, 4, 11}, {2, 4, 11}, {2, 0, 3}, {-2, 0, 3}});
+         shapes.polygon({{-2, 0, 3}, {2, 0, 3}, {2, 0, 0}, {-2, 0, 0}});
+         return demo_of(shapes.level(), {0, standing_on_flat(on, 3.5), 8.2}, on,
+                        "110 wish 0,-1\n30 wish 0,0\n", {13, 5, 0}, {0, 0, -1});
+     }},
     {"moving-platforms", "platforms", "Moving platforms",
      "Off: the raft slides away under the feet. On: it carries the player across the gap.",
      [] {

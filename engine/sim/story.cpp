@@ -216,7 +216,7 @@ class StoryWriter {
         for (std::size_t row = 0; row < hack_rows().size(); ++row)
             if ((acted >> row) & 1) line.hack = hack_rows()[row];
         Words words = words_of(line);
-        words.say(rule_sentence(response.rule));
+        words.say(rule_sentence(response));
         const double before_m = response.remainder_before.norm(), after_m = response.remainder_after.norm();
         if (after_m > 0.0) {
             words.say(": ").length_of(after_m, before_m).say(" remain");
@@ -229,15 +229,16 @@ class StoryWriter {
         if (loses_the_wish(response)) line.tone = StoryTone::trouble;
     }
 
-    static const char* rule_sentence(Rule rule) {
-        switch (rule) {
+    static const char* rule_sentence(const ResponseRecord& response) {
+        switch (response.rule) {
             case Rule::slide: return "Slid along it";
             case Rule::bounce: return "Bounced off it";
             case Rule::straight_ahead: return "Continued straight ahead on it";
             case Rule::keep_energy: return "Deflected along it without loss of speed";
             case Rule::stick: return "Stuck to it";
             case Rule::crease: return "Slid along the crease of two faces";
-            case Rule::stop: return "Stopped at it";
+            // What is left after a landing is walked.
+            case Rule::stop: return response.remainder_after.isZero(0.0) ? "Stopped at it" : "Landed on it";
         }
         return "";
     }

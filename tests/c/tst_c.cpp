@@ -198,6 +198,12 @@ TEST(C, StepsGiveTheBitsOfCppAndTheSameTrace) {
     slipface_vec3 motion;
     OK(slipface_motion_velocity(&player, &motion, &error));
     EXPECT_TRUE(same(motion, motion_velocity(state)));
+    slipface_player put;
+    std::uint8_t done = 9;
+    OK(slipface_put_player(world, settings, &player, 2.0, &put, &done, &error));
+    const auto placed = put_player(scene.at(0, dt), level.movement, state, 2.0);
+    EXPECT_EQ(done, placed ? 1 : 0);
+    EXPECT_TRUE(!placed || same(put.position, placed->position));
     OK(slipface_world_free(world, &error));
     OK(slipface_settings_free(settings, &error));
 }
@@ -366,6 +372,10 @@ TEST(C, BadInputIsRefusedInWords) {
     expect(slipface_world_from_level("/no/such.obj", &other, &error), SLIPFACE_CANNOT_READ, "no such");
     expect(slipface_settings_set(settings, "gravty=1", &error), SLIPFACE_WRONG_ARGUMENT, "gravity");
     expect(slipface_settings_set(settings, "gravity=-1", &error), SLIPFACE_WRONG_ARGUMENT, "gravity");
+    slipface_player put{};
+    std::uint8_t done = 0;
+    expect(slipface_put_player(world, settings, &put, -1.0, &put, &done, &error), SLIPFACE_WRONG_ARGUMENT,
+           "farthest");
     expect(slipface_world_set_face_type(world, 2, 0, &error), SLIPFACE_WRONG_ARGUMENT, "below 2");
     expect(slipface_world_set_face_type(world, 0, 77, &error), SLIPFACE_WRONG_ARGUMENT, "type 77");
     const double two[] = {1, 2};

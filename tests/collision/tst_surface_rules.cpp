@@ -79,11 +79,24 @@ TEST_F(OneSided, LetsACentreBehindThePlaneGoBack) {
     ASSERT_TRUE(contact);
     EXPECT_EQ(contact->face, 9U);
 }
-TEST_F(OneSided, StopsACentreInFrontThatStillOverlaps) {
-    const auto contact = sweep({0, 1.1, 0}, {0, -5, 0});
+TEST_F(OneSided, HoldsWhatItHardlyCutsAndLetsGoWhatDidNotClearIt) {
+    const auto contact = sweep({0, 1.495, 0}, {0, -5, 0});
     ASSERT_TRUE(contact);
     EXPECT_EQ(contact->face, 5U);
     EXPECT_EQ(contact->t, 0.0);
+    EXPECT_EQ(sweep({0, 1.4, 0}, {0, -5, 0})->face, 9U);
+}
+TEST_F(OneSided, ARimBesideTheBodyDoesNotStopIt) {
+    // A plane in front of which the centre is by `front` of the radius when the rim, at x = -10, is touched.
+    const auto stops = [&](double front) {
+        const Vec3 from(-12, 1.0 + 0.5 * front + 1e-3, 0);
+        const auto contact = sweep(from, {8, -8e-3, 0});
+        return contact && contact->face == 5U;
+    };
+    for (double front = 0.05; front < 0.45; front += 0.05)
+        EXPECT_FALSE(stops(front)) << front;
+    for (double front = 0.55; front < 1.0; front += 0.05)
+        EXPECT_TRUE(stops(front)) << front;
 }
 TEST_F(OneSided, IgnoresMotionParallelToThePlane) {
     // Its edge at x = -10 would stop a two-sided one.

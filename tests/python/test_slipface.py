@@ -45,6 +45,12 @@ class Crowds(unittest.TestCase):
         self.assertEqual(world.step_crowd(players[::-1], settings, [(0, 0)] * 2)[0].position,
                          world.step_crowd(players, settings, [(0, 0)] * 2)[1].position)
 
+    def test_a_player_is_put_where_there_is_room(self):
+        world, settings = slipface.World(*SQUARE), slipface.Settings("platformer")
+        self.assertEqual(world.put_player(world.player((0, 3, 0)), settings, 1.0).position, (0, 3, 0))
+        self.assertGreater(world.put_player(world.player((0, 0.5, 0)), settings, 1.0).position[1], 0.9)
+        self.assertIsNone(world.put_player(world.player((0, 0.5, 0)), settings, 0.1))
+
     def test_lists_of_different_lengths_are_refused(self):
         world, settings = slipface.World(*SQUARE), slipface.Settings("platformer")
         with self.assertRaisesRegex(ValueError, "found 1 for 2 players"):

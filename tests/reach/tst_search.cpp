@@ -257,18 +257,18 @@ TEST(ReachSearch, AFerryIsWaitedForAndRidden) {
     }
 }
 
-// Three bouncy pads, each of which throws higher than a jump reaches, up to a roof.
-TEST(ReachSearch, AChainOfBouncesLeadsToTheRoof) {
+// A level pad gives back the height of the jump; one that leans turns the speed of the run into height, too.
+TEST(ReachSearch, ABounceOffALeaningPadLeadsToTheRoof) {
     Shapes shapes;
     shapes.box({-3, -1, -3}, {3, 0, 3});
-    shapes.material("pad__bouncy").box({3.2, -1, -1}, {5.2, -0.5, 1});
-    shapes.material("stone").box({6, -1, -3}, {9, 2.4, 3});
-    ReachScene scene{shapes.level(), {0, 0.91, 0}, {7.5, 2.4, 0}};
+    shapes.material("pad__bouncy").polygon({{3.2, -1, 1}, {5.2, -0.2, 1}, {5.2, -0.2, -1}, {3.2, -1, -1}});
+    shapes.material("stone").box({6, -1, -3}, {9, 2.0, 3});
+    ReachScene scene{shapes.level(), {0, 0.91, 0}, {7.5, 2.0, 0}};
     scene.level.movement = MovementSettings{};
     for (SurfaceType& type : scene.level.surfaces)
         if (type.name == "bouncy") type.restitution = 1.0;
     const double jump = 8.0 * 8.0 / (2.0 * 20.0);  // 1.6 m: not up to the roof
-    ASSERT_LT(jump, 2.4);
+    ASSERT_LT(jump, 2.0);
     ReachSearch search = search_of(scene, 0);
     EXPECT_TRUE(rounds_until(search, face_at(scene.level, scene.target), 120)) << search.steps();
     EXPECT_EQ(false_claims(search), "");

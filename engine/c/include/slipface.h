@@ -300,6 +300,12 @@ SLIPFACE_API slipface_status slipface_change_body(slipface_world world, slipface
                                                   const slipface_player* player, slipface_vec3 radii,
                                                   slipface_player* next, uint8_t* done,
                                                   slipface_error* error);
+/* A new player where `player` is, or at the nearest place at most `farthest` metres away that is outside of
+ * all geometry, solids that it does not touch included: for teleports and respawns. *done 0: there is none,
+ * and *next is the player as it was. */
+SLIPFACE_API slipface_status slipface_put_player(slipface_world world, slipface_settings settings,
+                                                 const slipface_player* player, double farthest,
+                                                 slipface_player* next, uint8_t* done, slipface_error* error);
 /* Velocity of the player's own motion, without what presses it to the ground: for animation and displays. */
 SLIPFACE_API slipface_status slipface_motion_velocity(const slipface_player* player, slipface_vec3* velocity,
                                                       slipface_error* error);

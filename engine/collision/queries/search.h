@@ -39,7 +39,7 @@ struct Search {
     bool stopped_by(const LeafTriangle& leaf, const TriangleHit& other) const {
         if (!world.plain) {
             const SurfaceRule& rule = world.rule_of(leaf.id);
-            if (!rule.solid || (rule.one_sided && kernels.passes_one_sided(leaf, query))) return false;
+            if (!rule.solid || (rule.one_sided && kernels.passes_one_sided(leaf, query, other))) return false;
         }
         return in_floats || well_formed(kernels.touch_of_hit(leaf, query, other));
     }

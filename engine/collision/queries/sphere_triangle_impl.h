@@ -270,10 +270,16 @@ bool is_behind(const SphereTriangle& triangle) {
     return !(triangle.nn > 0.0) || triangle.h > 0.0;
 }
 
-// True if a one-sided triangle ignores the query: the centre is behind the plane, the move does not go
-// against the winding normal, or there is no winding normal.
-bool passes_one_sided(const SphereTriangle& triangle, const EllipsoidQuery& query) {
-    return is_behind(triangle) || !(dot(triangle.n, query.d) < 0.0);
+// True if a one-sided triangle ignores a query that touches it at `hit`: the move does not go against the
+// winding normal, there is none, or the body does not come from the front. From the front comes what the
+// triangle does not cut deeper than rounding and pushes do, and of what touches a border on its way at least
+// three quarters of the body still in front: the borders of a ridge hold, a rim beside the body does not.
+bool passes_one_sided(const SphereTriangle& triangle, const EllipsoidQuery& query, const TriangleHit& hit) {
+    constexpr double deepest = 0.02, least_in_front = 0.5;
+    const double speed = dot(triangle.n, query.d);
+    if (is_behind(triangle) || !(speed < 0.0)) return true;
+    if (hit.started && nearest_part(triangle).distance2 < (1.0 - deepest) * (1.0 - deepest)) return true;
+    return -(triangle.h - hit.t * speed) < least_in_front * std::sqrt(triangle.nn);
 }
 
 Touch touch_of(const SphereTriangle& triangle, const LeafTriangle& leaf, const EllipsoidQuery& query,
@@ -324,8 +330,8 @@ Nearest nearest_part_kernel(const LeafTriangle& leaf, const EllipsoidQuery& quer
 bool is_behind_kernel(const LeafTriangle& leaf, const EllipsoidQuery& query) {
     return is_behind(SphereTriangle(leaf, query));
 }
-bool passes_one_sided_kernel(const LeafTriangle& leaf, const EllipsoidQuery& query) {
-    return passes_one_sided(SphereTriangle(leaf, query), query);
+bool passes_one_sided_kernel(const LeafTriangle& leaf, const EllipsoidQuery& query, const TriangleHit& hit) {
+    return passes_one_sided(SphereTriangle(leaf, query), query, hit);
 }
 Touch touch_of_hit_kernel(const LeafTriangle& leaf, const EllipsoidQuery& query, const TriangleHit& hit) {
     return touch_of(SphereTriangle(leaf, query), leaf, query, hit);

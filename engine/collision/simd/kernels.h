@@ -150,9 +150,10 @@ struct Kernels {
     Nearest (*nearest_part)(const LeafTriangle& triangle, const EllipsoidQuery& query);
     // True if the centre is behind the plane of the winding, or the triangle has no plane.
     bool (*is_behind)(const LeafTriangle& triangle, const EllipsoidQuery& query);
-    // True if a one-sided triangle ignores the query: the centre is behind it, or the move does not go
-    // against the winding normal.
-    bool (*passes_one_sided)(const LeafTriangle& triangle, const EllipsoidQuery& query);
+    // True if a one-sided triangle ignores the query that touches it at `hit`, because the body does not come
+    // from its front.
+    bool (*passes_one_sided)(const LeafTriangle& triangle, const EllipsoidQuery& query,
+                             const TriangleHit& hit);
     Touch (*touch_of_hit)(const LeafTriangle& triangle, const EllipsoidQuery& query, const TriangleHit& hit);
     Touch (*touch_of_nearest)(const LeafTriangle& triangle, const EllipsoidQuery& query,
                               const Nearest& nearest);

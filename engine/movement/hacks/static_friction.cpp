@@ -29,10 +29,10 @@ std::optional<Deflection> hold_by_static_friction(Mover& mover, const Hit& hit) 
     return Deflection{.rule = Rule::stop, .velocity = horizontal(mover.velocity), .plane = contact.normal};
 }
 
-void hold_where_wedged(Mover& mover, double rise, double height, int contacts) {
+void hold_where_wedged(Mover& mover, double rise, double height) {
     // Without this there would be no jumping out of a ditch.
     const double dropped = height - mover.position.y();
-    if (!(rise < 0.0) || mover.contacts - contacts < 2 || !(dropped < -0.01 * rise)) return;
+    if (!(rise < 0.0) || mover.met_count < 2 || !(dropped < -0.01 * rise)) return;
     mover.grounded = true;
     mover.support.normal = Vec3::UnitY();
     mover.velocity.y() = 0.0;

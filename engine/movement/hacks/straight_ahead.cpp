@@ -22,6 +22,7 @@ std::optional<Deflection> go_straight_ahead(Mover& mover, const Hit& hit) {
         .constrains_velocity = !mover.was_grounded};
     const bool acts = mover.settings.straight_ahead;
     const bool constant = mover.settings.constant_slope_speed && mover.was_grounded;
+    deflection.slides = !acts && !constant;
     if (constant) deflection.remainder = direction_of(slid) * hit.remainder.norm();
     if (acts) {
         const Vec3 ahead = hit.remainder - Vec3(0.0, hit.remainder.dot(normal) / normal.y(), 0.0);

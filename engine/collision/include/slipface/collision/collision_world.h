@@ -19,9 +19,11 @@ namespace slipface {
 // The properties of a surface type that collision uses.
 struct SurfaceRule {
     bool solid = true;  // false: nothing collides with it
-    // true: a sweep hits the triangle only if the move is against the winding normal and the centre does not
-    // start behind the plane; a triangle without a normal is never hit. Closest points see both sides; for
-    // rays see RayStops.
+    // true: a sweep hits the triangle only from the front: if the move is against the winding normal, the
+    // triangle does not cut the body where it starts deeper than a fiftieth of its radii, and where the body
+    // touches the centre is in front by half of the body's extent. So a jump-through floor holds what falls
+    // on it, and a body beside its rim passes. A triangle without a normal is never hit. Closest points see
+    // both sides; for rays see RayStops.
     bool one_sided = false;
 };
 

@@ -91,6 +91,7 @@ struct MovementSettings {
     bool variable_jump = false;
     double jump_cut = 0.4;  // fraction of the upward speed that remains when the button is released
     bool air_control = true;
+    bool keep_speed = true;
     double sub_step = 0.0;  // s, the longest part of a step that is moved at once; 0: the whole step
 
     friend bool operator==(const MovementSettings&, const MovementSettings&) = default;

@@ -107,6 +107,14 @@ struct SlideResult {
 SlideResult slide_move(const MovementScene& scene, const MovementSettings& settings, const Vec3& from,
                        const Vec3& move, TraceSink* trace = nullptr);
 
+// A new state for a player that a game puts somewhere, a teleport or a respawn: at state.position, or at the
+// nearest place at most `farthest` metres away where the body is outside of all geometry, a solid that it
+// does not touch included (26 directions, up to 200 distances). Nothing if there is no such place, or if a
+// number is not finite. Of `state` only the position and the held button count. Up to some thousand queries;
+// allocates nothing.
+std::optional<PlayerState> put_player(const MovementScene& scene, const MovementSettings& settings,
+                                      const PlayerState& state, double farthest);
+
 // The player with the body `radii` (m, each above 0) in place of `settings.radii`: to crouch, to stand up, to
 // stretch for a run. The feet stay where they are, on a slope too. Nothing if there is no room for it, or if
 // a number is not finite: the player then keeps its body, and a game asks again at the next tick. Later steps
