@@ -105,6 +105,54 @@ void add_part_of_each(Json& json, const std::vector<std::uint16_t>& of,
     json_add(json, "of", json_string(to_base64(bytes, Base64::plain)));
 }
 
+constexpr std::size_t bytes_per_number = 4;
+
+Json numbers_json(const std::vector<std::uint32_t>& numbers, const std::vector<std::size_t>& order) {
+    std::string bytes;
+    for (const std::size_t i : order)
+        put_bytes(bytes, numbers[i], bytes_per_number);
+    return json_string(to_base64(bytes, Base64::plain));
+}
+
+// False unless there is a token for each of `count` faces.
+bool read_numbers(const JsonNode& node, std::size_t count, std::size_t tokens,
+                  std::vector<std::uint32_t>& numbers) {
+    std::string bytes;
+    numbers.clear();
+    node.base64("a token for each face", bytes);
+    if (bytes.size() != bytes_per_number * count) return false;
+    for (const char* at = bytes.data(); at != bytes.data() + bytes.size();)
+        numbers.push_back(static_cast<std::uint32_t>(take_bytes(at, bytes_per_number)));
+    return std::all_of(numbers.begin(), numbers.end(), [&](std::uint32_t number) { return number < tokens; });
+}
+
+// Tokens of other paint, which another program kept, are left out like those that do not fit together.
+void read_tokens(const JsonNode& node, const std::string& paint, PaintParts& parts) {
+    std::string hash, bytes;
+    node["paint"].text(hash);
+    const JsonNode objects = node["objects"], rows = node["rows"];
+    bool fit = true;
+    const auto take = [&](const JsonNode& list, bool (*unpack)(std::string_view, MeshTokens&)) {
+        list.each(max_json_values, [&](const JsonNode& row) {
+            if (row.base64("tokens of faces", bytes)) fit = fit && unpack(bytes, parts.tokens);
+        });
+    };
+    take(objects, unpack_token_objects);
+    take(rows, unpack_tokens);
+    const std::size_t count = parts.tokens.faces.size();
+    std::size_t expected = 0;
+    for (const TokenObject& object : parts.tokens.objects)
+        expected += object.count;
+    const bool painted = read_numbers(node["painted"], parts.of.size(), count, parts.token);
+    const bool unpainted =
+        read_numbers(node["unpainted"], parts.unpainted.keys.size(), count, parts.unpainted.token);
+    if (fit && painted && unpainted && expected == count && hash == paint) return;
+    if (node && hash == paint) node.fail("objects, rows and numbers of tokens that belong together");
+    parts.tokens = {};
+    parts.token.clear();
+    parts.unpainted.token.clear();
+}
+
 std::uint64_t hash_of_paint(std::span<const StoredOverride> painted) {
     std::vector<const FaceKey*> keys;
     for (const StoredOverride& one : painted)
@@ -175,6 +223,7 @@ std::optional<PaintParts> read_paint_parts(const JsonNode& node, std::span<const
         for (std::size_t i = 0; i < std::min(painted.size(), 8 * bytes.size()); ++i)
             parts.guessed[i] = (bytes[i / 8] >> i % 8 & 1) != 0;
     }
+    if (const JsonNode tokens = node["tokens"]) read_tokens(tokens, hash, parts);
     // Not before all members are read: those that nobody reads are unknown ones, which are kept.
     if (!as_many || hash != hash_text(hash_of_paint(painted))) return std::nullopt;
     return parts;
@@ -207,6 +256,25 @@ Json paint_parts_json(const std::vector<FaceKey>& keys, const PaintParts& parts,
         if (parts.guessed[order[k]]) bits[k / 8] = static_cast<char>(bits[k / 8] | 1 << k % 8);
     if (bits.find_first_not_of('\0') != std::string::npos)
         json_add(json, "guessed", json_string(to_base64(bits, Base64::plain)));
+    return json;
+}
+
+Json tokens_json(const PaintParts& parts, const Json& paint, const std::vector<std::size_t>& order,
+                 const std::vector<std::size_t>& unpainted_order) {
+    // In rows, so that an edit of one object changes one.
+    constexpr std::size_t longest_row = 32 * bytes_per_object;
+    const std::string objects = pack_token_objects(parts.tokens);
+    Json object_rows = json_array();
+    for (std::size_t at = 0; at < objects.size(); at += longest_row)
+        object_rows.items.push_back(
+            json_string(to_base64(std::string_view(objects).substr(at, longest_row), Base64::plain)));
+    Json json = json_object({{"paint", paint}, {"objects", std::move(object_rows)}});
+    json_add(json, "rows", json_array_of(pack_tokens(parts.tokens), [](const std::string& row) {
+                 return json_string(to_base64(row, Base64::plain));
+             }));
+    json_add(json, "painted", numbers_json(parts.token, order));
+    if (!parts.unpainted.token.empty())
+        json_add(json, "unpainted", numbers_json(parts.unpainted.token, unpainted_order));
     return json;
 }
 
