@@ -54,6 +54,7 @@ class Comparison {
         Correspondence result;
         result.before.assign(now_.faces.size(), no_id);
         result.rival.assign(now_.faces.size(), no_id);
+        result.moved.assign(now_.faces.size(), false);
         const bool in_order = level_is_in_order();
         for (const Pair& pair : pairs_)
             if (!pair.by_place_too || in_order) add(pair, result);
@@ -107,6 +108,7 @@ class Comparison {
             order.matched = 0;
             return;
         }
+        if (std::getenv("SLIPFACE_DEBUG")) fprintf(stderr, "order whole %d matched %zu place %zu score %zu replaced %zu; place matched %zu in %zu score %zu replaced %zu of %zu %zu\n", order.whole, order.matched, order.in_place, order.score, order.replaced, place.matched, place.in_place, place.score, place.replaced, edit.old.size(), edit.now.size());
         pair.rival = slid(edit, order.before);
         const auto least = rival_score * static_cast<double>(order.score);
         if (place.replaced > order.replaced || static_cast<double>(place.score) < least) return;
@@ -168,10 +170,12 @@ class Comparison {
 
     void add(const Pair& pair, Correspondence& result) const {
         const std::uint32_t first = now_.objects[pair.now].first, old = old_.objects[pair.old].first;
+        const ObjectEdit edit = edit_of(pair);
         for (std::uint32_t b = 0; b < pair.order.before.size(); ++b) {
             const std::uint32_t before = pair.order.before[b];
             if (before == no_id) continue;
             result.before[first + b] = old + before;
+            result.moved[first + b] = !edit.in_place(before, b);
             const std::uint32_t rival = pair.rival.empty() ? before : pair.rival[b];
             result.rival[first + b] = rival == no_id ? no_id : old + rival;
         }

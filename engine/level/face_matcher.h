@@ -52,7 +52,8 @@ class FaceMatcher {
     const FaceKey& key(std::size_t i) const { return (moved_.empty() ? stored_ : moved_)[i].key; }
     bool is_wanted(std::size_t i) const;  // not found yet, and to be searched
     bool is_free(FaceId face) const { return claims_[face] == MatchStage::none; }
-    bool is_followed(FaceId face) const { return !followed_.empty() && followed_[face]; }
+    // It is known that the face was elsewhere, and is no other than it was.
+    bool moved_here(FaceId face) const { return !moved_here_.empty() && moved_here_[face]; }
     bool is_of_another_object(FaceId face, std::size_t i) const;
     void claim(FaceId face, std::size_t i, MatchStage stage);
     std::vector<FaceId> faces_in(std::size_t i, const Aabb& box, bool any_material,
@@ -184,7 +185,7 @@ class FaceMatcher {
     const SurfaceId unpainted_;                    // the type of stored faces that are not painted
     std::vector<StoredOverride> moved_;            // stored_ after the motions, or empty if all stayed
     std::vector<MatchStage> claims_;               // [face]
-    std::vector<bool> followed_;                   // [face] FollowedFaces::face
+    std::vector<bool> moved_here_;                 // [face] FollowedFaces::moved
     std::vector<MatchStage> found_;                // [stored]
     std::vector<std::optional<SurfaceId>> types_;  // [stored]
     std::vector<std::string> bases_;               // [stored]

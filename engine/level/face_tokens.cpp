@@ -33,6 +33,10 @@ std::uint8_t area_step(double area) {
         std::clamp(1.0 + std::round(area_steps * (std::log2(area) - smallest_area)), 1.0, 255.0));
 }
 
+double area_of_step(std::uint8_t step) {
+    return step == 0 ? 0.0 : std::exp2((step - 1.0) / area_steps + smallest_area);
+}
+
 // The hash of the corners' distances to their last use: a sum over the edges, so that it depends neither on
 // the first corner nor on the winding.
 std::uint16_t topology_of(const std::vector<std::uint32_t>& since) {
@@ -47,7 +51,7 @@ std::uint16_t topology_of(const std::vector<std::uint32_t>& since) {
 void set_step(TokenObject& object) {
     const Vec3f extent = (object.box.max - object.box.min).cast<float>();
     const Vec3 farthest_corner = object.box.min.cwiseAbs().cwiseMax(object.box.max.cwiseAbs());
-    const auto least = static_cast<float>(4.0 * position_tolerance(farthest_corner));
+    const auto least = static_cast<float>(8.0 * position_tolerance(farthest_corner));
     object.step = (extent / static_cast<float>(largest_code)).cwiseMax(least);
 }
 
@@ -67,6 +71,10 @@ void add_objects(const Mesh& mesh, MeshTokens& tokens) {
 }
 
 }  // namespace
+
+double FaceToken::square_metres() const {
+    return area_of_step(area);
+}
 
 MeshTokens mesh_tokens(const Mesh& mesh, SurfaceTable surfaces) {
     MeshTokens tokens;

@@ -17,10 +17,12 @@ struct FaceToken {
     // neither on where the loop begins nor on the winding. It says how the face is joined to the ones before
     // it, wherever these are: an edit elsewhere in the object leaves it as it is.
     std::uint16_t topology = 0;
-    std::uint8_t corners = 0;   // at most 9; more count as 9
+    std::uint8_t corners = 0;   // at most 9; more count as 9, so such a face is never known by its triangles
     std::uint8_t material = 0;  // a hash of three bits of the base name
     std::uint8_t area = 0;      // logarithm: area_steps per doubling; 0: no area
     Vec3f position = Vec3f::Zero();  // the mean of the corners; of an old face right up to TokenObject::step
+
+    double square_metres() const;  // right up to 15 %
 
     // Whether the order and the joints of the faces may be the same.
     bool joined_as(const FaceToken& other) const {

@@ -28,6 +28,7 @@ FollowedFaces follow_faces(const Mesh& mesh, SurfaceTable surfaces, std::span<co
         return i == no_id ? std::optional<SurfaceId>() : types[i];
     };
     followed.face.resize(mesh.face_count(), false);
+    followed.moved.resize(mesh.face_count(), false);
     followed.types.resize(mesh.face_count());
     followed.painted.resize(painted, false);
     std::vector<bool> found(parts.tokens.faces.size(), false);  // [old token]
@@ -38,6 +39,7 @@ FollowedFaces follow_faces(const Mesh& mesh, SurfaceTable surfaces, std::span<co
         if (i != no_id && !types[i]) continue;  // an orphan for want of its type
         const FaceId face = now.face[token];
         found[before] = followed.face[face] = true;
+        followed.moved[face] = known.moved[token];
         followed.types[face] = type_at(before);
         if (i == no_id) continue;
         followed.painted[i] = true;
@@ -57,9 +59,9 @@ bool FollowedFaces::are_all(std::size_t painted_faces) const {
 }
 
 void FaceMatcher::take(const FollowedFaces& followed) {
-    followed_ = followed.face;
-    for (FaceId face = 0; face < followed_.size(); ++face) {
-        if (!followed_[face]) continue;
+    moved_here_ = followed.moved;
+    for (FaceId face = 0; face < followed.face.size(); ++face) {
+        if (!followed.face[face]) continue;
         claims_[face] = MatchStage::exact;
         result_.overrides[face] = followed.types[face] ? followed.types[face] : unpainted_;
     }

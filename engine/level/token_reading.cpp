@@ -11,7 +11,9 @@ namespace slipface {
 namespace {
 
 constexpr double enough_joined = 0.75;    // of the faces, so that their order counts as kept
-constexpr double enough_as_triangles = 0.95;
+constexpr double enough_as_triangles = 0.9;
+// In the face's size: how far the mean of its corners is from the middle of its area.
+constexpr double off_centre = 0.3;
 constexpr double unlikely_bits = 6.0;     // what is as likely as a chance of one in 64 is none
 constexpr std::size_t max_at_one_place = 16;  // faces compared there
 
@@ -72,31 +74,45 @@ bool read_whole(const ObjectEdit& edit, Reading& reading) {
     return true;
 }
 
-// The area that a token stands for, in some unit.
-double area_of(const FaceToken& token) {
-    return token.area == 0 ? 0.0 : std::exp2(token.area / 5.0);
-}
 
-// Each face of n corners became n - 2 triangles, in the order of the faces.
+// Each face of n corners became n - 2 triangles, in the order of the faces: these have its area and its
+// material, and are as far from those of the face before as the faces were.
 bool read_triangles(const ObjectEdit& edit, Reading& reading) {
     std::size_t triangles = 0, fitting = 0;
     for (const FaceToken& token : edit.old)
         triangles += token.corners - 2U;
     if (triangles != edit.now.size() || triangles == edit.old.size()) return false;
     std::uint32_t b = 0;
+    Vec3 last = Vec3::Zero();
+    double last_size = 0.0;
     for (std::uint32_t a = 0; a < edit.old.size(); ++a) {
+        const FaceToken& old = edit.old[a];
         double area = 0.0;
-        bool one_material = true;
-        for (std::uint32_t left = edit.old[a].corners - 2U; left > 0; --left, ++b) {
-            if (edit.now[b].corners != 3) return false;
-            area += area_of(edit.now[b]);
-            one_material = one_material && edit.now[b].material == edit.old[a].material;
+        Vec3 sum = Vec3::Zero();
+        bool fits = true;
+        for (std::uint32_t left = old.corners - 2U; left > 0; --left, ++b) {
+            const FaceToken& now = edit.now[b];
+            if (now.corners != 3) return false;
+            area += now.square_metres();
+            sum += now.square_metres() * now.position.cast<double>();
+            fits = fits && now.material == old.material;
             reading.before[b] = a;
         }
-        const double old_area = area_of(edit.old[a]);
-        fitting += one_material && std::abs(area - old_area) <= 0.2 * std::max(area, old_area) ? 1 : 0;
+        const Vec3 centre = area > 0.0 ? Vec3(sum / area) : edit.now[b - 1].position.cast<double>();
+        const double old_area = old.square_metres(), size = std::sqrt(old_area);
+        fits = fits && std::abs(area - old_area) <= 0.25 * std::max(area, old_area);
+        if (a > 0) {
+            const Vec3 away = (old.position - edit.old[a - 1].position).cast<double>();
+            fits = fits && std::abs((centre - last).norm() - away.norm()) <=
+                               off_centre * (size + last_size) + static_cast<double>(edit.box.step.norm());
+        }
+        last = centre;
+        last_size = size;
+        fitting += fits ? 1 : 0;
     }
-    return static_cast<double>(fitting) >= enough_as_triangles * static_cast<double>(edit.old.size());
+    if (static_cast<double>(fitting) >= enough_as_triangles * static_cast<double>(edit.old.size())) return true;
+    reading.before.assign(edit.now.size(), no_id);
+    return false;
 }
 
 // [old face] how much it says that a new face is like it, in bits: the fewer are, the more.
@@ -118,12 +134,13 @@ std::vector<double> weights_of(std::span<const FaceToken> faces) {
     return weights;
 }
 
-// Faces in a row that moved count if so many that are so rare are not in that order by chance. Of equal tiles
-// no number is enough.
+// Faces in a row that moved count if so many that are so rare are not in that order by chance, and those that
+// stayed if others count or they themselves are enough. Of equal tiles no number is enough.
 void drop_chance(const ObjectEdit& edit, std::vector<std::uint32_t>& before) {
     const std::vector<double> weights = weights_of(edit.old);
     const double enough = unlikely_bits + std::log2(static_cast<double>(edit.old.size())) +
                           std::log2(static_cast<double>(edit.now.size()));
+    double all = 0.0;
     for (std::size_t begin = 0, end = 0; begin < before.size(); begin = end) {
         end = begin + 1;
         const std::uint32_t a = before[begin];
@@ -134,17 +151,21 @@ void drop_chance(const ObjectEdit& edit, std::vector<std::uint32_t>& before) {
             bits += weights[before[end]];
             in_place += edit.in_place(before[end], end) ? 1 : 0;
         }
-        if (bits >= enough || in_place == end - begin) continue;
-        std::fill(before.begin() + static_cast<std::ptrdiff_t>(begin),
-                  before.begin() + static_cast<std::ptrdiff_t>(end), no_id);
+        if (bits >= enough || in_place == end - begin)
+            all += bits;
+        else
+            std::fill(before.begin() + static_cast<std::ptrdiff_t>(begin),
+                      before.begin() + static_cast<std::ptrdiff_t>(end), no_id);
     }
+    if (all < enough) before.assign(before.size(), no_id);
 }
 
-// Between faces that are known, as many new as old ones are these, changed.
+// Between many more faces that are known, as many new as old ones are these, changed.
 void fill_gaps(const ObjectEdit& edit, std::vector<std::uint32_t>& before) {
+    const auto known = before.size() - static_cast<std::size_t>(std::count(before.begin(), before.end(), no_id));
     std::uint32_t next_a = 0, next_b = 0;
     const auto fill = [&](std::uint32_t end_a, std::uint32_t end_b) {
-        if (end_a < next_a || end_a - next_a != end_b - next_b) return;
+        if (end_a < next_a || end_a - next_a != end_b - next_b || 4 * (end_b - next_b) > known) return;
         for (; next_b < end_b; ++next_a, ++next_b)
             if (may_be(edit.old[next_a], edit.now[next_b])) before[next_b] = next_a;
     };

@@ -42,8 +42,8 @@ TEST(Tokens, DamagedOnesAreAnErrorOrIgnored) {
     std::string shorter = text;
     shorter.erase(begin, 32);  // three tokens fewer than the objects have faces
     const Result<LoadedLevel> missing = load(shorter);
-    ASSERT_FALSE(missing);
-    EXPECT_NE(missing.error().text().find("/parts/tokens"), std::string::npos) << missing.error().text();
+    ASSERT_TRUE(missing) << missing.error().text();
+    EXPECT_EQ(missing->match.exact, painted_count(faces)) << "found as in an older file";
     std::string no_base64 = text;
     no_base64[begin] = '!';
     EXPECT_FALSE(load(no_base64));
@@ -59,16 +59,6 @@ TEST(Tokens, DamagedOnesAreAnErrorOrIgnored) {
         const Result<LoadedLevel> loaded = load(changed);
         if (loaded) EXPECT_EQ(loaded->level.overrides.size(), faces.size());
     }
-}
-
-TEST(Tokens, OfOtherPaintAreIgnored) {
-    const Faces faces = painted_tiles();
-    std::string text = level_to_json(level_of(faces));
-    const std::size_t hash = text.find("\"paint\"", text.find("\"tokens\"")) + 10;
-    text.replace(hash, 4, "0123");
-    Result<LoadedLevel> loaded = level_from_json(text, "test.slipface.json", mesh_of(faces));
-    ASSERT_TRUE(loaded) << loaded.error().text();
-    EXPECT_EQ(loaded->match.exact, painted_count(faces));
 }
 
 }  // namespace
