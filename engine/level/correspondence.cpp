@@ -108,14 +108,23 @@ class Comparison {
             order.matched = 0;
             return;
         }
-        if (std::getenv("SLIPFACE_DEBUG")) fprintf(stderr, "order whole %d matched %zu place %zu score %zu replaced %zu; place matched %zu in %zu score %zu replaced %zu of %zu %zu\n", order.whole, order.matched, order.in_place, order.score, order.replaced, place.matched, place.in_place, place.score, place.replaced, edit.old.size(), edit.now.size());
         pair.rival = slid(edit, order.before);
+        for (std::size_t b = 0; b < edit.now.size(); ++b) {
+            const std::uint32_t a = order.before[b], other = pair.rival[b];
+            if (a == other || other == no_id || edit.in_place(a, b) || !edit.in_place(other, b)) continue;
+            std::swap(order.before[b], pair.rival[b]);
+        }
         const auto least = rival_score * static_cast<double>(order.score);
         if (place.replaced > order.replaced || static_cast<double>(place.score) < least) return;
         pair.by_place_too = true;
-        for (std::size_t b = 0; b < edit.now.size(); ++b)
-            if (order.before[b] != no_id && place.before[b] != order.before[b])
-                pair.rival[b] = place.before[b];
+        std::vector<bool> placed(edit.old.size(), false);
+        for (const std::uint32_t a : place.before)
+            if (a != no_id) placed[a] = true;
+        for (std::size_t b = 0; b < edit.now.size(); ++b) {
+            const std::uint32_t a = order.before[b];
+            // A face that the places know nothing of is what the order says.
+            if (a != no_id && (placed[a] || place.before[b] != no_id)) pair.rival[b] = place.before[b];
+        }
     }
 
     // Two equal objects at each other's places, in the order of the places: their names were exchanged, or

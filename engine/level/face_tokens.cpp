@@ -14,9 +14,10 @@
 namespace slipface {
 namespace {
 
-constexpr int topology_bits = 14, position_bits = 12;
-constexpr double largest_code = (1 << position_bits) - 1;
-constexpr double area_steps = 5.0;       // per doubling: 15 % each, and one more or less counts as equal
+constexpr int topology_bits = 10, position_bits = 12, area_bits = 12;
+constexpr int area_at = topology_bits + 3 * position_bits;
+constexpr double largest_code = (1 << position_bits) - 1, largest_area = (1 << area_bits) - 1;
+constexpr double area_steps = 80.0;      // per doubling; one more or less counts as equal
 constexpr double smallest_area = -25.0;  // as a power of two: squares of a sixth of a millimetre
 constexpr std::uint32_t least_corners = 3, most_corners = 9;
 constexpr float farthest_corner_of_box = 1e9f;
@@ -27,13 +28,13 @@ std::uint64_t mixed(std::uint64_t value) {  // the finalizer of splitmix64
     return value ^ value >> 31;
 }
 
-std::uint8_t area_step(double area) {
+std::uint16_t area_step(double area) {
     if (!(area > 0.0)) return 0;
-    return static_cast<std::uint8_t>(
-        std::clamp(1.0 + std::round(area_steps * (std::log2(area) - smallest_area)), 1.0, 255.0));
+    return static_cast<std::uint16_t>(
+        std::clamp(1.0 + std::round(area_steps * (std::log2(area) - smallest_area)), 1.0, largest_area));
 }
 
-double area_of_step(std::uint8_t step) {
+double area_of_step(std::uint16_t step) {
     return step == 0 ? 0.0 : std::exp2((step - 1.0) / area_steps + smallest_area);
 }
 
@@ -178,7 +179,7 @@ std::vector<std::string> pack_tokens(const MeshTokens& tokens) {
                 std::clamp(std::round(offset / static_cast<double>(object.step[axis])), 0.0, largest_code);
             packed |= static_cast<std::uint64_t>(code) << (topology_bits + axis * position_bits);
         }
-        packed |= std::uint64_t{token.area} << 50 | std::uint64_t{token.corners - least_corners} << 58 |
+        packed |= std::uint64_t{token.area} << area_at | std::uint64_t{token.corners - least_corners} << 58 |
                   std::uint64_t{token.material} << 61;
         put_bytes(bytes, packed, bytes_per_token);
         if (mixed(packed) % tokens_per_row != 0 && bytes.size() < longest_row &&
@@ -208,7 +209,7 @@ bool unpack_tokens(std::string_view bytes, MeshTokens& tokens) {
                                                  ((1U << position_bits) - 1));
             token.position[axis] = static_cast<float>(of.box.min[axis]) + code * of.step[axis];
         }
-        token.area = static_cast<std::uint8_t>(packed >> 50 & 0xFF);
+        token.area = static_cast<std::uint16_t>(packed >> area_at & ((1U << area_bits) - 1));
         token.corners = static_cast<std::uint8_t>((packed >> 58 & 7) + least_corners);
         token.material = static_cast<std::uint8_t>(packed >> 61);
         tokens.faces.push_back(token);

@@ -13,16 +13,16 @@ namespace slipface {
 
 // One face, in the order of its object.
 struct FaceToken {
-    // How many faces of the object ago each of its corners was last used, as a hash of 14 bits that depends
+    // How many faces of the object ago each of its corners was last used, as a hash of 10 bits that depends
     // neither on where the loop begins nor on the winding. It says how the face is joined to the ones before
     // it, wherever these are: an edit elsewhere in the object leaves it as it is.
     std::uint16_t topology = 0;
     std::uint8_t corners = 0;   // at most 9; more count as 9, so such a face is never known by its triangles
     std::uint8_t material = 0;  // a hash of three bits of the base name
-    std::uint8_t area = 0;      // logarithm: area_steps per doubling; 0: no area
+    std::uint16_t area = 0;     // logarithm in steps of 0.9 %; 0: no area
     Vec3f position = Vec3f::Zero();  // the mean of the corners; of an old face right up to TokenObject::step
 
-    double square_metres() const;  // right up to 15 %
+    double square_metres() const;  // right up to 1 %
 
     // Whether the order and the joints of the faces may be the same.
     bool joined_as(const FaceToken& other) const {

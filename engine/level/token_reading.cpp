@@ -100,7 +100,7 @@ bool read_triangles(const ObjectEdit& edit, Reading& reading) {
         }
         const Vec3 centre = area > 0.0 ? Vec3(sum / area) : edit.now[b - 1].position.cast<double>();
         const double old_area = old.square_metres(), size = std::sqrt(old_area);
-        fits = fits && std::abs(area - old_area) <= 0.25 * std::max(area, old_area);
+        fits = fits && std::abs(area - old_area) <= 0.03 * std::max(area, old_area);
         if (a > 0) {
             const Vec3 away = (old.position - edit.old[a - 1].position).cast<double>();
             fits = fits && std::abs((centre - last).norm() - away.norm()) <=
@@ -119,8 +119,9 @@ bool read_triangles(const ObjectEdit& edit, Reading& reading) {
 std::vector<double> weights_of(std::span<const FaceToken> faces) {
     std::vector<KeyedIndex> order(faces.size());
     for (std::uint32_t i = 0; i < faces.size(); ++i)
-        order[i] = {std::uint64_t{faces[i].topology} << 24 | std::uint64_t{faces[i].corners} << 16 |
-                        std::uint64_t{faces[i].material} << 8 | faces[i].area,
+        // Areas that are nearly equal count as equal.
+        order[i] = {std::uint64_t{faces[i].topology} << 24 | std::uint64_t{faces[i].corners} << 20 |
+                        std::uint64_t{faces[i].material} << 16 | (faces[i].area + 1U) / 3U,
                     i};
     sort_by_key(order);
     std::vector<double> weights(faces.size());
@@ -264,6 +265,7 @@ Reading read_by_place(const ObjectEdit& edit) {
 }
 
 std::vector<std::uint32_t> slid(const ObjectEdit& edit, const std::vector<std::uint32_t>& before) {
+    // Only their shapes are compared: the first face of a row is joined to nothing, whichever it is.
     std::vector<std::uint32_t> other = before;
     // Between the old faces before `a0` and from `a1` on, and the new ones before `b0` and from `b1` on, one of
     // the two lists has more. That of the longer one is `length` longer.
@@ -271,21 +273,21 @@ std::vector<std::uint32_t> slid(const ObjectEdit& edit, const std::vector<std::u
         const auto known = [&](std::uint32_t b, std::uint32_t a) { return b < before.size() && before[b] == a; };
         if (a1 > a0) {  // removed
             for (std::uint32_t k = 1; k <= a0 && k <= b0 && known(b0 - k, a0 - k) &&
-                                      edit.old[a0 - k].same_as(edit.old[a1 - k]);
+                                      edit.old[a0 - k].shaped_as(edit.old[a1 - k]);
                  ++k)
                 other[b0 - k] = a1 - k;
             for (std::uint32_t k = 0; a1 + k < edit.old.size() && known(b0 + k, a1 + k) &&
-                                      edit.old[a0 + k].same_as(edit.old[a1 + k]);
+                                      edit.old[a0 + k].shaped_as(edit.old[a1 + k]);
                  ++k)
                 other[b0 + k] = a0 + k;
             return;
         }
         std::uint32_t k = 1;  // added
-        for (; k <= a0 && k <= b0 && known(b0 - k, a0 - k) && edit.now[b0 - k].same_as(edit.now[b1 - k]); ++k)
+        for (; k <= a0 && k <= b0 && known(b0 - k, a0 - k) && edit.now[b0 - k].shaped_as(edit.now[b1 - k]); ++k)
             other[b1 - k] = a0 - k;
         for (std::uint32_t b = b0 - (k - 1); b < std::min(b0, b1 - (k - 1)); ++b)
             other[b] = no_id;
-        for (k = 0; b1 + k < edit.now.size() && known(b1 + k, a0 + k) && edit.now[b0 + k].same_as(edit.now[b1 + k]);
+        for (k = 0; b1 + k < edit.now.size() && known(b1 + k, a0 + k) && edit.now[b0 + k].shaped_as(edit.now[b1 + k]);
              ++k)
             other[b0 + k] = a0 + k;
         for (std::uint32_t b = std::max(b1, b0 + k); b < b1 + k; ++b)

@@ -2,6 +2,7 @@
 // levels are drawn; what each edit makes of each face is known, because it is made here.
 #include <fmt/format.h>
 
+#include <chrono>
 #include <functional>
 
 #include "level/faces.h"
@@ -334,6 +335,38 @@ TEST(Order, ProvesWhatPlacesContradict) {
         if (!kind.decided) continue;
         EXPECT_GE(100 * now.right, 99 * now.painted) << kind.name;
         EXPECT_LE(100 * now.guessed, now.painted) << kind.name;
+    }
+}
+
+TEST(Order, DISABLED_Speed) {
+    for (const int side : {316, 1000}) {
+        Faces before;
+        for (int i = 0; i < 10; ++i)
+            add_sheet(flat_sheet(side, side / 10, Vec3f(0, static_cast<float>(i), 0)), fmt::format("floor{}", i), before);
+        Draw draw(1);
+        paint(draw, before);
+        Faces after = before;
+        for (Face& face : after)
+            for (Vec3f& corner : face.corners)
+                if (corner.x() > static_cast<float>(side)) corner.x() += tile;
+        const auto now = [] { return std::chrono::steady_clock::now(); };
+        const auto seconds = [](auto a, auto b) { return std::chrono::duration<double>(b - a).count(); };
+        Level level = level_of(before);
+        const MeshPtr mesh = mesh_of(after);
+        for (const bool with : {true, false}) {
+            const auto t0 = now();
+            std::string text = level_to_json(level);
+            const auto t1 = now();
+            if (!with) {
+                const std::size_t begin = text.find("\"tokens\""), end = text.find("\n    }", begin);
+                text.replace(begin, end + 6 - begin, "\"other\": {}");
+            }
+            const auto t2 = now();
+            const Result<LoadedLevel> loaded = level_from_json(text, "test.slipface.json", mesh);
+            const auto t3 = now();
+            fmt::print("{} faces, tokens {}: written {:.2f} s, {} bytes, read {:.2f} s, {}; wrong {}\n", before.size(), with,
+                       seconds(t0, t1), text.size(), seconds(t2, t3), loaded->match.text(), wrong_faces(after, *loaded).size());
+        }
     }
 }
 
