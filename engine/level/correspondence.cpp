@@ -16,11 +16,14 @@ constexpr double level_in_order = 0.9;
 // Faces joined in a way that tells an object without its name.
 constexpr std::uint32_t enough_faces = 24;
 
+// Equal objects in one plane that are compared with one that moved there.
+constexpr std::size_t max_side_by_side = 1000;
+
 struct Pair {
     std::uint32_t old, now;  // objects
     bool named;
     Reading order;
-    Aabb went_to = {};  // the box of its faces in the new geometry
+    Aabb went_to = {};                      // the box of its faces in the new geometry
     std::vector<std::uint32_t> rival = {};  // as Correspondence, of the object; or empty
     bool by_place_too = false;              // the places explain all, but differently
 };
@@ -96,34 +99,37 @@ class Comparison {
         for (const FaceToken& face : edit.now)
             pair.went_to.add(face.position.cast<double>());
         if (order.matched == 0 || order.in_place == order.matched) return;
-        if (!pair.named && edit.old.size() < enough_faces) {
-            order.before.assign(edit.now.size(), no_id);
-            order.matched = 0;
-            return;
-        }
         const Reading place = read_by_place(edit);
         const bool stayed = !order.whole && place.in_place >= order.matched;
-        if (place.score > order.score || stayed) {
+        const bool too_small = !pair.named && edit.old.size() < enough_faces;
+        if (place.score > order.score || stayed || too_small) {
             order.before.assign(edit.now.size(), no_id);
             order.matched = 0;
             return;
         }
         pair.rival = slid(edit, order.before);
+        // Of the equal faces that may have been added or removed, those that leave most in its place.
         for (std::size_t b = 0; b < edit.now.size(); ++b) {
             const std::uint32_t a = order.before[b], other = pair.rival[b];
             if (a == other || other == no_id || edit.in_place(a, b) || !edit.in_place(other, b)) continue;
             std::swap(order.before[b], pair.rival[b]);
         }
         const auto least = rival_score * static_cast<double>(order.score);
-        if (place.replaced > order.replaced || static_cast<double>(place.score) < least) return;
-        pair.by_place_too = true;
+        if (place.replaced <= order.replaced && static_cast<double>(place.score) >= least)
+            doubt(edit, place, pair);
+    }
+
+    // The places explain as much as the order.
+    static void doubt(const ObjectEdit& edit, const Reading& place, Pair& pair) {
         std::vector<bool> placed(edit.old.size(), false);
         for (const std::uint32_t a : place.before)
             if (a != no_id) placed[a] = true;
         for (std::size_t b = 0; b < edit.now.size(); ++b) {
-            const std::uint32_t a = order.before[b];
+            const std::uint32_t a = pair.order.before[b];
             // A face that the places know nothing of is what the order says.
-            if (a != no_id && (placed[a] || place.before[b] != no_id)) pair.rival[b] = place.before[b];
+            if (a == no_id || a == place.before[b] || (!placed[a] && place.before[b] == no_id)) continue;
+            pair.rival[b] = place.before[b];
+            pair.by_place_too = true;
         }
     }
 
@@ -134,9 +140,8 @@ class Comparison {
         for (std::size_t i = 0; i < pairs_.size(); ++i)
             if (pairs_[i].named && pairs_[i].order.whole) equal[joints_[pairs_[i].old]].push_back(i);
         for (auto& [key, list] : equal) {
-            std::sort(list.begin(), list.end(), [&](std::size_t a, std::size_t b) {
-                return old_box(a).min.x() < old_box(b).min.x();
-            });
+            std::sort(list.begin(), list.end(),
+                      [&](std::size_t a, std::size_t b) { return old_box(a).min.x() < old_box(b).min.x(); });
             for (const std::size_t i : list) {
                 Pair& pair = pairs_[i];
                 if (pair.order.in_place == pair.order.matched) continue;
@@ -144,7 +149,10 @@ class Comparison {
                 auto other = std::lower_bound(list.begin(), list.end(), low, [&](std::size_t one, double x) {
                     return old_box(one).min.x() < x;
                 });
-                for (; other != list.end() && old_box(*other).min.x() <= low + 2.0 * slack(i); ++other) {
+                std::size_t tried = 0;
+                for (; other != list.end() && old_box(*other).min.x() <= low + 2.0 * slack(i) &&
+                       tried < max_side_by_side;
+                     ++other, ++tried) {
                     const Pair& there = pairs_[*other];
                     if ((pair.old < there.old) == (pair.now < there.now) || !stood_there(*other, i)) continue;
                     const std::uint32_t from = old_.objects[pair.old].first,

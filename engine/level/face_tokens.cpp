@@ -89,7 +89,8 @@ MeshTokens mesh_tokens(const Mesh& mesh, SurfaceTable surfaces) {
         for (std::size_t i = begin; i < end; ++i) {
             const FaceId face = tokens.face[i];
             FaceToken& token = tokens.faces[i];
-            token.corners = static_cast<std::uint8_t>(std::clamp(mesh.face_corner_count(face), least_corners, most_corners));
+            token.corners = static_cast<std::uint8_t>(
+                std::clamp(mesh.face_corner_count(face), least_corners, most_corners));
             token.material = materials[mesh.face_material[face]];
             token.area = area_step(face_area(mesh, face));
             token.position = face_centroid(mesh, face).cast<float>();
@@ -182,8 +183,7 @@ std::vector<std::string> pack_tokens(const MeshTokens& tokens) {
         packed |= std::uint64_t{token.area} << area_at | std::uint64_t{token.corners - least_corners} << 58 |
                   std::uint64_t{token.material} << 61;
         put_bytes(bytes, packed, bytes_per_token);
-        if (mixed(packed) % tokens_per_row != 0 && bytes.size() < longest_row &&
-            i + 1 < tokens.faces.size())
+        if (mixed(packed) % tokens_per_row != 0 && bytes.size() < longest_row && i + 1 < tokens.faces.size())
             continue;
         rows.push_back(std::move(bytes));
         bytes.clear();

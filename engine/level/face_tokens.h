@@ -1,5 +1,5 @@
-// What a level file knows of every face, painted or not: a token of eight bytes. With tokens of the old and of
-// the new geometry the two can be compared as a text diff compares lines (correspondence.h).
+// What a level file knows of every face, painted or not: a token of eight bytes. With tokens of the old and
+// of the new geometry the two can be compared as a text diff compares lines (correspondence.h).
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,7 @@ struct FaceToken {
 
 // A group of the geometry's file, as the objects of modelling tools become.
 struct TokenObject {
-    std::uint32_t name = 0;  // object_name()
+    std::uint32_t name = 0;              // object_name()
     std::uint32_t first = 0, count = 0;  // its faces in MeshTokens::faces
     Aabb box;                            // of their positions
     Vec3f step = Vec3f::Zero();          // between positions that a level file can hold
@@ -46,8 +46,8 @@ struct TokenObject {
 
 struct MeshTokens {
     std::vector<TokenObject> objects;
-    std::vector<FaceToken> faces;    // object after object, those of an object in the order of the file
-    std::vector<FaceId> face;        // [token] its face; only of a mesh, not of a level file
+    std::vector<FaceToken> faces;       // object after object, those of an object in the order of the file
+    std::vector<FaceId> face;           // [token] its face; only of a mesh, not of a level file
     std::vector<std::uint32_t> object;  // [token] index into `objects`
 
     bool empty() const { return faces.empty(); }
@@ -62,7 +62,8 @@ std::vector<std::uint32_t> tokens_of(const MeshTokens& tokens, const std::vector
 inline constexpr std::size_t bytes_per_token = 8;
 inline constexpr std::size_t bytes_per_object = 31;
 
-// The objects, and the tokens in rows whose content alone decides where they end, so that an edit changes few.
+// The objects, and the tokens in rows whose content alone decides where they end, so that an edit changes
+// few.
 std::string pack_token_objects(const MeshTokens& tokens);
 std::vector<std::string> pack_tokens(const MeshTokens& tokens);
 

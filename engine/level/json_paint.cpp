@@ -125,8 +125,8 @@ Json token_numbers_json(const std::vector<std::uint32_t>& numbers, std::size_t t
 
 // False unless there is a token for each of the faces, at its place.
 template <class KeyOf>
-bool read_token_numbers(const JsonNode& node, std::size_t count, const KeyOf& key_of, const MeshTokens& tokens,
-                        std::vector<std::uint32_t>& numbers) {
+bool read_token_numbers(const JsonNode& node, std::size_t count, const KeyOf& key_of,
+                        const MeshTokens& tokens, std::vector<std::uint32_t>& numbers) {
     std::string bytes, row_bytes;
     numbers.clear();
     node.each(max_json_values, [&](const JsonNode& row) {
@@ -281,8 +281,8 @@ Json paint_parts_json(const std::vector<FaceKey>& keys, const PaintParts& parts,
     return json;
 }
 
-Json tokens_json(const std::vector<FaceKey>& keys, const PaintParts& parts, const std::vector<std::size_t>& order,
-                 const std::vector<std::size_t>& unpainted_order) {
+Json tokens_json(const std::vector<FaceKey>& keys, const PaintParts& parts,
+                 const std::vector<std::size_t>& order, const std::vector<std::size_t>& unpainted_order) {
     // In rows, so that an edit of one object changes one.
     constexpr std::size_t longest_row = 32 * bytes_per_object;
     const MeshTokens& tokens = parts.tokens;
@@ -298,7 +298,8 @@ Json tokens_json(const std::vector<FaceKey>& keys, const PaintParts& parts, cons
     json_add(json, "painted", token_numbers_json(parts.token, tokens.faces.size(), keys, order));
     if (!unpainted_order.empty())
         json_add(json, "unpainted",
-                 token_numbers_json(parts.unpainted.token, tokens.faces.size(), parts.unpainted.keys, unpainted_order));
+                 token_numbers_json(parts.unpainted.token, tokens.faces.size(), parts.unpainted.keys,
+                                    unpainted_order));
     return json;
 }
 

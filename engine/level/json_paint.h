@@ -30,8 +30,8 @@ Json paint_parts_json(const std::vector<FaceKey>& keys, const PaintParts& parts,
                       const std::vector<std::size_t>& order);
 
 // The member "tokens" of the parts. `order`: of `keys`; `unpainted_order`: of the unpainted faces.
-Json tokens_json(const std::vector<FaceKey>& keys, const PaintParts& parts, const std::vector<std::size_t>& order,
-                 const std::vector<std::size_t>& unpainted_order);
+Json tokens_json(const std::vector<FaceKey>& keys, const PaintParts& parts,
+                 const std::vector<std::size_t>& order, const std::vector<std::size_t>& unpainted_order);
 
 // `order`: of their keys. `groups`: their rows.
 Json unpainted_json(const UnpaintedFaces& faces, const std::vector<std::size_t>& order, Json groups);

@@ -10,12 +10,12 @@
 namespace slipface {
 
 struct FollowedFaces {
-    std::vector<bool> face;                        // [face] it is known which old one it was
-    std::vector<bool> moved;                       // [face] of these: from another place
-    std::vector<std::optional<SurfaceId>> types;   // [face] of these; nothing: it was not painted
-    std::vector<FaceId> guessed;                   // ascending; another type is as possible
-    std::vector<bool> painted;                     // [painted face] found
-    std::vector<bool> unpainted;                   // [PaintParts::unpainted] found
+    std::vector<bool> face;                       // [face] it is known which old one it was
+    std::vector<bool> moved;                      // [face] of these: from another place
+    std::vector<std::optional<SurfaceId>> types;  // [face] of these; nothing: it was not painted
+    std::vector<FaceId> guessed;                  // ascending; another type is as possible
+    std::vector<bool> painted;                    // [painted face] found
+    std::vector<bool> unpainted;                  // [PaintParts::unpainted] found
 
     bool are_all(std::size_t painted_faces) const;
 };

@@ -57,11 +57,11 @@ struct UnpaintedFaces {
 struct PaintParts {
     Aabb bounds;  // of the whole mesh
     std::vector<PaintPart> parts;
-    std::vector<std::uint16_t> of;  // [painted face] 1 + its part; 0: none
-    FaceOutlines outlines;          // [painted face]; none in an older level file
-    std::vector<bool> guessed;      // [painted face] its type was a guess before; or empty
-    UnpaintedFaces unpainted;       // none in an older level file
-    MeshTokens tokens;              // of the whole mesh; none in an older level file
+    std::vector<std::uint16_t> of;     // [painted face] 1 + its part; 0: none
+    FaceOutlines outlines;             // [painted face]; none in an older level file
+    std::vector<bool> guessed;         // [painted face] its type was a guess before; or empty
+    UnpaintedFaces unpainted;          // none in an older level file
+    MeshTokens tokens;                 // of the whole mesh; none in an older level file
     std::vector<std::uint32_t> token;  // [painted face] its token; or empty
 };
 

@@ -48,8 +48,9 @@ std::vector<Anchor> longest_ascending(const std::vector<Anchor>& anchors) {
     std::vector<std::size_t> ends;  // [length - 1] the anchor with the lowest `a` that ends so many
     std::vector<std::size_t> previous(anchors.size(), anchors.size());
     for (std::size_t i = 0; i < anchors.size(); ++i) {
-        const auto place = std::lower_bound(ends.begin(), ends.end(), anchors[i].a,
-                                            [&](std::size_t one, std::uint32_t a) { return anchors[one].a < a; });
+        const auto place =
+            std::lower_bound(ends.begin(), ends.end(), anchors[i].a,
+                             [&](std::size_t one, std::uint32_t a) { return anchors[one].a < a; });
         if (place != ends.begin()) previous[i] = *(place - 1);
         if (place == ends.end())
             ends.push_back(i);
@@ -69,8 +70,8 @@ class Diff {
         : old_(old), now_(now), before_(now.size(), no_id) {}
 
     std::vector<std::uint32_t> run() && {
-        std::vector<Gap> gaps{{0, static_cast<std::uint32_t>(old_.size()), 0,
-                               static_cast<std::uint32_t>(now_.size())}};
+        std::vector<Gap> gaps{
+            {0, static_cast<std::uint32_t>(old_.size()), 0, static_cast<std::uint32_t>(now_.size())}};
         shrink(gaps.front());
         for (const std::size_t length : stretches) {
             std::vector<Gap> smaller;

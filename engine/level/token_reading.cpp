@@ -10,11 +10,11 @@
 namespace slipface {
 namespace {
 
-constexpr double enough_joined = 0.75;    // of the faces, so that their order counts as kept
+constexpr double enough_joined = 0.75;  // of the faces, so that their order counts as kept
 constexpr double enough_as_triangles = 0.9;
 // In the face's size: how far the mean of its corners is from the middle of its area.
 constexpr double off_centre = 0.3;
-constexpr double unlikely_bits = 6.0;     // what is as likely as a chance of one in 64 is none
+constexpr double unlikely_bits = 6.0;         // what is as likely as a chance of one in 64 is none
 constexpr std::size_t max_at_one_place = 16;  // faces compared there
 
 // Whether one face may be the other after an edit that it was part of.
@@ -74,7 +74,6 @@ bool read_whole(const ObjectEdit& edit, Reading& reading) {
     return true;
 }
 
-
 // Each face of n corners became n - 2 triangles, in the order of the faces: these have its area and its
 // material, and are as far from those of the face before as the faces were.
 bool read_triangles(const ObjectEdit& edit, Reading& reading) {
@@ -110,7 +109,8 @@ bool read_triangles(const ObjectEdit& edit, Reading& reading) {
         last_size = size;
         fitting += fits ? 1 : 0;
     }
-    if (static_cast<double>(fitting) >= enough_as_triangles * static_cast<double>(edit.old.size())) return true;
+    if (static_cast<double>(fitting) >= enough_as_triangles * static_cast<double>(edit.old.size()))
+        return true;
     reading.before.assign(edit.now.size(), no_id);
     return false;
 }
@@ -163,7 +163,8 @@ void drop_chance(const ObjectEdit& edit, std::vector<std::uint32_t>& before) {
 
 // Between many more faces that are known, as many new as old ones are these, changed.
 void fill_gaps(const ObjectEdit& edit, std::vector<std::uint32_t>& before) {
-    const auto known = before.size() - static_cast<std::size_t>(std::count(before.begin(), before.end(), no_id));
+    const auto known =
+        before.size() - static_cast<std::size_t>(std::count(before.begin(), before.end(), no_id));
     std::uint32_t next_a = 0, next_b = 0;
     const auto fill = [&](std::uint32_t end_a, std::uint32_t end_b) {
         if (end_a < next_a || end_a - next_a != end_b - next_b || 4 * (end_b - next_b) > known) return;
@@ -243,8 +244,9 @@ Reading read_by_place(const ObjectEdit& edit) {
             }
             if (repeated) continue;
             const std::uint64_t code = code_of(cell);
-            auto place = std::lower_bound(places.begin(), places.end(), code,
-                                          [](const KeyedIndex& one, std::uint64_t key) { return one.key < key; });
+            auto place =
+                std::lower_bound(places.begin(), places.end(), code,
+                                 [](const KeyedIndex& one, std::uint64_t key) { return one.key < key; });
             for (std::size_t tried = 0;
                  place != places.end() && place->key == code && tried < max_at_one_place; ++place, ++tried) {
                 const std::uint32_t a = place->index;
@@ -267,13 +269,15 @@ Reading read_by_place(const ObjectEdit& edit) {
 std::vector<std::uint32_t> slid(const ObjectEdit& edit, const std::vector<std::uint32_t>& before) {
     // Only their shapes are compared: the first face of a row is joined to nothing, whichever it is.
     std::vector<std::uint32_t> other = before;
-    // Between the old faces before `a0` and from `a1` on, and the new ones before `b0` and from `b1` on, one of
-    // the two lists has more. That of the longer one is `length` longer.
+    // Between the old faces before `a0` and from `a1` on, and the new ones before `b0` and from `b1` on, one
+    // of the two lists has more. That of the longer one is `length` longer.
     const auto slide = [&](std::uint32_t a0, std::uint32_t a1, std::uint32_t b0, std::uint32_t b1) {
-        const auto known = [&](std::uint32_t b, std::uint32_t a) { return b < before.size() && before[b] == a; };
+        const auto known = [&](std::uint32_t b, std::uint32_t a) {
+            return b < before.size() && before[b] == a;
+        };
         if (a1 > a0) {  // removed
-            for (std::uint32_t k = 1; k <= a0 && k <= b0 && known(b0 - k, a0 - k) &&
-                                      edit.old[a0 - k].shaped_as(edit.old[a1 - k]);
+            for (std::uint32_t k = 1;
+                 k <= a0 && k <= b0 && known(b0 - k, a0 - k) && edit.old[a0 - k].shaped_as(edit.old[a1 - k]);
                  ++k)
                 other[b0 - k] = a1 - k;
             for (std::uint32_t k = 0; a1 + k < edit.old.size() && known(b0 + k, a1 + k) &&
@@ -283,11 +287,13 @@ std::vector<std::uint32_t> slid(const ObjectEdit& edit, const std::vector<std::u
             return;
         }
         std::uint32_t k = 1;  // added
-        for (; k <= a0 && k <= b0 && known(b0 - k, a0 - k) && edit.now[b0 - k].shaped_as(edit.now[b1 - k]); ++k)
+        for (; k <= a0 && k <= b0 && known(b0 - k, a0 - k) && edit.now[b0 - k].shaped_as(edit.now[b1 - k]);
+             ++k)
             other[b1 - k] = a0 - k;
         for (std::uint32_t b = b0 - (k - 1); b < std::min(b0, b1 - (k - 1)); ++b)
             other[b] = no_id;
-        for (k = 0; b1 + k < edit.now.size() && known(b1 + k, a0 + k) && edit.now[b0 + k].shaped_as(edit.now[b1 + k]);
+        for (k = 0; b1 + k < edit.now.size() && known(b1 + k, a0 + k) &&
+                    edit.now[b0 + k].shaped_as(edit.now[b1 + k]);
              ++k)
             other[b0 + k] = a0 + k;
         for (std::uint32_t b = std::max(b1, b0 + k); b < b1 + k; ++b)

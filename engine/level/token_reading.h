@@ -21,11 +21,11 @@ struct ObjectEdit {
 
 struct Reading {
     std::vector<std::uint32_t> before;  // [face of now] the old face that became it; no_id: none
-    bool whole = false;      // face k became face k, or its triangles, all through the object
-    std::size_t matched = 0;  // faces of now that have one
-    std::size_t in_place = 0;  // of these
-    // Up to 3 per matched face: joined to others as before, shaped as before, and moved together with the face
-    // before it.
+    bool whole = false;                 // face k became face k, or its triangles, all through the object
+    std::size_t matched = 0;            // faces of now that have one
+    std::size_t in_place = 0;           // of these
+    // Up to 3 per matched face: joined to others as before, shaped as before, and moved together with the
+    // face before it.
     std::size_t score = 0;
     // Stretches of the order in which old faces went and others came that are not as many: they have to be
     // explained by more than one edit.
@@ -39,8 +39,8 @@ Reading read_by_order(const ObjectEdit& edit);
 // What the places say: a face of the same shape at the same place is the same face, whatever the order.
 Reading read_by_place(const ObjectEdit& edit);
 
-// [face of now] what it was if the faces that an edit added or removed, in a row of equal ones, were others of
-// that row; `before` where there are none such.
+// [face of now] what it was if the faces that an edit added or removed, in a row of equal ones, were others
+// of that row; `before` where there are none such.
 std::vector<std::uint32_t> slid(const ObjectEdit& edit, const std::vector<std::uint32_t>& before);
 
 }  // namespace slipface

@@ -312,9 +312,9 @@ std::string level_text(const Level& level, const std::filesystem::path& file_pat
              groups_json(painted, painted.keys.size() > max_readable_faces, unknown, "faces", true, &order));
     if (!painted.parts.parts.empty() && written == LevelText::whole) {
         Json parts = paint_parts_json(painted.keys, painted.parts, order);
-        const std::vector<std::size_t> unpainted_order = add_unpainted(parts, painted.parts.unpainted, unknown);
-        json_add(parts, "tokens",
-                 tokens_json(painted.keys, painted.parts, order, unpainted_order));
+        const std::vector<std::size_t> unpainted_order =
+            add_unpainted(parts, painted.parts.unpainted, unknown);
+        json_add(parts, "tokens", tokens_json(painted.keys, painted.parts, order, unpainted_order));
         json_add(root, "parts", std::move(parts));
     }
     json_add(root, "orphans", groups_json(orphaned_faces(level), false, unknown, "faces", true));

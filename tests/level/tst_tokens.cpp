@@ -24,9 +24,9 @@ TEST(Tokens, TakeEightBytesPerFace) {
     const std::size_t begin = text.find("\"rows\"", text.find("\"tokens\"")), end = text.find(']', begin);
     std::size_t characters = 0;
     for (std::size_t at = begin; at < end; ++at)
-        characters += std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '+' || text[at] == '/'
-                          ? 1
-                          : 0;
+        characters +=
+            std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '+' || text[at] == '/' ? 1
+                                                                                                          : 0;
     // Three bytes are four characters; a row is at most two longer.
     EXPECT_LE(characters, 8 * faces.size() * 4 / 3 + 100);
     EXPECT_GE(characters, 8 * faces.size() * 4 / 3);
