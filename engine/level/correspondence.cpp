@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
+#include "motion_fit.h"
 #include "slipface/base/hash.h"
 #include "token_reading.h"
 
@@ -13,13 +15,18 @@ namespace {
 constexpr double rival_score = 0.5;
 // Of the faces of all objects, so that the order alone can say that a symmetric object turned.
 constexpr double level_in_order = 0.9;
-// Faces joined in a way that tells an object without its name.
+// Faces of an object that is known without its name, by how they are joined.
 constexpr std::uint32_t enough_faces = 24;
 
 // Equal objects in one plane that are compared with one that moved there.
 constexpr std::size_t max_side_by_side = 1000;
 
-struct Pair {
+// Motions that are compared with what a symmetric object may have done, faces that they are fitted to, and
+// how near they put the object's faces, in its size: what a small object did is not known exactly far away.
+constexpr std::size_t max_seen = 64, max_fitted = 256;
+constexpr double near_enough = 0.01;
+
+struct ObjectPair {
     std::uint32_t old, now;  // objects
     bool named;
     Reading order;
@@ -51,15 +58,16 @@ class Comparison {
 
     Correspondence run() && {
         pair_objects();
-        for (Pair& pair : pairs_)
+        for (ObjectPair& pair : pairs_)
             read(pair);
+        trust_shared_motions();
         doubt_exchanged_names();
         Correspondence result;
         result.before.assign(now_.faces.size(), no_id);
         result.rival.assign(now_.faces.size(), no_id);
         result.moved.assign(now_.faces.size(), false);
         const bool in_order = level_is_in_order();
-        for (const Pair& pair : pairs_)
+        for (const ObjectPair& pair : pairs_)
             if (!pair.by_place_too || in_order) add(pair, result);
         return result;
     }
@@ -83,16 +91,17 @@ class Comparison {
             joints_.push_back(joints(old_, old_.objects[i]));
         pair_by(only_ones(old_, [&](std::uint32_t i) { return joints_[i]; }),
                 only_ones(now_, [&](std::uint32_t i) { return joints(now_, now_.objects[i]); }), false);
-        std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) { return a.now < b.now; });
+        std::sort(pairs_.begin(), pairs_.end(),
+                  [](const ObjectPair& a, const ObjectPair& b) { return a.now < b.now; });
     }
 
-    ObjectEdit edit_of(const Pair& pair) const {
+    ObjectEdit edit_of(const ObjectPair& pair) const {
         const TokenObject &old = old_.objects[pair.old], &now = now_.objects[pair.now];
         return {std::span(old_.faces).subspan(old.first, old.count),
                 std::span(now_.faces).subspan(now.first, now.count), old};
     }
 
-    void read(Pair& pair) {
+    void read(ObjectPair& pair) {
         const ObjectEdit edit = edit_of(pair);
         pair.order = read_by_order(edit);
         Reading& order = pair.order;
@@ -120,7 +129,7 @@ class Comparison {
     }
 
     // The places explain as much as the order.
-    static void doubt(const ObjectEdit& edit, const Reading& place, Pair& pair) {
+    static void doubt(const ObjectEdit& edit, const Reading& place, ObjectPair& pair) {
         std::vector<bool> placed(edit.old.size(), false);
         for (const std::uint32_t a : place.before)
             if (a != no_id) placed[a] = true;
@@ -133,6 +142,55 @@ class Comparison {
         }
     }
 
+    // An object that may have turned in its place or stayed did what others did that cannot have stayed.
+    void trust_shared_motions() {
+        std::vector<PartMotion> seen;
+        for (const ObjectPair& pair : pairs_)
+            if (pair.order.whole && pair.order.in_place == 0 && !pair.by_place_too && seen.size() < max_seen)
+                if (const std::optional<PartMotion> motion = motion_of(pair)) seen.push_back(*motion);
+        for (ObjectPair& pair : pairs_) {
+            const auto made_by = [&](const PartMotion& motion) { return makes(motion, pair); };
+            if (!pair.by_place_too || std::none_of(seen.begin(), seen.end(), made_by)) continue;
+            pair.rival.clear();
+            pair.by_place_too = false;
+        }
+    }
+
+    // How the object moved, if it kept its shape.
+    std::optional<PartMotion> motion_of(const ObjectPair& pair) const {
+        const ObjectEdit edit = edit_of(pair);
+        const std::size_t step = 1 + edit.now.size() / max_fitted;
+        std::vector<std::size_t> fitted;
+        for (std::size_t b = 0; b < edit.now.size(); b += step)
+            if (pair.order.before[b] != no_id) fitted.push_back(b);
+        if (fitted.size() < 4) return std::nullopt;
+        Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(fitted.size())), to = from;
+        for (std::size_t i = 0; i < fitted.size(); ++i) {
+            const auto column = static_cast<Eigen::Index>(i);
+            from.col(column) = edit.old[pair.order.before[fitted[i]]].position.cast<double>();
+            to.col(column) = edit.now[fitted[i]].position.cast<double>();
+        }
+        for (const bool mirrored : {false, true})
+            if (const std::optional<PartMotion> motion = fit_similarity(from, to, mirrored);
+                motion && makes(*motion, pair))
+                return motion;
+        return std::nullopt;
+    }
+
+    // Whether the motion puts the old faces of the object where they are now.
+    bool makes(const PartMotion& motion, const ObjectPair& pair) const {
+        const ObjectEdit edit = edit_of(pair);
+        const double size = (pair.went_to.max - pair.went_to.min).norm();
+        const double slack = 2.0 * static_cast<double>(edit.box.step.norm()) + near_enough * size;
+        for (std::size_t b = 0; b < edit.now.size(); ++b) {
+            const std::uint32_t a = pair.order.before[b];
+            if (a == no_id) continue;
+            const Vec3 there = motion(edit.old[a].position.cast<double>());
+            if (!((there - edit.now[b].position.cast<double>()).norm() <= slack)) return false;
+        }
+        return true;
+    }
+
     // Two equal objects at each other's places, in the order of the places: their names were exchanged, or
     // they were, and their order, too.
     void doubt_exchanged_names() {
@@ -143,7 +201,7 @@ class Comparison {
             std::sort(list.begin(), list.end(),
                       [&](std::size_t a, std::size_t b) { return old_box(a).min.x() < old_box(b).min.x(); });
             for (const std::size_t i : list) {
-                Pair& pair = pairs_[i];
+                ObjectPair& pair = pairs_[i];
                 if (pair.order.in_place == pair.order.matched) continue;
                 const double low = pair.went_to.min.x() - slack(i);
                 auto other = std::lower_bound(list.begin(), list.end(), low, [&](std::size_t one, double x) {
@@ -153,7 +211,7 @@ class Comparison {
                 for (; other != list.end() && old_box(*other).min.x() <= low + 2.0 * slack(i) &&
                        tried < max_side_by_side;
                      ++other, ++tried) {
-                    const Pair& there = pairs_[*other];
+                    const ObjectPair& there = pairs_[*other];
                     if ((pair.old < there.old) == (pair.now < there.now) || !stood_there(*other, i)) continue;
                     const std::uint32_t from = old_.objects[pair.old].first,
                                         to = old_.objects[there.old].first;
@@ -178,14 +236,14 @@ class Comparison {
 
     bool level_is_in_order() const {
         std::size_t faces = 0, in_order = 0;
-        for (const Pair& pair : pairs_) {
+        for (const ObjectPair& pair : pairs_) {
             faces += now_.objects[pair.now].count;
             in_order += pair.order.matched;
         }
         return static_cast<double>(in_order) >= level_in_order * static_cast<double>(faces);
     }
 
-    void add(const Pair& pair, Correspondence& result) const {
+    void add(const ObjectPair& pair, Correspondence& result) const {
         const std::uint32_t first = now_.objects[pair.now].first, old = old_.objects[pair.old].first;
         const ObjectEdit edit = edit_of(pair);
         for (std::uint32_t b = 0; b < pair.order.before.size(); ++b) {
@@ -199,7 +257,7 @@ class Comparison {
     }
 
     const MeshTokens &old_, &now_;
-    std::vector<Pair> pairs_;
+    std::vector<ObjectPair> pairs_;
     std::vector<bool> paired_old_, paired_now_;
     std::vector<std::uint64_t> joints_;  // [old object]
 };

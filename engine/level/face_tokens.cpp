@@ -19,7 +19,7 @@ constexpr int area_at = topology_bits + 3 * position_bits;
 constexpr double largest_code = (1 << position_bits) - 1, largest_area = (1 << area_bits) - 1;
 constexpr double area_steps = 80.0;      // per doubling; one more or less counts as equal
 constexpr double smallest_area = -25.0;  // as a power of two: squares of a sixth of a millimetre
-constexpr std::uint32_t least_corners = 3, most_corners = 9;
+constexpr std::uint32_t least_token_corners = 3, max_token_corners = 9;
 constexpr float farthest_corner_of_box = 1e9f;
 
 std::uint64_t mixed(std::uint64_t value) {  // the finalizer of splitmix64
@@ -90,7 +90,7 @@ MeshTokens mesh_tokens(const Mesh& mesh, SurfaceTable surfaces) {
             const FaceId face = tokens.face[i];
             FaceToken& token = tokens.faces[i];
             token.corners = static_cast<std::uint8_t>(
-                std::clamp(mesh.face_corner_count(face), least_corners, most_corners));
+                std::clamp(mesh.face_corner_count(face), least_token_corners, max_token_corners));
             token.material = materials[mesh.face_material[face]];
             token.area = area_step(face_area(mesh, face));
             token.position = face_centroid(mesh, face).cast<float>();
@@ -180,7 +180,8 @@ std::vector<std::string> pack_tokens(const MeshTokens& tokens) {
                 std::clamp(std::round(offset / static_cast<double>(object.step[axis])), 0.0, largest_code);
             packed |= static_cast<std::uint64_t>(code) << (topology_bits + axis * position_bits);
         }
-        packed |= std::uint64_t{token.area} << area_at | std::uint64_t{token.corners - least_corners} << 58 |
+        packed |= std::uint64_t{token.area} << area_at |
+                  std::uint64_t{token.corners - least_token_corners} << 58 |
                   std::uint64_t{token.material} << 61;
         put_bytes(bytes, packed, bytes_per_token);
         if (mixed(packed) % tokens_per_row != 0 && bytes.size() < longest_row && i + 1 < tokens.faces.size())
@@ -210,7 +211,7 @@ bool unpack_tokens(std::string_view bytes, MeshTokens& tokens) {
             token.position[axis] = static_cast<float>(of.box.min[axis]) + code * of.step[axis];
         }
         token.area = static_cast<std::uint16_t>(packed >> area_at & ((1U << area_bits) - 1));
-        token.corners = static_cast<std::uint8_t>((packed >> 58 & 7) + least_corners);
+        token.corners = static_cast<std::uint8_t>((packed >> 58 & 7) + least_token_corners);
         token.material = static_cast<std::uint8_t>(packed >> 61);
         tokens.faces.push_back(token);
         tokens.object.push_back(object);

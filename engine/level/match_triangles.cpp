@@ -8,7 +8,7 @@
 namespace slipface {
 namespace {
 
-constexpr std::size_t most_corners_cut = 32;
+constexpr std::size_t max_corners_cut = 32;
 
 // The corner of the outline at this position, or its number of corners.
 std::size_t corner_at(const std::vector<Vec3>& outline, const Vec3& position) {
@@ -39,7 +39,7 @@ std::vector<std::size_t> FaceMatcher::single_faces() const {
 // two of them, are the old face and nothing else.
 bool FaceMatcher::match_triangles(std::size_t i) {
     const std::size_t corners = outlines_[i].size();
-    if (corners < 4 || corners > most_corners_cut || !sharpen(i)) return false;
+    if (corners < 4 || corners > max_corners_cut || !sharpen(i)) return false;
     const std::vector<Vec3>& outline = outlines_[i];
     Aabb box;
     for (const Vec3& corner : outline)

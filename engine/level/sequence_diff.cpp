@@ -39,12 +39,12 @@ std::vector<KeyedIndex> hashes(std::span<const FaceToken> faces, std::uint32_t b
     return result;
 }
 
-struct Anchor {
+struct Stretch {
     std::uint32_t a, b;
 };
 
 // Those that ascend in both, as many as possible. Sorted by `b` before.
-std::vector<Anchor> longest_ascending(const std::vector<Anchor>& anchors) {
+std::vector<Stretch> longest_ascending(const std::vector<Stretch>& anchors) {
     std::vector<std::size_t> ends;  // [length - 1] the anchor with the lowest `a` that ends so many
     std::vector<std::size_t> previous(anchors.size(), anchors.size());
     for (std::size_t i = 0; i < anchors.size(); ++i) {
@@ -57,7 +57,7 @@ std::vector<Anchor> longest_ascending(const std::vector<Anchor>& anchors) {
         else
             *place = i;
     }
-    std::vector<Anchor> chain;
+    std::vector<Stretch> chain;
     for (std::size_t i = ends.empty() ? anchors.size() : ends.back(); i < anchors.size(); i = previous[i])
         chain.push_back(anchors[i]);
     std::reverse(chain.begin(), chain.end());
@@ -92,13 +92,13 @@ class Diff {
     }
 
     void split(const Gap& gap, std::size_t length, std::vector<Gap>& smaller) {
-        const std::vector<Anchor> chain = longest_ascending(anchors(gap, length));
+        const std::vector<Stretch> chain = longest_ascending(anchors(gap, length));
         Gap rest = gap;
         const auto add = [&](Gap one) {
             shrink(one);
             if (one.open()) smaller.push_back(one);
         };
-        for (const Anchor& anchor : chain) {
+        for (const Stretch& anchor : chain) {
             if (anchor.a < rest.a0 || anchor.b < rest.b0) continue;  // inside the one before
             std::uint32_t a = anchor.a, b = anchor.b;
             while (a > rest.a0 && b > rest.b0 && old_[a - 1].same_as(now_[b - 1])) {
@@ -113,14 +113,14 @@ class Diff {
         add(rest);
     }
 
-    std::vector<Anchor> anchors(const Gap& gap, std::size_t length) const {
+    std::vector<Stretch> anchors(const Gap& gap, std::size_t length) const {
         const std::vector<KeyedIndex> olds = hashes(old_, gap.a0, gap.a1, length),
                                       nows = hashes(now_, gap.b0, gap.b1, length);
         const auto once = [](const std::vector<KeyedIndex>& list, std::size_t i) {
             return (i == 0 || list[i - 1].key != list[i].key) &&
                    (i + 1 == list.size() || list[i + 1].key != list[i].key);
         };
-        std::vector<Anchor> found;
+        std::vector<Stretch> found;
         std::size_t i = 0;
         for (std::size_t k = 0; k < nows.size(); ++k) {
             if (!once(nows, k)) continue;
@@ -133,7 +133,7 @@ class Diff {
                 equal = old_[a + offset].same_as(now_[b + offset]);
             if (equal) found.push_back({a, b});
         }
-        std::sort(found.begin(), found.end(), [](const Anchor& x, const Anchor& y) { return x.b < y.b; });
+        std::sort(found.begin(), found.end(), [](const Stretch& x, const Stretch& y) { return x.b < y.b; });
         return found;
     }
 
