@@ -117,15 +117,24 @@ class Comparison {
             return;
         }
         pair.rival = slid(edit, order.before);
-        // Of the equal faces that may have been added or removed, those that leave most in its place.
-        for (std::size_t b = 0; b < edit.now.size(); ++b) {
-            const std::uint32_t a = order.before[b], other = pair.rival[b];
-            if (a == other || other == no_id || edit.in_place(a, b) || !edit.in_place(other, b)) continue;
-            std::swap(order.before[b], pair.rival[b]);
-        }
+        prefer_places(edit, pair);
         const auto least = rival_score * static_cast<double>(order.score);
         if (place.replaced <= order.replaced && static_cast<double>(place.score) >= least)
             doubt(edit, place, pair);
+    }
+
+    // Of equal faces that may have been added or removed, those that leave the others in their places.
+    static void prefer_places(const ObjectEdit& edit, ObjectPair& pair) {
+        std::vector<std::uint32_t>& before = pair.order.before;
+        std::vector<bool> stayed(edit.old.size(), false);
+        const auto there = [&](std::uint32_t a, std::size_t b) { return a != no_id && edit.in_place(a, b); };
+        for (std::size_t b = 0; b < before.size(); ++b) {
+            if (there(before[b], b) || !there(pair.rival[b], b)) continue;
+            std::swap(before[b], pair.rival[b]);
+            stayed[before[b]] = true;
+        }
+        for (std::size_t b = 0; b < before.size(); ++b)
+            if (before[b] != no_id && stayed[before[b]] && !edit.in_place(before[b], b)) before[b] = no_id;
     }
 
     // The places explain as much as the order.

@@ -403,6 +403,10 @@ TEST(Order, ProvesWhatPlacesContradict) {
             add_outcome(edit, false, without);
         }
         table += table_row(kind.name, without, with);
+        for (std::uint64_t seed = 61; seed <= 400; ++seed) {
+            Draw draw(seed);
+            add_outcome(kind.make(draw), true, with);
+        }
         EXPECT_EQ(with.silent + with.strangers, 0u) << kind.name;
         if (kind.followed) EXPECT_GE(100 * with.right, 99 * with.painted) << kind.name;
         if (kind.proved) EXPECT_LE(100 * with.guessed, with.painted) << kind.name;
