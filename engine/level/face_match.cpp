@@ -25,6 +25,14 @@ PaintParts with_unpainted(const PaintParts& parts, std::vector<StoredOverride>& 
     return all;
 }
 
+MatchedOverrides found_without_search(const FollowedFaces& followed) {
+    MatchedOverrides result;
+    result.overrides = followed.types;
+    result.guessed = followed.guessed;
+    result.summary.exact = followed.painted.size();
+    return result;
+}
+
 }  // namespace
 
 std::vector<StoredOverride> stored_overrides(const Level& level, PaintParts& parts) {
@@ -78,14 +86,21 @@ MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
         result.overrides.resize(mesh.face_count());
         return result;
     }
+    const FollowedFaces followed = follow_faces(mesh, surfaces, stored, parts);
+    const bool all_followed = followed.are_all(parts.of.size());
+    if (all_followed && stored.size() == parts.of.size()) return found_without_search(followed);
     FaceLookup lookup(mesh, surfaces);
-    if (parts.parts.empty()) return FaceMatcher(mesh, surfaces, stored, lookup).run();
+    const auto match = [&](const std::vector<StoredOverride>& faces, const PaintParts& of,
+                           const std::vector<PartMotion>& motions) {
+        FaceMatcher matcher(mesh, surfaces, faces, lookup, of, motions);
+        matcher.take(followed);
+        return std::move(matcher).run();
+    };
+    if (parts.parts.empty() || all_followed) return match(stored, parts, {});
     const std::vector<PartMotion> motions = find_motions(lookup, surfaces, parts, stored);
-    if (parts.unpainted.keys.empty())
-        return FaceMatcher(mesh, surfaces, stored, lookup, parts, motions).run();
+    if (parts.unpainted.keys.empty()) return match(stored, parts, motions);
     std::vector<StoredOverride> all = stored;
-    const PaintParts all_parts = with_unpainted(parts, all);
-    return FaceMatcher(mesh, surfaces, all, lookup, all_parts, motions).run();
+    return match(all, with_unpainted(parts, all), motions);
 }
 
 FaceKeySets stored_face_keys(const Level& level) {

@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::size_t max_listed_orphans = 100;
 
+}  // namespace
+
 std::optional<SurfaceId> type_of(SurfaceTable surfaces, const std::string& name) {
     for (std::size_t i = 0; i < surfaces.size() && i < max_surface_types; ++i)
         if (surfaces[i].name == name) return static_cast<SurfaceId>(i);
     return std::nullopt;
 }
-
-}  // namespace
 
 FaceMatcher::FaceMatcher(const Mesh& mesh, SurfaceTable surfaces, const std::vector<StoredOverride>& stored,
                          FaceLookup& lookup, const PaintParts& parts, const std::vector<PartMotion>& motions)
@@ -110,6 +110,10 @@ MatchedOverrides FaceMatcher::run() && {
         without_outline([this](std::size_t i) { return match_union(i, true); });
         without_outline([this](std::size_t i) { return match_area(i); });
         sharpen_outlines();
+        const std::vector<std::size_t> single = single_faces();
+        run_stage(Stage::exact, [&](std::size_t i) {
+            return std::binary_search(single.begin(), single.end(), i) && match_triangles(i);
+        });
         run_stage(Stage::nearest, [this](std::size_t i) { return match_extruded(i); });
         if (has_as_many_faces())
             run_stage(Stage::nearest, [this](std::size_t i) { return match_corners(i); });

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "face_index.h"
+#include "match_order.h"
 #include "mesh_parts.h"
 #include "slipface/collision/collision_world.h"
 
@@ -42,6 +43,8 @@ class FaceMatcher {
                 FaceLookup& lookup, const PaintParts& parts = {},
                 const std::vector<PartMotion>& motions = {});
 
+    // First of all: what is known is not searched for.
+    void take(const FollowedFaces& followed);
     MatchedOverrides run() &&;
 
   private:
@@ -49,6 +52,8 @@ class FaceMatcher {
     const FaceKey& key(std::size_t i) const { return (moved_.empty() ? stored_ : moved_)[i].key; }
     bool is_wanted(std::size_t i) const;  // not found yet, and to be searched
     bool is_free(FaceId face) const { return claims_[face] == MatchStage::none; }
+    // It is known that the face was elsewhere, and is no other than it was.
+    bool moved_here(FaceId face) const { return !moved_here_.empty() && moved_here_[face]; }
     bool is_of_another_object(FaceId face, std::size_t i) const;
     void claim(FaceId face, std::size_t i, MatchStage stage);
     std::vector<FaceId> faces_in(std::size_t i, const Aabb& box, bool any_material,
@@ -88,6 +93,10 @@ class FaceMatcher {
     bool is_as_before(std::size_t i, FaceId face, double slack) const;
     bool claim_best(std::size_t i, const std::vector<Candidate>& faces);
     bool has_other_corners(std::size_t i, FaceId face) const;
+
+    // match_triangles.cpp
+    std::vector<std::size_t> single_faces() const;
+    bool match_triangles(std::size_t i);
 
     // match_whole.cpp: of an old face without an outline, new faces that together are the whole of it
     bool match_plane(std::size_t i);
@@ -176,6 +185,7 @@ class FaceMatcher {
     const SurfaceId unpainted_;                    // the type of stored faces that are not painted
     std::vector<StoredOverride> moved_;            // stored_ after the motions, or empty if all stayed
     std::vector<MatchStage> claims_;               // [face]
+    std::vector<bool> moved_here_;                 // [face] FollowedFaces::moved
     std::vector<MatchStage> found_;                // [stored]
     std::vector<std::optional<SurfaceId>> types_;  // [stored]
     std::vector<std::string> bases_;               // [stored]
@@ -203,6 +213,9 @@ class FaceMatcher {
     bool bent_ = false;  // what match_union() looks for
     MatchedOverrides result_;
 };
+
+// The type of that name, if there is one.
+std::optional<SurfaceId> type_of(SurfaceTable surfaces, const std::string& name);
 
 inline Vec3 unit_or_zero(const Vec3& normal) {
     const double length = normal.norm();

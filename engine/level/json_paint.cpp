@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "json_parts.h"
 #include "level_json.h"
@@ -44,18 +45,23 @@ Json object_json(const PaintPart& part) {
 }
 
 // Rows of base64. The faces' hashes alone decide where rows begin, so painting one more face changes one row.
-Json outlines_json(const std::vector<FaceKey>& keys, const FaceOutlines& outlines,
-                   const std::vector<std::size_t>& order) {
+template <class Add>
+Json rows_json(const std::vector<FaceKey>& keys, const std::vector<std::size_t>& order, const Add& add) {
     constexpr std::uint64_t faces_per_row = 64;  // on average
     Json rows = json_array();
     std::string bytes;
     for (std::size_t k = 0; k < order.size(); ++k) {
-        bytes += outlines.bytes(order[k]);
+        add(order[k], bytes);
         if (k + 1 < order.size() && keys[order[k + 1]].loop_hash % faces_per_row != 0) continue;
         rows.items.push_back(json_string(to_base64(bytes, Base64::plain)));
         bytes.clear();
     }
     return rows;
+}
+
+Json outlines_json(const std::vector<FaceKey>& keys, const FaceOutlines& outlines,
+                   const std::vector<std::size_t>& order) {
+    return rows_json(keys, order, [&](std::size_t i, std::string& bytes) { bytes += outlines.bytes(i); });
 }
 
 void read_outlines(const JsonNode& node, std::size_t count, FaceOutlines& outlines) {
@@ -103,6 +109,70 @@ void add_part_of_each(Json& json, const std::vector<std::uint16_t>& of,
     for (const std::size_t i : order)
         put_bytes(bytes, of[i], 2);
     json_add(json, "of", json_string(to_base64(bytes, Base64::plain)));
+}
+
+// Of the number of a token, if there are so many.
+std::size_t number_bytes(std::size_t tokens) {
+    return (static_cast<std::size_t>(std::bit_width(tokens)) + 7) / 8;
+}
+
+Json token_numbers_json(const std::vector<std::uint32_t>& numbers, std::size_t tokens,
+                        const std::vector<FaceKey>& keys, const std::vector<std::size_t>& order) {
+    return rows_json(keys, order, [&](std::size_t i, std::string& bytes) {
+        put_bytes(bytes, numbers[i], number_bytes(tokens));
+    });
+}
+
+// False unless there is a token for each of the faces, at its place.
+template <class KeyOf>
+bool read_token_numbers(const JsonNode& node, std::size_t count, const KeyOf& key_of,
+                        const MeshTokens& tokens, std::vector<std::uint32_t>& numbers) {
+    std::string bytes, row_bytes;
+    numbers.clear();
+    node.each(max_json_values, [&](const JsonNode& row) {
+        if (row.base64("the tokens of faces", row_bytes)) bytes += row_bytes;
+    });
+    const std::size_t width = number_bytes(tokens.faces.size());
+    if (bytes.size() != width * count) return false;
+    const char* at = bytes.data();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint64_t number = take_bytes(at, width);
+        if (number >= tokens.faces.size()) return false;
+        numbers.push_back(static_cast<std::uint32_t>(number));
+        const TokenObject& object = tokens.objects[tokens.object[numbers.back()]];
+        const Vec3 away = key_of(i).centroid - tokens.faces[numbers.back()].position.template cast<double>();
+        if ((away.cwiseAbs().array() > object.step.template cast<double>().array()).any()) return false;
+    }
+    return true;
+}
+
+// Tokens of other paint or geometry, which another program kept, do not fit: they are left out.
+void read_tokens(const JsonNode& node, std::span<const StoredOverride> painted, PaintParts& parts) {
+    MeshTokens& tokens = parts.tokens;
+    bool fit = true;
+    std::string bytes;
+    const auto take = [&](const JsonNode& list, bool (*unpack)(std::string_view, MeshTokens&)) {
+        list.each(max_json_values, [&](const JsonNode& row) {
+            if (row.base64("tokens of faces", bytes)) fit = fit && unpack(bytes, tokens);
+        });
+    };
+    const JsonNode objects = node["objects"], rows = node["rows"], of_painted = node["painted"],
+                   of_unpainted = node["unpainted"];
+    take(objects, unpack_token_objects);
+    take(rows, unpack_tokens);
+    std::size_t count = 0;
+    for (const TokenObject& object : tokens.objects)
+        count += object.count;
+    const UnpaintedFaces& unpainted = parts.unpainted;
+    const auto painted_key = [&](std::size_t i) -> const FaceKey& { return painted[i].key; };
+    const auto unpainted_key = [&](std::size_t i) -> const FaceKey& { return unpainted.keys[i]; };
+    if (fit && count == tokens.faces.size() && count > 0 &&
+        read_token_numbers(of_painted, painted.size(), painted_key, tokens, parts.token) &&
+        read_token_numbers(of_unpainted, unpainted.keys.size(), unpainted_key, tokens, parts.unpainted.token))
+        return;
+    tokens = {};
+    parts.token.clear();
+    parts.unpainted.token.clear();
 }
 
 std::uint64_t hash_of_paint(std::span<const StoredOverride> painted) {
@@ -175,6 +245,7 @@ std::optional<PaintParts> read_paint_parts(const JsonNode& node, std::span<const
         for (std::size_t i = 0; i < std::min(painted.size(), 8 * bytes.size()); ++i)
             parts.guessed[i] = (bytes[i / 8] >> i % 8 & 1) != 0;
     }
+    if (const JsonNode tokens = node["tokens"]) read_tokens(tokens, painted, parts);
     // Not before all members are read: those that nobody reads are unknown ones, which are kept.
     if (!as_many || hash != hash_text(hash_of_paint(painted))) return std::nullopt;
     return parts;
@@ -207,6 +278,28 @@ Json paint_parts_json(const std::vector<FaceKey>& keys, const PaintParts& parts,
         if (parts.guessed[order[k]]) bits[k / 8] = static_cast<char>(bits[k / 8] | 1 << k % 8);
     if (bits.find_first_not_of('\0') != std::string::npos)
         json_add(json, "guessed", json_string(to_base64(bits, Base64::plain)));
+    return json;
+}
+
+Json tokens_json(const std::vector<FaceKey>& keys, const PaintParts& parts,
+                 const std::vector<std::size_t>& order, const std::vector<std::size_t>& unpainted_order) {
+    // In rows, so that an edit of one object changes one.
+    constexpr std::size_t longest_row = 32 * bytes_per_object;
+    const MeshTokens& tokens = parts.tokens;
+    const std::string objects = pack_token_objects(tokens);
+    Json object_rows = json_array();
+    for (std::size_t at = 0; at < objects.size(); at += longest_row)
+        object_rows.items.push_back(
+            json_string(to_base64(std::string_view(objects).substr(at, longest_row), Base64::plain)));
+    Json json = json_object({{"objects", std::move(object_rows)}});
+    json_add(json, "rows", json_array_of(pack_tokens(tokens), [](const std::string& row) {
+                 return json_string(to_base64(row, Base64::plain));
+             }));
+    json_add(json, "painted", token_numbers_json(parts.token, tokens.faces.size(), keys, order));
+    if (!unpainted_order.empty())
+        json_add(json, "unpainted",
+                 token_numbers_json(parts.unpainted.token, tokens.faces.size(), parts.unpainted.keys,
+                                    unpainted_order));
     return json;
 }
 

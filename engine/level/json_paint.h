@@ -4,6 +4,8 @@
 //             "of": each painted face's part, "list": each part (pack_part()),
 //             "numbers": of the vertices at its rim, "objects": its object,
 //             "outlines": of the painted faces, "guessed": a bit for each,
+//             "tokens": of all faces (face_tokens.h): {"objects", "rows", "painted": the number of each
+//                       painted face's token, "unpainted": of each unpainted one below},
 //             "unpainted": {"groups": faces that lie on painted ones, "of", "outlines": as above}}
 #pragma once
 
@@ -26,6 +28,10 @@ std::optional<PaintParts> read_paint_parts(const JsonNode& node, std::span<const
 // `order`: the keys' indices in the file's order.
 Json paint_parts_json(const std::vector<FaceKey>& keys, const PaintParts& parts,
                       const std::vector<std::size_t>& order);
+
+// The member "tokens" of the parts. `order`: of `keys`; `unpainted_order`: of the unpainted faces.
+Json tokens_json(const std::vector<FaceKey>& keys, const PaintParts& parts,
+                 const std::vector<std::size_t>& order, const std::vector<std::size_t>& unpainted_order);
 
 // `order`: of their keys. `groups`: their rows.
 Json unpainted_json(const UnpaintedFaces& faces, const std::vector<std::size_t>& order, Json groups);

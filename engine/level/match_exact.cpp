@@ -26,7 +26,7 @@ bool FaceMatcher::match_hash(std::size_t i, bool own) {
     bool twin = false;
     for (const FaceId face : faces) {
         const double distance = (index_.key(face).centroid - key.centroid).norm();
-        if (distance > tolerance) continue;
+        if (distance > tolerance || moved_here(face)) continue;
         found.push_back(candidate(i, face, distance));
         if (index_.key(face).material != key.material) continue;
         if (!is_free(face)) {
@@ -114,6 +114,7 @@ bool FaceMatcher::claim_best(std::size_t i, const std::vector<Candidate>& faces)
     FaceId best = no_id, taken = no_id;
     Rank best_rank{};
     for (const Candidate& candidate : faces) {
+        if (moved_here(candidate.face)) continue;  // the face of another place, however alike
         if (!is_free(candidate.face)) {
             // Of faces at one place a tool has left one: whose type it has is a question.
             if (result_.overrides[candidate.face] != types_[i]) taken = candidate.face;

@@ -284,6 +284,9 @@ PaintParts paint_parts(const Mesh& mesh, SurfaceTable surfaces, const std::vecto
     unpainted.keys = face_keys(mesh, unpainted_faces);
     for (std::size_t i = 0; i < unpainted_faces.size(); ++i)
         unpainted.outlines.add(mesh, unpainted_faces[i], unpainted.keys[i]);
+    result.tokens = mesh_tokens(mesh, surfaces);
+    result.token = tokens_of(result.tokens, faces);
+    unpainted.token = tokens_of(result.tokens, unpainted_faces);
     return result;
 }
 

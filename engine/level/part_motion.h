@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "face_outline.h"
+#include "face_tokens.h"
 #include "slipface/level/level.h"
 
 namespace slipface {
@@ -50,15 +51,18 @@ struct UnpaintedFaces {
     std::vector<FaceKey> keys;
     std::vector<std::uint16_t> of;  // [key] as PaintParts::of; if its part is not painted, that of the paint
     FaceOutlines outlines;          // [key]
+    std::vector<std::uint32_t> token;  // [key] index into PaintParts::tokens; or empty
 };
 
 struct PaintParts {
     Aabb bounds;  // of the whole mesh
     std::vector<PaintPart> parts;
-    std::vector<std::uint16_t> of;  // [painted face] 1 + its part; 0: none
-    FaceOutlines outlines;          // [painted face]; none in an older level file
-    std::vector<bool> guessed;      // [painted face] its type was a guess before; or empty
-    UnpaintedFaces unpainted;       // none in an older level file
+    std::vector<std::uint16_t> of;     // [painted face] 1 + its part; 0: none
+    FaceOutlines outlines;             // [painted face]; none in an older level file
+    std::vector<bool> guessed;         // [painted face] its type was a guess before; or empty
+    UnpaintedFaces unpainted;          // none in an older level file
+    MeshTokens tokens;                 // of the whole mesh; none in an older level file
+    std::vector<std::uint32_t> token;  // [painted face] its token; or empty
 };
 
 // All parts, the ones with most faces of `faces` first. `keys`: of these faces.

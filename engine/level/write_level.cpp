@@ -166,11 +166,13 @@ PaintedFaces without_types(std::vector<FaceKey> keys) {
     return faces;
 }
 
-void add_unpainted(Json& parts, const UnpaintedFaces& faces, UnknownMembers& unknown) {
-    if (faces.keys.empty()) return;
+// Returns the order of the faces in the file.
+std::vector<std::size_t> add_unpainted(Json& parts, const UnpaintedFaces& faces, UnknownMembers& unknown) {
     std::vector<std::size_t> order;
+    if (faces.keys.empty()) return order;
     Json groups = groups_json(without_types(faces.keys), true, unknown, "unpainted", false, &order);
     json_add(parts, "unpainted", unpainted_json(faces, order, std::move(groups)));
+    return order;
 }
 
 Json stored_faces_json(std::vector<FaceKey> keys, UnknownMembers& unknown, const std::string& kind) {
@@ -310,7 +312,9 @@ std::string level_text(const Level& level, const std::filesystem::path& file_pat
              groups_json(painted, painted.keys.size() > max_readable_faces, unknown, "faces", true, &order));
     if (!painted.parts.parts.empty() && written == LevelText::whole) {
         Json parts = paint_parts_json(painted.keys, painted.parts, order);
-        add_unpainted(parts, painted.parts.unpainted, unknown);
+        const std::vector<std::size_t> unpainted_order =
+            add_unpainted(parts, painted.parts.unpainted, unknown);
+        json_add(parts, "tokens", tokens_json(painted.keys, painted.parts, order, unpainted_order));
         json_add(root, "parts", std::move(parts));
     }
     json_add(root, "orphans", groups_json(orphaned_faces(level), false, unknown, "faces", true));

@@ -110,9 +110,9 @@ TEST(FaceMatch, BothTrianglesOfASplitTileKeepItsTypeAndNoOther) {
     const Faces after = rounded(shuffled(triangulated(faces), 8));
     const LoadedLevel loaded = rematch(faces, after);
     EXPECT_TRUE(wrong_faces(after, loaded).empty());
-    // Every painted tile is found by its parts: 48 of the 144.
-    EXPECT_EQ(loaded.match.by_plane, 48u);
-    EXPECT_EQ(loaded.match.exact, 0u);
+    // Every painted tile is found by its parts, 48 of the 144, and they are it and nothing else.
+    EXPECT_EQ(loaded.match.exact, 48u);
+    EXPECT_TRUE(loaded.level.guessed.empty());
 }
 
 // Of a tile cut into quarters, one of them gone, the rest keeps its type as a guess, and no half of a

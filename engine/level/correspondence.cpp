@@ -1,0 +1,282 @@
+#include "correspondence.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "motion_fit.h"
+#include "slipface/base/hash.h"
+#include "token_reading.h"
+
+namespace slipface {
+namespace {
+
+// Less of what the order explains is no second reading.
+constexpr double rival_score = 0.5;
+// Of the faces of all objects, so that the order alone can say that a symmetric object turned.
+constexpr double level_in_order = 0.9;
+// Faces of an object that is known without its name, by how they are joined.
+constexpr std::uint32_t enough_faces = 24;
+
+// Equal objects in one plane that are compared with one that moved there.
+constexpr std::size_t max_side_by_side = 1000;
+
+// Motions that are compared with what a symmetric object may have done, faces that they are fitted to, and
+// how near they put the object's faces, in its size: what a small object did is not known exactly far away.
+constexpr std::size_t max_seen = 64, max_fitted = 256;
+constexpr double near_enough = 0.01;
+
+struct ObjectPair {
+    std::uint32_t old, now;  // objects
+    bool named;
+    Reading order;
+    Aabb went_to = {};                      // the box of its faces in the new geometry
+    std::vector<std::uint32_t> rival = {};  // as Correspondence, of the object; or empty
+    bool by_place_too = false;              // the places explain all, but differently
+};
+
+std::uint64_t joints(const MeshTokens& tokens, const TokenObject& object) {
+    Hasher hasher;
+    hasher.u64(object.count);
+    for (std::uint32_t i = object.first; i < object.first + object.count; ++i)
+        hasher.u64(std::uint64_t{tokens.faces[i].topology} << 8 | tokens.faces[i].corners);
+    return hasher.value();
+}
+
+// [key] the object that alone has it, or no_id.
+template <class KeyOf>
+std::map<std::uint64_t, std::uint32_t> only_ones(const MeshTokens& tokens, const KeyOf& key_of) {
+    std::map<std::uint64_t, std::uint32_t> only;
+    for (std::uint32_t i = 0; i < tokens.objects.size(); ++i)
+        if (const auto [place, added] = only.try_emplace(key_of(i), i); !added) place->second = no_id;
+    return only;
+}
+
+class Comparison {
+  public:
+    Comparison(const MeshTokens& old, const MeshTokens& now) : old_(old), now_(now) {}
+
+    Correspondence run() && {
+        pair_objects();
+        for (ObjectPair& pair : pairs_)
+            read(pair);
+        trust_shared_motions();
+        doubt_exchanged_names();
+        Correspondence result;
+        result.before.assign(now_.faces.size(), no_id);
+        result.rival.assign(now_.faces.size(), no_id);
+        result.moved.assign(now_.faces.size(), false);
+        const bool in_order = level_is_in_order();
+        for (const ObjectPair& pair : pairs_)
+            if (!pair.by_place_too || in_order) add(pair, result);
+        return result;
+    }
+
+  private:
+    void pair_objects() {
+        const auto pair_by = [&](const auto& olds, const auto& nows, bool named) {
+            for (const auto& [key, old] : olds) {
+                const auto now = nows.find(key);
+                if (old == no_id || now == nows.end() || now->second == no_id) continue;
+                if (paired_old_[old] || paired_now_[now->second]) continue;
+                paired_old_[old] = paired_now_[now->second] = true;
+                pairs_.push_back({old, now->second, named, {}});
+            }
+        };
+        paired_old_.resize(old_.objects.size());
+        paired_now_.resize(now_.objects.size());
+        pair_by(only_ones(old_, [&](std::uint32_t i) { return old_.objects[i].name; }),
+                only_ones(now_, [&](std::uint32_t i) { return now_.objects[i].name; }), true);
+        for (std::uint32_t i = 0; i < old_.objects.size(); ++i)
+            joints_.push_back(joints(old_, old_.objects[i]));
+        pair_by(only_ones(old_, [&](std::uint32_t i) { return joints_[i]; }),
+                only_ones(now_, [&](std::uint32_t i) { return joints(now_, now_.objects[i]); }), false);
+        std::sort(pairs_.begin(), pairs_.end(),
+                  [](const ObjectPair& a, const ObjectPair& b) { return a.now < b.now; });
+    }
+
+    ObjectEdit edit_of(const ObjectPair& pair) const {
+        const TokenObject &old = old_.objects[pair.old], &now = now_.objects[pair.now];
+        return {std::span(old_.faces).subspan(old.first, old.count),
+                std::span(now_.faces).subspan(now.first, now.count), old};
+    }
+
+    void read(ObjectPair& pair) {
+        const ObjectEdit edit = edit_of(pair);
+        pair.order = read_by_order(edit);
+        Reading& order = pair.order;
+        for (const FaceToken& face : edit.now)
+            pair.went_to.add(face.position.cast<double>());
+        if (order.matched == 0 || order.in_place == order.matched) return;
+        const Reading place = read_by_place(edit);
+        const bool stayed = !order.whole && place.in_place >= order.matched;
+        // Turned, or sorted? The order of the vertices, which the search knows, may say.
+        const bool all_there = place.in_place == edit.now.size() && place.in_place == edit.old.size();
+        const bool too_small = !pair.named && edit.old.size() < enough_faces;
+        if (place.score > order.score || stayed || all_there || too_small) {
+            order.before.assign(edit.now.size(), no_id);
+            order.matched = 0;
+            return;
+        }
+        pair.rival = slid(edit, order.before);
+        prefer_places(edit, pair);
+        const auto least = rival_score * static_cast<double>(order.score);
+        if (place.replaced <= order.replaced && static_cast<double>(place.score) >= least)
+            doubt(edit, place, pair);
+    }
+
+    // Of equal faces that may have been added or removed, those that leave the others in their places.
+    static void prefer_places(const ObjectEdit& edit, ObjectPair& pair) {
+        std::vector<std::uint32_t>& before = pair.order.before;
+        std::vector<bool> stayed(edit.old.size(), false);
+        const auto there = [&](std::uint32_t a, std::size_t b) { return a != no_id && edit.in_place(a, b); };
+        for (std::size_t b = 0; b < before.size(); ++b) {
+            if (there(before[b], b) || !there(pair.rival[b], b)) continue;
+            std::swap(before[b], pair.rival[b]);
+            stayed[before[b]] = true;
+        }
+        for (std::size_t b = 0; b < before.size(); ++b)
+            if (before[b] != no_id && stayed[before[b]] && !edit.in_place(before[b], b)) before[b] = no_id;
+    }
+
+    // The places explain as much as the order.
+    static void doubt(const ObjectEdit& edit, const Reading& place, ObjectPair& pair) {
+        std::vector<bool> placed(edit.old.size(), false);
+        for (const std::uint32_t a : place.before)
+            if (a != no_id) placed[a] = true;
+        for (std::size_t b = 0; b < edit.now.size(); ++b) {
+            const std::uint32_t a = pair.order.before[b];
+            // A face that the places know nothing of is what the order says.
+            if (a == no_id || a == place.before[b] || (!placed[a] && place.before[b] == no_id)) continue;
+            pair.rival[b] = place.before[b];
+            pair.by_place_too = true;
+        }
+    }
+
+    // An object that may have turned in its place or stayed did what others did that cannot have stayed.
+    void trust_shared_motions() {
+        std::vector<PartMotion> seen;
+        for (const ObjectPair& pair : pairs_)
+            if (pair.order.whole && pair.order.in_place == 0 && !pair.by_place_too && seen.size() < max_seen)
+                if (const std::optional<PartMotion> motion = motion_of(pair)) seen.push_back(*motion);
+        for (ObjectPair& pair : pairs_) {
+            const auto made_by = [&](const PartMotion& motion) { return makes(motion, pair); };
+            if (!pair.by_place_too || std::none_of(seen.begin(), seen.end(), made_by)) continue;
+            pair.rival.clear();
+            pair.by_place_too = false;
+        }
+    }
+
+    // How the object moved, if it kept its shape.
+    std::optional<PartMotion> motion_of(const ObjectPair& pair) const {
+        const ObjectEdit edit = edit_of(pair);
+        const std::size_t step = 1 + edit.now.size() / max_fitted;
+        std::vector<std::size_t> fitted;
+        for (std::size_t b = 0; b < edit.now.size(); b += step)
+            if (pair.order.before[b] != no_id) fitted.push_back(b);
+        if (fitted.size() < 4) return std::nullopt;
+        Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(fitted.size())), to = from;
+        for (std::size_t i = 0; i < fitted.size(); ++i) {
+            const auto column = static_cast<Eigen::Index>(i);
+            from.col(column) = edit.old[pair.order.before[fitted[i]]].position.cast<double>();
+            to.col(column) = edit.now[fitted[i]].position.cast<double>();
+        }
+        for (const bool mirrored : {false, true})
+            if (const std::optional<PartMotion> motion = fit_similarity(from, to, mirrored);
+                motion && makes(*motion, pair))
+                return motion;
+        return std::nullopt;
+    }
+
+    // Whether the motion puts the old faces of the object where they are now.
+    bool makes(const PartMotion& motion, const ObjectPair& pair) const {
+        const ObjectEdit edit = edit_of(pair);
+        const double size = (pair.went_to.max - pair.went_to.min).norm();
+        const double slack = 2.0 * static_cast<double>(edit.box.step.norm()) + near_enough * size;
+        for (std::size_t b = 0; b < edit.now.size(); ++b) {
+            const std::uint32_t a = pair.order.before[b];
+            if (a == no_id) continue;
+            const Vec3 there = motion(edit.old[a].position.cast<double>());
+            if (!((there - edit.now[b].position.cast<double>()).norm() <= slack)) return false;
+        }
+        return true;
+    }
+
+    // Two equal objects at each other's places, in the order of the places: their names were exchanged, or
+    // they were, and their order, too.
+    void doubt_exchanged_names() {
+        std::map<std::uint64_t, std::vector<std::size_t>> equal;  // [joints] the pairs
+        for (std::size_t i = 0; i < pairs_.size(); ++i)
+            if (pairs_[i].named && pairs_[i].order.whole) equal[joints_[pairs_[i].old]].push_back(i);
+        for (auto& [key, list] : equal) {
+            std::sort(list.begin(), list.end(),
+                      [&](std::size_t a, std::size_t b) { return old_box(a).min.x() < old_box(b).min.x(); });
+            for (const std::size_t i : list) {
+                ObjectPair& pair = pairs_[i];
+                if (pair.order.in_place == pair.order.matched) continue;
+                const double low = pair.went_to.min.x() - slack(i);
+                auto other = std::lower_bound(list.begin(), list.end(), low, [&](std::size_t one, double x) {
+                    return old_box(one).min.x() < x;
+                });
+                std::size_t tried = 0;
+                for (; other != list.end() && old_box(*other).min.x() <= low + 2.0 * slack(i) &&
+                       tried < max_side_by_side;
+                     ++other, ++tried) {
+                    const ObjectPair& there = pairs_[*other];
+                    if ((pair.old < there.old) == (pair.now < there.now) || !stood_there(*other, i)) continue;
+                    const std::uint32_t from = old_.objects[pair.old].first,
+                                        to = old_.objects[there.old].first;
+                    if (pair.rival.empty()) pair.rival = pair.order.before;
+                    for (std::uint32_t& before : pair.rival)
+                        if (before != no_id) before = before + to - from;  // indices into the object, below
+                    break;
+                }
+            }
+        }
+    }
+
+    const Aabb& old_box(std::size_t pair) const { return old_.objects[pairs_[pair].old].box; }
+    double slack(std::size_t pair) const {
+        return 2.0 * static_cast<double>(old_.objects[pairs_[pair].old].step.norm());
+    }
+    // Whether the old object of `other` was where that of `pair` is now.
+    bool stood_there(std::size_t other, std::size_t pair) const {
+        const Aabb &was = old_box(other), &is = pairs_[pair].went_to;
+        return (was.min - is.min).norm() <= slack(pair) && (was.max - is.max).norm() <= slack(pair);
+    }
+
+    bool level_is_in_order() const {
+        std::size_t faces = 0, in_order = 0;
+        for (const ObjectPair& pair : pairs_) {
+            faces += now_.objects[pair.now].count;
+            in_order += pair.order.matched;
+        }
+        return static_cast<double>(in_order) >= level_in_order * static_cast<double>(faces);
+    }
+
+    void add(const ObjectPair& pair, Correspondence& result) const {
+        const std::uint32_t first = now_.objects[pair.now].first, old = old_.objects[pair.old].first;
+        const ObjectEdit edit = edit_of(pair);
+        for (std::uint32_t b = 0; b < pair.order.before.size(); ++b) {
+            const std::uint32_t before = pair.order.before[b];
+            if (before == no_id) continue;
+            result.before[first + b] = old + before;
+            result.moved[first + b] = !edit.in_place(before, b);
+            const std::uint32_t rival = pair.rival.empty() ? before : pair.rival[b];
+            result.rival[first + b] = rival == no_id ? no_id : old + rival;
+        }
+    }
+
+    const MeshTokens &old_, &now_;
+    std::vector<ObjectPair> pairs_;
+    std::vector<bool> paired_old_, paired_now_;
+    std::vector<std::uint64_t> joints_;  // [old object]
+};
+
+}  // namespace
+
+Correspondence correspond(const MeshTokens& old, const MeshTokens& now) {
+    return Comparison(old, now).run();
+}
+
+}  // namespace slipface
