@@ -30,8 +30,18 @@ void move_split(Mover& mover, Vec3 move) {
     Vec3 ground = mover.state.ground_normal;
     double falls = 0.0;  // what is left of the fall, so that the ground is met again where it leads down
     if (!mover.was_grounded) {
-        if (const std::optional<TouchDown> landed = touch_down(mover, move)) {
-            if (mover.stuck || mover.climbing) return;
+        // The last skin of a fall is left to the vertical part, which looks down for ground that is near.
+        const Vec3 last(0.0, std::clamp(move.y(), -mover.settings.skin, 0.0), 0.0);
+        if (const std::optional<TouchDown> landed = touch_down(mover, move, last)) {
+            if (landed->flies) {
+                // Along a fall the square of the speed changes with the way.
+                const double before = mover.velocity_before.y(), after = mover.velocity.y();
+                const double way = move.y() < 0.0 ? last.y() / move.y() : 0.0;
+                const double square = after * after - way * (after * after - before * before);
+                mover.velocity_before.y() = -std::sqrt(std::max(0.0, square));
+                collide_and_slide(mover, Pass::vertical, last);
+            }
+            if (landed->flies || mover.stuck || mover.climbing) return;
             if (!landed->stands) {
                 collide_and_slide(mover, Pass::slide, landed->remainder);
                 return;

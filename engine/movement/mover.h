@@ -287,15 +287,16 @@ Swept sweep_with_skin(Mover& mover, Pass pass, int iteration, const Vec3& move);
 // Collide and slide: moves the mover by `move`, at most settings.max_slides sweeps. Returns what could not be
 // used.
 Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move);
-// Moves a player that flies by `move` as far as the first contact on its way and lets that respond, if it is
-// ground or throws the player back: what a landing is must not depend on the order of a split move. Nothing
-// if it does not land.
+// Moves a player that flies by `move`, but for the `last` part of it, as far as the first contact on its way
+// and lets that respond, if it is ground or throws the player back: what a landing is must not depend on the
+// order of a split move. Nothing if what blocks the way is for the split move.
 struct TouchDown {
-    double left;     // fraction of the move
-    Vec3 remainder;  // of the displacement, after the response, m
-    bool stands;     // it walks on; else it is thrown back or glides
+    bool flies = false;             // all the way; else it lands
+    double left = 0.0;              // fraction of the move
+    Vec3 remainder = Vec3::Zero();  // of the displacement, after the response, m
+    bool stands = false;            // it walks on; else it is thrown back or glides
 };
-std::optional<TouchDown> touch_down(Mover& mover, const Vec3& move);
+std::optional<TouchDown> touch_down(Mover& mover, const Vec3& move, const Vec3& last);
 // Notes what a contact means for the state: ground, ladder, hazard.
 void touch(Mover& mover, const Hit& hit);
 // Deflects displacement and velocity at a contact: by the first response that applies.
@@ -331,8 +332,8 @@ struct Corner {
 // Adds the plane of the latest deflection and holds it against those met before. `left`: the fraction of the
 // pass that lies behind the contact.
 void respect_corner(Corner& corner, double left, Deflection& deflection);
-// Adds the planes of the other faces that the body touches where it slides along one: a sweep names only the
-// first of the walls of a corner.
+// Adds the planes of the other faces that the body touches where it slides along one against its wish: a
+// sweep names only the first of the walls of a corner, and in one this must not be.
 void meet_others(Mover& mover, const Hit& hit, Corner& corner);
 // What a wall is to a horizontal move: its horizontal part, or the plane itself if it hangs over. Zero for
 // what is straight overhead or underfoot.

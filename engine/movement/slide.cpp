@@ -49,23 +49,27 @@ void walk_along(const Mover& mover, const Corner& corner, Deflection& deflection
 
 }  // namespace
 
-std::optional<TouchDown> touch_down(Mover& mover, const Vec3& move) {
-    const Swept swept = sweep_with_skin(mover, Pass::slide, 0, move);
-    if (!swept.contact) return std::nullopt;
+std::optional<TouchDown> touch_down(Mover& mover, const Vec3& move, const Vec3& last) {
+    const Swept swept = sweep_with_skin(mover, Pass::slide, 0, move - last);
+    if (!swept.contact) {
+        mover.position = swept.reached;
+        return TouchDown{.flies = true};
+    }
     const SurfaceType& surface = surface_of(mover, swept.contact->surface);
     if (!is_walkable(mover, swept.contact->normal, surface) && !(restitution_of(mover, surface) > 0.0))
         return std::nullopt;
     ++mover.contacts;
     mover.position = swept.reached;
-    const double left = 1.0 - swept.used;
-    const Hit hit = hit_of(mover, Pass::vertical, swept, move * left, swept.used);
+    const double done = swept.used * (move - last).norm() / move.norm();
+    const Vec3 rest = (move - last) * (1.0 - swept.used) + last;
+    const Hit hit = hit_of(mover, Pass::vertical, swept, rest, done);
     touch(mover, hit);
     Deflection deflection = respond(mover, hit);
     const bool stands = mover.grounded && deflection.rule == Rule::stop;
     if (stands) deflection.remainder = horizontal(hit.remainder);
     trace_response(mover, hit, deflection);
     mover.velocity = deflection.velocity;
-    return TouchDown{left, deflection.remainder, stands};
+    return TouchDown{.left = 1.0 - done, .remainder = deflection.remainder, .stands = stands};
 }
 
 Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move) {
@@ -101,7 +105,10 @@ Vec3 collide_and_slide(Mover& mover, Pass pass, const Vec3& move) {
                     .walkable = hit.walkable});
         touch(mover, hit);
         Deflection deflection = respond(mover, hit);
-        if (deflection.slides) meet_others(mover, hit, corner);
+        // Hardly any way is left, or a swing of an earlier speed: the player may be in a corner.
+        const Vec3& along = deflection.remainder;
+        if (deflection.slides && (along.norm() < 8.0 * mover.settings.skin || along.dot(corner.wish) < 0.0))
+            meet_others(mover, hit, corner);
         respect_corner(corner, 1.0 - done, deflection);
         walk_along(mover, corner, deflection);
         trace_response(mover, hit, deflection);

@@ -92,7 +92,9 @@ void add_response(Saying& saying, const ResponseRecord& response) {
                                                     {Rule::stop, "Stopped"},
                                                     {Rule::keep_energy, "Deflected along it without loss"},
                                                     {Rule::crease, "Slid along the crease"}};
-    saying.words = {begins.at(response.rule)};
+    // What a landing leaves is walked.
+    const bool lands = response.rule == Rule::stop && !response.remainder_after.isZero(0.0);
+    saying.words = {lands ? "Landed" : begins.at(response.rule)};
     const Value before = metres(response.remainder_before.norm()),
                 after = metres(response.remainder_after.norm());
     if (after.value > 0.0) saying.values.push_back(after);
