@@ -19,13 +19,11 @@ double accelerate(Mover& mover, double friction, bool slippery) {
                                         : speed_asked_for(mover, stick, horizontal(mover.velocity) - frame));
     const Vec3 missing = target - horizontal(mover.velocity);
     const double maximum = acceleration * mover.dt;
-    if (brakes) {
-        const double length = missing.norm();
+    const double length = missing.norm();
+    if (brakes)
         mover.asked = {.velocity = target,
                        .change = maximum,
                        .changed = missing * (length > maximum ? maximum / length : 1.0)};
-    }
-    const double length = missing.norm();
     if (length <= maximum) {
         mover.velocity.x() = target.x();
         mover.velocity.z() = target.z();
