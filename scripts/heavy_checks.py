@@ -4,7 +4,8 @@
     heavy_checks.py                    lists them
     heavy_checks.py run [NAME...]      runs them all, or those named, and writes each result into docs/checks.md
     heavy_checks.py due MINUTES        runs those whose inputs changed since they last passed, the most urgent first, as
-                                       far as the minutes suffice; writes nothing. .ci/run ends with it
+                                       far as the minutes suffice; writes nothing. .ci/run ends with it. One that never
+                                       passed yet is for .ci/nightly
 
 A check is urgent if its own inputs changed; every other change to the program makes it due as well, the longest unchecked first.
 """
@@ -45,6 +46,7 @@ CHECKS = (
     Check("cluster", "scripts/cluster_test.sh", 12, ("editor/mpi", "scripts/slurm.sh"), "audits, searches and snapshots under Slurm and MPI"),
     Check("sanitizers", "scripts/check_sanitizers.sh", 35, ("tests",), "every test under AddressSanitizer and UndefinedBehaviorSanitizer"),
     Check("tidy", "scripts/check_tidy.sh", 50, (".clang-tidy",), "clang-tidy over every source file"),
+    Check("threads", "scripts/check_threads.sh", 8, (), "tests of batches and of the tree's construction under ThreadSanitizer"),
     Check("valgrind", "scripts/check_valgrind.sh", 4, (), "tests of collision and movement under memcheck"),
     Check("arm64", "scripts/compare_arm64.sh", 15, ("cmake/arm64.cmake",), "the bits of ARM64 under qemu"),
     Check("web-bits", "scripts/compare_web.sh", 15, ("web", "stand_ins"), "the bits of WebAssembly in node"),
@@ -102,8 +104,9 @@ def due(known):
     def age(check):
         last = known.get(check.name)
         return last.date if last else ""
-    urgent = [check for check in CHECKS if changed(known.get(check.name), (check.command.split()[0], *check.inputs))]
-    others = [check for check in CHECKS if check not in urgent and changed(known.get(check.name), PROGRAM)]
+    passed = [check for check in CHECKS if check.name in known and known[check.name].passed]
+    urgent = [check for check in passed if changed(known.get(check.name), (check.command.split()[0], *check.inputs))]
+    others = [check for check in passed if check not in urgent and changed(known.get(check.name), PROGRAM)]
     return sorted(urgent, key=age) + sorted(others, key=age)
 
 

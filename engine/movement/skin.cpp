@@ -19,14 +19,14 @@ constexpr double tolerated = 1e-3;
 // a jump that lasts a whole number of ticks lands in the same one wherever it is, whatever rounding does.
 constexpr double tie = 1e-6;
 
-// By `missing` along the normal, which `skin` - `missing` is kept of already. Between two faces that are
+// By `missing` along the normal, so that the skin is kept. Between two faces that are
 // closer than two skins the middle is the best position.
 Vec3 push_off(Mover& mover, const Vec3& from, const Vec3& normal, double missing, FaceId face) {
     const double skin = mover.settings.skin, length = missing + skin;
     const std::optional<SceneContact> found = sweep_scene(mover, from, normal * length);
     const std::optional<Contact> beyond = found ? std::optional(found->contact) : std::nullopt;
-    const double room = beyond ? beyond->t * length : length;
-    const double push = std::clamp(0.5 * (room - (skin - missing)), 0.0, missing);
+    const double kept = std::max(0.0, skin - missing);  // of a player that is deeper inside, nothing
+    const double push = beyond ? std::clamp(0.5 * (beyond->t * length - kept), 0.0, missing) : missing;
     const Vec3 reached = from + normal * push;
     if (mover.trace != nullptr) {
         mover.trace->add(SweepRecord{.pass = Pass::probe,
