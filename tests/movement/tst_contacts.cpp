@@ -95,7 +95,8 @@ TEST(Contacts, ALandingDoesNotDependOnThePartOfTheTick) {
     Random random(72);
     for (int i = 0; i < 200; ++i) {
         const double angle = radians(random.between(0, 45)), speed = random.between(0, 6);
-        const double fall = random.between(0.5, 6), dt = 1.0 / std::array{30, 60, 120}[random.below(3) % 3];
+        const double fall = random.between(0.5, 6),
+                     dt = 1.0 / std::array{30, 60, 120}[static_cast<std::size_t>(random.below(3))];
         Lab lab;
         lab.slope(angle);
         lab.ready();
