@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds with AddressSanitizer and UndefinedBehaviorSanitizer and runs the tests: scripts/check_sanitizers.sh [FLOOR...]
 # Without floors every test there is, the program's and the editor's included, which takes half an hour on two cores;
-# .ci/run names the floors that read files, move a player and play tapes again.
+# .ci/run names those that move a player.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/common.sh

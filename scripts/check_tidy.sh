@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # clang-tidy with the compile commands of the clang build: scripts/check_tidy.sh [FOLDER...]
-# Without folders over every source file, which takes most of an hour on two cores; .ci/run names the floors that games
-# stand on.
+# Without folders over every source file, which takes most of an hour on two cores.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 [ $# -gt 0 ] || set -- engine editor assets
