@@ -87,6 +87,7 @@ watch_bare() {
     exec {out}>&-
     wait "$watcher"
     [ "$code" -eq 0 ] && return 0
+    grep -A 30 '\*\*\*Failed' "$log" | head -n 120 || true
     tail -n 40 "$log"
     scripts/missing_packages.sh "$log"
     bare_failed "$1 ended with $code"

@@ -8,6 +8,7 @@
 #include "cli/tape_on_level.h"
 #include "cli/verbs.h"
 #include "slipface/sim/channels.h"
+#include "slipface/sim/run_events.h"
 #include "slipface/sim/story.h"
 
 namespace slipface::cli {
@@ -49,7 +50,8 @@ Result<Run> run_tape(const SimulateOptions& options) {
             if (*options.describe >= ticks)
                 return Error{"--describe", fmt::format("found tick {}, expected one from 0 to {}",
                                                        *options.describe, ticks == 0 ? 0 : ticks - 1)};
-            run.text = story_text(describe(samples.trace(scene, *options.describe), level));
+            const TickTrace trace = samples.trace(scene, *options.describe);
+            run.text = story_text(describe(trace, level)) + velocity_text(trace, level);
         }
     }
     return run;

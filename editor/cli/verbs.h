@@ -77,6 +77,7 @@ int run_simulate(const SimulateOptions& options, std::ostream& out, std::ostream
 
 struct WhyOptions {
     TapeOptions tape;
+    bool events = false;
     bool json = false;
 };
 

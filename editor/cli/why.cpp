@@ -9,6 +9,7 @@
 #include "cli/verbs.h"
 #include "slipface/level/preset.h"
 #include "slipface/repair/repairs.h"
+#include "slipface/sim/run_events.h"
 #include "slipface/sim/summary.h"
 
 namespace slipface::cli {
@@ -27,8 +28,8 @@ OutputJson cure_json(const Cure& cure) {
     OutputJson json{{"text", cure.text},         {"passes", cure.passes},
                     {"gained_m", cure.gained_m}, {"cost", cure.cost},
                     {"settings", cure.settings}, {"repairs_geometry", cure.mesh != nullptr}};
-    if (cure.face != no_id) {
-        json["face"] = cure.face;
+    if (!cure.faces.empty()) {
+        json["faces"] = cure.faces;
         json["type"] = cure.type.name;
     }
     return json;
@@ -44,10 +45,22 @@ OutputJson stop_json(const Stop& stop, const std::vector<Cure>& cures, double dt
                     {"cause", stop_cause_name(stop.loss.cause)},
                     {"headline", stop.headline}};
     json["face"] = stop.loss.face == no_id ? OutputJson() : OutputJson(stop.loss.face);
+    json["held_by"] = stop.held_by;
     json["position"] = vector_json(stop.loss.position);
     json["cures"] = OutputJson::array();
     for (const Cure& cure : cures)
         json["cures"].push_back(cure_json(cure));
+    return json;
+}
+
+OutputJson event_json(const RunEvent& event, double dt) {
+    OutputJson json{{"word", event.word},
+                    {"first", event.first},
+                    {"last", event.last},
+                    {"time_s", static_cast<double>(event.first) * dt},
+                    {"text", event.text}};
+    json["face"] = event.face == no_id ? OutputJson() : OutputJson(event.face);
+    json["position"] = vector_json(event.position);
     return json;
 }
 
@@ -80,7 +93,16 @@ int run_why(const WhyOptions& options, std::ostream& out, std::ostream& err) {
         for (const Cure& cure : cures)
             out << (cure.passes ? "  + " : "    ") << cure_text(cure) << '\n';
     }
-    if (options.json) print_json(out, json);
+    if (!options.json && !options.events) return exit_fine;
+    const std::vector<RunEvent> events = find_events(scene, *run, level);
+    if (!options.json) {
+        out << fmt::format("\nEvents in this run ({})\n", events.size()) << events_text(events, run->dt());
+        return exit_fine;
+    }
+    json["events"] = OutputJson::array();
+    for (const RunEvent& event : events)
+        json["events"].push_back(event_json(event, run->dt()));
+    print_json(out, json);
     return exit_fine;
 }
 
@@ -148,7 +170,8 @@ void add_why_verbs(CLI::App& app, int& exit_code) {
     add_tape_options(*why, requested->tape);
     why->add_option("--preset", requested->tape.preset, "Settings instead of the level's; a name or a file")
         ->type_name("PRESET");
-    why->add_flag("--json", requested->json, "Print JSON");
+    why->add_flag("--events", requested->events, "List jumps, landings, slides and what else happened, too");
+    why->add_flag("--json", requested->json, "Print JSON, with the events");
     why->callback([requested, &exit_code] {
         exit_code = guarded([&] { return run_why(*requested, std::cout, std::cerr); });
     });

@@ -64,6 +64,25 @@ void headline(Editor& editor, const Stop* stop) {
     if (ui::button("Look there", "Move the camera there")) go_to_stop(editor, *stop);
 }
 
+// A row of a list: when, and what. True if it was clicked.
+bool moment(std::size_t row, double time_s, const std::string& text, bool here) {
+    const float em = ImGui::GetFontSize();
+    ImGui::PushID(static_cast<int>(row));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float time_width = 3.8f * em;
+    const std::string words =
+        wrap_words(text, std::max(4.0f * em, ImGui::GetContentRegionAvail().x - time_width));
+    const float height = ImGui::CalcTextSize(words.c_str()).y + 0.3f * em;
+    const bool clicked = ImGui::Selectable("##moment", here, 0, {0, height});
+    ui::record_last_item(std::to_string(row), true, here);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const std::string time = fmt::format("{:.2f} s", time_s);
+    list.AddText({at.x + 0.2f * em, at.y + 0.15f * em}, ui::packed(ui::palette().muted), time.c_str());
+    list.AddText({at.x + time_width, at.y + 0.15f * em}, ui::packed(ui::palette().text), words.c_str());
+    ImGui::PopID();
+    return clicked;
+}
+
 // All stops of the run; a click goes there.
 void stops_list(Editor& editor, const std::vector<Stop>& stops, double dt) {
     ui::heading(fmt::format("Stops in this run ({})", stops.size()).c_str());
@@ -72,27 +91,57 @@ void stops_list(Editor& editor, const std::vector<Stop>& stops, double dt) {
         return;
     }
     const ui::Scope scope("Stops");
-    const float em = ImGui::GetFontSize();
     const std::size_t cursor = editor.lab.cursor();
     std::optional<std::size_t> clicked;
     for (std::size_t i = 0; i < stops.size(); ++i) {
-        const Stop& stop = stops[i];
-        ImGui::PushID(static_cast<int>(i));
-        const bool here = cursor >= stop.first && cursor <= stop.last;
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        const float time_width = 3.8f * em;
-        const std::string words =
-            wrap_words(stop.headline, std::max(4.0f * em, ImGui::GetContentRegionAvail().x - time_width));
-        const float height = ImGui::CalcTextSize(words.c_str()).y + 0.3f * em;
-        if (ImGui::Selectable("##stop", here, 0, {0, height})) clicked = i;
-        ui::record_last_item(std::to_string(i), true, here);
-        ImDrawList& list = *ImGui::GetWindowDrawList();
-        const std::string time = fmt::format("{:.2f} s", static_cast<double>(stop.first) * dt);
-        list.AddText({at.x + 0.2f * em, at.y + 0.15f * em}, ui::packed(ui::palette().muted), time.c_str());
-        list.AddText({at.x + time_width, at.y + 0.15f * em}, ui::packed(ui::palette().text), words.c_str());
-        ImGui::PopID();
+        const bool here = cursor >= stops[i].first && cursor <= stops[i].last;
+        if (moment(i, static_cast<double>(stops[i].first) * dt, stops[i].headline, here)) clicked = i;
     }
     if (clicked) go_to_stop(editor, stops[*clicked]);
+}
+
+// What else happened; a click goes there.
+void events_list(Editor& editor, double dt) {
+    const std::vector<RunEvent>& events = editor.lab.events(*editor.document);
+    if (events.empty()) return;
+    ui::heading(fmt::format("What else happened ({})", events.size()).c_str());
+    const ui::Scope scope("Events");
+    const std::size_t cursor = editor.lab.cursor();
+    std::optional<std::size_t> clicked;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        const bool here = cursor >= events[i].first && cursor <= events[i].last;
+        if (moment(i, static_cast<double>(events[i].first) * dt, events[i].text, here))
+            clicked = events[i].first;
+    }
+    if (!clicked) return;
+    editor.lab.motion = LabMotion::paused;
+    editor.lab.seek(*clicked);
+}
+
+// What each rule did to the velocity in this tick, as bars of one scale.
+void velocity_bars(const TickTrace& trace, const StoryNames& names) {
+    const std::vector<VelocityChange> changes = velocity_changes(trace, names);
+    const ui::Palette& p = ui::palette();
+    const double before = trace.before.velocity.norm(), after = trace.after.stepped.velocity.norm();
+    ui::heading(fmt::format("Velocity: {:.2f} to {:.2f} m/s", before, after).c_str());
+    double most = 1e-3;
+    for (const VelocityChange& change : changes)
+        most = std::max(most, change.change.norm());
+    const float em = ImGui::GetFontSize();
+    const Vec3 wish(trace.input.wish.x(), 0.0, trace.input.wish.y());
+    const Vec3 way = wish.isZero(0.0) ? trace.before.velocity : wish;
+    for (const VelocityChange& change : changes) {
+        const double size = change.change.norm(), along = change.change.dot(way);
+        wrapped(p.text, fmt::format("{:.2f} m/s  {}", size, change.text));
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float width = ImGui::GetContentRegionAvail().x * static_cast<float>(size / most);
+        const bool aside = std::abs(along) < 1e-6;
+        ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y - 0.1f * em}, {at.x + width, at.y + 0.05f * em},
+                                                  ui::packed(aside         ? p.muted
+                                                             : along < 0.0 ? p.bad
+                                                                           : p.good));
+        ImGui::Dummy({0.0f, 0.15f * em});
+    }
 }
 
 void cures_list(Editor& editor, const std::vector<Cure>& cures) {
@@ -109,7 +158,7 @@ void cures_list(Editor& editor, const std::vector<Cure>& cures) {
         const Cure& cure = cures[i];
         ImGui::PushID(static_cast<int>(i));
         const ui::Scope row(std::to_string(i));
-        const bool runs = !cure.settings.empty() && cure.face == no_id;
+        const bool runs = !cure.settings.empty() && cure.faces.empty();
         const float buttons = ImGui::CalcTextSize((cure.button + (runs ? "Ghost" : "")).c_str()).x +
                               (runs ? padding : 0.5f * padding);
         const float left = ImGui::GetCursorPosX();
@@ -279,6 +328,8 @@ void why_panel(Editor& editor) {
                      "Also show resting on the ground and hacks that had nothing to do");
     }
     if (ui::button("Copy story", "Put these lines on the clipboard")) run_command(editor, "lab.copy_story");
+    velocity_bars(trace, document.level());
+    events_list(editor, run.run.dt());
 }
 
 }  // namespace slipface

@@ -64,6 +64,7 @@ Font add_text_and_icons(bool semibold, float pixels, float icon_pixels) {
 #ifdef SLIPFACE_OLD_ICONS
     add(slipface_font_old_icons, slipface_font_old_icons_end, icon_pixels, icon_ranges, true);
 #endif
+    make_room_for_drawn_glyphs(font);
     return font;
 }
 

@@ -92,9 +92,7 @@ const ImVector<ImFontGlyph>& glyphs(const Font& font) {
     return font.face->GetFontBaked(font.pixels)->Glyphs;
 }
 
-void add_drawn_glyph(std::initializer_list<Font> fonts, const DrawnGlyph& glyph) {
-    std::erase_if(drawn_glyphs, [&](const DrawnGlyph& old) { return old.code == glyph.code; });
-    drawn_glyphs.push_back(glyph);
+void make_room_for_drawn_glyphs(const Font& font) {
     static const ImFontLoader loader = [] {
         ImFontLoader made;
         made.Name = "drawn";
@@ -102,15 +100,17 @@ void add_drawn_glyph(std::initializer_list<Font> fonts, const DrawnGlyph& glyph)
         made.FontBakedLoadGlyph = load_drawn;
         return made;
     }();
-    for (const Font& font : fonts) {
-        ImFontConfig config;
-        config.FontDataOwnedByAtlas = false;
-        config.MergeMode = true;
-        config.DstFont = font.face;
-        config.SizePixels = font.pixels;
-        config.FontLoader = &loader;
-        ImGui::GetIO().Fonts->AddFont(&config);
-    }
+    ImFontConfig config;
+    config.FontDataOwnedByAtlas = false;
+    config.MergeMode = true;
+    config.SizePixels = font.pixels;
+    config.FontLoader = &loader;
+    ImGui::GetIO().Fonts->AddFont(&config);
+}
+
+void add_drawn_glyph(std::initializer_list<Font>, const DrawnGlyph& glyph) {
+    std::erase_if(drawn_glyphs, [&](const DrawnGlyph& old) { return old.code == glyph.code; });
+    drawn_glyphs.push_back(glyph);
 }
 
 void make_textures(const TextureStore&) {
@@ -176,6 +176,8 @@ bool has_glyph(const Font& font, unsigned code) {
 const ImVector<ImFontGlyph>& glyphs(const Font& font) {
     return font.face->Glyphs;
 }
+
+void make_room_for_drawn_glyphs(const Font&) {}
 
 void add_drawn_glyph(std::initializer_list<Font> fonts, const DrawnGlyph& glyph) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;

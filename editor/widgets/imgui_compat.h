@@ -204,7 +204,10 @@ struct DrawnGlyph {
     ImVec2 offset;
     float (*coverage)(int x, int y, int side);
 };
-// Adds it to the fonts. All fonts of the atlas have been added before.
+// Lets a font take such letters. Called after its files were added and before the next font is: only the last
+// font of an atlas can be added to.
+void make_room_for_drawn_glyphs(const Font& font);
+// Adds it to the fonts that have room. All fonts of the atlas have been added before.
 void add_drawn_glyph(std::initializer_list<Font> fonts, const DrawnGlyph& glyph);
 
 // How a renderer holds textures, which it names by numbers above 0. Pixels are RGBA.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "slipface/level/shown_mesh.h"
@@ -76,6 +77,12 @@ struct LevelScene::Impl {
     const Heightfield* heightfield = nullptr;
     Sectors sectors;
     Vec3 offset = Vec3::Zero();
+    struct Tried {
+        CollisionWorld* world;
+        FaceId face;
+        SurfaceId before;
+    };
+    std::vector<Tried> tried;
 
     void choose_origin(const MovementSettings& settings);
     Status build(const CollisionWorld* whole);
@@ -245,6 +252,39 @@ void LevelScene::apply_surfaces() {
     if (!impl.moving.empty()) impl.surfaces = resolve_surfaces(*impl.level).surface;
     for (const Moving& moved : impl.moving)
         impl.paint(moved);
+}
+
+void LevelScene::try_surface(std::span<const FaceId> faces, SurfaceId type) {
+    Impl& impl = *impl_;
+    const auto paint = [&](CollisionWorld& world, FaceId face) {
+        impl.tried.push_back({&world, face, world.face_surface(face)});
+        world.set_face_surface(face, type);
+    };
+    for (const FaceId face : faces) {
+        const bool moves = face < impl.face_platforms.size() && impl.face_platforms[face] != no_id;
+        if (!moves) {
+            paint(impl.own, face);
+            continue;
+        }
+        for (const Moving& moved : impl.moving)
+            if (moved.index == impl.face_platforms[face]) paint(*moved.rest, face);
+    }
+}
+
+void LevelScene::end_trial() {
+    for (std::vector<Impl::Tried>& tried = impl_->tried; !tried.empty(); tried.pop_back())
+        tried.back().world->set_face_surface(tried.back().face, tried.back().before);
+}
+
+std::optional<SurfaceId> LevelScene::nothing() {
+    const std::size_t id = impl_->level->surfaces.size();
+    if (id > std::numeric_limits<SurfaceId>::max()) return std::nullopt;
+    const auto type = static_cast<SurfaceId>(id);
+    constexpr SurfaceRule gone{.solid = false};
+    impl_->own.set_surface_rule(type, gone);
+    for (const Moving& moved : impl_->moving)
+        moved.rest->set_surface_rule(type, gone);
+    return type;
 }
 
 bool LevelScene::is_static() const {

@@ -89,4 +89,32 @@ double flatten_riser(Mesh& mesh, FaceId face, double highest) {
     return height;
 }
 
+namespace {
+
+template <class Change>
+void change_heights(Mesh& mesh, std::span<const FaceId> faces, Change change) {
+    std::vector<std::uint32_t> vertices;
+    for (const FaceId face : faces)
+        for (std::uint32_t corner = mesh.face_first_corner[face]; corner < mesh.face_first_corner[face + 1];
+             ++corner)
+            vertices.push_back(mesh.corner_vertex[corner]);
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    for (const std::uint32_t vertex : vertices) {
+        float& height = mesh.positions[vertex].y();
+        height = static_cast<float>(change(double{height}));
+    }
+    update_bounds(mesh);
+}
+
+}  // namespace
+
+void raise_faces(Mesh& mesh, std::span<const FaceId> faces, double metres) {
+    change_heights(mesh, faces, [metres](double height) { return height + metres; });
+}
+
+void lower_faces(Mesh& mesh, std::span<const FaceId> faces, double to) {
+    change_heights(mesh, faces, [to](double height) { return std::min(height, to); });
+}
+
 }  // namespace slipface

@@ -16,4 +16,8 @@ void flip_face(Mesh& mesh, FaceId face);
 // Returns its height; 0: it is no such face.
 double flatten_riser(Mesh& mesh, FaceId face, double highest);
 
+// Moves the corners of the faces up by `metres`, or those that are higher down to the height `to`.
+void raise_faces(Mesh& mesh, std::span<const FaceId> faces, double metres);
+void lower_faces(Mesh& mesh, std::span<const FaceId> faces, double to);
+
 }  // namespace slipface

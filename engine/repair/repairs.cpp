@@ -97,6 +97,31 @@ std::optional<Cure> repair_of(const Level& level, const Problem& problem, const 
     }
 }
 
+// What hangs too low is raised, and what is too high to step on lowered, by as much as it takes.
+void add_heights(std::vector<Cure>& cures, const Level& level, const Stop& stop) {
+    constexpr double spare_m = 0.01;
+    const Loss& loss = stop.loss;
+    const MovementSettings& s = level.movement;
+    if (stop.held_by.empty()) return;
+    const std::string what = thing_text(StoryNames(level), loss.face);
+    Mesh changed = *level.mesh;
+    if (loss.cause == StopCause::overhead && loss.clearance_m > 0.0) {
+        const double by = 2.0 * (s.radii.y() + s.skin) - loss.clearance_m + spare_m;
+        raise_faces(changed, stop.held_by, by);
+        cures.push_back(repair(fmt::format("Raise {} by {}", what, size_text(by)), std::move(changed),
+                               loss.position, by / s.radii.y()));
+    } else if ((loss.cause == StopCause::step || loss.cause == StopCause::wall) && s.step_up &&
+               !loss.in_air && loss.top_m > s.step_height && loss.top_m < 2.0 * s.radii.y()) {
+        const double by = loss.top_m - s.step_height + spare_m;
+        lower_faces(changed, stop.held_by, stop.feet_m + s.step_height - spare_m);
+        cures.push_back(repair(fmt::format("Lower {} by {}", what, size_text(by)), std::move(changed),
+                               loss.position, by / s.radii.y()));
+    } else {
+        return;
+    }
+    cures.back().bluntness = 2;
+}
+
 }  // namespace
 
 std::vector<Cure> repairs_at(const Level& level, const Stop& stop) {
@@ -122,18 +147,13 @@ std::vector<Cure> repairs_at(const Level& level, const Stop& stop) {
                      [](const Cure& a, const Cure& b) { return a.change < b.change; });
     constexpr std::size_t maximum = 8;
     if (cures.size() > maximum) cures.resize(maximum);
+    add_heights(cures, level, stop);
     return cures;
 }
 
-CureSearch search_with_repairs(const Level& level, const TapeRun& run, const Stop& stop) {
-    return CureSearch(level, run, stop, repairs_at(level, stop));
-}
-
-std::vector<Cure> find_cures_and_repairs(const Level& level, const TapeRun& run, const Stop& stop) {
-    CureSearch search = search_with_repairs(level, run, stop);
-    while (!search.advance(TapeRun::max_ticks)) {
-    }
-    return search.cures();
+std::vector<Cure> find_cures_and_repairs(const Level& level, const TapeRun& run, const Stop& stop,
+                                         const std::function<bool()>& cancelled) {
+    return find_cures(level, run, stop, repairs_at(level, stop), cancelled);
 }
 
 }  // namespace slipface

@@ -108,11 +108,11 @@ void add_numbers(std::vector<CureCandidate>& all, const MovementSettings& settin
     }
 }
 
-CureCandidate painted(FaceId face, SurfaceType type, std::string text, int bluntness) {
+CureCandidate painted(std::vector<FaceId> faces, SurfaceType type, std::string text, int bluntness) {
     CureCandidate c;
     c.cure.text = std::move(text);
     c.cure.button = "Paint";
-    c.cure.face = face;
+    c.cure.faces = std::move(faces);
     c.cure.type = std::move(type);
     c.cure.bluntness = bluntness;
     return c;
@@ -125,52 +125,73 @@ bool is_special(const SurfaceType& type) {
            type.angular_velocity != 0.0 || !type.velocity.isZero(0.0);
 }
 
-void add_types(std::vector<CureCandidate>& all, const Level& level, const Loss& loss) {
+// What is held fast there, in words: "face 8", "2 faces of `block`".
+std::string faces_text(const Level& level, std::span<const FaceId> faces) {
+    const std::string one = "face " + std::to_string(faces.front());
+    if (faces.size() == 1) return one;
+    const std::string object = object_text(StoryNames(level), faces.front());
+    return fmt::format("{} faces of {}", faces.size(), object.empty() ? "the plane of " + one : object);
+}
+
+void add_types(std::vector<CureCandidate>& all, const Level& level, const Stop& stop) {
+    const Loss& loss = stop.loss;
     if (loss.face == no_id || loss.face >= level.mesh.face_count()) return;
     const ResolvedSurfaces resolved = resolve_surfaces(level);
     const SurfaceId now = resolved.surface[loss.face];
-    const std::string face = "face " + std::to_string(loss.face);
+    const std::vector<FaceId> faces = stop.held_by.empty() ? std::vector{loss.face} : stop.held_by;
+    const std::string face = faces_text(level, faces);
     for (std::size_t i = 0; i < level.surfaces.size(); ++i) {
         if (i == now) continue;
         const SurfaceType& type = level.surfaces[i];
         const bool goes_on = loss.cause == StopCause::ladder_end && type.climbable;
         if (is_special(type) && !goes_on) continue;
         const bool gone = !type.solid || (type.one_sided && loss.cause == StopCause::back);
-        all.push_back(
-            painted(loss.face, type,
-                    fmt::format("`{}` instead of `{}` on {}", type.name, level.surfaces[now].name, face),
-                    !type.solid                               ? not_solid
-                    : i == default_surface || gone || goes_on ? fitting
-                                                              : other_type));
+        all.push_back(painted(
+            faces, type, fmt::format("`{}` instead of `{}` on {}", type.name, level.surfaces[now].name, face),
+            !type.solid                               ? not_solid
+            : i == default_surface || gone || goes_on ? fitting
+                                                      : other_type));
     }
     SurfaceType other = level.surfaces[now];
     other.hotkey = 0;
     if (loss.cause == StopCause::back && !other.one_sided) {
         other.one_sided = true;
         other.name = level.surfaces[now].name + " one-sided";
-        all.push_back(painted(loss.face, other, "Make " + face + " one-sided", fitting));
+        all.push_back(painted(faces, other, "Make " + face + " one-sided", fitting));
         other.one_sided = false;
     }
     if (loss.cause == StopCause::fall && other.one_sided) {
         other.one_sided = false;
         other.name = level.surfaces[now].name + " two-sided";
-        all.push_back(painted(loss.face, other, "Make " + face + " two-sided", fitting));
+        all.push_back(painted(faces, other, "Make " + face + " two-sided", fitting));
     }
-    if (other.solid) {
+    if (loss.cause == StopCause::fall && !other.solid) {
+        other.solid = true;
+        other.name = level.surfaces[now].name + " solid";
+        all.push_back(painted(faces, other, "Make " + face + " solid", fitting));
+    } else if (other.solid && (loss.cause != StopCause::fall || stop.fall == FallCause::cut_short)) {
         other.solid = false;
         other.name = level.surfaces[now].name + " not solid";
-        all.push_back(painted(loss.face, other, "Make " + face + " not solid", not_solid));
+        all.push_back(painted(faces, other, "Make " + face + " not solid", not_solid));
+        // Behind the face of a solid thing stands its back.
+        if (!level.mesh.has_many_groups()) return;
+        const std::string object = level.mesh.group_of(loss.face);
+        std::vector<FaceId> whole;
+        for (FaceId other_face = 0; other_face < level.mesh.face_count(); ++other_face)
+            if (level.mesh.group_of(other_face) == object) whole.push_back(other_face);
+        if (whole.size() > faces.size())
+            all.push_back(painted(std::move(whole), other, "Make `" + object + "` not solid", not_solid));
     }
 }
 
 }  // namespace
 
 std::vector<CureCandidate> cure_candidates(const Level& level, const MovementSettings& settings,
-                                           const Loss& loss) {
+                                           const Stop& stop) {
     std::vector<CureCandidate> all;
     add_switches(all, settings);
-    add_numbers(all, settings, loss);
-    add_types(all, level, loss);
+    add_numbers(all, settings, stop.loss);
+    add_types(all, level, stop);
     return all;
 }
 

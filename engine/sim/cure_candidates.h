@@ -17,7 +17,7 @@ struct CureCandidate {
 
 // The candidates for a stop with this loss; `settings` are those at the stop.
 std::vector<CureCandidate> cure_candidates(const Level& level, const MovementSettings& settings,
-                                           const Loss& loss);
+                                           const Stop& stop);
 // The cure that sets the candidate's numbers to `value`.
 Cure number_cure(const CureCandidate& candidate, double value);
 

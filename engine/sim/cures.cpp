@@ -3,56 +3,33 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "cure_candidates.h"
+#include "trial.h"
 
 namespace slipface {
 namespace {
 
 // What a change must make up for, as a fraction of what the stop took.
 constexpr double made_up = 0.5;
-constexpr int bisections = 12;
 // Less than this is no gain, and no cost.
 constexpr double unseen_m = 0.01, cost_m = 0.1;
-
-// A stretch of the tape run with a change. Ends where the player is sent back to the start.
-struct Trial {
-    std::size_t tick = 0, end = 0;
-    std::vector<std::string> settings;
-    PlayerState state;
-
-    double advanced_m = 0.0;         // towards the stick
-    double advanced_before_m = 0.0;  // of it before the tick `mark`
-    double at_mark_end_m = 0.0;      // until the tick `mark_end`
-    std::size_t mark = 0, mark_end = 0;
-    std::optional<std::size_t> sent_back;
-
-    bool done() const { return tick >= end || sent_back; }
-
-    std::size_t advance(const TickScene& scene, const TapeRun& run, const RunStart& start,
-                        std::size_t ticks) {
-        std::size_t used = 0;
-        for (; used < ticks && !done(); ++used, ++tick) {
-            if (tick == mark) advanced_before_m = advanced_m;
-            MovementSettings now = run.settings_at(tick);
-            for (const std::string& change : settings)
-                (void)set_setting(now, change);
-            const PlayerInput input = run.input_at(tick);
-            const TickResult result = play_tick(scene.at(tick, run.dt()), now, state, input, run.dt(), start);
-            const Vec3 moved = scene.to_level(result.stepped) - scene.to_level(state);
-            const Vec3 requested(input.wish.x(), 0.0, input.wish.y());
-            if (!requested.isZero(0.0)) advanced_m += moved.dot(requested) / requested.norm();
-            // The stick into a ladder asks for height.
-            if (state.climbing && moved.y() > 0.0) advanced_m += moved.y();
-            if (tick < mark_end) at_mark_end_m = advanced_m;
-            if (result.respawn != Respawn::none) sent_back = tick;
-            state = result.state;
-        }
-        return used;
-    }
-};
+// Trials start this long before the stop, because a jump may start there, and end this long after its start.
+constexpr double lead_s = 1.0, after_s = 1.5;
+// The costs of a cure are looked for this long before the stop, and this long after the trial.
+constexpr double cost_before_s = 15.0, cost_after_s = 5.0;
+constexpr std::size_t max_cures = 6;
+// Cure::bluntness of what removes something.
+constexpr int removes = 5;
+// A cure passes from this many starts, each later than the other by a part of a tick and aside by
+// millimetres: what only shifts the timing is none.
+constexpr int starts = 10;
+constexpr double aside_m = 0.003;
+// A number that passes from one start is made larger by as many of its steps until it passes from all.
+constexpr std::array<int, 5> margins{0, 1, 2, 4, 8};
 
 bool better(const Cure& a, const Cure& b) {
     if (a.passes != b.passes) return a.passes;
@@ -64,288 +41,231 @@ bool better(const Cure& a, const Cure& b) {
     return a.gained_m > b.gained_m;
 }
 
-}  // namespace
+class Search {
+  public:
+    Search(const Level& in, const TapeRun& of, const Stop& at, const std::function<bool()>& cancelled)
+        : level_(in), run_(of), stop_(at), cancelled_(cancelled) {}
 
-struct CureSearch::Impl {
-    Impl(const Level& in, const TapeRun& of, const Stop& at) : level(in), run(of), stop(at) {}
-
-    Level level;
-    TapeRun run;
-    Stop stop;
-    std::optional<LevelScene> built;
-    std::optional<TickScene> scene;
-    RunStart start;
-    PlayerState began;
-    std::size_t first = 0, end = 0;
-    bool sent_back = false;  // the stop is that the player was sent back
-
-    std::vector<Cure> repairs;
-    std::vector<CureCandidate> candidates;
-    std::size_t index = 0;
-    std::optional<Trial> trial;
-    enum class Phase { as_is, whole_as_is, plain, extreme, bisecting, rounded, whole, finished };
-    Phase phase = Phase::as_is;
-    double bad = 0.0, good = 0.0;
-    int rounds = 0;
-    Cure trying;
-    double as_is_m = 0.0, lost_m = 0.0;
-    Trial whole_as_is;
-    std::vector<Cure> found;
-    FaceId painted = no_id;
-    std::optional<SurfaceId> painted_over;
-
-    void begin() {
-        if (!build()) {
-            phase = Phase::finished;
-            return;
-        }
-        start = run_start(*scene, run.start());
-        const auto ticks = [&](double seconds) {
-            return static_cast<std::size_t>(std::ceil(seconds / run.dt()));
-        };
-        first = stop.first - std::min(stop.first, ticks(lead_s));
-        // Not across an earlier way back to the start.
-        for (std::size_t tick = first; tick < stop.first; ++tick)
-            if (run.samples()[tick].respawned) first = tick + 1;
-        end = std::min(run.length(), stop.first + ticks(after_s));
-        sent_back = stop.loss.cause >= StopCause::hazard;
-        const double stop_ticks = static_cast<double>(stop.last - stop.first + 1);
-        const double seen = static_cast<double>(std::min(end, stop.last + 1) - stop.first);
-        lost_m = stop.lost_m * seen / stop_ticks;
-        if (sent_back) {
-            const PlayerInput input = run.input_at(stop.first);
-            lost_m = run.settings_at(stop.first).walk_speed * input.wish.norm() * run.dt() *
-                     static_cast<double>(end - stop.first);
-        }
-        began = run.state_before(*scene, first);
-        candidates = cure_candidates(level, run.settings_at(stop.first), stop.loss);
+    std::vector<Cure> cures(std::vector<Cure> repairs) {
+        if (!build()) return {};
+        prepare();
+        std::vector<CureCandidate> candidates = cure_candidates(level_, run_.settings_at(stop_.first), stop_);
         for (Cure& repair : repairs)
             candidates.emplace_back().cure = std::move(repair);
-        start_near({});
+        for (const CureCandidate& candidate : candidates)
+            if (!is_redundant(candidate))
+                candidate.numbers.empty() ? try_plain(candidate) : try_number(candidate);
+        std::ranges::stable_sort(found_, better);
+        if (found_.size() > max_cures) found_.resize(max_cures);
+        const Trial as_is = play_long({});
+        for (Cure& cure : found_)
+            if (change_level(&cure)) weigh(cure, play_long(cure.settings), as_is);
+        std::ranges::stable_sort(found_, better);
+        // What helps a little, and what takes a thing out of the game, is of use only where nothing else is.
+        if (!found_.empty() && found_.front().passes) {
+            const bool gentle = found_.front().bluntness < removes;
+            std::erase_if(found_, [&](const Cure& cure) {
+                return !cure.passes || (gentle && cure.bluntness >= removes);
+            });
+        }
+        return std::move(found_);
     }
 
-    void start_near(std::vector<std::string> settings) {
-        trial.emplace();
-        trial->tick = first;
-        trial->end = end;
-        trial->mark_end = end;
-        trial->settings = std::move(settings);
-        trial->state = began;
+  private:
+    std::size_t ticks(double seconds) const {
+        return static_cast<std::size_t>(std::ceil(seconds / run_.dt()));
+    }
+    // This long before `tick`, but not before an earlier way back to the start.
+    std::size_t before(std::size_t tick, double seconds) const {
+        std::size_t at = tick - std::min(tick, ticks(seconds));
+        for (std::size_t i = at; i < tick; ++i)
+            if (run_.samples()[i].respawned) at = i + 1;
+        return at;
     }
 
-    void start_whole(std::vector<std::string> settings) {
-        trial.emplace();
-        trial->end = run.length();
-        trial->settings = std::move(settings);
-        trial->state = start.player;
-        trial->mark = first;
-        trial->mark_end = end;
+    void prepare() {
+        start_ = run_start(*scene_, run_.start());
+        first_ = before(std::min(stop_.first, stop_.left), lead_s);
+        end_ = std::min(run_.length(), stop_.first + ticks(after_s));
+        const double stop_ticks = static_cast<double>(stop_.last - stop_.first + 1);
+        const double seen = static_cast<double>(std::min(end_, stop_.last + 1) - stop_.first);
+        lost_m_ = stop_.lost_m * seen / stop_ticks;
+        if (stop_.loss.cause >= StopCause::hazard) {
+            const PlayerInput input = run_.input_at(stop_.first);
+            lost_m_ = run_.settings_at(stop_.first).walk_speed * input.wish.norm() * run_.dt() *
+                      static_cast<double>(end_ - stop_.first);
+        }
+        began_ = run_.state_before(*scene_, first_);
+        long_before_ = run_.state_before(*scene_, before(first_, cost_before_s));
+        as_is_m_ = play({}).advanced_m;
     }
 
-    // The level is as the cure that is tried says, and as it was otherwise. False: it cannot be built so.
+    // The stretch around the stop. `shift` 0: from where the player was; up to `starts`: from beside it.
+    Trial play(const std::vector<std::string>& settings, int shift = 0) {
+        Trial trial;
+        trial.tick = first_;
+        trial.end = end_;
+        trial.settings = settings;
+        trial.state = began_;
+        if (shift > 0) {
+            const Vec3 way = trial.state.velocity.cwiseProduct(Vec3(1.0, 0.0, 1.0)) * run_.dt();
+            const double part = static_cast<double>(shift) / (starts + 1);
+            trial.state.position -= part * way;
+            if (!way.isZero(0.0))
+                trial.state.position +=
+                    (shift % 2 == 0 ? aside_m : -aside_m) * part * Vec3(-way.z(), 0.0, way.x()).normalized();
+        }
+        trial.advance(*scene_, run_, start_, cancelled_() ? 0 : run_.length());
+        return trial;
+    }
+
+    Trial play_long(const std::vector<std::string>& settings) {
+        Trial trial;
+        trial.tick = before(first_, cost_before_s);
+        trial.end = std::min(run_.length(), end_ + ticks(cost_after_s));
+        trial.mark = first_;
+        trial.mark_end = end_;
+        trial.settings = settings;
+        trial.state = long_before_;
+        trial.advance(*scene_, run_, start_, cancelled_() ? 0 : run_.length());
+        return trial;
+    }
+
+    // The level is as the cure says, and as it was otherwise. False: it cannot be built so.
     bool change_level(const Cure* cure) {
-        if (painted != no_id) {
-            level.overrides[painted] = painted_over;
-            if (level.surfaces.size() > original_types) level.surfaces.resize(original_types);
-            painted = no_id;
+        if (original_overrides_) {
+            level_.overrides = *std::exchange(original_overrides_, std::nullopt);
+            if (level_.surfaces.size() > original_types_) level_.surfaces.resize(original_types_);
             repaint();
         }
-        if (original_mesh) {
-            level.mesh = std::exchange(original_mesh, nullptr);
+        if (original_mesh_) {
+            level_.mesh = std::exchange(original_mesh_, nullptr);
             if (!build()) return false;
         }
         if (cure == nullptr) return true;
         if (cure->mesh) {
-            original_mesh = level.mesh;
-            level.mesh = cure->mesh;
+            original_mesh_ = level_.mesh;
+            level_.mesh = cure->mesh;
             if (build()) return true;
-            level.mesh = std::exchange(original_mesh, nullptr);
+            level_.mesh = std::exchange(original_mesh_, nullptr);
             return false;
         }
-        if (cure->face == no_id) return true;
-        painted = cure->face;
-        level.overrides.resize(std::max<std::size_t>(level.overrides.size(), painted + 1));
-        painted_over = level.overrides[painted];
-        original_types = level.surfaces.size();
-        (void)apply_cure(level, *cure);
+        if (cure->faces.empty()) return true;
+        original_overrides_ = level_.overrides;
+        original_types_ = level_.surfaces.size();
+        (void)apply_cure(level_, *cure);
         repaint();
         return true;
     }
-    std::size_t original_types = 0;
-    LevelMesh original_mesh;  // while a repaired one is tried
     bool build() {
-        Result<LevelScene> result = LevelScene::build(level, run.settings());
+        Result<LevelScene> result = LevelScene::build(level_, run_.settings());
         if (!result) return false;
-        built.emplace(std::move(*result));
-        scene.emplace(*built);
+        built_.emplace(std::move(*result));
+        scene_.emplace(*built_);
         return true;
     }
     void repaint() {
-        built->apply_surfaces();
-        scene.emplace(*built);
+        built_->apply_surfaces();
+        scene_.emplace(*built_);
     }
 
     // A number whose switch alone lets the player pass is one change too many.
     bool is_redundant(const CureCandidate& c) const {
-        return !c.with.empty() && std::any_of(found.begin(), found.end(), [&](const Cure& cure) {
+        return !c.with.empty() && std::ranges::any_of(found_, [&](const Cure& cure) {
             return cure.passes && cure.settings == c.with;
         });
     }
 
-    void judge(Cure& cure, const Trial& t) const {
-        cure.gained_m = t.advanced_m - as_is_m;
-        const bool survives = !t.sent_back || *t.sent_back >= end;
-        cure.passes = survives && cure.gained_m >= made_up * lost_m && cure.gained_m > unseen_m;
+    // Who walks faster asks for more.
+    double gain_of(const Trial& t) const {
+        MovementSettings now = run_.settings_at(stop_.first);
+        const double speed = now.walk_speed;
+        for (const std::string& setting : t.settings)
+            (void)set_setting(now, setting);
+        return t.advanced_m * (now.walk_speed > speed && speed > 0.0 ? speed / now.walk_speed : 1.0) -
+               as_is_m_;
+    }
+    bool passes(const Trial& t) const {
+        const double gained = gain_of(t);
+        return (!t.sent_back || *t.sent_back >= end_) && gained >= made_up * lost_m_ && gained > unseen_m;
+    }
+    bool passes(const Cure& cure, int shift) { return passes(play(cure.settings, shift)); }
+    bool passes_from_all_starts(const Cure& cure) {
+        for (int shift = 1; shift <= starts; ++shift)
+            if (!passes(cure, shift)) return false;
+        return true;
     }
 
-    void keep(const Cure& cure) {
-        if (cure.passes || cure.gained_m > unseen_m) found.push_back(cure);
+    // Kept if it passes, from all starts, or else if it gains something.
+    void keep(Cure cure) {
+        const Trial trial = play(cure.settings);
+        cure.gained_m = gain_of(trial);
+        cure.passes = passes(trial);
+        const bool by_chance = cure.passes && !passes_from_all_starts(cure);
+        if (!by_chance && cure.gained_m > unseen_m) found_.push_back(std::move(cure));
     }
 
-    // The next candidate, or the checks on the whole tape.
-    void next_candidate() {
+    void try_plain(const CureCandidate& c) {
+        if (change_level(&c.cure)) keep(c.cure);
         change_level(nullptr);
-        if (index >= candidates.size()) {
-            std::stable_sort(found.begin(), found.end(), better);
-            if (found.size() > CureSearch::maximum) found.resize(CureSearch::maximum);
-            index = 0;
-            return next_whole();
-        }
-        const CureCandidate& c = candidates[index];
-        if (is_redundant(c)) {
-            ++index;
-            return next_candidate();
-        }
-        if (c.numbers.empty()) {
-            trying = c.cure;
-            phase = Phase::plain;
-            if (!change_level(&trying)) {
-                ++index;
-                return next_candidate();
-            }
-        } else {
-            trying = number_cure(c, c.extreme);
-            bad = c.now;
-            good = c.extreme;
-            rounds = 0;
-            phase = Phase::extreme;
-        }
-        start_near(trying.settings);
     }
 
-    void next_whole() {
-        change_level(nullptr);
-        if (index >= found.size()) {
-            std::stable_sort(found.begin(), found.end(), better);
-            // What helps a little is of use only where nothing else does.
-            if (!found.empty() && found.front().passes)
-                std::erase_if(found, [](const Cure& cure) { return !cure.passes; });
-            phase = Phase::finished;
-            trial.reset();
-            return;
+    // The smallest change, in whole steps, that passes from all starts.
+    void try_number(const CureCandidate& c) {
+        if (!passes(number_cure(c, c.extreme), 0)) return keep(number_cure(c, c.extreme));
+        const double way = c.extreme > c.now ? 1.0 : -1.0;
+        // Steps of the value, counted in the direction in which it changes.
+        const auto value = [&](double steps) {
+            return way > 0.0 ? std::min(steps * c.step, c.extreme) : std::max(-steps * c.step, c.extreme);
+        };
+        double bad = std::floor(way * c.now / c.step + 1e-9),
+               good = std::ceil(way * c.extreme / c.step - 1e-9);
+        while (good - bad > 1.5) {
+            const double middle = std::floor(0.5 * (good + bad));
+            (passes(number_cure(c, value(middle)), 0) ? good : bad) = middle;
         }
-        phase = Phase::whole;
-        change_level(&found[index]);
-        start_whole(found[index].settings);
-    }
-
-    void bisect(const CureCandidate& c) {
-        if (std::abs(good - bad) <= c.step || ++rounds > bisections) {
-            // To the next whole step on the side that passes.
-            const double steps = good / c.step;
-            const double rounded =
-                (good > c.now ? std::ceil(steps - 1e-9) : std::floor(steps + 1e-9)) * c.step;
-            const bool beyond = good > c.now ? rounded > c.extreme : rounded < c.extreme;
-            phase = Phase::rounded;
-            trying = number_cure(c, beyond ? good : rounded);
-        } else {
-            phase = Phase::bisecting;
-            trying = number_cure(c, 0.5 * (good + bad));
+        for (const int margin : margins) {
+            const Cure cure = number_cure(c, value(good + margin));
+            if (!passes(cure, 0) || !passes_from_all_starts(cure)) continue;
+            return keep(cure);
         }
-        start_near(trying.settings);
     }
 
     // What elsewhere on the tape pays for the cure.
-    void weigh(Cure& cure, const Trial& t) const {
-        const bool survives = !t.sent_back || *t.sent_back >= end;
-        const double gained = t.at_mark_end_m - whole_as_is.at_mark_end_m;
-        const double before = t.advanced_before_m - whole_as_is.advanced_before_m;
-        if (!survives || gained - before < made_up * lost_m) cure.passes = false;
+    void weigh(Cure& cure, const Trial& t, const Trial& as_is) const {
+        const bool survives = !t.sent_back || *t.sent_back >= end_;
+        const double gained = t.at_mark_end_m - as_is.at_mark_end_m;
+        const double before = t.advanced_before_m - as_is.advanced_before_m;
+        if (!survives || gained - before < made_up * lost_m_) cure.passes = false;
         if (before < -cost_m) cure.cost = fmt::format("loses {:.2f} m earlier on the tape", -before);
-        if (t.sent_back && !whole_as_is.sent_back) {
+        if (t.sent_back && !as_is.sent_back) {
             if (!cure.cost.empty()) cure.cost += ", ";
             cure.cost += fmt::format("the player is then sent back to the start at {:.2f} s",
-                                     static_cast<double>(*t.sent_back) * run.dt());
+                                     static_cast<double>(*t.sent_back) * run_.dt());
         }
     }
 
-    void trial_done() {
-        const Trial t = *trial;
-        switch (phase) {
-            case Phase::as_is:
-                as_is_m = t.advanced_m;
-                phase = Phase::whole_as_is;
-                return start_whole({});
-            case Phase::whole_as_is: whole_as_is = t; return next_candidate();
-            case Phase::plain:
-                judge(trying, t);
-                keep(trying);
-                ++index;
-                return next_candidate();
-            case Phase::extreme:
-                judge(trying, t);
-                if (trying.passes) return bisect(candidates[index]);
-                keep(trying);
-                ++index;
-                return next_candidate();
-            case Phase::bisecting: {
-                judge(trying, t);
-                (trying.passes ? good : bad) = 0.5 * (good + bad);
-                return bisect(candidates[index]);
-            }
-            case Phase::rounded:
-                judge(trying, t);
-                keep(trying);
-                ++index;
-                return next_candidate();
-            case Phase::whole:
-                weigh(found[index], t);
-                ++index;
-                return next_whole();
-            case Phase::finished: return;
-        }
-    }
+    Level level_;
+    TapeRun run_;
+    Stop stop_;
+    std::function<bool()> cancelled_;
+    std::optional<LevelScene> built_;
+    std::optional<TickScene> scene_;
+    RunStart start_;
+    std::size_t first_ = 0, end_ = 0;
+    PlayerState began_, long_before_;  // before the tick first_, and cost_before_s earlier
+    double as_is_m_ = 0.0, lost_m_ = 0.0;
+    std::vector<Cure> found_;
+    std::optional<decltype(Level::overrides)> original_overrides_;  // while faces are painted
+    std::size_t original_types_ = 0;
+    LevelMesh original_mesh_;  // while a repaired one is tried
 };
 
-CureSearch::CureSearch(const Level& level, const TapeRun& run, const Stop& stop, std::vector<Cure> repairs)
-    : impl_(std::make_unique<Impl>(level, run, stop)) {
-    impl_->repairs = std::move(repairs);
-}
-CureSearch::~CureSearch() = default;
-CureSearch::CureSearch(CureSearch&&) noexcept = default;
-CureSearch& CureSearch::operator=(CureSearch&&) noexcept = default;
+}  // namespace
 
-bool CureSearch::done() const {
-    return impl_->phase == Impl::Phase::finished;
-}
-
-bool CureSearch::advance(std::size_t ticks) {
-    Impl& impl = *impl_;
-    if (!impl.built && !done()) impl.begin();
-    while (!done()) {
-        if (impl.trial->done()) {
-            impl.trial_done();
-            continue;
-        }
-        if (ticks == 0) break;
-        ticks -= std::min(ticks, impl.trial->advance(*impl.scene, impl.run, impl.start, ticks));
-    }
-    return done();
-}
-
-const std::vector<Cure>& CureSearch::cures() const {
-    static const std::vector<Cure> none;
-    return done() ? impl_->found : none;
+std::vector<Cure> find_cures(const Level& level, const TapeRun& run, const Stop& stop,
+                             std::vector<Cure> repairs, const std::function<bool()>& cancelled) {
+    return Search(level, run, stop, cancelled).cures(std::move(repairs));
 }
 
 Status apply_cure(Level& level, const Cure& cure) {
@@ -356,9 +276,10 @@ Status apply_cure(Level& level, const Cure& cure) {
             return Error{"cure", "found a level with other faces than those that were repaired"};
         level.mesh = cure.mesh;
     }
-    if (cure.face == no_id) return {};
-    if (!level.mesh || cure.face >= level.mesh.face_count())
-        return Error{"cure", fmt::format("found face {}, which the level does not have", cure.face)};
+    if (cure.faces.empty()) return {};
+    const FaceId last = *std::max_element(cure.faces.begin(), cure.faces.end());
+    if (!level.mesh || last >= level.mesh.face_count())
+        return Error{"cure", fmt::format("found face {}, which the level does not have", last)};
     auto type = std::find(level.surfaces.begin(), level.surfaces.end(), cure.type);
     if (type == level.surfaces.end()) {
         if (level.surfaces.size() > std::numeric_limits<SurfaceId>::max())
@@ -366,8 +287,9 @@ Status apply_cure(Level& level, const Cure& cure) {
         level.surfaces.push_back(cure.type);
         type = level.surfaces.end() - 1;
     }
-    level.overrides.resize(std::max<std::size_t>(level.overrides.size(), cure.face + 1));
-    level.overrides[cure.face] = static_cast<SurfaceId>(type - level.surfaces.begin());
+    level.overrides.resize(std::max<std::size_t>(level.overrides.size(), last + 1));
+    for (const FaceId face : cure.faces)
+        level.overrides[face] = static_cast<SurfaceId>(type - level.surfaces.begin());
     return {};
 }
 

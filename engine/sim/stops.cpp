@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <utility>
 
-#include "story_words.h"
+#include "stop_parts.h"
 
 namespace slipface {
 namespace {
@@ -15,7 +17,8 @@ namespace {
 constexpr double joined_within_s = 0.1;
 // Of a long stop the first ticks say what stopped it; after them the player only leans on it.
 constexpr std::size_t looked_at = 12;
-
+// Of a stop whose cause no trace shows: shorter ones are turns and starts.
+constexpr double reported_s = 0.25;
 // How far a player comes in a tick if nothing is in the way: the speed along the stick goes on from tick to
 // tick as its acceleration allows.
 class FreeWalk {
@@ -39,7 +42,8 @@ class FreeWalk {
                        : 0.0;
         const Vec2 heading = input.wish.normalized();
         const double own = before.velocity.x() * heading.x() + before.velocity.z() * heading.y();
-        const double from = goes_on ? std::max(speed_, own) : own;
+        const double requested = s.walk_speed * push;
+        const double from = goes_on ? std::max(std::min(speed_, requested), own) : own;
         const bool typed =
             before.surface < names_.surfaces.size() && before.ground_face != no_id && s.surface_types;
         const bool slippery = typed && names_.surfaces[before.surface].keeps_energy;
@@ -48,7 +52,6 @@ class FreeWalk {
                                     : before.grounded ? s.ground_acceleration * friction
                                     : s.air_control   ? s.air_acceleration
                                                       : 0.0;
-        const double requested = s.walk_speed * push;
         const double to = from < requested ? std::min(requested, from + acceleration * dt) : from;
         speed_ = to;
         // A ramp is gone up by the cosine of its slope twice: along it, and as seen from above.
@@ -70,73 +73,48 @@ double made_metres(const TapeRun& run, std::size_t tick, const PlayerInput& inpu
     return moved.x() * heading.x() + moved.z() * heading.y();
 }
 
-// Two upright faces that both took at least this fraction hold the player between them.
-constexpr double gap_fraction = 0.2;
-
-// What each face took in the first ticks of a stop, and the tick in which it took most.
-struct Blame {
-    FaceId face = no_id;
-    double lost_m = 0.0;
-    std::size_t worst = 0;
-    Loss loss = {};
-};
-
-Blame& blame_of(std::vector<Blame>& all, FaceId face) {
-    const auto known = std::find_if(all.begin(), all.end(), [&](const Blame& b) { return b.face == face; });
-    if (known != all.end()) return *known;
-    all.push_back({.face = face});
-    return all.back();
-}
-
-// The loss that took most of the first ticks, all ticks of a face together.
-void find_loss(const TickScene& scene, const TapeRun& run, Stop& stop) {
+// By the traces of the stop's first ticks; the face that took most comes first.
+std::vector<Blame> blame_by_trace(const TickScene& scene, const TapeRun& run, const Stop& stop) {
     std::vector<Blame> blamed;
-    std::vector<Blame> seconds;  // as the second face of another's loss
     for (const TickTrace& trace :
          run.traces(scene, stop.first, std::min(stop.last, stop.first + looked_at))) {
-        const std::size_t tick = trace.tick;
         const std::optional<Loss> loss = loss_of(trace);
         if (!loss) continue;
-        // A cause that is no contact has no metres; it stands for its part of the stop.
-        const double lost = loss->lost_m > 0.0 ? loss->lost_m : stop.lost_m / static_cast<double>(looked_at);
-        Blame& blame = blame_of(blamed, loss->face);
-        if (blame.lost_m == 0.0 || loss->lost_m > blame.loss.lost_m) {
-            blame.worst = tick;
-            blame.loss = *loss;
+        auto blame = std::ranges::find(blamed, loss->face, &Blame::face);
+        if (blame == blamed.end()) blame = blamed.insert(blamed.end(), {.face = loss->face});
+        if (blame->lost_m == 0.0 || loss->lost_m > blame->loss.lost_m) {
+            blame->worst = trace.tick;
+            blame->loss = *loss;
         }
-        blame.lost_m += lost;
-        if (loss->other != no_id) blame_of(seconds, loss->other).lost_m += loss->other_m;
+        // A cause that is no contact has no metres; it stands for its part of the stop.
+        blame->lost_m += loss->lost_m > 0.0 ? loss->lost_m : stop.lost_m / static_cast<double>(looked_at);
     }
-    const auto less = [](const Blame& a, const Blame& b) { return a.lost_m < b.lost_m; };
-    const auto maximum = std::max_element(blamed.begin(), blamed.end(), less);
-    if (maximum == blamed.end()) {
-        stop.lost_m = 0.0;
-        return;
-    }
-    stop.worst = maximum->worst;
-    stop.loss = maximum->loss;
-    const auto upright = [](const Loss& loss) {
-        return loss.cause == StopCause::wall || loss.cause == StopCause::back;
-    };
-    if (!upright(stop.loss)) return;
-    for (const Blame& blame : blamed)
-        if (blame.face != maximum->face && upright(blame.loss))
-            blame_of(seconds, blame.face).lost_m += blame.lost_m;
-    std::erase_if(seconds, [&](const Blame& b) { return b.face == maximum->face; });
-    const auto second = std::max_element(seconds.begin(), seconds.end(), less);
-    stop.loss.other = no_id;
-    if (second == seconds.end() || second->lost_m < gap_fraction * (maximum->lost_m + second->lost_m)) return;
-    stop.loss.cause = StopCause::gap;
-    stop.loss.other = second->face;
+    std::ranges::stable_sort(blamed, std::greater(), &Blame::lost_m);
+    return blamed;
 }
 
-// Where a fall out of the level began: the ground stood on before it.
-Loss fall_after(const TapeRun& run, std::size_t tick, const Vec3& end) {
+bool is_of_geometry(StopCause cause) {
+    switch (cause) {
+        case StopCause::wall:
+        case StopCause::back:
+        case StopCause::step:
+        case StopCause::slope:
+        case StopCause::overhead:
+        case StopCause::gap:
+        case StopCause::corner:
+        case StopCause::platform: return true;
+        default: return false;
+    }
+}
+
+// Where a fall out of the level began: the ground stood on before it, until the tick `left`.
+Loss fall_after(const TapeRun& run, std::size_t tick, const Vec3& end, std::size_t& left) {
     Loss loss{.cause = StopCause::fall, .position = end};
     for (std::size_t i = tick; i-- > 0;) {
         const TickSample& sample = run.samples()[i];
         if (sample.respawned) break;
         if (!sample.grounded || sample.ground_face == no_id) continue;
+        left = i + 1;
         loss.face = sample.ground_face;
         loss.surface = sample.surface;
         loss.normal = sample.ground_normal;
@@ -146,103 +124,22 @@ Loss fall_after(const TapeRun& run, std::size_t tick, const Vec3& end) {
     return loss;
 }
 
-void write_headline(Stop& stop, const MovementSettings& settings, const StoryNames& names) {
-    const Loss& loss = stop.loss;
-    Words words(stop.headline, stop.numbers);
-    const std::string what = thing_text(names, loss.face);
-    // The feet stand a skin above the floor.
-    const double height = loss.in_air ? loss.height_m : loss.height_m + settings.skin;
-    const auto because = [&] {
-        if (!loss.because) return;
-        words.say(". ").decision(*loss.because);
-    };
-    switch (loss.cause) {
-        case StopCause::wall: words.say("A wall of ").say(what).say(" stopped you"); break;
-        case StopCause::back:
-            words.say("The back of ").say(what).say(" stopped you: it collides from both sides");
-            break;
-        case StopCause::step:
-            if (loss.in_air) {
-                words.say("The edge of ").say(what).say(" stopped you in the air, ");
-                words.size(height).say(" above your feet");
-                break;
-            }
-            words.say("The ").size(height).say(" edge of ").say(what).say(" stopped you");
-            if (!settings.step_up) {
-                words.say(": Step up is off");
-            } else if (height > settings.step_height) {
-                words.say(": higher than Step height, ").size(settings.step_height);
-            } else {
-                because();
-            }
-            break;
-        case StopCause::slope:
-            words.say("The slope of ").say(what).say(" stopped you");
-            because();
-            break;
-        case StopCause::overhead:
-            words.say(what).say(" is too low: you touched it ").size(height);
-            words.say(" above your feet, and you are ").size(2.0 * settings.radii.y()).say(" tall");
-            break;
-        case StopCause::gap:
-            words.say("You are held between ").say(what).say(" and ").say(thing_text(names, loss.other));
-            words.say(": you are ").size(2.0 * std::max(settings.radii.x(), settings.radii.z())).say(" wide");
-            break;
-        case StopCause::sticky: words.say("The sticky ").say(what).say(" holds you until you jump"); break;
-        case StopCause::carried:
-            words.say("The moving surface of ").say(what).say(" carried you against the stick");
-            break;
-        case StopCause::slippery:
-            words.say("The slope of ").say(what).say(" is too slippery to walk up");
-            if (loss.surface < names.surfaces.size())
-                words.say(": friction ").ratio(names.surfaces[loss.surface].friction);
-            break;
-        case StopCause::platform: words.say("The moving platform ").say(what).say(" stopped you"); break;
-        case StopCause::ladder_end:
-            words.say("The ladder ends: the wall above it, ").say(what).say(", cannot be climbed");
-            break;
-        case StopCause::inside:
-            if (loss.because) {
-                words.decision(*loss.because);
-            } else {
-                words.say("You are inside geometry");
-            }
-            break;
-        case StopCause::terrain:
-            words.say("The terrain stopped you");
-            because();
-            break;
-        case StopCause::hazard: words.say("The hazard ").say(what).say(" sent you back to the start"); break;
-        case StopCause::crushed:
-            words.say("Crushed between ").say(what).say(" and ").say(thing_text(names, loss.other));
-            words.say(", back to the start");
-            break;
-        case StopCause::fall:
-            words.say("You fell out of the level");
-            if (loss.face != no_id) words.say(", last from ").say(what);
-            words.say(", back to the start");
-            break;
-    }
-}
+// Stretches in which less than half of the motion was made that the stick requested, and the ways back.
+struct Stretch {
+    Stop stop;
+    double early_m = 0.0;  // what was lost until WhatHolds::looked_at_s
+};
 
-}  // namespace
-
-const char* stop_cause_name(StopCause cause) {
-    static constexpr std::array<const char*, 16> names{
-        "wall",     "back",     "step",       "slope",  "overhead", "gap",    "sticky",  "carried",
-        "slippery", "platform", "ladder end", "inside", "terrain",  "hazard", "crushed", "fall"};
-    return names[static_cast<std::size_t>(cause)];
-}
-
-std::vector<Stop> find_stops(const TickScene& scene, const TapeRun& run, const StoryNames& names) {
-    std::vector<Stop> stops;
+std::vector<Stretch> find_stretches(const TapeRun& run, const StoryNames& names) {
+    std::vector<Stretch> stretches;
     const auto samples = run.samples();
     const auto joined = static_cast<std::size_t>(joined_within_s / run.dt());
+    const auto early = static_cast<std::size_t>(std::ceil(WhatHolds::looked_at_s / run.dt()));
     FreeWalk free(run, names);
     bool open = false;
-    Stop now;
+    Stretch now;
     const auto close = [&] {
-        if (open) stops.push_back(now);
+        if (open && now.stop.lost_s >= least_stop_s) stretches.push_back(now);
         open = false;
     };
     Vec2 heading = Vec2::Zero();
@@ -251,47 +148,106 @@ std::vector<Stop> find_stops(const TickScene& scene, const TapeRun& run, const S
         const MovementSettings settings = run.settings_at(tick);
         if (samples[tick].respawned) {
             close();
-            stops.push_back({.first = tick, .last = tick, .worst = tick, .lost_s = least_stop_s});
+            stretches.push_back(
+                {Stop{.first = tick, .last = tick, .worst = tick, .left = tick, .lost_s = least_stop_s}});
+            heading.setZero();
             continue;
         }
-        if (open && tick > now.last + joined) close();
+        if (open && tick > now.stop.last + joined) close();
         const Vec2 direction = input.wish.isZero(0.0) ? Vec2(Vec2::Zero()) : input.wish.normalized();
-        if (direction.dot(heading) < 0.7) close();  // another wish
+        const bool goes_on = direction.dot(heading) >= 0.7;
+        if (!goes_on) close();  // another wish
         heading = direction;
-        const double wished = free.metres(tick, settings, input, open);
+        const double wished = free.metres(tick, settings, input, goes_on);
         if (!(wished > 0.0)) continue;
         const double lost = wished - made_metres(run, tick, input);
         if (lost <= 0.5 * wished) continue;
-        if (!open) now = Stop{.first = tick};
+        if (!open) now = Stretch{Stop{.first = tick, .worst = tick, .left = tick}};
         open = true;
-        now.last = tick;
-        now.lost_m += lost;
+        now.stop.last = tick;
+        now.stop.lost_m += lost;
+        now.stop.wished_m += wished;
+        if (tick < now.stop.first + early) now.early_m += lost;
         const double requested = settings.walk_speed * std::min(input.wish.norm(), 1.0);
-        if (requested > 0.0) now.lost_s += lost / requested;
+        if (requested > 0.0) now.stop.lost_s += lost / requested;
     }
     close();
-    std::erase_if(stops, [](const Stop& stop) { return stop.lost_s < least_stop_s; });
-    for (Stop& stop : stops) {
-        const bool back = samples[stop.first].respawned;
-        if (!back) {
-            find_loss(scene, run, stop);
-            if (stop.lost_m > 0.0) write_headline(stop, run.settings_at(stop.worst), names);
-            continue;
+    return stretches;
+}
+
+// Whether the stick stays as it is for as long as it takes to see that one was sent back.
+bool holds_on(const TapeRun& run, std::size_t tick) {
+    constexpr double seen_s = 0.4;
+    const Vec2 wish = run.input_at(tick).wish;
+    const auto end = std::min(run.length(), tick + static_cast<std::size_t>(seen_s / run.dt()));
+    for (std::size_t later = tick; later < end; ++later)
+        if (run.input_at(later).wish != wish) return false;
+    return !wish.isZero(0.0);
+}
+
+void explain_return(Stop& stop, const TickScene& scene, const TapeRun& run, WhatHolds* holds) {
+    const TickTrace trace = run.trace(scene, stop.first);
+    const std::optional<Loss> loss = loss_of(trace);
+    const bool known = loss && (loss->cause == StopCause::hazard || loss->cause == StopCause::crushed);
+    stop.loss = known ? *loss : fall_after(run, stop.first, trace.to, stop.left);
+    if (trace.after.respawn == Respawn::hazard) stop.loss.cause = StopCause::hazard;
+    if (trace.after.respawn == Respawn::crushed) stop.loss.cause = StopCause::crushed;
+    if (holds == nullptr) return;
+    if (stop.loss.cause == StopCause::fall) name_fall(stop, *holds);
+    if (stop.loss.cause == StopCause::crushed) name_press(stop, *holds);
+}
+
+// With `level`, by trying.
+std::vector<Stop> explained(const TickScene& scene, const TapeRun& run, const StoryNames& names,
+                            const Level* level) {
+    std::vector<Stop> stops;
+    std::optional<WhatHolds> holds;
+    if (level != nullptr) holds.emplace(*level, run);
+    for (Stretch& stretch : find_stretches(run, names)) {
+        Stop& stop = stretch.stop;
+        const MovementSettings settings = run.settings_at(stop.worst);
+        const bool back = run.samples()[stop.first].respawned;
+        if (back) {
+            explain_return(stop, scene, run, holds ? &*holds : nullptr);
+        } else {
+            const std::vector<Blame> by_trace = blame_by_trace(scene, run, stop);
+            if (!by_trace.empty()) {
+                stop.worst = by_trace.front().worst;
+                stop.loss = by_trace.front().loss;
+            }
+            bool known = !by_trace.empty();
+            if (holds && (!known || is_of_geometry(stop.loss.cause)) &&
+                (known || stop.lost_s >= reported_s)) {
+                const std::vector<Holding> found = holds->of_stop(stop.first, stretch.early_m);
+                if (!found.empty()) name_cause(stop, *holds, found, by_trace, settings, *level->mesh);
+                // What nothing freed the player from took little, or was not what held it.
+                known = !found.empty() || (known && stop.lost_s >= reported_s);
+            }
+            // What nothing took was no stop: a turn in the air, a slide that goes on.
+            if (!known) continue;
         }
-        const TickTrace trace = run.trace(scene, stop.first);
-        const std::optional<Loss> loss = loss_of(trace);
-        const bool known = loss && (loss->cause == StopCause::hazard || loss->cause == StopCause::crushed);
-        stop.loss = known ? *loss : fall_after(run, stop.first, trace.to);
-        if (trace.after.respawn == Respawn::hazard) stop.loss.cause = StopCause::hazard;
-        if (trace.after.respawn == Respawn::crushed) stop.loss.cause = StopCause::crushed;
-        write_headline(stop, trace.settings, names);
+        if (back) stop.blind_after = holds_on(run, stop.first);
+        write_headline(stop, settings, names);
+        stops.push_back(std::move(stop));
     }
-    // What nothing took was no stop: a turn in the air, a slide that goes on.
-    std::erase_if(stops, [](const Stop& stop) { return stop.headline.empty(); });
     return stops;
 }
 
+}  // namespace
+
+std::vector<Stop> find_stops(const TickScene& scene, const TapeRun& run, const Level& level) {
+    return explained(scene, run, level, &level);
+}
+
+std::vector<Stop> count_stops(const TickScene& scene, const TapeRun& run, const StoryNames& names) {
+    return explained(scene, run, names, nullptr);
+}
+
+// The last one. A player who sees that it was sent back lets go of the stick; where it did not, what follows
+// was meant for another place.
 const Stop* headline_stop(std::span<const Stop> stops) {
+    for (const Stop& stop : stops)
+        if (stop.blind_after) return &stop;
     return stops.empty() ? nullptr : &stops.back();
 }
 

@@ -119,6 +119,10 @@ Words& Words::count(double whole) {
     return number(whole, "", trimmed(whole, 0));
 }
 
+Words& Words::seconds(double seconds) {
+    return number(seconds, " s", trimmed(seconds, 2)).say(" s");
+}
+
 Words& Words::decision(const DecisionRecord& decision) {
     const DecisionInfo& info = decision_info(decision.kind);
     const double largest = std::max(std::abs(decision.value), std::abs(decision.limit));

@@ -22,6 +22,7 @@ class Words {
     Words& percent(double fraction);
     Words& ratio(double value);  // without unit: "0.25"
     Words& count(double whole);
+    Words& seconds(double seconds);
     // A decision's sentence with its numbers.
     Words& decision(const DecisionRecord& decision);
 

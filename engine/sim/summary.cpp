@@ -20,7 +20,7 @@ RunSummary summarize(const TickScene& scene, const TapeRun& run, const StoryName
         const Vec2 wish = run.input_at(tick).wish;
         if (!wish.isZero(0.0)) summary.advanced_m += Vec2(moved.x(), moved.z()).dot(wish.normalized());
     }
-    for (const Stop& stop : find_stops(scene, run, names)) {
+    for (const Stop& stop : count_stops(scene, run, names)) {
         if (stop.loss.cause == StopCause::fall) {
             ++summary.falls;
         } else if (stop.loss.cause == StopCause::hazard) {

@@ -19,9 +19,11 @@ struct Snag {
     Tape tape;
     std::string group = "snag";  // the face to blame belongs to it
     std::set<StopCause> causes;  // any of these is the right rule
+    bool has_cure = true;        // false: nothing single helps
     double passed_z = -4.0;      // the player got on if it came further along -Z
     double passed_y = -1e9;      // and at least this high
     double lowest_y = -1e9;      // and never lower than this
+    double passed_x = -1e9;      // and at last further along X
 };
 
 class SnagMaker {
@@ -34,8 +36,10 @@ class SnagMaker {
     }
     bool coin() { return between(0, 1) < 0.5; }
 
-    // One of each kind, with new sizes at every call.
+    // One of each kind, with new sizes at every call: under the lecture's settings, and under those of a new
+    // level.
     std::vector<Snag> make();
+    std::vector<Snag> make_under_defaults();
 
   private:
     std::uint64_t state_;
@@ -322,7 +326,6 @@ inline std::vector<Snag> SnagMaker::make() {
         thin.one_sided = true;
         snag.level.surfaces.push_back(thin);
         snag.level.fall_limit = -6.0;
-        snag.group = "floor";  // the ground that was left
         snag.passed_z = z - length;
         snag.passed_y = -0.5;
         snag.lowest_y = -0.5;

@@ -6,12 +6,14 @@
 #include <cstdlib>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 
+#include "default_snags.h"
 #include "slipface/base/files.h"
 #include "slipface/scenes/demo.h"
 #include "slipface/sim/cures.h"
-#include "snags.h"
+#include "slipface/sim/run_events.h"
 
 namespace slipface::test {
 namespace {
@@ -23,7 +25,7 @@ std::string without_numbers(const std::string& text) {
 
 struct Seen {
     std::set<Decision> decisions;
-    std::set<std::string> sweeps, responses, headlines;
+    std::set<std::string> sweeps, responses, headlines, events;
 };
 
 void look(const Level& level, const MovementSettings& settings, const Tape& tape, Seen& seen) {
@@ -32,9 +34,13 @@ void look(const Level& level, const MovementSettings& settings, const Tape& tape
     const TickScene scene(*built);
     TapeRun run(std::make_shared<const Tape>(tape), settings, tape.start.value_or(level.spawn));
     run.advance(scene, TapeRun::max_ticks);
+    const auto without_names = [](const std::string& text) {
+        return std::regex_replace(without_numbers(text), std::regex("`[^`]*`"), "`name`");
+    };
     for (const Stop& stop : find_stops(scene, run, level))
-        seen.headlines.insert(
-            std::regex_replace(without_numbers(stop.headline), std::regex("`[^`]*`"), "`name`"));
+        seen.headlines.insert(without_names(stop.headline));
+    for (const RunEvent& event : find_events(scene, run, level))
+        seen.events.insert(event.word + ": " + without_names(event.text));
     // Every third tick: long runs repeat themselves.
     for (std::size_t tick = 0; tick < run.samples().size(); tick += 3) {
         const TickTrace trace = run.trace(scene, tick);
@@ -69,6 +75,7 @@ std::string sentence_list(const Seen& seen) {
     add("Sweeps", seen.sweeps);
     add("Responses and pushes", seen.responses);
     add("Headlines", seen.headlines);
+    add("Events", seen.events);
     return list;
 }
 
@@ -89,6 +96,8 @@ TEST(Sentences, AreTheOnesThatWereRead) {
     }
     SnagMaker maker(1);
     for (const Snag& snag : maker.make())
+        look(snag.level, snag.level.movement, snag.tape, seen);
+    for (const Snag& snag : maker.make_under_defaults())
         look(snag.level, snag.level.movement, snag.tape, seen);
 
     const std::string list = sentence_list(seen);

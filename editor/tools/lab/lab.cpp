@@ -274,6 +274,16 @@ const std::vector<Stop>& Lab::stops(const Document& document) const {
     return stops_;
 }
 
+const std::vector<RunEvent>& Lab::events(const Document& document) const {
+    if (events_revision_ == revision_ && events_run_ == explained_) return events_;
+    events_.clear();
+    if (!has_tape() || !runs_[explained_].run.complete()) return events_;
+    events_revision_ = revision_;
+    events_run_ = explained_;
+    events_ = find_events(scene(document), runs_[explained_].run, document.level());
+    return events_;
+}
+
 const std::vector<SummaryRow>& Lab::presets(const Document& document) const {
     if (!has_tape() || presets_revision_ == revision_) return presets_;
     presets_revision_ = revision_;

@@ -9,6 +9,7 @@
 
 #include "document/document.h"
 #include "slipface/sim/compare.h"
+#include "slipface/sim/run_events.h"
 #include "slipface/sim/stops.h"
 #include "slipface/sim/summary.h"
 
@@ -104,6 +105,7 @@ class Lab {
     static constexpr std::size_t switch_ticks = 60;
     // What stopped the player in the selected run; empty until the run is complete.
     const std::vector<Stop>& stops(const Document& document) const;
+    const std::vector<RunEvent>& events(const Document& document) const;
     bool show_folded = false;             // show also the lines that every tick has
     std::optional<std::size_t> lit_line;  // of the story: the line that was clicked and is drawn in the view
 
@@ -144,6 +146,9 @@ class Lab {
     mutable std::vector<Stop> stops_;
     mutable std::uint64_t stops_revision_ = 0;
     mutable std::size_t stops_run_ = 0;
+    mutable std::vector<RunEvent> events_;
+    mutable std::uint64_t events_revision_ = 0;
+    mutable std::size_t events_run_ = 0;
     mutable std::vector<SummaryRow> presets_;
     mutable std::uint64_t presets_revision_ = 0;
     mutable std::vector<RateRow> rates_;

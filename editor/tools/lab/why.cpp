@@ -1,7 +1,5 @@
 #include "tools/lab/why.h"
 
-#include <array>
-
 #include "slipface/repair/repairs.h"
 #include "tools/editor.h"
 #include "tools/lab/lab_actions.h"
@@ -27,11 +25,7 @@ const std::vector<Cure>* cures_at_cursor(Editor& editor) {
         job = CureJob{.revision = lab.revision(), .run = lab.explained(), .first = stop->first};
         auto search = [level = editor.document->snapshot(), run = lab.runs()[lab.explained()].run,
                        at = *stop](Progress& progress) -> Result<std::vector<Cure>> {
-            constexpr std::size_t slice = 5000;  // ticks between two checks for cancellation
-            CureSearch cures = search_with_repairs(level, run, at);
-            while (!progress.cancelled() && !cures.advance(slice)) {
-            }
-            return cures.cures();
+            return find_cures_and_repairs(level, run, at, [&] { return progress.cancelled(); });
         };
         job.work =
             std::make_unique<Background<Result<std::vector<Cure>>>>(std::move(search), editor.session.wake);
@@ -77,7 +71,7 @@ void use_cure(Editor& editor, const Cure& cure) {
     }
     Transaction step(document, cure.text);
     if (changed.surfaces != document.level().surfaces) document.set_surfaces(changed.surfaces, cure.text);
-    if (cure.face != no_id) document.paint(std::array{cure.face}, changed.overrides[cure.face]);
+    if (!cure.faces.empty()) document.paint(cure.faces, changed.overrides[cure.faces.front()]);
     if (changed.movement != document.level().movement) document.set_movement(changed.movement, cure.text);
     step.commit();
     editor.lab.explain(1);

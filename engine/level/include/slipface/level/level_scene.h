@@ -41,6 +41,13 @@ class LevelScene {
 
     void apply_surfaces();  // after types or faces of the level changed
 
+    // What would happen if: gives faces another type in this scene alone, until end_trial(). Only for scenes
+    // of build(). nothing() is a type that nothing meets: faces that get it are as if they were not there.
+    // Empty if the level has as many types as there can be.
+    void try_surface(std::span<const FaceId> faces, SurfaceId type);
+    void end_trial();
+    std::optional<SurfaceId> nothing();
+
     // Level::fall_limit, in the scene's coordinates.
     std::optional<double> fall_limit() const;
 

@@ -1,4 +1,4 @@
-// What the doctor finds at a stop, repaired in a copy of the mesh: cures for a CureSearch to try, so that
+// What the doctor finds at a stop, repaired in a copy of the mesh: cures for find_cures() to try, so that
 // only repairs that let the player pass are offered. Nothing here changes a level's files; the user makes the
 // repair in the modelling tool.
 #pragma once
@@ -12,8 +12,9 @@ namespace slipface {
 // have a mesh and no results yet.
 std::vector<Cure> repairs_at(const Level& level, const Stop& stop);
 
-// The same with the level's repairs among what is tried.
-CureSearch search_with_repairs(const Level& level, const TapeRun& run, const Stop& stop);
-std::vector<Cure> find_cures_and_repairs(const Level& level, const TapeRun& run, const Stop& stop);
+// find_cures() with these among what is tried.
+std::vector<Cure> find_cures_and_repairs(
+    const Level& level, const TapeRun& run, const Stop& stop,
+    const std::function<bool()>& cancelled = [] { return false; });
 
 }  // namespace slipface

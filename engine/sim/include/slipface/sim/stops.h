@@ -12,7 +12,8 @@ enum class StopCause : std::uint8_t {
     step,        // an edge or corner below the middle of the player
     slope,       // ground too steep to walk up
     overhead,    // geometry too low to pass under
-    gap,         // between two upright faces
+    gap,         // between two upright faces, each of which alone would let the player on
+    corner,      // two upright faces that both stand in the stick's way
     sticky,      // held by a sticky surface
     carried,     // a conveyor or turntable moved the player against the stick
     slippery,    // ground whose friction does not hold against the slope
@@ -35,11 +36,14 @@ struct Loss {
     FaceId face = no_id;                     // no_id: terrain, or geometry that the player is inside of
     FaceId other = no_id;                    // the face with the second largest loss, if both are upright
     double other_m = 0.0;                    // its loss
+    bool hole = false;                       // of a gap: there is no ground between the two faces
     bool in_air = false;                     // the player was neither standing nor held when the tick began
     SurfaceId surface = default_surface;
     Vec3 position = Vec3::Zero();  // in the level's coordinates
     Vec3 normal = Vec3::Zero();
     double height_m = 0.0;                       // of the contact above the feet
+    double top_m = 0.0;                          // of what stopped the player, above the feet; 0: not known
+    double clearance_m = 0.0;                    // below what hangs too low; 0: not known
     std::optional<DecisionRecord> because = {};  // the rule that decided, if there is one
 };
 
@@ -47,23 +51,45 @@ struct Loss {
 // lost. A hazard, steep terrain, being inside geometry and being crushed are always reported.
 std::optional<Loss> loss_of(const TickTrace& trace);
 
+// Why nothing carried a player who fell out of the level.
+enum class FallCause : std::uint8_t {
+    unknown,    // walked or jumped off
+    not_solid,  // the type of what lay below is not solid
+    one_sided,  // what lay below holds from its other side
+    cut_short,  // something was in the way of a jump
+};
+
 struct Stop {
     std::size_t first = 0, last = 0;  // ticks
     std::size_t worst = 0;            // the tick of `loss.record`
+    std::size_t left = 0;             // of a fall: the tick in which the ground was left; else `first`
     double lost_m = 0.0;              // over all its ticks, against the same walk without the obstacle
     double lost_s = 0.0;              // the same as time at the speed that the stick requested
+    double wished_m = 0.0;            // what the stick requested in these ticks
     Loss loss = {};
-    std::string headline = {};  // "The 0.2 m edge of `stairs` (face 12) stopped you: Step up is off"
+    FallCause fall = FallCause::unknown;
+    bool blind_after = false;  // the player was sent back, and the stick went on as if it had not been
+    double feet_m = 0.0;       // the height of the feet at the tick `worst`, in the level's coordinates
+    std::vector<FaceId> held_by = {};  // without these faces the player gets on; empty: not known
+    std::string headline = {};         // "The 0.2 m edge of `stairs` (face 12) stopped you: Step up is off"
     std::vector<StoryNumber> numbers = {};  // of the headline
 };
 
 // The stops of a run, in order: neighbouring ticks in which the run made less than half of the motion that
-// the stick requested, for a known cause. A loss below least_stop_s is no stop: walking along a wall,
-// climbing a step. Each return to the start is a stop of its own.
+// the stick requested. A loss below least_stop_s is no stop: walking along a wall, climbing a step. Each
+// return to the start is a stop of its own.
+//
+// What held the player is found by trying: the run is played again without what was met, until the player
+// gets on, and what may stay is put back. Where several things hold it, each alone, the headline names the
+// one that is out of the settings' bounds.
 inline constexpr double least_stop_s = 0.05;
-std::vector<Stop> find_stops(const TickScene& scene, const TapeRun& run, const StoryNames& names);
+std::vector<Stop> find_stops(const TickScene& scene, const TapeRun& run, const Level& level);
 
-// The stop to look at first: the last one; null if there is none.
+// The same from the traces alone, without trying: for counting.
+std::vector<Stop> count_stops(const TickScene& scene, const TapeRun& run, const StoryNames& names);
+
+// The stop to look at first: the last one, or the first after which the tape goes on blindly; null if there
+// is none.
 const Stop* headline_stop(std::span<const Stop> stops);
 
 // One line each: "at 1.25 s (tick 75, 0.4 s lost): The 0.2 m edge ...".

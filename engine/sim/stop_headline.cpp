@@ -1,0 +1,138 @@
+// What stopped the player, in a sentence.
+#include <algorithm>
+#include <array>
+
+#include "stop_parts.h"
+#include "story_words.h"
+
+namespace slipface {
+
+const char* stop_cause_name(StopCause cause) {
+    static constexpr std::array<const char*, 17> names{
+        "wall",     "back",     "step",       "slope",  "overhead", "gap",    "corner",  "sticky", "carried",
+        "slippery", "platform", "ladder end", "inside", "terrain",  "hazard", "crushed", "fall"};
+    return names[static_cast<std::size_t>(cause)];
+}
+
+// A wall that took less of the motion was slid along.
+constexpr double face_on = 0.97;
+void write_headline(Stop& stop, const MovementSettings& settings, const StoryNames& names) {
+    const Loss& loss = stop.loss;
+    Words words(stop.headline, stop.numbers);
+    const std::string what = thing_text(names, loss.face);
+    // The feet stand a skin above the floor.
+    const double height = loss.in_air ? loss.height_m : loss.height_m + settings.skin;
+    const auto because = [&] {
+        if (!loss.because) return;
+        words.say(". ").decision(*loss.because);
+    };
+    switch (loss.cause) {
+        case StopCause::wall:
+            if (stop.lost_m < face_on * stop.wished_m) {
+                words.say("You slid along ").say(what).say(": it took ");
+                words.percent(stop.lost_m / stop.wished_m).say(" of the motion");
+                break;
+            }
+            words.say("A wall of ").say(what).say(" stopped you");
+            if (!loss.in_air && loss.top_m > 0.0 && loss.top_m < 2.0 * 2.0 * settings.radii.y()) {
+                words.say(": ").size(loss.top_m).say(" high, ");
+                if (settings.step_up)
+                    words.say("Step height is ").size(settings.step_height);
+                else
+                    words.say("and Step up is off");
+            }
+            break;
+        case StopCause::back:
+            words.say("The back of ").say(what).say(" stopped you: it collides from both sides");
+            break;
+        case StopCause::step:
+            if (loss.in_air) {
+                words.say("The edge of ").say(what).say(" stopped you in the air, ");
+                words.size(height).say(" above your feet");
+                break;
+            }
+            words.say("The ").size(loss.top_m > 0.0 ? loss.top_m : height).say(" edge of ").say(what);
+            words.say(" stopped you");
+            if (!settings.step_up) {
+                words.say(": Step up is off");
+            } else if (std::max(height, loss.top_m) > settings.step_height) {
+                words.say(": higher than Step height, ").size(settings.step_height);
+            } else {
+                because();
+            }
+            break;
+        case StopCause::slope:
+            words.say("The slope of ").say(what).say(" stopped you");
+            because();
+            break;
+        case StopCause::overhead:
+            if (loss.clearance_m > 0.0)
+                words.say(what).say(" leaves ").size(loss.clearance_m).say(" of height");
+            else
+                words.say(what).say(" is too low: you touched it ").size(height).say(" above your feet");
+            words.say("; you are ").size(2.0 * settings.radii.y()).say(" tall");
+            break;
+        case StopCause::gap:
+            if (loss.top_m > 0.0 && loss.hole) {
+                words.say("A hole before ").say(what).say(" stopped you: no ground between it and ");
+                words.say(thing_text(names, loss.other)).say(", and it is ").size(loss.top_m).say(" higher");
+                break;
+            }
+            words.say("You are held between ").say(what).say(" and ").say(thing_text(names, loss.other));
+            words.say(": you are ").size(2.0 * std::max(settings.radii.x(), settings.radii.z())).say(" wide");
+            break;
+        case StopCause::corner:
+            words.say("The corner of ").say(what).say(" and ").say(thing_text(names, loss.other));
+            words.say(" stopped you: the stick points into both");
+            break;
+        case StopCause::sticky: words.say("The sticky ").say(what).say(" holds you until you jump"); break;
+        case StopCause::carried:
+            words.say("The moving surface of ").say(what).say(" carried you against the stick");
+            break;
+        case StopCause::slippery:
+            words.say("The slope of ").say(what).say(" is too slippery to walk up");
+            if (loss.surface < names.surfaces.size())
+                words.say(": friction ").ratio(names.surfaces[loss.surface].friction);
+            break;
+        case StopCause::platform: words.say("The moving platform ").say(what).say(" stopped you"); break;
+        case StopCause::ladder_end:
+            words.say("The ladder ends: the wall above it, ").say(what).say(", cannot be climbed");
+            break;
+        case StopCause::inside:
+            if (loss.because) {
+                words.decision(*loss.because);
+            } else {
+                words.say("You are inside geometry");
+            }
+            break;
+        case StopCause::terrain:
+            words.say("The terrain stopped you");
+            because();
+            break;
+        case StopCause::hazard: words.say("The hazard ").say(what).say(" sent you back to the start"); break;
+        case StopCause::crushed:
+            words.say("Crushed between ").say(what).say(" and ").say(thing_text(names, loss.other));
+            words.say(", back to the start");
+            break;
+        case StopCause::fall:
+            if (stop.fall == FallCause::not_solid) {
+                words.say("You fell through ").say(what).say(": its type is not solid");
+                break;
+            }
+            if (stop.fall == FallCause::one_sided) {
+                words.say("You fell through ").say(what).say(": it holds from its front only");
+                break;
+            }
+            if (stop.fall == FallCause::cut_short) {
+                words.say(what).say(" cut the jump short: without it you would have landed on ");
+                words.say(thing_text(names, loss.other));
+                break;
+            }
+            words.say("You fell out of the level");
+            if (loss.face != no_id) words.say(", last from ").say(what);
+            words.say(", back to the start");
+            break;
+    }
+}
+
+}  // namespace slipface
