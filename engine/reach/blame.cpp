@@ -156,6 +156,28 @@ std::vector<std::string> causes_of(const GoalAnswer& broken, const Level& before
         *same = std::move(type);
         if (holds(other)) causes.push_back(fmt::format("holds with the type {} of before", same->name));
     }
+    const auto named = [](std::vector<Platform>& platforms, const std::string& name) {
+        return std::find_if(platforms.begin(), platforms.end(),
+                            [&](const Platform& one) { return one.name == name; });
+    };
+    for (const Platform& platform : before.platforms) {
+        Level other = now;
+        const auto same = named(other.platforms, platform.name);
+        if (same == other.platforms.end())
+            other.platforms.push_back(platform);
+        else if (*same == platform)
+            continue;
+        else
+            *same = platform;
+        if (holds(other))
+            causes.push_back(fmt::format("holds with the platform {} of before", platform.name));
+    }
+    for (const Platform& platform : now.platforms) {
+        Level old = before, other = now;
+        if (named(old.platforms, platform.name) != old.platforms.end()) continue;
+        other.platforms.erase(named(other.platforms, platform.name));
+        if (holds(other)) causes.push_back(fmt::format("holds without the new platform {}", platform.name));
+    }
     if (!causes.empty()) return causes;
     Level other = now;
     other.movement = before.movement;

@@ -105,6 +105,16 @@ class Roller {
         return true;
     }
 
+    // Stands until what moves around it is in another stage: what comes once, and late, is worth the wait.
+    void wait(Cursor& cursor) {
+        const Vec3 at = position_in_scene(scenes_.at(cursor.tick), cursor.state);
+        const std::size_t i = world_.moving_at(at);
+        if (i == world_.moving.size()) return;
+        const double seconds = world_.moving[i].until_next(cursor.tick * dt_);
+        if (seconds > 0.0)
+            go(cursor, static_cast<std::uint32_t>(seconds / dt_) + 1, stick_at_rest, false, false);
+    }
+
     // A press of jump, held for `hold` ticks; steered by `stick`, after `turn` ticks by `then`.
     void jump(Cursor cursor, std::uint8_t stick, std::uint32_t hold, std::uint32_t turn, std::uint8_t then) {
         if (cursor.state.jump_held && !tick(cursor, stick, false)) return;
@@ -205,6 +215,7 @@ class Roller {
             const std::uint8_t stick = number < 8 ? main : number == 8 ? stick_at_rest : steer(random);
             return void(go(cursor, longest_flight, stick, false, true));
         }
+        if (world_.changes() && number == 8) return wait(cursor);
         if (world_.changes() && number % 4 == 3)
             go(cursor, 6 + random.below(40), stick_at_rest, false, false);
         if (!cursor.alive) return;
@@ -401,6 +412,26 @@ std::uint64_t ReachRandom::bits() {
     return z ^ (z >> 31);
 }
 
+std::size_t MovingArea::stage(double time_s) const {
+    const double time = period > 0.0 ? std::fmod(time_s, period) : time_s;
+    return static_cast<std::size_t>(std::upper_bound(stages.begin(), stages.end(), time) - stages.begin());
+}
+
+double MovingArea::until_next(double time_s) const {
+    const double time = period > 0.0 ? std::fmod(time_s, period) : time_s;
+    const auto next = std::upper_bound(stages.begin(), stages.end(), time);
+    if (next != stages.end()) return *next - time;
+    return period > 0.0 ? period - time : 0.0;
+}
+
+std::size_t ReachWorld::moving_at(const Vec3& position) const {
+    const auto holds = [&](const MovingArea& area) {
+        return (position.array() >= area.box.min.array()).all() &&
+               (position.array() <= area.box.max.array()).all();
+    };
+    return static_cast<std::size_t>(std::find_if(moving.begin(), moving.end(), holds) - moving.begin());
+}
+
 // Two states are one cell where the player could soon do the same: near each other, held alike, their
 // velocities less apart than a quarter of a second of steering makes up for.
 std::uint64_t ReachWorld::cell_key(const MovementScene& scene, const PlayerState& state,
@@ -424,15 +455,8 @@ std::uint64_t ReachWorld::cell_key(const MovementScene& scene, const PlayerState
             key = mix(key, static_cast<std::uint64_t>(std::llround(state.velocity[axis] / apart)));
         if (!held) key = mix(key, static_cast<std::uint64_t>(std::llround(state.velocity.y() / 4.0)));
     }
-    for (std::size_t i = 0; i < moving.size(); ++i) {
-        const MovingArea& area = moving[i];
-        if ((at.array() < area.box.min.array()).any() || (at.array() > area.box.max.array()).any()) continue;
-        const double time = tick * options.dt;
-        const double phase = area.period > 0.0 ? std::fmod(time, area.period) / area.period * area.phases
-                                               : std::min(time, area.phases - 1.0);
-        key = mix(key, (i + 1) * 64 + static_cast<std::uint64_t>(phase));
-        break;
-    }
+    if (const std::size_t i = moving_at(at); i < moving.size())
+        key = mix(key, (i + 1) * 1024 + moving[i].stage(tick * options.dt));
     return key == 0 ? 1 : key;
 }
 

@@ -19,11 +19,16 @@ class ReachRandom {
     std::uint64_t state_;
 };
 
-// What moves near a cell makes time part of it: as a phase, never as the clock.
+// What moves near a cell makes time part of it: as where the platform is, never as the clock. A pause is one
+// stage however long it is; so is the rest of the time after a path that does not repeat.
 struct MovingArea {
     Aabb box;             // of all that the platform ever touches, and a jump around it; scene coordinates
     double period = 0.0;  // seconds; 0: it does not repeat
-    std::uint32_t phases = 1;
+    std::vector<double> stages;  // when each begins, seconds, ascending from 0
+
+    std::size_t stage(double time_s) const;
+    // Seconds until the next stage begins; 0 if none does any more.
+    double until_next(double time_s) const;
 };
 
 // What all roll-outs of a search share.
@@ -37,6 +42,8 @@ struct ReachWorld {
     std::vector<Vec3> goals;         // scene coordinates
     Vec3 home = Vec3::Zero();        // where a player at rest at the start stands; scene coordinates
 
+    // The first that holds a position in the scene, by its index; moving.size() if none does.
+    std::size_t moving_at(const Vec3& position) const;
     std::uint64_t cell_key(const MovementScene& scene, const PlayerState& state, std::uint32_t tick) const;
     bool is_home(const MovementScene& scene, const PlayerState& state) const;
     bool changes() const { return !moving.empty(); }

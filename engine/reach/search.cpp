@@ -22,8 +22,40 @@ constexpr std::uint32_t visits_per_pick = 4;
 constexpr std::uint32_t max_visits = 2000, max_visits_in_air = 24;
 constexpr std::size_t max_cost = 160;
 constexpr std::size_t max_nodes = 60'000'000;
-constexpr double phase_s = 0.5;
+// Where a platform is counts in parts of its motion of that many seconds.
+constexpr double phase_s = 0.5, sampled_s = 0.125, max_samples = 20'000.0, max_parts = 48.0;
+constexpr std::size_t max_stages = 1000;
 constexpr double jump_around_m = 5.0, jump_above_m = 3.0;
+
+// The times at which the platform is somewhere else, or begins or ends a pause, in one period or until it
+// rests for good.
+std::vector<double> stages_of(const Platform& platform, double period) {
+    double length = period, pauses = 0.0;
+    for (const PathPoint& point : platform.path)
+        pauses += std::max(0.0, point.pause_s);
+    if (!(period > 0.0))
+        for (std::size_t i = 0; i + 1 < platform.path.size(); ++i)
+            length += std::max(0.0, platform.path[i].pause_s) +
+                      (platform.path[i + 1].offset - platform.path[i].offset).norm() /
+                          std::max(1e-3, platform.path[i].speed);
+    const double part_s = std::max(phase_s, (length - pauses) / max_parts);
+    const double sample_s = std::max(sampled_s, length / max_samples);
+    std::vector<double> stages{0.0};
+    bool moved = false;
+    double moving_s = 0.0;
+    Pose last = platform_pose(platform, 0.0);
+    for (double time = sample_s; time < length + sample_s; time += sample_s) {
+        const Pose now = platform_pose(platform, time);
+        const bool moves = now != last;
+        last = now;
+        moving_s = moves && moved ? moving_s + sample_s : 0.0;
+        const bool next = moves != moved || moving_s >= part_s;
+        if (moving_s >= part_s) moving_s = 0.0;
+        moved = moves;
+        if (next && stages.size() < max_stages) stages.push_back(time - sample_s);
+    }
+    return stages;
+}
 
 // What holds a platform wherever it is, with the room in which it decides where a jump ends.
 std::vector<MovingArea> moving_areas(const Level& level, const LevelScene& scene) {
@@ -39,7 +71,8 @@ std::vector<MovingArea> moving_areas(const Level& level, const LevelScene& scene
     }
     for (std::size_t i = 0; i < rest.size(); ++i) {
         const Platform& platform = level.platforms[i];
-        MovingArea area{.box = platform_reach(platform, rest[i])};
+        MovingArea area;
+        area.box = platform_reach(platform, rest[i]);
         if (!area.box.empty()) {
             const Vec3 around(jump_around_m, jump_above_m, jump_around_m);
             area.box.min += scene.offset() - around;
@@ -48,8 +81,7 @@ std::vector<MovingArea> moving_areas(const Level& level, const LevelScene& scene
         area.period = path_period(platform);
         if (area.period <= 0.0 && platform.spin_rate != 0.0)
             area.period = 2.0 * std::numbers::pi / std::abs(platform.spin_rate);
-        const double length = area.period > 0.0 ? area.period : 16.0;
-        area.phases = static_cast<std::uint32_t>(std::clamp(std::round(length / phase_s), 1.0, 48.0));
+        area.stages = stages_of(platform, area.period);
         areas.push_back(area);
     }
     return areas;

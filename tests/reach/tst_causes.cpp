@@ -73,6 +73,27 @@ TEST(ReachCauses, NameTheTypeThatWasChanged) {
     EXPECT_THAT(causes(before, now), ElementsAre("holds with the type ice of before"));
 }
 
+TEST(ReachCauses, NameThePlatformThatWasChanged) {
+    const Level before = bridge_level(true);
+    Shapes shapes;
+    shapes.box({-2, -1, 0}, {2, 0, 4}).box({-2, -1, -20}, {2, 0, -16});
+    shapes.group("ferry").box({-1, -0.4, -2.2}, {1, 0, -0.2});
+    Level level = shapes.level();
+    level.movement = MovementSettings{};
+    level.spawn = before.spawn;
+    level.goals = before.goals;
+    Platform ferry;
+    ferry.name = ferry.group = "ferry";
+    ferry.path = {{Vec3::Zero(), 4.0, 0.5}, {Vec3(0, 0, -13.5), 4.0, 0.5}};
+    level.platforms.push_back(ferry);
+    Level now = level;
+    now.platforms[0].path[1].offset.z() = -4.0;
+    EXPECT_THAT(causes(level, now, 60), ElementsAre("holds with the platform ferry of before"));
+    now = level;
+    now.platforms.clear();
+    EXPECT_THAT(causes(level, now, 60), ElementsAre("holds with the platform ferry of before"));
+}
+
 // What must never be reached, and is since a wall has gone.
 TEST(ReachCauses, NameTheWallThatIsGone) {
     const auto yard = [](bool wall) {

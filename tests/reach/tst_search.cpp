@@ -257,6 +257,28 @@ TEST(ReachSearch, AFerryIsWaitedForAndRidden) {
     }
 }
 
+// What comes once, and late, is waited for: where a platform is makes time part of a cell, not the clock.
+TEST(ReachSearch, ABridgeThatComesOnceAfterAnyTimeIsWaitedFor) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        SCOPED_TRACE(seed);
+        const double width = drawn(seed, 10.0, 14.0), late = drawn(seed + 5, 20.0, 90.0);
+        Shapes shapes;
+        shapes.box({-2, -1, 0}, {2, 0, 4}).box({-2, -1, -width - 4}, {2, 0, -width});
+        shapes.group("bridge").box({-1, -0.4, 1.5 - width}, {1, 0, -1.5});
+        ReachScene scene{shapes.level(), {0, 0.91, 3}, {0, 0, -width - 2}};
+        scene.level.movement = MovementSettings{};
+        Platform bridge;
+        bridge.name = bridge.group = "bridge";
+        bridge.path = {{Vec3(25, 0, 0), 6.0, late}, {Vec3::Zero(), 6.0, 60.0}};
+        bridge.repeat = PathRepeat::once;
+        scene.level.platforms.push_back(bridge);
+        ReachSearch search = search_of(scene, 0, seed);
+        const FaceId far_side = face_at(scene.level, scene.target);
+        EXPECT_TRUE(rounds_until(search, far_side, 120)) << search.steps();
+        EXPECT_EQ(false_claims(search), "");
+    }
+}
+
 // A level pad gives back the height of the jump; one that leans turns the speed of the run into height, too.
 TEST(ReachSearch, ABounceOffALeaningPadLeadsToTheRoof) {
     Shapes shapes;
