@@ -164,12 +164,6 @@ class Reader {
         for (const DecisionRecord& steep : steep_)
             if (steep.face == maximum.face) loss.because = steep;
 
-        const Taken* second = nullptr;
-        for (const Taken& t : taken_) {
-            const bool upright = t.sweep != nullptr && t.sweep->contact && t.sweep->contact->normal.y() < 0.7;
-            if (t.face != maximum.face && upright && (second == nullptr || t.lost_m > second->lost_m))
-                second = &t;
-        }
         loss.in_air = !trace_.before.grounded && !trace_.before.climbing && !trace_.before.stuck;
         const bool aside = contact.normal.y() < slope_normal_y;
         if (maximum.rule == Rule::stick) {
@@ -189,13 +183,6 @@ class Reader {
             if (step_decision_) loss.because = step_decision_;
         } else if (!aside) {
             loss.cause = StopCause::slope;
-        }
-        const bool upright = loss.cause == StopCause::wall || loss.cause == StopCause::back;
-        if (upright && second != nullptr) {
-            loss.other = second->face;
-            // In a corner the last face touched takes what all of them held back.
-            const bool cornered = maximum.rule == Rule::crease || maximum.rule == Rule::stop;
-            loss.other_m = cornered ? std::max(second->lost_m, maximum.lost_m) : second->lost_m;
         }
         return loss;
     }

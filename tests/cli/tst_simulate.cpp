@@ -194,6 +194,16 @@ TEST_F(Simulate, WhyNamesWhatStoppedThePlayerAndWhatWouldCureIt) {
     EXPECT_EQ(json["headline"], json["stops"][0]["headline"]);
     EXPECT_EQ(json["stops"][0]["cause"], "step");
     EXPECT_EQ(json["stops"][0]["cures"][0]["settings"][0], "step_up=on");
+    EXPECT_FALSE(json["stops"][0]["held_by"].empty());
+    EXPECT_TRUE(json["events"].is_array());
+    const std::string jump =
+        write("jump.tape", "slipface-tape 1\nsettings defaults\nstart 0,0.902,0\n10\n80 wish 0,0 jump\n")
+            .string();
+    out.str("");
+    ASSERT_EQ(cli::run_why({.tape = {.level = kerb, .tape = jump}, .events = true}, out, err),
+              cli::exit_fine);
+    EXPECT_THAT(out.str(), HasSubstr("at 0.17 s  jumped        Jumped at 8 m/s"));
+    EXPECT_THAT(out.str(), HasSubstr("the button was held, and a jump starts when it is pressed"));
     // With the cure there is nothing to tell.
     out.str("");
     ASSERT_EQ(cli::run_why({.tape = {.level = kerb, .tape = tape, .settings = {"step_up=on"}}}, out, err),

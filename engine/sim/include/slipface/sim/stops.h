@@ -34,10 +34,9 @@ struct Loss {
     double lost_m = 0.0;                     // motion towards the stick
     std::optional<std::size_t> record = {};  // in the tick's trace: the response or decision that cost most
     FaceId face = no_id;                     // no_id: terrain, or geometry that the player is inside of
-    FaceId other = no_id;                    // the face with the second largest loss, if both are upright
-    double other_m = 0.0;                    // its loss
-    bool hole = false;                       // of a gap: there is no ground between the two faces
-    bool in_air = false;                     // the player was neither standing nor held when the tick began
+    FaceId other = no_id;  // the second face of a gap, a corner, a press; where a fall would have ended
+    bool hole = false;     // of a gap: there is no ground between the two faces
+    bool in_air = false;   // the player was neither standing nor held when the tick began
     SurfaceId surface = default_surface;
     Vec3 position = Vec3::Zero();  // in the level's coordinates
     Vec3 normal = Vec3::Zero();
