@@ -188,9 +188,9 @@ bool enter_pressed() {
 }
 
 // Moves the keyboard focus to the box in which the user began to type. True for that box.
-void focus_if_wanted(FileBrowser& browser, FileBrowser::Box box) {
+void focus_if_wanted(FileBrowser& browser, FileBrowser::Box box, const char* label) {
     if (browser.wants_typing != box) return;
-    ImGui::SetKeyboardFocusHere();
+    ui::focus_text_box(label);
     browser.wants_typing = FileBrowser::Box::none;
     browser.caret_to_end = true;
 }
@@ -198,7 +198,7 @@ void focus_if_wanted(FileBrowser& browser, FileBrowser::Box box) {
 // True: the user pressed Enter in it.
 bool path_box(Parts& parts) {
     FileBrowser& browser = parts.browser;
-    focus_if_wanted(browser, FileBrowser::Box::path);
+    focus_if_wanted(browser, FileBrowser::Box::path, "##Path");
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     constexpr int flags = ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackAlways;
     if (ImGui::InputTextWithHint("##Path", file_kind(browser.shown).hint, &browser.path_text, flags,
@@ -218,7 +218,7 @@ bool filter_row(Parts& parts) {
     const float hidden_width = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
                                ImGui::CalcTextSize("Hidden files").x;
     const float format_width = opens ? 150 * scale + gap : 0.0f;
-    focus_if_wanted(browser, FileBrowser::Box::filter);
+    focus_if_wanted(browser, FileBrowser::Box::filter, "##Filter");
     ImGui::SetNextItemWidth(
         std::max(60 * scale, ImGui::GetContentRegionAvail().x - hidden_width - format_width - gap));
     constexpr int flags = ImGuiInputTextFlags_CallbackHistory | ImGuiInputTextFlags_CallbackAlways;

@@ -21,6 +21,17 @@ ImVec2 text_size(const Font& font, const char* text) {
     return font.face->CalcTextSizeA(font.pixels, FLT_MAX, 0.0f, text);
 }
 
+void focus_text_box(const char* label) {
+#if IMGUI_VERSION_NUM >= 18900
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    context.NavActivateId = ImGui::GetID(label);
+    context.NavActivateFlags = ImGuiActivateFlags_PreferInput;
+#else
+    (void)label;
+    ImGui::SetKeyboardFocusHere();
+#endif
+}
+
 #ifdef IMGUI_HAS_TEXTURES
 
 namespace {

@@ -188,6 +188,9 @@ struct Font {
 void use_default_font(const Font& font);
 // Until ImGui::PopFont().
 void push_font(const Font& font);
+// The text box of that label, which follows, takes the keyboard. Dear ImGui's own SetKeyboardFocusHere() does
+// nothing in 1.90 after a click into a child window.
+void focus_text_box(const char* label);
 ImVec2 text_size(const Font& font, const char* text);
 bool has_glyph(const Font& font, unsigned code);
 // Those that can be drawn without another upload: all of them, and since 1.92 those drawn so far.
