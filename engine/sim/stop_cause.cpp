@@ -105,7 +105,9 @@ void name_cause(Stop& stop, WhatHolds& holds, std::span<const Holding> found, st
     }
     if (chosen->cause == StopCause::wall && before == StopCause::back) loss.cause = StopCause::back;
     if (!is_upright(*chosen)) return;
-    const FaceId rim = loss.in_air ? no_id : holds.rim_before(chosen->nearest_m, stop.worst);
+    // What is higher than the player is a wall, with a hole before it or without.
+    const bool low = !loss.in_air && chosen->highest_m < 2.0 * settings.radii.y();
+    const FaceId rim = low ? holds.rim_before(chosen->nearest_m, stop.worst) : no_id;
     if (rim != no_id) {
         loss.cause = StopCause::gap;
         loss.other = rim;
