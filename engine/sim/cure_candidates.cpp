@@ -138,7 +138,12 @@ void add_types(std::vector<CureCandidate>& all, const Level& level, const Stop& 
     if (loss.face == no_id || loss.face >= level.mesh.face_count()) return;
     const ResolvedSurfaces resolved = resolve_surfaces(level);
     const SurfaceId now = resolved.surface[loss.face];
-    const std::vector<FaceId> faces = stop.held_by.empty() ? std::vector{loss.face} : stop.held_by;
+    std::vector<FaceId> faces = stop.held_by;
+    // A type holds or carries on all faces that have it, not on the one that is stood on.
+    for (FaceId face = 0; stop.held_by.empty() && face < resolved.surface.size(); ++face)
+        if (face == loss.face || (resolved.surface[face] == now && now != default_surface &&
+                                  level.mesh.group_of(face) == level.mesh.group_of(loss.face)))
+            faces.push_back(face);
     const std::string face = faces_text(level, faces);
     for (std::size_t i = 0; i < level.surfaces.size(); ++i) {
         if (i == now) continue;
